@@ -1,0 +1,208 @@
+//! The checked model: what a file says once every name, unit and balance is right, one program for each scene.
+//!
+//! It is plain data. The macro prints it as Rust; the command lists it.
+
+use crate::diagnostic::Diagnostic;
+use crate::program::Program;
+use crate::token::Span;
+
+/// What the compiler made of a file.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// Name of the mechanism; empty when not even that could be read.
+    pub name: String,
+    /// Names of the scenes that the file declares, right or wrong.
+    pub scene_names: Vec<String>,
+    /// The model, if there is no error.
+    pub model: Option<Model>,
+    /// Errors and warnings, in the order of the file.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// A mechanism.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// Name as the file states it, `Batten`.
+    pub name: String,
+    /// Documentation, lines joined by newlines.
+    pub documentation: String,
+    /// The cited source.
+    pub source: String,
+    /// Effects that it may show.
+    pub effects: Vec<Described>,
+    /// Choices between descriptions.
+    pub choices: Vec<ChoiceInfo>,
+    /// Named sets of values.
+    pub presets: Vec<PresetInfo>,
+    /// The scenes, the default one first.
+    pub scenes: Vec<SceneModel>,
+}
+
+/// A name with its explanation.
+#[derive(Clone, Debug)]
+pub struct Described {
+    /// The name.
+    pub name: String,
+    /// The explanation.
+    pub summary: String,
+}
+
+/// Several descriptions of one thing.
+#[derive(Clone, Debug)]
+pub struct ChoiceInfo {
+    /// The name.
+    pub name: String,
+    /// What is described.
+    pub summary: String,
+    /// The alternatives, the default one first.
+    pub alternatives: Vec<String>,
+}
+
+/// A named set of values.
+#[derive(Clone, Debug)]
+pub struct PresetInfo {
+    /// The name.
+    pub name: String,
+    /// What the values are.
+    pub summary: String,
+    /// Names of constants with their values in SI units.
+    pub values: Vec<(String, f64)>,
+}
+
+/// One scene: the mechanism with a set of effects and choices.
+#[derive(Clone, Debug)]
+pub struct SceneModel {
+    /// The name.
+    pub name: String,
+    /// What it shows.
+    pub summary: String,
+    /// Effects that are present.
+    pub effects: Vec<String>,
+    /// For each choice its name and the alternative that holds.
+    pub choices: Vec<(String, String)>,
+    /// The preset that it starts from; empty for the declared defaults.
+    pub preset: String,
+    /// Dimensions and parameters that it depends on.
+    pub constants: Vec<ConstantInfo>,
+    /// Prescribed coordinates.
+    pub drivers: Vec<QuantityInfo>,
+    /// The state vector: coordinates, their speeds, first-order states.
+    pub states: Vec<QuantityInfo>,
+    /// What it reports.
+    pub outputs: Vec<QuantityInfo>,
+    /// Number of coordinates.
+    pub coordinates: usize,
+    /// Absolute tolerance of each state per unit of relative tolerance, SI units.
+    pub scales: Vec<f64>,
+    /// The equations as text.
+    pub equations: Vec<EquationInfo>,
+    /// Conditions on the values, in the order of the program's `requirements`.
+    pub requirements: Vec<RequirementInfo>,
+    /// Its task.
+    pub span: SpanKind,
+    /// Whether energy is conserved: energies are stated, nothing dissipates, and nothing depends on the time.
+    pub conservative: bool,
+    /// Published facts.
+    pub expectations: Vec<ExpectInfo>,
+    /// The operations.
+    pub program: Program,
+}
+
+/// A named quantity with the unit in which it is printed.
+#[derive(Clone, Debug)]
+pub struct QuantityInfo {
+    /// Name as the file writes it, `dot(phi2)` for a derivative.
+    pub name: String,
+    /// Documentation.
+    pub summary: String,
+    /// Unit, empty for a pure number.
+    pub unit: String,
+    /// SI value of one such unit.
+    pub factor: f64,
+    /// Exponents of m, kg, s, A, K, mol, cd as numerator and denominator.
+    pub dimension: [(i8, i8); 7],
+}
+
+/// A dimension or parameter.
+#[derive(Clone, Debug)]
+pub struct ConstantInfo {
+    /// Name and unit.
+    pub quantity: QuantityInfo,
+    /// Whether it is a made dimension.
+    pub is_dimension: bool,
+    /// Value unless another is given, SI units.
+    pub default: f64,
+    /// Permitted error of the made size, SI units; zero if none is stated.
+    pub tolerance: f64,
+    /// Permitted range, SI units; infinite where open.
+    pub range: (f64, f64),
+}
+
+/// An equation as text.
+#[derive(Clone, Debug)]
+pub struct EquationInfo {
+    /// The equation.
+    pub text: String,
+    /// Unit of each of its sides.
+    pub unit: String,
+    /// Where it stands in the file.
+    pub span: Span,
+}
+
+/// A condition on the values.
+#[derive(Clone, Debug)]
+pub struct RequirementInfo {
+    /// The condition.
+    pub text: String,
+    /// The message that the file gives with it, or empty.
+    pub message: String,
+    /// Indices of the constants concerned.
+    pub names: Vec<usize>,
+}
+
+/// Task of a scene; its times are values of the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpanKind {
+    /// The steady state over a period.
+    Periodic,
+    /// A motion from a time to a time.
+    Run,
+    /// None stated.
+    Open,
+}
+
+/// A published fact.
+#[derive(Clone, Debug)]
+pub struct ExpectInfo {
+    /// Where in the motion.
+    pub at: ExpectPlace,
+    /// Whether it is an output (else a state), and its index.
+    pub quantity: (bool, usize),
+    /// Published value, SI units.
+    pub value: f64,
+    /// Half-width of the band, SI units.
+    pub tolerance: f64,
+    /// Preset to run with; empty for the scene's own values.
+    pub preset: String,
+    /// What the value is and how far to trust it.
+    pub remark: String,
+    /// Where it stands in the file.
+    pub span: Span,
+    /// The fact in words, `phi2 at theta = 1.9198 rad`.
+    pub label: String,
+}
+
+/// A place in a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ExpectPlace {
+    /// At a time, in seconds.
+    Time(f64),
+    /// Where the driver of this index first reaches a position, SI units.
+    Driver(usize, f64),
+    /// Largest value over the task.
+    Maximum,
+    /// Smallest value over the task.
+    Minimum,
+    /// Largest absolute value over the task.
+    Amplitude,
+}

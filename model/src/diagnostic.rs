@@ -1,0 +1,102 @@
+//! What the compiler has to say about an equation file: one mistake, one message.
+
+use crate::token::Span;
+
+/// How serious a message is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Severity {
+    /// The file means nothing until this is mended.
+    Error,
+    /// The file works, but probably not as meant.
+    Warning,
+}
+
+/// One message: what was found, where, what explains it, and what to do.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Diagnostic {
+    /// How serious it is.
+    pub severity: Severity,
+    /// The place.
+    pub span: Span,
+    /// What was found and what was expected.
+    pub message: String,
+    /// A second place that explains it, with a few words on it.
+    pub related: Option<(Span, String)>,
+    /// What to do about it.
+    pub hint: Option<String>,
+}
+
+impl Diagnostic {
+    /// An error at a place.
+    pub fn error(span: Span, message: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Error,
+            span,
+            message: message.into(),
+            related: None,
+            hint: None,
+        }
+    }
+
+    /// A warning at a place.
+    pub fn warning(span: Span, message: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Warning,
+            ..Self::error(span, message)
+        }
+    }
+
+    /// Adds the second place.
+    #[must_use]
+    pub fn related(mut self, span: Span, words: impl Into<String>) -> Self {
+        self.related = Some((span, words.into()));
+        self
+    }
+
+    /// Adds what to do.
+    #[must_use]
+    pub fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.hint = Some(hint.into());
+        self
+    }
+}
+
+/// Collects messages; a message that is already there is not added again.
+#[derive(Clone, Debug, Default)]
+pub struct Diagnostics {
+    list: Vec<Diagnostic>,
+    seen: std::collections::HashSet<(Span, String)>,
+}
+
+impl Diagnostics {
+    /// Adds a message unless the same one stands at the same place.
+    pub fn push(&mut self, diagnostic: Diagnostic) {
+        if self
+            .seen
+            .insert((diagnostic.span, diagnostic.message.clone()))
+        {
+            self.list.push(diagnostic);
+        }
+    }
+
+    /// Adds all messages of another collection.
+    pub fn extend(&mut self, others: impl IntoIterator<Item = Diagnostic>) {
+        others
+            .into_iter()
+            .for_each(|diagnostic| self.push(diagnostic));
+    }
+
+    /// Whether an error is among them.
+    pub fn has_errors(&self) -> bool {
+        self.list
+            .iter()
+            .any(|diagnostic| diagnostic.severity == Severity::Error)
+    }
+
+    /// The messages in the order of the file.
+    pub fn into_sorted(mut self) -> Vec<Diagnostic> {
+        self.list
+            .sort_by_key(|diagnostic| (diagnostic.span.first, diagnostic.severity));
+        self.list
+    }
+}

@@ -1,0 +1,193 @@
+//! A program: the straight line of operations that a scene boils down to. It is the border between the language and
+//! whoever runs it, the emitted Rust or the evaluator.
+
+/// Index of an operation, and so of its value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Value(pub u32);
+
+/// How often a value changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Stage {
+    /// Never.
+    Constant,
+    /// Once per parameter set.
+    Parameter,
+    /// Once per instant.
+    Instant,
+    /// At every evaluation.
+    State,
+}
+
+/// What is given from outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Input {
+    /// A dimension or parameter, by index.
+    Parameter(u32),
+    /// The time.
+    Time,
+    /// A component of the state vector.
+    State(u32),
+}
+
+/// One operation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Operation {
+    /// What is computed.
+    pub kind: OperationKind,
+    /// How often.
+    pub stage: Stage,
+    /// Name in the file of the quantity that this is, if it is one.
+    pub name: Option<String>,
+}
+
+/// What an operation computes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum OperationKind {
+    /// A number.
+    Number(f64),
+    /// A value from outside.
+    Input(Input),
+    /// `a + b`
+    Add(Value, Value),
+    /// `a - b`
+    Subtract(Value, Value),
+    /// `a * b`
+    Multiply(Value, Value),
+    /// `a / b`
+    Divide(Value, Value),
+    /// `-a`
+    Negate(Value),
+    /// `a * b + c`
+    MultiplyAdd(Value, Value, Value),
+    /// `a * b - c`
+    MultiplySubtract(Value, Value, Value),
+    /// `c - a * b`, written with its operands in the order a, b, c
+    NegateMultiplyAdd(Value, Value, Value),
+    /// A function of one or two values. Sine and cosine of one angle are two operations, which the printer pairs.
+    Call(Function, Vec<Value>),
+    /// A condition.
+    Compare(Relation, Value, Value),
+    /// Both conditions.
+    And(Value, Value),
+    /// Either condition.
+    Or(Value, Value),
+    /// Not the condition.
+    Not(Value),
+    /// `if condition { then } else { otherwise }`
+    Select {
+        /// The condition.
+        condition: Value,
+        /// Its value where it holds.
+        then: Value,
+        /// Its value where it does not.
+        otherwise: Value,
+    },
+    /// The factors of a symmetric positive matrix, entries of the lower triangle row by row.
+    Factor {
+        /// Rows of the matrix.
+        size: u32,
+        /// Lower triangle, row by row, `size*(size+1)/2` values.
+        entries: Vec<Value>,
+    },
+    /// The solution of a factored system, a vector.
+    Solve {
+        /// The factors.
+        factor: Value,
+        /// The right-hand side.
+        right: Vec<Value>,
+    },
+    /// One element of a solution.
+    Element {
+        /// The solution.
+        solution: Value,
+        /// Which element, from 0.
+        index: u32,
+    },
+}
+
+/// A function of the language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Atan2,
+    Sinh,
+    Cosh,
+    Tanh,
+    Exp,
+    Ln,
+    Log10,
+    Sqrt,
+    Hypot,
+    Erf,
+    NormalCdf,
+    Floor,
+    /// `|x|`
+    Abs,
+    /// −1, 0 or 1
+    Sign,
+    /// The larger of two.
+    Max,
+    /// The smaller of two.
+    Min,
+    /// `x^y` for any real `y`
+    Power,
+    /// `e^x − 1` without cancellation
+    ExpM1,
+    /// `ln(1 + x)` without cancellation
+    Ln1p,
+}
+
+/// A relation between two values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Relation {
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `==`
+    Equal,
+}
+
+/// A function of the program: which values it returns.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Results {
+    /// `y'`, one value for each component of the state.
+    pub derivative: Vec<Value>,
+    /// Nonzero entries of `∂y'/∂y`: row, column, value.
+    pub jacobian: Vec<(u32, u32, Value)>,
+    /// Outputs in their declared order.
+    pub outputs: Vec<Value>,
+    /// Positions of the drivers.
+    pub drivers: Vec<Value>,
+    /// Lower triangle of the mass matrix, row by row; empty when there is none.
+    pub mass: Vec<Value>,
+    /// Kinetic and potential energy; empty when none is stated.
+    pub energy: Vec<Value>,
+    /// Conditions on the values, in the order of the scene's `requirements`.
+    pub requirements: Vec<Value>,
+    /// Period, or start and end time.
+    pub span: Vec<Value>,
+    /// Start values of the state.
+    pub start: Vec<Value>,
+}
+
+/// The straight line of operations of one scene, sorted so that operands come first and stages rise.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Program {
+    /// The operations.
+    pub operations: Vec<Operation>,
+    /// What the functions of the program return.
+    pub results: Results,
+    /// Number of parameters.
+    pub parameters: usize,
+    /// Length of the state vector.
+    pub states: usize,
+    /// Whether the derivative is affine in the state.
+    pub linear: bool,
+}

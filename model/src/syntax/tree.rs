@@ -1,0 +1,372 @@
+//! The syntax tree: the file as it is written, before any name has a meaning.
+
+use crate::token::Span;
+
+/// A name with its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Name {
+    /// The text.
+    pub text: String,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A name that is declared, inside a `for` perhaps with an index: `x` or `x[k]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Target {
+    /// The name.
+    pub name: Name,
+    /// The index, a whole number once the repetition is unrolled.
+    pub index: Option<Box<Term>>,
+}
+
+/// A whole equation file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct File {
+    /// Documentation lines before the name.
+    pub documentation: Vec<String>,
+    /// Name of the mechanism.
+    pub name: Name,
+    /// The cited source.
+    pub source: Option<String>,
+    /// The statements, in the order of the file (which does not matter).
+    pub statements: Vec<Statement>,
+}
+
+/// One statement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statement {
+    /// Documentation lines before it.
+    pub documentation: Vec<String>,
+    /// From its first token to its last.
+    pub span: Span,
+    /// What it says.
+    pub kind: StatementKind,
+}
+
+/// What a statement says.
+#[derive(Clone, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the example of each variant names its parts")]
+pub enum StatementKind {
+    /// `dimension R = 75 mm +- 0.05 mm normal in 60 mm .. 90 mm;` or `parameter …`; several after commas become several statements.
+    Constant(Constant),
+    /// `preset table "text" { T = 207e3 [1/s^2]; }`
+    Preset {
+        name: Name,
+        text: Option<String>,
+        values: Vec<(Target, Term)>,
+    },
+    /// `let x = …;`, `let f(a, b) = …;`
+    Let {
+        target: Target,
+        arguments: Option<Vec<Name>>,
+        value: Term,
+    },
+    /// `driver theta = n*time in 0 .. 2*pi;` Either part may be missing.
+    Driver {
+        target: Target,
+        value: Option<Term>,
+        range: Option<(Term, Term)>,
+        tolerance: Option<Tolerance>,
+    },
+    /// `coordinate phi2: rad = 0;`
+    Coordinate(Unknown),
+    /// `state i: A = 0;`
+    State(Unknown),
+    /// `motion rotor: J*ddot(phi) = M;`
+    Motion {
+        label: Option<Name>,
+        left: Term,
+        right: Term,
+    },
+    /// `kinetic …;`, `potential …;` or `dissipation …;`
+    Energy { kind: EnergyKind, value: Term },
+    /// `force F on x;`: the force does the work `F·δx`. Several after commas become several statements.
+    Force { value: Term, on: Term },
+    /// `require l1 + l4 < l2 + l3 "Grashof";`
+    Require {
+        condition: Term,
+        text: Option<String>,
+    },
+    /// `effect torsion "text" { … } else { … }`
+    Effect {
+        name: Name,
+        text: Option<String>,
+        body: Vec<Statement>,
+        otherwise: Vec<Statement>,
+    },
+    /// `choice crank "text" { a { … } b { … } }`
+    Choice {
+        name: Name,
+        text: Option<String>,
+        alternatives: Vec<Alternative>,
+    },
+    /// `if torsion && !bending { … } else { … }` on statements; the condition is over effects and choices.
+    If {
+        condition: Term,
+        then: Vec<Statement>,
+        otherwise: Vec<Statement>,
+    },
+    /// `for k in 1..30 { … }`, both ends included.
+    For {
+        index: Name,
+        from: Term,
+        to: Term,
+        body: Vec<Statement>,
+    },
+    /// `scene elastic "text" = torsion + crank.exact { … }`
+    Scene(Scene),
+    /// `output x;`, `output F1 = … [kN];`. Several after commas become several statements.
+    Output(Output),
+    /// `expect scene S at theta = 110 deg: x = 1 mm +- 0.1 mm "remark";`
+    Expect(Expect),
+}
+
+/// A dimension or parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Constant {
+    /// Whether it is a dimension.
+    pub is_dimension: bool,
+    /// Its name.
+    pub target: Target,
+    /// Its default value.
+    pub value: Option<Term>,
+    /// Permitted error of the made size.
+    pub tolerance: Option<Tolerance>,
+    /// Permitted range, `in lo .. hi`.
+    pub range: Option<(Term, Term)>,
+}
+
+/// A permitted error with its distribution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Half-width.
+    pub half_width: Term,
+    /// How the made sizes are distributed.
+    pub distribution: Distribution,
+}
+
+/// Distribution of a made size.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Distribution {
+    /// Half-width is three standard deviations.
+    #[default]
+    Normal,
+    /// All within the half-width alike.
+    Uniform,
+    /// Normal, cut off at the half-width.
+    Truncated,
+}
+
+/// A coordinate or state with its unit and start value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unknown {
+    /// Its name.
+    pub target: Target,
+    /// Its unit.
+    pub unit: UnitTerm,
+    /// Its start value.
+    pub start: Option<Term>,
+    /// Start value of its first derivative, `coordinate x: m = 0, rate = 1 [m/s];` written after a second `,` as `rate`.
+    pub start_rate: Option<Term>,
+}
+
+/// Which energy a statement adds to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EnergyKind {
+    /// Kinetic energy.
+    Kinetic,
+    /// Potential energy.
+    Potential,
+    /// Rayleigh's dissipation function: half the dissipated power where it is quadratic in the speeds.
+    Dissipation,
+}
+
+/// One alternative of a choice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Alternative {
+    /// Its name.
+    pub name: Name,
+    /// Its explanation.
+    pub text: Option<String>,
+    /// Statements that hold with it.
+    pub body: Vec<Statement>,
+}
+
+/// A scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Its name.
+    pub name: Name,
+    /// Its explanation.
+    pub text: Option<String>,
+    /// Effects (`torsion`) and chosen alternatives (`crank.exact`), joined by `+`.
+    pub selection: Vec<Selection>,
+    /// What it does and reports.
+    pub items: Vec<SceneItem>,
+}
+
+/// One selected effect or alternative.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Selection {
+    /// Effect, or choice when `alternative` is there.
+    pub name: Name,
+    /// Alternative of the choice.
+    pub alternative: Option<Name>,
+}
+
+/// A statement inside a scene.
+#[derive(Clone, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the example of each variant names its parts")]
+pub enum SceneItem {
+    /// `periodic over P;`
+    Periodic { period: Term },
+    /// `run time a .. b;`
+    Run {
+        variable: Name,
+        from: Term,
+        to: Term,
+    },
+    /// `preset table;`
+    Preset { name: Name },
+    /// `output a, b = …;` adds to the outputs that the scene reports. A scene with any reports only these.
+    Output(Output),
+    /// `start phi2 = 0.1 rad, dot(phi2) = 0;`
+    Start { values: Vec<(Term, Term)> },
+}
+
+/// A reported quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output {
+    /// The name after which it is reported; none for a bare expression, which is reported under its own text.
+    pub name: Option<Target>,
+    /// Its value; none when an existing name is reported.
+    pub value: Option<Term>,
+    /// The unit in which it is printed.
+    pub unit: Option<UnitTerm>,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A published fact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expect {
+    /// Scene concerned; the first one unless said.
+    pub scene: Option<Name>,
+    /// Preset to run with.
+    pub preset: Option<Name>,
+    /// Where in the motion.
+    pub at: ExpectAt,
+    /// The quantity: a state, the `dot` of one, or an output, by name.
+    pub quantity: Term,
+    /// Its published value.
+    pub value: Term,
+    /// Half-width of the band in which the computed one must lie.
+    pub tolerance: Term,
+    /// What the value is and how far to trust it.
+    pub remark: Option<String>,
+}
+
+/// Where in a motion a published fact holds.
+#[derive(Clone, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the example of each variant names its parts")]
+pub enum ExpectAt {
+    /// `at time = …` or `at theta = …`.
+    Value { variable: Name, value: Term },
+    /// `maximum`, `minimum` or `amplitude`, over the task of the scene.
+    Extreme(Name),
+}
+
+/// An expression.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Term {
+    /// From its first token to its last.
+    pub span: Span,
+    /// What it is.
+    pub kind: TermKind,
+}
+
+/// What an expression is.
+#[derive(Clone, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the example of each variant names its parts")]
+pub enum TermKind {
+    /// `75`, `75 mm`, `0.1 [kg m^2]`
+    Number { value: f64, unit: Option<UnitTerm> },
+    /// `x`
+    Name(String),
+    /// `x[k + 1]`
+    Index { name: Name, index: Box<Term> },
+    /// `crank.exact`, `feed.tooth`
+    Member { base: Box<Term>, name: Name },
+    /// `[x, y]`, `[x, y, z]`
+    Vector(Vec<Term>),
+    /// `-x`, `!c`
+    Unary(UnaryOperator, Box<Term>),
+    /// `x + y`
+    Binary(BinaryOperator, Box<Term>, Box<Term>),
+    /// `sin(x)`
+    Call { name: Name, arguments: Vec<Term> },
+    /// `if c { x } else { y }`
+    If {
+        condition: Box<Term>,
+        then: Box<Term>,
+        otherwise: Box<Term>,
+    },
+    /// `sum(k in 1..5, x[k])`, both ends included.
+    Sum {
+        index: Name,
+        from: Box<Term>,
+        to: Box<Term>,
+        body: Box<Term>,
+    },
+}
+
+/// An operator before its operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnaryOperator {
+    /// `-`
+    Negate,
+    /// `!`
+    Not,
+}
+
+/// An operator between its operands, loosest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BinaryOperator {
+    /// `||`
+    Or,
+    /// `&&`
+    And,
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterEqual,
+    /// `==`
+    Equal,
+    /// `!=`
+    NotEqual,
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+    /// `^`, to the right, tighter than a sign before it: `-x^2` is `-(x^2)`
+    Power,
+}
+
+/// A unit as it is written: `mm`, `[kg m^2/s]`, `[1/s^2]`. After `/` only the next name is below the line
+/// (`N m/rad` is N·m/rad, `J/kg K` is an error that asks for `J/(kg K)`).
+#[derive(Clone, Debug, PartialEq)]
+pub struct UnitTerm {
+    /// Where it stands.
+    pub span: Span,
+    /// Names with their exponents (numerator, denominator), `/` applied.
+    pub factors: Vec<(Name, (i8, i8))>,
+}

@@ -1,0 +1,133 @@
+//! What the solvers ask of a model: the two traits that emitted code implements.
+//!
+//! A [`Scene`] is a set of parameter values, the type that a user fills in. Preparing it for a scalar type gives
+//! [`Equations`]: everything that depends on the parameters alone is computed there, once.
+
+use crate::scalar::Scalar;
+
+/// A vector of scalars, of fixed or of run-time length: one text of each algorithm serves both.
+pub trait Storage<S>: Clone + AsRef<[S]> + AsMut<[S]> {
+    /// A vector of `length` zeros. A fixed array has its own length and ignores the argument.
+    fn zeros(length: usize) -> Self;
+}
+
+impl<S: Scalar, const N: usize> Storage<S> for [S; N] {
+    #[inline(always)]
+    fn zeros(length: usize) -> Self {
+        debug_assert_eq!(length, N);
+        [S::ZERO; N]
+    }
+}
+
+impl<S: Scalar> Storage<S> for Vec<S> {
+    fn zeros(length: usize) -> Self {
+        vec![S::ZERO; length]
+    }
+}
+
+/// First-order equations `y' = f(t, y)` of one scene with its parameters fixed.
+///
+/// The state is `[coordinates, speeds, first-order states]`. All quantities are in SI units. The methods neither
+/// allocate nor panic; a value that does not exist (a square root of a negative number) is NaN, which the solvers report.
+pub trait Equations<S: Scalar> {
+    /// The state vector `y`.
+    type State: Storage<S>;
+    /// What depends on the time alone, computed once per instant.
+    type Instant: Clone;
+
+    /// Length of the state vector.
+    fn states(&self) -> usize;
+
+    /// Values that depend on the time alone, at one time.
+    fn instant(&self, time: S) -> Self::Instant;
+
+    /// The same at several times at once, so that their sines and cosines are packed calls.
+    fn instants<const K: usize>(&self, times: [S; K]) -> [Self::Instant; K];
+
+    /// Writes `f(t, y)` into `rate`.
+    fn derivative(&self, instant: &Self::Instant, state: &Self::State, rate: &mut Self::State);
+
+    /// Writes `f(t, y)` into `rate` and the products `∂f/∂y · columns[k]` into `products[k]`.
+    fn variation(
+        &self,
+        instant: &Self::Instant,
+        state: &Self::State,
+        rate: &mut Self::State,
+        columns: &[Self::State],
+        products: &mut [Self::State],
+    );
+
+    /// Writes the columns of `∂f/∂y`: `columns[j].as_ref()[i] = ∂f_i/∂y_j`.
+    fn jacobian(&self, instant: &Self::Instant, state: &Self::State, columns: &mut [Self::State]);
+
+    /// Writes the outputs of the scene, in their declared order. Shape: `Scene::outputs`.
+    fn outputs(&self, time: S, state: &Self::State, values: &mut [S]);
+
+    /// Writes the positions of the drivers at a time, in their declared order.
+    fn drivers(&self, time: S, values: &mut [S]);
+}
+
+/// What a scene does when it is run without being told more; values in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Span {
+    /// The steady state that repeats after this period, in seconds.
+    Periodic(f64),
+    /// A motion from the first time to the second, in seconds.
+    Run(f64, f64),
+    /// Nothing is stated: positions are evaluated where they are asked for.
+    Open,
+}
+
+/// A scene of a mechanism with its parameter values: the type that a user fills in and hands to a solver.
+pub trait Scene: Clone + Send + Sync {
+    /// The equations, prepared for a scalar type.
+    type Equations<S: Scalar>: Equations<S>;
+
+    /// Whether `f` is affine in the state, so that superposition holds.
+    const LINEAR: bool;
+
+    /// Length of the state vector.
+    const STATES: usize;
+    /// Number of outputs.
+    const OUTPUTS: usize;
+    /// Number of drivers.
+    const DRIVERS: usize;
+    /// Absolute tolerance of each state per unit of `rtol`, from the state's unit; length `STATES`.
+    const SCALES: &'static [f64];
+    /// Names of the states, `phi2` or `dot(phi2)`; length `STATES`.
+    const STATE_NAMES: &'static [&'static str];
+    /// Names of the outputs; length `OUTPUTS`.
+    const OUTPUT_NAMES: &'static [&'static str];
+
+    /// Computes what depends on the parameters alone.
+    fn prepare<S: Scalar>(&self) -> Self::Equations<S>;
+
+    /// Checks the conditions that the mechanism puts on its values (`require`, finite values, positive masses).
+    ///
+    /// # Errors
+    /// The first condition that does not hold, with the values concerned.
+    fn check(&self) -> Result<(), Refused>;
+
+    /// The task of the scene with these parameter values.
+    fn span(&self) -> Span;
+
+    /// The declared start values of the state, SI units; length `STATES`.
+    fn start(&self) -> Vec<f64>;
+}
+
+/// A set of values that the mechanism does not accept.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refused {
+    /// Parameter or condition concerned.
+    pub name: String,
+    /// What was found and what was expected.
+    pub reason: String,
+}
+
+impl std::fmt::Display for Refused {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(formatter, "{}: {}", self.name, self.reason)
+    }
+}
+
+impl std::error::Error for Refused {}
