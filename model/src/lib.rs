@@ -3,6 +3,7 @@
 pub mod checked;
 pub mod diagnostic;
 pub mod program;
+pub mod structure;
 pub mod token;
 pub mod unroll;
 /// The syntax of an equation file.
