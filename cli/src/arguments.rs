@@ -1,0 +1,147 @@
+//! What can be asked of the command, with the help that it gives.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Mechanisms as equation files: run, check and explain them.
+#[derive(Debug, Parser)]
+#[command(
+    name = "assur",
+    version,
+    disable_help_subcommand = true,
+    after_help = "Begin with:\n  assur list\n  assur run batten\n\nExit codes: 0 done, 1 the numbers did not come out, 2 the request is wrong."
+)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The subcommands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// List the mechanisms with their scenes.
+    #[command(after_help = "Example:\n  assur list")]
+    List,
+    /// Run a scene: its results, the published values beside them, and a figure of its curves.
+    #[command(after_help = RUN_EXAMPLES)]
+    Run(RunArguments),
+    /// Check an equation file without compiling anything.
+    #[command(after_help = "Example:\n  assur check my_linkage.eqn\n\nExit codes: 0 no error, 2 at least one error.")]
+    Check(CheckArguments),
+    /// Print the Rust that an equation file becomes.
+    #[command(after_help = "Examples:\n  assur expand batten --scene elastic\n  assur expand my_linkage.eqn")]
+    Expand(ExpandArguments),
+    /// Compare the scenes of a mechanism: size, cost, and what each effect changes.
+    #[command(after_help = "Example:\n  assur scenes batten")]
+    Scenes(ScenesArguments),
+}
+
+const RUN_EXAMPLES: &str = "Examples:
+  assur run batten
+  assur run batten --scene exact --set n=300rpm --at theta=110deg
+  assur run batten --rtol 1e-12 --format json
+  assur run batten --format csv > batten.csv
+
+The figure goes to NAME-SCENE.svg in the current directory, or where --out or --plot say;
+with --format json or csv it is drawn only when one of these asks for it.";
+
+/// Options of `assur run`.
+#[derive(Args, Debug, Default)]
+pub struct RunArguments {
+    /// The mechanism, as `assur list` names it.
+    pub name: Option<String>,
+    /// The scene; the first one of the file unless given.
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// A named set of values to start from.
+    #[arg(long, value_name = "PRESET")]
+    pub preset: Option<String>,
+    /// A dimension or parameter with its unit, `n=300rpm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// A position of the driver or a time at which to print everything, `theta=110deg`, `time=0.1s`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub at: Vec<String>,
+    /// Relative tolerance of the integration, from 1e-14 to 1e-2.
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    pub rtol: Option<String>,
+    /// Integration method: tsit5 or dop853.
+    #[arg(long, value_name = "METHOD")]
+    pub method: Option<String>,
+    /// What is printed.
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+    /// File for the figure.
+    #[arg(long, value_name = "FILE.svg", conflicts_with = "out")]
+    pub plot: Option<PathBuf>,
+    /// Directory for the figure, created if it is missing.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// How results are printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// Tables to read.
+    #[default]
+    Table,
+    /// One JSON object, described in cli/JSON.md.
+    Json,
+    /// The curves over the task, one row a sample.
+    Csv,
+}
+
+/// Options of `assur check`.
+#[derive(Args, Debug)]
+pub struct CheckArguments {
+    /// The equation files.
+    #[arg(required = true, value_name = "FILE.eqn")]
+    pub files: Vec<PathBuf>,
+}
+
+/// Options of `assur expand`.
+#[derive(Args, Debug)]
+pub struct ExpandArguments {
+    /// The mechanism, or an equation file ending in `.eqn`.
+    pub name: Option<String>,
+    /// Only this scene.
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Option<String>,
+}
+
+/// Options of `assur scenes`.
+#[derive(Args, Debug)]
+pub struct ScenesArguments {
+    /// The mechanism.
+    pub name: Option<String>,
+    /// A named set of values to start from.
+    #[arg(long, value_name = "PRESET")]
+    pub preset: Option<String>,
+    /// A dimension or parameter with its unit, `n=300rpm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_definition_is_sound() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn options_may_stand_before_or_after_the_name() {
+        for words in [["assur", "run", "--rtol", "1e-9", "batten"], ["assur", "run", "batten", "--rtol", "1e-9"]] {
+            let Ok(Arguments { command: Command::Run(options) }) = Arguments::try_parse_from(words) else {
+                panic!("{words:?} is not understood");
+            };
+            assert_eq!(options.name.as_deref(), Some("batten"));
+            assert_eq!(options.rtol.as_deref(), Some("1e-9"));
+        }
+    }
+}

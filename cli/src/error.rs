@@ -1,0 +1,124 @@
+//! Why the command did not do what was asked: what, where, and what to do about it.
+
+use crate::style::Style;
+
+/// A request that could not be carried out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    kind: Kind,
+    what: String,
+    facts: Vec<(&'static str, String)>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Request,
+    Numerical,
+    /// Everything has been said already; only the exit code is left.
+    Said,
+}
+
+impl Failure {
+    /// The request itself is wrong: exit code 2.
+    pub fn request(what: impl Into<String>) -> Self {
+        Self {
+            kind: Kind::Request,
+            what: what.into(),
+            facts: Vec::new(),
+        }
+    }
+
+    /// The request is right but the numbers did not come out: exit code 1.
+    pub fn numerical(what: impl Into<String>) -> Self {
+        Self {
+            kind: Kind::Numerical,
+            ..Self::request(what)
+        }
+    }
+
+    /// The request is wrong and every message about it is already printed: exit code 2.
+    pub fn said() -> Self {
+        Self {
+            kind: Kind::Said,
+            ..Self::request("")
+        }
+    }
+
+    /// Adds where it went wrong.
+    #[must_use]
+    pub fn place(self, place: impl Into<String>) -> Self {
+        self.fact("where", place)
+    }
+
+    /// Adds why.
+    #[must_use]
+    pub fn reason(self, reason: impl Into<String>) -> Self {
+        self.fact("why", reason)
+    }
+
+    /// Adds what to do about it.
+    #[must_use]
+    pub fn remedy(self, remedy: impl Into<String>) -> Self {
+        self.fact("help", remedy)
+    }
+
+    fn fact(mut self, label: &'static str, text: impl Into<String>) -> Self {
+        self.facts.push((label, text.into()));
+        self
+    }
+
+    /// The exit code of the command.
+    pub fn code(&self) -> u8 {
+        match self.kind {
+            Kind::Numerical => 1,
+            Kind::Request | Kind::Said => 2,
+        }
+    }
+
+    /// What went wrong, in one line.
+    pub fn what(&self) -> &str {
+        &self.what
+    }
+
+    /// The whole message, with its last line ended; empty when everything is said.
+    pub fn render(&self, style: Style) -> String {
+        if self.kind == Kind::Said {
+            return String::new();
+        }
+        let mut text = format!("{} {}\n", style.error("error:"), self.what);
+        for (label, fact) in &self.facts {
+            let label = style.accent(&format!("{label:>5}:"));
+            for (index, line) in fact.lines().enumerate() {
+                if index == 0 {
+                    text += &format!(" {label} {line}\n");
+                } else {
+                    text += &format!("        {line}\n");
+                }
+            }
+        }
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn says_what_where_and_remedy() {
+        let failure = Failure::request("there is no mechanism `baten`")
+            .place("run NAME")
+            .remedy("did you mean `batten`?\nall: `assur list`");
+        assert_eq!(
+            failure.render(Style::PLAIN),
+            "error: there is no mechanism `baten`\n where: run NAME\n  help: did you mean `batten`?\n        all: `assur list`\n"
+        );
+        assert_eq!(failure.code(), 2);
+    }
+
+    #[test]
+    fn numbers_that_do_not_come_out_are_another_code() {
+        assert_eq!(Failure::numerical("resonance").code(), 1);
+        assert_eq!(Failure::said().render(Style::PLAIN), "");
+    }
+}

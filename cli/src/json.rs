@@ -1,0 +1,184 @@
+//! The answer of `assur run` as one JSON object, described field by field in `cli/JSON.md`.
+
+use std::path::Path;
+
+use assur::registry::Quantity;
+use serde_json::{Value, json};
+
+use crate::motion::Task;
+use crate::multipliers::conclusions;
+use crate::published::Comparison;
+use crate::report::{Report, Snapshot};
+use crate::values::method_name;
+
+/// Name and version of the format.
+pub const FORMAT: &str = "assur-run/1";
+
+/// The object, with its last line ended.
+pub fn render(report: &Report, figure: Option<&Path>) -> String {
+    let object = object(report, figure);
+    // A `Value` has only text keys and finite numbers, so printing it cannot fail.
+    serde_json::to_string_pretty(&object).unwrap_or_default() + "\n"
+}
+
+fn object(report: &Report, figure: Option<&Path>) -> Value {
+    let scene = report.case.scene;
+    let results = results(report);
+    let places: Vec<_> = report.places.iter().map(|place| snapshot(report, place)).collect();
+    let published: Vec<_> = report.published.iter().map(|comparison| compared(report, comparison)).collect();
+    let complete = !lacks(&results) && !places.iter().any(lacks);
+    json!({
+        "format": FORMAT,
+        "mechanism": {
+            "name": report.mechanism.name,
+            "title": report.mechanism.title,
+            "source": report.mechanism.source,
+        },
+        "scene": {
+            "name": scene.name,
+            "effects": scene.effects,
+            "choices": scene.choices.iter().map(|(name, made)| ((*name).to_owned(), json!(made))).collect::<serde_json::Map<_, _>>(),
+            "preset": text(report.case.constants.preset),
+        },
+        "parameters": parameters(report),
+        "task": task(report.case.task),
+        "settings": {
+            "method": method_name(report.motion.settings.method),
+            "rtol": report.motion.settings.rtol,
+        },
+        "status": if complete { "complete" } else { "incomplete" },
+        "results": results,
+        "at": places,
+        "published": published,
+        "multipliers": multipliers(report),
+        "conclusions": conclusions(&report.multipliers),
+        "statistics": statistics(report),
+        "figure": figure.map(|path| path.display().to_string()),
+    })
+}
+
+fn text(text: &str) -> Value {
+    if text.is_empty() { Value::Null } else { json!(text) }
+}
+
+/// Whether a value is missing in a list of results.
+fn lacks(value: &Value) -> bool {
+    let list = value.get("results").unwrap_or(value);
+    list.as_array().is_some_and(|list| list.iter().any(|result| result["value"].is_null()))
+}
+
+fn parameters(report: &Report) -> Value {
+    let constants = &report.case.constants;
+    let one = |index: usize| {
+        let constant = &report.case.scene.constants[index];
+        let quantity = &constant.quantity;
+        json!({
+            "name": quantity.name,
+            "kind": if constant.is_dimension { "dimension" } else { "parameter" },
+            "unit": quantity.unit,
+            "value": constants.values[index] / quantity.factor,
+            "default": constant.default / quantity.factor,
+            "changed": constants.is_changed(index),
+        })
+    };
+    (0..constants.values.len()).map(one).collect()
+}
+
+fn task(task: Task) -> Value {
+    let (from, to) = task.limits();
+    let kind = match task {
+        Task::Periodic(_) => "periodic",
+        Task::Run(..) => "run",
+        Task::Open => "open",
+    };
+    json!({ "kind": kind, "from": from, "to": to, "unit": "s" })
+}
+
+/// Every variable at the beginning of the task, with its extremes over the task.
+fn results(report: &Report) -> Value {
+    let mut list = readings(report, &report.start);
+    for (result, (variable, extreme)) in list.iter_mut().zip(report.case.variables.iter().zip(&report.extremes)) {
+        let end = |(time, value): (f64, f64)| json!({ "value": variable.in_unit(value), "time": time });
+        if !report.curves.times.is_empty() {
+            result["minimum"] = end(extreme.minimum);
+            result["maximum"] = end(extreme.maximum);
+        }
+    }
+    Value::Array(list)
+}
+
+fn readings(report: &Report, snapshot: &Snapshot) -> Vec<Value> {
+    let variables = report.case.variables.iter().zip(&snapshot.values).zip(&report.errors);
+    variables
+        .map(|((variable, value), error)| {
+            json!({
+                "name": variable.name,
+                "unit": variable.unit,
+                "value": variable.in_unit(*value),
+                "estimated_error": variable.in_unit(*error),
+            })
+        })
+        .collect()
+}
+
+fn snapshot(report: &Report, snapshot: &Snapshot) -> Value {
+    let driver = |(quantity, value): (&Quantity, &f64)| json!({ "name": quantity.name, "unit": quantity.unit, "value": value / quantity.factor });
+    json!({
+        "place": snapshot.label,
+        "time": snapshot.time,
+        "drivers": report.case.scene.drivers.iter().zip(&snapshot.drivers).map(driver).collect::<Vec<_>>(),
+        "results": readings(report, snapshot),
+    })
+}
+
+fn compared(report: &Report, comparison: &Comparison) -> Value {
+    let variable = &report.case.variables[comparison.variable];
+    let fact = comparison.fact;
+    json!({
+        "name": variable.name,
+        "unit": variable.unit,
+        "place": comparison.place,
+        "published": variable.in_unit(fact.value),
+        "tolerance": variable.in_unit(fact.tolerance),
+        "computed": variable.in_unit(comparison.computed),
+        "estimated_error": variable.in_unit(report.errors[comparison.variable]),
+        "deviation": variable.in_unit(comparison.deviation()),
+        "relative_deviation": comparison.relative(),
+        "within": comparison.within(),
+        "remark": text(fact.remark),
+        "line": fact.line,
+    })
+}
+
+fn multipliers(report: &Report) -> Value {
+    let mut list = Vec::new();
+    for multiplier in &report.multipliers {
+        for sign in if multiplier.pair { &[1.0, -1.0][..] } else { &[1.0][..] } {
+            list.push(json!({
+                "re": multiplier.re,
+                "im": sign * multiplier.im,
+                "modulus": multiplier.modulus(),
+                "angle": sign * multiplier.angle(),
+                "angle_unit": "deg",
+                "meaning": multiplier.meaning(),
+            }));
+        }
+    }
+    Value::Array(list)
+}
+
+fn statistics(report: &Report) -> Value {
+    let effort = report.motion.effort();
+    let worst = report.cost.worst.map(|(index, share)| {
+        json!({ "name": report.case.variables[index].name, "relative_to_amplitude": share })
+    });
+    json!({
+        "steps": effort.steps,
+        "rejected": effort.rejected,
+        "evaluations": effort.evaluations,
+        "seconds": report.cost.solve,
+        "seconds_with_error_estimate": report.cost.total,
+        "largest_estimated_error": worst,
+        "work_for_ten_times_more_accuracy": report.cost.tenfold,
+    })
+}

@@ -1,0 +1,161 @@
+//! Finding things by name, and the nearest name when there is none.
+
+use assur::registry::{Mechanism, SceneEntry};
+use assur_equations::REGISTRY;
+
+use crate::error::Failure;
+
+/// The mechanism of this name.
+///
+/// # Errors
+/// When there is none; the nearest name is offered.
+pub fn mechanism(name: &str) -> Result<&'static Mechanism, Failure> {
+    if let Some(found) = REGISTRY.iter().find(|mechanism| mechanism.name == name) {
+        return Ok(found);
+    }
+    let names: Vec<_> = REGISTRY.iter().map(|mechanism| mechanism.name).collect();
+    Err(Failure::request(format!("there is no mechanism `{name}`"))
+        .remedy(format!("{}\n`assur list` shows them with their scenes", suggestion(name, &names))))
+}
+
+/// What to say when no mechanism is named.
+pub fn no_mechanism(command: &str) -> Failure {
+    let width = REGISTRY.iter().map(|mechanism| mechanism.name.len()).max().unwrap_or(0);
+    let mut remedy = String::from("name one of these");
+    for mechanism in REGISTRY {
+        let line = mechanism.summary.lines().next().unwrap_or("");
+        remedy += &format!("\n  {:width$}  {line}", mechanism.name);
+    }
+    if let Some(first) = REGISTRY.first() {
+        remedy += &format!("\nfor example: assur {command} {}", first.name);
+    }
+    Failure::request(format!("`assur {command}` needs a mechanism")).remedy(remedy)
+}
+
+/// The scene of this name, the first one if none is given.
+///
+/// # Errors
+/// When there is none; the nearest name is offered.
+pub fn scene(mechanism: &'static Mechanism, name: Option<&str>) -> Result<&'static SceneEntry, Failure> {
+    let Some(name) = name else {
+        return mechanism
+            .scenes
+            .first()
+            .ok_or_else(|| Failure::request(format!("`{}` has no scene", mechanism.name)));
+    };
+    if let Some(found) = mechanism.scenes.iter().find(|scene| scene.name == name) {
+        return Ok(found);
+    }
+    let names: Vec<_> = mechanism.scenes.iter().map(|scene| scene.name).collect();
+    let mut failure = Failure::request(format!("`{}` has no scene `{name}`", mechanism.name));
+    if let Some(words) = with_feature(mechanism, name) {
+        failure = failure.reason(words);
+    }
+    Err(failure.remedy(format!(
+        "{}\n`assur scenes {}` compares them",
+        suggestion(name, &names),
+        mechanism.name
+    )))
+}
+
+/// If the name is that of an effect, of a choice or of an alternative: which scenes have it.
+pub fn with_feature(mechanism: &Mechanism, name: &str) -> Option<String> {
+    let scenes = |has: &dyn Fn(&SceneEntry) -> bool| {
+        let names: Vec<_> = mechanism.scenes.iter().filter(|scene| has(scene)).map(|scene| scene.name).collect();
+        if names.is_empty() {
+            "no scene has it".to_owned()
+        } else {
+            format!("--scene {}", names.join(" or --scene "))
+        }
+    };
+    if mechanism.effects.iter().any(|effect| effect.name == name) {
+        let which = scenes(&|scene| scene.effects.contains(&name));
+        return Some(format!("`{name}` is an effect, which a scene has or has not: {which}"));
+    }
+    if let Some(choice) = mechanism.choices.iter().find(|choice| choice.name == name) {
+        let mut text = format!("`{name}` is a choice, which a scene makes:");
+        for alternative in choice.alternatives {
+            let which = scenes(&|scene| scene.choices.contains(&(choice.name, alternative)));
+            text += &format!("\n  {name}.{alternative}: {which}");
+        }
+        return Some(text);
+    }
+    let choice = mechanism.choices.iter().find(|choice| choice.alternatives.contains(&name))?;
+    let which = scenes(&|scene| scene.choices.iter().any(|made| *made == (choice.name, name)));
+    Some(format!("`{name}` is an alternative of the choice `{}`: {which}", choice.name))
+}
+
+/// The nearest of the names, or all of them.
+pub fn suggestion(wanted: &str, names: &[&str]) -> String {
+    if let Some(nearest) = nearest(wanted, names) {
+        return format!("did you mean `{nearest}`?");
+    }
+    match names {
+        [] => "there is none".to_owned(),
+        [only] => format!("there is only `{only}`"),
+        _ => format!("there are: {}", names.join(", ")),
+    }
+}
+
+/// The name that differs least, if it differs by little enough to be a slip.
+pub fn nearest<'a>(wanted: &str, names: &[&'a str]) -> Option<&'a str> {
+    let permitted = wanted.chars().count().div_ceil(3).max(1);
+    names
+        .iter()
+        .map(|name| (distance(&wanted.to_lowercase(), &name.to_lowercase()), *name))
+        .filter(|(far, _)| *far <= permitted)
+        .min_by_key(|(far, _)| *far)
+        .map(|(_, name)| name)
+}
+
+/// Insertions, deletions, replacements and exchanges of neighbours between two words.
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut rows = vec![(0..=b.len()).collect::<Vec<_>>()];
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let above = &rows[i - 1];
+            let mut least = (above[j] + 1)
+                .min(row[j - 1] + 1)
+                .min(above[j - 1] + usize::from(a[i - 1] != b[j - 1]));
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                least = least.min(rows[i - 2][j - 2] + 1);
+            }
+            row.push(least);
+        }
+        rows.push(row);
+    }
+    rows[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check_nearest(wanted: &str, expected: Option<&str>) {
+        assert_eq!(nearest(wanted, &["batten", "table_drive", "n", "m1"]), expected);
+    }
+
+    #[test]
+    fn slips_find_their_name() {
+        check_nearest("baten", Some("batten"));
+        check_nearest("BATTEN", Some("batten"));
+        check_nearest("abtten", Some("batten"));
+        check_nearest("tabledrive", Some("table_drive"));
+        check_nearest("N", Some("n"));
+    }
+
+    #[test]
+    fn other_words_find_nothing() {
+        check_nearest("gearbox", None);
+        check_nearest("theta", None);
+    }
+
+    #[test]
+    fn all_names_are_listed_when_none_is_near() {
+        assert_eq!(suggestion("gearbox", &["a1", "b2"]), "there are: a1, b2");
+        assert_eq!(suggestion("gearbox", &["a1"]), "there is only `a1`");
+    }
+}

@@ -1,0 +1,148 @@
+//! What the Floquet multipliers of a steady state mean.
+//!
+//! A disturbance of the steady state is multiplied by them once a period: it shrinks where the modulus is below one,
+//! grows where it is above, and lasts for ever where it is one.
+
+use crate::number;
+
+/// A modulus this near to one counts as one.
+const CIRCLE: f64 = 1e-6;
+
+/// A multiplier, or two conjugate ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Multiplier {
+    /// Real part.
+    pub re: f64,
+    /// Imaginary part, not negative where the conjugate is included.
+    pub im: f64,
+    /// Whether the conjugate is one as well.
+    pub pair: bool,
+}
+
+impl Multiplier {
+    /// Its modulus.
+    pub fn modulus(&self) -> f64 {
+        self.re.hypot(self.im)
+    }
+
+    /// Its angle in degrees.
+    pub fn angle(&self) -> f64 {
+        self.im.atan2(self.re).to_degrees()
+    }
+
+    /// Distance from +1 or −1.
+    fn distance(&self, real: f64) -> f64 {
+        (self.re - real).hypot(self.im)
+    }
+
+    /// What it does to a disturbance, in a few words.
+    pub fn meaning(&self) -> String {
+        let modulus = self.modulus();
+        if modulus > 1.0 + CIRCLE {
+            return format!("grows {} times each period: unstable", number::short(number_of(modulus, 4)));
+        }
+        if modulus < 1.0 - CIRCLE {
+            let halved = -std::f64::consts::LN_2 / modulus.ln();
+            return if halved < 0.5 {
+                "dies out within a period".to_owned()
+            } else {
+                format!("dies out, halved every {}", periods(halved))
+            };
+        }
+        if self.pair {
+            format!("lasts, and comes round every {}", periods(360.0 / self.angle().abs()))
+        } else if self.re > 0.0 {
+            "lasts unchanged: resonance".to_owned()
+        } else {
+            "lasts, and comes round every 2 periods".to_owned()
+        }
+    }
+}
+
+fn periods(count: f64) -> String {
+    match number::short(number_of(count, 3)).as_str() {
+        "1" => "period".to_owned(),
+        count => format!("{count} periods"),
+    }
+}
+
+fn number_of(value: f64, digits: usize) -> f64 {
+    number::significant(value, digits).parse().unwrap_or(value)
+}
+
+/// Joins conjugate pairs and sorts by falling modulus, then by angle.
+pub fn read(values: &[(f64, f64)]) -> Vec<Multiplier> {
+    let mut list = Vec::new();
+    for &(re, im) in values {
+        let partner = values.iter().any(|other| im != 0.0 && other.1 == -im && (other.0 - re).abs() <= 1e-9 * re.hypot(im));
+        match (im < 0.0, partner) {
+            (true, true) => {}
+            (_, pair) => list.push(Multiplier { re, im, pair }),
+        }
+    }
+    // A modulus on the circle is one, so that rounding does not decide the order.
+    let rank = |multiplier: &Multiplier| {
+        let modulus = multiplier.modulus();
+        if (modulus - 1.0).abs() <= CIRCLE { 1.0 } else { modulus }
+    };
+    list.sort_by(|a, b| rank(b).total_cmp(&rank(a)).then(a.angle().total_cmp(&b.angle())));
+    list
+}
+
+/// What all of them together say about the steady state, one sentence a line.
+pub fn conclusions(list: &[Multiplier]) -> Vec<String> {
+    let Some(largest) = list.iter().map(Multiplier::modulus).max_by(f64::total_cmp) else { return Vec::new() };
+    let off = list.iter().map(|multiplier| (multiplier.modulus() - 1.0).abs()).fold(0.0, f64::max);
+    let mut lines = vec![if off <= CIRCLE {
+        format!(
+            "all on the unit circle (to {}): undamped, the mechanism never forgets its start",
+            number::error(off.max(f64::EPSILON))
+        )
+    } else if largest > 1.0 + CIRCLE {
+        format!("the largest modulus is {}: the steady state is unstable and will not be seen", number::significant(largest, 6))
+    } else if largest < 1.0 - CIRCLE {
+        format!(
+            "all inside the unit circle: the steady state attracts, a disturbance falls to a hundredth in {} periods",
+            number::short(number_of((0.01_f64.ln() / largest.ln()).max(1.0), 2))
+        )
+    } else {
+        "some on the unit circle: part of a disturbance lasts for ever".to_owned()
+    }];
+    for (real, sign, words) in [
+        (1.0, "+1", "at 0 there is resonance and no bounded steady state"),
+        (-1.0, "-1", "at 0 the motion may begin to repeat only every second period"),
+    ] {
+        let nearest = list.iter().min_by(|a, b| a.distance(real).total_cmp(&b.distance(real)));
+        if let Some(nearest) = nearest {
+            let angle = if nearest.pair { format!("the pair at ±{}°", number::short(number_of(nearest.angle(), 5))) } else { format!("the one at {}", number::short(number_of(nearest.re, 5))) };
+            lines.push(format!("nearest to {sign}: {angle}, distance {}; {words}", number::significant(nearest.distance(real), 3)));
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn conjugates_are_one_row() {
+        let list = read(&[(0.6, 0.8), (0.6, -0.8), (-0.5, 0.0)]);
+        assert_eq!(list.len(), 2);
+        assert!(list[0].pair && !list[1].pair);
+        assert_eq!(list[1].meaning(), "dies out, halved every period");
+    }
+
+    #[test]
+    fn an_undamped_mechanism_never_forgets() {
+        let lines = conclusions(&read(&[(0.6, 0.8), (0.6, -0.8)]));
+        assert!(lines[0].contains("never forgets its start"), "{lines:?}");
+        assert!(lines[1].starts_with("nearest to +1: the pair at ±53.13°, distance 0.894"), "{lines:?}");
+    }
+
+    #[test]
+    fn growth_is_called_unstable() {
+        let lines = conclusions(&read(&[(-1.1, 0.0)]));
+        assert!(lines[0].contains("unstable"), "{lines:?}");
+    }
+}

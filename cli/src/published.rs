@@ -1,0 +1,115 @@
+//! Published values beside the computed ones.
+
+use assur::registry::{At, Expectation, Mechanism};
+
+use crate::error::Failure;
+use crate::motion::{Case, Motion};
+use crate::number;
+use crate::report::{self, Extreme, driver_label};
+use crate::values::{Constants, find_preset};
+
+/// A published fact and what was computed in its place.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// The fact.
+    pub fact: &'static Expectation,
+    /// Index of the variable.
+    pub variable: usize,
+    /// Where in the motion, in words.
+    pub place: String,
+    /// The computed value, SI units; NaN where the motion does not get there.
+    pub computed: f64,
+    /// Whether the values of the run are those for which the fact was published.
+    pub comparable: bool,
+}
+
+impl Comparison {
+    /// Computed less published.
+    pub fn deviation(&self) -> f64 {
+        self.computed - self.fact.value
+    }
+
+    /// The deviation as a share of the published value; not finite when that is zero.
+    pub fn relative(&self) -> f64 {
+        self.deviation() / self.fact.value.abs()
+    }
+
+    /// Whether the computed value lies in the band of the file; nothing if the values of the run are others.
+    pub fn within(&self) -> Option<bool> {
+        self.comparable.then(|| self.deviation().abs() <= self.fact.tolerance)
+    }
+}
+
+/// A motion with its extremes, for the preset that a fact asks for.
+struct Solved<'a> {
+    preset: &'static str,
+    case: &'a Case,
+    motion: &'a Motion,
+    extremes: &'a [Extreme],
+}
+
+/// Compares all published facts of the scene.
+///
+/// A fact may ask for a preset; unless the user has chosen values, the scene is solved with it as well.
+///
+/// # Errors
+/// When solving with a preset does not succeed.
+pub fn compare(
+    mechanism: &'static Mechanism,
+    case: &Case,
+    motion: &Motion,
+    extremes: &[Extreme],
+) -> Result<Vec<Comparison>, Failure> {
+    let changed = case.constants.changed();
+    let wanted = |fact: &Expectation| if fact.preset.is_empty() { case.scene.preset } else { fact.preset };
+    let mut others: Vec<(&str, Case, Motion, Vec<Extreme>)> = Vec::new();
+    if !changed {
+        for fact in case.scene.expectations {
+            let preset = wanted(fact);
+            if preset != case.constants.preset && others.iter().all(|(known, ..)| *known != preset) {
+                let mut constants = Constants::declared(case.scene);
+                constants.apply(find_preset(mechanism, preset)?);
+                let case = Case::new(constants)?;
+                let motion = case.solve(motion.settings)?;
+                let curves = report::sample(&case, &motion);
+                let extremes = report::extremes(&case, &motion, &curves);
+                others.push((preset, case, motion, extremes));
+            }
+        }
+    }
+    let own = Solved { preset: case.constants.preset, case, motion, extremes };
+    let facts = case.scene.expectations.iter().filter_map(|fact| {
+        let preset = wanted(fact);
+        let other = others.iter().find(|(known, ..)| *known == preset);
+        match other {
+            Some((preset, case, motion, extremes)) => one(fact, &Solved { preset, case, motion, extremes }, true),
+            None => one(fact, &own, !changed && own.preset == preset),
+        }
+    });
+    Ok(facts.collect())
+}
+
+fn one(fact: &'static Expectation, solved: &Solved<'_>, comparable: bool) -> Option<Comparison> {
+    let case = solved.case;
+    let (is_output, index) = fact.quantity;
+    let table = if is_output { case.scene.outputs } else { case.scene.states };
+    let name = table.get(index)?.name;
+    let variable = case.variables.iter().position(|variable| variable.name == name)?;
+    let extreme = solved.extremes.get(variable)?;
+    let at = |time: f64| case.sample(solved.motion, time)[variable];
+    let (place, computed) = match fact.at {
+        At::Time(time) => {
+            let value = case.reduce(time).map_or(f64::NAN, at);
+            (format!("time = {} s", number::short(time)), value)
+        }
+        At::Driver(driver, position) => {
+            let value = case.time_of(driver, position).map_or(f64::NAN, at);
+            (driver_label(case, driver, position), value)
+        }
+        At::Maximum => ("maximum".to_owned(), extreme.maximum.1),
+        At::Minimum => ("minimum".to_owned(), extreme.minimum.1),
+        At::Amplitude => ("amplitude".to_owned(), extreme.amplitude()),
+    };
+    let place = if solved.preset == case.scene.preset { place } else { format!("{place}, preset {}", solved.preset) };
+    Some(Comparison { fact, variable, place, computed, comparable })
+}

@@ -1,0 +1,66 @@
+//! `assur run`: a scene with its values, its results and its figure.
+
+use std::path::{Path, PathBuf};
+
+use assur::registry::{Mechanism, SceneEntry, Settings};
+
+use crate::arguments::{Format, RunArguments};
+use crate::error::Failure;
+use crate::motion::{Case, Task};
+use crate::output::{self, Destination};
+use crate::progress::Progress;
+use crate::report::{self, Report};
+use crate::values::{self, Constants};
+use crate::{csv, json, lookup, plot, style, table};
+
+/// Runs a scene. Everything is computed first; then the figure is written, then the answer is printed.
+///
+/// # Errors
+/// A wrong request, or numbers that do not come out. Nothing is written then.
+pub fn execute(options: &RunArguments) -> Result<(), Failure> {
+    let Some(name) = &options.name else { return Err(lookup::no_mechanism("run")) };
+    let mechanism = lookup::mechanism(name)?;
+    let scene = lookup::scene(mechanism, options.scene.as_deref())?;
+    let constants = Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
+    let places = options.at.iter().map(|text| values::place(scene, text)).collect::<Result<Vec<_>, _>>()?;
+    let settings =
+        Settings { method: values::method(options.method.as_deref())?, rtol: values::rtol(options.rtol.as_deref())? };
+    let figure = match figure_path(options, mechanism, scene) {
+        Some(path) => Some(Destination::check(&path)?),
+        None => None,
+    };
+    let case = Case::new(constants)?;
+    if case.task == Task::Open && places.is_empty() {
+        return Err(Failure::request(format!("scene `{}` has no task of its own", scene.name))
+            .remedy(format!("say where to look: --at {}=…", scene.drivers.first().map_or("time", |driver| driver.name))));
+    }
+    let progress = Progress::start(format!("{name}, scene {}", scene.name));
+    let report = report::collect(mechanism, case, settings, &places)?;
+    drop(progress);
+    let drawn = match figure.filter(|_| !report.curves.times.is_empty()) {
+        Some(destination) => {
+            destination.write(plot::figure(&report).as_bytes())?;
+            Some(destination)
+        }
+        None => None,
+    };
+    output::print(&render(&report, options.format, drawn.as_ref().map(Destination::path)))
+}
+
+fn render(report: &Report, format: Format, figure: Option<&Path>) -> String {
+    match format {
+        Format::Table => table::render(report, figure, style::stdout()),
+        Format::Json => json::render(report, figure),
+        Format::Csv => csv::render(report),
+    }
+}
+
+/// Where the figure goes: a table has one unless told otherwise, the formats for programs only when it is asked for.
+fn figure_path(options: &RunArguments, mechanism: &Mechanism, scene: &SceneEntry) -> Option<PathBuf> {
+    let name = format!("{}-{}.svg", mechanism.name, scene.name);
+    match (&options.plot, &options.out) {
+        (Some(file), _) => Some(file.clone()),
+        (None, Some(directory)) => Some(directory.join(name)),
+        (None, None) => (options.format == Format::Table).then(|| PathBuf::from(name)),
+    }
+}

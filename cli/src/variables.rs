@@ -1,0 +1,137 @@
+//! Everything about a motion that has a value at an instant: coordinates, speeds, accelerations, outputs.
+
+use assur::registry::{Quantity, Run, SceneEntry};
+
+/// Exponents of m, kg, s, A, K, mol, cd as numerator and denominator.
+pub type Dimension = [(i8, i8); 7];
+
+/// A quantity that has a value at every instant of a motion.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    /// Name as the equation file writes it.
+    pub name: String,
+    /// What it is.
+    pub summary: String,
+    /// Unit in which it is printed.
+    pub unit: String,
+    /// SI value of one such unit.
+    pub factor: f64,
+    /// Its dimension.
+    pub dimension: Dimension,
+    /// Where its value comes from.
+    pub origin: Origin,
+}
+
+/// Where the value of a variable comes from; the index is that of the scene's table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// A component of the state.
+    State(usize),
+    /// Time derivative of a component of the state.
+    Rate(usize),
+    /// An output.
+    Output(usize),
+}
+
+impl Variable {
+    fn new(quantity: &Quantity, origin: Origin) -> Self {
+        Self {
+            name: quantity.name.to_owned(),
+            summary: quantity.summary.lines().next().unwrap_or("").to_owned(),
+            unit: quantity.unit.to_owned(),
+            factor: quantity.factor,
+            dimension: quantity.dimension,
+            origin,
+        }
+    }
+
+    /// The acceleration that belongs to a speed `dot(x)` of the state.
+    fn acceleration(speed: &Quantity, index: usize) -> Option<Self> {
+        let coordinate = speed.name.strip_prefix("dot(")?.strip_suffix(')')?;
+        let mut dimension = speed.dimension;
+        let (up, down) = dimension[2];
+        dimension[2] = (up.checked_sub(down)?, down);
+        Some(Self {
+            name: format!("ddot({coordinate})"),
+            summary: String::new(),
+            unit: per_second(speed.unit),
+            factor: speed.factor,
+            dimension,
+            origin: Origin::Rate(index),
+        })
+    }
+
+    /// A value in SI units in the unit of the variable.
+    pub fn in_unit(&self, value: f64) -> f64 {
+        value / self.factor
+    }
+}
+
+/// The unit of the time derivative: `m/s` becomes `m/s^2`.
+fn per_second(unit: &str) -> String {
+    if let Some(front) = unit.strip_suffix("/s") {
+        return format!("{front}/s^2");
+    }
+    match unit {
+        "" => "1/s".to_owned(),
+        "rpm" => "rpm/s".to_owned(),
+        _ => format!("{unit}/s"),
+    }
+}
+
+/// All variables of a scene: coordinates and speeds, accelerations, outputs. An output that repeats the name of another
+/// variable is left out.
+pub fn of_scene(scene: &SceneEntry) -> Vec<Variable> {
+    let states = scene.states.iter().enumerate();
+    let mut list: Vec<_> = states.clone().map(|(index, state)| Variable::new(state, Origin::State(index))).collect();
+    list.extend(states.filter_map(|(index, state)| Variable::acceleration(state, index)));
+    for (index, output) in scene.outputs.iter().enumerate() {
+        match list.iter_mut().find(|variable| variable.name == output.name) {
+            // Declared by hand: its unit and words are preferred, its value is the same.
+            Some(same) => *same = Variable { origin: same.origin, ..Variable::new(output, same.origin) },
+            None => list.push(Variable::new(output, Origin::Output(index))),
+        }
+    }
+    list
+}
+
+/// The values of all variables at one instant, SI units.
+pub fn evaluate(variables: &[Variable], run: &dyn Run, time: f64, state: &[f64]) -> Vec<f64> {
+    let outputs = run.outputs(time, state);
+    let rates = if variables.iter().any(|variable| matches!(variable.origin, Origin::Rate(_))) {
+        run.rates(time, state)
+    } else {
+        Vec::new()
+    };
+    let value = |variable: &Variable| match variable.origin {
+        Origin::State(index) => state.get(index),
+        Origin::Rate(index) => rates.get(index),
+        Origin::Output(index) => outputs.get(index),
+    };
+    variables.iter().map(|variable| value(variable).copied().unwrap_or(f64::NAN)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_of_derivatives() {
+        assert_eq!(per_second("m/s"), "m/s^2");
+        assert_eq!(per_second("rad/s"), "rad/s^2");
+        assert_eq!(per_second("mm"), "mm/s");
+        assert_eq!(per_second(""), "1/s");
+    }
+
+    #[test]
+    fn a_speed_has_an_acceleration() {
+        let mut dimension = [(0, 1); 7];
+        dimension[0] = (1, 1);
+        dimension[2] = (-1, 1);
+        let speed = Quantity { name: "dot(x3)", summary: "", unit: "m/s", factor: 1.0, dimension };
+        let variable = Variable::acceleration(&speed, 4).expect("a speed");
+        assert_eq!((variable.name.as_str(), variable.unit.as_str()), ("ddot(x3)", "m/s^2"));
+        assert_eq!(variable.dimension[2], (-2, 1));
+        assert!(Variable::acceleration(&Quantity { name: "i", ..speed }, 0).is_none());
+    }
+}

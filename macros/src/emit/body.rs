@@ -1,0 +1,240 @@
+//! The body of an emitted function: the statements that lead to some values of the program.
+//!
+//! What the file names becomes a `let` of that name. A nameless value that is read once is written where it is read,
+//! as long as that stays short. A long body is written in nested blocks, because rustc is slow on long scopes and in
+//! debug builds fails on them.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use assur_model::program::{Input, OperationKind, Stage, Value};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::expression::{self, Expression};
+use super::layout::Layout;
+use super::schedule::{self, Levels};
+
+/// Most operations in one expression.
+const LONGEST: usize = 8;
+/// Most statements in one block.
+const BLOCK: usize = 100;
+
+/// Where a function stands, and so what it finds computed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// A method of the parameter struct.
+    Parameters,
+    /// A method of the equations that is given `time`, and perhaps `state`.
+    Time,
+    /// A method of the equations that is given an `instant` and the `state`.
+    Evaluation,
+}
+
+/// A statement with what it defines and what it reads.
+struct Statement {
+    tokens: TokenStream,
+    defines: Vec<Value>,
+    reads: BTreeSet<Value>,
+}
+
+/// Statements, and the expressions that are written where they are read.
+pub struct Body<'a> {
+    layout: &'a Layout<'a>,
+    place: Place,
+    statements: Vec<Statement>,
+    written: BTreeMap<Value, Expression>,
+}
+
+impl<'a> Body<'a> {
+    /// The statements that lead to the wanted values; with `named`, each of those gets a name of its own.
+    pub fn new(layout: &'a Layout<'a>, place: Place, wanted: &[Value], named: &[Value]) -> Self {
+        let all: Vec<Value> = wanted.iter().chain(named).copied().collect();
+        Self::with_given(layout, place, &all, named, BTreeMap::new())
+    }
+
+    /// The same where some values are already there.
+    pub fn with_given(
+        layout: &'a Layout<'a>,
+        place: Place,
+        wanted: &[Value],
+        named: &[Value],
+        given: BTreeMap<Value, Expression>,
+    ) -> Self {
+        let mut body = Self { layout, place, statements: Vec::new(), written: given };
+        let needed = schedule::needed(layout.program(), wanted, &|value| body.outside(value).is_some());
+        let uses = body.uses(&needed, wanted, named);
+        for Levels { before, batch } in schedule::levels(layout.program(), &needed) {
+            for value in before {
+                body.state(value, uses.get(&value).copied().unwrap_or(0));
+            }
+            body.state_sines(&batch);
+        }
+        body
+    }
+
+    /// How often each value is read; the named ones count as read often.
+    fn uses(&self, needed: &BTreeSet<Value>, wanted: &[Value], named: &[Value]) -> BTreeMap<Value, usize> {
+        let mut uses = BTreeMap::new();
+        let inner = needed.iter().flat_map(|value| schedule::operands(self.kind(*value)));
+        for value in inner.chain(wanted.iter().copied()).chain(named.iter().copied()) {
+            *uses.entry(value).or_insert(0) += 1;
+        }
+        uses
+    }
+
+    fn kind(&self, value: Value) -> &'a OperationKind {
+        &self.layout.program().operations[value.0 as usize].kind
+    }
+
+    /// The text of a value that is there already.
+    fn outside(&self, value: Value) -> Option<Expression> {
+        if let Some(given) = self.written.get(&value) {
+            return Some(given.clone());
+        }
+        let operation = &self.layout.program().operations[value.0 as usize];
+        let name = self.layout.names.of(value);
+        let stored = match (&operation.kind, self.place, operation.stage) {
+            (OperationKind::Number(_), _, _) => return None,
+            (OperationKind::Input(Input::Time), Place::Time, _) => quote!(time),
+            (_, Place::Parameters, _) => return None,
+            (_, _, Stage::Constant | Stage::Parameter) => quote!(self.#name),
+            (_, Place::Evaluation, Stage::Instant) => quote!(instant.#name),
+            _ => return None,
+        };
+        Some(Expression::whole(stored))
+    }
+
+    /// The text of a value where it is read.
+    fn expression(&self, value: Value) -> Expression {
+        if let OperationKind::Number(number) = self.kind(value) {
+            return expression::scalar(*number);
+        }
+        self.outside(value).unwrap_or_else(|| {
+            let name = self.layout.names.of(value);
+            Expression { reads: BTreeSet::from([value]), ..Expression::whole(quote!(#name)) }
+        })
+    }
+
+    /// The text of a wanted value.
+    pub fn value(&self, value: Value) -> TokenStream {
+        self.expression(value).tokens
+    }
+
+    /// Adds the statement for an operation, or keeps it to be written where it is read.
+    fn state(&mut self, value: Value, uses: usize) {
+        let kind = self.kind(value);
+        let named = self.layout.program().operations[value.0 as usize].name.is_some();
+        let text = match kind {
+            OperationKind::Number(_) => return,
+            OperationKind::Input(input) => self.input(*input),
+            kind => expression::operation(kind, &|operand| self.expression(operand)),
+        };
+        let always = matches!(kind, OperationKind::Element { .. });
+        let never = matches!(kind, OperationKind::Input(_) | OperationKind::Factor { .. } | OperationKind::Solve { .. });
+        if !named && !never && (always || uses <= 1 && text.weight <= LONGEST) {
+            self.written.insert(value, text);
+        } else {
+            let (name, tokens) = (self.layout.names.of(value), &text.tokens);
+            let tokens = quote!(let #name = #tokens;);
+            self.statements.push(Statement { tokens, defines: vec![value], reads: text.reads });
+        }
+    }
+
+    fn input(&self, input: Input) -> Expression {
+        Expression::whole(match input {
+            Input::Parameter(index) => {
+                let field = &self.layout.constants[index as usize];
+                quote!(S::from_f64(self.#field))
+            }
+            Input::Time => quote!(time),
+            Input::State(index) => {
+                let index = expression::size(index as usize);
+                quote!(state[#index])
+            }
+        })
+    }
+
+    /// Adds the statement that takes the sines and cosines of a batch.
+    fn state_sines(&mut self, batch: &[Value]) {
+        let pairs = pairs(self.layout, batch);
+        let name = |value: &Option<Value>| match value {
+            Some(value) => {
+                let name = self.layout.names.of(*value);
+                quote!(#name)
+            }
+            None => quote!(_),
+        };
+        let angles: Vec<Expression> = pairs.iter().map(|pair| self.expression(pair.angle)).collect();
+        let texts: Vec<&TokenStream> = angles.iter().map(|angle| &angle.tokens).collect();
+        let sines: Vec<_> = pairs.iter().map(|pair| name(&pair.sine)).collect();
+        let cosines: Vec<_> = pairs.iter().map(|pair| name(&pair.cosine)).collect();
+        let tokens = match pairs.len() {
+            0 => return,
+            1 => quote!(let (#(#sines)*, #(#cosines)*) = S::sin_cos(#(#texts)*);),
+            _ => quote!(let ([#(#sines),*], [#(#cosines),*]) = S::sin_cos_all([#(#texts),*]);),
+        };
+        let reads = angles.into_iter().flat_map(|angle| angle.reads).collect();
+        self.statements.push(Statement { tokens, defines: batch.to_vec(), reads });
+    }
+
+    /// The statements, in blocks when they are many. `wanted` are the values read after them.
+    pub fn statements(&self, wanted: &[Value]) -> TokenStream {
+        if self.statements.len() <= BLOCK {
+            return self.statements.iter().map(|statement| statement.tokens.clone()).collect();
+        }
+        let mut read_later: BTreeSet<Value> =
+            wanted.iter().flat_map(|value| self.expression(*value).reads).collect();
+        let mut blocks = Vec::new();
+        for block in self.statements.chunks(BLOCK).rev() {
+            let kept: Vec<_> = block
+                .iter()
+                .flat_map(|statement| &statement.defines)
+                .filter(|value| read_later.contains(value))
+                .map(|value| self.layout.names.of(*value))
+                .collect();
+            let inner = block.iter().map(|statement| &statement.tokens);
+            blocks.push(quote!(let (#(#kept,)*) = { #(#inner)* (#(#kept,)*) };));
+            read_later.extend(block.iter().flat_map(|statement| statement.reads.iter().copied()));
+        }
+        blocks.into_iter().rev().collect()
+    }
+}
+
+/// Sine and cosine of one angle.
+pub struct Pair {
+    /// The angle.
+    pub angle: Value,
+    /// Its sine, if that is read.
+    pub sine: Option<Value>,
+    /// Its cosine, if that is read.
+    pub cosine: Option<Value>,
+}
+
+/// Sorts the sines and cosines of a batch by their angles.
+pub fn pairs(layout: &Layout<'_>, batch: &[Value]) -> Vec<Pair> {
+    use assur_model::program::Function;
+    let mut pairs: Vec<Pair> = Vec::new();
+    for value in batch {
+        let OperationKind::Call(function, arguments) = &layout.program().operations[value.0 as usize].kind else {
+            continue;
+        };
+        let Some(angle) = arguments.first().copied() else { continue };
+        let index = pairs.iter().position(|pair| pair.angle == angle).unwrap_or_else(|| {
+            pairs.push(Pair { angle, sine: None, cosine: None });
+            pairs.len() - 1
+        });
+        match function {
+            Function::Sin => pairs[index].sine = Some(*value),
+            _ => pairs[index].cosine = Some(*value),
+        }
+    }
+    pairs
+}
+
+/// Statements that write things, in blocks when they are many.
+pub fn blocks(statements: &[TokenStream]) -> TokenStream {
+    if statements.len() <= BLOCK {
+        return quote!(#(#statements)*);
+    }
+    statements.chunks(BLOCK).map(|block| quote!({ #(#block)* })).collect()
+}

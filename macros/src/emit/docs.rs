@@ -1,0 +1,167 @@
+//! Documentation of the emitted items: the equations as text, the quantities as tables.
+
+use assur_model::checked::{ConstantInfo, Model, QuantityInfo};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::layout::Layout;
+use super::{Origin, registry};
+
+/// A text as documentation, line by line.
+pub fn lines(text: &str) -> TokenStream {
+    text.trim_end()
+        .lines()
+        .map(|line| {
+            let line = if line.is_empty() { String::new() } else { format!(" {line}") };
+            quote!(#[doc = #line])
+        })
+        .collect()
+}
+
+/// Documentation of the mechanism.
+pub fn mechanism(model: &Model, origin: &Origin<'_>) -> String {
+    let mut text = format!("{}\n", plain(&title(&model.documentation, &model.name)));
+    if !model.source.is_empty() {
+        text += &format!("\nSource: {}.\n", plain(&model.source));
+    }
+    text += &format!("\nPrinted from `{}` by Assur.\n", origin.file);
+    text
+}
+
+fn title(documentation: &str, name: &str) -> String {
+    let documentation = documentation.trim();
+    if documentation.is_empty() { format!("The mechanism `{name}`.") } else { documentation.to_owned() }
+}
+
+/// Documentation of a scene: what it shows, its equations, its quantities.
+pub fn scene(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> String {
+    let scene = layout.scene;
+    let mut text = format!("{}\n", plain(&title(&model.documentation, &model.name)));
+    text += &format!("\nScene `{}`", scene.name);
+    if !scene.summary.is_empty() {
+        text += &format!(": {}", plain(&scene.summary));
+    }
+    text += ".\n";
+    let effects = scene.effects.iter().map(|name| {
+        let known = model.effects.iter().find(|effect| effect.name == *name);
+        format!("* `{name}`: {}\n", plain(known.map_or("", |effect| &effect.summary)))
+    });
+    let choices = scene.choices.iter().map(|(choice, held)| {
+        let known = model.choices.iter().find(|info| info.name == *choice);
+        format!("* `{choice}.{held}`: {}\n", plain(known.map_or("", |info| &info.summary)))
+    });
+    let selected: String = effects.chain(choices).collect();
+    if !selected.is_empty() {
+        text += &format!("\n{selected}");
+    }
+    text += &equations(layout, origin);
+    let constants = scene.constants.iter().map(constant_row);
+    text += &table("Parameters", &["name", "value", "", ""], constants);
+    text += &table("Drivers", QUANTITY, scene.drivers.iter().map(quantity_row));
+    text += &table("State", QUANTITY, scene.states.iter().map(quantity_row));
+    text += &table("Outputs", QUANTITY, scene.outputs.iter().map(quantity_row));
+    let count = registry::counts(layout);
+    text += &format!(
+        "\nOperations: {} once per parameter set, {} per instant, {} per evaluation, {} per Jacobian.\n",
+        count.prepare, count.instant, count.derivative, count.jacobian
+    );
+    text
+}
+
+/// The equations with their units and lines.
+fn equations(layout: &Layout<'_>, origin: &Origin<'_>) -> String {
+    let equations = &layout.scene.equations;
+    if equations.is_empty() {
+        return String::new();
+    }
+    let longest = equations.iter().map(|equation| equation.text.chars().count()).max().unwrap_or(0).min(80);
+    let mut text = String::from("\n```text\n");
+    for equation in equations {
+        let unit = if equation.unit.is_empty() { "1" } else { &equation.unit };
+        let line = (origin.line_of)(equation.span);
+        text += &format!("{:longest$}   [{unit}]  {}:{line}\n", equation.text.replace('\n', " "), origin.file);
+    }
+    text + "```\n"
+}
+
+const QUANTITY: &[&str] = &["name", "unit", ""];
+
+fn quantity_row(quantity: &QuantityInfo) -> String {
+    let unit = if quantity.unit.is_empty() { "1" } else { &quantity.unit };
+    format!("| `{}` | {} | {} |\n", quantity.name, code(unit), cell(&quantity.summary))
+}
+
+fn constant_row(constant: &ConstantInfo) -> String {
+    let name = &constant.quantity.name;
+    format!("| `{name}` | {} | {} | {} |\n", code(&value(constant)), code(&range(constant)), cell(&constant.quantity.summary))
+}
+
+fn table(title: &str, heads: &[&str], rows: impl Iterator<Item = String>) -> String {
+    let rows: String = rows.collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    let heads: String = heads.iter().map(|head| if head.is_empty() { "|  ".to_owned() } else { format!("| {head} ") }).collect();
+    let rule: String = "|---".repeat(heads.matches('|').count());
+    format!("\n{title}:\n\n{heads}|\n{rule}|\n{rows}")
+}
+
+/// Documentation of a field: `Crank radius. 75 mm ± 0.05 mm; here in SI units.`
+pub fn constant(constant: &ConstantInfo) -> String {
+    let summary = plain(constant.quantity.summary.trim()).trim_end_matches('.').to_owned();
+    let summary = if summary.is_empty() {
+        if constant.is_dimension { "Dimension".to_owned() } else { "Parameter".to_owned() }
+    } else {
+        summary
+    };
+    let mut text = format!("{summary}: `{}`", value(constant));
+    let range = range(constant);
+    if !range.is_empty() {
+        text += &format!(", `{range}`");
+    }
+    match constant.quantity.factor {
+        1.0 => text + ".",
+        factor => text + &format!("; stored in SI units, `{}` is {}.", constant.quantity.unit, neat(factor)),
+    }
+}
+
+/// `75 mm ± 0.05 mm`
+fn value(constant: &ConstantInfo) -> String {
+    let quantity = &constant.quantity;
+    let shown = |value: f64| format!("{} {}", neat(value / quantity.factor), quantity.unit).trim_end().to_owned();
+    let mut text = shown(constant.default);
+    if constant.tolerance != 0.0 {
+        text += &format!(" ± {}", shown(constant.tolerance));
+    }
+    text
+}
+
+/// `in 60 .. 90`, nothing when both ends are open.
+fn range(constant: &ConstantInfo) -> String {
+    let (low, high) = constant.range;
+    if low.is_infinite() && high.is_infinite() {
+        return String::new();
+    }
+    let factor = constant.quantity.factor;
+    format!("in {} .. {}", neat(low / factor), neat(high / factor))
+}
+
+/// A number with at most twelve digits, so that `0.075/0.001` is 75.
+fn neat(value: f64) -> String {
+    let rounded = format!("{value:.11e}").parse().unwrap_or(value);
+    let size = f64::abs(rounded);
+    if size == 0.0 || (1e-4..1e7).contains(&size) { format!("{rounded}") } else { format!("{rounded:e}") }
+}
+
+fn code(text: &str) -> String {
+    if text.is_empty() { String::new() } else { format!("`{}`", text.replace('|', "\\|")) }
+}
+
+fn cell(text: &str) -> String {
+    plain(text).replace('|', "\\|").replace('\n', " ")
+}
+
+/// A text of the user's in which brackets mean nothing to rustdoc.
+fn plain(text: &str) -> String {
+    text.replace('[', "\\[").replace(']', "\\]").replace('<', "\\<")
+}

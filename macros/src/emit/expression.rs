@@ -1,0 +1,185 @@
+//! One operation as a Rust expression, with the parentheses that it needs and no others.
+
+use std::collections::BTreeSet;
+
+use assur_model::program::{Function, OperationKind, Relation, Value};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// How tightly an expression holds together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Binding {
+    /// `a + b`
+    Sum,
+    /// `a * b`
+    Product,
+    /// `-a`
+    Sign,
+    /// A name, a call, anything in parentheses.
+    Whole,
+}
+
+/// A Rust expression.
+#[derive(Clone)]
+pub struct Expression {
+    /// Its text.
+    pub tokens: TokenStream,
+    /// How tightly it holds together.
+    pub binding: Binding,
+    /// Local values that it reads.
+    pub reads: BTreeSet<Value>,
+    /// Operations in it.
+    pub weight: usize,
+}
+
+impl Expression {
+    /// A name or call.
+    pub fn whole(tokens: TokenStream) -> Self {
+        Self { tokens, binding: Binding::Whole, reads: BTreeSet::new(), weight: 0 }
+    }
+
+    /// The text, in parentheses if it holds together less tightly than asked.
+    fn at_least(&self, binding: Binding) -> TokenStream {
+        let tokens = &self.tokens;
+        if self.binding < binding { quote!((#tokens)) } else { tokens.clone() }
+    }
+}
+
+/// A number as a literal with all its digits.
+pub fn number(value: f64) -> TokenStream {
+    if value.is_nan() {
+        return quote!(f64::NAN);
+    }
+    if value.is_infinite() {
+        return if value > 0.0 { quote!(f64::INFINITY) } else { quote!(f64::NEG_INFINITY) };
+    }
+    let size = value.abs();
+    let literal = format!("{size:?}").parse().unwrap_or_else(|_| Literal::f64_unsuffixed(size));
+    if value.is_sign_negative() { quote!(-#literal) } else { quote!(#literal) }
+}
+
+/// A number as a scalar.
+pub fn scalar(value: f64) -> Expression {
+    let literal = number(value);
+    Expression::whole(match value {
+        0.0 => quote!(S::ZERO),
+        1.0 => quote!(S::ONE),
+        _ => quote!(S::from_f64(#literal)),
+    })
+}
+
+/// A length or index.
+pub fn size(value: usize) -> Literal {
+    Literal::usize_unsuffixed(value)
+}
+
+/// An operation whose operands are written by `operand`.
+pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) -> Expression {
+    use Binding::{Product, Sign, Sum, Whole};
+    use OperationKind as Kind;
+    let read = super::schedule::operands(kind);
+    let all: Vec<Expression> = read.iter().map(|value| operand(*value)).collect();
+    let text: Vec<&TokenStream> = all.iter().map(|one| &one.tokens).collect();
+    let at = |index: usize, binding: Binding| all[index].at_least(binding);
+    let (tokens, binding) = match kind {
+        Kind::Number(value) => return scalar(*value),
+        // Inputs are given by whoever calls.
+        Kind::Input(_) => (TokenStream::new(), Whole),
+        Kind::Add(..) => {
+            let (a, b) = (at(0, Sum), at(1, Product));
+            (quote!(#a + #b), Sum)
+        }
+        Kind::Subtract(..) => {
+            let (a, b) = (at(0, Sum), at(1, Product));
+            (quote!(#a - #b), Sum)
+        }
+        Kind::Multiply(..) => {
+            let (a, b) = (at(0, Product), at(1, Sign));
+            (quote!(#a * #b), Product)
+        }
+        Kind::Divide(..) => {
+            let (a, b) = (at(0, Product), at(1, Sign));
+            (quote!(#a / #b), Product)
+        }
+        Kind::Negate(_) => {
+            let a = at(0, Whole);
+            (quote!(-#a), Sign)
+        }
+        Kind::MultiplyAdd(..) => (quote!(S::mul_add(#(#text),*)), Whole),
+        Kind::MultiplySubtract(..) => {
+            let (a, b, c) = (text[0], text[1], at(2, Whole));
+            (quote!(S::mul_add(#a, #b, -#c)), Whole)
+        }
+        Kind::NegateMultiplyAdd(..) => {
+            let (a, b, c) = (at(0, Whole), text[1], text[2]);
+            (quote!(S::mul_add(-#a, #b, #c)), Whole)
+        }
+        Kind::Call(function, _) => (call(*function, &text), Whole),
+        Kind::Compare(Relation::Less, ..) => (quote!(S::less(#(#text),*)), Whole),
+        Kind::Compare(Relation::LessEqual, ..) => (quote!(S::less_equal(#(#text),*)), Whole),
+        Kind::Compare(Relation::Equal, ..) => (quote!(S::equal(#(#text),*)), Whole),
+        Kind::And(..) => (quote!(S::and(#(#text),*)), Whole),
+        Kind::Or(..) => (quote!(S::or(#(#text),*)), Whole),
+        Kind::Not(_) => (quote!(S::not(#(#text),*)), Whole),
+        Kind::Select { .. } => (quote!(S::select(#(#text),*)), Whole),
+        Kind::Factor { size, .. } => (factor(*size as usize, &text), Whole),
+        Kind::Solve { .. } => {
+            let (factor, right) = (text[0], &text[1..]);
+            (quote!(#factor.solve([#(#right),*])), Whole)
+        }
+        Kind::Element { index, .. } => {
+            let (solution, index) = (text[0], size(*index as usize));
+            (quote!(#solution[#index]), Whole)
+        }
+    };
+    let reads = all.iter().flat_map(|one| one.reads.iter().copied()).collect();
+    let weight = 1 + all.iter().map(|one| one.weight).sum::<usize>();
+    Expression { tokens, binding, reads, weight }
+}
+
+/// The factors of a symmetric matrix, of which the lower triangle is given.
+fn factor(rows: usize, entries: &[&TokenStream]) -> TokenStream {
+    let row = |i: usize| {
+        let entry = |j: usize| entries[triangle(i.max(j), i.min(j))];
+        let row = (0..rows).map(entry);
+        quote!([#(#row),*])
+    };
+    let (count, matrix) = (size(rows), (0..rows).map(row));
+    quote!(::assur::dense::factor::<S, #count>([#(#matrix),*]))
+}
+
+/// Where an entry of a lower triangle stands.
+pub fn triangle(row: usize, column: usize) -> usize {
+    row * (row + 1) / 2 + column
+}
+
+fn call(function: Function, arguments: &[&TokenStream]) -> TokenStream {
+    let arguments = quote!(#(#arguments),*);
+    match function {
+        Function::Sin => quote!(S::sin_cos(#arguments).0),
+        Function::Cos => quote!(S::sin_cos(#arguments).1),
+        Function::Tan => quote!(S::tan(#arguments)),
+        Function::Asin => quote!(S::asin(#arguments)),
+        Function::Acos => quote!(S::acos(#arguments)),
+        Function::Atan => quote!(S::atan(#arguments)),
+        Function::Atan2 => quote!(S::atan2(#arguments)),
+        Function::Sinh => quote!(S::sinh(#arguments)),
+        Function::Cosh => quote!(S::cosh(#arguments)),
+        Function::Tanh => quote!(S::tanh(#arguments)),
+        Function::Exp => quote!(S::exp(#arguments)),
+        Function::Ln => quote!(S::ln(#arguments)),
+        Function::Log10 => quote!(S::log10(#arguments)),
+        Function::Sqrt => quote!(S::sqrt(#arguments)),
+        Function::Hypot => quote!(S::hypot(#arguments)),
+        Function::Erf => quote!(S::erf(#arguments)),
+        Function::NormalCdf => quote!(S::normal_cdf(#arguments)),
+        Function::Floor => quote!(S::floor(#arguments)),
+        Function::Abs => quote!(S::abs(#arguments)),
+        Function::Sign => quote!(S::sign(#arguments)),
+        Function::Max => quote!(S::max(#arguments)),
+        Function::Min => quote!(S::min(#arguments)),
+        Function::Power => quote!(S::powf(#arguments)),
+        Function::ExpM1 => quote!(S::exp_m1(#arguments)),
+        Function::Ln1p => quote!(S::ln_1p(#arguments)),
+    }
+}

@@ -1,0 +1,110 @@
+//! What depends on the time alone, at one time and at several at once.
+
+use std::collections::BTreeMap;
+
+use assur_model::program::Value;
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::body::{Body, Place, pairs};
+use super::docs;
+use super::expression::Expression;
+use super::layout::Layout;
+use super::schedule;
+
+/// The struct.
+pub fn items(layout: &Layout<'_>) -> TokenStream {
+    let name = &layout.instant;
+    let fields = layout.fields(&layout.timed);
+    let text = docs::lines(&format!("What the equations of [`{}`] need of one time.", layout.parameters));
+    quote! {
+        #text
+        #[derive(Clone, Copy, Debug)]
+        pub struct #name<S: ::assur::scalar::Scalar> { #fields }
+    }
+}
+
+/// The methods of `Equations` that make it.
+pub fn methods(layout: &Layout<'_>) -> TokenStream {
+    let one = one(layout);
+    let several = several(layout);
+    quote!(#one #several)
+}
+
+fn one(layout: &Layout<'_>) -> TokenStream {
+    let wanted: Vec<Value> = layout.timed.iter().copied().collect();
+    let body = Body::new(layout, Place::Time, &wanted, &[]);
+    let (statements, fields) = (body.statements(&wanted), layout.stored(&layout.timed, &body));
+    let name = &layout.instant;
+    quote! {
+        #[inline(always)]
+        fn instant(&self, time: S) -> Self::Instant {
+            #statements
+            #name { #fields }
+        }
+    }
+}
+
+/// Each angle at all times is one packed call.
+fn several(layout: &Layout<'_>) -> TokenStream {
+    let program = layout.program();
+    let wanted: Vec<Value> = layout.timed.iter().copied().collect();
+    // Whatever is prepared is there; the time stands in an array.
+    let prepared = |value: Value| program.operations[value.0 as usize].stage < assur_model::program::Stage::Instant;
+    let needed = schedule::needed(program, &wanted, &prepared);
+    let mut given: BTreeMap<Value, Expression> = BTreeMap::new();
+    let mut sines = Vec::new();
+    for level in schedule::levels(program, &needed) {
+        let pairs = pairs(layout, &level.batch);
+        if pairs.is_empty() {
+            continue;
+        }
+        let angles: Vec<Value> = pairs.iter().map(|pair| pair.angle).collect();
+        let names: Vec<_> =
+            angles.iter().map(|angle| format_ident!("angle_{}", angle.0.to_string() + "_")).collect();
+        let body = Body::with_given(layout, Place::Time, &angles, &[], given.clone());
+        let statements = body.statements(&angles);
+        let values = angles.iter().map(|angle| body.value(*angle));
+        sines.push(quote! {
+            #(let mut #names = [S::ZERO; K_];)*
+            for k_ in 0..K_ {
+                let time = times[k_];
+                #statements
+                #(#names[k_] = #values;)*
+            }
+        });
+        for (pair, array) in pairs.iter().zip(&names) {
+            let mut name = |value: Option<Value>| match value {
+                Some(value) => {
+                    let name = layout.names.of(value);
+                    given.insert(value, Expression::whole(quote!(#name[k_])));
+                    quote!(#name)
+                }
+                None => quote!(_),
+            };
+            let (sine, cosine) = (name(pair.sine), name(pair.cosine));
+            sines.push(quote!(let (#sine, #cosine) = S::sin_cos_all::<K_>(#array);));
+        }
+    }
+    let body = Body::with_given(layout, Place::Time, &wanted, &[], given);
+    let (statements, fields) = (body.statements(&wanted), layout.stored(&layout.timed, &body));
+    let (name, placeholders) = (&layout.instant, layout.placeholders(&layout.timed));
+    let fill = (!layout.timed.is_empty()).then(|| {
+        quote! {
+            for k_ in 0..K_ {
+                let time = times[k_];
+                #statements
+                instants[k_] = #name { #fields };
+            }
+        }
+    });
+    quote! {
+        #[inline(always)]
+        fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
+            #(#sines)*
+            let mut instants = [#name { #placeholders }; K_];
+            #fill
+            instants
+        }
+    }
+}

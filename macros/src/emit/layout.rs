@@ -1,0 +1,133 @@
+//! What of a scene is stored where: in the prepared equations, in the instant, or nowhere.
+
+use std::collections::BTreeSet;
+
+use assur_model::checked::SceneModel;
+use assur_model::program::{Program, Stage, Value};
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::body::Body;
+use super::expression::size as whole;
+use super::names::{self, Names};
+use super::schedule::{self, Shape};
+
+/// A scene with the names of its types and the fields that its values are stored in.
+pub struct Layout<'a> {
+    /// The scene.
+    pub scene: &'a SceneModel,
+    /// Its place among the scenes of the mechanism.
+    pub index: usize,
+    /// Local names of its values.
+    pub names: Names,
+    /// Fields of the parameter struct.
+    pub constants: Vec<Ident>,
+    /// The parameter struct, `Elastic`.
+    pub parameters: Ident,
+    /// The prepared equations, `ElasticEquations`.
+    pub equations: Ident,
+    /// What depends on the time alone, `ElasticInstant`.
+    pub instant: Ident,
+    /// Values that the prepared equations store.
+    pub prepared: BTreeSet<Value>,
+    /// Values that the instant stores.
+    pub timed: BTreeSet<Value>,
+}
+
+impl<'a> Layout<'a> {
+    /// Lays out a scene whose type has this name.
+    pub fn new(scene: &'a SceneModel, index: usize, type_name: &str) -> Self {
+        let program = &scene.program;
+        let results = &program.results;
+        let slopes = results.jacobian.iter().map(|entry| entry.2);
+        let evaluated: Vec<Value> = results.derivative.iter().copied().chain(slopes).collect();
+        let rest = [&results.outputs, &results.drivers, &results.mass, &results.energy];
+        let all: Vec<Value> = evaluated.iter().chain(rest.into_iter().flatten()).copied().collect();
+        let stage = |value: &Value| program.operations[value.0 as usize].stage;
+        let mut timed = schedule::frontier(program, &evaluated, Stage::State);
+        timed.retain(|value| stage(value) == Stage::Instant);
+        let names = scene.constants.iter().map(|constant| constant.quantity.name.as_str());
+        Self {
+            scene,
+            index,
+            names: Names::new(scene),
+            constants: names::distinct(names),
+            parameters: names::identifier(type_name),
+            equations: format_ident!("{type_name}Equations"),
+            instant: format_ident!("{type_name}Instant"),
+            prepared: schedule::frontier(program, &all, Stage::Instant),
+            timed,
+        }
+    }
+
+    /// The program of the scene.
+    pub fn program(&self) -> &'a Program {
+        &self.scene.program
+    }
+
+    /// Length of the state vector.
+    pub fn states(&self) -> usize {
+        self.scene.states.len()
+    }
+
+    /// Fields that store values, `name: type`, and one for the scalar type when nothing is stored.
+    pub fn fields(&self, stored: &BTreeSet<Value>) -> TokenStream {
+        let fields = stored.iter().map(|value| {
+            let (name, kind) = (self.names.of(*value), self.type_of(*value));
+            quote!(#name: #kind)
+        });
+        if stored.is_empty() { quote!(scalar_: ::core::marker::PhantomData<S>) } else { quote!(#(#fields),*) }
+    }
+
+    /// The fields with their values, `name: value`.
+    pub fn stored(&self, stored: &BTreeSet<Value>, body: &Body<'_>) -> TokenStream {
+        self.filled(stored, &|value| body.value(value))
+    }
+
+    /// The fields with any values of the right types.
+    pub fn placeholders(&self, stored: &BTreeSet<Value>) -> TokenStream {
+        self.filled(stored, &|value| self.placeholder(value))
+    }
+
+    fn filled(&self, stored: &BTreeSet<Value>, text: &dyn Fn(Value) -> TokenStream) -> TokenStream {
+        if stored.is_empty() {
+            return quote!(scalar_: ::core::marker::PhantomData);
+        }
+        let fields = stored.iter().map(|value| {
+            let (name, text) = (self.names.of(*value), text(*value));
+            if name.to_string() == text.to_string() { text } else { quote!(#name: #text) }
+        });
+        quote!(#(#fields),*)
+    }
+
+    /// The type of a value.
+    fn type_of(&self, value: Value) -> TokenStream {
+        match schedule::shape(self.program(), value) {
+            Shape::Number => quote!(S),
+            Shape::Mask => quote!(S::Mask),
+            Shape::Factor(size) => {
+                let size = whole(size);
+                quote!(::assur::dense::Factor<S, #size>)
+            }
+            Shape::Vector(size) => {
+                let size = whole(size);
+                quote!([S; #size])
+            }
+        }
+    }
+
+    fn placeholder(&self, value: Value) -> TokenStream {
+        match schedule::shape(self.program(), value) {
+            Shape::Number => quote!(S::ZERO),
+            Shape::Mask => quote!(S::less(S::ZERO, S::ZERO)),
+            Shape::Factor(size) => {
+                let size = whole(size);
+                quote!(::assur::dense::factor::<S, #size>([[S::ONE; #size]; #size]))
+            }
+            Shape::Vector(size) => {
+                let size = whole(size);
+                quote!([S::ZERO; #size])
+            }
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! A checked model as Rust items.
+//!
+//! It knows only the model and proc-macro2, so that the command prints the same text for `assur expand`. The order is
+//! that of the output: for each scene the parameters that a user fills in ([`parameters`]), the equations prepared for
+//! a scalar type ([`equations`]), what depends on the time alone ([`instant`]), outputs and energies ([`outputs`]);
+//! then the tables ([`registry`]) and the tests ([`tests`]). The functions are straight lines of statements
+//! ([`body`]); which values they need and in which order is found in [`schedule`], what is stored where in [`layout`].
+
+mod body;
+mod docs;
+mod equations;
+mod expression;
+mod instant;
+mod layout;
+pub mod names;
+mod outputs;
+mod parameters;
+mod registry;
+mod scene;
+mod schedule;
+mod tests;
+
+use assur_model::checked::Model;
+use assur_model::token::Span;
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use layout::Layout;
+
+/// Where the equations stand.
+pub struct Origin<'a> {
+    /// Name of the file, `batten.eqn`, or of the Rust file when they stand inline.
+    pub file: String,
+    /// Whether the file is an equation file, so that its text can be carried along.
+    pub has_file: bool,
+    /// The line of a place in it, from 1.
+    pub line_of: &'a dyn Fn(Span) -> u32,
+}
+
+/// The items of a mechanism. They stand in a module of their own, so that no constant of the user's can be taken for
+/// a quantity of the equations.
+pub fn mechanism(model: &Model, origin: &Origin<'_>) -> TokenStream {
+    let types = scene::type_names(model);
+    let layouts: Vec<Layout<'_>> = model
+        .scenes
+        .iter()
+        .zip(&types)
+        .enumerate()
+        .map(|(index, (scene, name))| Layout::new(scene, index, name))
+        .collect();
+    let scenes = layouts.iter().map(|layout| scene::items(layout, model, origin));
+    let alias = scene::alias(model, &types);
+    let alias_name = alias.iter().map(|(name, _)| quote!(#name));
+    let exported = scene::exported(&layouts).chain(alias_name).chain([quote!(MECHANISM)]);
+    let alias_item = alias.as_ref().map(|(name, target)| {
+        let text = docs::lines(&format!("The first scene of the mechanism, `{target}`."));
+        quote!(#text pub type #name = #target;)
+    });
+    let table = registry::table(model, &layouts, origin);
+    let tests = tests::module(&layouts, origin);
+    let module = format_ident!("{}_", names::snake(&model.name).trim_end_matches('_'));
+    let text = docs::lines(&docs::mechanism(model, origin));
+    quote! {
+        #text
+        #[allow(
+            clippy::all, clippy::pedantic, clippy::nursery, rustdoc::all, non_snake_case, non_camel_case_types,
+            non_upper_case_globals, unused_qualifications, unused_parens, unused_variables, dead_code
+        )]
+        mod #module {
+            #(#scenes)*
+            #alias_item
+            #table
+        }
+        pub use #module::{#(#exported),*};
+        #tests
+    }
+}

@@ -1,0 +1,101 @@
+//! What is asked of single positions: outputs, drivers, mass matrix, energy.
+
+use assur_model::program::Value;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::body::{Body, Place, blocks};
+use super::equations::first;
+use super::expression::{size, triangle};
+use super::layout::Layout;
+
+/// The methods of `Equations` for outputs and drivers.
+pub fn methods(layout: &Layout<'_>) -> TokenStream {
+    let results = &layout.program().results;
+    let outputs = writes(layout, &results.outputs);
+    let drivers = writes(layout, &results.drivers);
+    quote! {
+        #[inline(always)]
+        fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
+            #outputs
+        }
+
+        #[inline(always)]
+        fn drivers(&self, time: S, values: &mut [S]) {
+            #drivers
+        }
+    }
+}
+
+fn writes(layout: &Layout<'_>, wanted: &[Value]) -> TokenStream {
+    if wanted.is_empty() {
+        return TokenStream::new();
+    }
+    let body = Body::new(layout, Place::Time, wanted, &[]);
+    let (first, statements) = (first(quote!(values), wanted.len()), body.statements(wanted));
+    let writes: Vec<TokenStream> = wanted
+        .iter()
+        .enumerate()
+        .map(|(index, value)| {
+            let (index, value) = (size(index), body.value(*value));
+            quote!(values[#index] = #value;)
+        })
+        .collect();
+    let writes = blocks(&writes);
+    quote!(#first #statements #writes)
+}
+
+/// Methods of the equations' own, where the scene has them.
+pub fn inherent(layout: &Layout<'_>) -> TokenStream {
+    let methods = [mass_matrix(layout), energy(layout)];
+    if methods.iter().all(TokenStream::is_empty) {
+        return TokenStream::new();
+    }
+    let name = &layout.equations;
+    quote! {
+        impl<S: ::assur::scalar::Scalar> #name<S> {
+            #(#methods)*
+        }
+    }
+}
+
+fn mass_matrix(layout: &Layout<'_>) -> TokenStream {
+    let mass = &layout.program().results.mass;
+    let rows = layout.scene.coordinates;
+    if mass.is_empty() || mass.len() != triangle(rows, 0) {
+        return TokenStream::new();
+    }
+    // Entries beside the diagonal are written twice: each gets a name.
+    let body = Body::new(layout, Place::Time, &[], mass);
+    let statements = body.statements(mass);
+    let row = |i: usize| {
+        let row = (0..rows).map(|j| body.value(mass[triangle(i.max(j), i.min(j))]));
+        quote!([#(#row),*])
+    };
+    let (states, count, matrix) = (size(layout.states()), size(rows), (0..rows).map(row));
+    quote! {
+        /// The symmetric mass matrix, in the order of the coordinates.
+        #[inline]
+        pub fn mass_matrix(&self, time: S, state: &[S; #states]) -> [[S; #count]; #count] {
+            #statements
+            [#(#matrix),*]
+        }
+    }
+}
+
+fn energy(layout: &Layout<'_>) -> TokenStream {
+    let energy = &layout.program().results.energy;
+    let [kinetic, potential] = energy.as_slice() else { return TokenStream::new() };
+    let body = Body::new(layout, Place::Time, energy, &[]);
+    let statements = body.statements(energy);
+    let (kinetic, potential) = (body.value(*kinetic), body.value(*potential));
+    let states = size(layout.states());
+    quote! {
+        /// Kinetic and potential energy, in joules.
+        #[inline]
+        pub fn energy(&self, time: S, state: &[S; #states]) -> (S, S) {
+            #statements
+            (#kinetic, #potential)
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! The type that a user fills in: the parameters of a scene, and what the solvers ask of it.
+
+use assur_model::checked::{Model, RequirementInfo, SpanKind};
+use assur_model::program::Value;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::body::{Body, Place};
+use super::expression::{number, size};
+use super::layout::Layout;
+use super::{Origin, docs, registry};
+
+/// The parameter struct of a scene with its methods.
+pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
+    let (name, constants) = (&layout.parameters, &layout.scene.constants);
+    let text = docs::lines(&docs::scene(layout, model, origin));
+    let fields = layout.constants.iter().zip(constants).map(|(field, constant)| {
+        let text = docs::lines(&docs::constant(constant));
+        quote!(#text pub #field: f64)
+    });
+    let defaults = layout.constants.iter().zip(constants).map(|(field, constant)| {
+        let value = number(constant.default);
+        quote!(#field: #value)
+    });
+    let inherent = inherent(layout);
+    let implementation = implementation(layout);
+    quote! {
+        #text
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct #name { #(#fields),* }
+
+        impl ::core::default::Default for #name {
+            fn default() -> Self {
+                Self { #(#defaults),* }
+            }
+        }
+
+        #inherent
+        #implementation
+    }
+}
+
+/// Methods of the struct's own: its values as an array, and what is computed from them alone.
+fn inherent(layout: &Layout<'_>) -> TokenStream {
+    let (name, fields) = (&layout.parameters, &layout.constants);
+    let count = size(fields.len());
+    let constants = registry::constants(layout.scene);
+    let results = &layout.program().results;
+    let requirements =
+        computed(layout, "requirements_", &results.requirements, quote!(S::Mask), "The conditions on the values.");
+    let span = computed(layout, "span_", &results.span, quote!(S), "The period, or the first and the last time.");
+    let start = computed(layout, "start_", &results.start, quote!(S), "The declared start values of the state.");
+    quote! {
+        impl #name {
+            /// Names, units, defaults and ranges of the fields, in their order.
+            pub const CONSTANTS: &'static [::assur::registry::Constant] = #constants;
+
+            /// Sets all values, SI units, in the order of the fields.
+            pub fn from_values(values: &[f64; #count]) -> Self {
+                let [#(#fields),*] = *values;
+                Self { #(#fields),* }
+            }
+
+            /// All values, SI units, in the order of the fields.
+            pub fn values(&self) -> [f64; #count] {
+                [#(self.#fields),*]
+            }
+
+            #requirements
+            #span
+            #start
+        }
+    }
+}
+
+/// A method that computes some values from the parameters; nothing when there are none.
+fn computed(layout: &Layout<'_>, name: &str, wanted: &[Value], kind: TokenStream, text: &str) -> TokenStream {
+    if wanted.is_empty() {
+        return TokenStream::new();
+    }
+    let (name, text) = (super::names::identifier(name), docs::lines(text));
+    let body = Body::new(layout, Place::Parameters, wanted, &[]);
+    let (statements, count) = (body.statements(wanted), size(wanted.len()));
+    let values = wanted.iter().map(|value| body.value(*value));
+    quote! {
+        #text
+        fn #name<S: ::assur::scalar::Scalar>(&self) -> [#kind; #count] {
+            #statements
+            [#(#values),*]
+        }
+    }
+}
+
+/// What the solvers ask of a scene.
+fn implementation(layout: &Layout<'_>) -> TokenStream {
+    let (name, equations) = (&layout.parameters, &layout.equations);
+    let scene = layout.scene;
+    let (states, outputs, drivers) =
+        (size(scene.states.len()), size(scene.outputs.len()), size(scene.drivers.len()));
+    let linear = layout.program().linear;
+    let scales = scene.scales.iter().map(|value| number(*value));
+    let state_names = scene.states.iter().map(|state| &state.name);
+    let output_names = scene.outputs.iter().map(|output| &output.name);
+    let (prepare, check, span, start) = (prepare(layout), check(layout), span(layout), start(layout));
+    quote! {
+        impl ::assur::problem::Scene for #name {
+            type Equations<S: ::assur::scalar::Scalar> = #equations<S>;
+
+            const LINEAR: bool = #linear;
+            const STATES: usize = #states;
+            const OUTPUTS: usize = #outputs;
+            const DRIVERS: usize = #drivers;
+            const SCALES: &'static [f64] = &[#(#scales),*];
+            const STATE_NAMES: &'static [&'static str] = &[#(#state_names),*];
+            const OUTPUT_NAMES: &'static [&'static str] = &[#(#output_names),*];
+
+            #prepare
+            #check
+            #span
+            #start
+        }
+    }
+}
+
+/// What depends on the parameters alone, stored where later stages use it.
+fn prepare(layout: &Layout<'_>) -> TokenStream {
+    let wanted: Vec<Value> = layout.prepared.iter().copied().collect();
+    let body = Body::new(layout, Place::Parameters, &wanted, &[]);
+    let (statements, fields) = (body.statements(&wanted), layout.stored(&layout.prepared, &body));
+    let equations = &layout.equations;
+    quote! {
+        fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
+            #statements
+            #equations { #fields }
+        }
+    }
+}
+
+fn check(layout: &Layout<'_>) -> TokenStream {
+    let requirements = &layout.scene.requirements;
+    let names = (0..requirements.len()).map(|index| quote::format_ident!("require_{index}_"));
+    let compute = (!requirements.is_empty()).then(|| {
+        let names = names.clone();
+        quote!(let [#(#names),*] = self.requirements_::<f64>();)
+    });
+    let each = requirements.iter().zip(names).map(|(requirement, held)| {
+        let refused = refused(layout, requirement);
+        quote!(if !<f64 as ::assur::scalar::Scalar>::holds(#held) { return #refused; })
+    });
+    quote! {
+        fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
+            ::assur::registry::check_values(Self::CONSTANTS, &self.values())?;
+            #compute
+            #(#each)*
+            ::core::result::Result::Ok(())
+        }
+    }
+}
+
+/// `found R = 75 mm, l = 70 mm; expected R < l`
+fn refused(layout: &Layout<'_>, requirement: &RequirementInfo) -> TokenStream {
+    let name = if requirement.message.is_empty() { &requirement.text } else { &requirement.message };
+    let mut found = Vec::new();
+    let mut values = Vec::new();
+    for index in &requirement.names {
+        let Some(constant) = layout.scene.constants.get(*index) else { continue };
+        let (field, quantity) = (&layout.constants[*index], &constant.quantity);
+        found.push(format!("{} = {{}} {}", escape(&quantity.name), escape(&quantity.unit)).trim_end().to_owned());
+        let factor = number(quantity.factor);
+        values.push(if quantity.factor == 1.0 { quote!(self.#field) } else { quote!(self.#field / #factor) });
+    }
+    let found = if found.is_empty() { String::new() } else { format!("found {}; ", found.join(", ")) };
+    let reason = format!("{found}expected {}", escape(&requirement.text));
+    quote! {
+        ::core::result::Result::Err(::assur::problem::Refused {
+            name: ::std::string::String::from(#name),
+            reason: ::std::format!(#reason #(, #values)*),
+        })
+    }
+}
+
+/// A text inside a format string.
+fn escape(text: &str) -> String {
+    text.replace('{', "{{").replace('}', "}}")
+}
+
+fn span(layout: &Layout<'_>) -> TokenStream {
+    let body = match (layout.scene.span, layout.program().results.span.len()) {
+        (SpanKind::Periodic, 1) => quote! {
+            let [period] = self.span_::<f64>();
+            ::assur::problem::Span::Periodic(period)
+        },
+        (SpanKind::Run, 2) => quote! {
+            let [from, to] = self.span_::<f64>();
+            ::assur::problem::Span::Run(from, to)
+        },
+        _ => quote!(::assur::problem::Span::Open),
+    };
+    quote!(fn span(&self) -> ::assur::problem::Span { #body })
+}
+
+fn start(layout: &Layout<'_>) -> TokenStream {
+    let body = match layout.program().results.start.is_empty() {
+        true => quote!(::std::vec::Vec::new()),
+        false => quote!(self.start_::<f64>().to_vec()),
+    };
+    quote!(fn start(&self) -> ::std::vec::Vec<f64> { #body })
+}

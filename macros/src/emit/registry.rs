@@ -1,0 +1,233 @@
+//! The mechanism as data: `MECHANISM`, and how a scene is bound to values without knowing its type.
+
+use std::collections::BTreeSet;
+
+use assur_model::checked::{ExpectInfo, ExpectPlace, Model, QuantityInfo, SceneModel};
+use assur_model::program::{OperationKind, Stage, Value};
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::expression::{number, size};
+use super::layout::Layout;
+use super::{Origin, docs, names, schedule};
+
+/// The static `MECHANISM` and the functions that its entries point to.
+pub fn table(model: &Model, layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
+    let (name, title) = (names::snake(&model.name), &model.name);
+    let (summary, source, file) = (&model.documentation, &model.source, &origin.file);
+    let (file, text) = match origin.has_file {
+        true => (quote!(#file), quote!(::core::include_str!(#file))),
+        false => (quote!(""), quote!("")),
+    };
+    let effects = model.effects.iter().map(|effect| {
+        let (name, summary) = (&effect.name, &effect.summary);
+        quote!(::assur::registry::Named { name: #name, summary: #summary })
+    });
+    let choices = model.choices.iter().map(|choice| {
+        let (name, summary, alternatives) = (&choice.name, &choice.summary, &choice.alternatives);
+        quote!(::assur::registry::Choice { name: #name, summary: #summary, alternatives: &[#(#alternatives),*] })
+    });
+    let presets = model.presets.iter().map(|preset| {
+        let (name, summary) = (&preset.name, &preset.summary);
+        let values = preset.values.iter().map(|(name, value)| {
+            let value = number(*value);
+            quote!((#name, #value))
+        });
+        quote!(::assur::registry::Preset { name: #name, summary: #summary, values: &[#(#values),*] })
+    });
+    let entries = layouts.iter().map(|layout| entry(layout, origin));
+    let binders = layouts.iter().map(binder);
+    let lines = docs::lines(&format!("The mechanism `{title}` as data."));
+    quote! {
+        #lines
+        pub static MECHANISM: ::assur::registry::Mechanism = ::assur::registry::Mechanism {
+            name: #name,
+            title: #title,
+            summary: #summary,
+            source: #source,
+            file: #file,
+            text: #text,
+            effects: &[#(#effects),*],
+            choices: &[#(#choices),*],
+            presets: &[#(#presets),*],
+            scenes: &[#(#entries),*],
+        };
+        #(#binders)*
+    }
+}
+
+fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
+    let scene = layout.scene;
+    let (name, summary, effects, preset) = (&scene.name, &scene.summary, &scene.effects, &scene.preset);
+    let choices = scene.choices.iter().map(|(choice, held)| quote!((#choice, #held)));
+    let (type_name, bind) = (&layout.parameters, binder_name(layout));
+    let [drivers, states, outputs] =
+        [&scene.drivers, &scene.states, &scene.outputs].map(|list| list.iter().map(quantity).collect::<Vec<_>>());
+    let equations = scene.equations.iter().map(|equation| {
+        let (text, unit, line) = (&equation.text, &equation.unit, line(origin, equation.span));
+        quote!(::assur::registry::EquationText { text: #text, unit: #unit, line: #line })
+    });
+    let expectations = scene.expectations.iter().map(|one| expectation(one, origin));
+    let counts = counts(layout);
+    let [prepare, instant, derivative, jacobian, outputs_count] =
+        [counts.prepare, counts.instant, counts.derivative, counts.jacobian, counts.outputs].map(size);
+    quote! {
+        ::assur::registry::SceneEntry {
+            name: #name,
+            summary: #summary,
+            effects: &[#(#effects),*],
+            choices: &[#(#choices),*],
+            preset: #preset,
+            constants: #type_name::CONSTANTS,
+            drivers: &[#(#drivers),*],
+            states: &[#(#states),*],
+            outputs: &[#(#outputs),*],
+            equations: &[#(#equations),*],
+            operations: ::assur::registry::Operations {
+                prepare: #prepare,
+                instant: #instant,
+                derivative: #derivative,
+                jacobian: #jacobian,
+                outputs: #outputs_count,
+            },
+            expectations: &[#(#expectations),*],
+            bind: #bind,
+        }
+    }
+}
+
+fn binder_name(layout: &Layout<'_>) -> proc_macro2::Ident {
+    format_ident!("bind_{}_", names::snake(&layout.parameters.to_string()))
+}
+
+fn binder(layout: &Layout<'_>) -> TokenStream {
+    let (name, type_name) = (binder_name(layout), &layout.parameters);
+    let expected = layout.constants.len();
+    let reason = format!("found {{}}, expected {expected}");
+    quote! {
+        fn #name(
+            values: &[f64],
+        ) -> ::core::result::Result<::std::boxed::Box<dyn ::assur::registry::Run>, ::assur::problem::Refused> {
+            let ::core::result::Result::Ok(values) = values.try_into() else {
+                return ::core::result::Result::Err(::assur::problem::Refused {
+                    name: ::std::string::String::from("number of values"),
+                    reason: ::std::format!(#reason, values.len()),
+                });
+            };
+            ::assur::registry::bind(#type_name::from_values(values))
+        }
+    }
+}
+
+/// The table of the constants of a scene.
+pub fn constants(scene: &SceneModel) -> TokenStream {
+    let entries = scene.constants.iter().map(|constant| {
+        let (quantity, is_dimension) = (quantity(&constant.quantity), constant.is_dimension);
+        let [default, tolerance, low, high] =
+            [constant.default, constant.tolerance, constant.range.0, constant.range.1].map(number);
+        quote! {
+            ::assur::registry::Constant {
+                quantity: #quantity,
+                is_dimension: #is_dimension,
+                default: #default,
+                tolerance: #tolerance,
+                range: (#low, #high),
+            }
+        }
+    });
+    quote!(&[#(#entries),*])
+}
+
+fn quantity(quantity: &QuantityInfo) -> TokenStream {
+    let (name, summary, unit, factor) = (&quantity.name, &quantity.summary, &quantity.unit, number(quantity.factor));
+    let dimension = quantity.dimension.iter().map(|(above, below)| {
+        let (above, below) = (number_of(*above), number_of(*below));
+        quote!((#above, #below))
+    });
+    quote! {
+        ::assur::registry::Quantity {
+            name: #name,
+            summary: #summary,
+            unit: #unit,
+            factor: #factor,
+            dimension: [#(#dimension),*],
+        }
+    }
+}
+
+fn number_of(value: i8) -> TokenStream {
+    let literal = Literal::u8_unsuffixed(value.unsigned_abs());
+    if value < 0 { quote!(-#literal) } else { quote!(#literal) }
+}
+
+fn expectation(expected: &ExpectInfo, origin: &Origin<'_>) -> TokenStream {
+    let at = match expected.at {
+        ExpectPlace::Time(time) => {
+            let time = number(time);
+            quote!(Time(#time))
+        }
+        ExpectPlace::Driver(index, position) => {
+            let (index, position) = (size(index), number(position));
+            quote!(Driver(#index, #position))
+        }
+        ExpectPlace::Maximum => quote!(Maximum),
+        ExpectPlace::Minimum => quote!(Minimum),
+        ExpectPlace::Amplitude => quote!(Amplitude),
+    };
+    let (is_output, index) = (expected.quantity.0, size(expected.quantity.1));
+    let (value, tolerance) = (number(expected.value), number(expected.tolerance));
+    let (preset, remark, line) = (&expected.preset, &expected.remark, line(origin, expected.span));
+    quote! {
+        ::assur::registry::Expectation {
+            at: ::assur::registry::At::#at,
+            quantity: (#is_output, #index),
+            value: #value,
+            tolerance: #tolerance,
+            preset: #preset,
+            remark: #remark,
+            line: #line,
+        }
+    }
+}
+
+fn line(origin: &Origin<'_>, span: assur_model::token::Span) -> Literal {
+    Literal::u32_unsuffixed((origin.line_of)(span))
+}
+
+/// Operations of one call of each emitted function.
+pub struct Counts {
+    /// Once per parameter set.
+    pub prepare: usize,
+    /// Once per instant.
+    pub instant: usize,
+    /// Per evaluation of the derivative.
+    pub derivative: usize,
+    /// Per evaluation of the Jacobian.
+    pub jacobian: usize,
+    /// Per evaluation of all outputs.
+    pub outputs: usize,
+}
+
+/// Counts the operations of a scene.
+pub fn counts(layout: &Layout<'_>) -> Counts {
+    let program = layout.program();
+    let results = &program.results;
+    let count = |wanted: &[Value], from: Stage| {
+        let given = |value: Value| program.operations[value.0 as usize].stage < from && !is_free(program, value);
+        schedule::count(program, &schedule::needed(program, wanted, &given))
+    };
+    let list = |values: &BTreeSet<Value>| values.iter().copied().collect::<Vec<Value>>();
+    let slopes: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
+    Counts {
+        prepare: count(&list(&layout.prepared), Stage::Constant),
+        instant: count(&list(&layout.timed), Stage::Instant),
+        derivative: count(&results.derivative, Stage::State),
+        jacobian: count(&slopes, Stage::State),
+        outputs: count(&results.outputs, Stage::Instant),
+    }
+}
+
+/// Whether a value costs nothing anywhere.
+fn is_free(program: &assur_model::program::Program, value: Value) -> bool {
+    matches!(program.operations[value.0 as usize].kind, OperationKind::Number(_))
+}

@@ -1,0 +1,43 @@
+//! What is emitted for one scene, and how its types are called.
+
+use assur_model::checked::Model;
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::layout::Layout;
+use super::{Origin, equations, instant, names, outputs, parameters};
+
+/// Names of the types of the scenes: `TwoTerm` for `two_term`; the only scene of a mechanism that states none has the
+/// name of the mechanism.
+pub fn type_names(model: &Model) -> Vec<String> {
+    if let [only] = model.scenes.as_slice() {
+        if only.name == "standard" {
+            return vec![names::pascal(&model.name)];
+        }
+    }
+    model.scenes.iter().map(|scene| names::pascal(&scene.name)).collect()
+}
+
+/// The name of the mechanism as another name of its first scene, unless a scene has that name.
+pub fn alias(model: &Model, types: &[String]) -> Option<(Ident, Ident)> {
+    let name = names::pascal(&model.name);
+    let first = types.first()?;
+    (!types.contains(&name)).then(|| (names::identifier(&name), names::identifier(first)))
+}
+
+/// Names of the public types of all scenes.
+pub fn exported<'a>(layouts: &'a [Layout<'_>]) -> impl Iterator<Item = TokenStream> + use<'a> {
+    layouts.iter().map(|layout| {
+        let (parameters, equations, instant) = (&layout.parameters, &layout.equations, &layout.instant);
+        quote!(#parameters, #equations, #instant)
+    })
+}
+
+/// The items of a scene.
+pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
+    let parameters = parameters::items(layout, model, origin);
+    let equations = equations::items(layout);
+    let instant = instant::items(layout);
+    let outputs = outputs::inherent(layout);
+    quote!(#parameters #equations #instant #outputs)
+}

@@ -1,0 +1,414 @@
+//! One scene from statements to program: declare, lower, derive, solve, report.
+
+use std::collections::{BTreeSet, HashMap};
+
+use crate::checked::{ConstantInfo, EquationInfo, QuantityInfo, RequirementInfo, SceneModel, SpanKind};
+use crate::declare::{per_second, quantity};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expression::{Expression, Symbol};
+use crate::facts;
+use crate::homogeneity::{agree, describe};
+use crate::lagrange::{self, Energies};
+use crate::lower::{Kind, Lowering, Typed, second};
+use crate::motion::{self, Equation, Solved, UnknownName};
+use crate::program::{self, Input, Request};
+use crate::resolve::{Names, Role};
+use crate::scene::{Selected, Survey, specialise};
+use crate::syntax::print;
+use crate::syntax::tree::{EnergyKind, File, Scene, SceneItem, Statement, StatementKind, Term};
+use crate::token::Span;
+use crate::unit::Unit;
+
+/// Absolute tolerance per unit of relative tolerance, as a part of the unit that a quantity is declared in: what is
+/// declared in metres is right to a micrometre at `rtol = 1e-3`, and to 1e-12 m at `rtol = 1e-9`.
+const SCALE: f64 = 1e-3;
+
+/// What is to be compiled.
+pub struct Task<'a> {
+    /// The file.
+    pub file: &'a File,
+    /// Its effects, choices and scenes.
+    pub survey: &'a Survey<'a>,
+    /// What is switched on.
+    pub selected: &'a Selected,
+    /// The scene; none when the selection is compiled only to check branches that no scene shows.
+    pub scene: Option<(&'a Scene, &'a [String])>,
+    /// Whether it is the first scene, to which facts without a scene belong.
+    pub is_first: bool,
+}
+
+/// What compiling a scene tells about the file.
+#[derive(Default)]
+pub struct Seen {
+    /// Names that something refers to.
+    pub used: BTreeSet<String>,
+    /// Declared constants and abbreviations with their places.
+    pub declared: Vec<(String, Span)>,
+    /// Names of all constants with their kinds.
+    pub constants: HashMap<String, (Kind, Span)>,
+}
+
+/// Compiles one scene. Mistakes go to `diagnostics`, and then there is no model.
+pub fn scene(task: &Task<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> Option<SceneModel> {
+    let before = diagnostics.error_count();
+    let statements = specialise(task.file, task.survey, task.selected, diagnostics);
+    let mut names = Names::of(&statements, diagnostics);
+    let shared_outputs = names.outputs.len();
+    for item in task.scene.iter().flat_map(|(scene, _)| &scene.items) {
+        if let SceneItem::Output(output) = item {
+            names.declare_output(output, String::new(), diagnostics);
+        }
+    }
+    // A scene that says what it reports reports only that.
+    let own_outputs = names.outputs.len() > shared_outputs;
+    let reported = if own_outputs { shared_outputs.. } else { 0.. };
+
+    let mut low = Lowering::new(&names, task.survey, task.selected, diagnostics);
+    let constants: Vec<Option<ConstantInfo>> = names
+        .constants
+        .iter()
+        .enumerate()
+        .map(|(index, declared)| low.constant(index as u32, declared))
+        .collect();
+    let coordinates = names.coordinates.len();
+    let mut units: Vec<Option<Unit>> = Vec::new();
+    for (index, declared) in names.coordinates.iter().enumerate() {
+        units.push(low.unknown(Symbol::Coordinate(index as u32), declared));
+    }
+    for (index, declared) in names.states.iter().enumerate() {
+        units.push(low.unknown(Symbol::State(index as u32), declared));
+    }
+    let positions = low.drivers(&names);
+
+    // Abbreviations in the order of the file, used or not, so that each mistake is found.
+    for statement in &statements {
+        if let StatementKind::Let { target, arguments: None, .. } = &statement.kind
+            && let Some(name) = crate::unroll::target_name(target, low.diagnostics)
+        {
+            let used = low.used.contains(&name.text);
+            low.term(&Term { span: name.span, kind: crate::syntax::tree::TermKind::Name(name.text.clone()) });
+            if !used {
+                low.used.remove(&name.text);
+            }
+        }
+    }
+
+    let mut parts = Parts::default();
+    for statement in &statements {
+        parts.read(statement, &mut low);
+    }
+    let equations = parts.equations(&mut low, &names);
+    let unknowns = unknown_names(&names);
+    let given = state_symbols(&names);
+    let scene_name = task.scene.map_or("(no scene)", |(scene, _)| scene.name.text.as_str());
+    let solved = if low.diagnostics.error_count() == before {
+        motion::solve(&mut low.graph, &equations, &unknowns, &given, scene_name, low.diagnostics)
+    } else {
+        None
+    };
+
+    let outputs = facts::outputs(&mut low, &names.outputs[reported]);
+    let span = facts::task(&mut low, task.scene.map(|(scene, _)| scene));
+    let start = facts::start(&mut low, &names, task.scene.map(|(scene, _)| scene), span.kind == SpanKind::Run);
+
+    for (name, entry) in &names.table {
+        if matches!(entry.role, Role::Constant(_) | Role::Let(_) | Role::Function(..)) {
+            seen.declared.push((name.clone(), entry.span));
+        }
+        if let Role::Constant(index) = entry.role {
+            seen.constants.insert(name.clone(), (low.kind_of(Symbol::Parameter(index)), entry.span));
+        }
+    }
+    // An output that names its own value is used by being reported.
+    let reported_names = names.outputs.iter().map(|output| output.name.text.clone());
+    seen.used.extend(low.used.iter().cloned().chain(reported_names));
+
+    if low.diagnostics.error_count() > before {
+        return None;
+    }
+    let solved = solved?;
+    let (scene, documentation) = task.scene?;
+    let preset = facts::preset(&mut low, task.file, scene);
+    let mut model = SceneModel {
+        name: scene.name.text.clone(),
+        summary: summary(scene.text.as_deref(), documentation),
+        effects: task.selected.effects.iter().cloned().collect(),
+        choices: task.selected.choices.clone().into_iter().collect(),
+        preset: preset.as_ref().map_or(String::new(), |(name, _)| name.clone()),
+        constants: Vec::new(),
+        drivers: driver_quantities(&low, &names),
+        states: state_quantities(&names, &units),
+        outputs: outputs.quantities,
+        coordinates,
+        scales: Vec::new(),
+        equations: parts.texts,
+        requirements: parts.requirements,
+        span: span.kind,
+        conservative: false,
+        expectations: Vec::new(),
+        program: program::Program::default(),
+    };
+    model.scales = model.states.iter().map(|state| SCALE * state.factor).collect();
+    model.conservative = conservative(&mut low, &parts.energies, &equations);
+
+    let mut request = Request {
+        derivative: (0..coordinates as u32).map(|index| low.graph.symbol(Symbol::Speed(index))).collect(),
+        outputs: outputs.values,
+        drivers: positions.iter().flatten().copied().collect(),
+        mass: solved.mass.clone(),
+        energy: energy(&mut low, &parts.energies),
+        requirements: parts.conditions.clone(),
+        span: span.values,
+        start,
+        states: 2 * coordinates + names.states.len(),
+        ..Request::default()
+    };
+    let highest: Vec<_> =
+        (0..solved.derivatives.len() as u32).map(|index| low.graph.symbol(Symbol::Acceleration(index))).collect();
+    request.derivative.extend(highest);
+    request.jacobian = jacobian(&mut low, coordinates, &solved);
+    for (index, value) in solved.derivatives.iter().enumerate() {
+        request.bindings.insert(Symbol::Acceleration(index as u32), *value);
+    }
+    for (index, value) in positions.iter().enumerate() {
+        request.bindings.extend(value.map(|value| (Symbol::Driver(index as u32), value)));
+    }
+    for (index, symbol) in given.iter().enumerate() {
+        request.inputs.insert(*symbol, Input::State(index as u32));
+    }
+    request.inputs.insert(Symbol::Time, Input::Time);
+    let kept = kept_constants(&low, &request);
+    for (new, old) in kept.iter().enumerate() {
+        request.inputs.insert(Symbol::Parameter(*old as u32), Input::Parameter(new as u32));
+        if let Some(info) = &constants[*old] {
+            let mut info = info.clone();
+            let fixed = preset.iter().flat_map(|(_, values)| values).find(|(name, _)| *name == info.quantity.name);
+            if let Some((_, value)) = fixed {
+                info.default = *value;
+            }
+            model.constants.push(info);
+        }
+    }
+    request.parameters = kept.len();
+    for requirement in &mut model.requirements {
+        requirement.names = requirement.names.iter().filter_map(|old| kept.iter().position(|one| one == old)).collect();
+    }
+    model.expectations = facts::expectations(&mut low, task, &model);
+    if low.diagnostics.error_count() > before {
+        return None;
+    }
+    model.program = program::build(&mut low.graph, &request);
+    Some(model)
+}
+
+/// Energies, equations and conditions, read from the statements.
+#[derive(Default)]
+struct Parts {
+    energies: Energies,
+    energy_places: Vec<Span>,
+    written: Vec<Equation>,
+    conditions: Vec<Expression>,
+    requirements: Vec<RequirementInfo>,
+    texts: Vec<EquationInfo>,
+}
+
+impl Parts {
+    fn read(&mut self, statement: &Statement, low: &mut Lowering<'_>) {
+        let span = statement.span;
+        match &statement.kind {
+            StatementKind::Energy { kind, value } => self.energy(*kind, value, span, statement, low),
+            StatementKind::Force { value, on } => self.force(value, on, statement, low),
+            StatementKind::Motion { label, left, right } => {
+                let name = label.as_ref().map_or_else(|| format!("{} = {}", print::term(left), print::term(right)), |label| label.text.clone());
+                if let Some((residuals, kind)) = low.balance(left, right) {
+                    for residual in residuals {
+                        self.written.push(Equation { residual, name: name.clone(), span, lagrange: None });
+                    }
+                    self.text(statement, kind);
+                }
+            }
+            StatementKind::Require { condition, text } => {
+                let Some(value) = low.condition(condition) else { return };
+                let moving = |symbol| !matches!(symbol, Symbol::Parameter(_));
+                if low.graph.depends_on(value, moving) {
+                    low.diagnostics.push(
+                        Diagnostic::error(condition.span, "a condition on moving quantities is not available in this version of Assur")
+                            .hint("`require` speaks of dimensions and parameters"),
+                    );
+                    return;
+                }
+                let names = (0..low.names.constants.len())
+                    .filter(|index| low.graph.depends_on(value, |symbol| symbol == Symbol::Parameter(*index as u32)))
+                    .collect();
+                self.conditions.push(value);
+                self.requirements.push(RequirementInfo {
+                    text: print::term(condition),
+                    message: text.clone().unwrap_or_default(),
+                    names,
+                });
+            }
+            _ => {}
+        }
+    }
+
+    fn text(&mut self, statement: &Statement, kind: Kind) {
+        let unit = Unit::for_dimension(&kind.dimension()).symbol;
+        self.texts.push(EquationInfo { text: print::statement(statement), unit, span: statement.span });
+    }
+
+    fn energy(&mut self, kind: EnergyKind, value: &Term, span: Span, statement: &Statement, low: &mut Lowering<'_>) {
+        let Some((expression, found)) = low.scalar(value) else { return };
+        let joule = crate::unit::parse_unit_text("J").map(|unit| unit.dimension);
+        let Ok(mut expected) = joule else { return };
+        let word = if kind == EnergyKind::Dissipation {
+            if let Some(watt) = expected.div(&second()) {
+                expected = watt;
+            }
+            "a dissipation function is a power"
+        } else {
+            "this has to be an energy"
+        };
+        // A coordinate may have any unit, but an energy is an energy.
+        if agree(found, Kind::Of(expected)).is_none() {
+            let message = format!("{word} ({}), and this is {}", Unit::for_dimension(&expected).symbol, describe(found.dimension()));
+            low.diagnostics.push(Diagnostic::error(value.span, message));
+            return;
+        }
+        let list = match kind {
+            EnergyKind::Kinetic => &mut self.energies.kinetic,
+            EnergyKind::Potential => &mut self.energies.potential,
+            EnergyKind::Dissipation => &mut self.energies.dissipation,
+        };
+        list.push(expression);
+        self.energy_places.push(span);
+        self.text(statement, Kind::Of(expected));
+    }
+
+    fn force(&mut self, value: &Term, on: &Term, statement: &Statement, low: &mut Lowering<'_>) {
+        let (force, position) = (low.term(value), low.term(on));
+        let (forces, positions, p, q) = match (force, position) {
+            (Typed::Wrong, _) | (_, Typed::Wrong) => return,
+            (Typed::Scalar { value: f, kind: p, .. }, Typed::Scalar { value: x, kind: q, .. }) => (vec![f], vec![x], p, q),
+            (Typed::Vector { values: f, kind: p, .. }, Typed::Vector { values: x, kind: q, .. }) if f.len() == x.len() => (f, x, p, q),
+            (a, b) => {
+                let message = format!("the force is {} and its position is {}", a.describe(), b.describe());
+                low.diagnostics.push(Diagnostic::error(statement.span, message));
+                return;
+            }
+        };
+        let work = crate::homogeneity::times(p, q);
+        let joule = crate::unit::parse_unit_text("J").map(|unit| unit.dimension);
+        if let (Some(work), Ok(joule)) = (work, joule)
+            && agree(work, Kind::Of(joule)).is_none()
+        {
+            let message = format!("a force times its position has to be an energy (J), and this is {}", describe(work.dimension()));
+            low.diagnostics.push(Diagnostic::error(statement.span, message));
+            return;
+        }
+        self.energies.forces.extend(forces.into_iter().zip(positions));
+        self.energy_places.push(statement.span);
+        self.text(statement, p);
+    }
+
+    /// All equations: those written, and Lagrange's for the coordinates that occur in energies.
+    fn equations(&mut self, low: &mut Lowering<'_>, names: &Names) -> Vec<Equation> {
+        let mut equations = std::mem::take(&mut self.written);
+        let Some(place) = self.energy_places.first().copied() else { return equations };
+        let Some(direction) = low.direction(place) else { return equations };
+        let concerned: Vec<u32> = (0..names.coordinates.len() as u32)
+            .filter(|coordinate| self.energies.concern(&low.graph, *coordinate))
+            .collect();
+        let rates = std::mem::take(&mut low.rates);
+        let residuals =
+            lagrange::residuals(&mut low.graph, &self.energies, &concerned, &direction, &|e| rates.contains(&e));
+        low.rates = rates;
+        for (coordinate, residual) in concerned.into_iter().zip(residuals) {
+            let name = format!("Lagrange's equation of {}", names.coordinates[coordinate as usize].name.text);
+            equations.push(Equation { residual, name, span: place, lagrange: Some(coordinate as usize) });
+        }
+        equations
+    }
+}
+
+fn unknown_names(names: &Names) -> Vec<UnknownName> {
+    let second_order = names.coordinates.iter().map(|one| UnknownName { name: format!("ddot({})", one.name.text), span: one.name.span });
+    let first_order = names.states.iter().map(|one| UnknownName { name: format!("dot({})", one.name.text), span: one.name.span });
+    second_order.chain(first_order).collect()
+}
+
+/// The symbols of the state vector, in its order.
+fn state_symbols(names: &Names) -> Vec<Symbol> {
+    let coordinates = names.coordinates.len() as u32;
+    let speeds = (0..coordinates).map(Symbol::Speed);
+    (0..coordinates).map(Symbol::Coordinate).chain(speeds).chain((0..names.states.len() as u32).map(Symbol::State)).collect()
+}
+
+fn driver_quantities(low: &Lowering<'_>, names: &Names) -> Vec<QuantityInfo> {
+    let one = |(index, driver): (usize, &crate::resolve::Declared<_>)| {
+        let unit = low.unit_of(Symbol::Driver(index as u32))?;
+        Some(quantity(&driver.name.text, &driver.summary, &unit.dimension, &unit))
+    };
+    names.drivers.iter().enumerate().filter_map(one).collect()
+}
+
+fn state_quantities(names: &Names, units: &[Option<Unit>]) -> Vec<QuantityInfo> {
+    let coordinates = names.coordinates.len();
+    let mut quantities = Vec::new();
+    for (declared, unit) in names.coordinates.iter().zip(units) {
+        quantities.extend(unit.as_ref().map(|unit| quantity(&declared.name.text, &declared.summary, &unit.dimension, unit)));
+    }
+    for (declared, unit) in names.coordinates.iter().zip(units) {
+        let speed = unit.as_ref().and_then(per_second);
+        quantities.extend(speed.map(|unit| quantity(&format!("dot({})", declared.name.text), "", &unit.dimension, &unit)));
+    }
+    for (declared, unit) in names.states.iter().zip(&units[coordinates..]) {
+        quantities.extend(unit.as_ref().map(|unit| quantity(&declared.name.text, &declared.summary, &unit.dimension, unit)));
+    }
+    quantities
+}
+
+fn jacobian(low: &mut Lowering<'_>, coordinates: usize, solved: &Solved) -> Vec<(u32, u32, Expression)> {
+    let one = low.graph.one();
+    let mut entries: Vec<_> =
+        (0..coordinates).map(|index| (index as u32, (coordinates + index) as u32, one)).collect();
+    entries.extend(solved.partials.iter().map(|(row, column, value)| ((coordinates + row) as u32, *column as u32, *value)));
+    entries
+}
+
+fn energy(low: &mut Lowering<'_>, energies: &Energies) -> Vec<Expression> {
+    if energies.kinetic.is_empty() && energies.potential.is_empty() {
+        return Vec::new();
+    }
+    vec![low.graph.sum(&energies.kinetic), low.graph.sum(&energies.potential)]
+}
+
+/// Whether the sum of the energies stays constant.
+fn conservative(low: &mut Lowering<'_>, energies: &Energies, equations: &[Equation]) -> bool {
+    let stated = !energies.kinetic.is_empty() && energies.dissipation.is_empty() && energies.forces.is_empty();
+    let derived = equations.iter().all(|equation| equation.lagrange.is_some());
+    let driven = |symbol| matches!(symbol, Symbol::Time | Symbol::Driver(_));
+    let fixed = energies.kinetic.iter().chain(&energies.potential).all(|term| !low.graph.depends_on(*term, driven));
+    stated && derived && fixed
+}
+
+/// Indices of the constants that anything in the program depends on.
+fn kept_constants(low: &Lowering<'_>, request: &Request) -> Vec<usize> {
+    let mut all: Vec<Expression> = Vec::new();
+    all.extend(&request.derivative);
+    all.extend(request.jacobian.iter().map(|entry| entry.2));
+    for list in [&request.outputs, &request.drivers, &request.mass, &request.energy, &request.requirements, &request.span, &request.start] {
+        all.extend(list);
+    }
+    all.extend(request.bindings.values());
+    let symbols = low.graph.symbols(&all);
+    (0..low.names.constants.len()).filter(|index| symbols.contains(&Symbol::Parameter(*index as u32))).collect()
+}
+
+fn summary(text: Option<&str>, documentation: &[String]) -> String {
+    let lines = documentation.join("\n").trim().to_string();
+    match (text, lines.is_empty()) {
+        (Some(text), true) => text.to_string(),
+        (Some(text), false) => format!("{text}\n{lines}"),
+        (None, _) => lines,
+    }
+}

@@ -1,0 +1,267 @@
+//! Values and units of what a scene declares: constants with their defaults, kinds of coordinates, motion of drivers.
+
+use std::collections::HashMap;
+
+use crate::checked::{ConstantInfo, QuantityInfo};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expression::{Expression, Symbol};
+use crate::homogeneity::{agree, describe, over};
+use crate::lower::{Kind, Lowering, second};
+use crate::resolve::{Declared, Names};
+use crate::syntax::tree::{Constant, Term, TermKind, Unknown};
+use crate::unit::{self, Dimension, Unit};
+
+/// Kind of each given quantity with the unit in which it is printed.
+pub type Kinds = HashMap<Symbol, (Kind, Unit)>;
+
+/// A description of a quantity.
+pub fn quantity(name: &str, summary: &str, dimension: &Dimension, unit: &Unit) -> QuantityInfo {
+    QuantityInfo {
+        name: name.to_string(),
+        summary: summary.to_string(),
+        unit: unit.symbol.clone(),
+        factor: unit.scale(),
+        dimension: dimension.exponents(),
+    }
+}
+
+/// The unit of a time derivative, `rad` to `rad/s`.
+pub fn per_second(unit: &Unit) -> Option<Unit> {
+    let dimension = unit.dimension.div(&second())?;
+    let symbol = match unit.symbol.as_str() {
+        "" => "1/s".to_string(),
+        "rad/s" => "rad/s^2".to_string(),
+        symbol if symbol.contains('/') => return Some(Unit::for_dimension(&dimension)),
+        symbol => format!("{symbol}/s"),
+    };
+    let read = unit::parse_unit_text(&symbol).ok().filter(|read| read.dimension == dimension);
+    Some(read.unwrap_or_else(|| Unit::for_dimension(&dimension)))
+}
+
+/// The first unit that is written in a term.
+fn written_unit(term: &Term, diagnostics: &mut Diagnostics) -> Option<Unit> {
+    match &term.kind {
+        TermKind::Number { unit: Some(written), .. } => unit::resolve(written, diagnostics),
+        TermKind::Unary(_, inner) => written_unit(inner, diagnostics),
+        TermKind::Binary(_, left, right) => {
+            written_unit(left, diagnostics).or_else(|| written_unit(right, diagnostics))
+        }
+        _ => None,
+    }
+}
+
+impl Lowering<'_> {
+    /// A fixed value: numbers, `pi` and functions of them.
+    pub fn fixed(&mut self, term: &Term) -> Option<(f64, Kind)> {
+        let (value, kind) = self.scalar(term)?;
+        if self.graph.depends_on(value, |_| true) {
+            self.diagnostics.push(
+                Diagnostic::error(term.span, "a fixed value is expected here, made of numbers alone")
+                    .hint("a value that depends on other values is a `let`"),
+            );
+            return None;
+        }
+        let number = self.graph.evaluate(&[value], &|_| f64::NAN)[0];
+        if !number.is_finite() {
+            self.diagnostics.push(Diagnostic::error(term.span, format!("the value of this is {number}")));
+            return None;
+        }
+        Some((number, kind))
+    }
+
+    /// The value of a term that has to be of a kind.
+    pub fn fixed_of(&mut self, term: &Term, kind: Kind, what: &str) -> Option<f64> {
+        let (value, found) = self.fixed(term)?;
+        if agree(found, kind).is_none() {
+            let message =
+                format!("{what} is {}, and this is {}", describe(kind.dimension()), describe(found.dimension()));
+            self.diagnostics.push(Diagnostic::error(term.span, message));
+            return None;
+        }
+        Some(value)
+    }
+
+    /// Default, tolerance and range of a constant. Declares its kind.
+    pub fn constant(&mut self, index: u32, declared: &Declared<Constant>) -> Option<ConstantInfo> {
+        let constant = &declared.what;
+        let Some(value) = &constant.value else {
+            self.diagnostics.push(
+                Diagnostic::error(declared.name.span, format!("`{}` has no value", declared.name.text))
+                    .hint("give it a default with its unit, as in `= 75 mm`"),
+            );
+            return None;
+        };
+        if !self.is_made_of_numbers(value) {
+            self.diagnostics.push(
+                Diagnostic::error(value.span, format!("the value of `{}` is not made of numbers alone", declared.name.text))
+                    .hint(format!("a value that follows from others is a `let {} = …;`", declared.name.text)),
+            );
+            return None;
+        }
+        let (default, kind) = self.fixed(value)?;
+        let dimension = kind.dimension();
+        let unit = written_unit(value, self.diagnostics).filter(|unit| unit.dimension == dimension);
+        let unit = unit.unwrap_or_else(|| Unit::for_dimension(&dimension));
+        let kind = Kind::Of(dimension);
+        self.declare_kind(Symbol::Parameter(index), kind, &unit);
+        let mut info = ConstantInfo {
+            quantity: quantity(&declared.name.text, &declared.summary, &dimension, &unit),
+            is_dimension: constant.is_dimension,
+            default,
+            tolerance: 0.0,
+            range: (f64::NEG_INFINITY, f64::INFINITY),
+        };
+        if let Some(tolerance) = &constant.tolerance {
+            info.tolerance = self.fixed_of(&tolerance.half_width, kind, "the toleranced size")?;
+            if info.tolerance < 0.0 {
+                self.diagnostics.push(Diagnostic::error(tolerance.half_width.span, "a tolerance cannot be negative"));
+                return None;
+            }
+        }
+        if let Some((low, high)) = &constant.range {
+            info.range = (self.fixed_of(low, kind, "the bounded value")?, self.fixed_of(high, kind, "the bounded value")?);
+            let (low_value, high_value) = info.range;
+            if low_value >= high_value {
+                self.diagnostics.push(
+                    Diagnostic::error(low.span.to(high.span), "the range is empty: its lower end is not below its upper end"),
+                );
+                return None;
+            }
+            if !(low_value..=high_value).contains(&default) {
+                self.diagnostics.push(
+                    Diagnostic::error(value.span, "the default lies outside the permitted range")
+                        .related(low.span.to(high.span), "the range"),
+                );
+                return None;
+            }
+        }
+        Some(info)
+    }
+
+    fn is_made_of_numbers(&self, term: &Term) -> bool {
+        match &term.kind {
+            TermKind::Number { .. } => true,
+            TermKind::Name(name) => name == "pi",
+            TermKind::Unary(_, inner) => self.is_made_of_numbers(inner),
+            TermKind::Binary(_, left, right) => self.is_made_of_numbers(left) && self.is_made_of_numbers(right),
+            TermKind::Call { arguments, .. } => arguments.iter().all(|one| self.is_made_of_numbers(one)),
+            _ => false,
+        }
+    }
+
+    /// Kind and unit of a coordinate or state.
+    pub fn unknown(&mut self, symbol: Symbol, declared: &Declared<Unknown>) -> Option<Unit> {
+        let unit = unit::resolve(&declared.what.unit, self.diagnostics)?;
+        self.declare_kind(symbol, Kind::Of(unit.dimension), &unit);
+        Some(unit)
+    }
+
+    /// Lowers the positions of all drivers and takes their rates.
+    pub fn drivers(&mut self, names: &Names) -> Vec<Option<Expression>> {
+        let mut positions = Vec::new();
+        for (index, driver) in names.drivers.iter().enumerate() {
+            let symbol = Symbol::Driver(index as u32);
+            let position = match &driver.what.position {
+                Some(term) => self.scalar(term).map(|found| (found, term.span)),
+                None => {
+                    self.diagnostics.push(
+                        Diagnostic::error(driver.name.span, format!("the motion of the driver `{}` is not stated", driver.name.text))
+                            .hint(format!("say how it moves, as in `driver {} = n*time;`", driver.name.text)),
+                    );
+                    None
+                }
+            };
+            let Some(((value, kind), span)) = position else {
+                positions.push(None);
+                continue;
+            };
+            let moving = |symbol| !matches!(symbol, Symbol::Time | Symbol::Parameter(_));
+            if self.graph.depends_on(value, moving) {
+                self.diagnostics.push(
+                    Diagnostic::error(span, "a driver is prescribed: its motion can depend on the time and on constants alone")
+                        .hint("a quantity that follows from coordinates is a `let`"),
+                );
+                positions.push(None);
+                continue;
+            }
+            let unit = match kind {
+                Kind::Of(dimension) if dimension == Dimension::NONE => {
+                    unit::parse_unit_text("rad").unwrap_or_else(|_| Unit::for_dimension(&dimension))
+                }
+                _ => Unit::for_dimension(&kind.dimension()),
+            };
+            self.declare_kind(symbol, Kind::Of(kind.dimension()), &unit);
+            let direction = HashMap::from([(Symbol::Time, self.graph.one())]);
+            self.driver_rates[index] = Some(self.graph.tangent(&[value], &direction)[0]);
+            positions.push(Some(value));
+        }
+        positions
+    }
+
+    /// A scalar equation's two sides, as `left − right`.
+    pub fn balance(&mut self, left: &Term, right: &Term) -> Option<(Vec<Expression>, Kind)> {
+        use crate::lower::Typed;
+        let (a, b) = (self.term(left), self.term(right));
+        match (a, b) {
+            (Typed::Wrong, _) | (_, Typed::Wrong) => None,
+            (Typed::Scalar { value: x, kind: p, .. }, Typed::Scalar { value: y, kind: q, .. }) => match agree(p, q) {
+                Some(kind) => Some((vec![self.graph.sub(x, y)], kind)),
+                None => {
+                    let report =
+                        crate::homogeneity::disagreement("the two sides of the equation are", (left.span, p), (right.span, q));
+                    self.diagnostics.push(report);
+                    None
+                }
+            },
+            (Typed::Vector { values: x, kind: p, .. }, Typed::Vector { values: y, kind: q, .. }) if x.len() == y.len() => {
+                match agree(p, q) {
+                    Some(kind) => Some((x.iter().zip(&y).map(|(x, y)| self.graph.sub(*x, *y)).collect(), kind)),
+                    None => {
+                        let report =
+                            crate::homogeneity::disagreement("the two sides of the equation are", (left.span, p), (right.span, q));
+                        self.diagnostics.push(report);
+                        None
+                    }
+                }
+            }
+            (a, b) => {
+                let message = format!("the two sides of the equation are {} and {}", a.describe(), b.describe());
+                self.diagnostics.push(Diagnostic::error(left.span.to(right.span), message));
+                None
+            }
+        }
+    }
+
+    /// Unit in which a reported value is printed when the file states none.
+    pub fn natural_unit(&self, term: &Term, kind: Kind) -> Unit {
+        let given = |name: &str| match self.names.table.get(name).map(|entry| &entry.role) {
+            Some(crate::resolve::Role::Constant(index)) => self.unit_of(Symbol::Parameter(*index)),
+            Some(crate::resolve::Role::Driver(index)) => self.unit_of(Symbol::Driver(*index)),
+            Some(crate::resolve::Role::Coordinate(index)) => self.unit_of(Symbol::Coordinate(*index)),
+            Some(crate::resolve::Role::State(index)) => self.unit_of(Symbol::State(*index)),
+            _ => None,
+        };
+        let natural = match &term.kind {
+            TermKind::Name(name) => given(name),
+            TermKind::Call { name, arguments } => match (name.text.as_str(), arguments.as_slice()) {
+                ("dot", [inner]) => {
+                    let (TermKind::Name(_) | TermKind::Call { .. }) = &inner.kind else { return Unit::for_dimension(&kind.dimension()) };
+                    kind_times_second(kind).and_then(|kind| per_second(&self.natural_unit(inner, kind)))
+                }
+                ("ddot", [inner]) => kind_times_second(kind)
+                    .and_then(kind_times_second)
+                    .and_then(|kind| per_second(&per_second(&self.natural_unit(inner, kind))?)),
+                _ => None,
+            },
+            _ => None,
+        };
+        natural
+            .filter(|unit| unit.dimension == kind.dimension())
+            .unwrap_or_else(|| Unit::for_dimension(&kind.dimension()))
+    }
+}
+
+fn kind_times_second(kind: Kind) -> Option<Kind> {
+    let inverse = over(Kind::NUMBER, Kind::Of(second()))?;
+    over(kind, inverse)
+}

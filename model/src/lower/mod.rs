@@ -1,0 +1,321 @@
+//! Turns terms into typed expressions: names get their meaning, kinds of quantities are checked, time derivatives are
+//! taken.
+
+mod arithmetic;
+mod call;
+mod derivative;
+mod typed;
+mod vector;
+
+use std::collections::{BTreeSet, HashMap, HashSet};
+
+pub use typed::{Kind, Typed};
+
+use crate::declare::Kinds;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expression::{Expression, Graph, Symbol};
+use crate::nearest::nearest;
+use crate::resolve::{FUNCTIONS, Names, QUANTITIES, Role};
+use crate::scene::{Selected, Survey};
+use crate::syntax::tree::{Name, Term, TermKind};
+use crate::token::Span;
+use crate::unit::{self, Dimension, Unit};
+use crate::unroll::{bounds, whole_number, with_index};
+
+/// Functions may call functions this deep.
+const DEPTH: usize = 64;
+
+/// Dimension of a time.
+pub fn second() -> Dimension {
+    Dimension::base(2)
+}
+
+/// Everything that lowering a scene's terms needs and remembers.
+pub struct Lowering<'a> {
+    /// The expressions.
+    pub graph: Graph,
+    /// Messages.
+    pub diagnostics: &'a mut Diagnostics,
+    /// Names of the scene.
+    pub names: &'a Names,
+    /// Names that something refers to.
+    pub used: BTreeSet<String>,
+    /// Time derivative of each driver: its position must have been lowered.
+    pub driver_rates: Vec<Option<Expression>>,
+    /// Expressions that are time derivatives of something that depends on positions and time alone.
+    pub rates: HashSet<Expression>,
+    survey: &'a Survey<'a>,
+    selected: &'a Selected,
+    kinds: Kinds,
+    done: HashMap<String, Typed>,
+    open: Vec<(String, Span)>,
+    locals: Vec<HashMap<String, Typed>>,
+    calls: HashMap<(String, Vec<Expression>), Typed>,
+    arguments: u32,
+}
+
+impl<'a> Lowering<'a> {
+    /// Begins with a scene's names, whose kinds are declared one by one.
+    pub fn new(
+        names: &'a Names,
+        survey: &'a Survey<'a>,
+        selected: &'a Selected,
+        diagnostics: &'a mut Diagnostics,
+    ) -> Self {
+        Self {
+            graph: Graph::new(),
+            diagnostics,
+            names,
+            used: BTreeSet::new(),
+            driver_rates: vec![None; names.drivers.len()],
+            rates: HashSet::new(),
+            survey,
+            selected,
+            kinds: Kinds::new(),
+            done: HashMap::new(),
+            open: Vec::new(),
+            locals: Vec::new(),
+            calls: HashMap::new(),
+            arguments: 0,
+        }
+    }
+
+    /// What a term means. Mistakes are reported once and give [`Typed::Wrong`].
+    pub fn term(&mut self, term: &Term) -> Typed {
+        let typed = self.lower(term);
+        if let Typed::Scalar { value, rate: true, .. } = typed {
+            let negated = self.graph.neg(value);
+            self.rates.extend([value, negated]);
+        }
+        typed
+    }
+
+    fn lower(&mut self, term: &Term) -> Typed {
+        match &term.kind {
+            TermKind::Number { value, unit } => self.literal(*value, unit.as_ref()),
+            TermKind::Name(name) => self.name(name, term.span),
+            TermKind::Index { name, index } => match whole_number(index, self.diagnostics) {
+                Some(number) => self.name(&format!("{}[{number}]", name.text), term.span),
+                None => Typed::Wrong,
+            },
+            TermKind::Member { .. } => match self.selected.decide(term, self.survey) {
+                Some(held) => Typed::Decided(held),
+                None => self.error(
+                    Diagnostic::error(term.span, "there is no such choice").hint("`choice.alternative` asks which alternative of a choice holds"),
+                ),
+            },
+            TermKind::Vector(items) => self.vector(items, term.span),
+            TermKind::Unary(operator, inner) => self.unary(*operator, inner),
+            TermKind::Binary(operator, left, right) => self.binary(*operator, left, right),
+            TermKind::Call { name, arguments } => self.call(name, arguments, term.span),
+            TermKind::If { condition, then, otherwise } => self.branch(condition, then, otherwise),
+            TermKind::Sum { index, from, to, body } => self.sum(index, (from, to), body),
+        }
+    }
+
+    /// A scalar with its kind; anything else is reported.
+    pub fn scalar(&mut self, term: &Term) -> Option<(Expression, Kind)> {
+        match self.term(term) {
+            Typed::Scalar { value, kind, .. } => Some((value, kind)),
+            Typed::Wrong => None,
+            other => {
+                let message = format!("a number is expected here, and this is {}", other.describe());
+                self.diagnostics.push(Diagnostic::error(term.span, message));
+                None
+            }
+        }
+    }
+
+    /// A condition; anything else is reported.
+    pub fn condition(&mut self, term: &Term) -> Option<Expression> {
+        match self.term(term) {
+            Typed::Condition(value) => Some(value),
+            Typed::Decided(held) => {
+                let (zero, one) = (self.graph.zero(), self.graph.one());
+                let (a, b) = if held { (zero, one) } else { (one, zero) };
+                Some(self.graph.compare(crate::program::Relation::Less, a, b))
+            }
+            Typed::Wrong => None,
+            other => {
+                let message = format!("a condition is expected here, and this is {}", other.describe());
+                self.diagnostics.push(Diagnostic::error(term.span, message).hint("compare two quantities, as in `a < b`"));
+                None
+            }
+        }
+    }
+
+    /// Reports a mistake.
+    fn error(&mut self, diagnostic: Diagnostic) -> Typed {
+        self.diagnostics.push(diagnostic);
+        Typed::Wrong
+    }
+
+    /// Kind of a given quantity.
+    pub fn kind_of(&self, symbol: Symbol) -> Kind {
+        self.kinds.get(&symbol).map_or(Kind::NUMBER, |(kind, _)| *kind)
+    }
+
+    /// Declares the kind of a given quantity and the unit in which it is printed.
+    pub fn declare_kind(&mut self, symbol: Symbol, kind: Kind, unit: &Unit) {
+        self.kinds.insert(symbol, (kind, unit.clone()));
+    }
+
+    /// Unit in which a given quantity is printed.
+    pub fn unit_of(&self, symbol: Symbol) -> Option<Unit> {
+        self.kinds.get(&symbol).map(|(_, unit)| unit.clone())
+    }
+
+    fn literal(&mut self, value: f64, unit: Option<&crate::syntax::tree::UnitTerm>) -> Typed {
+        let (value, kind) = match unit {
+            None if value == 0.0 => (value, Kind::Any),
+            None => (value, Kind::NUMBER),
+            Some(written) => match unit::resolve(written, self.diagnostics) {
+                Some(unit) => (unit.to_si(value), Kind::Of(unit.dimension)),
+                None => return Typed::Wrong,
+            },
+        };
+        Typed::scalar(self.graph.number(value), kind)
+    }
+
+    fn name(&mut self, name: &str, span: Span) -> Typed {
+        if let Some(local) = self.locals.last().and_then(|scope| scope.get(name)) {
+            return local.clone();
+        }
+        let names = self.names;
+        let Some(entry) = names.table.get(name) else { return self.builtin(name, span) };
+        self.used.insert(name.to_string());
+        let symbol = match &entry.role {
+            Role::Constant(index) => Symbol::Parameter(*index),
+            Role::Driver(index) => Symbol::Driver(*index),
+            Role::Coordinate(index) => Symbol::Coordinate(*index),
+            Role::State(index) => Symbol::State(*index),
+            Role::Let(value) => return self.abbreviation(name, value, span),
+            Role::Function(arguments, _) => {
+                let shape: Vec<_> = arguments.iter().map(|one| one.text.as_str()).collect();
+                return self.error(
+                    Diagnostic::error(span, format!("`{name}` is a function"))
+                        .related(entry.span, "declared here")
+                        .hint(format!("give it its arguments: `{name}({})`", shape.join(", "))),
+                );
+            }
+        };
+        if self.wrong(symbol) {
+            return Typed::Wrong;
+        }
+        let value = self.graph.symbol(symbol);
+        self.graph.name(value, name);
+        Typed::scalar(value, self.kind_of(symbol))
+    }
+
+    /// Whether the declaration of a quantity was a mistake.
+    fn wrong(&self, symbol: Symbol) -> bool {
+        !self.kinds.contains_key(&symbol)
+    }
+
+    fn builtin(&mut self, name: &str, span: Span) -> Typed {
+        match name {
+            "pi" => return Typed::number(self.graph.number(std::f64::consts::PI)),
+            "time" => {
+                let value = self.graph.symbol(Symbol::Time);
+                return Typed::scalar(value, Kind::Of(second()));
+            }
+            _ => {}
+        }
+        let as_name = Term { span, kind: TermKind::Name(name.into()) };
+        if let Some(held) = self.selected.decide(&as_name, self.survey) {
+            return Typed::Decided(held);
+        }
+        let mut report = Diagnostic::error(span, format!("there is no `{name}` here"));
+        let functions = FUNCTIONS.contains(&name);
+        let indexed = self.names.table.keys().any(|one| one.split('[').next() == Some(name) && one.contains('['));
+        let locals = self.locals.last().into_iter().flat_map(|scope| scope.keys().map(String::as_str));
+        let known = self.names.table.keys().map(String::as_str).chain(QUANTITIES.iter().copied()).chain(locals);
+        if functions {
+            report = report.hint(format!("`{name}` is a function: give it its argument in parentheses"));
+        } else if indexed {
+            report = report.hint(format!("`{name}` has an index: `{name}[1]`"));
+        } else if let Some(near) = nearest(name, known) {
+            report = report.hint(format!("did you mean `{near}`?"));
+        } else {
+            report = report.hint("declare it with `parameter`, `dimension`, `coordinate` or `let`; if it is declared inside an effect, say in `else` what takes its place");
+        }
+        self.error(report)
+    }
+
+    fn abbreviation(&mut self, name: &str, value: &Term, span: Span) -> Typed {
+        if let Some(done) = self.done.get(name) {
+            return done.clone();
+        }
+        if let Some(at) = self.open.iter().position(|(one, _)| one == name) {
+            let circle: Vec<_> = self.open[at..].iter().map(|(one, _)| one.as_str()).chain([name]).collect();
+            let report = Diagnostic::error(span, format!("`{name}` is defined by itself: {}", circle.join(" -> ")));
+            let declared = self.names.table.get(name).map(|entry| entry.span);
+            return self.error(match declared {
+                Some(place) => report.related(place, "declared here"),
+                None => report,
+            });
+        }
+        if self.open.len() >= crate::MOST_NESTED {
+            let message = format!("`{name}` stands at the end of a chain of more than {} abbreviations", crate::MOST_NESTED);
+            return self.error(Diagnostic::error(span, message));
+        }
+        self.open.push((name.to_string(), span));
+        // An abbreviation sees the file's names, not the arguments of whoever uses it.
+        self.locals.push(HashMap::new());
+        let typed = self.term(value);
+        self.locals.pop();
+        self.open.pop();
+        if let Typed::Scalar { value, .. } = &typed {
+            self.graph.name(*value, name);
+        }
+        self.done.insert(name.to_string(), typed.clone());
+        typed
+    }
+
+    /// A function of the file, applied: its body with the arguments in their places.
+    fn apply(&mut self, name: &Name, parameters: &[Name], body: &Term, arguments: Vec<Typed>, span: Span) -> Typed {
+        if arguments.iter().any(|one| matches!(one, Typed::Wrong)) {
+            return Typed::Wrong;
+        }
+        let key: Option<Vec<Expression>> = arguments
+            .iter()
+            .map(|one| if let Typed::Scalar { value, .. } = one { Some(*value) } else { None })
+            .collect();
+        let key = key.map(|values| (name.text.clone(), values));
+        if let Some(done) = key.as_ref().and_then(|key| self.calls.get(key)) {
+            return done.clone();
+        }
+        if let Some(at) = self.open.iter().position(|(one, _)| *one == name.text) {
+            let circle: Vec<_> = self.open[at..].iter().map(|(one, _)| one.as_str()).chain([name.text.as_str()]).collect();
+            return self.error(
+                Diagnostic::error(span, format!("`{}` calls itself: {}", name.text, circle.join(" -> ")))
+                    .hint("write a repetition with `for` or `sum`"),
+            );
+        }
+        if self.locals.len() > DEPTH {
+            return self.error(Diagnostic::error(span, format!("functions call each other more than {DEPTH} deep")));
+        }
+        self.open.push((name.text.clone(), span));
+        self.locals.push(parameters.iter().map(|one| one.text.clone()).zip(arguments).collect());
+        let typed = self.term(body);
+        self.locals.pop();
+        self.open.pop();
+        if let Some(key) = key {
+            self.calls.insert(key, typed.clone());
+        }
+        typed
+    }
+
+    fn sum(&mut self, index: &Name, (from, to): (&Term, &Term), body: &Term) -> Typed {
+        let Some((first, last)) = bounds(from, to, self.diagnostics) else { return Typed::Wrong };
+        let mut total = Typed::scalar(self.graph.zero(), Kind::Any);
+        for value in first..=last {
+            let item = self.term(&with_index(body, &index.text, value));
+            total = self.add(total, body.span, item, body.span);
+            if matches!(total, Typed::Wrong) {
+                return total;
+            }
+        }
+        total
+    }
+}

@@ -1,0 +1,180 @@
+//! Gives every name of a scene its meaning.
+
+use std::collections::BTreeMap;
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::syntax::tree::{Constant, Name, Output, Statement, StatementKind, Term, Tolerance, Unknown};
+use crate::token::Span;
+use crate::unroll::target_name;
+
+/// Functions of the language, which no declaration may hide.
+pub const FUNCTIONS: &[&str] = &[
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "ln", "log10", "sqrt",
+    "hypot", "erf", "normal_cdf", "floor", "mod", "abs", "sign", "max", "min", "dot", "ddot", "diff", "sum", "inner",
+    "cross", "norm", "dir", "rot", "rotx", "roty", "rotz",
+];
+
+/// Quantities of the language.
+pub const QUANTITIES: &[&str] = &["time", "pi"];
+
+/// A declared name.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// Where it is declared.
+    pub span: Span,
+    /// What it is.
+    pub role: Role,
+}
+
+/// What a name is.
+#[derive(Clone, Debug)]
+pub enum Role {
+    /// A dimension or parameter, by index.
+    Constant(u32),
+    /// A driver, by index.
+    Driver(u32),
+    /// A coordinate, by index.
+    Coordinate(u32),
+    /// A first-order state, by index.
+    State(u32),
+    /// An abbreviation.
+    Let(Term),
+    /// An abbreviation with arguments.
+    Function(Vec<Name>, Term),
+}
+
+/// A declaration with its full name, the index included, and its documentation.
+#[derive(Clone, Debug)]
+pub struct Declared<T> {
+    /// Name.
+    pub name: Name,
+    /// Documentation.
+    pub summary: String,
+    /// The declaration.
+    pub what: T,
+}
+
+/// A driver as declared.
+#[derive(Clone, Debug)]
+pub struct DriverDeclaration {
+    /// Its motion.
+    pub position: Option<Term>,
+    /// Its range.
+    pub range: Option<(Term, Term)>,
+    /// Its error.
+    pub tolerance: Option<Tolerance>,
+}
+
+/// The names of a scene.
+#[derive(Clone, Debug, Default)]
+pub struct Names {
+    /// By name.
+    pub table: BTreeMap<String, Entry>,
+    /// Dimensions and parameters.
+    pub constants: Vec<Declared<Constant>>,
+    /// Drivers.
+    pub drivers: Vec<Declared<DriverDeclaration>>,
+    /// Coordinates.
+    pub coordinates: Vec<Declared<Unknown>>,
+    /// First-order states.
+    pub states: Vec<Declared<Unknown>>,
+    /// Reported quantities that stand outside a scene block, with their full name where they have one.
+    pub outputs: Vec<Declared<Output>>,
+}
+
+impl Names {
+    /// Declares everything that a scene's statements declare.
+    pub fn of(statements: &[Statement], diagnostics: &mut Diagnostics) -> Self {
+        let mut names = Self::default();
+        for statement in statements {
+            names.declare(statement, diagnostics);
+        }
+        names
+    }
+
+    fn declare(&mut self, statement: &Statement, diagnostics: &mut Diagnostics) {
+        let summary = statement.documentation.join("\n").trim().to_string();
+        let target = match &statement.kind {
+            StatementKind::Constant(constant) => &constant.target,
+            StatementKind::Let { target, .. } | StatementKind::Driver { target, .. } => target,
+            StatementKind::Coordinate(unknown) | StatementKind::State(unknown) => &unknown.target,
+            StatementKind::Output(output) => {
+                self.declare_output(output, summary, diagnostics);
+                return;
+            }
+            _ => return,
+        };
+        let Some(name) = target_name(target, diagnostics) else { return };
+        let role = match &statement.kind {
+            StatementKind::Constant(_) => Role::Constant(self.constants.len() as u32),
+            StatementKind::Driver { .. } => Role::Driver(self.drivers.len() as u32),
+            StatementKind::Coordinate(_) => Role::Coordinate(self.coordinates.len() as u32),
+            StatementKind::State(_) => Role::State(self.states.len() as u32),
+            StatementKind::Let { arguments: None, value, .. } => Role::Let(value.clone()),
+            StatementKind::Let { arguments: Some(arguments), value, .. } => {
+                Role::Function(arguments.clone(), value.clone())
+            }
+            _ => return,
+        };
+        if !self.insert(&name, role, diagnostics) {
+            return;
+        }
+        match &statement.kind {
+            StatementKind::Constant(what) => {
+                self.constants.push(Declared { name, summary, what: what.clone() });
+            }
+            StatementKind::Driver { value, range, tolerance, .. } => {
+                let what = DriverDeclaration {
+                    position: value.clone(),
+                    range: range.clone(),
+                    tolerance: tolerance.clone(),
+                };
+                self.drivers.push(Declared { name, summary, what });
+            }
+            StatementKind::Coordinate(what) => {
+                self.coordinates.push(Declared { name, summary, what: what.clone() });
+            }
+            StatementKind::State(what) => self.states.push(Declared { name, summary, what: what.clone() }),
+            _ => {}
+        }
+    }
+
+    /// An output with a value of its own also names that value.
+    pub fn declare_output(&mut self, output: &Output, summary: String, diagnostics: &mut Diagnostics) {
+        let name = match &output.name {
+            Some(target) => match target_name(target, diagnostics) {
+                Some(name) => name,
+                None => return,
+            },
+            None => Name { text: String::new(), span: output.span },
+        };
+        if let (false, Some(value)) = (name.text.is_empty(), &output.value)
+            && !self.insert(&name, Role::Let(value.clone()), diagnostics)
+        {
+            return;
+        }
+        self.outputs.push(Declared { name, summary, what: output.clone() });
+    }
+
+    fn insert(&mut self, name: &Name, role: Role, diagnostics: &mut Diagnostics) -> bool {
+        if FUNCTIONS.contains(&name.text.as_str()) || QUANTITIES.contains(&name.text.as_str()) {
+            diagnostics.push(
+                Diagnostic::error(name.span, format!("`{}` belongs to the language", name.text))
+                    .hint("choose another name"),
+            );
+            return false;
+        }
+        if let Some(earlier) = self.table.get(&name.text) {
+            // The same statement written out twice for different indices cannot meet itself here, so this is a real
+            // second declaration.
+            diagnostics.push(
+                Diagnostic::error(name.span, format!("`{}` is declared twice", name.text))
+                    .related(earlier.span, "the first declaration")
+                    .hint("give one of them another name, or put them into different alternatives of a choice"),
+            );
+            return false;
+        }
+        self.table.insert(name.text.clone(), Entry { span: name.span, role });
+        true
+    }
+}

@@ -1,0 +1,232 @@
+//! Mechanisms as data: what the command and the generated tests need to run any scene without knowing its type.
+//!
+//! Emitted code fills these tables. The solvers never look at a name or a unit in them; they are carried for whoever
+//! prints the answer. Behind `dyn` stand whole runs, never single evaluations.
+
+use crate::problem::{Refused, Span};
+
+/// One equation file.
+#[derive(Clone, Copy)]
+pub struct Mechanism {
+    /// Name as the command takes it, `batten`.
+    pub name: &'static str,
+    /// Name as the file states it, `Batten`.
+    pub title: &'static str,
+    /// Documentation of the mechanism, lines joined by newlines.
+    pub summary: &'static str,
+    /// Source that the file cites.
+    pub source: &'static str,
+    /// File name of the equation file, `batten.eqn`; empty for a mechanism written inline.
+    pub file: &'static str,
+    /// Text of the equation file; empty for a mechanism written inline.
+    pub text: &'static str,
+    /// Effects that the mechanism may show.
+    pub effects: &'static [Named],
+    /// Choices between descriptions, each with its alternatives.
+    pub choices: &'static [Choice],
+    /// Named sets of values.
+    pub presets: &'static [Preset],
+    /// The scenes, the default one first.
+    pub scenes: &'static [SceneEntry],
+}
+
+/// A name with a line of explanation.
+#[derive(Clone, Copy, Debug)]
+pub struct Named {
+    /// The name.
+    pub name: &'static str,
+    /// What it stands for.
+    pub summary: &'static str,
+}
+
+/// Several descriptions of one thing.
+#[derive(Clone, Copy, Debug)]
+pub struct Choice {
+    /// Name of the choice.
+    pub name: &'static str,
+    /// What is described.
+    pub summary: &'static str,
+    /// The alternatives, the default one first.
+    pub alternatives: &'static [&'static str],
+}
+
+/// A named set of values.
+#[derive(Clone, Copy, Debug)]
+pub struct Preset {
+    /// Name of the preset.
+    pub name: &'static str,
+    /// What the values are.
+    pub summary: &'static str,
+    /// Names of parameters with their values in SI units.
+    pub values: &'static [(&'static str, f64)],
+}
+
+/// One scene of a mechanism.
+#[derive(Clone, Copy)]
+pub struct SceneEntry {
+    /// Name of the scene.
+    pub name: &'static str,
+    /// What the scene shows.
+    pub summary: &'static str,
+    /// Names of the effects that are present.
+    pub effects: &'static [&'static str],
+    /// For each choice its name and the alternative that holds.
+    pub choices: &'static [(&'static str, &'static str)],
+    /// The preset that the scene starts from; empty for the declared defaults.
+    pub preset: &'static str,
+    /// Dimensions and parameters that the scene depends on, in the order that `bind` takes their values.
+    pub constants: &'static [Constant],
+    /// Prescribed coordinates.
+    pub drivers: &'static [Quantity],
+    /// The state vector.
+    pub states: &'static [Quantity],
+    /// What the scene reports.
+    pub outputs: &'static [Quantity],
+    /// The equations as text.
+    pub equations: &'static [EquationText],
+    /// Operations of one call of each emitted function.
+    pub operations: Operations,
+    /// Published facts about this scene.
+    pub expectations: &'static [Expectation],
+    /// Fixes the parameter values (SI units, in the order of `constants`).
+    pub bind: fn(&[f64]) -> Result<Box<dyn Run>, Refused>,
+}
+
+/// A dimension or parameter.
+#[derive(Clone, Copy, Debug)]
+pub struct Constant {
+    /// Name, unit and documentation.
+    pub quantity: Quantity,
+    /// Whether it is a made dimension.
+    pub is_dimension: bool,
+    /// Value in SI units unless another is given (the scene's preset applied).
+    pub default: f64,
+    /// Permitted error of the made size, SI units; zero if none is stated.
+    pub tolerance: f64,
+    /// Permitted range in SI units, from `in lo .. hi`; infinite where open.
+    pub range: (f64, f64),
+}
+
+/// A named quantity with the unit in which it is printed.
+#[derive(Clone, Copy, Debug)]
+pub struct Quantity {
+    /// Name as the equation file writes it, `dot(phi2)` for a derivative.
+    pub name: &'static str,
+    /// Documentation.
+    pub summary: &'static str,
+    /// Unit in which the value is printed, `1/s`; empty for a pure number.
+    pub unit: &'static str,
+    /// SI value of one such unit.
+    pub factor: f64,
+    /// Exponents of m, kg, s, A, K, mol, cd as numerator and denominator.
+    pub dimension: [(i8, i8); 7],
+}
+
+/// An equation as text.
+#[derive(Clone, Copy, Debug)]
+pub struct EquationText {
+    /// The equation.
+    pub text: &'static str,
+    /// Unit of each of its sides.
+    pub unit: &'static str,
+    /// Line in the equation file, from 1.
+    pub line: u32,
+}
+
+/// Numbers of arithmetic operations, functions and selections per call.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Operations {
+    /// Once per parameter set.
+    pub prepare: usize,
+    /// Once per instant.
+    pub instant: usize,
+    /// Per evaluation of the derivative.
+    pub derivative: usize,
+    /// Per evaluation of the Jacobian.
+    pub jacobian: usize,
+    /// Per evaluation of all outputs.
+    pub outputs: usize,
+}
+
+/// A published fact, stated beside the equations.
+#[derive(Clone, Copy, Debug)]
+pub struct Expectation {
+    /// Where in the motion.
+    pub at: At,
+    /// Index into the scene's states (`false`) or outputs (`true`).
+    pub quantity: (bool, usize),
+    /// Published value, SI units.
+    pub value: f64,
+    /// Half-width of the band in which the computed value must lie, SI units.
+    pub tolerance: f64,
+    /// Name of the preset to run with; empty for the scene's own values.
+    pub preset: &'static str,
+    /// What the published value is and how far to trust it.
+    pub remark: &'static str,
+    /// Line in the equation file, from 1.
+    pub line: u32,
+}
+
+/// A place in a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum At {
+    /// At a time, in seconds.
+    Time(f64),
+    /// Where the driver of this index first reaches a position, SI units.
+    Driver(usize, f64),
+    /// The largest value over the task.
+    Maximum,
+    /// The smallest value over the task.
+    Minimum,
+    /// The largest absolute value over the task.
+    Amplitude,
+}
+
+/// Which method integrates, and how accurately.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The method.
+    pub method: Method,
+    /// Relative tolerance of a step.
+    pub rtol: f64,
+}
+
+/// Name of an integration method.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Explicit Runge–Kutta pair of order 5(4), Tsitouras.
+    Tsit5,
+    /// Explicit Runge–Kutta method of order 8 with errors of order 5 and 3, Dormand and Prince.
+    Dop853,
+}
+
+/// A scene whose parameter values are fixed, ready to run.
+pub trait Run: Send + Sync {
+    /// The task of the scene.
+    fn span(&self) -> Span;
+    /// Declared start values of the state, SI units.
+    fn start(&self) -> Vec<f64>;
+    /// Positions of the drivers at a time.
+    fn drivers(&self, time: f64) -> Vec<f64>;
+    /// All outputs at a time and state.
+    fn outputs(&self, time: f64, state: &[f64]) -> Vec<f64>;
+    /// Time derivative of the state.
+    fn rates(&self, time: f64, state: &[f64]) -> Vec<f64>;
+    /// The periodic steady state.
+    ///
+    /// # Errors
+    /// See [`crate::periodic::PeriodicError`].
+    fn periodic(&self, period: f64, settings: &Settings) -> Result<crate::periodic::Orbit, crate::periodic::PeriodicError>;
+    /// The motion from a start.
+    ///
+    /// # Errors
+    /// See [`crate::ode::OdeError`].
+    fn march(
+        &self,
+        times: (f64, f64),
+        start: &[f64],
+        settings: &Settings,
+    ) -> Result<crate::ode::Trajectory, crate::ode::OdeError>;
+    /// Nanoseconds of one evaluation of the derivative with its time-only values, measured over this many calls.
+    fn time_evaluation(&self, calls: usize) -> f64;
+}
