@@ -1,1 +1,23 @@
-//! Assur.
+//! Mechanisms as equation files: checked at compile time, solved by generic solvers.
+//!
+//! [`mechanism!`] turns equations into Rust, [`equations!`] whole files of them. The emitted types implement the two
+//! traits of [`problem`]; the algorithms are in the modules beside it. The macros refer to all of it as `::assur::…`, so
+//! a user depends on this crate alone.
+//!
+//! The crate has no types of its own.
+
+#[allow(
+    unused_extern_crates,
+    reason = "emitted code names the facade `::assur`"
+)]
+extern crate self as assur;
+
+pub use assur_macros::{equations, mechanism};
+pub use assur_solvers::{dense, dispatch, ode, periodic, problem, registry, scalar};
+
+/// What most programs need: `use assur::prelude::*;`.
+pub mod prelude {
+    pub use assur_macros::{equations, mechanism};
+    pub use assur_solvers::problem::{Equations, Scene};
+    pub use assur_solvers::scalar::Scalar;
+}

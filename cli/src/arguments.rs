@@ -28,10 +28,14 @@ pub enum Command {
     #[command(after_help = RUN_EXAMPLES)]
     Run(RunArguments),
     /// Check an equation file without compiling anything.
-    #[command(after_help = "Example:\n  assur check my_linkage.eqn\n\nExit codes: 0 no error, 2 at least one error.")]
+    #[command(
+        after_help = "Example:\n  assur check my_linkage.eqn\n\nExit codes: 0 no error, 2 at least one error."
+    )]
     Check(CheckArguments),
     /// Print the Rust that an equation file becomes.
-    #[command(after_help = "Examples:\n  assur expand batten --scene elastic\n  assur expand my_linkage.eqn")]
+    #[command(
+        after_help = "Examples:\n  assur expand batten --scene elastic\n  assur expand my_linkage.eqn"
+    )]
     Expand(ExpandArguments),
     /// Compare the scenes of a mechanism: size, cost, and what each effect changes.
     #[command(after_help = "Example:\n  assur scenes batten")]
@@ -136,8 +140,14 @@ mod tests {
 
     #[test]
     fn options_may_stand_before_or_after_the_name() {
-        for words in [["assur", "run", "--rtol", "1e-9", "batten"], ["assur", "run", "batten", "--rtol", "1e-9"]] {
-            let Ok(Arguments { command: Command::Run(options) }) = Arguments::try_parse_from(words) else {
+        for words in [
+            ["assur", "run", "--rtol", "1e-9", "batten"],
+            ["assur", "run", "batten", "--rtol", "1e-9"],
+        ] {
+            let Ok(Arguments {
+                command: Command::Run(options),
+            }) = Arguments::try_parse_from(words)
+            else {
                 panic!("{words:?} is not understood");
             };
             assert_eq!(options.name.as_deref(), Some("batten"));

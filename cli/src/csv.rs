@@ -12,19 +12,46 @@ pub fn render(report: &Report) -> String {
     let scene = report.case.scene;
     let variables = &report.case.variables;
     let mut heading = vec![title(TIME.name, TIME.unit)];
-    heading.extend(scene.drivers.iter().map(|driver| title(driver.name, driver.unit)));
-    heading.extend(variables.iter().map(|variable| title(&variable.name, &variable.unit)));
+    heading.extend(
+        scene
+            .drivers
+            .iter()
+            .map(|driver| title(driver.name, driver.unit)),
+    );
+    heading.extend(
+        variables
+            .iter()
+            .map(|variable| title(&variable.name, &variable.unit)),
+    );
     let mut text = heading.join(",") + "\n";
     let curves = &report.curves;
     let row = |time: f64, drivers: &[f64], values: &[f64]| {
         let mut cells = vec![cell(time)];
-        cells.extend(drivers.iter().zip(scene.drivers).map(|(value, driver)| cell(value / driver.factor)));
-        cells.extend(values.iter().zip(variables).map(|(value, variable)| cell(variable.in_unit(*value))));
+        cells.extend(
+            drivers
+                .iter()
+                .zip(scene.drivers)
+                .map(|(value, driver)| cell(value / driver.factor)),
+        );
+        cells.extend(
+            values
+                .iter()
+                .zip(variables)
+                .map(|(value, variable)| cell(variable.in_unit(*value))),
+        );
         cells.join(",") + "\n"
     };
-    let stride = if scene.states.is_empty() || report.is_cycle() { (curves.times.len().saturating_sub(1) / ROWS).max(1) } else { 1 };
+    let stride = if scene.states.is_empty() || report.is_cycle() {
+        (curves.times.len().saturating_sub(1) / ROWS).max(1)
+    } else {
+        1
+    };
     for index in (0..curves.times.len()).step_by(stride) {
-        text += &row(curves.times[index], &curves.drivers[index], &curves.values[index]);
+        text += &row(
+            curves.times[index],
+            &curves.drivers[index],
+            &curves.values[index],
+        );
     }
     if curves.times.is_empty() {
         for place in &report.places {
@@ -35,13 +62,25 @@ pub fn render(report: &Report) -> String {
 }
 
 fn title(name: &str, unit: &str) -> String {
-    let title = if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
-    if title.contains([',', '"']) { format!("\"{}\"", title.replace('"', "\"\"")) } else { title }
+    let title = if unit.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{name} [{unit}]")
+    };
+    if title.contains([',', '"']) {
+        format!("\"{}\"", title.replace('"', "\"\""))
+    } else {
+        title
+    }
 }
 
 /// A number; an empty cell where there is none.
 fn cell(value: f64) -> String {
-    if value.is_finite() { format!("{value:?}") } else { String::new() }
+    if value.is_finite() {
+        format!("{value:?}")
+    } else {
+        String::new()
+    }
 }
 
 #[cfg(test)]

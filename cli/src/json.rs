@@ -24,8 +24,16 @@ pub fn render(report: &Report, figure: Option<&Path>) -> String {
 fn object(report: &Report, figure: Option<&Path>) -> Value {
     let scene = report.case.scene;
     let results = results(report);
-    let places: Vec<_> = report.places.iter().map(|place| snapshot(report, place)).collect();
-    let published: Vec<_> = report.published.iter().map(|comparison| compared(report, comparison)).collect();
+    let places: Vec<_> = report
+        .places
+        .iter()
+        .map(|place| snapshot(report, place))
+        .collect();
+    let published: Vec<_> = report
+        .published
+        .iter()
+        .map(|comparison| compared(report, comparison))
+        .collect();
     let complete = !lacks(&results) && !places.iter().any(lacks);
     json!({
         "format": FORMAT,
@@ -58,13 +66,18 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
 }
 
 fn text(text: &str) -> Value {
-    if text.is_empty() { Value::Null } else { json!(text) }
+    if text.is_empty() {
+        Value::Null
+    } else {
+        json!(text)
+    }
 }
 
 /// Whether a value is missing in a list of results.
 fn lacks(value: &Value) -> bool {
     let list = value.get("results").unwrap_or(value);
-    list.as_array().is_some_and(|list| list.iter().any(|result| result["value"].is_null()))
+    list.as_array()
+        .is_some_and(|list| list.iter().any(|result| result["value"].is_null()))
 }
 
 fn parameters(report: &Report) -> Value {
@@ -97,8 +110,12 @@ fn task(task: Task) -> Value {
 /// Every variable at the beginning of the task, with its extremes over the task.
 fn results(report: &Report) -> Value {
     let mut list = readings(report, &report.start);
-    for (result, (variable, extreme)) in list.iter_mut().zip(report.case.variables.iter().zip(&report.extremes)) {
-        let end = |(time, value): (f64, f64)| json!({ "value": variable.in_unit(value), "time": time });
+    for (result, (variable, extreme)) in list
+        .iter_mut()
+        .zip(report.case.variables.iter().zip(&report.extremes))
+    {
+        let end =
+            |(time, value): (f64, f64)| json!({ "value": variable.in_unit(value), "time": time });
         if !report.curves.times.is_empty() {
             result["minimum"] = end(extreme.minimum);
             result["maximum"] = end(extreme.maximum);
@@ -108,7 +125,12 @@ fn results(report: &Report) -> Value {
 }
 
 fn readings(report: &Report, snapshot: &Snapshot) -> Vec<Value> {
-    let variables = report.case.variables.iter().zip(&snapshot.values).zip(&report.errors);
+    let variables = report
+        .case
+        .variables
+        .iter()
+        .zip(&snapshot.values)
+        .zip(&report.errors);
     variables
         .map(|((variable, value), error)| {
             json!({
@@ -153,7 +175,11 @@ fn compared(report: &Report, comparison: &Comparison) -> Value {
 fn multipliers(report: &Report) -> Value {
     let mut list = Vec::new();
     for multiplier in &report.multipliers {
-        for sign in if multiplier.pair { &[1.0, -1.0][..] } else { &[1.0][..] } {
+        for sign in if multiplier.pair {
+            &[1.0, -1.0][..]
+        } else {
+            &[1.0][..]
+        } {
             list.push(json!({
                 "re": multiplier.re,
                 "im": sign * multiplier.im,

@@ -14,13 +14,21 @@ pub fn mechanism(name: &str) -> Result<&'static Mechanism, Failure> {
         return Ok(found);
     }
     let names: Vec<_> = REGISTRY.iter().map(|mechanism| mechanism.name).collect();
-    Err(Failure::request(format!("there is no mechanism `{name}`"))
-        .remedy(format!("{}\n`assur list` shows them with their scenes", suggestion(name, &names))))
+    Err(
+        Failure::request(format!("there is no mechanism `{name}`")).remedy(format!(
+            "{}\n`assur list` shows them with their scenes",
+            suggestion(name, &names)
+        )),
+    )
 }
 
 /// What to say when no mechanism is named.
 pub fn no_mechanism(command: &str) -> Failure {
-    let width = REGISTRY.iter().map(|mechanism| mechanism.name.len()).max().unwrap_or(0);
+    let width = REGISTRY
+        .iter()
+        .map(|mechanism| mechanism.name.len())
+        .max()
+        .unwrap_or(0);
     let mut remedy = String::from("name one of these");
     for mechanism in REGISTRY {
         let line = mechanism.summary.lines().next().unwrap_or("");
@@ -36,7 +44,10 @@ pub fn no_mechanism(command: &str) -> Failure {
 ///
 /// # Errors
 /// When there is none; the nearest name is offered.
-pub fn scene(mechanism: &'static Mechanism, name: Option<&str>) -> Result<&'static SceneEntry, Failure> {
+pub fn scene(
+    mechanism: &'static Mechanism,
+    name: Option<&str>,
+) -> Result<&'static SceneEntry, Failure> {
     let Some(name) = name else {
         return mechanism
             .scenes
@@ -61,7 +72,12 @@ pub fn scene(mechanism: &'static Mechanism, name: Option<&str>) -> Result<&'stat
 /// If the name is that of an effect, of a choice or of an alternative: which scenes have it.
 pub fn with_feature(mechanism: &Mechanism, name: &str) -> Option<String> {
     let scenes = |has: &dyn Fn(&SceneEntry) -> bool| {
-        let names: Vec<_> = mechanism.scenes.iter().filter(|scene| has(scene)).map(|scene| scene.name).collect();
+        let names: Vec<_> = mechanism
+            .scenes
+            .iter()
+            .filter(|scene| has(scene))
+            .map(|scene| scene.name)
+            .collect();
         if names.is_empty() {
             "no scene has it".to_owned()
         } else {
@@ -70,7 +86,9 @@ pub fn with_feature(mechanism: &Mechanism, name: &str) -> Option<String> {
     };
     if mechanism.effects.iter().any(|effect| effect.name == name) {
         let which = scenes(&|scene| scene.effects.contains(&name));
-        return Some(format!("`{name}` is an effect, which a scene has or has not: {which}"));
+        return Some(format!(
+            "`{name}` is an effect, which a scene has or has not: {which}"
+        ));
     }
     if let Some(choice) = mechanism.choices.iter().find(|choice| choice.name == name) {
         let mut text = format!("`{name}` is a choice, which a scene makes:");
@@ -80,9 +98,15 @@ pub fn with_feature(mechanism: &Mechanism, name: &str) -> Option<String> {
         }
         return Some(text);
     }
-    let choice = mechanism.choices.iter().find(|choice| choice.alternatives.contains(&name))?;
-    let which = scenes(&|scene| scene.choices.iter().any(|made| *made == (choice.name, name)));
-    Some(format!("`{name}` is an alternative of the choice `{}`: {which}", choice.name))
+    let choice = mechanism
+        .choices
+        .iter()
+        .find(|choice| choice.alternatives.contains(&name))?;
+    let which = scenes(&|scene| scene.choices.contains(&(choice.name, name)));
+    Some(format!(
+        "`{name}` is an alternative of the choice `{}`: {which}",
+        choice.name
+    ))
 }
 
 /// The nearest of the names, or all of them.
@@ -102,7 +126,12 @@ pub fn nearest<'a>(wanted: &str, names: &[&'a str]) -> Option<&'a str> {
     let permitted = wanted.chars().count().div_ceil(3).max(1);
     names
         .iter()
-        .map(|name| (distance(&wanted.to_lowercase(), &name.to_lowercase()), *name))
+        .map(|name| {
+            (
+                distance(&wanted.to_lowercase(), &name.to_lowercase()),
+                *name,
+            )
+        })
         .filter(|(far, _)| *far <= permitted)
         .min_by_key(|(far, _)| *far)
         .map(|(_, name)| name)
@@ -135,7 +164,10 @@ mod tests {
 
     #[track_caller]
     fn check_nearest(wanted: &str, expected: Option<&str>) {
-        assert_eq!(nearest(wanted, &["batten", "table_drive", "n", "m1"]), expected);
+        assert_eq!(
+            nearest(wanted, &["batten", "table_drive", "n", "m1"]),
+            expected
+        );
     }
 
     #[test]

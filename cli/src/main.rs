@@ -1,2 +1,54 @@
-//! The command assur.
-fn main() {}
+//! The command `assur`: runs, checks and explains the mechanisms of `assur-equations`.
+//!
+//! It knows no mechanism. Everything that it says about one comes from the registry or from an equation file.
+//!
+//! | exit code | meaning |
+//! |---|---|
+//! | 0 | done |
+//! | 1 | the numbers did not come out: resonance, no convergence, a step that became too small |
+//! | 2 | the request cannot be carried out as it stands: a wrong name, value, unit, file |
+//! | 130 | interrupted; nothing is left half written |
+
+mod arguments;
+mod csv;
+mod error;
+mod json;
+mod list;
+mod lookup;
+mod motion;
+mod multipliers;
+mod number;
+mod output;
+mod plot;
+mod progress;
+mod published;
+mod report;
+mod run;
+mod style;
+mod table;
+mod text;
+mod unit;
+mod values;
+mod variables;
+
+use std::process::ExitCode;
+
+use arguments::{Arguments, Command};
+use clap::Parser;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    output::clean_up_on_interrupt();
+    let outcome = match &arguments.command {
+        Command::List => list::execute(),
+        Command::Run(options) => run::execute(options),
+        _ => Ok(()),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            output::complain(&failure.render(style::stderr()));
+            ExitCode::from(failure.code())
+        }
+    }
+}

@@ -55,10 +55,13 @@ impl Case {
     pub fn new(constants: Constants) -> Result<Self, Failure> {
         let scene = constants.scene;
         let run = (scene.bind)(&constants.values).map_err(|refused| {
-            Failure::request(format!("scene `{}` does not accept these values", scene.name))
-                .place(refused.name)
-                .reason(refused.reason)
-                .remedy("change the value with --set, or leave it out for the default")
+            Failure::request(format!(
+                "scene `{}` does not accept these values",
+                scene.name
+            ))
+            .place(refused.name)
+            .reason(refused.reason)
+            .remedy("change the value with --set, or leave it out for the default")
         })?;
         let task = match run.span() {
             problem::Span::Periodic(period) => Task::Periodic(period),
@@ -73,7 +76,13 @@ impl Case {
             ))
             .remedy("change the value with --set that its period or its times depend on"));
         }
-        Ok(Self { scene, variables: variables::of_scene(scene), constants, task, run })
+        Ok(Self {
+            scene,
+            variables: variables::of_scene(scene),
+            constants,
+            task,
+            run,
+        })
     }
 
     /// The scene as the solvers see it.
@@ -92,7 +101,13 @@ impl Case {
     /// # Errors
     /// The lowest and the highest position that are reached.
     pub fn time_of(&self, driver: usize, position: f64) -> Result<f64, (f64, f64)> {
-        let at = |time: f64| self.run.drivers(time).get(driver).copied().unwrap_or(f64::NAN);
+        let at = |time: f64| {
+            self.run
+                .drivers(time)
+                .get(driver)
+                .copied()
+                .unwrap_or(f64::NAN)
+        };
         let (from, to) = match self.task {
             Task::Open => (0.0, 1.0),
             _ => self.task.limits(),
@@ -100,7 +115,9 @@ impl Case {
         let (first, last) = (at(from), at(to));
         let advance = last - first;
         let position = match self.task {
-            Task::Periodic(_) if advance != 0.0 => position - ((position - first) / advance).floor() * advance,
+            Task::Periodic(_) if advance != 0.0 => {
+                position - ((position - first) / advance).floor() * advance
+            }
             _ => position,
         };
         let near = 1e-12 * (first.abs() + last.abs() + position.abs()).max(f64::MIN_POSITIVE);
@@ -114,7 +131,11 @@ impl Case {
             low = low.min(here);
             high = high.max(here);
             if index < SEARCH && (here - position) * (at(time(index + 1)) - position) < 0.0 {
-                return Ok(bisect(|time| at(time) - position, time(index), time(index + 1)));
+                return Ok(bisect(
+                    |time| at(time) - position,
+                    time(index),
+                    time(index + 1),
+                ));
             }
         }
         Err((low, high))
@@ -139,16 +160,24 @@ impl Case {
             Path::Positions
         } else {
             match self.task {
-                Task::Periodic(period) => {
-                    Path::Orbit(self.run.periodic(period, &settings).map_err(|error| not_periodic(&error))?)
-                }
+                Task::Periodic(period) => Path::Orbit(
+                    self.run
+                        .periodic(period, &settings)
+                        .map_err(|error| not_periodic(&error))?,
+                ),
                 Task::Run(from, to) => Path::Trajectory(
-                    self.run.march((from, to), &self.run.start(), &settings).map_err(|error| not_marched(&error))?,
+                    self.run
+                        .march((from, to), &self.run.start(), &settings)
+                        .map_err(|error| not_marched(&error))?,
                 ),
                 Task::Open => Path::Start(self.run.start()),
             }
         };
-        Ok(Motion { path, settings, seconds: clock.elapsed().as_secs_f64() })
+        Ok(Motion {
+            path,
+            settings,
+            seconds: clock.elapsed().as_secs_f64(),
+        })
     }
 
     /// Nanoseconds that integrating over one cycle takes, or over the run.
@@ -162,7 +191,9 @@ impl Case {
         if start.is_empty() {
             return Ok(0.0);
         }
-        self.run.march((from, to), &start, &motion.settings).map_err(|error| not_marched(&error))?;
+        self.run
+            .march((from, to), &start, &motion.settings)
+            .map_err(|error| not_marched(&error))?;
         Ok(clock.elapsed().as_secs_f64() * 1e9)
     }
 
@@ -228,7 +259,11 @@ impl Motion {
     /// Floquet multipliers as real and imaginary parts; none unless the task is a steady state.
     pub fn multipliers(&self) -> Vec<(f64, f64)> {
         match &self.path {
-            Path::Orbit(orbit) => orbit.multipliers.iter().map(|value| (value.re, value.im)).collect(),
+            Path::Orbit(orbit) => orbit
+                .multipliers
+                .iter()
+                .map(|value| (value.re, value.im))
+                .collect(),
             _ => Vec::new(),
         }
     }
@@ -240,7 +275,11 @@ impl Motion {
             Path::Orbit(orbit) => &orbit.trajectory.statistics,
             Path::Trajectory(trajectory) => &trajectory.statistics,
         };
-        Effort { steps: statistics.steps, rejected: statistics.rejected, evaluations: statistics.evaluations }
+        Effort {
+            steps: statistics.steps,
+            rejected: statistics.rejected,
+            evaluations: statistics.evaluations,
+        }
     }
 }
 

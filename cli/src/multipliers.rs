@@ -39,7 +39,10 @@ impl Multiplier {
     pub fn meaning(&self) -> String {
         let modulus = self.modulus();
         if modulus > 1.0 + CIRCLE {
-            return format!("grows {} times each period: unstable", number::short(number_of(modulus, 4)));
+            return format!(
+                "grows {} times each period: unstable",
+                number::short(number_of(modulus, 4))
+            );
         }
         if modulus < 1.0 - CIRCLE {
             let halved = -std::f64::consts::LN_2 / modulus.ln();
@@ -50,7 +53,10 @@ impl Multiplier {
             };
         }
         if self.pair {
-            format!("lasts, and comes round every {}", periods(360.0 / self.angle().abs()))
+            format!(
+                "lasts, and comes round every {}",
+                periods(360.0 / self.angle().abs())
+            )
         } else if self.re > 0.0 {
             "lasts unchanged: resonance".to_owned()
         } else {
@@ -74,7 +80,9 @@ fn number_of(value: f64, digits: usize) -> f64 {
 pub fn read(values: &[(f64, f64)]) -> Vec<Multiplier> {
     let mut list = Vec::new();
     for &(re, im) in values {
-        let partner = values.iter().any(|other| im != 0.0 && other.1 == -im && (other.0 - re).abs() <= 1e-9 * re.hypot(im));
+        let partner = values.iter().any(|other| {
+            im != 0.0 && other.1 == -im && (other.0 - re).abs() <= 1e-9 * re.hypot(im)
+        });
         match (im < 0.0, partner) {
             (true, true) => {}
             (_, pair) => list.push(Multiplier { re, im, pair }),
@@ -83,23 +91,39 @@ pub fn read(values: &[(f64, f64)]) -> Vec<Multiplier> {
     // A modulus on the circle is one, so that rounding does not decide the order.
     let rank = |multiplier: &Multiplier| {
         let modulus = multiplier.modulus();
-        if (modulus - 1.0).abs() <= CIRCLE { 1.0 } else { modulus }
+        if (modulus - 1.0).abs() <= CIRCLE {
+            1.0
+        } else {
+            modulus
+        }
     };
-    list.sort_by(|a, b| rank(b).total_cmp(&rank(a)).then(a.angle().total_cmp(&b.angle())));
+    list.sort_by(|a, b| {
+        rank(b)
+            .total_cmp(&rank(a))
+            .then(a.angle().total_cmp(&b.angle()))
+    });
     list
 }
 
 /// What all of them together say about the steady state, one sentence a line.
 pub fn conclusions(list: &[Multiplier]) -> Vec<String> {
-    let Some(largest) = list.iter().map(Multiplier::modulus).max_by(f64::total_cmp) else { return Vec::new() };
-    let off = list.iter().map(|multiplier| (multiplier.modulus() - 1.0).abs()).fold(0.0, f64::max);
+    let Some(largest) = list.iter().map(Multiplier::modulus).max_by(f64::total_cmp) else {
+        return Vec::new();
+    };
+    let off = list
+        .iter()
+        .map(|multiplier| (multiplier.modulus() - 1.0).abs())
+        .fold(0.0, f64::max);
     let mut lines = vec![if off <= CIRCLE {
         format!(
             "all on the unit circle (to {}): undamped, the mechanism never forgets its start",
             number::error(off.max(f64::EPSILON))
         )
     } else if largest > 1.0 + CIRCLE {
-        format!("the largest modulus is {}: the steady state is unstable and will not be seen", number::significant(largest, 6))
+        format!(
+            "the largest modulus is {}: the steady state is unstable and will not be seen",
+            number::significant(largest, 6)
+        )
     } else if largest < 1.0 - CIRCLE {
         format!(
             "all inside the unit circle: the steady state attracts, a disturbance falls to a hundredth in {} periods",
@@ -109,13 +133,33 @@ pub fn conclusions(list: &[Multiplier]) -> Vec<String> {
         "some on the unit circle: part of a disturbance lasts for ever".to_owned()
     }];
     for (real, sign, words) in [
-        (1.0, "+1", "at 0 there is resonance and no bounded steady state"),
-        (-1.0, "-1", "at 0 the motion may begin to repeat only every second period"),
+        (
+            1.0,
+            "+1",
+            "at 0 there is resonance and no bounded steady state",
+        ),
+        (
+            -1.0,
+            "-1",
+            "at 0 the motion may begin to repeat only every second period",
+        ),
     ] {
-        let nearest = list.iter().min_by(|a, b| a.distance(real).total_cmp(&b.distance(real)));
+        let nearest = list
+            .iter()
+            .min_by(|a, b| a.distance(real).total_cmp(&b.distance(real)));
         if let Some(nearest) = nearest {
-            let angle = if nearest.pair { format!("the pair at ±{}°", number::short(number_of(nearest.angle(), 5))) } else { format!("the one at {}", number::short(number_of(nearest.re, 5))) };
-            lines.push(format!("nearest to {sign}: {angle}, distance {}; {words}", number::significant(nearest.distance(real), 3)));
+            let angle = if nearest.pair {
+                format!(
+                    "the pair at ±{}°",
+                    number::short(number_of(nearest.angle(), 5))
+                )
+            } else {
+                format!("the one at {}", number::short(number_of(nearest.re, 5)))
+            };
+            lines.push(format!(
+                "nearest to {sign}: {angle}, distance {}; {words}",
+                number::significant(nearest.distance(real), 3)
+            ));
         }
     }
     lines
@@ -137,7 +181,10 @@ mod tests {
     fn an_undamped_mechanism_never_forgets() {
         let lines = conclusions(&read(&[(0.6, 0.8), (0.6, -0.8)]));
         assert!(lines[0].contains("never forgets its start"), "{lines:?}");
-        assert!(lines[1].starts_with("nearest to +1: the pair at ±53.13°, distance 0.894"), "{lines:?}");
+        assert!(
+            lines[1].starts_with("nearest to +1: the pair at ±53.13°, distance 0.894"),
+            "{lines:?}"
+        );
     }
 
     #[test]

@@ -12,7 +12,11 @@ pub fn with_error(value: f64, error: f64) -> String {
         return "0".to_owned();
     }
     // One digit more than the error touches.
-    let known = if error > 0.0 { exponent(value) - exponent(error) + 2 } else { DIGITS };
+    let known = if error > 0.0 {
+        exponent(value) - exponent(error) + 2
+    } else {
+        DIGITS
+    };
     significant(value, known.clamp(1, DIGITS) as usize)
 }
 
@@ -25,7 +29,10 @@ pub fn significant(value: f64, digits: usize) -> String {
         return "none".to_owned();
     }
     let rounded = format!("{value:.*e}", digits.saturating_sub(1));
-    let exponent: i32 = rounded.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0);
+    let exponent: i32 = rounded
+        .split_once('e')
+        .and_then(|(_, power)| power.parse().ok())
+        .unwrap_or(0);
     if (-4..9).contains(&exponent) {
         let decimals = (digits as i32 - 1 - exponent).max(0);
         format!("{value:.*}", decimals as usize)
@@ -44,13 +51,20 @@ pub fn short(value: f64) -> String {
     if !mantissa.contains('.') {
         return text;
     }
-    format!("{}{power}", mantissa.trim_end_matches('0').trim_end_matches('.'))
+    format!(
+        "{}{power}",
+        mantissa.trim_end_matches('0').trim_end_matches('.')
+    )
 }
 
 /// A declared value: as many digits as it was written with, at most fifteen.
 pub fn declared(value: f64) -> String {
     let text = format!("{}", format!("{value:.14e}").parse().unwrap_or(value));
-    if text.len() <= 12 { text } else { format!("{value:e}").chars().take(22).collect() }
+    if text.len() <= 12 {
+        text
+    } else {
+        format!("{value:e}").chars().take(22).collect()
+    }
 }
 
 /// An error with one or two digits: `3e-12`, `0.05`.
@@ -61,7 +75,11 @@ pub fn error(value: f64) -> String {
     if !value.is_finite() {
         return "unknown".to_owned();
     }
-    if (-3..3).contains(&exponent(value)) { short(significant(value, 2).parse().unwrap_or(value)) } else { format!("{value:.0e}") }
+    if (-3..3).contains(&exponent(value)) {
+        short(significant(value, 2).parse().unwrap_or(value))
+    } else {
+        format!("{value:.0e}")
+    }
 }
 
 /// A duration: `26 ns`, `1.3 ms`, `4.2 s`.
@@ -72,7 +90,14 @@ pub fn duration(seconds: f64) -> String {
         s if s >= 1e-6 => (1e6, "µs"),
         _ => (1e9, "ns"),
     };
-    format!("{} {unit}", short(significant(seconds * factor, 2).parse().unwrap_or(seconds * factor)))
+    format!(
+        "{} {unit}",
+        short(
+            significant(seconds * factor, 2)
+                .parse()
+                .unwrap_or(seconds * factor)
+        )
+    )
 }
 
 /// A whole number with its thousands set apart by thin gaps.
@@ -80,7 +105,7 @@ pub fn count(number: usize) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index) % 3 == 0 && digits.len() > 4 {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) && digits.len() > 4 {
             text.push(' ');
         }
         text.push(digit);
@@ -99,7 +124,11 @@ pub fn percent(share: f64) -> String {
 /// A number with its sign and this many digits.
 pub fn signed(value: f64, digits: usize) -> String {
     let text = significant(value, digits);
-    if value > 0.0 && value.is_finite() { format!("+{text}") } else { text }
+    if value > 0.0 && value.is_finite() {
+        format!("+{text}")
+    } else {
+        text
+    }
 }
 
 /// The power of ten of a number: 2 for 314.

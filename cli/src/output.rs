@@ -65,9 +65,13 @@ impl Destination {
             directory = directory_of(directory);
         }
         if !directory.is_dir() {
-            return Err(refuse(&format!("`{}` is not a directory", directory.display())));
+            return Err(refuse(&format!(
+                "`{}` is not a directory",
+                directory.display()
+            )));
         }
-        let probe = Temporary::create(directory, "probe").map_err(|error| refuse(&error.to_string()))?;
+        let probe =
+            Temporary::create(directory, "probe").map_err(|error| refuse(&error.to_string()))?;
         drop(probe);
         Ok(Self { path })
     }
@@ -118,7 +122,11 @@ impl Temporary {
     fn create(directory: &Path, name: &str) -> io::Result<Self> {
         let path = directory.join(format!(".{name}.{}.part", std::process::id()));
         let mut list = pending();
-        let file = OpenOptions::new().write(true).create(true).truncate(true).open(&path)?;
+        let file = OpenOptions::new()
+            .write(true)
+            .create(true)
+            .truncate(true)
+            .open(&path)?;
         list.push(path.clone());
         Ok(Self { path, file })
     }
@@ -146,7 +154,9 @@ impl Drop for Temporary {
 /// When standard output refuses for another reason, a full disk for one.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
-    let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
+    let written = stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush());
     match written {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
             Err(Failure::request("cannot write to standard output")
@@ -178,10 +188,17 @@ mod tests {
         let folder = folder("whole");
         let path = folder.join("sub/figure.svg");
         for text in ["first", "second"] {
-            Destination::check(&path).and_then(|file| file.write(text.as_bytes())).expect("writable");
+            Destination::check(&path)
+                .and_then(|file| file.write(text.as_bytes()))
+                .expect("writable");
             assert_eq!(fs::read_to_string(&path).expect("written"), text);
         }
-        assert_eq!(fs::read_dir(folder.join("sub")).expect("a directory").count(), 1);
+        assert_eq!(
+            fs::read_dir(folder.join("sub"))
+                .expect("a directory")
+                .count(),
+            1
+        );
         let _ = fs::remove_dir_all(folder);
     }
 
@@ -195,7 +212,10 @@ mod tests {
             (PathBuf::from("/dev/null"), "regular"),
         ] {
             let failure = Destination::check(&path).expect_err("must be refused");
-            assert!(failure.render(crate::style::Style::PLAIN).contains(why), "{failure:?}");
+            assert!(
+                failure.render(crate::style::Style::PLAIN).contains(why),
+                "{failure:?}"
+            );
         }
         let _ = fs::remove_dir_all(folder);
     }

@@ -35,7 +35,9 @@ impl Progress {
             let _ = waiting.recv();
             bar.finish_and_clear();
         });
-        Self { watch: Some((done, thread)) }
+        Self {
+            watch: Some((done, thread)),
+        }
     }
 }
 

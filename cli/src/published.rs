@@ -17,6 +17,8 @@ pub struct Comparison {
     pub variable: usize,
     /// Where in the motion, in words.
     pub place: String,
+    /// The time of the place; none for an extreme or where the motion does not get there.
+    pub time: Option<f64>,
     /// The computed value, SI units; NaN where the motion does not get there.
     pub computed: f64,
     /// Whether the values of the run are those for which the fact was published.
@@ -36,7 +38,8 @@ impl Comparison {
 
     /// Whether the computed value lies in the band of the file; nothing if the values of the run are others.
     pub fn within(&self) -> Option<bool> {
-        self.comparable.then(|| self.deviation().abs() <= self.fact.tolerance)
+        self.comparable
+            .then(|| self.deviation().abs() <= self.fact.tolerance)
     }
 }
 
@@ -61,12 +64,19 @@ pub fn compare(
     extremes: &[Extreme],
 ) -> Result<Vec<Comparison>, Failure> {
     let changed = case.constants.changed();
-    let wanted = |fact: &Expectation| if fact.preset.is_empty() { case.scene.preset } else { fact.preset };
+    let wanted = |fact: &Expectation| {
+        if fact.preset.is_empty() {
+            case.scene.preset
+        } else {
+            fact.preset
+        }
+    };
     let mut others: Vec<(&str, Case, Motion, Vec<Extreme>)> = Vec::new();
     if !changed {
         for fact in case.scene.expectations {
             let preset = wanted(fact);
-            if preset != case.constants.preset && others.iter().all(|(known, ..)| *known != preset) {
+            if preset != case.constants.preset && others.iter().all(|(known, ..)| *known != preset)
+            {
                 let mut constants = Constants::declared(case.scene);
                 constants.apply(find_preset(mechanism, preset)?);
                 let case = Case::new(constants)?;
@@ -77,12 +87,26 @@ pub fn compare(
             }
         }
     }
-    let own = Solved { preset: case.constants.preset, case, motion, extremes };
+    let own = Solved {
+        preset: case.constants.preset,
+        case,
+        motion,
+        extremes,
+    };
     let facts = case.scene.expectations.iter().filter_map(|fact| {
         let preset = wanted(fact);
         let other = others.iter().find(|(known, ..)| *known == preset);
         match other {
-            Some((preset, case, motion, extremes)) => one(fact, &Solved { preset, case, motion, extremes }, true),
+            Some((preset, case, motion, extremes)) => one(
+                fact,
+                &Solved {
+                    preset,
+                    case,
+                    motion,
+                    extremes,
+                },
+                true,
+            ),
             None => one(fact, &own, !changed && own.preset == preset),
         }
     });
@@ -92,24 +116,44 @@ pub fn compare(
 fn one(fact: &'static Expectation, solved: &Solved<'_>, comparable: bool) -> Option<Comparison> {
     let case = solved.case;
     let (is_output, index) = fact.quantity;
-    let table = if is_output { case.scene.outputs } else { case.scene.states };
-    let name = table.get(index)?.name;
-    let variable = case.variables.iter().position(|variable| variable.name == name)?;
-    let extreme = solved.extremes.get(variable)?;
-    let at = |time: f64| case.sample(solved.motion, time)[variable];
-    let (place, computed) = match fact.at {
-        At::Time(time) => {
-            let value = case.reduce(time).map_or(f64::NAN, at);
-            (format!("time = {} s", number::short(time)), value)
-        }
-        At::Driver(driver, position) => {
-            let value = case.time_of(driver, position).map_or(f64::NAN, at);
-            (driver_label(case, driver, position), value)
-        }
-        At::Maximum => ("maximum".to_owned(), extreme.maximum.1),
-        At::Minimum => ("minimum".to_owned(), extreme.minimum.1),
-        At::Amplitude => ("amplitude".to_owned(), extreme.amplitude()),
+    let table = if is_output {
+        case.scene.outputs
+    } else {
+        case.scene.states
     };
-    let place = if solved.preset == case.scene.preset { place } else { format!("{place}, preset {}", solved.preset) };
-    Some(Comparison { fact, variable, place, computed, comparable })
+    let name = table.get(index)?.name;
+    let variable = case
+        .variables
+        .iter()
+        .position(|variable| variable.name == name)?;
+    let extreme = solved.extremes.get(variable)?;
+    let (place, time, extreme) = match fact.at {
+        At::Time(time) => (
+            format!("time = {} s", number::short(time)),
+            case.reduce(time),
+            f64::NAN,
+        ),
+        At::Driver(driver, position) => (
+            driver_label(case, driver, position),
+            case.time_of(driver, position).ok(),
+            f64::NAN,
+        ),
+        At::Maximum => ("maximum".to_owned(), None, extreme.maximum.1),
+        At::Minimum => ("minimum".to_owned(), None, extreme.minimum.1),
+        At::Amplitude => ("amplitude".to_owned(), None, extreme.amplitude()),
+    };
+    let computed = time.map_or(extreme, |time| case.sample(solved.motion, time)[variable]);
+    let place = if solved.preset == case.scene.preset {
+        place
+    } else {
+        format!("{place}, preset {}", solved.preset)
+    };
+    Some(Comparison {
+        fact,
+        variable,
+        place,
+        time,
+        computed,
+        comparable,
+    })
 }

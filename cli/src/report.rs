@@ -107,16 +107,27 @@ pub struct Cost {
 ///
 /// # Errors
 /// When the solvers do not succeed or a place is not reached.
-pub fn collect(mechanism: &'static Mechanism, case: Case, settings: Settings, places: &[Place]) -> Result<Report, Failure> {
+pub fn collect(
+    mechanism: &'static Mechanism,
+    case: Case,
+    settings: Settings,
+    places: &[Place],
+) -> Result<Report, Failure> {
     let clock = Instant::now();
-    let times: Vec<_> = places.iter().map(|place| locate(&case, *place)).collect::<Result<_, _>>()?;
+    let times: Vec<_> = places
+        .iter()
+        .map(|place| locate(&case, *place))
+        .collect::<Result<_, _>>()?;
     let motion = case.solve(settings)?;
     let curves = sample(&case, &motion);
     let (errors, tenfold) = estimate(&case, &motion, &curves)?;
     let extremes = extremes(&case, &motion, &curves);
     let (from, _) = case.task.limits();
     let start = snapshot(&case, &motion, from, place_label(&case, from));
-    let places = times.into_iter().map(|(time, label)| snapshot(&case, &motion, time, label)).collect();
+    let places = times
+        .into_iter()
+        .map(|(time, label)| snapshot(&case, &motion, time, label))
+        .collect();
     let published = published::compare(mechanism, &case, &motion, &extremes)?;
     let multipliers = multipliers::read(&motion.multipliers());
     let worst = errors
@@ -126,8 +137,25 @@ pub fn collect(mechanism: &'static Mechanism, case: Case, settings: Settings, pl
         .enumerate()
         .filter(|(_, share)| share.is_finite())
         .max_by(|(_, a), (_, b)| a.total_cmp(b));
-    let cost = Cost { solve: motion.seconds, total: clock.elapsed().as_secs_f64(), worst, tenfold };
-    Ok(Report { mechanism, case, motion, curves, errors, start, extremes, places, published, multipliers, cost })
+    let cost = Cost {
+        solve: motion.seconds,
+        total: clock.elapsed().as_secs_f64(),
+        worst,
+        tenfold,
+    };
+    Ok(Report {
+        mechanism,
+        case,
+        motion,
+        curves,
+        errors,
+        start,
+        extremes,
+        places,
+        published,
+        multipliers,
+        cost,
+    })
 }
 
 /// The time of a place, with its name.
@@ -144,22 +172,30 @@ fn locate(case: &Case, place: Place) -> Result<(f64, String), Failure> {
         }
         Place::Driver(index, position) => {
             let label = driver_label(case, index, position);
-            case.time_of(index, position).map(|time| (time, label.clone())).map_err(|(low, high)| {
-                Failure::request(format!("the task does not reach {label}")).place("--at").remedy(format!(
-                    "it moves from {} to {}",
-                    driver_label(case, index, low),
-                    driver_label(case, index, high)
-                ))
-            })
+            case.time_of(index, position)
+                .map(|time| (time, label.clone()))
+                .map_err(|(low, high)| {
+                    Failure::request(format!("the task does not reach {label}"))
+                        .place("--at")
+                        .remedy(format!(
+                            "it moves from {} to {}",
+                            driver_label(case, index, low),
+                            driver_label(case, index, high)
+                        ))
+                })
         }
     }
 }
 
 /// A position of a driver in words.
 pub fn driver_label(case: &Case, index: usize, position: f64) -> String {
-    let Some(driver) = case.scene.drivers.get(index) else { return String::new() };
+    let Some(driver) = case.scene.drivers.get(index) else {
+        return String::new();
+    };
     let value = number::short(position / driver.factor);
-    format!("{} = {value} {}", driver.name, driver.unit).trim_end().to_owned()
+    format!("{} = {value} {}", driver.name, driver.unit)
+        .trim_end()
+        .to_owned()
 }
 
 /// A time in words: the position of the first driver, or the time where there is none.
@@ -172,7 +208,12 @@ pub fn place_label(case: &Case, time: f64) -> String {
 
 /// All variables at a time.
 pub fn snapshot(case: &Case, motion: &Motion, time: f64, label: String) -> Snapshot {
-    Snapshot { label, time, drivers: case.drivers(time), values: case.sample(motion, time) }
+    Snapshot {
+        label,
+        time,
+        drivers: case.drivers(time),
+        values: case.sample(motion, time),
+    }
 }
 
 /// Samples the task evenly, more finely where the solution took many steps.
@@ -181,11 +222,18 @@ pub fn sample(case: &Case, motion: &Motion) -> Curves {
     if case.task == Task::Open {
         return Curves::default();
     }
-    let count = (motion.effort().steps * 4).clamp(SAMPLES, MOST_SAMPLES).next_multiple_of(SAMPLES);
-    let times: Vec<_> = (0..=count).map(|index| from + (to - from) * index as f64 / count as f64).collect();
+    let count = (motion.effort().steps * 4)
+        .clamp(SAMPLES, MOST_SAMPLES)
+        .next_multiple_of(SAMPLES);
+    let times: Vec<_> = (0..=count)
+        .map(|index| from + (to - from) * index as f64 / count as f64)
+        .collect();
     Curves {
         drivers: times.iter().map(|time| case.drivers(*time)).collect(),
-        values: times.iter().map(|time| case.sample(motion, *time)).collect(),
+        values: times
+            .iter()
+            .map(|time| case.sample(motion, *time))
+            .collect(),
         times,
     }
 }
@@ -195,15 +243,30 @@ pub fn sample(case: &Case, motion: &Motion) -> Curves {
 /// The error is proportional to the tolerance, so a solution with a tenth of it differs from the printed one by nine
 /// tenths of the printed one's error. Where double precision leaves no room for a tenth, ten times the tolerance gives
 /// an upper bound instead. Rounding is added as a floor.
-fn estimate(case: &Case, motion: &Motion, curves: &Curves) -> Result<(Vec<f64>, Option<f64>), Failure> {
+fn estimate(
+    case: &Case,
+    motion: &Motion,
+    curves: &Curves,
+) -> Result<(Vec<f64>, Option<f64>), Failure> {
     let rtol = motion.settings.rtol;
     let finer = rtol / 10.0 >= RTOL.0;
-    let (other, share) = if finer { (rtol / 10.0, 10.0 / 9.0) } else { (rtol * 10.0, 1.0) };
-    let check = case.solve(Settings { rtol: other, ..motion.settings })?;
+    let (other, share) = if finer {
+        (rtol / 10.0, 10.0 / 9.0)
+    } else {
+        (rtol * 10.0, 1.0)
+    };
+    let check = case.solve(Settings {
+        rtol: other,
+        ..motion.settings
+    })?;
     let mut errors = vec![0.0; case.variables.len()];
     // Every third sample is enough for a largest value.
     for (time, values) in curves.times.iter().zip(&curves.values).step_by(3) {
-        for ((error, a), b) in errors.iter_mut().zip(values).zip(case.sample(&check, *time)) {
+        for ((error, a), b) in errors
+            .iter_mut()
+            .zip(values)
+            .zip(case.sample(&check, *time))
+        {
             *error = f64::max(*error, (a - b).abs() * share).max(4.0 * f64::EPSILON * a.abs());
         }
     }
@@ -215,17 +278,39 @@ fn estimate(case: &Case, motion: &Motion, curves: &Curves) -> Result<(Vec<f64>, 
 /// Smallest and largest value of each variable, refined between the samples.
 pub fn extremes(case: &Case, motion: &Motion, curves: &Curves) -> Vec<Extreme> {
     let best = |column: usize, sign: f64| {
-        let value = |time: f64| sign * case.sample(motion, time).get(column).copied().unwrap_or(f64::NAN);
+        let value = |time: f64| {
+            sign * case
+                .sample(motion, time)
+                .get(column)
+                .copied()
+                .unwrap_or(f64::NAN)
+        };
         let samples = curves.values.iter().map(|row| sign * row[column]);
-        let top = samples.enumerate().filter(|(_, value)| value.is_finite()).max_by(|(_, a), (_, b)| a.total_cmp(b));
-        let Some((index, sampled)) = top else { return (f64::NAN, f64::NAN) };
+        let top = samples
+            .enumerate()
+            .filter(|(_, value)| value.is_finite())
+            .max_by(|(_, a), (_, b)| a.total_cmp(b));
+        let Some((index, sampled)) = top else {
+            return (f64::NAN, f64::NAN);
+        };
         let last = curves.times.len() - 1;
-        let (time, refined) = climb(value, curves.times[index.saturating_sub(1)], curves.times[(index + 1).min(last)]);
+        let (time, refined) = climb(
+            value,
+            curves.times[index.saturating_sub(1)],
+            curves.times[(index + 1).min(last)],
+        );
         // At the border of the task the sample itself is the extreme.
-        if refined > sampled { (time, sign * refined) } else { (curves.times[index], sign * sampled) }
+        if refined > sampled {
+            (time, sign * refined)
+        } else {
+            (curves.times[index], sign * sampled)
+        }
     };
     (0..case.variables.len())
-        .map(|column| Extreme { minimum: best(column, -1.0), maximum: best(column, 1.0) })
+        .map(|column| Extreme {
+            minimum: best(column, -1.0),
+            maximum: best(column, 1.0),
+        })
         .collect()
 }
 

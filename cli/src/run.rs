@@ -18,33 +18,52 @@ use crate::{csv, json, lookup, plot, style, table};
 /// # Errors
 /// A wrong request, or numbers that do not come out. Nothing is written then.
 pub fn execute(options: &RunArguments) -> Result<(), Failure> {
-    let Some(name) = &options.name else { return Err(lookup::no_mechanism("run")) };
+    let Some(name) = &options.name else {
+        return Err(lookup::no_mechanism("run"));
+    };
     let mechanism = lookup::mechanism(name)?;
     let scene = lookup::scene(mechanism, options.scene.as_deref())?;
-    let constants = Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
-    let places = options.at.iter().map(|text| values::place(scene, text)).collect::<Result<Vec<_>, _>>()?;
-    let settings =
-        Settings { method: values::method(options.method.as_deref())?, rtol: values::rtol(options.rtol.as_deref())? };
+    let constants =
+        Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
+    let places = options
+        .at
+        .iter()
+        .map(|text| values::place(scene, text))
+        .collect::<Result<Vec<_>, _>>()?;
+    let settings = Settings {
+        method: values::method(options.method.as_deref())?,
+        rtol: values::rtol(options.rtol.as_deref())?,
+    };
     let figure = match figure_path(options, mechanism, scene) {
         Some(path) => Some(Destination::check(&path)?),
         None => None,
     };
     let case = Case::new(constants)?;
     if case.task == Task::Open && places.is_empty() {
-        return Err(Failure::request(format!("scene `{}` has no task of its own", scene.name))
-            .remedy(format!("say where to look: --at {}=…", scene.drivers.first().map_or("time", |driver| driver.name))));
+        return Err(
+            Failure::request(format!("scene `{}` has no task of its own", scene.name)).remedy(
+                format!(
+                    "say where to look: --at {}=…",
+                    scene.drivers.first().map_or("time", |driver| driver.name)
+                ),
+            ),
+        );
     }
     let progress = Progress::start(format!("{name}, scene {}", scene.name));
     let report = report::collect(mechanism, case, settings, &places)?;
     drop(progress);
     let drawn = match figure.filter(|_| !report.curves.times.is_empty()) {
         Some(destination) => {
-            destination.write(plot::figure(&report).as_bytes())?;
+            destination.write(plot::draw(&report).as_bytes())?;
             Some(destination)
         }
         None => None,
     };
-    output::print(&render(&report, options.format, drawn.as_ref().map(Destination::path)))
+    output::print(&render(
+        &report,
+        options.format,
+        drawn.as_ref().map(Destination::path),
+    ))
 }
 
 fn render(report: &Report, format: Format, figure: Option<&Path>) -> String {
@@ -56,7 +75,11 @@ fn render(report: &Report, format: Format, figure: Option<&Path>) -> String {
 }
 
 /// Where the figure goes: a table has one unless told otherwise, the formats for programs only when it is asked for.
-fn figure_path(options: &RunArguments, mechanism: &Mechanism, scene: &SceneEntry) -> Option<PathBuf> {
+fn figure_path(
+    options: &RunArguments,
+    mechanism: &Mechanism,
+    scene: &SceneEntry,
+) -> Option<PathBuf> {
     let name = format!("{}-{}.svg", mechanism.name, scene.name);
     match (&options.plot, &options.out) {
         (Some(file), _) => Some(file.clone()),

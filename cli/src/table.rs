@@ -16,16 +16,33 @@ const WIDTH: usize = 96;
 
 /// All tables, with the last line ended.
 pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
-    let mut page = Page { text: String::new(), style };
+    let mut page = Page {
+        text: String::new(),
+        style,
+    };
     head(&mut page, report);
     parameters(&mut page, report);
     if !report.curves.times.is_empty() {
-        snapshot(&mut page, report, &report.start, &format!("At the start, {}", report.start.label));
+        snapshot(
+            &mut page,
+            report,
+            &report.start,
+            &format!("At the start, {}", report.start.label),
+        );
         extremes(&mut page, report);
     }
     for place in &report.places {
-        let time = if place.label.starts_with("time") { String::new() } else { format!(", time = {} s", number::short(place.time)) };
-        snapshot(&mut page, report, place, &format!("At {}{time}", place.label));
+        let time = if place.label.starts_with("time") {
+            String::new()
+        } else {
+            format!(", time = {} s", number::short(place.time))
+        };
+        snapshot(
+            &mut page,
+            report,
+            place,
+            &format!("At {}{time}", place.label),
+        );
     }
     published(&mut page, report);
     multipliers(&mut page, report);
@@ -51,7 +68,11 @@ impl Page {
         let heading = self.style.heading(heading);
         self.line(&heading);
         for (index, line) in table.lines().iter().enumerate() {
-            let line = if index == 0 { self.style.faint(line) } else { line.clone() };
+            let line = if index == 0 {
+                self.style.faint(line)
+            } else {
+                line.clone()
+            };
             self.line(&line);
         }
     }
@@ -61,8 +82,15 @@ fn head(page: &mut Page, report: &Report) {
     let scene = report.case.scene;
     let (from, to) = report.case.task.limits();
     let task = match report.case.task {
-        Task::Periodic(period) => format!("steady state over one period of {} s", number::short(period)),
-        Task::Run(..) => format!("motion from {} s to {} s", number::short(from), number::short(to)),
+        Task::Periodic(period) => format!(
+            "steady state over one period of {} s",
+            number::short(period)
+        ),
+        Task::Run(..) => format!(
+            "motion from {} s to {} s",
+            number::short(from),
+            number::short(to)
+        ),
         Task::Open => "positions".to_owned(),
     };
     let title = format!("{}, scene {}: {task}", report.mechanism.title, scene.name);
@@ -94,7 +122,11 @@ fn parameters(page: &mut Page, report: &Report) {
     for (index, constant) in report.case.scene.constants.iter().enumerate() {
         let quantity = &constant.quantity;
         let changed = constants.is_changed(index);
-        let default = if changed { number::declared(constant.default / quantity.factor) } else { String::new() };
+        let default = if changed {
+            number::declared(constant.default / quantity.factor)
+        } else {
+            String::new()
+        };
         table.row([
             if changed { "*" } else { "" }.to_owned(),
             quantity.name.to_owned(),
@@ -104,7 +136,11 @@ fn parameters(page: &mut Page, report: &Report) {
             first_line(quantity.summary),
         ]);
     }
-    let heading = if constants.changed() { "Parameters (* changed)" } else { "Parameters" };
+    let heading = if constants.changed() {
+        "Parameters (* changed)"
+    } else {
+        "Parameters"
+    };
     page.section(heading, &table);
     page.line("");
 }
@@ -121,7 +157,12 @@ fn snapshot(page: &mut Page, report: &Report, snapshot: &Snapshot, heading: &str
         ("± error", Align::Left),
         ("", Align::Left),
     ]);
-    let rows = report.case.variables.iter().zip(&snapshot.values).zip(&report.errors);
+    let rows = report
+        .case
+        .variables
+        .iter()
+        .zip(&snapshot.values)
+        .zip(&report.errors);
     for ((variable, value), error) in rows {
         table.row([
             variable.name.clone(),
@@ -157,8 +198,19 @@ fn extremes(page: &mut Page, report: &Report) {
         };
         number::short(number::significant(shown, 5).parse().unwrap_or(shown))
     };
-    for ((variable, extreme), error) in report.case.variables.iter().zip(&report.extremes).zip(&report.errors) {
-        let show = |value: f64| number::with_error(variable.in_unit(value), variable.in_unit(error.max(1e-8 * extreme.amplitude())));
+    for ((variable, extreme), error) in report
+        .case
+        .variables
+        .iter()
+        .zip(&report.extremes)
+        .zip(&report.errors)
+    {
+        let show = |value: f64| {
+            number::with_error(
+                variable.in_unit(value),
+                variable.in_unit(error.max(1e-8 * extreme.amplitude())),
+            )
+        };
         table.row([
             variable.name.clone(),
             show(extreme.minimum.1),
@@ -168,7 +220,11 @@ fn extremes(page: &mut Page, report: &Report) {
             variable.unit.clone(),
         ]);
     }
-    let over = if report.is_cycle() { "Over the period" } else { "Over the run" };
+    let over = if report.is_cycle() {
+        "Over the period"
+    } else {
+        "Over the run"
+    };
     page.section(over, &table);
     page.line("");
 }
@@ -196,7 +252,9 @@ fn published(page: &mut Page, report: &Report) {
         let note = if comparison.fact.remark.is_empty() {
             String::new()
         } else {
-            let known = remarks.iter().position(|remark| *remark == comparison.fact.remark);
+            let known = remarks
+                .iter()
+                .position(|remark| *remark == comparison.fact.remark);
             let number = known.unwrap_or_else(|| {
                 remarks.push(comparison.fact.remark);
                 remarks.len() - 1
@@ -207,11 +265,17 @@ fn published(page: &mut Page, report: &Report) {
             variable.name.clone(),
             comparison.place.clone(),
             number::declared(variable.in_unit(comparison.fact.value)),
-            number::with_error(variable.in_unit(comparison.computed), variable.in_unit(error)),
+            number::with_error(
+                variable.in_unit(comparison.computed),
+                variable.in_unit(error),
+            ),
             variable.unit.clone(),
             number::signed(variable.in_unit(comparison.deviation()), 2),
             number::percent(comparison.relative()),
-            format!("± {}", number::short(variable.in_unit(comparison.fact.tolerance))),
+            format!(
+                "± {}",
+                number::short(variable.in_unit(comparison.fact.tolerance))
+            ),
             match comparison.within() {
                 Some(true) => "within",
                 Some(false) => "OUTSIDE",
@@ -224,13 +288,23 @@ fn published(page: &mut Page, report: &Report) {
     page.section("Published values", &table);
     for (index, remark) in remarks.iter().enumerate() {
         for (line, part) in wrap(remark, WIDTH - 8).iter().enumerate() {
-            let lead = if line == 0 { format!("[{}]", index + 1) } else { String::new() };
+            let lead = if line == 0 {
+                format!("[{}]", index + 1)
+            } else {
+                String::new()
+            };
             let line = page.style.faint(&format!("  {lead:<5}{part}"));
             page.line(&line);
         }
     }
-    if report.published.iter().any(|comparison| !comparison.comparable) {
-        let line = page.style.warn("  (-) published for other values than those of this run: not comparable");
+    if report
+        .published
+        .iter()
+        .any(|comparison| !comparison.comparable)
+    {
+        let line = page
+            .style
+            .warn("  (-) published for other values than those of this run: not comparable");
         page.line(&line);
     }
     page.line("");
@@ -240,17 +314,27 @@ fn multipliers(page: &mut Page, report: &Report) {
     if report.multipliers.is_empty() {
         return;
     }
-    let mut table =
-        Columns::new([("modulus", Align::Point), ("angle, deg", Align::Point), ("a disturbance", Align::Left)]);
+    let mut table = Columns::new([
+        ("modulus", Align::Point),
+        ("angle, deg", Align::Point),
+        ("a disturbance", Align::Left),
+    ]);
     for multiplier in &report.multipliers {
         let angle = number::significant(multiplier.angle(), 6);
         table.row([
             format!("{:.9}", multiplier.modulus()),
-            if multiplier.pair { format!("±{angle}") } else { angle },
+            if multiplier.pair {
+                format!("±{angle}")
+            } else {
+                angle
+            },
             multiplier.meaning(),
         ]);
     }
-    page.section("Floquet multipliers, what one period does to a disturbance", &table);
+    page.section(
+        "Floquet multipliers, what one period does to a disturbance",
+        &table,
+    );
     for line in conclusions(&report.multipliers) {
         for (index, part) in wrap(&line, WIDTH - 4).iter().enumerate() {
             page.line(&format!("  {}{part}", if index == 0 { "" } else { "  " }));
@@ -264,7 +348,11 @@ fn last_line(report: &Report) -> String {
     let cost = &report.cost;
     let error = match cost.worst {
         Some((index, share)) => {
-            format!("Estimated global error {} of the amplitude ({})", number::error(share), report.case.variables[index].name)
+            format!(
+                "Estimated global error {} of the amplitude ({})",
+                number::error(share),
+                report.case.variables[index].name
+            )
         }
         None => "Estimated global error: rounding only".to_owned(),
     };
@@ -283,7 +371,9 @@ fn last_line(report: &Report) -> String {
     };
     let more = match cost.tenfold {
         Some(factor) => format!("; ten times more accuracy takes {factor:.2} times as long"),
-        None if effort.evaluations > 0 => "; double precision has no room for ten times more accuracy".to_owned(),
+        None if effort.evaluations > 0 => {
+            "; double precision has no room for ten times more accuracy".to_owned()
+        }
         None => String::new(),
     };
     format!("{error}; {work}{more}.")

@@ -28,7 +28,12 @@ impl Columns {
     pub fn new<const N: usize>(columns: [(&str, Align); N]) -> Self {
         Self {
             align: columns.iter().map(|(_, align)| *align).collect(),
-            rows: vec![columns.iter().map(|(heading, _)| (*heading).to_owned()).collect()],
+            rows: vec![
+                columns
+                    .iter()
+                    .map(|(heading, _)| (*heading).to_owned())
+                    .collect(),
+            ],
         }
     }
 
@@ -44,7 +49,8 @@ impl Columns {
 
     /// The lines, the headings first unless all of them are empty; columns without any contents are left out.
     pub fn lines(&self) -> Vec<String> {
-        let cell = |row: usize, column: usize| self.rows[row].get(column).map_or("", String::as_str);
+        let cell =
+            |row: usize, column: usize| self.rows[row].get(column).map_or("", String::as_str);
         let used: Vec<_> = (0..self.align.len())
             .filter(|column| (1..self.rows.len()).any(|row| !cell(row, *column).is_empty()))
             .collect();
@@ -65,7 +71,11 @@ impl Columns {
     }
 
     fn shape(&self, column: usize) -> Shape {
-        let mut shape = Shape { align: self.align[column], width: 0, before: 0 };
+        let mut shape = Shape {
+            align: self.align[column],
+            width: 0,
+            before: 0,
+        };
         let mut after = 0;
         for (index, row) in self.rows.iter().enumerate() {
             let cell = row.get(column).map_or("", String::as_str);
@@ -104,13 +114,17 @@ impl Shape {
 
 /// Characters before the decimal point, and from it on.
 fn parts(number: &str) -> (usize, usize) {
-    let before = number.find(['.', 'e']).map_or(width(number), |place| width(&number[..place]));
+    let before = number
+        .find(['.', 'e'])
+        .map_or(width(number), |place| width(&number[..place]));
     (before, width(number) - before)
 }
 
 /// Characters of a text; marks that stand over the character before them take no room.
 pub fn width(text: &str) -> usize {
-    text.chars().filter(|character| !('\u{300}'..='\u{36f}').contains(character)).count()
+    text.chars()
+        .filter(|character| !('\u{300}'..='\u{36f}').contains(character))
+        .count()
 }
 
 /// Breaks a text into lines of at most this many characters, at spaces.
@@ -136,14 +150,23 @@ mod tests {
 
     #[test]
     fn points_stand_under_points() {
-        let mut table = Columns::new([("name", Align::Left), ("value", Align::Point), ("unit", Align::Left)]);
+        let mut table = Columns::new([
+            ("name", Align::Left),
+            ("value", Align::Point),
+            ("unit", Align::Left),
+        ]);
         table.row(["a", "1.25", "mm"].map(String::from));
         table.row(["long", "-300.5", ""].map(String::from));
         table.row(["c", "2e-12", "s"].map(String::from));
         assert_eq!(
             table.lines(),
-            ["  name  value     unit", "  a        1.25   mm", "  long  -300.5", "  c        2e-12  s"]
-                .map(String::from)
+            [
+                "  name  value     unit",
+                "  a        1.25   mm",
+                "  long  -300.5",
+                "  c        2e-12  s"
+            ]
+            .map(String::from)
         );
     }
 
@@ -158,6 +181,9 @@ mod tests {
 
     #[test]
     fn long_text_is_wrapped() {
-        assert_eq!(wrap("one two three", 7), ["one two", "three"].map(String::from));
+        assert_eq!(
+            wrap("one two three", 7),
+            ["one two", "three"].map(String::from)
+        );
     }
 }

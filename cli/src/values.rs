@@ -33,7 +33,11 @@ impl Constants {
         Self {
             scene,
             preset: scene.preset,
-            values: scene.constants.iter().map(|constant| constant.default).collect(),
+            values: scene
+                .constants
+                .iter()
+                .map(|constant| constant.default)
+                .collect(),
             given: vec![false; scene.constants.len()],
         }
     }
@@ -69,14 +73,20 @@ impl Constants {
     }
 
     fn position(&self, name: &str) -> Option<usize> {
-        self.scene.constants.iter().position(|constant| constant.quantity.name == name)
+        self.scene
+            .constants
+            .iter()
+            .position(|constant| constant.quantity.name == name)
     }
 
     fn set(&mut self, mechanism: &'static Mechanism, text: &str) -> Result<(), Failure> {
         let (name, value) = split(text, "--set", "n=300rpm")?;
-        let index = self.position(name).ok_or_else(|| unknown_constant(mechanism, self.scene, name))?;
+        let index = self
+            .position(name)
+            .ok_or_else(|| unknown_constant(mechanism, self.scene, name))?;
         let constant = &self.scene.constants[index];
-        let value = quantity(value, &constant.quantity).map_err(|failure| failure.place(format!("--set {text}")))?;
+        let value = quantity(value, &constant.quantity)
+            .map_err(|failure| failure.place(format!("--set {text}")))?;
         permitted(constant, value).map_err(|failure| failure.place(format!("--set {text}")))?;
         self.values[index] = value;
         self.given[index] = true;
@@ -99,10 +109,15 @@ impl Constants {
 /// # Errors
 /// When there is none; the nearest name is offered.
 pub fn find_preset(mechanism: &'static Mechanism, name: &str) -> Result<&'static Preset, Failure> {
-    mechanism.presets.iter().find(|preset| preset.name == name).ok_or_else(|| {
-        let names: Vec<_> = mechanism.presets.iter().map(|preset| preset.name).collect();
-        Failure::request(format!("`{}` has no preset `{name}`", mechanism.name)).remedy(suggestion(name, &names))
-    })
+    mechanism
+        .presets
+        .iter()
+        .find(|preset| preset.name == name)
+        .ok_or_else(|| {
+            let names: Vec<_> = mechanism.presets.iter().map(|preset| preset.name).collect();
+            Failure::request(format!("`{}` has no preset `{name}`", mechanism.name))
+                .remedy(suggestion(name, &names))
+        })
 }
 
 /// Where everything is to be printed.
@@ -119,20 +134,32 @@ pub enum Place {
 /// # Errors
 /// An unknown name or a wrong unit.
 pub fn place(scene: &'static SceneEntry, text: &str) -> Result<Place, Failure> {
-    let example = scene.drivers.first().map_or("time=0.1s".to_owned(), |driver| format!("{}=110deg", driver.name));
+    let example = scene
+        .drivers
+        .first()
+        .map_or("time=0.1s".to_owned(), |driver| {
+            format!("{}=110deg", driver.name)
+        });
     let (name, value) = split(text, "--at", &example)?;
     let failed = |failure: Failure| failure.place(format!("--at {text}"));
     if name == "time" {
         return quantity(value, &TIME).map(Place::Time).map_err(failed);
     }
     if let Some(index) = scene.drivers.iter().position(|driver| driver.name == name) {
-        return quantity(value, &scene.drivers[index]).map(|value| Place::Driver(index, value)).map_err(failed);
+        return quantity(value, &scene.drivers[index])
+            .map(|value| Place::Driver(index, value))
+            .map_err(failed);
     }
     let mut names: Vec<_> = scene.drivers.iter().map(|driver| driver.name).collect();
     names.push("time");
-    Err(Failure::request(format!("--at takes the driver or the time, not `{name}`"))
-        .place(format!("--at {text}"))
-        .remedy(format!("{}\nfor example: --at {example}", suggestion(name, &names))))
+    Err(
+        Failure::request(format!("--at takes the driver or the time, not `{name}`"))
+            .place(format!("--at {text}"))
+            .remedy(format!(
+                "{}\nfor example: --at {example}",
+                suggestion(name, &names)
+            )),
+    )
 }
 
 /// The time as a quantity.
@@ -145,33 +172,58 @@ pub const TIME: Quantity = Quantity {
 };
 
 fn split<'a>(text: &'a str, option: &str, example: &str) -> Result<(&'a str, &'a str), Failure> {
-    let parts = text.split_once('=').map(|(name, value)| (name.trim(), value.trim()));
-    parts.filter(|(name, value)| !name.is_empty() && !value.is_empty()).ok_or_else(|| {
-        Failure::request(format!("{option} takes NAME=VALUE"))
-            .place(format!("{option} {text}"))
-            .remedy(format!("for example: {option} {example}"))
-    })
+    let parts = text
+        .split_once('=')
+        .map(|(name, value)| (name.trim(), value.trim()));
+    parts
+        .filter(|(name, value)| !name.is_empty() && !value.is_empty())
+        .ok_or_else(|| {
+            Failure::request(format!("{option} takes NAME=VALUE"))
+                .place(format!("{option} {text}"))
+                .remedy(format!("for example: {option} {example}"))
+        })
 }
 
-fn unknown_constant(mechanism: &'static Mechanism, scene: &'static SceneEntry, name: &str) -> Failure {
-    let failure = Failure::request(format!("scene `{}` of `{}` has no parameter `{name}`", scene.name, mechanism.name))
-        .place(format!("--set {name}=…"));
+fn unknown_constant(
+    mechanism: &'static Mechanism,
+    scene: &'static SceneEntry,
+    name: &str,
+) -> Failure {
+    let failure = Failure::request(format!(
+        "scene `{}` of `{}` has no parameter `{name}`",
+        scene.name, mechanism.name
+    ))
+    .place(format!("--set {name}=…"));
     if let Some(words) = with_feature(mechanism, name) {
         return failure.remedy(words);
     }
     if scene.drivers.iter().any(|driver| driver.name == name) {
-        return failure.remedy(format!("`{name}` is driven; --at {name}=… prints everything at a position of it"));
+        return failure.remedy(format!(
+            "`{name}` is driven; --at {name}=… prints everything at a position of it"
+        ));
     }
     let elsewhere: Vec<_> = mechanism
         .scenes
         .iter()
-        .filter(|other| other.constants.iter().any(|constant| constant.quantity.name == name))
+        .filter(|other| {
+            other
+                .constants
+                .iter()
+                .any(|constant| constant.quantity.name == name)
+        })
         .map(|other| other.name)
         .collect();
     if !elsewhere.is_empty() {
-        return failure.remedy(format!("it belongs to --scene {}", elsewhere.join(", --scene ")));
+        return failure.remedy(format!(
+            "it belongs to --scene {}",
+            elsewhere.join(", --scene ")
+        ));
     }
-    let names: Vec<_> = scene.constants.iter().map(|constant| constant.quantity.name).collect();
+    let names: Vec<_> = scene
+        .constants
+        .iter()
+        .map(|constant| constant.quantity.name)
+        .collect();
     failure.remedy(suggestion(name, &names))
 }
 
@@ -179,11 +231,17 @@ fn unknown_constant(mechanism: &'static Mechanism, scene: &'static SceneEntry, n
 /// angle is.
 fn quantity(text: &str, quantity: &Quantity) -> Result<f64, Failure> {
     let example = example(quantity);
-    let parsed = crate::unit::parse(text)
-        .map_err(|reason| Failure::request(format!("`{text}` is not a value of `{}`", quantity.name)).reason(reason).remedy(format!("write it as {example}")))?;
+    let parsed = crate::unit::parse(text).map_err(|reason| {
+        Failure::request(format!("`{text}` is not a value of `{}`", quantity.name))
+            .reason(reason)
+            .remedy(format!("write it as {example}"))
+    })?;
     if !parsed.value.is_finite() {
-        return Err(Failure::request(format!("`{}` must be a finite number, not `{text}`", quantity.name))
-            .remedy(format!("write it as {example}")));
+        return Err(Failure::request(format!(
+            "`{}` must be a finite number, not `{text}`",
+            quantity.name
+        ))
+        .remedy(format!("write it as {example}")));
     }
     if !same(parsed.dimension, quantity.dimension) {
         let what = if parsed.bare {
@@ -191,8 +249,14 @@ fn quantity(text: &str, quantity: &Quantity) -> Result<f64, Failure> {
         } else {
             format!("`{text}` has the wrong unit for `{}`", quantity.name)
         };
-        let expected = if quantity.unit.is_empty() { "a pure number".to_owned() } else { format!("a unit like {}", quantity.unit) };
-        return Err(Failure::request(what).reason(format!("expected {expected}")).remedy(format!("write it as {example}")));
+        let expected = if quantity.unit.is_empty() {
+            "a pure number".to_owned()
+        } else {
+            format!("a unit like {}", quantity.unit)
+        };
+        return Err(Failure::request(what)
+            .reason(format!("expected {expected}"))
+            .remedy(format!("write it as {example}")));
     }
     Ok(parsed.value)
 }
@@ -209,14 +273,24 @@ fn example(quantity: &Quantity) -> String {
 }
 
 fn same(a: Dimension, b: Dimension) -> bool {
-    a.iter().zip(&b).all(|(a, b)| i16::from(a.0) * i16::from(b.1) == i16::from(b.0) * i16::from(a.1))
+    a.iter()
+        .zip(&b)
+        .all(|(a, b)| i16::from(a.0) * i16::from(b.1) == i16::from(b.0) * i16::from(a.1))
 }
 
 /// Whether a constant may take a value: its declared range, and masses, lengths and speeds stay above zero where the
 /// file has them above zero.
 fn permitted(constant: &Constant, value: f64) -> Result<(), Failure> {
     let quantity = &constant.quantity;
-    let show = |value: f64| format!("{} {}", number::short(value / quantity.factor), quantity.unit).trim_end().to_owned();
+    let show = |value: f64| {
+        format!(
+            "{} {}",
+            number::short(value / quantity.factor),
+            quantity.unit
+        )
+        .trim_end()
+        .to_owned()
+    };
     let (low, high) = constant.range;
     if value < low || value > high {
         let range = match (low.is_finite(), high.is_finite()) {
@@ -224,16 +298,23 @@ fn permitted(constant: &Constant, value: f64) -> Result<(), Failure> {
             (true, false) => format!("{} or more", show(low)),
             _ => format!("{} or less", show(high)),
         };
-        return Err(Failure::request(format!("`{}` cannot be {}", quantity.name, show(value)))
-            .reason(format!("the file permits {range}"))
-            .remedy(format!("give a value {range}")));
+        return Err(
+            Failure::request(format!("`{}` cannot be {}", quantity.name, show(value)))
+                .reason(format!("the file permits {range}"))
+                .remedy(format!("give a value {range}")),
+        );
     }
     if value <= 0.0 && constant.default > 0.0 {
         let kind = kind(quantity.dimension, constant.is_dimension);
         if let Some(kind) = kind {
-            return Err(Failure::request(format!("`{}` cannot be {}", quantity.name, show(value)))
-                .reason(format!("{kind} is positive"))
-                .remedy(format!("give a value above zero; the default is {}", show(constant.default))));
+            return Err(
+                Failure::request(format!("`{}` cannot be {}", quantity.name, show(value)))
+                    .reason(format!("{kind} is positive"))
+                    .remedy(format!(
+                        "give a value above zero; the default is {}",
+                        show(constant.default)
+                    )),
+            );
         }
     }
     Ok(())
@@ -241,7 +322,10 @@ fn permitted(constant: &Constant, value: f64) -> Result<(), Failure> {
 
 /// What a quantity is that cannot be zero or negative.
 fn kind(dimension: Dimension, is_dimension: bool) -> Option<&'static str> {
-    let exponents: Vec<_> = dimension.iter().map(|(up, down)| f64::from(*up) / f64::from((*down).max(1))).collect();
+    let exponents: Vec<_> = dimension
+        .iter()
+        .map(|(up, down)| f64::from(*up) / f64::from((*down).max(1)))
+        .collect();
     match exponents[..3] {
         [0.0, 1.0, 0.0] => Some("a mass"),
         [2.0, 1.0, 0.0] => Some("a moment of inertia"),
@@ -256,7 +340,9 @@ fn kind(dimension: Dimension, is_dimension: bool) -> Option<&'static str> {
 /// # Errors
 /// When it is no number or out of range.
 pub fn rtol(text: Option<&str>) -> Result<f64, Failure> {
-    let Some(text) = text else { return Ok(DEFAULT_RTOL) };
+    let Some(text) = text else {
+        return Ok(DEFAULT_RTOL);
+    };
     let range = format!("from {:e} to {:e}", RTOL.0, RTOL.1);
     let remedy = format!("give a number {range}; the default is {DEFAULT_RTOL:e}");
     let refuse = |reason: String| {
@@ -265,7 +351,10 @@ pub fn rtol(text: Option<&str>) -> Result<f64, Failure> {
             .reason(reason)
             .remedy(remedy.clone())
     };
-    let value: f64 = text.trim().parse().map_err(|_| refuse(format!("`{text}` is not a number")))?;
+    let value: f64 = text
+        .trim()
+        .parse()
+        .map_err(|_| refuse(format!("`{text}` is not a number")))?;
     if (RTOL.0..=RTOL.1).contains(&value) {
         return Ok(value);
     }
@@ -281,7 +370,9 @@ pub fn rtol(text: Option<&str>) -> Result<f64, Failure> {
 /// # Errors
 /// When there is none of this name; the nearest name is offered.
 pub fn method(text: Option<&str>) -> Result<Method, Failure> {
-    let Some(text) = text else { return Ok(METHODS[0].1) };
+    let Some(text) = text else {
+        return Ok(METHODS[0].1);
+    };
     if let Some((_, method)) = METHODS.iter().find(|(name, _)| *name == text) {
         return Ok(*method);
     }
@@ -290,12 +381,17 @@ pub fn method(text: Option<&str>) -> Result<Method, Failure> {
         Some(name) => format!("did you mean `{name}`?"),
         None => format!("there are: {}", names.join(", ")),
     };
-    Err(Failure::request(format!("there is no method `{text}`")).place(format!("--method {text}")).remedy(remedy))
+    Err(Failure::request(format!("there is no method `{text}`"))
+        .place(format!("--method {text}"))
+        .remedy(remedy))
 }
 
 /// Name of a method.
 pub fn method_name(method: Method) -> &'static str {
-    METHODS.iter().find(|(_, known)| *known == method).map_or("unknown", |(name, _)| name)
+    METHODS
+        .iter()
+        .find(|(_, known)| *known == method)
+        .map_or("unknown", |(name, _)| name)
 }
 
 #[cfg(test)]
@@ -306,7 +402,11 @@ mod tests {
     fn tolerances_have_a_range() {
         assert_eq!(rtol(Some("1e-9")), Ok(1e-9));
         for wrong in ["0", "-1", "nan", "inf", "1e-20", "1", "ten"] {
-            assert_eq!(rtol(Some(wrong)).map_err(|failure| failure.code()), Err(2), "{wrong}");
+            assert_eq!(
+                rtol(Some(wrong)).map_err(|failure| failure.code()),
+                Err(2),
+                "{wrong}"
+            );
         }
     }
 
@@ -314,7 +414,11 @@ mod tests {
     fn methods_are_found_and_offered() {
         assert_eq!(method(Some("tsit5")), Ok(Method::Tsit5));
         let failure = method(Some("tsit")).expect_err("no such method");
-        assert!(failure.render(crate::style::Style::PLAIN).contains("did you mean `tsit5`?"));
+        assert!(
+            failure
+                .render(crate::style::Style::PLAIN)
+                .contains("did you mean `tsit5`?")
+        );
     }
 
     #[test]

@@ -83,12 +83,23 @@ fn per_second(unit: &str) -> String {
 /// variable is left out.
 pub fn of_scene(scene: &SceneEntry) -> Vec<Variable> {
     let states = scene.states.iter().enumerate();
-    let mut list: Vec<_> = states.clone().map(|(index, state)| Variable::new(state, Origin::State(index))).collect();
+    let mut list: Vec<_> = states
+        .clone()
+        .map(|(index, state)| Variable::new(state, Origin::State(index)))
+        .collect();
     list.extend(states.filter_map(|(index, state)| Variable::acceleration(state, index)));
     for (index, output) in scene.outputs.iter().enumerate() {
-        match list.iter_mut().find(|variable| variable.name == output.name) {
+        match list
+            .iter_mut()
+            .find(|variable| variable.name == output.name)
+        {
             // Declared by hand: its unit and words are preferred, its value is the same.
-            Some(same) => *same = Variable { origin: same.origin, ..Variable::new(output, same.origin) },
+            Some(same) => {
+                *same = Variable {
+                    origin: same.origin,
+                    ..Variable::new(output, same.origin)
+                }
+            }
             None => list.push(Variable::new(output, Origin::Output(index))),
         }
     }
@@ -98,7 +109,10 @@ pub fn of_scene(scene: &SceneEntry) -> Vec<Variable> {
 /// The values of all variables at one instant, SI units.
 pub fn evaluate(variables: &[Variable], run: &dyn Run, time: f64, state: &[f64]) -> Vec<f64> {
     let outputs = run.outputs(time, state);
-    let rates = if variables.iter().any(|variable| matches!(variable.origin, Origin::Rate(_))) {
+    let rates = if variables
+        .iter()
+        .any(|variable| matches!(variable.origin, Origin::Rate(_)))
+    {
         run.rates(time, state)
     } else {
         Vec::new()
@@ -108,7 +122,10 @@ pub fn evaluate(variables: &[Variable], run: &dyn Run, time: f64, state: &[f64])
         Origin::Rate(index) => rates.get(index),
         Origin::Output(index) => outputs.get(index),
     };
-    variables.iter().map(|variable| value(variable).copied().unwrap_or(f64::NAN)).collect()
+    variables
+        .iter()
+        .map(|variable| value(variable).copied().unwrap_or(f64::NAN))
+        .collect()
 }
 
 #[cfg(test)]
@@ -128,9 +145,18 @@ mod tests {
         let mut dimension = [(0, 1); 7];
         dimension[0] = (1, 1);
         dimension[2] = (-1, 1);
-        let speed = Quantity { name: "dot(x3)", summary: "", unit: "m/s", factor: 1.0, dimension };
+        let speed = Quantity {
+            name: "dot(x3)",
+            summary: "",
+            unit: "m/s",
+            factor: 1.0,
+            dimension,
+        };
         let variable = Variable::acceleration(&speed, 4).expect("a speed");
-        assert_eq!((variable.name.as_str(), variable.unit.as_str()), ("ddot(x3)", "m/s^2"));
+        assert_eq!(
+            (variable.name.as_str(), variable.unit.as_str()),
+            ("ddot(x3)", "m/s^2")
+        );
         assert_eq!(variable.dimension[2], (-2, 1));
         assert!(Variable::acceleration(&Quantity { name: "i", ..speed }, 0).is_none());
     }

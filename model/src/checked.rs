@@ -102,6 +102,8 @@ pub struct SceneModel {
     pub span: SpanKind,
     /// Whether energy is conserved: energies are stated, nothing dissipates, and nothing depends on the time.
     pub conservative: bool,
+    /// Places that plots show.
+    pub marks: Vec<MarkInfo>,
     /// Published facts.
     pub expectations: Vec<ExpectInfo>,
     /// The operations.
@@ -169,6 +171,15 @@ pub enum SpanKind {
     Run,
     /// None stated.
     Open,
+}
+
+/// A place that plots show.
+#[derive(Clone, Debug)]
+pub struct MarkInfo {
+    /// What is there.
+    pub text: String,
+    /// A time, or a position of a driver.
+    pub at: ExpectPlace,
 }
 
 /// A published fact.

@@ -2,7 +2,9 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use crate::checked::{ConstantInfo, EquationInfo, QuantityInfo, RequirementInfo, SceneModel, SpanKind};
+use crate::checked::{
+    ConstantInfo, EquationInfo, QuantityInfo, RequirementInfo, SceneModel, SpanKind,
+};
 use crate::declare::{per_second, quantity};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Symbol};
@@ -49,7 +51,11 @@ pub struct Seen {
 }
 
 /// Compiles one scene. Mistakes go to `diagnostics`, and then there is no model.
-pub fn scene(task: &Task<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> Option<SceneModel> {
+pub fn scene(
+    task: &Task<'_>,
+    seen: &mut Seen,
+    diagnostics: &mut Diagnostics,
+) -> Option<SceneModel> {
     let before = diagnostics.error_count();
     let statements = specialise(task.file, task.survey, task.selected, diagnostics);
     let mut names = Names::of(&statements, diagnostics);
@@ -82,11 +88,18 @@ pub fn scene(task: &Task<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) ->
 
     // Abbreviations in the order of the file, used or not, so that each mistake is found.
     for statement in &statements {
-        if let StatementKind::Let { target, arguments: None, .. } = &statement.kind
+        if let StatementKind::Let {
+            target,
+            arguments: None,
+            ..
+        } = &statement.kind
             && let Some(name) = crate::unroll::target_name(target, low.diagnostics)
         {
             let used = low.used.contains(&name.text);
-            low.term(&Term { span: name.span, kind: crate::syntax::tree::TermKind::Name(name.text.clone()) });
+            low.term(&Term {
+                span: name.span,
+                kind: crate::syntax::tree::TermKind::Name(name.text.clone()),
+            });
             if !used {
                 low.used.remove(&name.text);
             }
@@ -100,28 +113,49 @@ pub fn scene(task: &Task<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) ->
     let equations = parts.equations(&mut low, &names);
     let unknowns = unknown_names(&names);
     let given = state_symbols(&names);
-    let scene_name = task.scene.map_or("(no scene)", |(scene, _)| scene.name.text.as_str());
+    let scene_name = task
+        .scene
+        .map_or("(no scene)", |(scene, _)| scene.name.text.as_str());
     let solved = if low.diagnostics.error_count() == before {
-        motion::solve(&mut low.graph, &equations, &unknowns, &given, scene_name, low.diagnostics)
+        motion::solve(
+            &mut low.graph,
+            &equations,
+            &unknowns,
+            &given,
+            scene_name,
+            low.diagnostics,
+        )
     } else {
         None
     };
 
     let outputs = facts::outputs(&mut low, &names.outputs[reported]);
     let span = facts::task(&mut low, task.scene.map(|(scene, _)| scene));
-    let start = facts::start(&mut low, &names, task.scene.map(|(scene, _)| scene), span.kind == SpanKind::Run);
+    let start = facts::start(
+        &mut low,
+        &names,
+        task.scene.map(|(scene, _)| scene),
+        span.kind == SpanKind::Run,
+    );
 
     for (name, entry) in &names.table {
-        if matches!(entry.role, Role::Constant(_) | Role::Let(_) | Role::Function(..)) {
+        if matches!(
+            entry.role,
+            Role::Constant(_) | Role::Let(_) | Role::Function(..)
+        ) {
             seen.declared.push((name.clone(), entry.span));
         }
         if let Role::Constant(index) = entry.role {
-            seen.constants.insert(name.clone(), (low.kind_of(Symbol::Parameter(index)), entry.span));
+            seen.constants.insert(
+                name.clone(),
+                (low.kind_of(Symbol::Parameter(index)), entry.span),
+            );
         }
     }
     // An output that names its own value is used by being reported.
     let reported_names = names.outputs.iter().map(|output| output.name.text.clone());
-    seen.used.extend(low.used.iter().cloned().chain(reported_names));
+    seen.used
+        .extend(low.used.iter().cloned().chain(reported_names));
 
     if low.diagnostics.error_count() > before {
         return None;
@@ -134,7 +168,9 @@ pub fn scene(task: &Task<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) ->
         summary: summary(scene.text.as_deref(), documentation),
         effects: task.selected.effects.iter().cloned().collect(),
         choices: task.selected.choices.clone().into_iter().collect(),
-        preset: preset.as_ref().map_or(String::new(), |(name, _)| name.clone()),
+        preset: preset
+            .as_ref()
+            .map_or(String::new(), |(name, _)| name.clone()),
         constants: Vec::new(),
         drivers: driver_quantities(&low, &names),
         states: state_quantities(&names, &units),
@@ -145,14 +181,21 @@ pub fn scene(task: &Task<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) ->
         requirements: parts.requirements,
         span: span.kind,
         conservative: false,
+        marks: facts::marks(&mut low, &statements),
         expectations: Vec::new(),
         program: program::Program::default(),
     };
-    model.scales = model.states.iter().map(|state| SCALE * state.factor).collect();
+    model.scales = model
+        .states
+        .iter()
+        .map(|state| SCALE * state.factor)
+        .collect();
     model.conservative = conservative(&mut low, &parts.energies, &equations);
 
     let mut request = Request {
-        derivative: (0..coordinates as u32).map(|index| low.graph.symbol(Symbol::Speed(index))).collect(),
+        derivative: (0..coordinates as u32)
+            .map(|index| low.graph.symbol(Symbol::Speed(index)))
+            .collect(),
         outputs: outputs.values,
         drivers: positions.iter().flatten().copied().collect(),
         mass: solved.mass.clone(),
@@ -163,15 +206,20 @@ pub fn scene(task: &Task<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) ->
         states: 2 * coordinates + names.states.len(),
         ..Request::default()
     };
-    let highest: Vec<_> =
-        (0..solved.derivatives.len() as u32).map(|index| low.graph.symbol(Symbol::Acceleration(index))).collect();
+    let highest: Vec<_> = (0..solved.derivatives.len() as u32)
+        .map(|index| low.graph.symbol(Symbol::Acceleration(index)))
+        .collect();
     request.derivative.extend(highest);
     request.jacobian = jacobian(&mut low, coordinates, &solved);
     for (index, value) in solved.derivatives.iter().enumerate() {
-        request.bindings.insert(Symbol::Acceleration(index as u32), *value);
+        request
+            .bindings
+            .insert(Symbol::Acceleration(index as u32), *value);
     }
     for (index, value) in positions.iter().enumerate() {
-        request.bindings.extend(value.map(|value| (Symbol::Driver(index as u32), value)));
+        request
+            .bindings
+            .extend(value.map(|value| (Symbol::Driver(index as u32), value)));
     }
     for (index, symbol) in given.iter().enumerate() {
         request.inputs.insert(*symbol, Input::State(index as u32));
@@ -179,10 +227,15 @@ pub fn scene(task: &Task<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) ->
     request.inputs.insert(Symbol::Time, Input::Time);
     let kept = kept_constants(&low, &request);
     for (new, old) in kept.iter().enumerate() {
-        request.inputs.insert(Symbol::Parameter(*old as u32), Input::Parameter(new as u32));
+        request
+            .inputs
+            .insert(Symbol::Parameter(*old as u32), Input::Parameter(new as u32));
         if let Some(info) = &constants[*old] {
             let mut info = info.clone();
-            let fixed = preset.iter().flat_map(|(_, values)| values).find(|(name, _)| *name == info.quantity.name);
+            let fixed = preset
+                .iter()
+                .flat_map(|(_, values)| values)
+                .find(|(name, _)| *name == info.quantity.name);
             if let Some((_, value)) = fixed {
                 info.default = *value;
             }
@@ -191,7 +244,11 @@ pub fn scene(task: &Task<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) ->
     }
     request.parameters = kept.len();
     for requirement in &mut model.requirements {
-        requirement.names = requirement.names.iter().filter_map(|old| kept.iter().position(|one| one == old)).collect();
+        requirement.names = requirement
+            .names
+            .iter()
+            .filter_map(|old| kept.iter().position(|one| one == old))
+            .collect();
     }
     model.expectations = facts::expectations(&mut low, task, &model);
     if low.diagnostics.error_count() > before {
@@ -216,19 +273,31 @@ impl Parts {
     fn read(&mut self, statement: &Statement, low: &mut Lowering<'_>) {
         let span = statement.span;
         match &statement.kind {
-            StatementKind::Energy { kind, value } => self.energy(*kind, value, span, statement, low),
+            StatementKind::Energy { kind, value } => {
+                self.energy(*kind, value, span, statement, low)
+            }
             StatementKind::Force { value, on } => self.force(value, on, statement, low),
             StatementKind::Motion { label, left, right } => {
-                let name = label.as_ref().map_or_else(|| format!("{} = {}", print::term(left), print::term(right)), |label| label.text.clone());
+                let name = label.as_ref().map_or_else(
+                    || format!("{} = {}", print::term(left), print::term(right)),
+                    |label| label.text.clone(),
+                );
                 if let Some((residuals, kind)) = low.balance(left, right) {
                     for residual in residuals {
-                        self.written.push(Equation { residual, name: name.clone(), span, lagrange: None });
+                        self.written.push(Equation {
+                            residual,
+                            name: name.clone(),
+                            span,
+                            lagrange: None,
+                        });
                     }
                     self.text(statement, kind);
                 }
             }
             StatementKind::Require { condition, text } => {
-                let Some(value) = low.condition(condition) else { return };
+                let Some(value) = low.condition(condition) else {
+                    return;
+                };
                 let moving = |symbol| !matches!(symbol, Symbol::Parameter(_));
                 if low.graph.depends_on(value, moving) {
                     low.diagnostics.push(
@@ -238,7 +307,10 @@ impl Parts {
                     return;
                 }
                 let names = (0..low.names.constants.len())
-                    .filter(|index| low.graph.depends_on(value, |symbol| symbol == Symbol::Parameter(*index as u32)))
+                    .filter(|index| {
+                        low.graph
+                            .depends_on(value, |symbol| symbol == Symbol::Parameter(*index as u32))
+                    })
                     .collect();
                 self.conditions.push(value);
                 self.requirements.push(RequirementInfo {
@@ -253,11 +325,24 @@ impl Parts {
 
     fn text(&mut self, statement: &Statement, kind: Kind) {
         let unit = Unit::for_dimension(&kind.dimension()).symbol;
-        self.texts.push(EquationInfo { text: print::statement(statement), unit, span: statement.span });
+        self.texts.push(EquationInfo {
+            text: print::statement(statement),
+            unit,
+            span: statement.span,
+        });
     }
 
-    fn energy(&mut self, kind: EnergyKind, value: &Term, span: Span, statement: &Statement, low: &mut Lowering<'_>) {
-        let Some((expression, found)) = low.scalar(value) else { return };
+    fn energy(
+        &mut self,
+        kind: EnergyKind,
+        value: &Term,
+        span: Span,
+        statement: &Statement,
+        low: &mut Lowering<'_>,
+    ) {
+        let Some((expression, found)) = low.scalar(value) else {
+            return;
+        };
         let joule = crate::unit::parse_unit_text("J").map(|unit| unit.dimension);
         let Ok(mut expected) = joule else { return };
         let word = if kind == EnergyKind::Dissipation {
@@ -270,7 +355,11 @@ impl Parts {
         };
         // A coordinate may have any unit, but an energy is an energy.
         if agree(found, Kind::Of(expected)).is_none() {
-            let message = format!("{word} ({}), and this is {}", Unit::for_dimension(&expected).symbol, describe(found.dimension()));
+            let message = format!(
+                "{word} ({}), and this is {}",
+                Unit::for_dimension(&expected).symbol,
+                describe(found.dimension())
+            );
             low.diagnostics.push(Diagnostic::error(value.span, message));
             return;
         }
@@ -288,11 +377,30 @@ impl Parts {
         let (force, position) = (low.term(value), low.term(on));
         let (forces, positions, p, q) = match (force, position) {
             (Typed::Wrong, _) | (_, Typed::Wrong) => return,
-            (Typed::Scalar { value: f, kind: p, .. }, Typed::Scalar { value: x, kind: q, .. }) => (vec![f], vec![x], p, q),
-            (Typed::Vector { values: f, kind: p, .. }, Typed::Vector { values: x, kind: q, .. }) if f.len() == x.len() => (f, x, p, q),
+            (
+                Typed::Scalar {
+                    value: f, kind: p, ..
+                },
+                Typed::Scalar {
+                    value: x, kind: q, ..
+                },
+            ) => (vec![f], vec![x], p, q),
+            (
+                Typed::Vector {
+                    values: f, kind: p, ..
+                },
+                Typed::Vector {
+                    values: x, kind: q, ..
+                },
+            ) if f.len() == x.len() => (f, x, p, q),
             (a, b) => {
-                let message = format!("the force is {} and its position is {}", a.describe(), b.describe());
-                low.diagnostics.push(Diagnostic::error(statement.span, message));
+                let message = format!(
+                    "the force is {} and its position is {}",
+                    a.describe(),
+                    b.describe()
+                );
+                low.diagnostics
+                    .push(Diagnostic::error(statement.span, message));
                 return;
             }
         };
@@ -301,11 +409,17 @@ impl Parts {
         if let (Some(work), Ok(joule)) = (work, joule)
             && agree(work, Kind::Of(joule)).is_none()
         {
-            let message = format!("a force times its position has to be an energy (J), and this is {}", describe(work.dimension()));
-            low.diagnostics.push(Diagnostic::error(statement.span, message));
+            let message = format!(
+                "a force times its position has to be an energy (J), and this is {}",
+                describe(work.dimension())
+            );
+            low.diagnostics
+                .push(Diagnostic::error(statement.span, message));
             return;
         }
-        self.energies.forces.extend(forces.into_iter().zip(positions));
+        self.energies
+            .forces
+            .extend(forces.into_iter().zip(positions));
         self.energy_places.push(statement.span);
         self.text(statement, p);
     }
@@ -313,26 +427,49 @@ impl Parts {
     /// All equations: those written, and Lagrange's for the coordinates that occur in energies.
     fn equations(&mut self, low: &mut Lowering<'_>, names: &Names) -> Vec<Equation> {
         let mut equations = std::mem::take(&mut self.written);
-        let Some(place) = self.energy_places.first().copied() else { return equations };
-        let Some(direction) = low.direction(place) else { return equations };
+        let Some(place) = self.energy_places.first().copied() else {
+            return equations;
+        };
+        let Some(direction) = low.direction(place) else {
+            return equations;
+        };
         let concerned: Vec<u32> = (0..names.coordinates.len() as u32)
             .filter(|coordinate| self.energies.concern(&low.graph, *coordinate))
             .collect();
         let rates = std::mem::take(&mut low.rates);
-        let residuals =
-            lagrange::residuals(&mut low.graph, &self.energies, &concerned, &direction, &|e| rates.contains(&e));
+        let residuals = lagrange::residuals(
+            &mut low.graph,
+            &self.energies,
+            &concerned,
+            &direction,
+            &|e| rates.contains(&e),
+        );
         low.rates = rates;
         for (coordinate, residual) in concerned.into_iter().zip(residuals) {
-            let name = format!("Lagrange's equation of {}", names.coordinates[coordinate as usize].name.text);
-            equations.push(Equation { residual, name, span: place, lagrange: Some(coordinate as usize) });
+            let name = format!(
+                "Lagrange's equation of {}",
+                names.coordinates[coordinate as usize].name.text
+            );
+            equations.push(Equation {
+                residual,
+                name,
+                span: place,
+                lagrange: Some(coordinate as usize),
+            });
         }
         equations
     }
 }
 
 fn unknown_names(names: &Names) -> Vec<UnknownName> {
-    let second_order = names.coordinates.iter().map(|one| UnknownName { name: format!("ddot({})", one.name.text), span: one.name.span });
-    let first_order = names.states.iter().map(|one| UnknownName { name: format!("dot({})", one.name.text), span: one.name.span });
+    let second_order = names.coordinates.iter().map(|one| UnknownName {
+        name: format!("ddot({})", one.name.text),
+        span: one.name.span,
+    });
+    let first_order = names.states.iter().map(|one| UnknownName {
+        name: format!("dot({})", one.name.text),
+        span: one.name.span,
+    });
     second_order.chain(first_order).collect()
 }
 
@@ -340,13 +477,22 @@ fn unknown_names(names: &Names) -> Vec<UnknownName> {
 fn state_symbols(names: &Names) -> Vec<Symbol> {
     let coordinates = names.coordinates.len() as u32;
     let speeds = (0..coordinates).map(Symbol::Speed);
-    (0..coordinates).map(Symbol::Coordinate).chain(speeds).chain((0..names.states.len() as u32).map(Symbol::State)).collect()
+    (0..coordinates)
+        .map(Symbol::Coordinate)
+        .chain(speeds)
+        .chain((0..names.states.len() as u32).map(Symbol::State))
+        .collect()
 }
 
 fn driver_quantities(low: &Lowering<'_>, names: &Names) -> Vec<QuantityInfo> {
     let one = |(index, driver): (usize, &crate::resolve::Declared<_>)| {
         let unit = low.unit_of(Symbol::Driver(index as u32))?;
-        Some(quantity(&driver.name.text, &driver.summary, &unit.dimension, &unit))
+        Some(quantity(
+            &driver.name.text,
+            &driver.summary,
+            &unit.dimension,
+            &unit,
+        ))
     };
     names.drivers.iter().enumerate().filter_map(one).collect()
 }
@@ -355,23 +501,54 @@ fn state_quantities(names: &Names, units: &[Option<Unit>]) -> Vec<QuantityInfo> 
     let coordinates = names.coordinates.len();
     let mut quantities = Vec::new();
     for (declared, unit) in names.coordinates.iter().zip(units) {
-        quantities.extend(unit.as_ref().map(|unit| quantity(&declared.name.text, &declared.summary, &unit.dimension, unit)));
+        quantities.extend(unit.as_ref().map(|unit| {
+            quantity(
+                &declared.name.text,
+                &declared.summary,
+                &unit.dimension,
+                unit,
+            )
+        }));
     }
     for (declared, unit) in names.coordinates.iter().zip(units) {
         let speed = unit.as_ref().and_then(per_second);
-        quantities.extend(speed.map(|unit| quantity(&format!("dot({})", declared.name.text), "", &unit.dimension, &unit)));
+        quantities.extend(speed.map(|unit| {
+            quantity(
+                &format!("dot({})", declared.name.text),
+                "",
+                &unit.dimension,
+                &unit,
+            )
+        }));
     }
     for (declared, unit) in names.states.iter().zip(&units[coordinates..]) {
-        quantities.extend(unit.as_ref().map(|unit| quantity(&declared.name.text, &declared.summary, &unit.dimension, unit)));
+        quantities.extend(unit.as_ref().map(|unit| {
+            quantity(
+                &declared.name.text,
+                &declared.summary,
+                &unit.dimension,
+                unit,
+            )
+        }));
     }
     quantities
 }
 
-fn jacobian(low: &mut Lowering<'_>, coordinates: usize, solved: &Solved) -> Vec<(u32, u32, Expression)> {
+fn jacobian(
+    low: &mut Lowering<'_>,
+    coordinates: usize,
+    solved: &Solved,
+) -> Vec<(u32, u32, Expression)> {
     let one = low.graph.one();
-    let mut entries: Vec<_> =
-        (0..coordinates).map(|index| (index as u32, (coordinates + index) as u32, one)).collect();
-    entries.extend(solved.partials.iter().map(|(row, column, value)| ((coordinates + row) as u32, *column as u32, *value)));
+    let mut entries: Vec<_> = (0..coordinates)
+        .map(|index| (index as u32, (coordinates + index) as u32, one))
+        .collect();
+    entries.extend(
+        solved
+            .partials
+            .iter()
+            .map(|(row, column, value)| ((coordinates + row) as u32, *column as u32, *value)),
+    );
     entries
 }
 
@@ -379,15 +556,24 @@ fn energy(low: &mut Lowering<'_>, energies: &Energies) -> Vec<Expression> {
     if energies.kinetic.is_empty() && energies.potential.is_empty() {
         return Vec::new();
     }
-    vec![low.graph.sum(&energies.kinetic), low.graph.sum(&energies.potential)]
+    vec![
+        low.graph.sum(&energies.kinetic),
+        low.graph.sum(&energies.potential),
+    ]
 }
 
 /// Whether the sum of the energies stays constant.
 fn conservative(low: &mut Lowering<'_>, energies: &Energies, equations: &[Equation]) -> bool {
-    let stated = !energies.kinetic.is_empty() && energies.dissipation.is_empty() && energies.forces.is_empty();
+    let stated = !energies.kinetic.is_empty()
+        && energies.dissipation.is_empty()
+        && energies.forces.is_empty();
     let derived = equations.iter().all(|equation| equation.lagrange.is_some());
     let driven = |symbol| matches!(symbol, Symbol::Time | Symbol::Driver(_));
-    let fixed = energies.kinetic.iter().chain(&energies.potential).all(|term| !low.graph.depends_on(*term, driven));
+    let fixed = energies
+        .kinetic
+        .iter()
+        .chain(&energies.potential)
+        .all(|term| !low.graph.depends_on(*term, driven));
     stated && derived && fixed
 }
 
@@ -396,12 +582,22 @@ fn kept_constants(low: &Lowering<'_>, request: &Request) -> Vec<usize> {
     let mut all: Vec<Expression> = Vec::new();
     all.extend(&request.derivative);
     all.extend(request.jacobian.iter().map(|entry| entry.2));
-    for list in [&request.outputs, &request.drivers, &request.mass, &request.energy, &request.requirements, &request.span, &request.start] {
+    for list in [
+        &request.outputs,
+        &request.drivers,
+        &request.mass,
+        &request.energy,
+        &request.requirements,
+        &request.span,
+        &request.start,
+    ] {
         all.extend(list);
     }
     all.extend(request.bindings.values());
     let symbols = low.graph.symbols(&all);
-    (0..low.names.constants.len()).filter(|index| symbols.contains(&Symbol::Parameter(*index as u32))).collect()
+    (0..low.names.constants.len())
+        .filter(|index| symbols.contains(&Symbol::Parameter(*index as u32)))
+        .collect()
 }
 
 fn summary(text: Option<&str>, documentation: &[String]) -> String {

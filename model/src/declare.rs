@@ -34,14 +34,19 @@ pub fn per_second(unit: &Unit) -> Option<Unit> {
         symbol if symbol.contains('/') => return Some(Unit::for_dimension(&dimension)),
         symbol => format!("{symbol}/s"),
     };
-    let read = unit::parse_unit_text(&symbol).ok().filter(|read| read.dimension == dimension);
+    let read = unit::parse_unit_text(&symbol)
+        .ok()
+        .filter(|read| read.dimension == dimension);
     Some(read.unwrap_or_else(|| Unit::for_dimension(&dimension)))
 }
 
 /// The first unit that is written in a term.
 fn written_unit(term: &Term, diagnostics: &mut Diagnostics) -> Option<Unit> {
     match &term.kind {
-        TermKind::Number { unit: Some(written), .. } => unit::resolve(written, diagnostics),
+        TermKind::Number {
+            unit: Some(written),
+            ..
+        } => unit::resolve(written, diagnostics),
         TermKind::Unary(_, inner) => written_unit(inner, diagnostics),
         TermKind::Binary(_, left, right) => {
             written_unit(left, diagnostics).or_else(|| written_unit(right, diagnostics))
@@ -56,14 +61,20 @@ impl Lowering<'_> {
         let (value, kind) = self.scalar(term)?;
         if self.graph.depends_on(value, |_| true) {
             self.diagnostics.push(
-                Diagnostic::error(term.span, "a fixed value is expected here, made of numbers alone")
-                    .hint("a value that depends on other values is a `let`"),
+                Diagnostic::error(
+                    term.span,
+                    "a fixed value is expected here, made of numbers alone",
+                )
+                .hint("a value that depends on other values is a `let`"),
             );
             return None;
         }
         let number = self.graph.evaluate(&[value], &|_| f64::NAN)[0];
         if !number.is_finite() {
-            self.diagnostics.push(Diagnostic::error(term.span, format!("the value of this is {number}")));
+            self.diagnostics.push(Diagnostic::error(
+                term.span,
+                format!("the value of this is {number}"),
+            ));
             return None;
         }
         Some((number, kind))
@@ -73,8 +84,11 @@ impl Lowering<'_> {
     pub fn fixed_of(&mut self, term: &Term, kind: Kind, what: &str) -> Option<f64> {
         let (value, found) = self.fixed(term)?;
         if agree(found, kind).is_none() {
-            let message =
-                format!("{what} is {}, and this is {}", describe(kind.dimension()), describe(found.dimension()));
+            let message = format!(
+                "{what} is {}, and this is {}",
+                describe(kind.dimension()),
+                describe(found.dimension())
+            );
             self.diagnostics.push(Diagnostic::error(term.span, message));
             return None;
         }
@@ -86,15 +100,27 @@ impl Lowering<'_> {
         let constant = &declared.what;
         let Some(value) = &constant.value else {
             self.diagnostics.push(
-                Diagnostic::error(declared.name.span, format!("`{}` has no value", declared.name.text))
-                    .hint("give it a default with its unit, as in `= 75 mm`"),
+                Diagnostic::error(
+                    declared.name.span,
+                    format!("`{}` has no value", declared.name.text),
+                )
+                .hint("give it a default with its unit, as in `= 75 mm`"),
             );
             return None;
         };
         if !self.is_made_of_numbers(value) {
             self.diagnostics.push(
-                Diagnostic::error(value.span, format!("the value of `{}` is not made of numbers alone", declared.name.text))
-                    .hint(format!("a value that follows from others is a `let {} = …;`", declared.name.text)),
+                Diagnostic::error(
+                    value.span,
+                    format!(
+                        "the value of `{}` is not made of numbers alone",
+                        declared.name.text
+                    ),
+                )
+                .hint(format!(
+                    "a value that follows from others is a `let {} = …;`",
+                    declared.name.text
+                )),
             );
             return None;
         }
@@ -114,17 +140,24 @@ impl Lowering<'_> {
         if let Some(tolerance) = &constant.tolerance {
             info.tolerance = self.fixed_of(&tolerance.half_width, kind, "the toleranced size")?;
             if info.tolerance < 0.0 {
-                self.diagnostics.push(Diagnostic::error(tolerance.half_width.span, "a tolerance cannot be negative"));
+                self.diagnostics.push(Diagnostic::error(
+                    tolerance.half_width.span,
+                    "a tolerance cannot be negative",
+                ));
                 return None;
             }
         }
         if let Some((low, high)) = &constant.range {
-            info.range = (self.fixed_of(low, kind, "the bounded value")?, self.fixed_of(high, kind, "the bounded value")?);
+            info.range = (
+                self.fixed_of(low, kind, "the bounded value")?,
+                self.fixed_of(high, kind, "the bounded value")?,
+            );
             let (low_value, high_value) = info.range;
             if low_value >= high_value {
-                self.diagnostics.push(
-                    Diagnostic::error(low.span.to(high.span), "the range is empty: its lower end is not below its upper end"),
-                );
+                self.diagnostics.push(Diagnostic::error(
+                    low.span.to(high.span),
+                    "the range is empty: its lower end is not below its upper end",
+                ));
                 return None;
             }
             if !(low_value..=high_value).contains(&default) {
@@ -143,8 +176,12 @@ impl Lowering<'_> {
             TermKind::Number { .. } => true,
             TermKind::Name(name) => name == "pi",
             TermKind::Unary(_, inner) => self.is_made_of_numbers(inner),
-            TermKind::Binary(_, left, right) => self.is_made_of_numbers(left) && self.is_made_of_numbers(right),
-            TermKind::Call { arguments, .. } => arguments.iter().all(|one| self.is_made_of_numbers(one)),
+            TermKind::Binary(_, left, right) => {
+                self.is_made_of_numbers(left) && self.is_made_of_numbers(right)
+            }
+            TermKind::Call { arguments, .. } => {
+                arguments.iter().all(|one| self.is_made_of_numbers(one))
+            }
             _ => false,
         }
     }
@@ -161,12 +198,35 @@ impl Lowering<'_> {
         let mut positions = Vec::new();
         for (index, driver) in names.drivers.iter().enumerate() {
             let symbol = Symbol::Driver(index as u32);
+            let bounds = driver
+                .what
+                .range
+                .as_ref()
+                .map(|(low, high)| low.span.to(high.span));
+            if let Some(place) = bounds.or(driver
+                .what
+                .tolerance
+                .as_ref()
+                .map(|one| one.half_width.span))
+            {
+                let message = "the range and the tolerance of a driver are not available in this version of Assur";
+                self.diagnostics.push(Diagnostic::error(place, message));
+            }
             let position = match &driver.what.position {
                 Some(term) => self.scalar(term).map(|found| (found, term.span)),
                 None => {
                     self.diagnostics.push(
-                        Diagnostic::error(driver.name.span, format!("the motion of the driver `{}` is not stated", driver.name.text))
-                            .hint(format!("say how it moves, as in `driver {} = n*time;`", driver.name.text)),
+                        Diagnostic::error(
+                            driver.name.span,
+                            format!(
+                                "the motion of the driver `{}` is not stated",
+                                driver.name.text
+                            ),
+                        )
+                        .hint(format!(
+                            "say how it moves, as in `driver {} = n*time;`",
+                            driver.name.text
+                        )),
                     );
                     None
                 }
@@ -204,29 +264,58 @@ impl Lowering<'_> {
         let (a, b) = (self.term(left), self.term(right));
         match (a, b) {
             (Typed::Wrong, _) | (_, Typed::Wrong) => None,
-            (Typed::Scalar { value: x, kind: p, .. }, Typed::Scalar { value: y, kind: q, .. }) => match agree(p, q) {
+            (
+                Typed::Scalar {
+                    value: x, kind: p, ..
+                },
+                Typed::Scalar {
+                    value: y, kind: q, ..
+                },
+            ) => match agree(p, q) {
                 Some(kind) => Some((vec![self.graph.sub(x, y)], kind)),
                 None => {
-                    let report =
-                        crate::homogeneity::disagreement("the two sides of the equation are", (left.span, p), (right.span, q));
+                    let report = crate::homogeneity::disagreement(
+                        "the two sides of the equation are",
+                        (left.span, p),
+                        (right.span, q),
+                    );
                     self.diagnostics.push(report);
                     None
                 }
             },
-            (Typed::Vector { values: x, kind: p, .. }, Typed::Vector { values: y, kind: q, .. }) if x.len() == y.len() => {
-                match agree(p, q) {
-                    Some(kind) => Some((x.iter().zip(&y).map(|(x, y)| self.graph.sub(*x, *y)).collect(), kind)),
-                    None => {
-                        let report =
-                            crate::homogeneity::disagreement("the two sides of the equation are", (left.span, p), (right.span, q));
-                        self.diagnostics.push(report);
-                        None
-                    }
+            (
+                Typed::Vector {
+                    values: x, kind: p, ..
+                },
+                Typed::Vector {
+                    values: y, kind: q, ..
+                },
+            ) if x.len() == y.len() => match agree(p, q) {
+                Some(kind) => Some((
+                    x.iter()
+                        .zip(&y)
+                        .map(|(x, y)| self.graph.sub(*x, *y))
+                        .collect(),
+                    kind,
+                )),
+                None => {
+                    let report = crate::homogeneity::disagreement(
+                        "the two sides of the equation are",
+                        (left.span, p),
+                        (right.span, q),
+                    );
+                    self.diagnostics.push(report);
+                    None
                 }
-            }
+            },
             (a, b) => {
-                let message = format!("the two sides of the equation are {} and {}", a.describe(), b.describe());
-                self.diagnostics.push(Diagnostic::error(left.span.to(right.span), message));
+                let message = format!(
+                    "the two sides of the equation are {} and {}",
+                    a.describe(),
+                    b.describe()
+                );
+                self.diagnostics
+                    .push(Diagnostic::error(left.span.to(right.span), message));
                 None
             }
         }
@@ -237,22 +326,29 @@ impl Lowering<'_> {
         let given = |name: &str| match self.names.table.get(name).map(|entry| &entry.role) {
             Some(crate::resolve::Role::Constant(index)) => self.unit_of(Symbol::Parameter(*index)),
             Some(crate::resolve::Role::Driver(index)) => self.unit_of(Symbol::Driver(*index)),
-            Some(crate::resolve::Role::Coordinate(index)) => self.unit_of(Symbol::Coordinate(*index)),
+            Some(crate::resolve::Role::Coordinate(index)) => {
+                self.unit_of(Symbol::Coordinate(*index))
+            }
             Some(crate::resolve::Role::State(index)) => self.unit_of(Symbol::State(*index)),
             _ => None,
         };
         let natural = match &term.kind {
             TermKind::Name(name) => given(name),
-            TermKind::Call { name, arguments } => match (name.text.as_str(), arguments.as_slice()) {
-                ("dot", [inner]) => {
-                    let (TermKind::Name(_) | TermKind::Call { .. }) = &inner.kind else { return Unit::for_dimension(&kind.dimension()) };
-                    kind_times_second(kind).and_then(|kind| per_second(&self.natural_unit(inner, kind)))
+            TermKind::Call { name, arguments } => {
+                match (name.text.as_str(), arguments.as_slice()) {
+                    ("dot", [inner]) => {
+                        let (TermKind::Name(_) | TermKind::Call { .. }) = &inner.kind else {
+                            return Unit::for_dimension(&kind.dimension());
+                        };
+                        kind_times_second(kind)
+                            .and_then(|kind| per_second(&self.natural_unit(inner, kind)))
+                    }
+                    ("ddot", [inner]) => kind_times_second(kind)
+                        .and_then(kind_times_second)
+                        .and_then(|kind| per_second(&per_second(&self.natural_unit(inner, kind))?)),
+                    _ => None,
                 }
-                ("ddot", [inner]) => kind_times_second(kind)
-                    .and_then(kind_times_second)
-                    .and_then(|kind| per_second(&per_second(&self.natural_unit(inner, kind))?)),
-                _ => None,
-            },
+            }
             _ => None,
         };
         natural

@@ -86,6 +86,14 @@ impl Diagnostics {
             .for_each(|diagnostic| self.push(diagnostic));
     }
 
+    /// Number of errors so far.
+    pub fn error_count(&self) -> usize {
+        self.list
+            .iter()
+            .filter(|diagnostic| diagnostic.severity == Severity::Error)
+            .count()
+    }
+
     /// Whether an error is among them.
     pub fn has_errors(&self) -> bool {
         self.list

@@ -1,6 +1,6 @@
 //! What a scene is asked for: outputs, its task, start values, presets, published facts.
 
-use crate::checked::{ExpectInfo, ExpectPlace, QuantityInfo, SceneModel, SpanKind};
+use crate::checked::{ExpectInfo, ExpectPlace, MarkInfo, QuantityInfo, SceneModel, SpanKind};
 use crate::compile::Task;
 use crate::declare::quantity;
 use crate::diagnostic::Diagnostic;
@@ -10,7 +10,10 @@ use crate::lower::{Kind, Lowering, Typed, second};
 use crate::nearest::nearest;
 use crate::resolve::{Declared, Names, Role};
 use crate::syntax::print;
-use crate::syntax::tree::{Expect, ExpectAt, File, Output, Scene, SceneItem, StatementKind, Term, TermKind};
+use crate::syntax::tree::{
+    Expect, ExpectAt, File, Name, Output, Scene, SceneItem, Statement, StatementKind, Term,
+    TermKind,
+};
 use crate::unit;
 
 /// The reported quantities with their values.
@@ -26,14 +29,21 @@ pub struct Outputs {
 pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs {
     let mut outputs = Outputs::default();
     for output in declared {
-        let own_name = Term { span: output.name.span, kind: name_kind(&output.name.text) };
+        let own_name = Term {
+            span: output.name.span,
+            kind: name_kind(&output.name.text),
+        };
         let value = output.what.value.as_ref();
         let term = match (value, output.name.text.is_empty()) {
             (Some(value), true) => value,
             _ => &own_name,
         };
         let typed = low.term(term);
-        let name = if output.name.text.is_empty() { print::term(term) } else { output.name.text.clone() };
+        let name = if output.name.text.is_empty() {
+            print::term(term)
+        } else {
+            output.name.text.clone()
+        };
         let shown = value.unwrap_or(term);
         let (values, kind) = match typed {
             Typed::Scalar { value, kind, .. } => (vec![value], kind),
@@ -41,7 +51,8 @@ pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs
             Typed::Wrong => continue,
             other => {
                 let message = format!("a quantity is reported, and this is {}", other.describe());
-                low.diagnostics.push(Diagnostic::error(output.what.span, message));
+                low.diagnostics
+                    .push(Diagnostic::error(output.what.span, message));
                 continue;
             }
         };
@@ -54,7 +65,8 @@ pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs
                         describe(kind.dimension()),
                         unit.symbol
                     );
-                    low.diagnostics.push(Diagnostic::error(written.span, message));
+                    low.diagnostics
+                        .push(Diagnostic::error(written.span, message));
                     continue;
                 }
                 None => continue,
@@ -63,13 +75,20 @@ pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs
         };
         let components = ["x", "y", "z"];
         for (index, value) in values.iter().enumerate() {
-            let label = if values.len() > 1 { format!("{name}.{}", components[index]) } else { name.clone() };
+            let label = if values.len() > 1 {
+                format!("{name}.{}", components[index])
+            } else {
+                name.clone()
+            };
             if let Some(earlier) = outputs.quantities.iter().position(|one| one.name == label) {
                 let message = format!("`{}` is reported twice", outputs.quantities[earlier].name);
-                low.diagnostics.push(Diagnostic::warning(output.what.span, message));
+                low.diagnostics
+                    .push(Diagnostic::warning(output.what.span, message));
                 continue;
             }
-            outputs.quantities.push(quantity(&label, &output.summary, &unit.dimension, &unit));
+            outputs
+                .quantities
+                .push(quantity(&label, &output.summary, &unit.dimension, &unit));
             outputs.values.push(*value);
         }
     }
@@ -91,14 +110,18 @@ pub struct TaskValues {
 
 /// Lowers the task.
 pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
-    let mut task = TaskValues { kind: SpanKind::Open, values: Vec::new() };
+    let mut task = TaskValues {
+        kind: SpanKind::Open,
+        values: Vec::new(),
+    };
     for item in scene.iter().flat_map(|scene| &scene.items) {
         let (kind, terms) = match item {
             SceneItem::Periodic { period } => (SpanKind::Periodic, vec![period]),
             SceneItem::Run { variable, from, to } => {
                 if variable.text != "time" {
                     low.diagnostics.push(
-                        Diagnostic::error(variable.span, "a scene runs over `time`").hint("write `run time 0 s .. 3 s;`"),
+                        Diagnostic::error(variable.span, "a scene runs over `time`")
+                            .hint("write `run time 0 s .. 3 s;`"),
                     );
                     continue;
                 }
@@ -108,17 +131,29 @@ pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
         };
         if task.kind != SpanKind::Open {
             let place = terms.first().map(|term| term.span).unwrap_or_default();
-            low.diagnostics.push(Diagnostic::error(place, "a scene has one task, and this is its second"));
+            low.diagnostics.push(Diagnostic::error(
+                place,
+                "a scene has one task, and this is its second",
+            ));
             continue;
         }
         task.kind = kind;
         for term in terms {
             if let Some((value, found)) = low.scalar(term) {
                 if agree(found, Kind::Of(second())).is_none() {
-                    let message = format!("a time is expected here, and this is {}", describe(found.dimension()));
-                    low.diagnostics.push(Diagnostic::error(term.span, message).hint("a period in terms of a speed `n` is `2*pi/n`"));
+                    let message = format!(
+                        "a time is expected here, and this is {}",
+                        describe(found.dimension())
+                    );
+                    low.diagnostics.push(
+                        Diagnostic::error(term.span, message)
+                            .hint("a period in terms of a speed `n` is `2*pi/n`"),
+                    );
                 } else if !low.is_constant(value) {
-                    low.diagnostics.push(Diagnostic::error(term.span, "the task of a scene can depend on constants alone"));
+                    low.diagnostics.push(Diagnostic::error(
+                        term.span,
+                        "the task of a scene can depend on constants alone",
+                    ));
                 }
                 task.values.push(value);
             }
@@ -128,7 +163,12 @@ pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
 }
 
 /// Start values of the state vector.
-pub fn start(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>, needed: bool) -> Vec<Expression> {
+pub fn start(
+    low: &mut Lowering<'_>,
+    names: &Names,
+    scene: Option<&Scene>,
+    needed: bool,
+) -> Vec<Expression> {
     let zero = low.graph.zero();
     let coordinates = names.coordinates.len();
     let mut start = vec![zero; 2 * coordinates + names.states.len()];
@@ -144,25 +184,42 @@ pub fn start(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>, neede
     }
     for (index, declared) in names.states.iter().enumerate() {
         let symbol = Symbol::State(index as u32);
-        places.push((2 * coordinates + index, declared.what.start.clone(), low.kind_of(symbol)));
+        places.push((
+            2 * coordinates + index,
+            declared.what.start.clone(),
+            low.kind_of(symbol),
+        ));
     }
     let own: Vec<_> = scene
         .iter()
         .flat_map(|scene| &scene.items)
-        .filter_map(|item| if let SceneItem::Start { values } = item { Some(values) } else { None })
+        .filter_map(|item| {
+            if let SceneItem::Start { values } = item {
+                Some(values)
+            } else {
+                None
+            }
+        })
         .flatten()
         .cloned()
         .collect();
     for (target, value) in own {
-        let found = low.scalar(&target).map(|(value, kind)| (low.given_symbol(value), kind));
+        let found = low
+            .scalar(&target)
+            .map(|(value, kind)| (low.given_symbol(value), kind));
         let slot = match found {
             Some((Some(Symbol::Coordinate(index)), kind)) => Some((index as usize, kind)),
             Some((Some(Symbol::Speed(index)), kind)) => Some((coordinates + index as usize, kind)),
-            Some((Some(Symbol::State(index)), kind)) => Some((2 * coordinates + index as usize, kind)),
+            Some((Some(Symbol::State(index)), kind)) => {
+                Some((2 * coordinates + index as usize, kind))
+            }
             Some(_) => {
                 low.diagnostics.push(
-                    Diagnostic::error(target.span, "only a coordinate, its `dot`, or a state can be started")
-                        .hint("the rest follows from them"),
+                    Diagnostic::error(
+                        target.span,
+                        "only a coordinate, its `dot`, or a state can be started",
+                    )
+                    .hint("the rest follows from them"),
                 );
                 None
             }
@@ -172,12 +229,21 @@ pub fn start(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>, neede
     }
     for (slot, term, kind) in places {
         let Some(term) = term else { continue };
-        let Some((value, found)) = low.scalar(&term) else { continue };
+        let Some((value, found)) = low.scalar(&term) else {
+            continue;
+        };
         if agree(found, kind).is_none() {
-            let message = format!("the start value of {} is {}", describe(kind.dimension()), describe(found.dimension()));
+            let message = format!(
+                "the start value of {} is {}",
+                describe(kind.dimension()),
+                describe(found.dimension())
+            );
             low.diagnostics.push(Diagnostic::error(term.span, message));
         } else if !low.is_constant(value) {
-            low.diagnostics.push(Diagnostic::error(term.span, "a start value can depend on constants alone"));
+            low.diagnostics.push(Diagnostic::error(
+                term.span,
+                "a start value can depend on constants alone",
+            ));
         }
         start[slot] = value;
         given[slot] = true;
@@ -186,12 +252,22 @@ pub fn start(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>, neede
         }
     }
     if needed {
-        let all = names.coordinates.iter().map(|one| (&one.name, 0)).chain(names.states.iter().map(|one| (&one.name, coordinates)));
+        let all = names
+            .coordinates
+            .iter()
+            .map(|one| (&one.name, 0))
+            .chain(names.states.iter().map(|one| (&one.name, coordinates)));
         for (index, (name, skip)) in all.enumerate() {
             if !given[index + skip] {
                 low.diagnostics.push(
-                    Diagnostic::error(name.span, format!("`{}` has no start value, and a scene runs from the start", name.text))
-                        .hint("write it after the unit, as in `coordinate x: m = 0;`"),
+                    Diagnostic::error(
+                        name.span,
+                        format!(
+                            "`{}` has no start value, and a scene runs from the start",
+                            name.text
+                        ),
+                    )
+                    .hint("write it after the unit, as in `coordinate x: m = 0;`"),
                 );
             }
         }
@@ -200,24 +276,45 @@ pub fn start(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>, neede
 }
 
 /// The preset of a scene: its name and values.
-pub fn preset(low: &mut Lowering<'_>, file: &File, scene: &Scene) -> Option<(String, Vec<(String, f64)>)> {
-    let chosen = scene.items.iter().find_map(|item| if let SceneItem::Preset { name } = item { Some(name) } else { None })?;
-    let all = file.statements.iter().filter_map(|statement| match &statement.kind {
-        StatementKind::Preset { name, values, .. } => Some((name, values)),
-        _ => None,
-    });
+pub fn preset(
+    low: &mut Lowering<'_>,
+    file: &File,
+    scene: &Scene,
+) -> Option<(String, Vec<(String, f64)>)> {
+    let chosen = scene.items.iter().find_map(|item| {
+        if let SceneItem::Preset { name } = item {
+            Some(name)
+        } else {
+            None
+        }
+    })?;
+    let all = file
+        .statements
+        .iter()
+        .filter_map(|statement| match &statement.kind {
+            StatementKind::Preset { name, values, .. } => Some((name, values)),
+            _ => None,
+        });
     let known: Vec<_> = all.collect();
     let Some((name, values)) = known.iter().find(|(name, _)| name.text == chosen.text) else {
-        let report = Diagnostic::error(chosen.span, format!("there is no preset `{}`", chosen.text));
-        low.diagnostics.push(match nearest(&chosen.text, known.iter().map(|(name, _)| name.text.as_str())) {
-            Some(near) => report.hint(format!("did you mean `{near}`?")),
-            None => report.hint("declare it with `preset NAME { … }`"),
-        });
+        let report =
+            Diagnostic::error(chosen.span, format!("there is no preset `{}`", chosen.text));
+        low.diagnostics.push(
+            match nearest(
+                &chosen.text,
+                known.iter().map(|(name, _)| name.text.as_str()),
+            ) {
+                Some(near) => report.hint(format!("did you mean `{near}`?")),
+                None => report.hint("declare it with `preset NAME { … }`"),
+            },
+        );
         return None;
     };
     let mut list = Vec::new();
     for (target, term) in values.iter() {
-        let Some(name) = crate::unroll::target_name(target, low.diagnostics) else { continue };
+        let Some(name) = crate::unroll::target_name(target, low.diagnostics) else {
+            continue;
+        };
         if let Some((value, _)) = low.fixed(term) {
             list.push((name.text, value));
         }
@@ -226,10 +323,16 @@ pub fn preset(low: &mut Lowering<'_>, file: &File, scene: &Scene) -> Option<(Str
 }
 
 /// The published facts of a scene.
-pub fn expectations(low: &mut Lowering<'_>, task: &Task<'_>, model: &SceneModel) -> Vec<ExpectInfo> {
+pub fn expectations(
+    low: &mut Lowering<'_>,
+    task: &Task<'_>,
+    model: &SceneModel,
+) -> Vec<ExpectInfo> {
     let mut list = Vec::new();
     for statement in &task.file.statements {
-        let StatementKind::Expect(expect) = &statement.kind else { continue };
+        let StatementKind::Expect(expect) = &statement.kind else {
+            continue;
+        };
         let concerns = match &expect.scene {
             Some(scene) => scene.text == model.name,
             None => task.is_first,
@@ -241,7 +344,12 @@ pub fn expectations(low: &mut Lowering<'_>, task: &Task<'_>, model: &SceneModel)
     list
 }
 
-fn expectation(low: &mut Lowering<'_>, expect: &Expect, span: crate::token::Span, model: &SceneModel) -> Option<ExpectInfo> {
+fn expectation(
+    low: &mut Lowering<'_>,
+    expect: &Expect,
+    span: crate::token::Span,
+    model: &SceneModel,
+) -> Option<ExpectInfo> {
     let wanted = print::term(&expect.quantity);
     let state = model.states.iter().position(|one| one.name == wanted);
     let output = model.outputs.iter().position(|one| one.name == wanted);
@@ -249,7 +357,13 @@ fn expectation(low: &mut Lowering<'_>, expect: &Expect, span: crate::token::Span
         (Some(index), _) => (true, index),
         (None, Some(index)) => (false, index),
         (None, None) => {
-            let names = || model.outputs.iter().chain(&model.states).map(|one| one.name.as_str());
+            let names = || {
+                model
+                    .outputs
+                    .iter()
+                    .chain(&model.states)
+                    .map(|one| one.name.as_str())
+            };
             let report = Diagnostic::error(
                 expect.quantity.span,
                 format!("the scene `{}` does not report `{wanted}`", model.name),
@@ -265,29 +379,19 @@ fn expectation(low: &mut Lowering<'_>, expect: &Expect, span: crate::token::Span
     let value = low.fixed_of(&expect.value, found.1, "the quantity")?;
     let tolerance = low.fixed_of(&expect.tolerance, found.1, "the quantity")?;
     if tolerance < 0.0 {
-        low.diagnostics.push(Diagnostic::error(expect.tolerance.span, "a tolerance cannot be negative"));
+        low.diagnostics.push(Diagnostic::error(
+            expect.tolerance.span,
+            "a tolerance cannot be negative",
+        ));
         return None;
     }
     let (at, place) = match &expect.at {
         ExpectAt::Value { variable, value } => {
-            let (at, kind) = if variable.text == "time" {
-                (None, Kind::Of(second()))
-            } else {
-                match low.names.table.get(&variable.text).map(|entry| &entry.role) {
-                    Some(Role::Driver(index)) => (Some(*index), low.kind_of(Symbol::Driver(*index))),
-                    _ => {
-                        let drivers: Vec<_> = low.names.drivers.iter().map(|one| one.name.text.as_str()).chain(["time"]).collect();
-                        low.diagnostics.push(
-                            Diagnostic::error(variable.span, format!("`{}` is neither a driver nor the time", variable.text))
-                                .hint(format!("a fact holds at a value of {}", drivers.join(" or "))),
-                        );
-                        return None;
-                    }
-                }
-            };
-            let position = low.fixed_of(value, kind, "the place")?;
-            let words = format!(" at {} = {}", variable.text, print::term(value));
-            (at.map_or(ExpectPlace::Time(position), |index| ExpectPlace::Driver(index as usize, position)), words)
+            let place = low.place(variable, value)?;
+            (
+                place,
+                format!(" at {} = {}", variable.text, print::term(value)),
+            )
         }
         ExpectAt::Extreme(word) => {
             let place = match word.text.as_str() {
@@ -296,8 +400,11 @@ fn expectation(low: &mut Lowering<'_>, expect: &Expect, span: crate::token::Span
                 "amplitude" => ExpectPlace::Amplitude,
                 _ => {
                     low.diagnostics.push(
-                        Diagnostic::error(word.span, format!("`{}` is no place in a motion", word.text))
-                            .hint("write `maximum`, `minimum`, `amplitude`, or `theta = …`"),
+                        Diagnostic::error(
+                            word.span,
+                            format!("`{}` is no place in a motion", word.text),
+                        )
+                        .hint("write `maximum`, `minimum`, `amplitude`, or `theta = …`"),
                     );
                     return None;
                 }
@@ -310,17 +417,79 @@ fn expectation(low: &mut Lowering<'_>, expect: &Expect, span: crate::token::Span
         quantity,
         value,
         tolerance,
-        preset: expect.preset.as_ref().map_or(String::new(), |name| name.text.clone()),
+        preset: expect
+            .preset
+            .as_ref()
+            .map_or(String::new(), |name| name.text.clone()),
         remark: expect.remark.clone().unwrap_or_default(),
         span,
         label: format!("{wanted}{place}"),
     })
 }
 
+/// The places that plots show.
+pub fn marks(low: &mut Lowering<'_>, statements: &[Statement]) -> Vec<MarkInfo> {
+    let mut list = Vec::new();
+    for statement in statements {
+        if let StatementKind::Mark {
+            text,
+            variable,
+            value,
+        } = &statement.kind
+        {
+            let at = low.place(variable, value);
+            list.extend(at.map(|at| MarkInfo {
+                text: text.clone(),
+                at,
+            }));
+        }
+    }
+    list
+}
+
 impl Lowering<'_> {
+    /// A time, or a position of a driver.
+    fn place(&mut self, variable: &Name, value: &Term) -> Option<ExpectPlace> {
+        if variable.text == "time" {
+            return self
+                .fixed_of(value, Kind::Of(second()), "the time")
+                .map(ExpectPlace::Time);
+        }
+        let Some(Role::Driver(index)) = self
+            .names
+            .table
+            .get(&variable.text)
+            .map(|entry| &entry.role)
+        else {
+            let drivers: Vec<_> = self
+                .names
+                .drivers
+                .iter()
+                .map(|one| one.name.text.as_str())
+                .chain(["time"])
+                .collect();
+            self.diagnostics.push(
+                Diagnostic::error(
+                    variable.span,
+                    format!("`{}` is neither a driver nor the time", variable.text),
+                )
+                .hint(format!(
+                    "a place in the motion is a value of {}",
+                    drivers.join(" or ")
+                )),
+            );
+            return None;
+        };
+        let index = *index;
+        let position = self.fixed_of(value, self.kind_of(Symbol::Driver(index)), "the place")?;
+        Some(ExpectPlace::Driver(index as usize, position))
+    }
+
     /// Whether a value depends on dimensions and parameters alone.
     pub fn is_constant(&self, value: Expression) -> bool {
-        !self.graph.depends_on(value, |symbol| !matches!(symbol, Symbol::Parameter(_)))
+        !self
+            .graph
+            .depends_on(value, |symbol| !matches!(symbol, Symbol::Parameter(_)))
     }
 
     /// The symbol that an expression is.

@@ -31,9 +31,9 @@ pub fn describe(dimension: Dimension) -> String {
     if dimension == Dimension::NONE {
         return "a pure number".into();
     }
-    let known = NAMED
-        .iter()
-        .find(|(unit, _)| crate::unit::parse_unit_text(unit).is_ok_and(|unit| unit.dimension == dimension));
+    let known = NAMED.iter().find(|(unit, _)| {
+        crate::unit::parse_unit_text(unit).is_ok_and(|unit| unit.dimension == dimension)
+    });
     let symbol = Unit::for_dimension(&dimension).symbol;
     match known {
         Some((_, name)) => format!("{name} ({symbol})"),
@@ -64,7 +64,10 @@ pub fn disagreement(
             "a bare number has no unit: give it one, as in `75 mm` or `0.1 [kg m^2]`".to_string()
         }
         Some(quotient) => {
-            format!("the sides differ by a factor in {}", Unit::for_dimension(&quotient).symbol)
+            format!(
+                "the sides differ by a factor in {}",
+                Unit::for_dimension(&quotient).symbol
+            )
         }
         None => "look for a missing factor".to_string(),
     };
@@ -99,7 +102,9 @@ pub fn power(base: Kind, exponent: f64) -> Option<Kind> {
             if numerator.abs() > 60.0 {
                 return None;
             }
-            dimension.pow(numerator as i8, denominator as i8).map(Kind::Of)
+            dimension
+                .pow(numerator as i8, denominator as i8)
+                .map(Kind::Of)
         }
     }
 }

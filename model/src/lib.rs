@@ -1,12 +1,344 @@
-//! The equation language of Assur: from text to a checked model to a straight line of operations.
+//! The language of Assur: from the text of an equation file to a checked model with one program for each scene.
+//!
+//! ```text
+//! lex -> parse -> survey effects and scenes -> for each scene:
+//!     specialise -> resolve names -> lower terms, checking units -> derive (Lagrange)
+//!     -> balance and order -> solve for the highest derivatives -> simplify and share -> program
+//! ```
+//!
+//! A file is specialised to a scene *before* its names are resolved, because a name may mean one thing with an effect
+//! and another without it. A mistake that shows in several scenes is reported once. Branches that no scene shows are
+//! compiled as well, for their mistakes alone.
+//!
+//! The crate knows nothing of rustc: the macro and the command hand it [`token::Token`]s and get
+//! [`checked::Compiled`], plain data.
+#![doc = include_str!("../GRAMMAR.md")]
 
 pub mod checked;
+mod compile;
+mod declare;
 pub mod diagnostic;
+pub mod expression;
+mod facts;
+mod homogeneity;
+mod lagrange;
+pub mod lexer;
+mod lower;
+mod motion;
+pub mod nearest;
 pub mod program;
+mod resolve;
+mod scene;
 pub mod structure;
+pub mod syntax;
 pub mod token;
-pub mod unroll;
-/// The syntax of an equation file.
-pub mod syntax {
-    pub mod tree;
+pub mod unit;
+mod unroll;
+
+use std::collections::BTreeSet;
+
+use checked::{ChoiceInfo, Compiled, Described, Model, PresetInfo};
+use compile::{Seen, Task};
+use diagnostic::{Diagnostic, Diagnostics};
+use scene::{Selected, Survey};
+use syntax::tree::{File, Scene, StatementKind};
+use token::{Span, Token};
+
+/// Abbreviations may refer to each other this deep when they stand in the wrong order.
+pub(crate) const MOST_NESTED: usize = 400;
+
+/// Stack of the thread that compiles: nesting is limited, and this holds the deepest that is allowed.
+const STACK: usize = 256 << 20;
+
+/// Compiles the tokens of a mechanism, those inside `mechanism! { … }`.
+///
+/// Never panics and never loops: nesting, repetition and size are limited, and a limit that is met is an error.
+pub fn compile(tokens: &[Token]) -> Compiled {
+    let work = || compile_here(tokens);
+    std::thread::scope(|scope| {
+        let worker = std::thread::Builder::new()
+            .stack_size(STACK)
+            .spawn_scoped(scope, work);
+        match worker.map(|handle| handle.join()) {
+            Ok(Ok(compiled)) => compiled,
+            Ok(Err(panic)) => std::panic::resume_unwind(panic),
+            Err(_) => compile_here(tokens),
+        }
+    })
+}
+
+fn compile_here(tokens: &[Token]) -> Compiled {
+    let mut diagnostics = Diagnostics::default();
+    let Some(file) = syntax::parser::parse(tokens, &mut diagnostics) else {
+        return Compiled {
+            name: String::new(),
+            scene_names: Vec::new(),
+            model: None,
+            diagnostics: diagnostics.into_sorted(),
+        };
+    };
+    let survey = Survey::of(&file, &mut diagnostics);
+    let implicit = implicit_scene(&file);
+    let mut scenes: Vec<(&Scene, &[String])> = survey.scenes.clone();
+    if scenes.is_empty() {
+        scenes.push((&implicit, &[]));
+    }
+    let mut seen = Seen::default();
+    let mut models = Vec::new();
+    let mut shown = BTreeSet::new();
+    for (index, (scene, documentation)) in scenes.iter().enumerate() {
+        let Some(selected) = Selected::by(scene, &survey, &mut diagnostics) else {
+            continue;
+        };
+        let task = Task {
+            file: &file,
+            survey: &survey,
+            selected: &selected,
+            scene: Some((scene, documentation)),
+            is_first: index == 0,
+        };
+        models.extend(compile::scene(&task, &mut seen, &mut diagnostics));
+        shown.insert(selected);
+    }
+    check_unshown(&file, &survey, &shown, &mut seen, &mut diagnostics);
+    check_facts(&file, &scenes, &mut diagnostics);
+    let presets = presets(&file, &seen, &mut diagnostics);
+    if !diagnostics.has_errors() {
+        report_unused(&seen, &mut diagnostics);
+    }
+    let model = (!diagnostics.has_errors()).then(|| Model {
+        name: file.name.text.clone(),
+        documentation: file.documentation.join("\n").trim().to_string(),
+        source: file.source.clone().unwrap_or_default(),
+        effects: effects(&survey),
+        choices: choices(&survey),
+        presets,
+        scenes: models,
+    });
+    Compiled {
+        name: file.name.text.clone(),
+        scene_names: scenes
+            .iter()
+            .map(|(scene, _)| scene.name.text.clone())
+            .collect(),
+        model,
+        diagnostics: diagnostics.into_sorted(),
+    }
+}
+
+/// A file without scenes has one, with no effect.
+fn implicit_scene(file: &File) -> Scene {
+    let name = syntax::tree::Name {
+        text: "standard".into(),
+        span: file.name.span,
+    };
+    Scene {
+        name,
+        text: None,
+        selection: Vec::new(),
+        items: Vec::new(),
+    }
+}
+
+/// Compiles, for its mistakes alone, every effect and alternative that no scene shows.
+fn check_unshown(
+    file: &File,
+    survey: &Survey<'_>,
+    shown: &BTreeSet<Selected>,
+    seen: &mut Seen,
+    diagnostics: &mut Diagnostics,
+) {
+    let mut check = |selected: Selected, diagnostics: &mut Diagnostics| {
+        if !shown.contains(&selected) {
+            let task = Task {
+                file,
+                survey,
+                selected: &selected,
+                scene: None,
+                is_first: false,
+            };
+            compile::scene(&task, seen, diagnostics);
+        }
+    };
+    for (name, ..) in &survey.effects {
+        if !shown
+            .iter()
+            .any(|selected| selected.effects.contains(&name.text))
+        {
+            if !survey.scenes.is_empty() {
+                diagnostics.push(
+                    Diagnostic::warning(
+                        name.span,
+                        format!("no scene shows the effect `{}`", name.text),
+                    )
+                    .hint(format!(
+                        "add one: `scene with_{0} = {0} {{ … }}`",
+                        name.text
+                    )),
+                );
+            }
+            let mut selected = Selected::defaults(survey);
+            selected.effects.insert(name.text.clone());
+            check(selected, diagnostics);
+        }
+    }
+    for (name, _, _, alternatives) in &survey.choices {
+        for alternative in alternatives.iter() {
+            let chosen = Some(&alternative.name.text);
+            if !shown
+                .iter()
+                .any(|selected| selected.choices.get(&name.text) == chosen)
+            {
+                let mut selected = shown
+                    .first()
+                    .cloned()
+                    .unwrap_or_else(|| Selected::defaults(survey));
+                selected
+                    .choices
+                    .insert(name.text.clone(), alternative.name.text.clone());
+                check(selected, diagnostics);
+            }
+        }
+    }
+}
+
+/// Facts about scenes that do not exist.
+fn check_facts(file: &File, scenes: &[(&Scene, &[String])], diagnostics: &mut Diagnostics) {
+    let presets: Vec<&str> = file
+        .statements
+        .iter()
+        .filter_map(|statement| {
+            if let StatementKind::Preset { name, .. } = &statement.kind {
+                Some(name.text.as_str())
+            } else {
+                None
+            }
+        })
+        .collect();
+    for statement in &file.statements {
+        let StatementKind::Expect(expect) = &statement.kind else {
+            continue;
+        };
+        let wanted = [
+            (
+                expect.scene.as_ref(),
+                "scene",
+                scenes
+                    .iter()
+                    .map(|(scene, _)| scene.name.text.as_str())
+                    .collect::<Vec<_>>(),
+            ),
+            (expect.preset.as_ref(), "preset", presets.clone()),
+        ];
+        for (name, what, known) in wanted {
+            let Some(name) = name.filter(|name| !known.contains(&name.text.as_str())) else {
+                continue;
+            };
+            let report =
+                Diagnostic::error(name.span, format!("there is no {what} `{}`", name.text));
+            diagnostics.push(match nearest::nearest(&name.text, known.iter().copied()) {
+                Some(near) => report.hint(format!("did you mean `{near}`?")),
+                None => report.hint(format!("the file declares {}", known.join(", "))),
+            });
+        }
+    }
+}
+
+/// The presets, with every name and unit checked against the constants of any scene.
+fn presets(file: &File, seen: &Seen, diagnostics: &mut Diagnostics) -> Vec<PresetInfo> {
+    let mut list = Vec::new();
+    for statement in &file.statements {
+        let StatementKind::Preset { name, text, values } = &statement.kind else {
+            continue;
+        };
+        let mut info = PresetInfo {
+            name: name.text.clone(),
+            summary: text
+                .clone()
+                .unwrap_or_else(|| statement.documentation.join("\n").trim().to_string()),
+            values: Vec::new(),
+        };
+        let nothing = resolve::Names::default();
+        let survey = Survey::default();
+        let selected = Selected::default();
+        for (target, term) in values {
+            let Some(target) = unroll::target_name(target, diagnostics) else {
+                continue;
+            };
+            let Some((kind, declared)) = seen.constants.get(&target.text) else {
+                let report = Diagnostic::error(
+                    target.span,
+                    format!("there is no dimension or parameter `{}`", target.text),
+                );
+                diagnostics.push(
+                    match nearest::nearest(&target.text, seen.constants.keys().map(String::as_str))
+                    {
+                        Some(near) => report.hint(format!("did you mean `{near}`?")),
+                        None => report,
+                    },
+                );
+                continue;
+            };
+            let mut low = lower::Lowering::new(&nothing, &survey, &selected, diagnostics);
+            let Some((value, found)) = low.fixed(term) else {
+                continue;
+            };
+            if homogeneity::agree(found, *kind).is_none() {
+                let message = format!(
+                    "`{}` is {}, and this is {}",
+                    target.text,
+                    homogeneity::describe(kind.dimension()),
+                    homogeneity::describe(found.dimension())
+                );
+                diagnostics.push(
+                    Diagnostic::error(term.span, message).related(*declared, "declared here"),
+                );
+                continue;
+            }
+            info.values.push((target.text, value));
+        }
+        list.push(info);
+    }
+    list
+}
+
+/// Declarations that nothing refers to. Names with an index are left alone: a repetition may need only some.
+fn report_unused(seen: &Seen, diagnostics: &mut Diagnostics) {
+    let mut reported: BTreeSet<(&str, Span)> = BTreeSet::new();
+    for (name, span) in &seen.declared {
+        if !seen.used.contains(name) && !name.contains('[') && reported.insert((name, *span)) {
+            diagnostics.push(
+                Diagnostic::warning(*span, format!("nothing uses `{name}`"))
+                    .hint("report it with `output`, or take it away"),
+            );
+        }
+    }
+}
+
+fn effects(survey: &Survey<'_>) -> Vec<Described> {
+    let one = |effect: &(&syntax::tree::Name, Option<&str>, &[String])| Described {
+        name: effect.0.text.clone(),
+        summary: effect
+            .1
+            .map_or_else(|| effect.2.join("\n").trim().to_string(), str::to_string),
+    };
+    survey.effects.iter().map(one).collect()
+}
+
+fn choices(survey: &Survey<'_>) -> Vec<ChoiceInfo> {
+    survey
+        .choices
+        .iter()
+        .map(|(name, text, documentation, alternatives)| ChoiceInfo {
+            name: name.text.clone(),
+            summary: text.map_or_else(
+                || documentation.join("\n").trim().to_string(),
+                str::to_string,
+            ),
+            alternatives: alternatives
+                .iter()
+                .map(|alternative| alternative.name.text.clone())
+                .collect(),
+        })
+        .collect()
 }

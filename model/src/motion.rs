@@ -57,9 +57,14 @@ pub fn solve(
     diagnostics: &mut Diagnostics,
 ) -> Option<Solved> {
     let residuals: Vec<_> = equations.iter().map(|equation| equation.residual).collect();
-    let symbols: Vec<_> = (0..unknowns.len() as u32).map(Symbol::Acceleration).collect();
+    let symbols: Vec<_> = (0..unknowns.len() as u32)
+        .map(Symbol::Acceleration)
+        .collect();
     let entries = graph.jacobian(&residuals, &symbols);
-    let mut incidence = Incidence { rows: vec![Vec::new(); equations.len()], columns: unknowns.len() };
+    let mut incidence = Incidence {
+        rows: vec![Vec::new(); equations.len()],
+        columns: unknowns.len(),
+    };
     let mut matrix: HashMap<(usize, usize), Expression> = HashMap::new();
     for (row, column, value) in entries {
         if graph.as_number(value) == Some(0.0) {
@@ -76,13 +81,26 @@ pub fn solve(
         incidence.rows[row].push(column);
         matrix.insert((row, column), value);
     }
-    incidence.rows.iter_mut().for_each(|row| row.sort_unstable());
+    incidence
+        .rows
+        .iter_mut()
+        .for_each(|row| row.sort_unstable());
     let matching = Matching::of(&incidence);
-    if !report_imbalance(&incidence, &matching, equations, unknowns, scene, diagnostics) {
+    if !report_imbalance(
+        &incidence,
+        &matching,
+        equations,
+        unknowns,
+        scene,
+        diagnostics,
+    ) {
         return None;
     }
 
-    let at_rest: HashMap<_, _> = symbols.iter().map(|symbol| (*symbol, graph.zero())).collect();
+    let at_rest: HashMap<_, _> = symbols
+        .iter()
+        .map(|symbol| (*symbol, graph.zero()))
+        .collect();
     let constant_parts = graph.substitute(&residuals, &at_rest);
     let slopes = graph.jacobian(&residuals, given);
     let mut by_row: Vec<BTreeMap<usize, Expression>> = vec![BTreeMap::new(); equations.len()];
@@ -90,7 +108,10 @@ pub fn solve(
         by_row[row].insert(column, value);
     }
 
-    let mut solved = Solved { derivatives: vec![graph.zero(); unknowns.len()], ..Solved::default() };
+    let mut solved = Solved {
+        derivatives: vec![graph.zero(); unknowns.len()],
+        ..Solved::default()
+    };
     let mut partials: Vec<BTreeMap<usize, Expression>> = vec![BTreeMap::new(); unknowns.len()];
     for block in blocks(&incidence, &matching) {
         let Some(system) = System::of(&block, &matrix, equations) else {
@@ -102,7 +123,10 @@ pub fn solve(
             .iter()
             .map(|&row| {
                 let mut sum = constant_parts[row];
-                for &column in incidence.rows[row].iter().filter(|column| !system.unknowns.contains(column)) {
+                for &column in incidence.rows[row]
+                    .iter()
+                    .filter(|column| !system.unknowns.contains(column))
+                {
                     let earlier = graph.symbol(symbols[column]);
                     let share = graph.mul(matrix[&(row, column)], earlier);
                     sum = graph.add(sum, share);
@@ -119,7 +143,10 @@ pub fn solve(
             let mut right = Vec::new();
             for &row in &system.equations {
                 let mut sum = by_row[row].get(&column).copied().unwrap_or(graph.zero());
-                for &other in incidence.rows[row].iter().filter(|other| !system.unknowns.contains(other)) {
+                for &other in incidence.rows[row]
+                    .iter()
+                    .filter(|other| !system.unknowns.contains(other))
+                {
                     if let Some(earlier) = partials[other].get(&column).copied() {
                         let share = graph.mul(matrix[&(row, other)], earlier);
                         sum = graph.add(sum, share);
@@ -159,9 +186,17 @@ struct System {
 }
 
 impl System {
-    fn of(block: &Block, matrix: &HashMap<(usize, usize), Expression>, equations: &[Equation]) -> Option<Self> {
+    fn of(
+        block: &Block,
+        matrix: &HashMap<(usize, usize), Expression>,
+        equations: &[Equation],
+    ) -> Option<Self> {
         let mut unknowns = block.unknowns.clone();
-        let owners: Option<Vec<_>> = block.equations.iter().map(|&row| equations[row].lagrange).collect();
+        let owners: Option<Vec<_>> = block
+            .equations
+            .iter()
+            .map(|&row| equations[row].lagrange)
+            .collect();
         // Lagrange's equations of some coordinates in the accelerations of the same coordinates are symmetric.
         let symmetric = owners.is_some_and(|owners| {
             let mut sorted = unknowns.clone();
@@ -180,20 +215,37 @@ impl System {
         let entries = block
             .equations
             .iter()
-            .map(|&row| unknowns.iter().map(|&column| matrix.get(&(row, column)).copied()).collect())
+            .map(|&row| {
+                unknowns
+                    .iter()
+                    .map(|&column| matrix.get(&(row, column)).copied())
+                    .collect()
+            })
             .collect();
-        Some(Self { equations: block.equations.clone(), unknowns, entries, symmetric })
+        Some(Self {
+            equations: block.equations.clone(),
+            unknowns,
+            entries,
+            symmetric,
+        })
     }
 
     fn solve(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
         let zero = graph.zero();
-        let rows: Vec<Vec<_>> =
-            self.entries.iter().map(|row| row.iter().map(|entry| entry.unwrap_or(zero)).collect()).collect();
+        let rows: Vec<Vec<_>> = self
+            .entries
+            .iter()
+            .map(|row| row.iter().map(|entry| entry.unwrap_or(zero)).collect())
+            .collect();
         if let ([row], [value]) = (rows.as_slice(), right) {
             return vec![graph.div(*value, row[0])];
         }
         if self.symmetric {
-            let lower: Vec<_> = rows.iter().enumerate().flat_map(|(i, row)| row[..=i].to_vec()).collect();
+            let lower: Vec<_> = rows
+                .iter()
+                .enumerate()
+                .flat_map(|(i, row)| row[..=i].to_vec())
+                .collect();
             return graph.solve_symmetric(&lower, right);
         }
         // Cramer's rule: the block is small.
@@ -220,11 +272,21 @@ fn determinant(graph: &mut Graph, rows: &[Vec<Expression>]) -> Expression {
     for column in 0..rows.len() {
         let minor: Vec<Vec<_>> = rows[1..]
             .iter()
-            .map(|row| row.iter().enumerate().filter(|(index, _)| *index != column).map(|(_, entry)| *entry).collect())
+            .map(|row| {
+                row.iter()
+                    .enumerate()
+                    .filter(|(index, _)| *index != column)
+                    .map(|(_, entry)| *entry)
+                    .collect()
+            })
             .collect();
         let below = determinant(graph, &minor);
         let share = graph.mul(rows[0][column], below);
-        sum = if column % 2 == 0 { graph.add(sum, share) } else { graph.sub(sum, share) };
+        sum = if column % 2 == 0 {
+            graph.add(sum, share)
+        } else {
+            graph.sub(sum, share)
+        };
     }
     sum
 }
@@ -235,20 +297,31 @@ fn mass_matrix(
     matrix: &HashMap<(usize, usize), Expression>,
 ) -> Vec<Expression> {
     let zero = graph.zero();
-    let mut row_of: Vec<_> =
-        equations.iter().enumerate().filter_map(|(row, equation)| Some((equation.lagrange?, row))).collect();
+    let mut row_of: Vec<_> = equations
+        .iter()
+        .enumerate()
+        .filter_map(|(row, equation)| Some((equation.lagrange?, row)))
+        .collect();
     row_of.sort_unstable();
     let columns: Vec<_> = row_of.iter().map(|(coordinate, _)| *coordinate).collect();
     let entry = |row: usize, column: usize| matrix.get(&(row, column)).copied().unwrap_or(zero);
     row_of
         .iter()
         .enumerate()
-        .flat_map(|(i, (_, row))| columns[..=i].iter().map(|column| entry(*row, *column)).collect::<Vec<_>>())
+        .flat_map(|(i, (_, row))| {
+            columns[..=i]
+                .iter()
+                .map(|column| entry(*row, *column))
+                .collect::<Vec<_>>()
+        })
         .collect()
 }
 
 fn listed(names: impl Iterator<Item = String>) -> String {
-    names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+    names
+        .map(|name| format!("`{name}`"))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 fn report_imbalance(
@@ -260,7 +333,9 @@ fn report_imbalance(
     diagnostics: &mut Diagnostics,
 ) -> bool {
     let imbalance = matching.imbalance(incidence);
-    let count = |number: usize, word: &str| format!("{number} {word}{}", if number == 1 { "" } else { "s" });
+    let count = |number: usize, word: &str| {
+        format!("{number} {word}{}", if number == 1 { "" } else { "s" })
+    };
     if let Some((rows, columns)) = &imbalance.overdetermined {
         let named = listed(rows.iter().map(|row| equations[*row].name.clone()));
         let message = format!(
@@ -270,11 +345,19 @@ fn report_imbalance(
             if columns.is_empty() {
                 String::new()
             } else {
-                format!(" ({})", listed(columns.iter().map(|column| unknowns[*column].name.clone())))
+                format!(
+                    " ({})",
+                    listed(columns.iter().map(|column| unknowns[*column].name.clone()))
+                )
             }
         );
-        let last = rows.last().map_or(Span::default(), |row| equations[*row].span);
-        diagnostics.push(Diagnostic::error(last, message).hint("take an equation away, or declare what else it determines"));
+        let last = rows
+            .last()
+            .map_or(Span::default(), |row| equations[*row].span);
+        diagnostics.push(
+            Diagnostic::error(last, message)
+                .hint("take an equation away, or declare what else it determines"),
+        );
     }
     if let Some((columns, rows)) = &imbalance.underdetermined {
         let named = listed(columns.iter().map(|column| unknowns[*column].name.clone()));
@@ -288,7 +371,9 @@ fn report_imbalance(
                 listed(rows.iter().map(|row| equations[*row].name.clone()))
             )
         };
-        let place = columns.first().map_or(Span::default(), |column| unknowns[*column].span);
+        let place = columns
+            .first()
+            .map_or(Span::default(), |column| unknowns[*column].span);
         diagnostics.push(
             Diagnostic::error(place, message)
                 .hint("add a `motion` equation or an energy with this unknown, or take the unknown away; a coordinate without mass is a `state`"),
@@ -297,10 +382,26 @@ fn report_imbalance(
     imbalance.overdetermined.is_none() && imbalance.underdetermined.is_none()
 }
 
-fn report_too_large(block: &Block, equations: &[Equation], unknowns: &[UnknownName], diagnostics: &mut Diagnostics) {
-    let named = listed(block.unknowns.iter().map(|column| unknowns[*column].name.clone()));
-    let message = format!("{} equations have to be solved together for {named}", block.equations.len());
-    let place = block.equations.first().map_or(Span::default(), |row| equations[*row].span);
+fn report_too_large(
+    block: &Block,
+    equations: &[Equation],
+    unknowns: &[UnknownName],
+    diagnostics: &mut Diagnostics,
+) {
+    let named = listed(
+        block
+            .unknowns
+            .iter()
+            .map(|column| unknowns[*column].name.clone()),
+    );
+    let message = format!(
+        "{} equations have to be solved together for {named}",
+        block.equations.len()
+    );
+    let place = block
+        .equations
+        .first()
+        .map_or(Span::default(), |row| equations[*row].span);
     diagnostics.push(Diagnostic::error(place, message).hint(format!(
         "up to {LARGEST_GENERAL} written equations can be coupled in their highest derivatives; state the motion by its energies, which has no such limit"
     )));

@@ -1,6 +1,17 @@
 //! A program: the straight line of operations that a scene boils down to. It is the border between the language and
 //! whoever runs it, the emitted Rust or the evaluator.
 
+mod build;
+mod collect;
+mod count;
+mod emit;
+mod evaluate;
+mod order;
+
+pub use build::{Request, build};
+pub use evaluate::Values;
+pub(crate) use evaluate::solve_symmetric;
+
 /// Index of an operation, and so of its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Value(pub u32);

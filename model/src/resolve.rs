@@ -3,15 +3,49 @@
 use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::syntax::tree::{Constant, Name, Output, Statement, StatementKind, Term, Tolerance, Unknown};
+use crate::syntax::tree::{
+    Constant, Name, Output, Statement, StatementKind, Term, Tolerance, Unknown,
+};
 use crate::token::Span;
 use crate::unroll::target_name;
 
 /// Functions of the language, which no declaration may hide.
 pub const FUNCTIONS: &[&str] = &[
-    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "ln", "log10", "sqrt",
-    "hypot", "erf", "normal_cdf", "floor", "mod", "abs", "sign", "max", "min", "dot", "ddot", "diff", "sum", "inner",
-    "cross", "norm", "dir", "rot", "rotx", "roty", "rotz",
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "sinh",
+    "cosh",
+    "tanh",
+    "exp",
+    "ln",
+    "log10",
+    "sqrt",
+    "hypot",
+    "erf",
+    "normal_cdf",
+    "floor",
+    "mod",
+    "abs",
+    "sign",
+    "max",
+    "min",
+    "dot",
+    "ddot",
+    "diff",
+    "sum",
+    "inner",
+    "cross",
+    "norm",
+    "dir",
+    "rot",
+    "rotx",
+    "roty",
+    "rotz",
 ];
 
 /// Quantities of the language.
@@ -104,16 +138,24 @@ impl Names {
             }
             _ => return,
         };
-        let Some(name) = target_name(target, diagnostics) else { return };
+        let Some(name) = target_name(target, diagnostics) else {
+            return;
+        };
         let role = match &statement.kind {
             StatementKind::Constant(_) => Role::Constant(self.constants.len() as u32),
             StatementKind::Driver { .. } => Role::Driver(self.drivers.len() as u32),
             StatementKind::Coordinate(_) => Role::Coordinate(self.coordinates.len() as u32),
             StatementKind::State(_) => Role::State(self.states.len() as u32),
-            StatementKind::Let { arguments: None, value, .. } => Role::Let(value.clone()),
-            StatementKind::Let { arguments: Some(arguments), value, .. } => {
-                Role::Function(arguments.clone(), value.clone())
-            }
+            StatementKind::Let {
+                arguments: None,
+                value,
+                ..
+            } => Role::Let(value.clone()),
+            StatementKind::Let {
+                arguments: Some(arguments),
+                value,
+                ..
+            } => Role::Function(arguments.clone(), value.clone()),
             _ => return,
         };
         if !self.insert(&name, role, diagnostics) {
@@ -121,46 +163,82 @@ impl Names {
         }
         match &statement.kind {
             StatementKind::Constant(what) => {
-                self.constants.push(Declared { name, summary, what: what.clone() });
+                self.constants.push(Declared {
+                    name,
+                    summary,
+                    what: what.clone(),
+                });
             }
-            StatementKind::Driver { value, range, tolerance, .. } => {
+            StatementKind::Driver {
+                value,
+                range,
+                tolerance,
+                ..
+            } => {
                 let what = DriverDeclaration {
                     position: value.clone(),
                     range: range.clone(),
                     tolerance: tolerance.clone(),
                 };
-                self.drivers.push(Declared { name, summary, what });
+                self.drivers.push(Declared {
+                    name,
+                    summary,
+                    what,
+                });
             }
             StatementKind::Coordinate(what) => {
-                self.coordinates.push(Declared { name, summary, what: what.clone() });
+                self.coordinates.push(Declared {
+                    name,
+                    summary,
+                    what: what.clone(),
+                });
             }
-            StatementKind::State(what) => self.states.push(Declared { name, summary, what: what.clone() }),
+            StatementKind::State(what) => self.states.push(Declared {
+                name,
+                summary,
+                what: what.clone(),
+            }),
             _ => {}
         }
     }
 
     /// An output with a value of its own also names that value.
-    pub fn declare_output(&mut self, output: &Output, summary: String, diagnostics: &mut Diagnostics) {
+    pub fn declare_output(
+        &mut self,
+        output: &Output,
+        summary: String,
+        diagnostics: &mut Diagnostics,
+    ) {
         let name = match &output.name {
             Some(target) => match target_name(target, diagnostics) {
                 Some(name) => name,
                 None => return,
             },
-            None => Name { text: String::new(), span: output.span },
+            None => Name {
+                text: String::new(),
+                span: output.span,
+            },
         };
         if let (false, Some(value)) = (name.text.is_empty(), &output.value)
             && !self.insert(&name, Role::Let(value.clone()), diagnostics)
         {
             return;
         }
-        self.outputs.push(Declared { name, summary, what: output.clone() });
+        self.outputs.push(Declared {
+            name,
+            summary,
+            what: output.clone(),
+        });
     }
 
     fn insert(&mut self, name: &Name, role: Role, diagnostics: &mut Diagnostics) -> bool {
         if FUNCTIONS.contains(&name.text.as_str()) || QUANTITIES.contains(&name.text.as_str()) {
             diagnostics.push(
-                Diagnostic::error(name.span, format!("`{}` belongs to the language", name.text))
-                    .hint("choose another name"),
+                Diagnostic::error(
+                    name.span,
+                    format!("`{}` belongs to the language", name.text),
+                )
+                .hint("choose another name"),
             );
             return false;
         }
@@ -174,7 +252,13 @@ impl Names {
             );
             return false;
         }
-        self.table.insert(name.text.clone(), Entry { span: name.span, role });
+        self.table.insert(
+            name.text.clone(),
+            Entry {
+                span: name.span,
+                role,
+            },
+        );
         true
     }
 }

@@ -8,12 +8,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::nearest::nearest;
 use crate::syntax::tree::{
-    Alternative, BinaryOperator, File, Name, Scene, Statement, StatementKind, Term, TermKind, UnaryOperator,
+    Alternative, BinaryOperator, File, Name, Scene, Statement, StatementKind, Term, TermKind,
+    UnaryOperator,
 };
 use crate::unroll::{bounds, statement_with_index};
 
 /// Most statements that a scene may come to.
 const LIMIT: usize = 20_000;
+
+/// A choice: name, explanation, documentation, alternatives.
+type Choice<'a> = (&'a Name, Option<&'a str>, &'a [String], &'a [Alternative]);
 
 /// The effects and choices of a file.
 #[derive(Clone, Debug, Default)]
@@ -21,7 +25,7 @@ pub struct Survey<'a> {
     /// Effects in the order of the file.
     pub effects: Vec<(&'a Name, Option<&'a str>, &'a [String])>,
     /// Choices in the order of the file.
-    pub choices: Vec<(&'a Name, Option<&'a str>, &'a [String], &'a [Alternative])>,
+    pub choices: Vec<Choice<'a>>,
     /// Scenes in the order of the file, with their documentation.
     pub scenes: Vec<(&'a Scene, &'a [String])>,
 }
@@ -38,16 +42,35 @@ impl<'a> Survey<'a> {
     fn visit(&mut self, statements: &'a [Statement]) {
         for statement in statements {
             match &statement.kind {
-                StatementKind::Effect { name, text, body, otherwise } => {
-                    self.effects.push((name, text.as_deref(), &statement.documentation));
+                StatementKind::Effect {
+                    name,
+                    text,
+                    body,
+                    otherwise,
+                } => {
+                    self.effects
+                        .push((name, text.as_deref(), &statement.documentation));
                     self.visit(body);
                     self.visit(otherwise);
                 }
-                StatementKind::Choice { name, text, alternatives } => {
-                    self.choices.push((name, text.as_deref(), &statement.documentation, alternatives));
-                    alternatives.iter().for_each(|alternative| self.visit(&alternative.body));
+                StatementKind::Choice {
+                    name,
+                    text,
+                    alternatives,
+                } => {
+                    self.choices.push((
+                        name,
+                        text.as_deref(),
+                        &statement.documentation,
+                        alternatives,
+                    ));
+                    alternatives
+                        .iter()
+                        .for_each(|alternative| self.visit(&alternative.body));
                 }
-                StatementKind::If { then, otherwise, .. } => {
+                StatementKind::If {
+                    then, otherwise, ..
+                } => {
                     self.visit(then);
                     self.visit(otherwise);
                 }
@@ -59,23 +82,43 @@ impl<'a> Survey<'a> {
     }
 
     fn report_duplicates(&self, diagnostics: &mut Diagnostics) {
-        let selectable = self.effects.iter().map(|effect| effect.0).chain(self.choices.iter().map(|choice| choice.0));
+        let selectable = self
+            .effects
+            .iter()
+            .map(|effect| effect.0)
+            .chain(self.choices.iter().map(|choice| choice.0));
         report_twice(selectable, "effect or choice", diagnostics);
-        report_twice(self.scenes.iter().map(|(scene, _)| &scene.name), "scene", diagnostics);
+        report_twice(
+            self.scenes.iter().map(|(scene, _)| &scene.name),
+            "scene",
+            diagnostics,
+        );
         for (_, _, _, alternatives) in &self.choices {
-            report_twice(alternatives.iter().map(|alternative| &alternative.name), "alternative", diagnostics);
+            report_twice(
+                alternatives.iter().map(|alternative| &alternative.name),
+                "alternative",
+                diagnostics,
+            );
         }
     }
 }
 
-fn report_twice<'a>(names: impl Iterator<Item = &'a Name>, what: &str, diagnostics: &mut Diagnostics) {
+fn report_twice<'a>(
+    names: impl Iterator<Item = &'a Name>,
+    what: &str,
+    diagnostics: &mut Diagnostics,
+) {
     let mut first = BTreeMap::new();
     for name in names {
         if let Some(earlier) = first.insert(&name.text, name.span) {
             diagnostics.push(
-                Diagnostic::error(name.span, format!("there is already an {what} `{}`", name.text).replace("an scene", "a scene"))
-                    .related(earlier, "the first one")
-                    .hint("give one of them another name"),
+                Diagnostic::error(
+                    name.span,
+                    format!("there is already an {what} `{}`", name.text)
+                        .replace("an scene", "a scene"),
+                )
+                .related(earlier, "the first one")
+                .hint("give one of them another name"),
             );
         }
     }
@@ -93,10 +136,16 @@ pub struct Selected {
 impl Selected {
     /// No effect, and the first alternative of each choice.
     pub fn defaults(survey: &Survey<'_>) -> Self {
-        let first = |choice: &(&Name, Option<&str>, &[String], &[Alternative])| {
-            choice.3.first().map(|alternative| (choice.0.text.clone(), alternative.name.text.clone()))
+        let first = |choice: &Choice<'_>| {
+            choice
+                .3
+                .first()
+                .map(|alternative| (choice.0.text.clone(), alternative.name.text.clone()))
         };
-        Self { effects: BTreeSet::new(), choices: survey.choices.iter().filter_map(first).collect() }
+        Self {
+            effects: BTreeSet::new(),
+            choices: survey.choices.iter().filter_map(first).collect(),
+        }
     }
 
     /// What a scene selects; reports what the file does not have.
@@ -110,10 +159,15 @@ impl Selected {
                 (Some(alternative), Some(choice)) => {
                     let names = || choice.3.iter().map(|one| one.name.text.as_str());
                     if names().any(|one| one == alternative.text) {
-                        selected.choices.insert(name.clone(), alternative.text.clone());
+                        selected
+                            .choices
+                            .insert(name.clone(), alternative.text.clone());
                     } else {
                         good = false;
-                        let message = format!("the choice `{name}` has no alternative `{}`", alternative.text);
+                        let message = format!(
+                            "the choice `{name}` has no alternative `{}`",
+                            alternative.text
+                        );
                         let known: Vec<_> = names().collect();
                         diagnostics.push(
                             Diagnostic::error(alternative.span, message)
@@ -124,7 +178,10 @@ impl Selected {
                 }
                 (None, None) if survey.effects.iter().any(|effect| effect.0.text == *name) => {
                     if !selected.effects.insert(name.clone()) {
-                        diagnostics.push(Diagnostic::warning(selection.name.span, format!("`{name}` is named twice")));
+                        diagnostics.push(Diagnostic::warning(
+                            selection.name.span,
+                            format!("`{name}` is named twice"),
+                        ));
                     }
                 }
                 (None, Some(choice)) => {
@@ -139,14 +196,29 @@ impl Selected {
                 }
                 (alternative, _) => {
                     good = false;
-                    let what = if alternative.is_some() { "choice" } else { "effect" };
+                    let what = if alternative.is_some() {
+                        "choice"
+                    } else {
+                        "effect"
+                    };
                     let known: Vec<&str> = match alternative {
-                        Some(_) => survey.choices.iter().map(|choice| choice.0.text.as_str()).collect(),
-                        None => survey.effects.iter().map(|effect| effect.0.text.as_str()).collect(),
+                        Some(_) => survey
+                            .choices
+                            .iter()
+                            .map(|choice| choice.0.text.as_str())
+                            .collect(),
+                        None => survey
+                            .effects
+                            .iter()
+                            .map(|effect| effect.0.text.as_str())
+                            .collect(),
                     };
                     let mut report = Diagnostic::error(
                         selection.name.span,
-                        format!("the scene `{}` selects an unknown {what} `{name}`", scene.name.text),
+                        format!(
+                            "the scene `{}` selects an unknown {what} `{name}`",
+                            scene.name.text
+                        ),
                     );
                     if let Some(near) = nearest(name, known.iter().copied()) {
                         report = report.hint(format!("did you mean `{near}`?"));
@@ -169,10 +241,15 @@ impl Selected {
                 Some(self.effects.contains(name))
             }
             TermKind::Member { base, name } => match &base.kind {
-                TermKind::Name(choice) => self.choices.get(choice).map(|alternative| *alternative == name.text),
+                TermKind::Name(choice) => self
+                    .choices
+                    .get(choice)
+                    .map(|alternative| *alternative == name.text),
                 _ => None,
             },
-            TermKind::Unary(UnaryOperator::Not, inner) => self.decide(inner, survey).map(|held| !held),
+            TermKind::Unary(UnaryOperator::Not, inner) => {
+                self.decide(inner, survey).map(|held| !held)
+            }
             TermKind::Binary(BinaryOperator::And, left, right) => {
                 Some(self.decide(left, survey)? & self.decide(right, survey)?)
             }

@@ -205,6 +205,7 @@ pub fn statement_with_index(statement: &Statement, index: &str, value: i64) -> S
         StatementKind::Energy { value: energy, .. } => *energy = term(energy),
         StatementKind::Force { value: force, on } => (*force, *on) = (term(force), term(on)),
         StatementKind::Require { condition, .. } => *condition = term(condition),
+        StatementKind::Mark { value: place, .. } => *place = term(place),
         StatementKind::Output(output) => {
             output.name = output.name.as_ref().map(target);
             output.value = output.value.as_ref().map(term);

@@ -1,4 +1,19 @@
-//! The numerical solvers of Assur: what they ask of a model, and the numbers they work on.
+//! The numerical solvers of Assur.
+//!
+//! A mechanism is to them a set of equations `y' = f(t, y)` with outputs, given by the two traits of [`problem`]. They
+//! know no symbol, name or unit; where a name stands in a table ([`registry`]), it is carried for whoever prints it.
+//!
+//! | module | what it finds |
+//! |---|---|
+//! | [`ode`] | the motion from a start: Tsitouras 5(4), Dormand–Prince 8(5,3), continuous output |
+//! | [`periodic`] | the steady state: method of initial parameters, shooting, Floquet multipliers |
+//! | [`dense`] | small linear systems |
+//! | [`scalar`], [`dispatch`] | the numbers that all of it runs on, and the choice of the instruction set |
 
+pub mod dense;
+pub mod dispatch;
+pub mod ode;
+pub mod periodic;
 pub mod problem;
+pub mod registry;
 pub mod scalar;

@@ -81,7 +81,7 @@ pub enum Span {
 /// A scene of a mechanism with its parameter values: the type that a user fills in and hands to a solver.
 pub trait Scene: Clone + Send + Sync {
     /// The equations, prepared for a scalar type.
-    type Equations<S: Scalar>: Equations<S>;
+    type Equations<S: Scalar>: Equations<S> + Send + Sync;
 
     /// Whether `f` is affine in the state, so that superposition holds.
     const LINEAR: bool;

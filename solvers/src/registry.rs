@@ -3,6 +3,10 @@
 //! Emitted code fills these tables. The solvers never look at a name or a unit in them; they are carried for whoever
 //! prints the answer. Behind `dyn` stand whole runs, never single evaluations.
 
+mod bind;
+
+pub use bind::{bind, check_values};
+
 use crate::problem::{Refused, Span};
 
 /// One equation file.
@@ -61,6 +65,9 @@ pub struct Preset {
     pub values: &'static [(&'static str, f64)],
 }
 
+/// Fixes the values of a scene (SI units, in the order of its constants), if the mechanism accepts them.
+pub type Bind = fn(&[f64]) -> Result<Box<dyn Run>, Refused>;
+
 /// One scene of a mechanism.
 #[derive(Clone, Copy)]
 pub struct SceneEntry {
@@ -86,10 +93,12 @@ pub struct SceneEntry {
     pub equations: &'static [EquationText],
     /// Operations of one call of each emitted function.
     pub operations: Operations,
+    /// Places that plots show.
+    pub marks: &'static [Mark],
     /// Published facts about this scene.
     pub expectations: &'static [Expectation],
-    /// Fixes the parameter values (SI units, in the order of `constants`).
-    pub bind: fn(&[f64]) -> Result<Box<dyn Run>, Refused>,
+    /// Fixes the parameter values.
+    pub bind: Bind,
 }
 
 /// A dimension or parameter.
@@ -146,6 +155,15 @@ pub struct Operations {
     pub jacobian: usize,
     /// Per evaluation of all outputs.
     pub outputs: usize,
+}
+
+/// A place that plots show.
+#[derive(Clone, Copy, Debug)]
+pub struct Mark {
+    /// What is there.
+    pub text: &'static str,
+    /// A time, or a position of a driver.
+    pub at: At,
 }
 
 /// A published fact, stated beside the equations.
@@ -216,7 +234,11 @@ pub trait Run: Send + Sync {
     ///
     /// # Errors
     /// See [`crate::periodic::PeriodicError`].
-    fn periodic(&self, period: f64, settings: &Settings) -> Result<crate::periodic::Orbit, crate::periodic::PeriodicError>;
+    fn periodic(
+        &self,
+        period: f64,
+        settings: &Settings,
+    ) -> Result<crate::periodic::Orbit, crate::periodic::PeriodicError>;
     /// The motion from a start.
     ///
     /// # Errors

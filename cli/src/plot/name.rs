@@ -39,7 +39,10 @@ const GREEK: [(&str, char); 24] = [
 /// The base name under any `dot(…)`, with the number of dots: `ddot(x3)` gives `x3` and 2.
 pub fn base(name: &str) -> (&str, usize) {
     for (front, dots) in [("dot(", 1), ("ddot(", 2)] {
-        if let Some(inner) = name.strip_prefix(front).and_then(|rest| rest.strip_suffix(')')) {
+        if let Some(inner) = name
+            .strip_prefix(front)
+            .and_then(|rest| rest.strip_suffix(')'))
+        {
             return (inner, dots);
         }
     }
@@ -49,20 +52,31 @@ pub fn base(name: &str) -> (&str, usize) {
 /// A name of an equation file as a book sets it.
 pub fn set(name: &str) -> Name {
     let (inner, dots) = base(name);
-    let stem = inner.trim_end_matches(|character: char| character.is_ascii_digit() || character == '_');
+    let stem =
+        inner.trim_end_matches(|character: char| character.is_ascii_digit() || character == '_');
     let index = inner[stem.len()..].trim_start_matches('_');
-    let letter = GREEK.iter().find(|(word, _)| *word == stem).map(|(_, letter)| *letter).or_else(|| {
-        let mut characters = stem.chars();
-        characters.next().filter(|character| characters.next().is_none() && character.is_alphabetic())
-    });
-    let Some(letter) = letter.filter(|_| index.chars().all(|character| character.is_ascii_digit())) else {
+    let letter = GREEK
+        .iter()
+        .find(|(word, _)| *word == stem)
+        .map(|(_, letter)| *letter)
+        .or_else(|| {
+            let mut characters = stem.chars();
+            characters
+                .next()
+                .filter(|character| characters.next().is_none() && character.is_alphabetic())
+        });
+    let Some(letter) = letter.filter(|_| index.chars().all(|character| character.is_ascii_digit()))
+    else {
         let words = inner.replace('_', " ");
         let text = match dots {
             0 => words,
             1 => format!("rate of {words}"),
             _ => format!("acceleration of {words}"),
         };
-        return Name { text, italic: false };
+        return Name {
+            text,
+            italic: false,
+        };
     };
     let mut text = String::from(letter);
     match dots {
@@ -70,7 +84,11 @@ pub fn set(name: &str) -> Name {
         1 => text.push('\u{307}'),
         _ => text.push('\u{308}'),
     }
-    text.extend(index.chars().filter_map(|digit| char::from_u32(0x2080 + digit.to_digit(10)?)));
+    text.extend(
+        index
+            .chars()
+            .filter_map(|digit| char::from_u32(0x2080 + digit.to_digit(10)?)),
+    );
     Name { text, italic: true }
 }
 
@@ -106,7 +124,10 @@ fn raise(character: char) -> char {
         '1' => '¹',
         '2' => '²',
         '3' => '³',
-        digit => digit.to_digit(10).and_then(|digit| char::from_u32(0x2070 + digit)).unwrap_or(digit),
+        digit => digit
+            .to_digit(10)
+            .and_then(|digit| char::from_u32(0x2070 + digit))
+            .unwrap_or(digit),
     }
 }
 
@@ -116,7 +137,13 @@ mod tests {
 
     #[track_caller]
     fn check(name: &str, text: &str, italic: bool) {
-        assert_eq!(set(name), Name { text: text.to_owned(), italic });
+        assert_eq!(
+            set(name),
+            Name {
+                text: text.to_owned(),
+                italic
+            }
+        );
     }
 
     #[test]

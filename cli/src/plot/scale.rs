@@ -19,7 +19,8 @@ impl Scale {
     /// Whether a value lies between the ends, rounding permitted.
     pub fn contains(&self, value: f64) -> bool {
         let slack = 1e-9 * (self.values.1 - self.values.0).abs();
-        value >= self.values.0.min(self.values.1) - slack && value <= self.values.0.max(self.values.1) + slack
+        value >= self.values.0.min(self.values.1) - slack
+            && value <= self.values.0.max(self.values.1) + slack
     }
 
     /// Pixels for one unit of the values.
@@ -34,8 +35,14 @@ mod tests {
 
     #[test]
     fn ends_meet_ends() {
-        let scale = Scale { values: (-1.0, 3.0), pixels: (100.0, 20.0) };
-        assert_eq!((scale.pixel(-1.0), scale.pixel(3.0), scale.pixel(1.0)), (100.0, 20.0, 60.0));
+        let scale = Scale {
+            values: (-1.0, 3.0),
+            pixels: (100.0, 20.0),
+        };
+        assert_eq!(
+            (scale.pixel(-1.0), scale.pixel(3.0), scale.pixel(1.0)),
+            (100.0, 20.0, 60.0)
+        );
         assert_eq!(scale.per_unit(), 20.0);
         assert!(scale.contains(3.0) && !scale.contains(3.1));
     }

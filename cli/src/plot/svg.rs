@@ -24,13 +24,19 @@ pub struct Svg {
 impl Svg {
     /// An empty picture.
     pub fn new(width: f64, height: f64) -> Self {
-        Self { width, height, body: String::new() }
+        Self {
+            width,
+            height,
+            body: String::new(),
+        }
     }
 
     /// A straight line.
     pub fn line(&mut self, class: &str, from: (f64, f64), to: (f64, f64)) {
         let [x1, y1, x2, y2] = [from.0, from.1, to.0, to.1].map(short);
-        self.push(&format!(r#"<line class="{class}" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"/>"#));
+        self.push(&format!(
+            r#"<line class="{class}" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"/>"#
+        ));
     }
 
     /// A line through points; a gap where a point is not finite.
@@ -53,13 +59,17 @@ impl Svg {
     /// A rectangle from its upper left corner.
     pub fn rectangle(&mut self, class: &str, corner: (f64, f64), size: (f64, f64)) {
         let [x, y, width, height] = [corner.0, corner.1, size.0, size.1].map(short);
-        self.push(&format!(r#"<rect class="{class}" x="{x}" y="{y}" width="{width}" height="{height}"/>"#));
+        self.push(&format!(
+            r#"<rect class="{class}" x="{x}" y="{y}" width="{width}" height="{height}"/>"#
+        ));
     }
 
     /// A circle.
     pub fn circle(&mut self, class: &str, centre: (f64, f64), radius: f64) {
         let [x, y, radius] = [centre.0, centre.1, radius].map(short);
-        self.push(&format!(r#"<circle class="{class}" cx="{x}" cy="{y}" r="{radius}"/>"#));
+        self.push(&format!(
+            r#"<circle class="{class}" cx="{x}" cy="{y}" r="{radius}"/>"#
+        ));
     }
 
     /// A text on its base line.
@@ -70,7 +80,10 @@ impl Svg {
             Anchor::Middle => r#" text-anchor="middle""#,
             Anchor::End => r#" text-anchor="end""#,
         };
-        self.push(&format!(r#"<text class="{class}" x="{x}" y="{y}"{anchor}>{}</text>"#, escape(text)));
+        self.push(&format!(
+            r#"<text class="{class}" x="{x}" y="{y}"{anchor}>{}</text>"#,
+            escape(text)
+        ));
     }
 
     /// Begins a part with a name for people who read the file; ends with [`Svg::end`].
@@ -107,7 +120,11 @@ impl Svg {
 fn short(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
 }
 
 /// A text as XML may contain it: markup escaped, characters that XML forbids left out.
@@ -140,7 +157,10 @@ mod tests {
     #[test]
     fn a_gap_lifts_the_pen() {
         let mut svg = Svg::new(10.0, 10.0);
-        svg.path("c", &[(0.0, 0.0), (1.0, 1.004), (f64::NAN, 0.0), (2.0, -0.001)]);
+        svg.path(
+            "c",
+            &[(0.0, 0.0), (1.0, 1.004), (f64::NAN, 0.0), (2.0, -0.001)],
+        );
         assert!(svg.finish("", "", "").contains(r#"d="M0 0L1 1M2 0""#));
     }
 }

@@ -60,8 +60,15 @@ impl<'a> Body<'a> {
         named: &[Value],
         given: BTreeMap<Value, Expression>,
     ) -> Self {
-        let mut body = Self { layout, place, statements: Vec::new(), written: given };
-        let needed = schedule::needed(layout.program(), wanted, &|value| body.outside(value).is_some());
+        let mut body = Self {
+            layout,
+            place,
+            statements: Vec::new(),
+            written: given,
+        };
+        let needed = schedule::needed(layout.program(), wanted, &|value| {
+            body.outside(value).is_some()
+        });
         let uses = body.uses(&needed, wanted, named);
         for Levels { before, batch } in schedule::levels(layout.program(), &needed) {
             for value in before {
@@ -73,10 +80,20 @@ impl<'a> Body<'a> {
     }
 
     /// How often each value is read; the named ones count as read often.
-    fn uses(&self, needed: &BTreeSet<Value>, wanted: &[Value], named: &[Value]) -> BTreeMap<Value, usize> {
+    fn uses(
+        &self,
+        needed: &BTreeSet<Value>,
+        wanted: &[Value],
+        named: &[Value],
+    ) -> BTreeMap<Value, usize> {
         let mut uses = BTreeMap::new();
-        let inner = needed.iter().flat_map(|value| schedule::operands(self.kind(*value)));
-        for value in inner.chain(wanted.iter().copied()).chain(named.iter().copied()) {
+        let inner = needed
+            .iter()
+            .flat_map(|value| schedule::operands(self.kind(*value)));
+        for value in inner
+            .chain(wanted.iter().copied())
+            .chain(named.iter().copied())
+        {
             *uses.entry(value).or_insert(0) += 1;
         }
         uses
@@ -111,7 +128,10 @@ impl<'a> Body<'a> {
         }
         self.outside(value).unwrap_or_else(|| {
             let name = self.layout.names.of(value);
-            Expression { reads: BTreeSet::from([value]), ..Expression::whole(quote!(#name)) }
+            Expression {
+                reads: BTreeSet::from([value]),
+                ..Expression::whole(quote!(#name))
+            }
         })
     }
 
@@ -123,20 +143,29 @@ impl<'a> Body<'a> {
     /// Adds the statement for an operation, or keeps it to be written where it is read.
     fn state(&mut self, value: Value, uses: usize) {
         let kind = self.kind(value);
-        let named = self.layout.program().operations[value.0 as usize].name.is_some();
+        let named = self.layout.program().operations[value.0 as usize]
+            .name
+            .is_some();
         let text = match kind {
             OperationKind::Number(_) => return,
             OperationKind::Input(input) => self.input(*input),
             kind => expression::operation(kind, &|operand| self.expression(operand)),
         };
         let always = matches!(kind, OperationKind::Element { .. });
-        let never = matches!(kind, OperationKind::Input(_) | OperationKind::Factor { .. } | OperationKind::Solve { .. });
+        let never = matches!(
+            kind,
+            OperationKind::Input(_) | OperationKind::Factor { .. } | OperationKind::Solve { .. }
+        );
         if !named && !never && (always || uses <= 1 && text.weight <= LONGEST) {
             self.written.insert(value, text);
         } else {
             let (name, tokens) = (self.layout.names.of(value), &text.tokens);
             let tokens = quote!(let #name = #tokens;);
-            self.statements.push(Statement { tokens, defines: vec![value], reads: text.reads });
+            self.statements.push(Statement {
+                tokens,
+                defines: vec![value],
+                reads: text.reads,
+            });
         }
     }
 
@@ -164,7 +193,10 @@ impl<'a> Body<'a> {
             }
             None => quote!(_),
         };
-        let angles: Vec<Expression> = pairs.iter().map(|pair| self.expression(pair.angle)).collect();
+        let angles: Vec<Expression> = pairs
+            .iter()
+            .map(|pair| self.expression(pair.angle))
+            .collect();
         let texts: Vec<&TokenStream> = angles.iter().map(|angle| &angle.tokens).collect();
         let sines: Vec<_> = pairs.iter().map(|pair| name(&pair.sine)).collect();
         let cosines: Vec<_> = pairs.iter().map(|pair| name(&pair.cosine)).collect();
@@ -174,16 +206,26 @@ impl<'a> Body<'a> {
             _ => quote!(let ([#(#sines),*], [#(#cosines),*]) = S::sin_cos_all([#(#texts),*]);),
         };
         let reads = angles.into_iter().flat_map(|angle| angle.reads).collect();
-        self.statements.push(Statement { tokens, defines: batch.to_vec(), reads });
+        self.statements.push(Statement {
+            tokens,
+            defines: batch.to_vec(),
+            reads,
+        });
     }
 
     /// The statements, in blocks when they are many. `wanted` are the values read after them.
     pub fn statements(&self, wanted: &[Value]) -> TokenStream {
         if self.statements.len() <= BLOCK {
-            return self.statements.iter().map(|statement| statement.tokens.clone()).collect();
+            return self
+                .statements
+                .iter()
+                .map(|statement| statement.tokens.clone())
+                .collect();
         }
-        let mut read_later: BTreeSet<Value> =
-            wanted.iter().flat_map(|value| self.expression(*value).reads).collect();
+        let mut read_later: BTreeSet<Value> = wanted
+            .iter()
+            .flat_map(|value| self.expression(*value).reads)
+            .collect();
         let mut blocks = Vec::new();
         for block in self.statements.chunks(BLOCK).rev() {
             let kept: Vec<_> = block
@@ -194,7 +236,11 @@ impl<'a> Body<'a> {
                 .collect();
             let inner = block.iter().map(|statement| &statement.tokens);
             blocks.push(quote!(let (#(#kept,)*) = { #(#inner)* (#(#kept,)*) };));
-            read_later.extend(block.iter().flat_map(|statement| statement.reads.iter().copied()));
+            read_later.extend(
+                block
+                    .iter()
+                    .flat_map(|statement| statement.reads.iter().copied()),
+            );
         }
         blocks.into_iter().rev().collect()
     }
@@ -215,14 +261,25 @@ pub fn pairs(layout: &Layout<'_>, batch: &[Value]) -> Vec<Pair> {
     use assur_model::program::Function;
     let mut pairs: Vec<Pair> = Vec::new();
     for value in batch {
-        let OperationKind::Call(function, arguments) = &layout.program().operations[value.0 as usize].kind else {
+        let OperationKind::Call(function, arguments) =
+            &layout.program().operations[value.0 as usize].kind
+        else {
             continue;
         };
-        let Some(angle) = arguments.first().copied() else { continue };
-        let index = pairs.iter().position(|pair| pair.angle == angle).unwrap_or_else(|| {
-            pairs.push(Pair { angle, sine: None, cosine: None });
-            pairs.len() - 1
-        });
+        let Some(angle) = arguments.first().copied() else {
+            continue;
+        };
+        let index = pairs
+            .iter()
+            .position(|pair| pair.angle == angle)
+            .unwrap_or_else(|| {
+                pairs.push(Pair {
+                    angle,
+                    sine: None,
+                    cosine: None,
+                });
+                pairs.len() - 1
+            });
         match function {
             Function::Sin => pairs[index].sine = Some(*value),
             _ => pairs[index].cosine = Some(*value),
@@ -236,5 +293,8 @@ pub fn blocks(statements: &[TokenStream]) -> TokenStream {
     if statements.len() <= BLOCK {
         return quote!(#(#statements)*);
     }
-    statements.chunks(BLOCK).map(|block| quote!({ #(#block)* })).collect()
+    statements
+        .chunks(BLOCK)
+        .map(|block| quote!({ #(#block)* }))
+        .collect()
 }

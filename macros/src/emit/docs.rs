@@ -12,7 +12,11 @@ pub fn lines(text: &str) -> TokenStream {
     text.trim_end()
         .lines()
         .map(|line| {
-            let line = if line.is_empty() { String::new() } else { format!(" {line}") };
+            let line = if line.is_empty() {
+                String::new()
+            } else {
+                format!(" {line}")
+            };
             quote!(#[doc = #line])
         })
         .collect()
@@ -30,7 +34,11 @@ pub fn mechanism(model: &Model, origin: &Origin<'_>) -> String {
 
 fn title(documentation: &str, name: &str) -> String {
     let documentation = documentation.trim();
-    if documentation.is_empty() { format!("The mechanism `{name}`.") } else { documentation.to_owned() }
+    if documentation.is_empty() {
+        format!("The mechanism `{name}`.")
+    } else {
+        documentation.to_owned()
+    }
 }
 
 /// Documentation of a scene: what it shows, its equations, its quantities.
@@ -44,11 +52,17 @@ pub fn scene(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> String 
     text += ".\n";
     let effects = scene.effects.iter().map(|name| {
         let known = model.effects.iter().find(|effect| effect.name == *name);
-        format!("* `{name}`: {}\n", plain(known.map_or("", |effect| &effect.summary)))
+        format!(
+            "* `{name}`: {}\n",
+            plain(known.map_or("", |effect| &effect.summary))
+        )
     });
     let choices = scene.choices.iter().map(|(choice, held)| {
         let known = model.choices.iter().find(|info| info.name == *choice);
-        format!("* `{choice}.{held}`: {}\n", plain(known.map_or("", |info| &info.summary)))
+        format!(
+            "* `{choice}.{held}`: {}\n",
+            plain(known.map_or("", |info| &info.summary))
+        )
     });
     let selected: String = effects.chain(choices).collect();
     if !selected.is_empty() {
@@ -74,12 +88,25 @@ fn equations(layout: &Layout<'_>, origin: &Origin<'_>) -> String {
     if equations.is_empty() {
         return String::new();
     }
-    let longest = equations.iter().map(|equation| equation.text.chars().count()).max().unwrap_or(0).min(80);
+    let longest = equations
+        .iter()
+        .map(|equation| equation.text.chars().count())
+        .max()
+        .unwrap_or(0)
+        .min(80);
     let mut text = String::from("\n```text\n");
     for equation in equations {
-        let unit = if equation.unit.is_empty() { "1" } else { &equation.unit };
+        let unit = if equation.unit.is_empty() {
+            "1"
+        } else {
+            &equation.unit
+        };
         let line = (origin.line_of)(equation.span);
-        text += &format!("{:longest$}   [{unit}]  {}:{line}\n", equation.text.replace('\n', " "), origin.file);
+        text += &format!(
+            "{:longest$}   [{unit}]  {}:{line}\n",
+            equation.text.replace('\n', " "),
+            origin.file
+        );
     }
     text + "```\n"
 }
@@ -87,13 +114,27 @@ fn equations(layout: &Layout<'_>, origin: &Origin<'_>) -> String {
 const QUANTITY: &[&str] = &["name", "unit", ""];
 
 fn quantity_row(quantity: &QuantityInfo) -> String {
-    let unit = if quantity.unit.is_empty() { "1" } else { &quantity.unit };
-    format!("| `{}` | {} | {} |\n", quantity.name, code(unit), cell(&quantity.summary))
+    let unit = if quantity.unit.is_empty() {
+        "1"
+    } else {
+        &quantity.unit
+    };
+    format!(
+        "| `{}` | {} | {} |\n",
+        quantity.name,
+        code(unit),
+        cell(&quantity.summary)
+    )
 }
 
 fn constant_row(constant: &ConstantInfo) -> String {
     let name = &constant.quantity.name;
-    format!("| `{name}` | {} | {} | {} |\n", code(&value(constant)), code(&range(constant)), cell(&constant.quantity.summary))
+    format!(
+        "| `{name}` | {} | {} | {} |\n",
+        code(&value(constant)),
+        code(&range(constant)),
+        cell(&constant.quantity.summary)
+    )
 }
 
 fn table(title: &str, heads: &[&str], rows: impl Iterator<Item = String>) -> String {
@@ -101,16 +142,31 @@ fn table(title: &str, heads: &[&str], rows: impl Iterator<Item = String>) -> Str
     if rows.is_empty() {
         return String::new();
     }
-    let heads: String = heads.iter().map(|head| if head.is_empty() { "|  ".to_owned() } else { format!("| {head} ") }).collect();
+    let heads: String = heads
+        .iter()
+        .map(|head| {
+            if head.is_empty() {
+                "|  ".to_owned()
+            } else {
+                format!("| {head} ")
+            }
+        })
+        .collect();
     let rule: String = "|---".repeat(heads.matches('|').count());
     format!("\n{title}:\n\n{heads}|\n{rule}|\n{rows}")
 }
 
 /// Documentation of a field: `Crank radius. 75 mm ± 0.05 mm; here in SI units.`
 pub fn constant(constant: &ConstantInfo) -> String {
-    let summary = plain(constant.quantity.summary.trim()).trim_end_matches('.').to_owned();
+    let summary = plain(constant.quantity.summary.trim())
+        .trim_end_matches('.')
+        .to_owned();
     let summary = if summary.is_empty() {
-        if constant.is_dimension { "Dimension".to_owned() } else { "Parameter".to_owned() }
+        if constant.is_dimension {
+            "Dimension".to_owned()
+        } else {
+            "Parameter".to_owned()
+        }
     } else {
         summary
     };
@@ -121,14 +177,24 @@ pub fn constant(constant: &ConstantInfo) -> String {
     }
     match constant.quantity.factor {
         1.0 => text + ".",
-        factor => text + &format!("; stored in SI units, `{}` is {}.", constant.quantity.unit, neat(factor)),
+        factor => {
+            text + &format!(
+                "; stored in SI units, `{}` is {}.",
+                constant.quantity.unit,
+                neat(factor)
+            )
+        }
     }
 }
 
 /// `75 mm ± 0.05 mm`
 fn value(constant: &ConstantInfo) -> String {
     let quantity = &constant.quantity;
-    let shown = |value: f64| format!("{} {}", neat(value / quantity.factor), quantity.unit).trim_end().to_owned();
+    let shown = |value: f64| {
+        format!("{} {}", neat(value / quantity.factor), quantity.unit)
+            .trim_end()
+            .to_owned()
+    };
     let mut text = shown(constant.default);
     if constant.tolerance != 0.0 {
         text += &format!(" ± {}", shown(constant.tolerance));
@@ -150,11 +216,19 @@ fn range(constant: &ConstantInfo) -> String {
 fn neat(value: f64) -> String {
     let rounded = format!("{value:.11e}").parse().unwrap_or(value);
     let size = f64::abs(rounded);
-    if size == 0.0 || (1e-4..1e7).contains(&size) { format!("{rounded}") } else { format!("{rounded:e}") }
+    if size == 0.0 || (1e-4..1e7).contains(&size) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
 }
 
 fn code(text: &str) -> String {
-    if text.is_empty() { String::new() } else { format!("`{}`", text.replace('|', "\\|")) }
+    if text.is_empty() {
+        String::new()
+    } else {
+        format!("`{}`", text.replace('|', "\\|"))
+    }
 }
 
 fn cell(text: &str) -> String {
@@ -163,5 +237,7 @@ fn cell(text: &str) -> String {
 
 /// A text of the user's in which brackets mean nothing to rustdoc.
 fn plain(text: &str) -> String {
-    text.replace('[', "\\[").replace(']', "\\]").replace('<', "\\<")
+    text.replace('[', "\\[")
+        .replace(']', "\\]")
+        .replace('<', "\\<")
 }

@@ -21,9 +21,17 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
     let (name, instant) = (&layout.equations, &layout.instant);
     let states = size(layout.states());
     let fields = layout.fields(&layout.prepared);
-    let text = docs::lines(&format!("Equations of [`{}`], prepared for a scalar type.", layout.parameters));
-    let methods =
-        [instant::methods(layout), derivative(layout), variation(layout), jacobian(layout), outputs::methods(layout)];
+    let text = docs::lines(&format!(
+        "Equations of [`{}`], prepared for a scalar type.",
+        layout.parameters
+    ));
+    let methods = [
+        instant::methods(layout),
+        derivative(layout),
+        variation(layout),
+        jacobian(layout),
+        outputs::methods(layout),
+    ];
     quote! {
         #text
         #[derive(Clone, Copy, Debug)]
@@ -65,11 +73,17 @@ fn jacobian(layout: &Layout<'_>) -> TokenStream {
     let (states, count) = (layout.states(), size(layout.states()));
     let mut writes = Vec::new();
     for column in 0..states {
-        let of: BTreeMap<usize, Value> =
-            entries.iter().filter(|entry| entry.1 as usize == column).map(|entry| (entry.0 as usize, entry.2)).collect();
+        let of: BTreeMap<usize, Value> = entries
+            .iter()
+            .filter(|entry| entry.1 as usize == column)
+            .map(|entry| (entry.0 as usize, entry.2))
+            .collect();
         let at = size(column);
         if states <= SHORT {
-            let values = (0..states).map(|row| of.get(&row).map_or(quote!(S::ZERO), |value| body.value(*value)));
+            let values = (0..states).map(|row| {
+                of.get(&row)
+                    .map_or(quote!(S::ZERO), |value| body.value(*value))
+            });
             writes.push(quote!(columns[#at] = [#(#values),*];));
         } else {
             writes.push(quote!(columns[#at] = [S::ZERO; #count];));
@@ -99,7 +113,9 @@ fn variation(layout: &Layout<'_>) -> TokenStream {
     let body = Body::new(layout, Place::Evaluation, &results.derivative, &slopes);
     let statements = body.statements(&all);
     let values = results.derivative.iter().map(|value| body.value(*value));
-    let rows: Vec<TokenStream> = (0..layout.states()).map(|row| product(layout, &body, row)).collect();
+    let rows: Vec<TokenStream> = (0..layout.states())
+        .map(|row| product(layout, &body, row))
+        .collect();
     let rows = blocks(&rows);
     quote! {
         #[inline(always)]
@@ -127,8 +143,14 @@ fn product(layout: &Layout<'_>, body: &Body<'_>, row: usize) -> TokenStream {
         OperationKind::Number(number) => Some(number),
         _ => None,
     };
-    let entries = program.results.jacobian.iter().filter(|entry| entry.0 as usize == row);
-    let entries: Vec<_> = entries.filter(|entry| number(entry.2) != Some(0.0)).collect();
+    let entries = program
+        .results
+        .jacobian
+        .iter()
+        .filter(|entry| entry.0 as usize == row);
+    let entries: Vec<_> = entries
+        .filter(|entry| number(entry.2) != Some(0.0))
+        .collect();
     let mut sum: Option<TokenStream> = None;
     let mut parts = Vec::new();
     for (index, (_, column, value)) in entries.iter().enumerate() {
@@ -148,7 +170,11 @@ fn product(layout: &Layout<'_>, body: &Body<'_>, row: usize) -> TokenStream {
     }
     let row = size(row);
     let sum = sum.unwrap_or_else(|| scalar(0.0).tokens);
-    if parts.is_empty() { quote!(product_[#row] = #sum;) } else { quote!(product_[#row] = { #(#parts)* #sum };) }
+    if parts.is_empty() {
+        quote!(product_[#row] = #sum;)
+    } else {
+        quote!(product_[#row] = { #(#parts)* #sum };)
+    }
 }
 
 /// The first so many places of a slice as an array. Fewer are a mistake of the caller's, which debug builds report.

@@ -35,13 +35,22 @@ pub struct Expression {
 impl Expression {
     /// A name or call.
     pub fn whole(tokens: TokenStream) -> Self {
-        Self { tokens, binding: Binding::Whole, reads: BTreeSet::new(), weight: 0 }
+        Self {
+            tokens,
+            binding: Binding::Whole,
+            reads: BTreeSet::new(),
+            weight: 0,
+        }
     }
 
     /// The text, in parentheses if it holds together less tightly than asked.
     fn at_least(&self, binding: Binding) -> TokenStream {
         let tokens = &self.tokens;
-        if self.binding < binding { quote!((#tokens)) } else { tokens.clone() }
+        if self.binding < binding {
+            quote!((#tokens))
+        } else {
+            tokens.clone()
+        }
     }
 }
 
@@ -51,11 +60,21 @@ pub fn number(value: f64) -> TokenStream {
         return quote!(f64::NAN);
     }
     if value.is_infinite() {
-        return if value > 0.0 { quote!(f64::INFINITY) } else { quote!(f64::NEG_INFINITY) };
+        return if value > 0.0 {
+            quote!(f64::INFINITY)
+        } else {
+            quote!(f64::NEG_INFINITY)
+        };
     }
     let size = value.abs();
-    let literal = format!("{size:?}").parse().unwrap_or_else(|_| Literal::f64_unsuffixed(size));
-    if value.is_sign_negative() { quote!(-#literal) } else { quote!(#literal) }
+    let literal = format!("{size:?}")
+        .parse()
+        .unwrap_or_else(|_| Literal::f64_unsuffixed(size));
+    if value.is_sign_negative() {
+        quote!(-#literal)
+    } else {
+        quote!(#literal)
+    }
 }
 
 /// A number as a scalar.
@@ -132,9 +151,17 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
             (quote!(#solution[#index]), Whole)
         }
     };
-    let reads = all.iter().flat_map(|one| one.reads.iter().copied()).collect();
+    let reads = all
+        .iter()
+        .flat_map(|one| one.reads.iter().copied())
+        .collect();
     let weight = 1 + all.iter().map(|one| one.weight).sum::<usize>();
-    Expression { tokens, binding, reads, weight }
+    Expression {
+        tokens,
+        binding,
+        reads,
+        weight,
+    }
 }
 
 /// The factors of a symmetric matrix, of which the lower triangle is given.

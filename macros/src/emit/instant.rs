@@ -16,7 +16,10 @@ use super::schedule;
 pub fn items(layout: &Layout<'_>) -> TokenStream {
     let name = &layout.instant;
     let fields = layout.fields(&layout.timed);
-    let text = docs::lines(&format!("What the equations of [`{}`] need of one time.", layout.parameters));
+    let text = docs::lines(&format!(
+        "What the equations of [`{}`] need of one time.",
+        layout.parameters
+    ));
     quote! {
         #text
         #[derive(Clone, Copy, Debug)]
@@ -34,7 +37,10 @@ pub fn methods(layout: &Layout<'_>) -> TokenStream {
 fn one(layout: &Layout<'_>) -> TokenStream {
     let wanted: Vec<Value> = layout.timed.iter().copied().collect();
     let body = Body::new(layout, Place::Time, &wanted, &[]);
-    let (statements, fields) = (body.statements(&wanted), layout.stored(&layout.timed, &body));
+    let (statements, fields) = (
+        body.statements(&wanted),
+        layout.stored(&layout.timed, &body),
+    );
     let name = &layout.instant;
     quote! {
         #[inline(always)]
@@ -50,7 +56,9 @@ fn several(layout: &Layout<'_>) -> TokenStream {
     let program = layout.program();
     let wanted: Vec<Value> = layout.timed.iter().copied().collect();
     // Whatever is prepared is there; the time stands in an array.
-    let prepared = |value: Value| program.operations[value.0 as usize].stage < assur_model::program::Stage::Instant;
+    let prepared = |value: Value| {
+        program.operations[value.0 as usize].stage < assur_model::program::Stage::Instant
+    };
     let needed = schedule::needed(program, &wanted, &prepared);
     let mut given: BTreeMap<Value, Expression> = BTreeMap::new();
     let mut sines = Vec::new();
@@ -60,8 +68,10 @@ fn several(layout: &Layout<'_>) -> TokenStream {
             continue;
         }
         let angles: Vec<Value> = pairs.iter().map(|pair| pair.angle).collect();
-        let names: Vec<_> =
-            angles.iter().map(|angle| format_ident!("angle_{}", angle.0.to_string() + "_")).collect();
+        let names: Vec<_> = angles
+            .iter()
+            .map(|angle| format_ident!("angle_{}", angle.0.to_string() + "_"))
+            .collect();
         let body = Body::with_given(layout, Place::Time, &angles, &[], given.clone());
         let statements = body.statements(&angles);
         let values = angles.iter().map(|angle| body.value(*angle));
@@ -87,7 +97,10 @@ fn several(layout: &Layout<'_>) -> TokenStream {
         }
     }
     let body = Body::with_given(layout, Place::Time, &wanted, &[], given);
-    let (statements, fields) = (body.statements(&wanted), layout.stored(&layout.timed, &body));
+    let (statements, fields) = (
+        body.statements(&wanted),
+        layout.stored(&layout.timed, &body),
+    );
     let (name, placeholders) = (&layout.instant, layout.placeholders(&layout.timed));
     let fill = (!layout.timed.is_empty()).then(|| {
         quote! {

@@ -16,8 +16,6 @@ use super::schedule::{self, Shape};
 pub struct Layout<'a> {
     /// The scene.
     pub scene: &'a SceneModel,
-    /// Its place among the scenes of the mechanism.
-    pub index: usize,
     /// Local names of its values.
     pub names: Names,
     /// Fields of the parameter struct.
@@ -36,20 +34,31 @@ pub struct Layout<'a> {
 
 impl<'a> Layout<'a> {
     /// Lays out a scene whose type has this name.
-    pub fn new(scene: &'a SceneModel, index: usize, type_name: &str) -> Self {
+    pub fn new(scene: &'a SceneModel, type_name: &str) -> Self {
         let program = &scene.program;
         let results = &program.results;
         let slopes = results.jacobian.iter().map(|entry| entry.2);
         let evaluated: Vec<Value> = results.derivative.iter().copied().chain(slopes).collect();
-        let rest = [&results.outputs, &results.drivers, &results.mass, &results.energy];
-        let all: Vec<Value> = evaluated.iter().chain(rest.into_iter().flatten()).copied().collect();
+        let rest = [
+            &results.outputs,
+            &results.drivers,
+            &results.mass,
+            &results.energy,
+        ];
+        let all: Vec<Value> = evaluated
+            .iter()
+            .chain(rest.into_iter().flatten())
+            .copied()
+            .collect();
         let stage = |value: &Value| program.operations[value.0 as usize].stage;
         let mut timed = schedule::frontier(program, &evaluated, Stage::State);
         timed.retain(|value| stage(value) == Stage::Instant);
-        let names = scene.constants.iter().map(|constant| constant.quantity.name.as_str());
+        let names = scene
+            .constants
+            .iter()
+            .map(|constant| constant.quantity.name.as_str());
         Self {
             scene,
-            index,
             names: Names::new(scene),
             constants: names::distinct(names),
             parameters: names::identifier(type_name),
@@ -76,7 +85,11 @@ impl<'a> Layout<'a> {
             let (name, kind) = (self.names.of(*value), self.type_of(*value));
             quote!(#name: #kind)
         });
-        if stored.is_empty() { quote!(scalar_: ::core::marker::PhantomData<S>) } else { quote!(#(#fields),*) }
+        if stored.is_empty() {
+            quote!(scalar_: ::core::marker::PhantomData<S>)
+        } else {
+            quote!(#(#fields),*)
+        }
     }
 
     /// The fields with their values, `name: value`.
@@ -95,7 +108,11 @@ impl<'a> Layout<'a> {
         }
         let fields = stored.iter().map(|value| {
             let (name, text) = (self.names.of(*value), text(*value));
-            if name.to_string() == text.to_string() { text } else { quote!(#name: #text) }
+            if *name == text.to_string() {
+                text
+            } else {
+                quote!(#name: #text)
+            }
         });
         quote!(#(#fields),*)
     }

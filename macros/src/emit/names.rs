@@ -9,10 +9,11 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
 /// Words that have to be written `r#word` to be names.
 const KEYWORDS: &[&str] = &[
-    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn", "else", "enum",
-    "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod", "move",
-    "mut", "override", "priv", "pub", "ref", "return", "static", "struct", "trait", "true", "try", "type", "typeof",
-    "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn",
+    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let",
+    "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return",
+    "static", "struct", "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use",
+    "virtual", "where", "while", "yield",
 ];
 
 /// Words that Rust allows as names in no spelling.
@@ -20,8 +21,21 @@ const IMPOSSIBLE: &[&str] = &["self", "Self", "super", "crate", "_"];
 
 /// Local names that the emitted functions use themselves, and items that a `let` cannot shadow.
 const RESERVED: &[&str] = &[
-    "time", "times", "state", "rate", "columns", "products", "values", "instant", "instants", "MECHANISM", "REGISTRY",
-    "Some", "None", "Ok", "Err",
+    "time",
+    "times",
+    "state",
+    "rate",
+    "columns",
+    "products",
+    "values",
+    "instant",
+    "instants",
+    "MECHANISM",
+    "REGISTRY",
+    "Some",
+    "None",
+    "Ok",
+    "Err",
 ];
 
 /// An identifier as close to a name as Rust allows: `l[3]` becomes `l_3`, `dot(x)` becomes `dot_x`, `loop` `r#loop`.
@@ -38,7 +52,8 @@ pub fn identifier(name: &str) -> Ident {
 fn plain(name: &str) -> String {
     let mut plain = String::new();
     for character in name.chars() {
-        let good = character.is_ascii_alphanumeric() || (!character.is_ascii() && !character.is_whitespace());
+        let good = character.is_ascii_alphanumeric()
+            || (!character.is_ascii() && !character.is_whitespace());
         match good {
             true => plain.push(character),
             false if plain.ends_with('_') || plain.is_empty() => {}
@@ -50,13 +65,21 @@ fn plain(name: &str) -> String {
         plain.truncate(plain.trim_end_matches('_').len());
     }
     if IMPOSSIBLE.contains(&plain.as_str()) || !is_word(&plain) {
-        plain = format!("v{}_", plain.chars().filter(char::is_ascii_alphanumeric).collect::<String>());
+        plain = format!(
+            "v{}_",
+            plain
+                .chars()
+                .filter(char::is_ascii_alphanumeric)
+                .collect::<String>()
+        );
     }
     plain
 }
 
 fn is_word(text: &str) -> bool {
-    let Ok(stream) = text.parse::<TokenStream>() else { return false };
+    let Ok(stream) = text.parse::<TokenStream>() else {
+        return false;
+    };
     let tokens: Vec<TokenTree> = stream.into_iter().collect();
     matches!(tokens.as_slice(), [TokenTree::Ident(_)])
 }
@@ -89,7 +112,11 @@ pub fn snake(name: &str) -> String {
 /// Identifiers that are all different, made in the order of a list.
 pub fn distinct<'a>(names: impl IntoIterator<Item = &'a str>) -> Vec<Ident> {
     let mut taken = BTreeSet::new();
-    names.into_iter().enumerate().map(|(index, name)| free(plain(name), index, &mut taken)).collect()
+    names
+        .into_iter()
+        .enumerate()
+        .map(|(index, name)| free(plain(name), index, &mut taken))
+        .collect()
 }
 
 /// The name if it is free, else the name with its index.
@@ -118,13 +145,19 @@ impl Names {
             let wished = match (&operation.kind, &operation.name) {
                 (OperationKind::Input(input), _) => input_name(scene, *input),
                 (_, Some(name)) => Some(plain(name)),
-                (OperationKind::Call(function @ (Function::Sin | Function::Cos), angle), None) => angle
-                    .first()
-                    .and_then(|angle| of.get(angle.0 as usize))
-                    .map(|angle| trigonometric_name(*function, angle)),
+                (OperationKind::Call(function @ (Function::Sin | Function::Cos), angle), None) => {
+                    angle
+                        .first()
+                        .and_then(|angle| of.get(angle.0 as usize))
+                        .map(|angle| trigonometric_name(*function, angle))
+                }
                 _ => result_name(scene, Value(index as u32)),
             };
-            of.push(free(wished.unwrap_or_else(|| format!("v{index}_")), index, &mut taken));
+            of.push(free(
+                wished.unwrap_or_else(|| format!("v{index}_")),
+                index,
+                &mut taken,
+            ));
         }
         Self { of }
     }
@@ -137,7 +170,10 @@ impl Names {
 
 fn input_name(scene: &SceneModel, input: Input) -> Option<String> {
     let quantity = match input {
-        Input::Parameter(index) => scene.constants.get(index as usize).map(|constant| &constant.quantity),
+        Input::Parameter(index) => scene
+            .constants
+            .get(index as usize)
+            .map(|constant| &constant.quantity),
         Input::State(index) => scene.states.get(index as usize),
         Input::Time => return Some("time_".to_owned()),
     };
@@ -147,7 +183,11 @@ fn input_name(scene: &SceneModel, input: Input) -> Option<String> {
 fn trigonometric_name(function: Function, angle: &Ident) -> String {
     let angle = angle.to_string();
     let angle = angle.trim_start_matches("r#").trim_end_matches('_');
-    let prefix = if function == Function::Sin { "sin" } else { "cos" };
+    let prefix = if function == Function::Sin {
+        "sin"
+    } else {
+        "cos"
+    };
     format!("{prefix}_{angle}_")
 }
 

@@ -85,7 +85,9 @@ fn mass_matrix(layout: &Layout<'_>) -> TokenStream {
 
 fn energy(layout: &Layout<'_>) -> TokenStream {
     let energy = &layout.program().results.energy;
-    let [kinetic, potential] = energy.as_slice() else { return TokenStream::new() };
+    let [kinetic, potential] = energy.as_slice() else {
+        return TokenStream::new();
+    };
     let body = Body::new(layout, Place::Time, energy, &[]);
     let statements = body.statements(energy);
     let (kinetic, potential) = (body.value(*kinetic), body.value(*potential));

@@ -14,14 +14,22 @@ use super::{Origin, docs, registry};
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
     let (name, constants) = (&layout.parameters, &layout.scene.constants);
     let text = docs::lines(&docs::scene(layout, model, origin));
-    let fields = layout.constants.iter().zip(constants).map(|(field, constant)| {
-        let text = docs::lines(&docs::constant(constant));
-        quote!(#text pub #field: f64)
-    });
-    let defaults = layout.constants.iter().zip(constants).map(|(field, constant)| {
-        let value = number(constant.default);
-        quote!(#field: #value)
-    });
+    let fields = layout
+        .constants
+        .iter()
+        .zip(constants)
+        .map(|(field, constant)| {
+            let text = docs::lines(&docs::constant(constant));
+            quote!(#text pub #field: f64)
+        });
+    let defaults = layout
+        .constants
+        .iter()
+        .zip(constants)
+        .map(|(field, constant)| {
+            let value = number(constant.default);
+            quote!(#field: #value)
+        });
     let inherent = inherent(layout);
     let implementation = implementation(layout);
     quote! {
@@ -46,10 +54,27 @@ fn inherent(layout: &Layout<'_>) -> TokenStream {
     let count = size(fields.len());
     let constants = registry::constants(layout.scene);
     let results = &layout.program().results;
-    let requirements =
-        computed(layout, "requirements_", &results.requirements, quote!(S::Mask), "The conditions on the values.");
-    let span = computed(layout, "span_", &results.span, quote!(S), "The period, or the first and the last time.");
-    let start = computed(layout, "start_", &results.start, quote!(S), "The declared start values of the state.");
+    let requirements = computed(
+        layout,
+        "requirements_",
+        &results.requirements,
+        quote!(S::Mask),
+        "The conditions on the values.",
+    );
+    let span = computed(
+        layout,
+        "span_",
+        &results.span,
+        quote!(S),
+        "The period, or the first and the last time.",
+    );
+    let start = computed(
+        layout,
+        "start_",
+        &results.start,
+        quote!(S),
+        "The declared start values of the state.",
+    );
     quote! {
         impl #name {
             /// Names, units, defaults and ranges of the fields, in their order.
@@ -74,7 +99,13 @@ fn inherent(layout: &Layout<'_>) -> TokenStream {
 }
 
 /// A method that computes some values from the parameters; nothing when there are none.
-fn computed(layout: &Layout<'_>, name: &str, wanted: &[Value], kind: TokenStream, text: &str) -> TokenStream {
+fn computed(
+    layout: &Layout<'_>,
+    name: &str,
+    wanted: &[Value],
+    kind: TokenStream,
+    text: &str,
+) -> TokenStream {
     if wanted.is_empty() {
         return TokenStream::new();
     }
@@ -95,13 +126,17 @@ fn computed(layout: &Layout<'_>, name: &str, wanted: &[Value], kind: TokenStream
 fn implementation(layout: &Layout<'_>) -> TokenStream {
     let (name, equations) = (&layout.parameters, &layout.equations);
     let scene = layout.scene;
-    let (states, outputs, drivers) =
-        (size(scene.states.len()), size(scene.outputs.len()), size(scene.drivers.len()));
+    let (states, outputs, drivers) = (
+        size(scene.states.len()),
+        size(scene.outputs.len()),
+        size(scene.drivers.len()),
+    );
     let linear = layout.program().linear;
     let scales = scene.scales.iter().map(|value| number(*value));
     let state_names = scene.states.iter().map(|state| &state.name);
     let output_names = scene.outputs.iter().map(|output| &output.name);
-    let (prepare, check, span, start) = (prepare(layout), check(layout), span(layout), start(layout));
+    let (prepare, check, span, start) =
+        (prepare(layout), check(layout), span(layout), start(layout));
     quote! {
         impl ::assur::problem::Scene for #name {
             type Equations<S: ::assur::scalar::Scalar> = #equations<S>;
@@ -126,7 +161,10 @@ fn implementation(layout: &Layout<'_>) -> TokenStream {
 fn prepare(layout: &Layout<'_>) -> TokenStream {
     let wanted: Vec<Value> = layout.prepared.iter().copied().collect();
     let body = Body::new(layout, Place::Parameters, &wanted, &[]);
-    let (statements, fields) = (body.statements(&wanted), layout.stored(&layout.prepared, &body));
+    let (statements, fields) = (
+        body.statements(&wanted),
+        layout.stored(&layout.prepared, &body),
+    );
     let equations = &layout.equations;
     quote! {
         fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
@@ -159,17 +197,39 @@ fn check(layout: &Layout<'_>) -> TokenStream {
 
 /// `found R = 75 mm, l = 70 mm; expected R < l`
 fn refused(layout: &Layout<'_>, requirement: &RequirementInfo) -> TokenStream {
-    let name = if requirement.message.is_empty() { &requirement.text } else { &requirement.message };
+    let name = if requirement.message.is_empty() {
+        &requirement.text
+    } else {
+        &requirement.message
+    };
     let mut found = Vec::new();
     let mut values = Vec::new();
     for index in &requirement.names {
-        let Some(constant) = layout.scene.constants.get(*index) else { continue };
+        let Some(constant) = layout.scene.constants.get(*index) else {
+            continue;
+        };
         let (field, quantity) = (&layout.constants[*index], &constant.quantity);
-        found.push(format!("{} = {{}} {}", escape(&quantity.name), escape(&quantity.unit)).trim_end().to_owned());
+        found.push(
+            format!(
+                "{} = {{}} {}",
+                escape(&quantity.name),
+                escape(&quantity.unit)
+            )
+            .trim_end()
+            .to_owned(),
+        );
         let factor = number(quantity.factor);
-        values.push(if quantity.factor == 1.0 { quote!(self.#field) } else { quote!(self.#field / #factor) });
+        values.push(if quantity.factor == 1.0 {
+            quote!(self.#field)
+        } else {
+            quote!(self.#field / #factor)
+        });
     }
-    let found = if found.is_empty() { String::new() } else { format!("found {}; ", found.join(", ")) };
+    let found = if found.is_empty() {
+        String::new()
+    } else {
+        format!("found {}; ", found.join(", "))
+    };
     let reason = format!("{found}expected {}", escape(&requirement.text));
     quote! {
         ::core::result::Result::Err(::assur::problem::Refused {

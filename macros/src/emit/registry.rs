@@ -58,19 +58,36 @@ pub fn table(model: &Model, layouts: &[Layout<'_>], origin: &Origin<'_>) -> Toke
 
 fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
     let scene = layout.scene;
-    let (name, summary, effects, preset) = (&scene.name, &scene.summary, &scene.effects, &scene.preset);
-    let choices = scene.choices.iter().map(|(choice, held)| quote!((#choice, #held)));
+    let (name, summary, effects, preset) =
+        (&scene.name, &scene.summary, &scene.effects, &scene.preset);
+    let choices = scene
+        .choices
+        .iter()
+        .map(|(choice, held)| quote!((#choice, #held)));
     let (type_name, bind) = (&layout.parameters, binder_name(layout));
-    let [drivers, states, outputs] =
-        [&scene.drivers, &scene.states, &scene.outputs].map(|list| list.iter().map(quantity).collect::<Vec<_>>());
+    let [drivers, states, outputs] = [&scene.drivers, &scene.states, &scene.outputs]
+        .map(|list| list.iter().map(quantity).collect::<Vec<_>>());
     let equations = scene.equations.iter().map(|equation| {
         let (text, unit, line) = (&equation.text, &equation.unit, line(origin, equation.span));
         quote!(::assur::registry::EquationText { text: #text, unit: #unit, line: #line })
     });
-    let expectations = scene.expectations.iter().map(|one| expectation(one, origin));
+    let marks = scene.marks.iter().map(|mark| {
+        let (text, at) = (&mark.text, place(mark.at));
+        quote!(::assur::registry::Mark { text: #text, at: #at })
+    });
+    let expectations = scene
+        .expectations
+        .iter()
+        .map(|one| expectation(one, origin));
     let counts = counts(layout);
-    let [prepare, instant, derivative, jacobian, outputs_count] =
-        [counts.prepare, counts.instant, counts.derivative, counts.jacobian, counts.outputs].map(size);
+    let [prepare, instant, derivative, jacobian, outputs_count] = [
+        counts.prepare,
+        counts.instant,
+        counts.derivative,
+        counts.jacobian,
+        counts.outputs,
+    ]
+    .map(size);
     quote! {
         ::assur::registry::SceneEntry {
             name: #name,
@@ -90,6 +107,7 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
                 jacobian: #jacobian,
                 outputs: #outputs_count,
             },
+            marks: &[#(#marks),*],
             expectations: &[#(#expectations),*],
             bind: #bind,
         }
@@ -123,8 +141,13 @@ fn binder(layout: &Layout<'_>) -> TokenStream {
 pub fn constants(scene: &SceneModel) -> TokenStream {
     let entries = scene.constants.iter().map(|constant| {
         let (quantity, is_dimension) = (quantity(&constant.quantity), constant.is_dimension);
-        let [default, tolerance, low, high] =
-            [constant.default, constant.tolerance, constant.range.0, constant.range.1].map(number);
+        let [default, tolerance, low, high] = [
+            constant.default,
+            constant.tolerance,
+            constant.range.0,
+            constant.range.1,
+        ]
+        .map(number);
         quote! {
             ::assur::registry::Constant {
                 quantity: #quantity,
@@ -139,7 +162,12 @@ pub fn constants(scene: &SceneModel) -> TokenStream {
 }
 
 fn quantity(quantity: &QuantityInfo) -> TokenStream {
-    let (name, summary, unit, factor) = (&quantity.name, &quantity.summary, &quantity.unit, number(quantity.factor));
+    let (name, summary, unit, factor) = (
+        &quantity.name,
+        &quantity.summary,
+        &quantity.unit,
+        number(quantity.factor),
+    );
     let dimension = quantity.dimension.iter().map(|(above, below)| {
         let (above, below) = (number_of(*above), number_of(*below));
         quote!((#above, #below))
@@ -157,11 +185,16 @@ fn quantity(quantity: &QuantityInfo) -> TokenStream {
 
 fn number_of(value: i8) -> TokenStream {
     let literal = Literal::u8_unsuffixed(value.unsigned_abs());
-    if value < 0 { quote!(-#literal) } else { quote!(#literal) }
+    if value < 0 {
+        quote!(-#literal)
+    } else {
+        quote!(#literal)
+    }
 }
 
-fn expectation(expected: &ExpectInfo, origin: &Origin<'_>) -> TokenStream {
-    let at = match expected.at {
+/// A place in a motion.
+fn place(place: ExpectPlace) -> TokenStream {
+    let at = match place {
         ExpectPlace::Time(time) => {
             let time = number(time);
             quote!(Time(#time))
@@ -174,12 +207,21 @@ fn expectation(expected: &ExpectInfo, origin: &Origin<'_>) -> TokenStream {
         ExpectPlace::Minimum => quote!(Minimum),
         ExpectPlace::Amplitude => quote!(Amplitude),
     };
+    quote!(::assur::registry::At::#at)
+}
+
+fn expectation(expected: &ExpectInfo, origin: &Origin<'_>) -> TokenStream {
+    let at = place(expected.at);
     let (is_output, index) = (expected.quantity.0, size(expected.quantity.1));
     let (value, tolerance) = (number(expected.value), number(expected.tolerance));
-    let (preset, remark, line) = (&expected.preset, &expected.remark, line(origin, expected.span));
+    let (preset, remark, line) = (
+        &expected.preset,
+        &expected.remark,
+        line(origin, expected.span),
+    );
     quote! {
         ::assur::registry::Expectation {
-            at: ::assur::registry::At::#at,
+            at: #at,
             quantity: (#is_output, #index),
             value: #value,
             tolerance: #tolerance,
@@ -213,7 +255,9 @@ pub fn counts(layout: &Layout<'_>) -> Counts {
     let program = layout.program();
     let results = &program.results;
     let count = |wanted: &[Value], from: Stage| {
-        let given = |value: Value| program.operations[value.0 as usize].stage < from && !is_free(program, value);
+        let given = |value: Value| {
+            program.operations[value.0 as usize].stage < from && !is_free(program, value)
+        };
         schedule::count(program, &schedule::needed(program, wanted, &given))
     };
     let list = |values: &BTreeSet<Value>| values.iter().copied().collect::<Vec<Value>>();
@@ -229,5 +273,8 @@ pub fn counts(layout: &Layout<'_>) -> Counts {
 
 /// Whether a value costs nothing anywhere.
 fn is_free(program: &assur_model::program::Program, value: Value) -> bool {
-    matches!(program.operations[value.0 as usize].kind, OperationKind::Number(_))
+    matches!(
+        program.operations[value.0 as usize].kind,
+        OperationKind::Number(_)
+    )
 }

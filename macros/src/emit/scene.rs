@@ -10,12 +10,16 @@ use super::{Origin, equations, instant, names, outputs, parameters};
 /// Names of the types of the scenes: `TwoTerm` for `two_term`; the only scene of a mechanism that states none has the
 /// name of the mechanism.
 pub fn type_names(model: &Model) -> Vec<String> {
-    if let [only] = model.scenes.as_slice() {
-        if only.name == "standard" {
-            return vec![names::pascal(&model.name)];
-        }
+    if let [only] = model.scenes.as_slice()
+        && only.name == "standard"
+    {
+        return vec![names::pascal(&model.name)];
     }
-    model.scenes.iter().map(|scene| names::pascal(&scene.name)).collect()
+    model
+        .scenes
+        .iter()
+        .map(|scene| names::pascal(&scene.name))
+        .collect()
 }
 
 /// The name of the mechanism as another name of its first scene, unless a scene has that name.
@@ -28,7 +32,8 @@ pub fn alias(model: &Model, types: &[String]) -> Option<(Ident, Ident)> {
 /// Names of the public types of all scenes.
 pub fn exported<'a>(layouts: &'a [Layout<'_>]) -> impl Iterator<Item = TokenStream> + use<'a> {
     layouts.iter().map(|layout| {
-        let (parameters, equations, instant) = (&layout.parameters, &layout.equations, &layout.instant);
+        let (parameters, equations, instant) =
+            (&layout.parameters, &layout.equations, &layout.instant);
         quote!(#parameters, #equations, #instant)
     })
 }

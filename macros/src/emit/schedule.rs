@@ -34,26 +34,43 @@ pub fn operands(kind: &OperationKind) -> Vec<Value> {
     match kind {
         Kind::Number(_) | Kind::Input(_) => Vec::new(),
         Kind::Negate(a) | Kind::Not(a) => vec![*a],
-        Kind::Add(a, b) | Kind::Subtract(a, b) | Kind::Multiply(a, b) | Kind::Divide(a, b) => vec![*a, *b],
+        Kind::Add(a, b) | Kind::Subtract(a, b) | Kind::Multiply(a, b) | Kind::Divide(a, b) => {
+            vec![*a, *b]
+        }
         Kind::And(a, b) | Kind::Or(a, b) | Kind::Compare(_, a, b) => vec![*a, *b],
-        Kind::MultiplyAdd(a, b, c) | Kind::MultiplySubtract(a, b, c) | Kind::NegateMultiplyAdd(a, b, c) => {
+        Kind::MultiplyAdd(a, b, c)
+        | Kind::MultiplySubtract(a, b, c)
+        | Kind::NegateMultiplyAdd(a, b, c) => {
             vec![*a, *b, *c]
         }
         Kind::Call(_, arguments) => arguments.clone(),
-        Kind::Select { condition, then, otherwise } => vec![*condition, *then, *otherwise],
+        Kind::Select {
+            condition,
+            then,
+            otherwise,
+        } => vec![*condition, *then, *otherwise],
         Kind::Factor { entries, .. } => entries.clone(),
-        Kind::Solve { factor, right } => std::iter::once(*factor).chain(right.iter().copied()).collect(),
+        Kind::Solve { factor, right } => std::iter::once(*factor)
+            .chain(right.iter().copied())
+            .collect(),
         Kind::Element { solution, .. } => vec![*solution],
     }
 }
 
 /// Whether a value is a number written out, which is never stored.
 pub fn is_number(program: &Program, value: Value) -> bool {
-    matches!(program.operations[value.0 as usize].kind, OperationKind::Number(_))
+    matches!(
+        program.operations[value.0 as usize].kind,
+        OperationKind::Number(_)
+    )
 }
 
 /// The values that some results rest on, as far as the values given from outside, in the order of the program.
-pub fn needed(program: &Program, wanted: &[Value], outside: &dyn Fn(Value) -> bool) -> BTreeSet<Value> {
+pub fn needed(
+    program: &Program,
+    wanted: &[Value],
+    outside: &dyn Fn(Value) -> bool,
+) -> BTreeSet<Value> {
     let mut needed = BTreeSet::new();
     let mut open: Vec<Value> = wanted.to_vec();
     while let Some(value) = open.pop() {
@@ -67,7 +84,11 @@ pub fn needed(program: &Program, wanted: &[Value], outside: &dyn Fn(Value) -> bo
 /// The values of earlier stages that results of a stage read directly, or are; numbers left out.
 pub fn frontier(program: &Program, wanted: &[Value], stage: Stage) -> BTreeSet<Value> {
     let earlier = |value: Value| program.operations[value.0 as usize].stage < stage;
-    let mut border: BTreeSet<Value> = wanted.iter().copied().filter(|value| earlier(*value)).collect();
+    let mut border: BTreeSet<Value> = wanted
+        .iter()
+        .copied()
+        .filter(|value| earlier(*value))
+        .collect();
     for value in needed(program, wanted, &earlier) {
         let read = operands(&program.operations[value.0 as usize].kind);
         border.extend(read.into_iter().filter(|value| earlier(*value)));
@@ -99,9 +120,17 @@ pub fn levels(program: &Program, needed: &BTreeSet<Value>) -> Vec<Levels> {
     let mut levels: Vec<Levels> = Vec::new();
     for value in needed {
         let read = operands(&program.operations[value.0 as usize].kind);
-        let own = read.iter().filter_map(|operand| level.get(operand)).copied().max().unwrap_or(0);
+        let own = read
+            .iter()
+            .filter_map(|operand| level.get(operand))
+            .copied()
+            .max()
+            .unwrap_or(0);
         while levels.len() <= own {
-            levels.push(Levels { before: Vec::new(), batch: Vec::new() });
+            levels.push(Levels {
+                before: Vec::new(),
+                batch: Vec::new(),
+            });
         }
         if angle(program, *value).is_some() {
             levels[own].batch.push(*value);

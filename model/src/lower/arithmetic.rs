@@ -14,21 +14,33 @@ impl Lowering<'_> {
             (_, Typed::Wrong) => Typed::Wrong,
             (UnaryOperator::Negate, typed) => self.negate(typed, inner.span),
             (UnaryOperator::Not, Typed::Decided(held)) => Typed::Decided(!held),
-            (UnaryOperator::Not, Typed::Condition(value)) => Typed::Condition(self.graph.not(value)),
-            (UnaryOperator::Not, other) => {
-                self.error(Diagnostic::error(inner.span, format!("`!` needs a condition, and this is {}", other.describe())))
+            (UnaryOperator::Not, Typed::Condition(value)) => {
+                Typed::Condition(self.graph.not(value))
             }
+            (UnaryOperator::Not, other) => self.error(Diagnostic::error(
+                inner.span,
+                format!("`!` needs a condition, and this is {}", other.describe()),
+            )),
         }
     }
 
     pub(super) fn negate(&mut self, typed: Typed, span: Span) -> Typed {
         match typed {
-            Typed::Scalar { value, kind, rate } => Typed::Scalar { value: self.graph.neg(value), kind, rate },
-            Typed::Vector { values, kind, rate } => {
-                Typed::Vector { values: values.iter().map(|value| self.graph.neg(*value)).collect(), kind, rate }
-            }
+            Typed::Scalar { value, kind, rate } => Typed::Scalar {
+                value: self.graph.neg(value),
+                kind,
+                rate,
+            },
+            Typed::Vector { values, kind, rate } => Typed::Vector {
+                values: values.iter().map(|value| self.graph.neg(*value)).collect(),
+                kind,
+                rate,
+            },
             Typed::Wrong => Typed::Wrong,
-            other => self.error(Diagnostic::error(span, format!("`-` needs a quantity, and this is {}", other.describe()))),
+            other => self.error(Diagnostic::error(
+                span,
+                format!("`-` needs a quantity, and this is {}", other.describe()),
+            )),
         }
     }
 
@@ -46,14 +58,18 @@ impl Lowering<'_> {
             BinaryOperator::Multiply => self.multiply(a, left.span, b, right.span),
             BinaryOperator::Divide => self.divide(a, left.span, b, right.span),
             BinaryOperator::Power => self.raise(a, left.span, b, right.span),
-            BinaryOperator::And | BinaryOperator::Or => self.logic(operator, a, left.span, b, right.span),
+            BinaryOperator::And | BinaryOperator::Or => {
+                self.logic(operator, a, left.span, b, right.span)
+            }
             _ => self.compare(operator, (left.span, a), (right.span, b)),
         }
     }
 
     /// Whether a value depends on dimensions and parameters alone.
     pub(super) fn is_fixed(&self, value: Expression) -> bool {
-        !self.graph.depends_on(value, |symbol| !matches!(symbol, Symbol::Parameter(_)))
+        !self
+            .graph
+            .depends_on(value, |symbol| !matches!(symbol, Symbol::Parameter(_)))
     }
 
     fn is_rate(&self, value: Expression, rate: bool) -> bool {
@@ -63,27 +79,81 @@ impl Lowering<'_> {
     pub(super) fn add(&mut self, a: Typed, a_span: Span, b: Typed, b_span: Span) -> Typed {
         match (a, b) {
             (Typed::Wrong, _) | (_, Typed::Wrong) => Typed::Wrong,
-            (Typed::Scalar { value: x, kind: p, rate: r }, Typed::Scalar { value: y, kind: q, rate: s }) => {
+            (
+                Typed::Scalar {
+                    value: x,
+                    kind: p,
+                    rate: r,
+                },
+                Typed::Scalar {
+                    value: y,
+                    kind: q,
+                    rate: s,
+                },
+            ) => {
                 let Some(kind) = agree(p, q) else {
-                    return self.error(disagreement("this adds or subtracts", (a_span, p), (b_span, q)));
+                    return self.error(disagreement(
+                        "this adds or subtracts",
+                        (a_span, p),
+                        (b_span, q),
+                    ));
                 };
                 let rate = (r || s) && self.is_rate(x, r) && self.is_rate(y, s);
-                Typed::Scalar { value: self.graph.add(x, y), kind, rate }
+                Typed::Scalar {
+                    value: self.graph.add(x, y),
+                    kind,
+                    rate,
+                }
             }
-            (Typed::Vector { values: x, kind: p, rate: r }, Typed::Vector { values: y, kind: q, rate: s })
-                if x.len() == y.len() =>
-            {
+            (
+                Typed::Vector {
+                    values: x,
+                    kind: p,
+                    rate: r,
+                },
+                Typed::Vector {
+                    values: y,
+                    kind: q,
+                    rate: s,
+                },
+            ) if x.len() == y.len() => {
                 let Some(kind) = agree(p, q) else {
-                    return self.error(disagreement("this adds or subtracts", (a_span, p), (b_span, q)));
+                    return self.error(disagreement(
+                        "this adds or subtracts",
+                        (a_span, p),
+                        (b_span, q),
+                    ));
                 };
-                let values = x.iter().zip(&y).map(|(x, y)| self.graph.add(*x, *y)).collect();
-                Typed::Vector { values, kind, rate: r && s }
+                let values = x
+                    .iter()
+                    .zip(&y)
+                    .map(|(x, y)| self.graph.add(*x, *y))
+                    .collect();
+                Typed::Vector {
+                    values,
+                    kind,
+                    rate: r && s,
+                }
             }
             // Zero is also the zero vector.
-            (Typed::Scalar { kind: Kind::Any, .. }, vector @ Typed::Vector { .. })
-            | (vector @ Typed::Vector { .. }, Typed::Scalar { kind: Kind::Any, .. }) => vector,
+            (
+                Typed::Scalar {
+                    kind: Kind::Any, ..
+                },
+                vector @ Typed::Vector { .. },
+            )
+            | (
+                vector @ Typed::Vector { .. },
+                Typed::Scalar {
+                    kind: Kind::Any, ..
+                },
+            ) => vector,
             (a, b) => {
-                let message = format!("this adds or subtracts {} and {}", a.describe(), b.describe());
+                let message = format!(
+                    "this adds or subtracts {} and {}",
+                    a.describe(),
+                    b.describe()
+                );
                 self.error(Diagnostic::error(a_span.to(b_span), message))
             }
         }
@@ -91,73 +161,187 @@ impl Lowering<'_> {
 
     pub(super) fn multiply(&mut self, a: Typed, a_span: Span, b: Typed, b_span: Span) -> Typed {
         match (a, b) {
-            (Typed::Scalar { value: x, kind: p, rate: r }, Typed::Scalar { value: y, kind: q, rate: s }) => {
-                let Some(kind) = times(p, q) else { return self.absurd_unit(a_span.to(b_span)) };
+            (
+                Typed::Scalar {
+                    value: x,
+                    kind: p,
+                    rate: r,
+                },
+                Typed::Scalar {
+                    value: y,
+                    kind: q,
+                    rate: s,
+                },
+            ) => {
+                let Some(kind) = times(p, q) else {
+                    return self.absurd_unit(a_span.to(b_span));
+                };
                 let rate = (r && self.is_fixed(y)) || (s && self.is_fixed(x));
-                Typed::Scalar { value: self.graph.mul(x, y), kind, rate }
+                Typed::Scalar {
+                    value: self.graph.mul(x, y),
+                    kind,
+                    rate,
+                }
             }
-            (Typed::Scalar { value: x, kind: p, .. }, Typed::Vector { values, kind: q, rate })
-            | (Typed::Vector { values, kind: q, rate }, Typed::Scalar { value: x, kind: p, .. }) => {
-                let Some(kind) = times(p, q) else { return self.absurd_unit(a_span.to(b_span)) };
+            (
+                Typed::Scalar {
+                    value: x, kind: p, ..
+                },
+                Typed::Vector {
+                    values,
+                    kind: q,
+                    rate,
+                },
+            )
+            | (
+                Typed::Vector {
+                    values,
+                    kind: q,
+                    rate,
+                },
+                Typed::Scalar {
+                    value: x, kind: p, ..
+                },
+            ) => {
+                let Some(kind) = times(p, q) else {
+                    return self.absurd_unit(a_span.to(b_span));
+                };
                 let rate = rate && self.is_fixed(x);
-                let values = values.iter().map(|value| self.graph.mul(x, *value)).collect();
+                let values = values
+                    .iter()
+                    .map(|value| self.graph.mul(x, *value))
+                    .collect();
                 Typed::Vector { values, kind, rate }
             }
-            (Typed::Matrix(rows), Typed::Vector { values, kind, .. }) if rows.len() == values.len() => {
-                let values = rows.iter().map(|row| self.inner_sum(row, &values)).collect();
-                Typed::Vector { values, kind, rate: false }
+            (Typed::Matrix(rows), Typed::Vector { values, kind, .. })
+                if rows.len() == values.len() =>
+            {
+                let values = rows
+                    .iter()
+                    .map(|row| self.inner_sum(row, &values))
+                    .collect();
+                Typed::Vector {
+                    values,
+                    kind,
+                    rate: false,
+                }
             }
             (Typed::Matrix(left), Typed::Matrix(right)) if left.len() == right.len() => {
-                let columns: Vec<Vec<_>> =
-                    (0..right.len()).map(|column| right.iter().map(|row| row[column]).collect()).collect();
+                let columns: Vec<Vec<_>> = (0..right.len())
+                    .map(|column| right.iter().map(|row| row[column]).collect())
+                    .collect();
                 let rows = left
                     .iter()
-                    .map(|row| columns.iter().map(|column| self.inner_sum(row, column)).collect())
+                    .map(|row| {
+                        columns
+                            .iter()
+                            .map(|column| self.inner_sum(row, column))
+                            .collect()
+                    })
                     .collect();
                 Typed::Matrix(rows)
             }
             (a, b) => {
                 let message = format!("`*` cannot multiply {} by {}", a.describe(), b.describe());
-                self.error(Diagnostic::error(a_span.to(b_span), message).hint("`inner(u, v)` and `cross(u, v)` multiply vectors"))
+                self.error(
+                    Diagnostic::error(a_span.to(b_span), message)
+                        .hint("`inner(u, v)` and `cross(u, v)` multiply vectors"),
+                )
             }
         }
     }
 
     pub(super) fn inner_sum(&mut self, left: &[Expression], right: &[Expression]) -> Expression {
-        let products: Vec<_> = left.iter().zip(right).map(|(x, y)| self.graph.mul(*x, *y)).collect();
+        let products: Vec<_> = left
+            .iter()
+            .zip(right)
+            .map(|(x, y)| self.graph.mul(*x, *y))
+            .collect();
         self.graph.sum(&products)
     }
 
     fn divide(&mut self, a: Typed, a_span: Span, b: Typed, b_span: Span) -> Typed {
-        let Typed::Scalar { value: divisor, kind: q, .. } = b else {
-            return self.error(Diagnostic::error(b_span, format!("`/` cannot divide by {}", b.describe())));
+        let Typed::Scalar {
+            value: divisor,
+            kind: q,
+            ..
+        } = b
+        else {
+            return self.error(Diagnostic::error(
+                b_span,
+                format!("`/` cannot divide by {}", b.describe()),
+            ));
         };
         if self.graph.as_number(divisor) == Some(0.0) {
             return self.error(Diagnostic::error(b_span, "this divides by zero"));
         }
         match a {
-            Typed::Scalar { value, kind: p, rate } => {
-                let Some(kind) = over(p, q) else { return self.absurd_unit(a_span.to(b_span)) };
+            Typed::Scalar {
+                value,
+                kind: p,
+                rate,
+            } => {
+                let Some(kind) = over(p, q) else {
+                    return self.absurd_unit(a_span.to(b_span));
+                };
                 let rate = rate && self.is_fixed(divisor);
-                Typed::Scalar { value: self.graph.div(value, divisor), kind, rate }
+                Typed::Scalar {
+                    value: self.graph.div(value, divisor),
+                    kind,
+                    rate,
+                }
             }
-            Typed::Vector { values, kind: p, rate } => {
-                let Some(kind) = over(p, q) else { return self.absurd_unit(a_span.to(b_span)) };
+            Typed::Vector {
+                values,
+                kind: p,
+                rate,
+            } => {
+                let Some(kind) = over(p, q) else {
+                    return self.absurd_unit(a_span.to(b_span));
+                };
                 let rate = rate && self.is_fixed(divisor);
-                Typed::Vector { values: values.iter().map(|value| self.graph.div(*value, divisor)).collect(), kind, rate }
+                Typed::Vector {
+                    values: values
+                        .iter()
+                        .map(|value| self.graph.div(*value, divisor))
+                        .collect(),
+                    kind,
+                    rate,
+                }
             }
-            other => self.error(Diagnostic::error(a_span, format!("`/` cannot divide {}", other.describe()))),
+            other => self.error(Diagnostic::error(
+                a_span,
+                format!("`/` cannot divide {}", other.describe()),
+            )),
         }
     }
 
     fn raise(&mut self, a: Typed, a_span: Span, b: Typed, b_span: Span) -> Typed {
-        let (Typed::Scalar { value: base, kind: p, .. }, Typed::Scalar { value: exponent, kind: q, .. }) = (&a, &b) else {
+        let (
+            Typed::Scalar {
+                value: base,
+                kind: p,
+                ..
+            },
+            Typed::Scalar {
+                value: exponent,
+                kind: q,
+                ..
+            },
+        ) = (&a, &b)
+        else {
             let message = format!("`^` cannot raise {} to {}", a.describe(), b.describe());
-            return self.error(Diagnostic::error(a_span.to(b_span), message).hint("the square of a vector is `inner(v, v)`"));
+            return self.error(
+                Diagnostic::error(a_span.to(b_span), message)
+                    .hint("the square of a vector is `inner(v, v)`"),
+            );
         };
         let (base, p, exponent, q) = (*base, *p, *exponent, *q);
         if agree(q, Kind::NUMBER).is_none() {
-            let message = format!("an exponent has to be a pure number, and this is {}", b.describe());
+            let message = format!(
+                "an exponent has to be a pure number, and this is {}",
+                b.describe()
+            );
             return self.error(Diagnostic::error(b_span, message));
         }
         let kind = match self.graph.as_number(exponent) {
@@ -166,39 +350,83 @@ impl Lowering<'_> {
             None => None,
         };
         let Some(kind) = kind else {
-            let message = format!("{} can be raised only to a fixed power with a simple fraction", describe(p.dimension()));
+            let message = format!(
+                "{} can be raised only to a fixed power with a simple fraction",
+                describe(p.dimension())
+            );
             return self.error(
-                Diagnostic::error(a_span.to(b_span), message).hint("divide its unit out first, as in `(S/(1 mm))^0.88`"),
+                Diagnostic::error(a_span.to(b_span), message)
+                    .hint("divide its unit out first, as in `(S/(1 mm))^0.88`"),
             );
         };
         Typed::scalar(self.graph.pow(base, exponent), kind)
     }
 
     fn absurd_unit(&mut self, span: Span) -> Typed {
-        self.error(Diagnostic::error(span, "the unit of this has exponents that are too large to be meant"))
+        self.error(Diagnostic::error(
+            span,
+            "the unit of this has exponents that are too large to be meant",
+        ))
     }
 
-    fn logic(&mut self, operator: BinaryOperator, a: Typed, a_span: Span, b: Typed, b_span: Span) -> Typed {
+    fn logic(
+        &mut self,
+        operator: BinaryOperator,
+        a: Typed,
+        a_span: Span,
+        b: Typed,
+        b_span: Span,
+    ) -> Typed {
         let and = operator == BinaryOperator::And;
         match (a, b) {
-            (Typed::Decided(x), Typed::Decided(y)) => Typed::Decided(if and { x && y } else { x || y }),
-            (Typed::Decided(x), other @ Typed::Condition(_)) | (other @ Typed::Condition(_), Typed::Decided(x)) => {
-                if x == and { other } else { Typed::Decided(x) }
+            (Typed::Decided(x), Typed::Decided(y)) => {
+                Typed::Decided(if and { x && y } else { x || y })
             }
-            (Typed::Condition(x), Typed::Condition(y)) => {
-                Typed::Condition(if and { self.graph.and(x, y) } else { self.graph.or(x, y) })
+            (Typed::Decided(x), other @ Typed::Condition(_))
+            | (other @ Typed::Condition(_), Typed::Decided(x)) => {
+                if x == and {
+                    other
+                } else {
+                    Typed::Decided(x)
+                }
             }
+            (Typed::Condition(x), Typed::Condition(y)) => Typed::Condition(if and {
+                self.graph.and(x, y)
+            } else {
+                self.graph.or(x, y)
+            }),
             (a, b) => {
                 let word = if and { "&&" } else { "||" };
-                let message = format!("`{word}` joins conditions, and these are {} and {}", a.describe(), b.describe());
+                let message = format!(
+                    "`{word}` joins conditions, and these are {} and {}",
+                    a.describe(),
+                    b.describe()
+                );
                 self.error(Diagnostic::error(a_span.to(b_span), message))
             }
         }
     }
 
-    fn compare(&mut self, operator: BinaryOperator, left: (Span, Typed), right: (Span, Typed)) -> Typed {
-        let (Typed::Scalar { value: x, kind: p, .. }, Typed::Scalar { value: y, kind: q, .. }) = (&left.1, &right.1) else {
-            let message = format!("this compares {} and {}", left.1.describe(), right.1.describe());
+    fn compare(
+        &mut self,
+        operator: BinaryOperator,
+        left: (Span, Typed),
+        right: (Span, Typed),
+    ) -> Typed {
+        let (
+            Typed::Scalar {
+                value: x, kind: p, ..
+            },
+            Typed::Scalar {
+                value: y, kind: q, ..
+            },
+        ) = (&left.1, &right.1)
+        else {
+            let message = format!(
+                "this compares {} and {}",
+                left.1.describe(),
+                right.1.describe()
+            );
             return self.error(Diagnostic::error(left.0.to(right.0), message));
         };
         if agree(*p, *q).is_none() {
@@ -226,26 +454,63 @@ impl Lowering<'_> {
             Typed::Wrong => return Typed::Wrong,
             other => {
                 let message = format!("`if` needs a condition, and this is {}", other.describe());
-                return self.error(Diagnostic::error(condition.span, message).hint("compare two quantities, as in `a < b`"));
+                return self.error(
+                    Diagnostic::error(condition.span, message)
+                        .hint("compare two quantities, as in `a < b`"),
+                );
             }
         };
         match (self.term(then), self.term(otherwise)) {
             (Typed::Wrong, _) | (_, Typed::Wrong) => Typed::Wrong,
-            (Typed::Scalar { value: x, kind: p, .. }, Typed::Scalar { value: y, kind: q, .. }) => {
+            (
+                Typed::Scalar {
+                    value: x, kind: p, ..
+                },
+                Typed::Scalar {
+                    value: y, kind: q, ..
+                },
+            ) => {
                 let Some(kind) = agree(p, q) else {
-                    return self.error(disagreement("the two branches give", (then.span, p), (otherwise.span, q)));
+                    return self.error(disagreement(
+                        "the two branches give",
+                        (then.span, p),
+                        (otherwise.span, q),
+                    ));
                 };
                 Typed::scalar(self.graph.select(condition, x, y), kind)
             }
-            (Typed::Vector { values: x, kind: p, .. }, Typed::Vector { values: y, kind: q, .. }) if x.len() == y.len() => {
+            (
+                Typed::Vector {
+                    values: x, kind: p, ..
+                },
+                Typed::Vector {
+                    values: y, kind: q, ..
+                },
+            ) if x.len() == y.len() => {
                 let Some(kind) = agree(p, q) else {
-                    return self.error(disagreement("the two branches give", (then.span, p), (otherwise.span, q)));
+                    return self.error(disagreement(
+                        "the two branches give",
+                        (then.span, p),
+                        (otherwise.span, q),
+                    ));
                 };
-                let values = x.iter().zip(&y).map(|(x, y)| self.graph.select(condition, *x, *y)).collect();
-                Typed::Vector { values, kind, rate: false }
+                let values = x
+                    .iter()
+                    .zip(&y)
+                    .map(|(x, y)| self.graph.select(condition, *x, *y))
+                    .collect();
+                Typed::Vector {
+                    values,
+                    kind,
+                    rate: false,
+                }
             }
             (a, b) => {
-                let message = format!("the two branches give {} and {}", a.describe(), b.describe());
+                let message = format!(
+                    "the two branches give {} and {}",
+                    a.describe(),
+                    b.describe()
+                );
                 self.error(Diagnostic::error(then.span.to(otherwise.span), message))
             }
         }

@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::expression::Expression;
 use crate::homogeneity::{agree, describe, disagreement, power};
 use crate::nearest::nearest;
-use crate::program::{Function, Relation};
+use crate::program::Function;
 use crate::resolve::{FUNCTIONS, Role};
 use crate::syntax::tree::{Name, Term};
 use crate::token::Span;
@@ -81,10 +81,17 @@ impl Lowering<'_> {
         if name.text == "mod" {
             return self.modulo(name, arguments, span);
         }
-        let Some((_, function, expected, rule)) = TABLE.iter().find(|row| row.0 == name.text) else {
-            let report = Diagnostic::error(name.span, format!("there is no function `{}`", name.text));
-            let own = names.table.iter().filter(|(_, entry)| matches!(entry.role, Role::Function(..)));
-            let known = own.map(|(one, _)| one.as_str()).chain(FUNCTIONS.iter().copied());
+        let Some((_, function, expected, rule)) = TABLE.iter().find(|row| row.0 == name.text)
+        else {
+            let report =
+                Diagnostic::error(name.span, format!("there is no function `{}`", name.text));
+            let own = names
+                .table
+                .iter()
+                .filter(|(_, entry)| matches!(entry.role, Role::Function(..)));
+            let known = own
+                .map(|(one, _)| one.as_str())
+                .chain(FUNCTIONS.iter().copied());
             return self.error(match nearest(&name.text, known) {
                 Some(near) => report.hint(format!("did you mean `{near}`?")),
                 None => report.hint("declare it with `let`, as in `let f(x) = …;`"),
@@ -102,7 +109,10 @@ impl Lowering<'_> {
             return true;
         }
         let plural = if expected == 1 { "" } else { "s" };
-        let message = format!("`{}` takes {expected} argument{plural}, and this gives it {found}", name.text);
+        let message = format!(
+            "`{}` takes {expected} argument{plural}, and this gives it {found}",
+            name.text
+        );
         self.diagnostics.push(Diagnostic::error(span, message));
         false
     }
@@ -111,16 +121,28 @@ impl Lowering<'_> {
         let mut values: Vec<Expression> = Vec::new();
         let mut common = Kind::Any;
         for (index, argument) in arguments.iter().enumerate() {
-            let Some((value, kind)) = self.scalar(argument) else { return Typed::Wrong };
+            let Some((value, kind)) = self.scalar(argument) else {
+                return Typed::Wrong;
+            };
             if rule == Rule::Number && agree(kind, Kind::NUMBER).is_none() {
-                let message = format!("a pure number or an angle is expected here, and this is {}", describe(kind.dimension()));
-                return self.error(Diagnostic::error(argument.span, message).hint("divide its unit out, as in `exp(-time/(1 s))`"));
+                let message = format!(
+                    "a pure number or an angle is expected here, and this is {}",
+                    describe(kind.dimension())
+                );
+                return self.error(
+                    Diagnostic::error(argument.span, message)
+                        .hint("divide its unit out, as in `exp(-time/(1 s))`"),
+                );
             }
             match agree(common, kind) {
                 Some(kind) => common = kind,
                 None => {
                     let first = arguments[index - 1].span;
-                    return self.error(disagreement("the arguments are", (first, common), (argument.span, kind)));
+                    return self.error(disagreement(
+                        "the arguments are",
+                        (first, common),
+                        (argument.span, kind),
+                    ));
                 }
             }
             values.push(value);
@@ -131,7 +153,10 @@ impl Lowering<'_> {
             Rule::Keep | Rule::Same => Some(common),
         };
         let Some(kind) = kind else {
-            let message = format!("{} has no square root with a simple unit", describe(common.dimension()));
+            let message = format!(
+                "{} has no square root with a simple unit",
+                describe(common.dimension())
+            );
             return self.error(Diagnostic::error(arguments[0].span, message));
         };
         let mut value = values[0];
@@ -152,16 +177,20 @@ impl Lowering<'_> {
         if !self.count(name, arguments.len(), 2, span) {
             return Typed::Wrong;
         }
-        let (Some((a, p)), Some((b, q))) = (self.scalar(&arguments[0]), self.scalar(&arguments[1])) else {
+        let (Some((a, p)), Some((b, q))) = (self.scalar(&arguments[0]), self.scalar(&arguments[1]))
+        else {
             return Typed::Wrong;
         };
         let Some(kind) = agree(p, q) else {
-            return self.error(disagreement("the arguments are", (arguments[0].span, p), (arguments[1].span, q)));
+            return self.error(disagreement(
+                "the arguments are",
+                (arguments[0].span, p),
+                (arguments[1].span, q),
+            ));
         };
         let quotient = self.graph.div(a, b);
         let whole = self.graph.call(Function::Floor, &[quotient]);
         let part = self.graph.mul(b, whole);
         Typed::scalar(self.graph.sub(a, part), kind)
     }
-
 }

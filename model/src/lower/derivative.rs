@@ -13,7 +13,11 @@ impl Lowering<'_> {
     pub(super) fn derivative(&mut self, name: &Name, arguments: &[Term], span: Span) -> Typed {
         let expected = if name.text == "diff" { 2 } else { 1 };
         if arguments.len() != expected {
-            let message = format!("`{}` takes {expected} argument(s), and this gives it {}", name.text, arguments.len());
+            let message = format!(
+                "`{}` takes {expected} argument(s), and this gives it {}",
+                name.text,
+                arguments.len()
+            );
             return self.error(Diagnostic::error(span, message));
         }
         match name.text.as_str() {
@@ -37,22 +41,43 @@ impl Lowering<'_> {
             Typed::Vector { values, kind, .. } => (values, kind, false),
             Typed::Wrong => return Typed::Wrong,
             other => {
-                return self.error(Diagnostic::error(span, format!("{} has no time derivative", other.describe())));
+                return self.error(Diagnostic::error(
+                    span,
+                    format!("{} has no time derivative", other.describe()),
+                ));
             }
         };
-        let Some(kind) = over(kind, Kind::Of(second())) else { return Typed::Wrong };
-        let positions = |symbol: Symbol| matches!(symbol, Symbol::Speed(_) | Symbol::State(_) | Symbol::Acceleration(_));
-        let rate = !values.iter().any(|value| self.graph.depends_on(*value, positions));
-        if values.iter().any(|value| self.graph.depends_on(*value, |symbol| matches!(symbol, Symbol::Acceleration(_)))) {
+        let Some(kind) = over(kind, Kind::Of(second())) else {
+            return Typed::Wrong;
+        };
+        let positions = |symbol: Symbol| {
+            matches!(
+                symbol,
+                Symbol::Speed(_) | Symbol::State(_) | Symbol::Acceleration(_)
+            )
+        };
+        let rate = !values
+            .iter()
+            .any(|value| self.graph.depends_on(*value, positions));
+        if values.iter().any(|value| {
+            self.graph
+                .depends_on(*value, |symbol| matches!(symbol, Symbol::Acceleration(_)))
+        }) {
             return self.error(
                 Diagnostic::error(span, "this is a derivative of an acceleration, which no equation determines")
                     .hint("at most the second derivative of a coordinate and the first of a state can be used"),
             );
         }
-        let Some(direction) = self.direction(span) else { return Typed::Wrong };
+        let Some(direction) = self.direction(span) else {
+            return Typed::Wrong;
+        };
         let values = self.graph.tangent(&values, &direction);
         match (scalar, values.as_slice()) {
-            (true, [value]) => Typed::Scalar { value: *value, kind, rate },
+            (true, [value]) => Typed::Scalar {
+                value: *value,
+                kind,
+                rate,
+            },
             _ => Typed::Vector { values, kind, rate },
         }
     }
@@ -63,11 +88,20 @@ impl Lowering<'_> {
         let mut direction = HashMap::new();
         direction.insert(Symbol::Time, self.graph.one());
         for index in 0..coordinates {
-            direction.insert(Symbol::Coordinate(index), self.graph.symbol(Symbol::Speed(index)));
-            direction.insert(Symbol::Speed(index), self.graph.symbol(Symbol::Acceleration(index)));
+            direction.insert(
+                Symbol::Coordinate(index),
+                self.graph.symbol(Symbol::Speed(index)),
+            );
+            direction.insert(
+                Symbol::Speed(index),
+                self.graph.symbol(Symbol::Acceleration(index)),
+            );
         }
         for index in 0..self.names.states.len() as u32 {
-            direction.insert(Symbol::State(index), self.graph.symbol(Symbol::Acceleration(coordinates + index)));
+            direction.insert(
+                Symbol::State(index),
+                self.graph.symbol(Symbol::Acceleration(coordinates + index)),
+            );
         }
         for index in 0..self.names.drivers.len() {
             match self.driver_rates[index] {
@@ -77,9 +111,18 @@ impl Lowering<'_> {
                 None => {
                     let driver = &self.names.drivers[index];
                     self.diagnostics.push(
-                        Diagnostic::error(span, format!("the motion of the driver `{}` is not stated", driver.name.text))
-                            .related(driver.name.span, "declared here")
-                            .hint(format!("say how it moves, as in `driver {} = n*time;`", driver.name.text)),
+                        Diagnostic::error(
+                            span,
+                            format!(
+                                "the motion of the driver `{}` is not stated",
+                                driver.name.text
+                            ),
+                        )
+                        .related(driver.name.span, "declared here")
+                        .hint(format!(
+                            "say how it moves, as in `driver {} = n*time;`",
+                            driver.name.text
+                        )),
                     );
                     return None;
                 }
@@ -91,11 +134,17 @@ impl Lowering<'_> {
     /// `diff(f, x)`: the partial derivative with everything else fixed.
     fn partial(&mut self, function: &Term, variable: &Term) -> Typed {
         if let TermKind::Name(name) = &variable.kind
-            && let Some(Typed::Scalar { value, kind, .. }) = self.locals.last().and_then(|scope| scope.get(name)).cloned()
+            && let Some(Typed::Scalar { value, kind, .. }) = self
+                .locals
+                .last()
+                .and_then(|scope| scope.get(name))
+                .cloned()
         {
             return self.partial_in_argument(function, name, (value, kind));
         }
-        let Some((value, kind)) = self.scalar(variable) else { return Typed::Wrong };
+        let Some((value, kind)) = self.scalar(variable) else {
+            return Typed::Wrong;
+        };
         let given = match self.graph.node(value) {
             crate::expression::Node::Symbol(symbol) => *symbol,
             _ => {
@@ -110,7 +159,12 @@ impl Lowering<'_> {
     }
 
     /// The variable is an argument of the function around: it is varied by itself, then replaced by its value.
-    fn partial_in_argument(&mut self, function: &Term, name: &str, (value, kind): (Expression, Kind)) -> Typed {
+    fn partial_in_argument(
+        &mut self,
+        function: &Term,
+        name: &str,
+        (value, kind): (Expression, Kind),
+    ) -> Typed {
         let symbol = Symbol::Argument(self.arguments);
         self.arguments += 1;
         let free = Typed::scalar(self.graph.symbol(symbol), kind);
@@ -122,10 +176,14 @@ impl Lowering<'_> {
         let varied = self.quotient(typed, symbol, kind, function.span);
         let map = HashMap::from([(symbol, value)]);
         match varied {
-            Typed::Scalar { value, kind, .. } => Typed::scalar(self.graph.substitute(&[value], &map)[0], kind),
-            Typed::Vector { values, kind, .. } => {
-                Typed::Vector { values: self.graph.substitute(&values, &map), kind, rate: false }
+            Typed::Scalar { value, kind, .. } => {
+                Typed::scalar(self.graph.substitute(&[value], &map)[0], kind)
             }
+            Typed::Vector { values, kind, .. } => Typed::Vector {
+                values: self.graph.substitute(&values, &map),
+                kind,
+                rate: false,
+            },
             other => other,
         }
     }
@@ -133,16 +191,27 @@ impl Lowering<'_> {
     fn quotient(&mut self, typed: Typed, given: Symbol, kind: Kind, span: Span) -> Typed {
         let direction = HashMap::from([(given, self.graph.one())]);
         match typed {
-            Typed::Scalar { value, kind: own, .. } => match over(own, kind) {
+            Typed::Scalar {
+                value, kind: own, ..
+            } => match over(own, kind) {
                 Some(kind) => Typed::scalar(self.graph.tangent(&[value], &direction)[0], kind),
                 None => Typed::Wrong,
             },
-            Typed::Vector { values, kind: own, .. } => match over(own, kind) {
-                Some(kind) => Typed::Vector { values: self.graph.tangent(&values, &direction), kind, rate: false },
+            Typed::Vector {
+                values, kind: own, ..
+            } => match over(own, kind) {
+                Some(kind) => Typed::Vector {
+                    values: self.graph.tangent(&values, &direction),
+                    kind,
+                    rate: false,
+                },
                 None => Typed::Wrong,
             },
             Typed::Wrong => Typed::Wrong,
-            other => self.error(Diagnostic::error(span, format!("{} has no derivative", other.describe()))),
+            other => self.error(Diagnostic::error(
+                span,
+                format!("{} has no derivative", other.describe()),
+            )),
         }
     }
 }

@@ -83,7 +83,10 @@ impl<'a> Lowering<'a> {
     /// What a term means. Mistakes are reported once and give [`Typed::Wrong`].
     pub fn term(&mut self, term: &Term) -> Typed {
         let typed = self.lower(term);
-        if let Typed::Scalar { value, rate: true, .. } = typed {
+        if let Typed::Scalar {
+            value, rate: true, ..
+        } = typed
+        {
             let negated = self.graph.neg(value);
             self.rates.extend([value, negated]);
         }
@@ -101,15 +104,25 @@ impl<'a> Lowering<'a> {
             TermKind::Member { .. } => match self.selected.decide(term, self.survey) {
                 Some(held) => Typed::Decided(held),
                 None => self.error(
-                    Diagnostic::error(term.span, "there is no such choice").hint("`choice.alternative` asks which alternative of a choice holds"),
+                    Diagnostic::error(term.span, "there is no such choice")
+                        .hint("`choice.alternative` asks which alternative of a choice holds"),
                 ),
             },
             TermKind::Vector(items) => self.vector(items, term.span),
             TermKind::Unary(operator, inner) => self.unary(*operator, inner),
             TermKind::Binary(operator, left, right) => self.binary(*operator, left, right),
             TermKind::Call { name, arguments } => self.call(name, arguments, term.span),
-            TermKind::If { condition, then, otherwise } => self.branch(condition, then, otherwise),
-            TermKind::Sum { index, from, to, body } => self.sum(index, (from, to), body),
+            TermKind::If {
+                condition,
+                then,
+                otherwise,
+            } => self.branch(condition, then, otherwise),
+            TermKind::Sum {
+                index,
+                from,
+                to,
+                body,
+            } => self.sum(index, (from, to), body),
         }
     }
 
@@ -119,7 +132,10 @@ impl<'a> Lowering<'a> {
             Typed::Scalar { value, kind, .. } => Some((value, kind)),
             Typed::Wrong => None,
             other => {
-                let message = format!("a number is expected here, and this is {}", other.describe());
+                let message = format!(
+                    "a number is expected here, and this is {}",
+                    other.describe()
+                );
                 self.diagnostics.push(Diagnostic::error(term.span, message));
                 None
             }
@@ -137,8 +153,14 @@ impl<'a> Lowering<'a> {
             }
             Typed::Wrong => None,
             other => {
-                let message = format!("a condition is expected here, and this is {}", other.describe());
-                self.diagnostics.push(Diagnostic::error(term.span, message).hint("compare two quantities, as in `a < b`"));
+                let message = format!(
+                    "a condition is expected here, and this is {}",
+                    other.describe()
+                );
+                self.diagnostics.push(
+                    Diagnostic::error(term.span, message)
+                        .hint("compare two quantities, as in `a < b`"),
+                );
                 None
             }
         }
@@ -152,7 +174,9 @@ impl<'a> Lowering<'a> {
 
     /// Kind of a given quantity.
     pub fn kind_of(&self, symbol: Symbol) -> Kind {
-        self.kinds.get(&symbol).map_or(Kind::NUMBER, |(kind, _)| *kind)
+        self.kinds
+            .get(&symbol)
+            .map_or(Kind::NUMBER, |(kind, _)| *kind)
     }
 
     /// Declares the kind of a given quantity and the unit in which it is printed.
@@ -182,7 +206,9 @@ impl<'a> Lowering<'a> {
             return local.clone();
         }
         let names = self.names;
-        let Some(entry) = names.table.get(name) else { return self.builtin(name, span) };
+        let Some(entry) = names.table.get(name) else {
+            return self.builtin(name, span);
+        };
         self.used.insert(name.to_string());
         let symbol = match &entry.role {
             Role::Constant(index) => Symbol::Parameter(*index),
@@ -195,7 +221,10 @@ impl<'a> Lowering<'a> {
                 return self.error(
                     Diagnostic::error(span, format!("`{name}` is a function"))
                         .related(entry.span, "declared here")
-                        .hint(format!("give it its arguments: `{name}({})`", shape.join(", "))),
+                        .hint(format!(
+                            "give it its arguments: `{name}({})`",
+                            shape.join(", ")
+                        )),
                 );
             }
         };
@@ -221,17 +250,36 @@ impl<'a> Lowering<'a> {
             }
             _ => {}
         }
-        let as_name = Term { span, kind: TermKind::Name(name.into()) };
+        let as_name = Term {
+            span,
+            kind: TermKind::Name(name.into()),
+        };
         if let Some(held) = self.selected.decide(&as_name, self.survey) {
             return Typed::Decided(held);
         }
         let mut report = Diagnostic::error(span, format!("there is no `{name}` here"));
         let functions = FUNCTIONS.contains(&name);
-        let indexed = self.names.table.keys().any(|one| one.split('[').next() == Some(name) && one.contains('['));
-        let locals = self.locals.last().into_iter().flat_map(|scope| scope.keys().map(String::as_str));
-        let known = self.names.table.keys().map(String::as_str).chain(QUANTITIES.iter().copied()).chain(locals);
+        let indexed = self
+            .names
+            .table
+            .keys()
+            .any(|one| one.split('[').next() == Some(name) && one.contains('['));
+        let locals = self
+            .locals
+            .last()
+            .into_iter()
+            .flat_map(|scope| scope.keys().map(String::as_str));
+        let known = self
+            .names
+            .table
+            .keys()
+            .map(String::as_str)
+            .chain(QUANTITIES.iter().copied())
+            .chain(locals);
         if functions {
-            report = report.hint(format!("`{name}` is a function: give it its argument in parentheses"));
+            report = report.hint(format!(
+                "`{name}` is a function: give it its argument in parentheses"
+            ));
         } else if indexed {
             report = report.hint(format!("`{name}` has an index: `{name}[1]`"));
         } else if let Some(near) = nearest(name, known) {
@@ -247,8 +295,15 @@ impl<'a> Lowering<'a> {
             return done.clone();
         }
         if let Some(at) = self.open.iter().position(|(one, _)| one == name) {
-            let circle: Vec<_> = self.open[at..].iter().map(|(one, _)| one.as_str()).chain([name]).collect();
-            let report = Diagnostic::error(span, format!("`{name}` is defined by itself: {}", circle.join(" -> ")));
+            let circle: Vec<_> = self.open[at..]
+                .iter()
+                .map(|(one, _)| one.as_str())
+                .chain([name])
+                .collect();
+            let report = Diagnostic::error(
+                span,
+                format!("`{name}` is defined by itself: {}", circle.join(" -> ")),
+            );
             let declared = self.names.table.get(name).map(|entry| entry.span);
             return self.error(match declared {
                 Some(place) => report.related(place, "declared here"),
@@ -256,7 +311,10 @@ impl<'a> Lowering<'a> {
             });
         }
         if self.open.len() >= crate::MOST_NESTED {
-            let message = format!("`{name}` stands at the end of a chain of more than {} abbreviations", crate::MOST_NESTED);
+            let message = format!(
+                "`{name}` stands at the end of a chain of more than {} abbreviations",
+                crate::MOST_NESTED
+            );
             return self.error(Diagnostic::error(span, message));
         }
         self.open.push((name.to_string(), span));
@@ -273,30 +331,59 @@ impl<'a> Lowering<'a> {
     }
 
     /// A function of the file, applied: its body with the arguments in their places.
-    fn apply(&mut self, name: &Name, parameters: &[Name], body: &Term, arguments: Vec<Typed>, span: Span) -> Typed {
+    fn apply(
+        &mut self,
+        name: &Name,
+        parameters: &[Name],
+        body: &Term,
+        arguments: Vec<Typed>,
+        span: Span,
+    ) -> Typed {
         if arguments.iter().any(|one| matches!(one, Typed::Wrong)) {
             return Typed::Wrong;
         }
         let key: Option<Vec<Expression>> = arguments
             .iter()
-            .map(|one| if let Typed::Scalar { value, .. } = one { Some(*value) } else { None })
+            .map(|one| {
+                if let Typed::Scalar { value, .. } = one {
+                    Some(*value)
+                } else {
+                    None
+                }
+            })
             .collect();
         let key = key.map(|values| (name.text.clone(), values));
         if let Some(done) = key.as_ref().and_then(|key| self.calls.get(key)) {
             return done.clone();
         }
         if let Some(at) = self.open.iter().position(|(one, _)| *one == name.text) {
-            let circle: Vec<_> = self.open[at..].iter().map(|(one, _)| one.as_str()).chain([name.text.as_str()]).collect();
+            let circle: Vec<_> = self.open[at..]
+                .iter()
+                .map(|(one, _)| one.as_str())
+                .chain([name.text.as_str()])
+                .collect();
             return self.error(
-                Diagnostic::error(span, format!("`{}` calls itself: {}", name.text, circle.join(" -> ")))
-                    .hint("write a repetition with `for` or `sum`"),
+                Diagnostic::error(
+                    span,
+                    format!("`{}` calls itself: {}", name.text, circle.join(" -> ")),
+                )
+                .hint("write a repetition with `for` or `sum`"),
             );
         }
         if self.locals.len() > DEPTH {
-            return self.error(Diagnostic::error(span, format!("functions call each other more than {DEPTH} deep")));
+            return self.error(Diagnostic::error(
+                span,
+                format!("functions call each other more than {DEPTH} deep"),
+            ));
         }
         self.open.push((name.text.clone(), span));
-        self.locals.push(parameters.iter().map(|one| one.text.clone()).zip(arguments).collect());
+        self.locals.push(
+            parameters
+                .iter()
+                .map(|one| one.text.clone())
+                .zip(arguments)
+                .collect(),
+        );
         let typed = self.term(body);
         self.locals.pop();
         self.open.pop();
@@ -307,7 +394,9 @@ impl<'a> Lowering<'a> {
     }
 
     fn sum(&mut self, index: &Name, (from, to): (&Term, &Term), body: &Term) -> Typed {
-        let Some((first, last)) = bounds(from, to, self.diagnostics) else { return Typed::Wrong };
+        let Some((first, last)) = bounds(from, to, self.diagnostics) else {
+            return Typed::Wrong;
+        };
         let mut total = Typed::scalar(self.graph.zero(), Kind::Any);
         for value in first..=last {
             let item = self.term(&with_index(body, &index.text, value));

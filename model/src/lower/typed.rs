@@ -60,7 +60,11 @@ pub enum Typed {
 impl Typed {
     /// A number that is no rate.
     pub fn scalar(value: Expression, kind: Kind) -> Self {
-        Typed::Scalar { value, kind, rate: false }
+        Typed::Scalar {
+            value,
+            kind,
+            rate: false,
+        }
     }
 
     /// A pure number.
@@ -71,10 +75,19 @@ impl Typed {
     /// What it is, for messages.
     pub fn describe(&self) -> String {
         match self {
-            Typed::Scalar { kind: Kind::Any, .. } => "zero".into(),
-            Typed::Scalar { kind: Kind::Of(dimension), .. } => describe(*dimension),
+            Typed::Scalar {
+                kind: Kind::Any, ..
+            } => "zero".into(),
+            Typed::Scalar {
+                kind: Kind::Of(dimension),
+                ..
+            } => describe(*dimension),
             Typed::Vector { values, kind, .. } => {
-                format!("a vector of {} components ({})", values.len(), describe(kind.dimension()))
+                format!(
+                    "a vector of {} components ({})",
+                    values.len(),
+                    describe(kind.dimension())
+                )
             }
             Typed::Matrix(rows) => format!("a rotation in {} dimensions", rows.len()),
             Typed::Condition(_) | Typed::Decided(_) => "a condition".into(),

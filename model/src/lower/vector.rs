@@ -3,7 +3,7 @@
 use super::{Kind, Lowering, Typed};
 use crate::diagnostic::Diagnostic;
 use crate::expression::Expression;
-use crate::homogeneity::{agree, describe, disagreement, power, times};
+use crate::homogeneity::{agree, describe, disagreement, times};
 use crate::program::Function;
 use crate::syntax::tree::{Name, Term};
 use crate::token::Span;
@@ -12,7 +12,10 @@ impl Lowering<'_> {
     /// `[x, y]` or `[x, y, z]`.
     pub(super) fn vector(&mut self, items: &[Term], span: Span) -> Typed {
         if !(2..=3).contains(&items.len()) {
-            let message = format!("a vector has two or three components, and this has {}", items.len());
+            let message = format!(
+                "a vector has two or three components, and this has {}",
+                items.len()
+            );
             return self.error(Diagnostic::error(span, message));
         }
         let mut values = Vec::new();
@@ -23,26 +26,45 @@ impl Lowering<'_> {
                 Typed::Scalar { value, kind, rate } => (value, kind, rate),
                 Typed::Wrong => return Typed::Wrong,
                 other => {
-                    let message = format!("a component has to be a number, and this is {}", other.describe());
+                    let message = format!(
+                        "a component has to be a number, and this is {}",
+                        other.describe()
+                    );
                     return self.error(Diagnostic::error(item.span, message));
                 }
             };
             match agree(common, kind) {
                 Some(kind) => common = kind,
                 None => {
-                    return self.error(disagreement("the components are", (items[0].span, common), (item.span, kind)));
+                    return self.error(disagreement(
+                        "the components are",
+                        (items[0].span, common),
+                        (item.span, kind),
+                    ));
                 }
             }
             all_rates &= rate || self.is_fixed(value);
             values.push(value);
         }
-        Typed::Vector { values, kind: common, rate: all_rates }
+        Typed::Vector {
+            values,
+            kind: common,
+            rate: all_rates,
+        }
     }
 
     pub(super) fn vector_function(&mut self, name: &Name, arguments: &[Term], span: Span) -> Typed {
-        let expected = if matches!(name.text.as_str(), "inner" | "cross") { 2 } else { 1 };
+        let expected = if matches!(name.text.as_str(), "inner" | "cross") {
+            2
+        } else {
+            1
+        };
         if arguments.len() != expected {
-            let message = format!("`{}` takes {expected} argument(s), and this gives it {}", name.text, arguments.len());
+            let message = format!(
+                "`{}` takes {expected} argument(s), and this gives it {}",
+                name.text,
+                arguments.len()
+            );
             return self.error(Diagnostic::error(span, message));
         }
         match name.text.as_str() {
@@ -55,8 +77,17 @@ impl Lowering<'_> {
                 other => self.not_a_vector(other, arguments[0].span),
             },
             _ => match (self.term(&arguments[0]), self.term(&arguments[1])) {
-                (Typed::Vector { values: u, kind: p, .. }, Typed::Vector { values: v, kind: q, .. }) if u.len() == v.len() => {
-                    let Some(kind) = times(p, q) else { return Typed::Wrong };
+                (
+                    Typed::Vector {
+                        values: u, kind: p, ..
+                    },
+                    Typed::Vector {
+                        values: v, kind: q, ..
+                    },
+                ) if u.len() == v.len() => {
+                    let Some(kind) = times(p, q) else {
+                        return Typed::Wrong;
+                    };
                     if name.text == "inner" {
                         Typed::scalar(self.inner_sum(&u, &v), kind)
                     } else {
@@ -64,7 +95,8 @@ impl Lowering<'_> {
                     }
                 }
                 (Typed::Vector { values: u, .. }, Typed::Vector { values: v, .. }) => {
-                    let message = format!("the vectors have {} and {} components", u.len(), v.len());
+                    let message =
+                        format!("the vectors have {} and {} components", u.len(), v.len());
                     self.error(Diagnostic::error(span, message))
                 }
                 (Typed::Vector { .. }, other) => self.not_a_vector(other, arguments[1].span),
@@ -77,7 +109,10 @@ impl Lowering<'_> {
         if matches!(other, Typed::Wrong) {
             return other;
         }
-        let message = format!("a vector is expected here, and this is {}", other.describe());
+        let message = format!(
+            "a vector is expected here, and this is {}",
+            other.describe()
+        );
         self.error(Diagnostic::error(span, message).hint("write it with its components, `[x, y]`"))
     }
 
@@ -91,24 +126,51 @@ impl Lowering<'_> {
             return Typed::scalar(minor(0, 1), kind);
         }
         let values = vec![minor(1, 2), minor(2, 0), minor(0, 1)];
-        Typed::Vector { values, kind, rate: false }
+        Typed::Vector {
+            values,
+            kind,
+            rate: false,
+        }
     }
 
     fn rotation(&mut self, name: &str, argument: &Term) -> Typed {
-        let Some((angle, kind)) = self.scalar(argument) else { return Typed::Wrong };
+        let Some((angle, kind)) = self.scalar(argument) else {
+            return Typed::Wrong;
+        };
         if agree(kind, Kind::NUMBER).is_none() {
-            let message = format!("an angle is expected here, and this is {}", describe(kind.dimension()));
+            let message = format!(
+                "an angle is expected here, and this is {}",
+                describe(kind.dimension())
+            );
             return self.error(Diagnostic::error(argument.span, message));
         }
-        let (sine, cosine) = (self.graph.call(Function::Sin, &[angle]), self.graph.call(Function::Cos, &[angle]));
+        let (sine, cosine) = (
+            self.graph.call(Function::Sin, &[angle]),
+            self.graph.call(Function::Cos, &[angle]),
+        );
         let (minus, zero, one) = (self.graph.neg(sine), self.graph.zero(), self.graph.one());
         match name {
-            "dir" => Typed::Vector { values: vec![cosine, sine], kind: Kind::NUMBER, rate: false },
+            "dir" => Typed::Vector {
+                values: vec![cosine, sine],
+                kind: Kind::NUMBER,
+                rate: false,
+            },
             "rot" => Typed::Matrix(vec![vec![cosine, minus], vec![sine, cosine]]),
-            "rotx" => Typed::Matrix(vec![vec![one, zero, zero], vec![zero, cosine, minus], vec![zero, sine, cosine]]),
-            "roty" => Typed::Matrix(vec![vec![cosine, zero, sine], vec![zero, one, zero], vec![minus, zero, cosine]]),
-            _ => Typed::Matrix(vec![vec![cosine, minus, zero], vec![sine, cosine, zero], vec![zero, zero, one]]),
+            "rotx" => Typed::Matrix(vec![
+                vec![one, zero, zero],
+                vec![zero, cosine, minus],
+                vec![zero, sine, cosine],
+            ]),
+            "roty" => Typed::Matrix(vec![
+                vec![cosine, zero, sine],
+                vec![zero, one, zero],
+                vec![minus, zero, cosine],
+            ]),
+            _ => Typed::Matrix(vec![
+                vec![cosine, minus, zero],
+                vec![sine, cosine, zero],
+                vec![zero, zero, one],
+            ]),
         }
     }
-
 }

@@ -118,6 +118,12 @@ pub enum StatementKind {
     Scene(Scene),
     /// `output x;`, `output F1 = … [kN];`. Several after commas become several statements.
     Output(Output),
+    /// `mark "beat-up" at theta = 180 deg;`: a place that plots show.
+    Mark {
+        text: String,
+        variable: Name,
+        value: Term,
+    },
     /// `expect scene S at theta = 110 deg: x = 1 mm +- 0.1 mm "remark";`
     Expect(Expect),
 }

@@ -1,0 +1,108 @@
+//! Messages of the language as messages of rustc, underlined in the equation file.
+//!
+//! rustc gives a macro one place and one text for each message. So the second place, and the hint, are part of the
+//! text. A warning is the use of a deprecated item, the only warning that a macro can cause.
+
+use assur_model::diagnostic::{Diagnostic, Severity};
+use assur_model::token::Span;
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
+use quote::{quote, quote_spanned};
+
+use crate::tokens::Source;
+
+/// All messages as items.
+pub fn items(diagnostics: &[Diagnostic], source: &Source) -> TokenStream {
+    diagnostics
+        .iter()
+        .map(|diagnostic| {
+            let (first, last) = source.places(diagnostic.span);
+            let text = text(diagnostic, source);
+            match diagnostic.severity {
+                Severity::Error => error(first, last, &text),
+                Severity::Warning => warning(first, &text),
+            }
+        })
+        .collect()
+}
+
+/// `::core::compile_error! { "…" }`; its path has the first place and its braces the last, and rustc underlines from
+/// one to the other.
+pub fn error(first: proc_macro2::Span, last: proc_macro2::Span, text: &str) -> TokenStream {
+    let mut literal = Literal::string(text);
+    literal.set_span(last);
+    let mut group = Group::new(
+        Delimiter::Brace,
+        TokenStream::from(TokenTree::from(literal)),
+    );
+    group.set_span(last);
+    let mut exclamation = Punct::new('!', Spacing::Alone);
+    exclamation.set_span(first);
+    let path = quote_spanned!(first=> ::core::compile_error);
+    quote!(#path #exclamation #group)
+}
+
+fn warning(place: proc_macro2::Span, text: &str) -> TokenStream {
+    let name = Ident::new(
+        "equation_file",
+        place.resolved_at(proc_macro2::Span::call_site()),
+    );
+    quote! {
+        const _: () = {
+            #[deprecated(note = #text)]
+            #[allow(non_upper_case_globals)]
+            const #name: () = ();
+            #name
+        };
+    }
+}
+
+/// What was found and expected, the second place, the hint.
+fn text(diagnostic: &Diagnostic, source: &Source) -> String {
+    let mut text = diagnostic.message.clone();
+    if let Some((span, words)) = &diagnostic.related {
+        text += &match excerpt(*span, source) {
+            Some(excerpt) => format!("\nnote: {words}\n{excerpt}"),
+            None => format!("\nnote: {words}"),
+        };
+    }
+    if let Some(hint) = &diagnostic.hint {
+        text += &format!("\nhelp: {hint}");
+    }
+    text
+}
+
+/// The place, `FILE:LINE:COLUMN`, and the line there with the place underlined. Nothing outside of rustc.
+fn excerpt(span: Span, source: &Source) -> Option<String> {
+    if !proc_macro::is_available() {
+        return None;
+    }
+    let (first, last) = source.places(span);
+    let (first, last) = (first.unwrap(), last.unwrap());
+    let (line, column) = (first.line(), first.column());
+    let place = format!("   --> {}:{line}:{column}", first.file());
+    let text = first
+        .local_file()
+        .and_then(|path| std::fs::read_to_string(path).ok());
+    let Some(shown) = text
+        .as_deref()
+        .and_then(|text| text.lines().nth(line.checked_sub(1)?))
+    else {
+        return Some(place);
+    };
+    let end = last.end();
+    let width = if end.line() == line {
+        end.column().saturating_sub(column)
+    } else {
+        0
+    };
+    let width = width.clamp(1, shown.chars().count().max(1));
+    let margin = " ".repeat(line.to_string().len());
+    let under = format!(
+        "{}{}",
+        " ".repeat(column.saturating_sub(1)),
+        "^".repeat(width)
+    );
+    Some(format!(
+        "{place}\n{margin} |\n{line} | {shown}\n{margin} | {under}"
+    ))
+}

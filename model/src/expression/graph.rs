@@ -1,0 +1,328 @@
+//! The nodes, each kept once.
+
+use std::collections::{BTreeSet, HashMap};
+use std::rc::Rc;
+
+use crate::program::{Function, Relation};
+
+/// A handle to a node. Operands have smaller handles than what is made of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Expression(pub(super) u32);
+
+/// Something given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Symbol {
+    /// A dimension or parameter.
+    Parameter(u32),
+    /// The time.
+    Time,
+    /// A driver, that is its position.
+    Driver(u32),
+    /// A generalized coordinate.
+    Coordinate(u32),
+    /// The time derivative of a coordinate.
+    Speed(u32),
+    /// A first-order state.
+    State(u32),
+    /// A highest derivative: of a coordinate the second, of a state (counted behind the coordinates) the first.
+    Acceleration(u32),
+    /// An argument of a function while it is differentiated.
+    Argument(u32),
+}
+
+/// A number that can be compared and hashed; never NaN, and zero has no sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Real(u64);
+
+impl Real {
+    /// Wraps a number.
+    pub fn new(value: f64) -> Self {
+        Self((value + 0.0).to_bits())
+    }
+
+    /// The number.
+    pub fn get(self) -> f64 {
+        f64::from_bits(self.0)
+    }
+}
+
+/// A node.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// Something given.
+    Symbol(Symbol),
+    /// A number.
+    Number(Real),
+    /// A sum, terms rising.
+    Sum(Box<[Expression]>),
+    /// A product, factors rising; a number stands first.
+    Product(Box<[Expression]>),
+    /// A power.
+    Power(Expression, Expression),
+    /// A function.
+    Call(Function, Box<[Expression]>),
+    /// A condition.
+    Compare(Relation, Expression, Expression),
+    /// Both conditions.
+    And(Expression, Expression),
+    /// Either condition.
+    Or(Expression, Expression),
+    /// Not the condition.
+    Not(Expression),
+    /// The second where the first holds, else the third.
+    Select(Expression, Expression, Expression),
+    /// Factors of a symmetric matrix: its size and lower triangle.
+    Factor(u32, Box<[Expression]>),
+    /// Solution of a factored system.
+    Solve(Expression, Box<[Expression]>),
+    /// An element of a solution.
+    Element(Expression, u32),
+}
+
+impl Node {
+    /// The operands.
+    pub fn operands(&self) -> Vec<Expression> {
+        match self {
+            Node::Symbol(_) | Node::Number(_) => Vec::new(),
+            Node::Sum(list) | Node::Product(list) | Node::Call(_, list) | Node::Factor(_, list) => {
+                list.to_vec()
+            }
+            Node::Power(a, b) | Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
+                vec![*a, *b]
+            }
+            Node::Not(a) | Node::Element(a, _) => vec![*a],
+            Node::Select(a, b, c) => vec![*a, *b, *c],
+            Node::Solve(factor, right) => std::iter::once(*factor)
+                .chain(right.iter().copied())
+                .collect(),
+        }
+    }
+}
+
+/// All expressions of a scene.
+#[derive(Debug, Default)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    index: HashMap<Node, Expression>,
+    names: HashMap<Expression, String>,
+    /// For each node the set of its symbols.
+    support: Vec<u32>,
+    supports: Vec<Rc<[Symbol]>>,
+    support_index: HashMap<Rc<[Symbol]>, u32>,
+    unions: HashMap<(u32, u32), u32>,
+}
+
+impl Graph {
+    /// An empty graph.
+    pub fn new() -> Self {
+        let mut graph = Self::default();
+        graph.intern_support(Rc::from([]));
+        graph
+    }
+
+    /// The handle of a node.
+    pub(super) fn intern(&mut self, node: Node) -> Expression {
+        if let Some(known) = self.index.get(&node) {
+            return *known;
+        }
+        let support = match &node {
+            Node::Symbol(symbol) => self.intern_support(Rc::from([*symbol])),
+            _ => node.operands().into_iter().fold(0, |all, operand| {
+                self.union(all, self.support[operand.0 as usize])
+            }),
+        };
+        let handle = Expression(self.nodes.len() as u32);
+        self.nodes.push(node.clone());
+        self.support.push(support);
+        self.index.insert(node, handle);
+        handle
+    }
+
+    fn intern_support(&mut self, set: Rc<[Symbol]>) -> u32 {
+        if let Some(known) = self.support_index.get(&set) {
+            return *known;
+        }
+        let index = self.supports.len() as u32;
+        self.supports.push(set.clone());
+        self.support_index.insert(set, index);
+        index
+    }
+
+    fn union(&mut self, left: u32, right: u32) -> u32 {
+        let key = (left.min(right), left.max(right));
+        if key.0 == key.1 || key.0 == 0 {
+            return key.1;
+        }
+        if let Some(known) = self.unions.get(&key) {
+            return *known;
+        }
+        let all: BTreeSet<Symbol> = self.supports[left as usize]
+            .iter()
+            .chain(self.supports[right as usize].iter())
+            .copied()
+            .collect();
+        let union = self.intern_support(all.into_iter().collect());
+        self.unions.insert(key, union);
+        union
+    }
+
+    /// The node.
+    pub fn node(&self, expression: Expression) -> &Node {
+        &self.nodes[expression.0 as usize]
+    }
+
+    /// The number that an expression is.
+    pub fn as_number(&self, expression: Expression) -> Option<f64> {
+        match self.node(expression) {
+            Node::Number(value) => Some(value.get()),
+            _ => None,
+        }
+    }
+
+    /// Gives an expression the name that it has in the file, unless it has one.
+    pub fn name(&mut self, expression: Expression, name: &str) {
+        if !matches!(self.node(expression), Node::Number(_)) {
+            self.names
+                .entry(expression)
+                .or_insert_with(|| name.to_string());
+        }
+    }
+
+    /// The name of an expression.
+    pub fn name_of(&self, expression: Expression) -> Option<&str> {
+        self.names.get(&expression).map(String::as_str)
+    }
+
+    /// Whether a symbol of a kind occurs.
+    pub fn depends_on(&self, expression: Expression, kind: impl Fn(Symbol) -> bool) -> bool {
+        self.symbols_of(expression)
+            .iter()
+            .any(|symbol| kind(*symbol))
+    }
+
+    /// The symbols that occur, rising.
+    pub fn symbols_of(&self, expression: Expression) -> &[Symbol] {
+        &self.supports[self.support[expression.0 as usize] as usize]
+    }
+
+    /// All symbols that occur in some expressions.
+    pub fn symbols(&self, expressions: &[Expression]) -> BTreeSet<Symbol> {
+        let sets: BTreeSet<u32> = expressions
+            .iter()
+            .map(|one| self.support[one.0 as usize])
+            .collect();
+        sets.into_iter()
+            .flat_map(|set| self.supports[set as usize].iter().copied())
+            .collect()
+    }
+
+    /// All nodes that some expressions are made of, operands first.
+    pub fn reachable(&self, roots: &[Expression]) -> Vec<Expression> {
+        let mut seen = vec![false; self.nodes.len()];
+        let mut stack: Vec<Expression> = roots.to_vec();
+        while let Some(one) = stack.pop() {
+            if !std::mem::replace(&mut seen[one.0 as usize], true) {
+                stack.extend(self.node(one).operands());
+            }
+        }
+        (0..self.nodes.len() as u32)
+            .filter(|index| seen[*index as usize])
+            .map(Expression)
+            .collect()
+    }
+
+    /// Number of nodes that some expressions are made of.
+    pub fn size(&self, roots: &[Expression]) -> usize {
+        self.reachable(roots).len()
+    }
+
+    /// Rebuilds a node with other operands.
+    pub(super) fn rebuild(
+        &mut self,
+        node: &Node,
+        operand: &dyn Fn(Expression) -> Expression,
+    ) -> Expression {
+        let list = |items: &[Expression]| items.iter().map(|one| operand(*one)).collect::<Vec<_>>();
+        match node {
+            Node::Symbol(symbol) => self.symbol(*symbol),
+            Node::Number(value) => self.number(value.get()),
+            Node::Sum(terms) => self.sum(&list(terms)),
+            Node::Product(factors) => self.product(&list(factors)),
+            Node::Power(base, exponent) => self.pow(operand(*base), operand(*exponent)),
+            Node::Call(function, arguments) => self.call(*function, &list(arguments)),
+            Node::Compare(relation, a, b) => self.compare(*relation, operand(*a), operand(*b)),
+            Node::And(a, b) => self.and(operand(*a), operand(*b)),
+            Node::Or(a, b) => self.or(operand(*a), operand(*b)),
+            Node::Not(a) => self.not(operand(*a)),
+            Node::Select(c, a, b) => self.select(operand(*c), operand(*a), operand(*b)),
+            Node::Factor(size, entries) => {
+                let entries = list(entries).into();
+                self.intern(Node::Factor(*size, entries))
+            }
+            Node::Solve(factor, right) => {
+                let right = list(right).into();
+                self.intern(Node::Solve(operand(*factor), right))
+            }
+            Node::Element(solution, index) => {
+                self.intern(Node::Element(operand(*solution), *index))
+            }
+        }
+    }
+
+    /// The expressions with symbols replaced, all at once.
+    pub fn substitute(
+        &mut self,
+        roots: &[Expression],
+        map: &HashMap<Symbol, Expression>,
+    ) -> Vec<Expression> {
+        let touched = |graph: &Graph, one: Expression| {
+            graph.depends_on(one, |symbol| map.contains_key(&symbol))
+        };
+        let mut new: HashMap<Expression, Expression> = HashMap::new();
+        for old in self.reachable(roots) {
+            if !touched(self, old) {
+                continue;
+            }
+            let node = self.node(old).clone();
+            let value = match &node {
+                Node::Symbol(symbol) => map[symbol],
+                _ => self.rebuild(&node, &|operand| {
+                    new.get(&operand).copied().unwrap_or(operand)
+                }),
+            };
+            self.carry_name(old, value);
+            new.insert(old, value);
+        }
+        roots
+            .iter()
+            .map(|root| new.get(root).copied().unwrap_or(*root))
+            .collect()
+    }
+
+    /// The name of an expression goes to what has taken its place, unless that is something given.
+    pub(super) fn carry_name(&mut self, old: Expression, new: Expression) {
+        let given =
+            matches!(self.node(old), Node::Symbol(_)) != matches!(self.node(new), Node::Symbol(_));
+        if let (Some(name), false) = (self.names.get(&old).cloned(), old == new || given) {
+            self.name(new, &name);
+        }
+    }
+}
+
+impl Graph {
+    /// Rebuilds a node from operands that have been rebuilt.
+    pub(crate) fn rebuild_with(
+        &mut self,
+        node: &Node,
+        new: &HashMap<Expression, Expression>,
+    ) -> Expression {
+        self.rebuild(node, &|operand| {
+            new.get(&operand).copied().unwrap_or(operand)
+        })
+    }
+
+    /// Carries a name over; see [`Graph::simplify`].
+    pub(crate) fn carry(&mut self, old: Expression, new: Expression) {
+        self.carry_name(old, new);
+    }
+}

@@ -1,0 +1,17 @@
+//! Expressions: a graph of shared nodes.
+//!
+//! An [`Expression`] is a handle into a [`Graph`]; equal expressions have equal handles. Whatever is built is at once in
+//! a normal form: numbers are folded, equal terms and factors are collected, operands are sorted. Sums inside sums stay
+//! as they are, because what is shared must not be written out; [`Graph::simplify`] opens those that are used once.
+
+mod build;
+mod differentiate;
+mod display;
+mod evaluate;
+mod graph;
+mod laws;
+mod simplify;
+mod solve;
+mod stable;
+
+pub use graph::{Expression, Graph, Node, Real, Symbol};

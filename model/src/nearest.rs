@@ -1,0 +1,60 @@
+//! The nearest known name to one that is unknown.
+
+/// The known name that differs least from `wanted`, if it differs by little: at most a third of its letters, two at
+/// least. Letters that differ only in case count half.
+pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let limit = 2
+        * (wanted.chars().count() / 3)
+            .max(if wanted.chars().count() > 1 { 2 } else { 1 })
+            .min(4);
+    known
+        .into_iter()
+        .map(|name| (distance(wanted, name), name))
+        .filter(|(distance, _)| *distance <= limit)
+        .min()
+        .map(|(_, name)| name)
+}
+
+/// Twice the number of letters that have to be put in, taken away, changed or swapped.
+fn distance(left: &str, right: &str) -> usize {
+    let (left, right): (Vec<char>, Vec<char>) = (left.chars().collect(), right.chars().collect());
+    let mut rows: Vec<Vec<usize>> = vec![(0..=right.len()).map(|index| 2 * index).collect()];
+    for (i, a) in left.iter().enumerate() {
+        let mut row = vec![2 * (i + 1)];
+        for (j, b) in right.iter().enumerate() {
+            let change = match () {
+                () if a == b => 0,
+                () if a.to_lowercase().eq(b.to_lowercase()) => 1,
+                () => 2,
+            };
+            let mut least = (rows[i][j] + change)
+                .min(rows[i][j + 1] + 2)
+                .min(row[j] + 2);
+            if i > 0 && j > 0 && left[i - 1] == *b && *a == right[j - 1] {
+                least = least.min(rows[i - 1][j - 1] + 2);
+            }
+            row.push(least);
+        }
+        rows.push(row);
+    }
+    rows[left.len()][right.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn a_slip_of_the_finger_is_recognised() {
+        let known = ["torsion", "bending", "damping", "F1"];
+        assert_eq!(nearest("torsoin", known), Some("torsion"));
+        assert_eq!(nearest("dampin", known), Some("damping"));
+        assert_eq!(nearest("f1", known), Some("F1"));
+    }
+
+    #[test]
+    fn a_different_word_is_not() {
+        assert_eq!(nearest("clearance", ["torsion", "bending"]), None);
+        assert_eq!(nearest("x", ["torsion"]), None);
+    }
+}

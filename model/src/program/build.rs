@@ -1,0 +1,185 @@
+//! From the expressions of a scene to its program.
+
+use std::collections::HashMap;
+
+use super::emit::Emitter;
+use super::{Input, OperationKind, Program, Results, Stage, Value, collect, order};
+use crate::expression::{Expression, Graph, Symbol};
+
+/// What a program is to compute.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// `y'`.
+    pub derivative: Vec<Expression>,
+    /// Entries of `∂y'/∂y`: row, column, value.
+    pub jacobian: Vec<(u32, u32, Expression)>,
+    /// Outputs.
+    pub outputs: Vec<Expression>,
+    /// Positions of the drivers.
+    pub drivers: Vec<Expression>,
+    /// Lower triangle of the mass matrix.
+    pub mass: Vec<Expression>,
+    /// Kinetic and potential energy.
+    pub energy: Vec<Expression>,
+    /// Conditions on the values.
+    pub requirements: Vec<Expression>,
+    /// Period, or start and end time.
+    pub span: Vec<Expression>,
+    /// Start values.
+    pub start: Vec<Expression>,
+    /// Where symbols come from.
+    pub inputs: HashMap<Symbol, Input>,
+    /// What the other symbols stand for.
+    pub bindings: HashMap<Symbol, Expression>,
+    /// Number of parameters.
+    pub parameters: usize,
+    /// Length of the state vector.
+    pub states: usize,
+}
+
+impl Request {
+    /// How often a symbol changes.
+    pub(super) fn stage_of(&self, symbol: Symbol) -> Stage {
+        match self.inputs.get(&symbol) {
+            Some(Input::Parameter(_)) => Stage::Parameter,
+            Some(Input::Time) => Stage::Instant,
+            _ => Stage::State,
+        }
+    }
+
+    /// How often an expression changes.
+    pub(super) fn stage(&self, graph: &Graph, expression: Expression) -> Stage {
+        graph
+            .symbols_of(expression)
+            .iter()
+            .map(|symbol| self.stage_of(*symbol))
+            .max()
+            .unwrap_or(Stage::Constant)
+    }
+
+    /// All expressions in one list.
+    fn roots(&self) -> Vec<Expression> {
+        let slopes = self.jacobian.iter().map(|entry| entry.2);
+        let mut roots: Vec<Expression> = self.derivative.iter().copied().chain(slopes).collect();
+        for list in [
+            &self.outputs,
+            &self.drivers,
+            &self.mass,
+            &self.energy,
+            &self.requirements,
+            &self.span,
+            &self.start,
+        ] {
+            roots.extend(list);
+        }
+        roots
+    }
+}
+
+/// Builds the program: puts in what symbols stand for, simplifies, collects by stages, and writes the operations down.
+pub fn build(graph: &mut Graph, request: &Request) -> Program {
+    let bound = bind(graph, &request.roots(), &request.bindings);
+    let simple = graph.simplify(&bound);
+    let collected = collect::collect(graph, &simple, request);
+    let mut emitter = Emitter::new(graph, request, &collected);
+    let values: Vec<Value> = collected.iter().map(|root| emitter.value(*root)).collect();
+    let mut rest = values.into_iter();
+    let mut take = |count: usize| rest.by_ref().take(count).collect::<Vec<Value>>();
+    let derivative = take(request.derivative.len());
+    let slopes = take(request.jacobian.len());
+    let jacobian = request
+        .jacobian
+        .iter()
+        .zip(slopes)
+        .map(|((row, column, _), value)| (*row, *column, value));
+    let results = Results {
+        derivative,
+        jacobian: jacobian.collect(),
+        outputs: take(request.outputs.len()),
+        drivers: take(request.drivers.len()),
+        mass: take(request.mass.len()),
+        energy: take(request.energy.len()),
+        requirements: take(request.requirements.len()),
+        span: take(request.span.len()),
+        start: take(request.start.len()),
+    };
+    let mut program = Program {
+        operations: emitter.operations,
+        results,
+        parameters: request.parameters,
+        states: request.states,
+        linear: false,
+    };
+    order::sort(&mut program);
+    drop_zeros(&mut program);
+    program.linear = is_linear(&program);
+    program
+}
+
+/// Expressions with every bound symbol replaced by what it stands for, which may contain others.
+fn bind(
+    graph: &mut Graph,
+    roots: &[Expression],
+    bindings: &HashMap<Symbol, Expression>,
+) -> Vec<Expression> {
+    let mut closed: HashMap<Symbol, Expression> = HashMap::new();
+    let symbols: Vec<Symbol> = graph.symbols(roots).into_iter().collect();
+    for symbol in symbols {
+        close(graph, symbol, bindings, &mut closed);
+    }
+    graph.substitute(roots, &closed)
+}
+
+fn close(
+    graph: &mut Graph,
+    symbol: Symbol,
+    bindings: &HashMap<Symbol, Expression>,
+    closed: &mut HashMap<Symbol, Expression>,
+) {
+    let Some(value) = bindings
+        .get(&symbol)
+        .copied()
+        .filter(|_| !closed.contains_key(&symbol))
+    else {
+        return;
+    };
+    let inner: Vec<Symbol> = graph.symbols_of(value).to_vec();
+    for other in inner {
+        close(graph, other, bindings, closed);
+    }
+    let value = graph.substitute(&[value], closed)[0];
+    closed.insert(symbol, value);
+}
+
+/// Entries of the Jacobian that turn out to be zero only when everything is put in.
+fn drop_zeros(program: &mut Program) {
+    let operations = &program.operations;
+    program
+        .results
+        .jacobian
+        .retain(|entry| operations[entry.2.0 as usize].kind != OperationKind::Number(0.0));
+}
+
+/// Whether `y'` is affine in the state: it is made of it by sums and products alone, with slopes that do not contain it.
+fn is_linear(program: &Program) -> bool {
+    let stage = |value: &Value| program.operations[value.0 as usize].stage;
+    let slopes = program
+        .results
+        .jacobian
+        .iter()
+        .all(|entry| stage(&entry.2) < Stage::State);
+    let arithmetic = order::reach(program, &program.results.derivative)
+        .into_iter()
+        .all(|value| {
+            let operation = &program.operations[value.0 as usize];
+            let branches = matches!(
+                operation.kind,
+                OperationKind::Call(..)
+                    | OperationKind::Compare(..)
+                    | OperationKind::Select { .. }
+                    | OperationKind::Factor { .. }
+            );
+            operation.stage < Stage::State || !branches
+        });
+    slopes && arithmetic
+}

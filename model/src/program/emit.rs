@@ -1,0 +1,485 @@
+//! Writes expressions down as operations.
+//!
+//! A sum or product whose operands belong to different stages is split: the part of each stage is computed in that
+//! stage. A product that is added once is added by one operation. Equal operations are written once.
+
+use std::collections::HashMap;
+
+use super::build::Request;
+use super::{Function, Operation, OperationKind, Stage, Value};
+use crate::expression::{Expression, Graph, Node};
+
+/// Writes operations.
+pub struct Emitter<'a> {
+    /// The operations so far.
+    pub operations: Vec<Operation>,
+    graph: &'a mut Graph,
+    request: &'a Request,
+    uses: HashMap<Expression, usize>,
+    /// In how many products a factor occurs.
+    frequency: HashMap<Expression, usize>,
+    known: HashMap<Key, Value>,
+    done: HashMap<Expression, Value>,
+}
+
+/// An operation without its name; numbers by their bits.
+#[derive(PartialEq, Eq, Hash)]
+struct Key(String);
+
+impl<'a> Emitter<'a> {
+    /// Begins to write what some expressions are made of.
+    pub fn new(graph: &'a mut Graph, request: &'a Request, roots: &[Expression]) -> Self {
+        let reachable = graph.reachable(roots);
+        let uses = graph.uses(roots, &reachable);
+        let mut frequency = HashMap::new();
+        for one in &reachable {
+            if let Node::Product(factors) = graph.node(*one) {
+                factors
+                    .iter()
+                    .for_each(|factor| *frequency.entry(*factor).or_insert(0) += 1);
+            }
+        }
+        Self {
+            operations: Vec::new(),
+            graph,
+            request,
+            uses,
+            frequency,
+            known: HashMap::new(),
+            done: HashMap::new(),
+        }
+    }
+
+    /// The value of an expression.
+    pub fn value(&mut self, expression: Expression) -> Value {
+        if let Some(done) = self.done.get(&expression) {
+            return *done;
+        }
+        let value = self.write(expression);
+        if let Some(name) = self.graph.name_of(expression) {
+            let slot = &mut self.operations[value.0 as usize].name;
+            if slot.is_none() {
+                *slot = Some(name.to_string());
+            }
+        }
+        self.done.insert(expression, value);
+        value
+    }
+
+    fn values(&mut self, list: &[Expression]) -> Vec<Value> {
+        list.iter().map(|one| self.value(*one)).collect()
+    }
+
+    fn write(&mut self, expression: Expression) -> Value {
+        match self.graph.node(expression).clone() {
+            Node::Symbol(symbol) => match self.request.inputs.get(&symbol) {
+                Some(input) => {
+                    self.push(OperationKind::Input(*input), self.request.stage_of(symbol))
+                }
+                // Nothing else is left when everything is bound.
+                None => self.number(f64::NAN),
+            },
+            Node::Number(value) => self.number(value.get()),
+            Node::Sum(terms) => self.sum(&terms),
+            Node::Product(factors) => self.product(&factors),
+            Node::Power(base, exponent) => self.power(base, exponent),
+            Node::Call(function, arguments) => {
+                let arguments = self.values(&arguments);
+                self.call(function, arguments)
+            }
+            Node::Compare(relation, a, b) => {
+                let (a, b) = (self.value(a), self.value(b));
+                self.combine(OperationKind::Compare(relation, a, b))
+            }
+            Node::And(a, b) => {
+                let (a, b) = (self.value(a), self.value(b));
+                self.combine(OperationKind::And(a, b))
+            }
+            Node::Or(a, b) => {
+                let (a, b) = (self.value(a), self.value(b));
+                self.combine(OperationKind::Or(a, b))
+            }
+            Node::Not(a) => {
+                let a = self.value(a);
+                self.combine(OperationKind::Not(a))
+            }
+            Node::Select(condition, then, otherwise) => {
+                let (condition, then, otherwise) = (
+                    self.value(condition),
+                    self.value(then),
+                    self.value(otherwise),
+                );
+                self.combine(OperationKind::Select {
+                    condition,
+                    then,
+                    otherwise,
+                })
+            }
+            Node::Factor(size, entries) => {
+                let entries = self.values(&entries);
+                self.combine(OperationKind::Factor { size, entries })
+            }
+            Node::Solve(factor, right) => {
+                let factor = self.value(factor);
+                let right = self.values(&right);
+                self.combine(OperationKind::Solve { factor, right })
+            }
+            Node::Element(solution, index) => {
+                let solution = self.value(solution);
+                self.combine(OperationKind::Element { solution, index })
+            }
+        }
+    }
+
+    fn number(&mut self, value: f64) -> Value {
+        self.push(OperationKind::Number(value), Stage::Constant)
+    }
+
+    fn call(&mut self, function: Function, arguments: Vec<Value>) -> Value {
+        self.combine(OperationKind::Call(function, arguments))
+    }
+
+    /// Adds an operation in the latest stage of its operands.
+    fn combine(&mut self, kind: OperationKind) -> Value {
+        let stage = kind
+            .operands()
+            .iter()
+            .map(|value| self.stage(*value))
+            .max()
+            .unwrap_or(Stage::Constant);
+        self.push(kind, stage)
+    }
+
+    fn stage(&self, value: Value) -> Stage {
+        self.operations[value.0 as usize].stage
+    }
+
+    fn push(&mut self, kind: OperationKind, stage: Stage) -> Value {
+        let key = Key(match &kind {
+            OperationKind::Number(value) => format!("{}", value.to_bits()),
+            OperationKind::Add(a, b) => format!("add {} {}", a.0.min(b.0), a.0.max(b.0)),
+            OperationKind::Multiply(a, b) => format!("multiply {} {}", a.0.min(b.0), a.0.max(b.0)),
+            kind => format!("{kind:?}"),
+        });
+        if let Some(known) = self.known.get(&key) {
+            return *known;
+        }
+        let value = Value(self.operations.len() as u32);
+        self.operations.push(Operation {
+            kind,
+            stage,
+            name: None,
+        });
+        self.known.insert(key, value);
+        value
+    }
+
+    fn multiply(&mut self, a: Value, b: Value) -> Value {
+        self.combine(OperationKind::Multiply(a, b))
+    }
+
+    fn expression_stage(&self, expression: Expression) -> Stage {
+        self.request.stage(self.graph, expression)
+    }
+
+    /// `base^exponent` by products and roots where the exponent is a whole or a half number.
+    fn power(&mut self, base: Expression, exponent: Expression) -> Value {
+        let value = self.value(base);
+        let Some(number) = self.graph.as_number(exponent) else {
+            let exponent = self.value(exponent);
+            return self.call(Function::Power, vec![value, exponent]);
+        };
+        let doubled = 2.0 * number.abs();
+        if doubled.fract() != 0.0 || doubled > 64.0 {
+            let exponent = self.number(number);
+            return self.call(Function::Power, vec![value, exponent]);
+        }
+        let whole = number.abs().trunc() as u32;
+        let mut result = (whole > 0).then(|| self.whole_power(value, whole));
+        if number.fract() != 0.0 {
+            let root = self.call(Function::Sqrt, vec![value]);
+            result = Some(result.map_or(root, |power| self.multiply(power, root)));
+        }
+        let one = self.number(1.0);
+        let result = result.unwrap_or(one);
+        if number < 0.0 {
+            self.combine(OperationKind::Divide(one, result))
+        } else {
+            result
+        }
+    }
+
+    /// By repeated squaring.
+    fn whole_power(&mut self, base: Value, exponent: u32) -> Value {
+        if exponent == 1 {
+            return base;
+        }
+        let half = self.whole_power(base, exponent / 2);
+        let square = self.multiply(half, half);
+        if exponent.is_multiple_of(2) {
+            square
+        } else {
+            self.multiply(square, base)
+        }
+    }
+
+    /// A product as its last operation: two values to multiply, or one value.
+    fn product_parts(&mut self, factors: &[Expression]) -> (Value, Option<Value>) {
+        let mut numerators: Vec<(Stage, Expression)> = Vec::new();
+        let mut denominators: Vec<(Stage, Expression)> = Vec::new();
+        for factor in factors {
+            let stage = self.expression_stage(*factor);
+            let inverse = match self.graph.node(*factor) {
+                Node::Power(base, exponent) => match self.graph.as_number(*exponent) {
+                    // What divides once is a denominator; what divides often is inverted once.
+                    Some(number) if number < 0.0 && self.uses.get(factor) == Some(&1) => {
+                        Some((*base, -number))
+                    }
+                    _ => None,
+                },
+                _ => None,
+            };
+            match inverse {
+                Some((base, exponent)) => {
+                    let exponent = self.graph.number(exponent);
+                    denominators.push((stage, self.graph.pow(base, exponent)));
+                }
+                None => numerators.push((stage, *factor)),
+            }
+        }
+        numerators.sort_by_key(|(stage, factor)| {
+            (
+                *stage,
+                std::cmp::Reverse(self.frequency.get(factor).copied().unwrap_or(0)),
+                *factor,
+            )
+        });
+        denominators.sort();
+        // What is left of earlier stages; then what this stage multiplies, folded before it meets the rest, so that
+        // products of the same factors with other coefficients share it.
+        let mut earlier: Option<Value> = None;
+        let mut parts: Vec<Value> = Vec::new();
+        for stage in [
+            Stage::Constant,
+            Stage::Parameter,
+            Stage::Instant,
+            Stage::State,
+        ] {
+            let own: Vec<Value> = numerators
+                .iter()
+                .filter(|(own, _)| *own == stage)
+                .map(|one| one.1)
+                .collect::<Vec<_>>()
+                .into_iter()
+                .map(|one| self.value(one))
+                .collect();
+            let below: Vec<Expression> = denominators
+                .iter()
+                .filter(|(own, _)| *own == stage)
+                .map(|one| one.1)
+                .collect();
+            if own.is_empty() && below.is_empty() {
+                continue;
+            }
+            let later = numerators
+                .iter()
+                .chain(&denominators)
+                .any(|(own, _)| *own > stage);
+            parts = earlier.into_iter().collect();
+            if let Some((last, others)) = own.split_last() {
+                match (others.split_first(), parts.is_empty()) {
+                    // The first of a pair, or of many, is folded; the last operation is left to whoever adds.
+                    (Some((first, more)), true) => {
+                        parts.push(
+                            more.iter()
+                                .fold(*first, |product, one| self.multiply(product, *one)),
+                        );
+                        parts.push(*last);
+                    }
+                    (Some((first, more)), false) => {
+                        let folded = more
+                            .iter()
+                            .chain([last])
+                            .fold(*first, |product, one| self.multiply(product, *one));
+                        parts.push(folded);
+                    }
+                    (None, _) => parts.push(*last),
+                }
+            }
+            if !below.is_empty() {
+                let above = self.folded(&parts);
+                let divisor: Vec<Value> =
+                    below.into_iter().map(|factor| self.value(factor)).collect();
+                let divisor = self.folded(&divisor);
+                parts = vec![self.combine(OperationKind::Divide(above, divisor))];
+            }
+            if later {
+                parts = vec![self.folded(&parts)];
+            }
+            earlier = parts.first().copied();
+        }
+        match parts.as_slice() {
+            [a, b] => (*a, Some(*b)),
+            [one] => (*one, None),
+            _ => (self.number(1.0), None),
+        }
+    }
+
+    /// The product of some values; 1 if there are none.
+    fn folded(&mut self, values: &[Value]) -> Value {
+        match values.split_first() {
+            None => self.number(1.0),
+            Some((first, rest)) => rest
+                .iter()
+                .fold(*first, |product, one| self.multiply(product, *one)),
+        }
+    }
+
+    fn product(&mut self, factors: &[Expression]) -> Value {
+        if self.graph.as_number(factors[0]) == Some(-1.0) {
+            let positive = self.product(&factors[1..]);
+            return self.combine(OperationKind::Negate(positive));
+        }
+        match self.product_parts(factors) {
+            (a, Some(b)) => self.multiply(a, b),
+            (one, None) => one,
+        }
+    }
+
+    fn sum(&mut self, terms: &[Expression]) -> Value {
+        let mut total: Option<Value> = None;
+        for stage in [
+            Stage::Constant,
+            Stage::Parameter,
+            Stage::Instant,
+            Stage::State,
+        ] {
+            let own: Vec<Expression> = terms
+                .iter()
+                .copied()
+                .filter(|term| self.expression_stage(*term) == stage)
+                .collect();
+            if !own.is_empty() {
+                total = Some(self.add_terms(total, &own));
+            }
+        }
+        match total {
+            Some(total) => total,
+            None => self.number(0.0),
+        }
+    }
+
+    /// Adds terms of one stage to a value.
+    fn add_terms(&mut self, total: Option<Value>, terms: &[Expression]) -> Value {
+        let mut list: Vec<Summand> = terms.iter().map(|term| self.summand(*term)).collect();
+        // A total to begin with: what is no product and has no minus first.
+        list.sort_by_key(|one| (one.negative, one.second.is_some()));
+        let mut rest = list.into_iter();
+        let mut sum = match total {
+            Some(total) => total,
+            None => match rest.next() {
+                None => return self.number(0.0),
+                Some(first) => self.first(first, &mut rest),
+            },
+        };
+        for one in rest {
+            sum = match (one.negative, one.second) {
+                (false, None) => self.combine(OperationKind::Add(sum, one.first)),
+                (true, None) => self.combine(OperationKind::Subtract(sum, one.first)),
+                (false, Some(second)) => {
+                    self.combine(OperationKind::MultiplyAdd(one.first, second, sum))
+                }
+                (true, Some(second)) => {
+                    self.combine(OperationKind::NegateMultiplyAdd(one.first, second, sum))
+                }
+            };
+        }
+        sum
+    }
+
+    /// The first of a sum's terms, if need be together with the second.
+    fn first(&mut self, first: Summand, rest: &mut std::vec::IntoIter<Summand>) -> Value {
+        match (first.negative, first.second) {
+            (false, None) => first.first,
+            (false, Some(second)) => {
+                // `a*b - c` is one operation.
+                let follows = rest
+                    .as_slice()
+                    .first()
+                    .filter(|next| next.negative && next.second.is_none())
+                    .map(|next| next.first);
+                match follows {
+                    Some(next) => {
+                        rest.next();
+                        self.combine(OperationKind::MultiplySubtract(first.first, second, next))
+                    }
+                    None => self.multiply(first.first, second),
+                }
+            }
+            (true, _) => {
+                // All terms have a minus: the sum of the others has it once.
+                let turned: Vec<Summand> = rest.by_ref().collect();
+                let mut sum = self.plain(&first);
+                for one in turned {
+                    sum = match one.second {
+                        None => self.combine(OperationKind::Add(sum, one.first)),
+                        Some(second) => {
+                            self.combine(OperationKind::MultiplyAdd(one.first, second, sum))
+                        }
+                    };
+                }
+                self.combine(OperationKind::Negate(sum))
+            }
+        }
+    }
+
+    fn plain(&mut self, summand: &Summand) -> Value {
+        match summand.second {
+            Some(second) => self.multiply(summand.first, second),
+            None => summand.first,
+        }
+    }
+
+    /// A term as it is added: a product that is used nowhere else stays two values.
+    fn summand(&mut self, term: Expression) -> Summand {
+        let (coefficient, _) = self.graph.split_coefficient(term);
+        let alone = self.uses.get(&term) == Some(&1) && self.graph.name_of(term).is_none();
+        let negative = coefficient < 0.0;
+        let positive = if negative { self.graph.neg(term) } else { term };
+        match self.graph.node(positive).clone() {
+            Node::Product(factors) if alone && !self.done.contains_key(&positive) => {
+                let (first, second) = self.product_parts(&factors);
+                let named = second.is_none() && self.graph.name_of(positive).is_some();
+                let first = if named { self.value(positive) } else { first };
+                Summand {
+                    negative,
+                    first,
+                    second,
+                }
+            }
+            _ => {
+                // The number of a shared term keeps its sign, or `x` and `-x` would be computed twice.
+                if negative && coefficient != -1.0 && self.uses.get(&term).copied().unwrap_or(0) > 1
+                {
+                    return Summand {
+                        negative: false,
+                        first: self.value(term),
+                        second: None,
+                    };
+                }
+                Summand {
+                    negative,
+                    first: self.value(positive),
+                    second: None,
+                }
+            }
+        }
+    }
+}
+
+/// A term of a sum: one value, or two to be multiplied.
+struct Summand {
+    negative: bool,
+    first: Value,
+    second: Option<Value>,
+}

@@ -1,0 +1,83 @@
+//! Tokens to tree, by recursive descent.
+//!
+//! Every statement begins with a keyword; keywords are contextual, so any of them may also name a quantity. After a
+//! mistake the parser goes on behind the next `;` or block, so that all mistakes of a file are found at once.
+
+mod cursor;
+mod declaration;
+mod scene;
+mod statement;
+mod term;
+mod unit;
+
+use crate::diagnostic::Diagnostics;
+use crate::syntax::tree::{File, Term, UnitTerm};
+use crate::token::Token;
+use cursor::Cursor;
+
+/// Brackets, signs and branches may nest this deep.
+const DEPTH: usize = 64;
+
+/// A mistake that has been reported: whoever meets it gives up its statement.
+struct Reported;
+
+type Read<T> = Result<T, Reported>;
+
+/// Reads the tokens of a mechanism. Reports every mistake; there is no tree when not even the name can be read.
+pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Option<File> {
+    let mut parser = Parser::new(tokens, diagnostics);
+    let file = parser.file().ok()?;
+    Some(file)
+}
+
+/// Reads a unit without brackets, `N m/rad`, and nothing else.
+pub fn parse_unit(tokens: &[Token], diagnostics: &mut Diagnostics) -> Option<UnitTerm> {
+    let mut parser = Parser::new(tokens, diagnostics);
+    let unit = parser.unit_factors().ok()?;
+    parser.end("of the unit").ok()?;
+    Some(unit)
+}
+
+/// Reads an expression and nothing else.
+pub fn parse_term(tokens: &[Token], diagnostics: &mut Diagnostics) -> Option<Term> {
+    let mut parser = Parser::new(tokens, diagnostics);
+    let term = parser.term().ok()?;
+    parser.end("of the expression").ok()?;
+    Some(term)
+}
+
+struct Parser<'a> {
+    cursor: Cursor<'a>,
+    diagnostics: &'a mut Diagnostics,
+    depth: usize,
+    /// Indices of the repetitions around.
+    indices: Vec<String>,
+    /// Whether a bracket after a name may be the unit of an output.
+    in_output: bool,
+}
+
+impl<'a> Parser<'a> {
+    fn new(tokens: &'a [Token], diagnostics: &'a mut Diagnostics) -> Self {
+        Self {
+            cursor: Cursor::new(tokens),
+            diagnostics,
+            depth: 0,
+            indices: Vec::new(),
+            in_output: false,
+        }
+    }
+
+    /// Goes one level deeper, if that is still allowed.
+    fn deeper<T>(&mut self, read: impl FnOnce(&mut Self) -> Read<T>) -> Read<T> {
+        if self.depth >= DEPTH {
+            return self.wrong(
+                format!("this is nested more than {DEPTH} deep"),
+                Some("give an inner part a name with `let`"),
+            );
+        }
+        self.depth += 1;
+        let result = read(self);
+        self.depth -= 1;
+        result
+    }
+}

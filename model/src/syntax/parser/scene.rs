@@ -1,0 +1,232 @@
+//! Scenes, outputs, published facts.
+
+use super::{Parser, Read};
+use crate::diagnostic::Diagnostic;
+use crate::syntax::tree::{
+    Expect, ExpectAt, Name, Output, Scene, SceneItem, Selection, StatementKind, Target, Term,
+    TermKind,
+};
+
+impl Parser<'_> {
+    /// `elastic "text" = torsion + crank.exact { … }`
+    pub(super) fn scene(&mut self) -> Read<StatementKind> {
+        let name = self.name("the name of the scene")?;
+        let text = self.text();
+        let mut selection = Vec::new();
+        if self.take_operator("=") {
+            loop {
+                selection.push(self.selection()?);
+                if !self.take_operator("+") {
+                    break;
+                }
+            }
+        }
+        let mut items = Vec::new();
+        if !self.take_operator(";") {
+            if !self.take_open('{') {
+                return self.expected("`+`, `{` or `;`");
+            }
+            while !self.is_close('}') && !self.at_end() {
+                let begin = self.cursor.at;
+                match self.item() {
+                    Ok(list) => items.extend(list),
+                    Err(_) => {
+                        self.skip_statement();
+                        if self.cursor.at == begin {
+                            self.advance();
+                        }
+                    }
+                }
+            }
+            self.close('}')?;
+        }
+        Ok(StatementKind::Scene(Scene {
+            name,
+            text,
+            selection,
+            items,
+        }))
+    }
+
+    fn selection(&mut self) -> Read<Selection> {
+        let name = self.name("an effect or a choice")?;
+        let alternative = if self.take_operator(".") {
+            Some(self.name("an alternative")?)
+        } else {
+            None
+        };
+        Ok(Selection { name, alternative })
+    }
+
+    fn item(&mut self) -> Read<Vec<SceneItem>> {
+        let _ = self.documentation();
+        let keyword =
+            self.name("what the scene does: `periodic`, `run`, `preset`, `output` or `start`")?;
+        let items = match keyword.text.as_str() {
+            "periodic" => {
+                if !self.take_word("over") {
+                    return self.wrong(
+                        format!("found {}, expected `over`", self.found()),
+                        Some("write `periodic over 2*pi/n;`"),
+                    );
+                }
+                vec![SceneItem::Periodic {
+                    period: self.term()?,
+                }]
+            }
+            "run" => {
+                let variable = self.name("`time`")?;
+                let (from, to) = self.range()?;
+                vec![SceneItem::Run { variable, from, to }]
+            }
+            "preset" => vec![SceneItem::Preset {
+                name: self.name("the name of a preset")?,
+            }],
+            "output" => self.commas(|parser| Ok(SceneItem::Output(parser.output()?)))?,
+            "start" => {
+                let values = self.commas(|parser| {
+                    let target = parser.term()?;
+                    parser.operator("=")?;
+                    Ok((target, parser.term()?))
+                })?;
+                vec![SceneItem::Start { values }]
+            }
+            "sweep" | "measure" | "draw" => {
+                let message = format!(
+                    "`{}` is not available in this version of Assur",
+                    keyword.text
+                );
+                return self.wrong_at(keyword.span, message, None);
+            }
+            other => {
+                let message = format!("`{other}` is nothing that a scene does");
+                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `preset`, `output` or `start`"));
+            }
+        };
+        self.operator(";")?;
+        Ok(items)
+    }
+
+    /// `x`, `F1 [kN]`, `F1 = … [kN]`, `dot(x) [mm/s]`
+    pub(super) fn output(&mut self) -> Read<Output> {
+        let start = self.here();
+        self.in_output = true;
+        let read = self.output_value();
+        self.in_output = false;
+        let (name, value) = read?;
+        let unit = if self.is_open_ahead(0, '[') {
+            Some(self.bracketed_unit()?)
+        } else {
+            None
+        };
+        Ok(Output {
+            name,
+            value,
+            unit,
+            span: self.since(start),
+        })
+    }
+
+    fn output_value(&mut self) -> Read<(Option<Target>, Option<Term>)> {
+        let term = self.term()?;
+        let target = match &term.kind {
+            TermKind::Name(text) => Some(Target {
+                name: Name {
+                    text: text.clone(),
+                    span: term.span,
+                },
+                index: None,
+            }),
+            TermKind::Index { name, index } => Some(Target {
+                name: name.clone(),
+                index: Some(index.clone()),
+            }),
+            _ => None,
+        };
+        if !self.take_operator("=") {
+            return Ok(if target.is_some() {
+                (target, None)
+            } else {
+                (None, Some(term))
+            });
+        }
+        match target {
+            Some(target) => Ok((Some(target), Some(self.term()?))),
+            None => self.wrong_at(term.span, "a name is expected before `=`", None),
+        }
+    }
+
+    /// `"beat-up" at theta = 180 deg`
+    pub(super) fn mark(&mut self) -> Read<StatementKind> {
+        let Some(text) = self.text() else {
+            return self
+                .expected("the text of the mark, as in `mark \"beat-up\" at theta = 180 deg;`");
+        };
+        if !self.take_word("at") {
+            return self.expected("`at`");
+        }
+        let variable = self.name("a driver or `time`")?;
+        self.operator("=")?;
+        Ok(StatementKind::Mark {
+            text,
+            variable,
+            value: self.term()?,
+        })
+    }
+
+    /// `scene S preset P at theta = 110 deg: x = 1 mm +- 0.1 mm "remark"`
+    pub(super) fn expect(&mut self) -> Read<Expect> {
+        let mut expect_scene = None;
+        let mut preset = None;
+        while self.is_word("scene") || self.is_word("preset") {
+            let is_scene = self.take_word("scene");
+            if !is_scene {
+                self.advance();
+            }
+            let name = self.name("a name")?;
+            *(if is_scene {
+                &mut expect_scene
+            } else {
+                &mut preset
+            }) = Some(name);
+        }
+        if !self.take_word("at") {
+            return self.wrong(
+                format!("found {}, expected `at`", self.found()),
+                Some("a fact holds somewhere: `expect at theta = 110 deg: x = 1 mm +- 0.1 mm;` or `expect at maximum: …`"),
+            );
+        }
+        let place = self.name("a driver, `time`, `maximum`, `minimum` or `amplitude`")?;
+        let at = if self.take_operator("=") {
+            ExpectAt::Value {
+                variable: place,
+                value: self.term()?,
+            }
+        } else {
+            ExpectAt::Extreme(place)
+        };
+        self.operator(":")?;
+        let quantity = self.term()?;
+        self.operator("=")?;
+        let value = self.term()?;
+        if !self.take_operator("+-") {
+            let report = Diagnostic::error(
+                self.here(),
+                format!("found {}, expected `+-` and a tolerance", self.found()),
+            )
+            .hint("how exactly must the computed value agree with the published one?");
+            self.diagnostics.push(report);
+            return Err(super::Reported);
+        }
+        let tolerance = self.term()?;
+        Ok(Expect {
+            scene: expect_scene,
+            preset,
+            at,
+            quantity,
+            value,
+            tolerance,
+            remark: self.text(),
+        })
+    }
+}

@@ -1,0 +1,380 @@
+//! Statements and blocks.
+
+use super::{Parser, Read};
+use crate::diagnostic::Diagnostic;
+use crate::nearest::nearest;
+use crate::syntax::tree::{Alternative, EnergyKind, File, Statement, StatementKind};
+use crate::token::Span;
+
+/// Words that begin a statement.
+const KEYWORDS: &[&str] = &[
+    "dimension",
+    "parameter",
+    "preset",
+    "let",
+    "driver",
+    "coordinate",
+    "state",
+    "motion",
+    "kinetic",
+    "potential",
+    "dissipation",
+    "force",
+    "require",
+    "effect",
+    "choice",
+    "if",
+    "for",
+    "scene",
+    "output",
+    "mark",
+    "expect",
+];
+
+/// Words that will begin a statement once.
+const PLANNED: &[&str] = &[
+    "closure",
+    "dependent",
+    "point",
+    "link",
+    "mode",
+    "when",
+    "set",
+    "hold",
+    "part",
+    "measure",
+    "sweep",
+];
+
+impl Parser<'_> {
+    /// Documentation, name, source, statements.
+    pub(super) fn file(&mut self) -> Read<File> {
+        let documentation = self.documentation();
+        let name = self.name("the name of the mechanism")?;
+        let mut file = File {
+            documentation,
+            name,
+            source: None,
+            statements: Vec::new(),
+        };
+        if let Err(reported) = self.header(&mut file) {
+            // Without its first `;` the rest would be read as something that it is not.
+            if KEYWORDS.contains(&file.name.text.as_str()) {
+                return Err(reported);
+            }
+            self.skip_statement();
+        }
+        while !self.at_end() {
+            self.statement(&mut file.statements);
+        }
+        Ok(file)
+    }
+
+    fn header(&mut self, file: &mut File) -> Read<()> {
+        if self.take_word("from") {
+            match self.text() {
+                Some(source) => file.source = Some(source),
+                None => return self.expected("the source in quotation marks"),
+            }
+        }
+        if self.take_operator(";") {
+            return Ok(());
+        }
+        self.wrong(
+            format!(
+                "found {}, expected `;` after the name of the mechanism",
+                self.found()
+            ),
+            Some("a file begins with `Name from \"source\";`"),
+        )
+    }
+
+    /// `{ … }`, statements.
+    fn block(&mut self) -> Read<Vec<Statement>> {
+        self.open('{')?;
+        let statements = self.deeper(|parser| {
+            let mut statements = Vec::new();
+            while !parser.is_close('}') && !parser.at_end() {
+                parser.statement(&mut statements);
+            }
+            Ok(statements)
+        })?;
+        self.close('}')?;
+        Ok(statements)
+    }
+
+    /// Reads one statement, which may stand for several; a wrong one is reported and skipped.
+    fn statement(&mut self, list: &mut Vec<Statement>) {
+        let documentation = self.documentation();
+        if self.at_end() || self.is_close('}') {
+            if !documentation.is_empty() {
+                let span = self.before();
+                self.diagnostics.push(Diagnostic::warning(
+                    span,
+                    "this documentation belongs to nothing",
+                ));
+            }
+            return;
+        }
+        let start = self.here();
+        let begin = self.cursor.at;
+        match self.kinds() {
+            Ok(kinds) => {
+                let span = self.since(start);
+                let one = |kind| Statement {
+                    documentation: documentation.clone(),
+                    span,
+                    kind,
+                };
+                list.extend(kinds.into_iter().map(one));
+            }
+            Err(_) => {
+                self.skip_statement();
+                if self.cursor.at == begin {
+                    self.advance();
+                }
+            }
+        }
+    }
+
+    fn kinds(&mut self) -> Read<Vec<StatementKind>> {
+        let keyword = self.name("a statement")?;
+        let start = keyword.span;
+        let block = match keyword.text.as_str() {
+            "preset" => Some(self.preset()?),
+            "effect" => Some(self.effect()?),
+            "choice" => Some(self.choice()?),
+            "if" => Some(self.condition()?),
+            "for" => Some(self.repetition()?),
+            "scene" => Some(self.scene()?),
+            _ => None,
+        };
+        if let Some(kind) = block {
+            return Ok(vec![kind]);
+        }
+        let kinds = match keyword.text.as_str() {
+            "dimension" => self.commas(|parser| parser.constant(true))?,
+            "parameter" => self.commas(|parser| parser.constant(false))?,
+            "let" => self.commas(Self::abbreviation)?,
+            "driver" => self.commas(Self::driver)?,
+            "coordinate" => {
+                self.commas(|parser| Ok(StatementKind::Coordinate(parser.unknown(true)?)))?
+            }
+            "state" => self.commas(|parser| Ok(StatementKind::State(parser.unknown(false)?)))?,
+            "motion" => vec![self.motion()?],
+            "kinetic" => vec![self.energy(EnergyKind::Kinetic)?],
+            "potential" => vec![self.energy(EnergyKind::Potential)?],
+            "dissipation" => vec![self.energy(EnergyKind::Dissipation)?],
+            "force" => self.commas(Self::force)?,
+            "require" => vec![self.requirement()?],
+            "output" => self.commas(|parser| Ok(StatementKind::Output(parser.output()?)))?,
+            "mark" => vec![self.mark()?],
+            "expect" => vec![StatementKind::Expect(self.expect()?)],
+            other => return self.unknown_statement(other, start),
+        };
+        if !self.take_operator(";") {
+            return self.wrong(
+                format!("found {}, expected `;`", self.found()),
+                self.missing_hint(),
+            );
+        }
+        Ok(kinds)
+    }
+
+    /// What a reader may have meant where a statement should end.
+    fn missing_hint(&self) -> Option<&'static str> {
+        let operator = |text| self.is_operator(text);
+        match () {
+            () if self.is_any_word() || self.is_open_ahead(0, '(') => {
+                Some("a product needs `*`, a statement ends with `;`")
+            }
+            () if operator("=") => {
+                Some("an equation of motion begins with `motion`, an abbreviation with `let`")
+            }
+            () if operator("'") => Some("a derivative is `dot(x)` or `ddot(x)`"),
+            () => None,
+        }
+    }
+
+    fn unknown_statement<T>(&mut self, keyword: &str, start: Span) -> Read<T> {
+        if PLANNED.contains(&keyword) {
+            return self.wrong_at(
+                start,
+                format!("`{keyword}` is not available in this version of Assur"),
+                None,
+            );
+        }
+        let near = nearest(keyword, KEYWORDS.iter().copied())
+            .map(|near| format!("did you mean `{near}`?"));
+        let hint = match near {
+            Some(hint) => hint,
+            None if self.is_operator("=") => {
+                format!("an abbreviation begins with `let`: `let {keyword} = …;`")
+            }
+            None => format!("a statement begins with one of {}", KEYWORDS.join(", ")),
+        };
+        self.wrong_at(
+            start,
+            format!("`{keyword}` begins no statement"),
+            Some(&hint),
+        )
+    }
+
+    fn motion(&mut self) -> Read<StatementKind> {
+        let labelled = self.is_any_word() && self.is_operator_ahead(1, ":");
+        let label = if labelled {
+            Some(self.name("a name")?)
+        } else {
+            None
+        };
+        if labelled {
+            self.advance();
+        }
+        let left = self.term()?;
+        self.operator("=")?;
+        let right = self.term()?;
+        Ok(StatementKind::Motion { label, left, right })
+    }
+
+    fn energy(&mut self, kind: EnergyKind) -> Read<StatementKind> {
+        Ok(StatementKind::Energy {
+            kind,
+            value: self.term()?,
+        })
+    }
+
+    fn force(&mut self) -> Read<StatementKind> {
+        let value = self.term()?;
+        if !self.take_word("on") {
+            return self.wrong(
+                format!(
+                    "found {}, expected `on` and the position on which the force works",
+                    self.found()
+                ),
+                Some("write `force F on x;`"),
+            );
+        }
+        Ok(StatementKind::Force {
+            value,
+            on: self.term()?,
+        })
+    }
+
+    fn requirement(&mut self) -> Read<StatementKind> {
+        let condition = self.term()?;
+        Ok(StatementKind::Require {
+            condition,
+            text: self.text(),
+        })
+    }
+
+    fn preset(&mut self) -> Read<StatementKind> {
+        let name = self.name("the name of the preset")?;
+        let text = self.text();
+        self.open('{')?;
+        let mut values = Vec::new();
+        while !self.is_close('}') {
+            let _ = self.documentation();
+            let target = self.target()?;
+            self.operator("=")?;
+            values.push((target, self.term()?));
+            self.operator(";")?;
+        }
+        self.close('}')?;
+        Ok(StatementKind::Preset { name, text, values })
+    }
+
+    fn effect(&mut self) -> Read<StatementKind> {
+        let name = self.name("the name of the effect")?;
+        let text = self.text();
+        let body = self.block()?;
+        let otherwise = if self.take_word("else") {
+            self.block()?
+        } else {
+            Vec::new()
+        };
+        Ok(StatementKind::Effect {
+            name,
+            text,
+            body,
+            otherwise,
+        })
+    }
+
+    fn choice(&mut self) -> Read<StatementKind> {
+        let name = self.name("the name of the choice")?;
+        let text = self.text();
+        let place = self.here();
+        self.open('{')?;
+        let mut alternatives = Vec::new();
+        while !self.is_close('}') && !self.at_end() {
+            let documentation = self.documentation().join(" ");
+            let name = self.name("the name of an alternative")?;
+            let text = self
+                .text()
+                .or((!documentation.is_empty()).then_some(documentation));
+            alternatives.push(Alternative {
+                name,
+                text,
+                body: self.block()?,
+            });
+        }
+        self.close('}')?;
+        if alternatives.is_empty() {
+            return self.wrong_at(
+                place,
+                format!("the choice `{}` has no alternative", name.text),
+                None,
+            );
+        }
+        Ok(StatementKind::Choice {
+            name,
+            text,
+            alternatives,
+        })
+    }
+
+    fn condition(&mut self) -> Read<StatementKind> {
+        let condition = self.term()?;
+        let then = self.block()?;
+        let otherwise = match () {
+            () if !self.take_word("else") => Vec::new(),
+            () if self.is_word("if") => {
+                let start = self.here();
+                self.advance();
+                let kind = self.deeper(Self::condition)?;
+                vec![Statement {
+                    documentation: Vec::new(),
+                    span: self.since(start),
+                    kind,
+                }]
+            }
+            () => self.block()?,
+        };
+        Ok(StatementKind::If {
+            condition,
+            then,
+            otherwise,
+        })
+    }
+
+    fn repetition(&mut self) -> Read<StatementKind> {
+        let index = self.name("an index")?;
+        if !self.take_word("in") {
+            return self.wrong(
+                format!("found {}, expected `in`", self.found()),
+                Some("write `for k in 1..5 { … }`"),
+            );
+        }
+        let (from, to) = self.range()?;
+        self.indices.push(index.text.clone());
+        let body = self.block();
+        self.indices.pop();
+        Ok(StatementKind::For {
+            index,
+            from,
+            to,
+            body: body?,
+        })
+    }
+}

@@ -1,0 +1,171 @@
+//! Writes terms and statements as the language has them, with no more parentheses than it needs.
+
+use super::tree::{
+    BinaryOperator, EnergyKind, Statement, StatementKind, Target, Term, TermKind, UnaryOperator,
+    UnitTerm,
+};
+
+/// A term as text.
+pub fn term(term: &Term) -> String {
+    write(term, 0)
+}
+
+/// An equation, energy, force or condition as text; empty for other statements.
+pub fn statement(statement: &Statement) -> String {
+    match &statement.kind {
+        StatementKind::Motion {
+            label: Some(label),
+            left,
+            right,
+        } => {
+            format!("motion {}: {} = {}", label.text, term(left), term(right))
+        }
+        StatementKind::Motion {
+            label: None,
+            left,
+            right,
+        } => format!("motion {} = {}", term(left), term(right)),
+        StatementKind::Energy { kind, value } => {
+            let keyword = match kind {
+                EnergyKind::Kinetic => "kinetic",
+                EnergyKind::Potential => "potential",
+                EnergyKind::Dissipation => "dissipation",
+            };
+            format!("{keyword} {}", term(value))
+        }
+        StatementKind::Force { value, on } => format!("force {} on {}", term(value), term(on)),
+        StatementKind::Require { condition, .. } => format!("require {}", term(condition)),
+        StatementKind::Let {
+            target,
+            arguments: None,
+            value,
+        } => format!("let {} = {}", self::target(target), term(value)),
+        _ => String::new(),
+    }
+}
+
+/// A declared name as text.
+pub fn target(target: &Target) -> String {
+    match &target.index {
+        Some(index) => format!("{}[{}]", target.name.text, term(index)),
+        None => target.name.text.clone(),
+    }
+}
+
+/// Symbol and binding power of an operator.
+fn operator(operator: BinaryOperator) -> (&'static str, u8) {
+    match operator {
+        BinaryOperator::Or => (" || ", 1),
+        BinaryOperator::And => (" && ", 2),
+        BinaryOperator::Less => (" < ", 3),
+        BinaryOperator::LessEqual => (" <= ", 3),
+        BinaryOperator::Greater => (" > ", 3),
+        BinaryOperator::GreaterEqual => (" >= ", 3),
+        BinaryOperator::Equal => (" == ", 3),
+        BinaryOperator::NotEqual => (" != ", 3),
+        BinaryOperator::Add => (" + ", 4),
+        BinaryOperator::Subtract => (" - ", 4),
+        BinaryOperator::Multiply => ("*", 5),
+        BinaryOperator::Divide => ("/", 5),
+        BinaryOperator::Power => ("^", 7),
+    }
+}
+
+/// Writes a term that stands where only what binds at least so tightly needs no parentheses.
+fn write(term: &Term, least: u8) -> String {
+    let list = |items: &[Term]| {
+        items
+            .iter()
+            .map(|item| write(item, 0))
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    let (text, power) = match &term.kind {
+        TermKind::Number { value, unit: None } => {
+            (number(*value), if *value < 0.0 { 6 } else { 9 })
+        }
+        TermKind::Number {
+            value,
+            unit: Some(written),
+        } => {
+            // With a unit name directly after it a number cannot be raised.
+            (format!("{} {}", number(*value), unit(written)), 6)
+        }
+        TermKind::Name(name) => (name.clone(), 9),
+        TermKind::Index { name, index } => (format!("{}[{}]", name.text, write(index, 0)), 9),
+        TermKind::Member { base, name } => (format!("{}.{}", write(base, 9), name.text), 9),
+        TermKind::Vector(items) => (format!("[{}]", list(items)), 9),
+        TermKind::Unary(UnaryOperator::Negate, inner) => (format!("-{}", write(inner, 6)), 6),
+        TermKind::Unary(UnaryOperator::Not, inner) => (format!("!{}", write(inner, 6)), 6),
+        TermKind::Binary(BinaryOperator::Power, base, exponent) => {
+            (format!("{}^{}", write(base, 8), write(exponent, 6)), 7)
+        }
+        TermKind::Binary(kind, left, right) => {
+            let (symbol, power) = operator(*kind);
+            (
+                format!("{}{symbol}{}", write(left, power), write(right, power + 1)),
+                power,
+            )
+        }
+        TermKind::Call { name, arguments } => (format!("{}({})", name.text, list(arguments)), 9),
+        TermKind::If {
+            condition,
+            then,
+            otherwise,
+        } => (
+            format!(
+                "if {} {{ {} }} else {{ {} }}",
+                write(condition, 0),
+                write(then, 0),
+                write(otherwise, 0)
+            ),
+            9,
+        ),
+        TermKind::Sum {
+            index,
+            from,
+            to,
+            body,
+        } => (
+            format!(
+                "sum({} in {}..{}, {})",
+                index.text,
+                write(from, 4),
+                write(to, 4),
+                write(body, 0)
+            ),
+            9,
+        ),
+    };
+    if power < least {
+        format!("({text})")
+    } else {
+        text
+    }
+}
+
+fn number(value: f64) -> String {
+    let plain = format!("{value}");
+    if plain.len() <= 8 {
+        plain
+    } else {
+        format!("{value:e}")
+    }
+}
+
+/// A unit as it is written after a number.
+fn unit(unit: &UnitTerm) -> String {
+    if let [(name, (1, 1))] = unit.factors.as_slice() {
+        return name.text.clone();
+    }
+    let factors: Vec<_> = unit
+        .factors
+        .iter()
+        .map(|(name, exponent)| match exponent {
+            (1, 1) => name.text.clone(),
+            (power, 1) => format!("{}^{power}", name.text),
+            (power, root) => format!("{}^({power}/{root})", name.text),
+        })
+        .collect();
+    format!("[{}]", factors.join(" "))
+}

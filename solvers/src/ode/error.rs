@@ -1,0 +1,67 @@
+//! Why an integration ended early.
+
+use std::fmt;
+
+/// Why an integration ended early.
+#[derive(Clone, Debug, PartialEq)]
+pub enum OdeError {
+    /// A rate or a state is not a finite number, however short the step.
+    NotFinite {
+        /// Time that was reached, in seconds.
+        time: f64,
+        /// Index of the state concerned.
+        component: usize,
+    },
+    /// The tolerance asks for steps that the time can no longer tell apart.
+    StepTooSmall {
+        /// Time that was reached, in seconds.
+        time: f64,
+        /// Step that was asked for, in seconds.
+        step: f64,
+        /// Index of the state with the largest error.
+        component: usize,
+    },
+    /// The permitted number of steps is used up.
+    TooManySteps {
+        /// Time that was reached, in seconds.
+        time: f64,
+        /// Steps that were tried.
+        steps: usize,
+    },
+    /// An option or argument has a value that makes no sense.
+    BadOption {
+        /// The option.
+        name: &'static str,
+        /// What was found and what was expected.
+        reason: String,
+    },
+}
+
+impl fmt::Display for OdeError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { time, component } => write!(
+                formatter,
+                "the rate of state {component} is not a finite number after t = {time} s; \
+                 check whether a square root, a division or a logarithm leaves its range there"
+            ),
+            Self::StepTooSmall {
+                time,
+                step,
+                component,
+            } => write!(
+                formatter,
+                "at t = {time} s the error of state {component} asks for a step of {step:e} s, too short to advance \
+                 the time; the motion may have a singularity there, otherwise try a larger rtol"
+            ),
+            Self::TooManySteps { time, steps } => write!(
+                formatter,
+                "{steps} steps were used up at t = {time} s; the equations may be stiff, otherwise permit more steps, \
+                 take a larger rtol or a shorter time"
+            ),
+            Self::BadOption { name, reason } => write!(formatter, "{name}: {reason}"),
+        }
+    }
+}
+
+impl std::error::Error for OdeError {}

@@ -1,0 +1,203 @@
+//! The stepper.
+
+use super::controller::Controller;
+use super::error::OdeError;
+use super::norm::{first_bad, worst};
+use super::observer::{Observer, Step};
+use super::options::{Options, bad};
+use super::system::System;
+use super::tableau::Method;
+use super::workspace::Workspace;
+use crate::scalar::Scalar;
+
+/// What an integration took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Statistics {
+    /// Accepted steps.
+    pub steps: usize,
+    /// Rejected steps.
+    pub rejected: usize,
+    /// Evaluations of the derivative, or of the derivative with its variations.
+    pub evaluations: usize,
+    /// Length of the longest step, in seconds.
+    pub largest_step: f64,
+    /// Length of the shortest step but the last one, in seconds.
+    pub smallest_step: f64,
+    /// Sum of the error estimates of the steps, in tolerances: about the error at the end, in tolerances, of a motion
+    /// that neither damps nor amplifies errors. Zero with fixed steps.
+    pub estimated_error: f64,
+}
+
+impl Default for Statistics {
+    fn default() -> Self {
+        Self {
+            steps: 0,
+            rejected: 0,
+            evaluations: 0,
+            largest_step: 0.0,
+            smallest_step: f64::INFINITY,
+            estimated_error: 0.0,
+        }
+    }
+}
+
+/// Where an integration stands.
+struct Clock {
+    /// Begin and end.
+    times: (f64, f64),
+    /// The time.
+    now: f64,
+    /// Number of equal steps, if the steps are fixed.
+    fixed: Option<f64>,
+}
+
+impl Clock {
+    /// At the begin of a stretch.
+    fn new(times: (f64, f64), options: &Options) -> Self {
+        let span = (times.1 - times.0).abs();
+        let fixed = options
+            .fixed_step
+            .map(|step| (span / step * (1.0 - 1e-12)).ceil().max(1.0));
+        Self {
+            times,
+            now: times.0,
+            fixed,
+        }
+    }
+
+    /// Where a step of this length leads, after a number of steps. The last step lands exactly on the end.
+    #[inline(always)]
+    fn target(&self, step: f64, steps: usize) -> f64 {
+        let (from, to) = self.times;
+        if let Some(count) = self.fixed {
+            let number = (steps + 1) as f64;
+            return if number >= count {
+                to
+            } else {
+                from + (to - from) * (number / count)
+            };
+        }
+        let left = to - self.now;
+        if left.abs() <= 1.01 * step.abs() {
+            to
+        } else {
+            self.now + step
+        }
+    }
+
+    /// Whether a step is too short to advance the time.
+    #[inline(always)]
+    fn is_lost(&self, step: f64) -> bool {
+        let span = (self.times.1 - self.times.0).abs();
+        step.abs() <= 10.0 * f64::EPSILON * self.now.abs() + 1e-30 * span
+    }
+}
+
+/// Integrates a system from one time to another, forwards or backwards.
+///
+/// The end state is [`Workspace::state`]. Nothing is allocated here.
+///
+/// # Errors
+/// [`OdeError`], with the time that was reached.
+#[inline(always)]
+pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
+    system: &Y,
+    times: (f64, f64),
+    start: &Y::State,
+    options: &Options,
+    workspace: &mut Workspace<Y::State, M>,
+    observe: &mut impl Observer<Y::State>,
+) -> Result<Statistics, OdeError> {
+    options.check(times, Y::part(start, 0).len())?;
+    if let Some(component) = first_bad::<S, Y>(start) {
+        return bad("start", format!("state {component} is not a finite number"));
+    }
+    let mut statistics = Statistics::default();
+    workspace.state.clone_from(start);
+    if times.0 == times.1 {
+        return Ok(statistics);
+    }
+    let max_step = options.max_step.unwrap_or(f64::INFINITY);
+    let mut controller = Controller::new(M::ORDER, M::BETA, M::FACTORS);
+    let mut clock = Clock::new(times, options);
+    let mut step = workspace.begin(system, times, options)?;
+    statistics.evaluations = 2;
+    while clock.now != times.1 {
+        let tried = statistics.steps + statistics.rejected;
+        if tried >= options.max_steps {
+            return Err(OdeError::TooManySteps {
+                time: clock.now,
+                steps: tried,
+            });
+        }
+        let to = clock.target(step, statistics.steps);
+        let length = to - clock.now;
+        let instants = workspace.attempt(system, clock.now, length);
+        statistics.evaluations += if M::ERROR_USES_LAST {
+            M::STAGES
+        } else {
+            M::STAGES - 1
+        };
+        let error = match clock.fixed {
+            Some(_) => 0.0,
+            None => workspace.estimate(system, length, options),
+        };
+        let bad = first_bad::<S, Y>(&workspace.trial);
+        if error > 1.0 || error.is_nan() || bad.is_some() {
+            let error = if bad.is_some() { f64::NAN } else { error };
+            step = length * controller.reject(error);
+            statistics.rejected += 1;
+            if clock.fixed.is_some() || clock.is_lost(step) {
+                return Err(failure::<S, Y, M>(options, workspace, clock.now, step));
+            }
+            continue;
+        }
+        let dense = observe.wants_dense(clock.now, to);
+        statistics.evaluations += workspace.finish(system, &instants, (clock.now, length), dense);
+        observe.step(&Step {
+            from: clock.now,
+            to,
+            before: &workspace.state,
+            after: &workspace.trial,
+            polynomial: if dense {
+                workspace.polynomial.as_ref()
+            } else {
+                &[]
+            },
+        });
+        statistics.steps += 1;
+        statistics.estimated_error += error;
+        statistics.largest_step = statistics.largest_step.max(length.abs());
+        if to != times.1 || statistics.steps == 1 {
+            statistics.smallest_step = statistics.smallest_step.min(length.abs());
+        }
+        std::mem::swap(&mut workspace.state, &mut workspace.trial);
+        workspace.slopes.as_mut().swap(0, M::STAGES);
+        clock.now = to;
+        step = (length * controller.accept(error)).clamp(-max_step, max_step);
+    }
+    Ok(statistics)
+}
+
+/// Why no step is short enough.
+#[cold]
+fn failure<S: Scalar, Y: System<S>, M: Method>(
+    options: &Options,
+    workspace: &Workspace<Y::State, M>,
+    time: f64,
+    step: f64,
+) -> OdeError {
+    let slopes = &workspace.slopes.as_ref()[..M::STAGES];
+    let mut states = std::iter::once(&workspace.trial).chain(slopes);
+    match states.find_map(first_bad::<S, Y>) {
+        Some(component) => OdeError::NotFinite { time, component },
+        None => {
+            let component = worst::<S, Y>(options, &workspace.state, &workspace.error);
+            OdeError::StepTooSmall {
+                time,
+                step,
+                component,
+            }
+        }
+    }
+}

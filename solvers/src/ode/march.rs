@@ -1,0 +1,117 @@
+//! The motion of a scene from a start.
+
+use super::dop853::Dop853;
+use super::error::OdeError;
+use super::explicit::integrate;
+use super::options::{Options, bad};
+use super::system::Plain;
+use super::tableau::Method;
+use super::trajectory::{Recorder, Trajectory};
+use super::tsit5::Tsit5;
+use super::workspace::Workspace;
+use crate::dispatch::{Task, dispatch};
+use crate::problem::{Equations, Scene, Storage};
+use crate::registry::{self, Settings};
+use crate::scalar::Scalar;
+
+/// The motion of a scene from a start, on the scalar type that is fastest on the machine at hand. The absolute tolerances
+/// are `rtol * Scene::SCALES`.
+///
+/// # Errors
+/// [`OdeError`], with the time that was reached.
+pub fn march<C: Scene>(
+    scene: &C,
+    times: (f64, f64),
+    start: &[f64],
+    settings: &Settings,
+) -> Result<Trajectory, OdeError> {
+    dispatch(Marching {
+        scene,
+        times,
+        start,
+        settings,
+    })
+}
+
+/// The task of [`march`].
+struct Marching<'a, C> {
+    /// The scene.
+    scene: &'a C,
+    /// Begin and end.
+    times: (f64, f64),
+    /// State at the begin.
+    start: &'a [f64],
+    /// The method and its accuracy.
+    settings: &'a Settings,
+}
+
+impl<C: Scene> Task for Marching<'_, C> {
+    type Output = Result<Trajectory, OdeError>;
+
+    #[inline(always)]
+    fn run<S: Scalar>(self) -> Self::Output {
+        march_on::<C, S>(self.scene, self.times, self.start, self.settings)
+    }
+}
+
+/// The motion of a scene from a start, evaluated on a scalar type. The absolute tolerances are
+/// `rtol * Scene::SCALES`.
+///
+/// # Errors
+/// [`OdeError`], with the time that was reached.
+#[inline(always)]
+pub fn march_on<C: Scene, S: Scalar>(
+    scene: &C,
+    times: (f64, f64),
+    start: &[f64],
+    settings: &Settings,
+) -> Result<Trajectory, OdeError> {
+    let equations = scene.prepare::<S>();
+    let options = Options::scaled(settings.rtol, C::SCALES);
+    let start = state_from::<S, _>(&equations, start)?;
+    match settings.method {
+        registry::Method::Tsit5 => march_with::<S, _, Tsit5>(&equations, times, &start, &options),
+        registry::Method::Dop853 => march_with::<S, _, Dop853>(&equations, times, &start, &options),
+    }
+}
+
+/// The motion of some equations from a start.
+#[inline(always)]
+pub(crate) fn march_with<S: Scalar, E: Equations<S>, M: Method>(
+    equations: &E,
+    times: (f64, f64),
+    start: &E::State,
+    options: &Options,
+) -> Result<Trajectory, OdeError> {
+    let system = Plain(equations);
+    let mut workspace = Workspace::<E::State, M>::new::<S, _>(&system);
+    let mut recorder = Recorder::<S>::new(times.0, start);
+    let statistics = integrate(
+        &system,
+        times,
+        start,
+        options,
+        &mut workspace,
+        &mut recorder,
+    )?;
+    Ok(recorder.finish(statistics))
+}
+
+/// A state of some equations from numbers.
+pub(crate) fn state_from<S: Scalar, E: Equations<S>>(
+    equations: &E,
+    values: &[f64],
+) -> Result<E::State, OdeError> {
+    let states = equations.states();
+    if values.len() != states {
+        return bad(
+            "start",
+            format!("{} values are given for {states} states", values.len()),
+        );
+    }
+    let mut state = E::State::zeros(states);
+    for (target, value) in state.as_mut().iter_mut().zip(values) {
+        *target = S::from_f64(*value);
+    }
+    Ok(state)
+}

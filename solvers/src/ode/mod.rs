@@ -1,0 +1,39 @@
+//! Explicit Runge–Kutta methods with control of the step size and continuous output.
+//!
+//! [`integrate`] carries any [`System`] over a stretch of time, forwards or backwards; the method is a type
+//! ([`Tsit5`], [`Dop853`]), what happens with the steps is up to an [`Observer`]. All its memory is the [`Workspace`].
+//! [`march`] is the usual task: the motion of a scene from a start, kept as a [`Trajectory`].
+//!
+//! The control follows E. Hairer, S. P. Nørsett, G. Wanner: *Solving Ordinary Differential Equations I*, 2nd edition,
+//! sections II.4 to II.6.
+
+mod combine;
+mod controller;
+mod dop853;
+mod error;
+mod explicit;
+mod march;
+mod norm;
+mod observer;
+mod options;
+mod system;
+mod tableau;
+mod trajectory;
+mod tsit5;
+mod workspace;
+
+pub use dop853::Dop853;
+pub use error::OdeError;
+pub use explicit::{Statistics, integrate};
+pub use march::{march, march_on};
+pub(crate) use march::{march_with, state_from};
+pub use observer::{Observer, Step};
+pub use options::{AbsoluteTolerance, Options};
+pub use system::{Bundle, Plain, System, Varied};
+pub use tableau::{Method, Row};
+pub use trajectory::{Recorder, Trajectory};
+pub use tsit5::Tsit5;
+pub use workspace::Workspace;
+
+#[cfg(test)]
+mod tests;

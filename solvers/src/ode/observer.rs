@@ -1,0 +1,34 @@
+//! What happens with the steps of an integration.
+
+/// A step that was accepted.
+#[derive(Clone, Copy, Debug)]
+pub struct Step<'a, V> {
+    /// Time at its begin.
+    pub from: f64,
+    /// Time at its end.
+    pub to: f64,
+    /// State at its begin.
+    pub before: &'a V,
+    /// State at its end.
+    pub after: &'a V,
+    /// The coefficients `F₁, F₂, …` of the continuous solution, see [`super::Method`]; empty unless asked for.
+    pub polynomial: &'a [V],
+}
+
+/// Looks at the steps of an integration.
+pub trait Observer<V> {
+    /// Whether the continuous solution of this step is wanted.
+    #[inline(always)]
+    fn wants_dense(&mut self, _from: f64, _to: f64) -> bool {
+        false
+    }
+
+    /// Looks at a step.
+    fn step(&mut self, step: &Step<'_, V>);
+}
+
+/// Nobody looks.
+impl<V> Observer<V> for () {
+    #[inline(always)]
+    fn step(&mut self, _step: &Step<'_, V>) {}
+}

@@ -1,0 +1,165 @@
+//! A motion that was computed, as a function of time.
+
+use super::explicit::Statistics;
+use super::observer::{Observer, Step};
+use crate::problem::Storage;
+use crate::scalar::Scalar;
+use std::marker::PhantomData;
+
+/// A motion that was computed: a polynomial for each step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trajectory {
+    /// What the integration took.
+    pub statistics: Statistics,
+    /// Number of states.
+    states: usize,
+    /// Number of coefficients of each polynomial beside the state at its begin.
+    degree: usize,
+    /// Times of the steps, the begin first.
+    times: Vec<f64>,
+    /// For each step the state at its begin and the coefficients, `(1 + degree) * states` numbers.
+    coefficients: Vec<f64>,
+    /// State at the end.
+    end: Vec<f64>,
+}
+
+impl Trajectory {
+    /// The state at a time; beyond the ends of the motion, the state at the nearest end.
+    pub fn at(&self, time: f64) -> Vec<f64> {
+        let mut state = vec![0.0; self.states];
+        self.at_into(time, &mut state);
+        state
+    }
+
+    /// The same, written into `state`.
+    pub fn at_into(&self, time: f64, state: &mut [f64]) {
+        let Some((step, part)) = self.locate(time) else {
+            state.copy_from_slice(&self.end);
+            return;
+        };
+        for (index, value) in state.iter_mut().enumerate() {
+            *value = self.coefficient(step, 0, index) + self.change(step, index, part).0;
+        }
+    }
+
+    /// The time derivative of the continuous solution at a time, one order less accurate than the state.
+    pub fn derivative_at(&self, time: f64) -> Vec<f64> {
+        let Some((step, part)) = self.locate(time) else {
+            return vec![0.0; self.states];
+        };
+        let length = self.times[step + 1] - self.times[step];
+        (0..self.states)
+            .map(|index| self.change(step, index, part).1 / length)
+            .collect()
+    }
+
+    /// The times of the steps, the begin first.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// The state at the end.
+    pub fn end(&self) -> &[f64] {
+        &self.end
+    }
+
+    /// Number of states.
+    pub fn states(&self) -> usize {
+        self.states
+    }
+
+    /// The step in which a time lies, and where in it, from 0 to 1. `None` if there are no steps.
+    fn locate(&self, time: f64) -> Option<(usize, f64)> {
+        let steps = self.times.len() - 1;
+        let is_forward = self.times[steps] >= self.times[0];
+        let passed = self.times.partition_point(|begin| {
+            if is_forward {
+                *begin <= time
+            } else {
+                *begin >= time
+            }
+        });
+        let step = passed.saturating_sub(1).min(steps.checked_sub(1)?);
+        let (from, to) = (self.times[step], self.times[step + 1]);
+        Some((step, ((time - from) / (to - from)).clamp(0.0, 1.0)))
+    }
+
+    /// Number `row` of the coefficients of a state in a step.
+    #[inline]
+    fn coefficient(&self, step: usize, row: usize, index: usize) -> f64 {
+        self.coefficients[(step * (1 + self.degree) + row) * self.states + index]
+    }
+
+    /// `θ(F₁ + (1-θ)(F₂ + θ(F₃ + …)))` and its derivative, by Horner's rule.
+    #[inline]
+    fn change(&self, step: usize, index: usize, part: f64) -> (f64, f64) {
+        let (mut value, mut slope) = (0.0, 0.0);
+        for row in (1..=self.degree).rev() {
+            let (factor, change) = if row % 2 == 1 {
+                (part, 1.0)
+            } else {
+                (1.0 - part, -1.0)
+            };
+            let sum = value + self.coefficient(step, row, index);
+            slope = slope * factor + sum * change;
+            value = sum * factor;
+        }
+        (value, slope)
+    }
+}
+
+/// An observer that keeps all steps for a [`Trajectory`].
+#[derive(Clone, Debug)]
+pub struct Recorder<S> {
+    /// The motion so far.
+    trajectory: Trajectory,
+    /// The scalar type of the states that it looks at.
+    scalar: PhantomData<S>,
+}
+
+impl<S: Scalar> Recorder<S> {
+    /// Starts at a time and state.
+    pub fn new<V: Storage<S>>(time: f64, start: &V) -> Self {
+        let end: Vec<f64> = start.as_ref().iter().map(|value| value.to_f64()).collect();
+        let trajectory = Trajectory {
+            statistics: Statistics::default(),
+            states: end.len(),
+            degree: 0,
+            times: vec![time],
+            coefficients: Vec::new(),
+            end,
+        };
+        Self {
+            trajectory,
+            scalar: PhantomData,
+        }
+    }
+
+    /// The motion, with what it took.
+    pub fn finish(mut self, statistics: Statistics) -> Trajectory {
+        self.trajectory.statistics = statistics;
+        self.trajectory
+    }
+}
+
+impl<S: Scalar, V: Storage<S>> Observer<V> for Recorder<S> {
+    #[inline(always)]
+    fn wants_dense(&mut self, _from: f64, _to: f64) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn step(&mut self, step: &Step<'_, V>) {
+        let trajectory = &mut self.trajectory;
+        trajectory.degree = step.polynomial.len();
+        trajectory.times.push(step.to);
+        for row in std::iter::once(step.before).chain(step.polynomial) {
+            trajectory
+                .coefficients
+                .extend(row.as_ref().iter().map(|value| value.to_f64()));
+        }
+        for (end, value) in trajectory.end.iter_mut().zip(step.after.as_ref()) {
+            *end = value.to_f64();
+        }
+    }
+}

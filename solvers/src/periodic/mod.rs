@@ -1,0 +1,222 @@
+//! Motions that repeat after a period.
+//!
+//! A motion from `v` repeats if `y(T; v) = v`. With `Φ = ∂y(T)/∂v`, integrated beside the motion, one step of Newton's
+//! method is `(I - Φ) δ = y(T; v) - v`. For equations that are affine in the state one such step from rest is exact:
+//! this is the *method of initial parameters* (superposition of `N` free motions and a forced one). For others the step
+//! is repeated, *shooting*. All of it in states over [`Scene::SCALES`].
+//!
+//! Everything is computed twice, at `rtol` and at `rtol / 30`. The second result is returned; its difference from the
+//! first is the error estimate, and the difference of the two `Φ` says how well `I - Φ` is known. Where that is not well
+//! enough for the solution, near a resonance, the solver says so instead of returning numbers.
+
+mod closing;
+mod error;
+mod flow;
+mod multipliers;
+mod shooting;
+
+pub use error::PeriodicError;
+pub use multipliers::Multiplier;
+
+use crate::dispatch::{Task, dispatch};
+use crate::ode::{Dop853, Method, Trajectory, Tsit5};
+use crate::problem::Scene;
+use crate::registry::{self, Settings};
+use crate::scalar::Scalar;
+use closing::Closing;
+use flow::{Flow, Return};
+use nalgebra::DVector;
+
+/// Factor between the tolerances of the two computations.
+const REFINEMENT: f64 = 30.0;
+/// Smallest tolerance of the second computation.
+const SMALLEST_RTOL: f64 = 1e-14;
+
+/// A motion that repeats.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Orbit {
+    /// The motion from time 0 over one period.
+    pub trajectory: Trajectory,
+    /// The Floquet multipliers, eigenvalues of `Φ`, the largest modulus first.
+    pub multipliers: Vec<Multiplier>,
+    /// Amplification of relative errors of `Φ` into the motion, `(1 + ‖Φ‖) / σ` with the smallest singular value `σ`
+    /// of `I - Φ`, in states over their scales. It grows without bound at a resonance.
+    pub condition: f64,
+    /// Largest change of a state after one period, over its scale.
+    pub residual: f64,
+    /// Integrations of the variational equations.
+    pub iterations: usize,
+    /// For each state the largest difference over the period between the computations at `rtol` and at `rtol / 30`,
+    /// SI units. The motion is that of the second, so this is an estimate from above.
+    pub estimated_error: Vec<f64>,
+    /// State at time 0, SI units.
+    pub start: Vec<f64>,
+    /// Determinant of `I - Φ`.
+    pub determinant: f64,
+}
+
+impl Orbit {
+    /// The state at any time.
+    pub fn at(&self, time: f64) -> Vec<f64> {
+        let times = self.trajectory.times();
+        let period = times[times.len() - 1] - times[0];
+        self.trajectory
+            .at(times[0] + (time - times[0]).rem_euclid(period))
+    }
+}
+
+/// The motion of a scene that repeats after a period, on the scalar type that is fastest on the machine at hand.
+///
+/// # Errors
+/// See [`PeriodicError`].
+pub fn solve<C: Scene>(
+    scene: &C,
+    period: f64,
+    settings: &Settings,
+) -> Result<Orbit, PeriodicError> {
+    dispatch(Solving {
+        scene,
+        period,
+        settings,
+    })
+}
+
+/// The task of [`solve`].
+struct Solving<'a, C> {
+    /// The scene.
+    scene: &'a C,
+    /// The period.
+    period: f64,
+    /// The method and its accuracy.
+    settings: &'a Settings,
+}
+
+impl<C: Scene> Task for Solving<'_, C> {
+    type Output = Result<Orbit, PeriodicError>;
+
+    #[inline(always)]
+    fn run<S: Scalar>(self) -> Self::Output {
+        solve_on::<C, S>(self.scene, self.period, self.settings)
+    }
+}
+
+/// The motion of a scene that repeats after a period, evaluated on a scalar type.
+///
+/// # Errors
+/// See [`PeriodicError`].
+#[inline(always)]
+pub fn solve_on<C: Scene, S: Scalar>(
+    scene: &C,
+    period: f64,
+    settings: &Settings,
+) -> Result<Orbit, PeriodicError> {
+    match settings.method {
+        registry::Method::Tsit5 => {
+            solve_with::<C, S, Tsit5>(scene, period, settings.rtol, C::LINEAR)
+        }
+        registry::Method::Dop853 => {
+            solve_with::<C, S, Dop853>(scene, period, settings.rtol, C::LINEAR)
+        }
+    }
+}
+
+/// The motion that repeats, by superposition or by shooting.
+#[inline(always)]
+fn solve_with<C: Scene, S: Scalar, M: Method>(
+    scene: &C,
+    period: f64,
+    rtol: f64,
+    superpose: bool,
+) -> Result<Orbit, PeriodicError> {
+    if !(period.is_finite() && period > 0.0) {
+        return Err(PeriodicError::BadPeriod { period });
+    }
+    let flow = Flow::<C, S, M>::new(scene, period);
+    let tolerances = [rtol, (rtol / REFINEMENT).max(SMALLEST_RTOL)];
+    let mut guess = if superpose {
+        DVector::zeros(C::STATES)
+    } else {
+        flow.guess(scene)?
+    };
+    let mut iterations = 0;
+    let mut returns = Vec::with_capacity(tolerances.len());
+    for rtol in tolerances {
+        let back = if superpose {
+            iterations += 1;
+            flow.turn(&guess, rtol)?
+        } else {
+            shooting::shoot(&flow, &guess, rtol, &mut iterations)?
+        };
+        guess.copy_from(&back.start);
+        returns.push(back);
+    }
+    let [coarse, fine] = returns.as_slice() else {
+        return Err(PeriodicError::BadPeriod { period });
+    };
+    let uncertainty = rtol.max(fine.uncertainty(coarse));
+    let load = 10.0 * (fine.noise(coarse) + rtol * (1.0 + fine.peak));
+    let closing = Closing::new(&fine.matrix);
+    let close = |back: &Return, closing: &Closing| {
+        closing
+            .solve(&back.gap(), uncertainty, load)
+            .map(|change| &back.start + change)
+    };
+    let starts = [
+        close(coarse, &Closing::new(&coarse.matrix))?,
+        close(fine, &closing)?,
+    ];
+    let mut motions = Vec::with_capacity(starts.len());
+    for (start, rtol) in starts.iter().zip(tolerances) {
+        motions.push(flow.march(start, rtol)?);
+    }
+    let (Some(trajectory), Some(other)) = (motions.pop(), motions.pop()) else {
+        return Err(PeriodicError::BadPeriod { period });
+    };
+    let start = trajectory.at(0.0);
+    let changes = trajectory.end().iter().zip(&start).zip(C::SCALES);
+    Ok(Orbit {
+        residual: changes
+            .map(|((end, start), scale)| (end - start).abs() / scale)
+            .fold(0.0, f64::max),
+        estimated_error: largest_differences(&trajectory, &other, closing.condition()),
+        trajectory,
+        multipliers: multipliers::of(&fine.matrix),
+        condition: closing.condition(),
+        iterations,
+        start,
+        determinant: closing.determinant(),
+    })
+}
+
+/// For each state the largest difference between two motions, at least what rounding makes of it.
+fn largest_differences(first: &Trajectory, second: &Trajectory, condition: f64) -> Vec<f64> {
+    let mut largest = vec![0.0; first.states()];
+    let mut amplitudes = largest.clone();
+    let ends = second.times().iter().copied();
+    let middles = second
+        .times()
+        .windows(2)
+        .map(|pair| 0.5 * (pair[0] + pair[1]));
+    for time in ends.chain(middles) {
+        let states = first.at(time).into_iter().zip(second.at(time));
+        for ((largest, amplitude), (first, second)) in
+            largest.iter_mut().zip(&mut amplitudes).zip(states)
+        {
+            *largest = f64::max(*largest, (first - second).abs());
+            *amplitude = f64::max(*amplitude, first.abs());
+        }
+    }
+    let rounding = f64::EPSILON
+        * if condition.is_finite() {
+            condition
+        } else {
+            1.0
+        };
+    for (largest, amplitude) in largest.iter_mut().zip(amplitudes) {
+        *largest = f64::max(*largest, rounding * amplitude);
+    }
+    largest
+}
+
+#[cfg(test)]
+mod tests;

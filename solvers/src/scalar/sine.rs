@@ -1,0 +1,158 @@
+//! Sine and cosine of several angles at once.
+//!
+//! The kernel has no branches and no calls, so that the compiler packs the lanes. An angle is brought into
+//! `[-π/4, π/4]` with π/2 in three parts, then the polynomials of fdlibm (Sun Microsystems, 1993) are evaluated and
+//! exchanged by quadrant. Angles beyond [`LIMIT`] take the standard library's path, lane by lane.
+
+use super::Scalar;
+
+/// Scalars that are one `f64` with the bits of it.
+pub(super) trait Bits: Scalar {
+    /// The number with these bits.
+    fn of_bits(bits: u64) -> Self;
+    /// The bits of the number.
+    fn bits(self) -> u64;
+}
+
+/// Largest absolute angle of the branch-free kernel. A quarter turn number below it has at most 16 bits.
+const LIMIT: f64 = 1.0e5;
+
+/// 1.5 · 2⁵²: adding it rounds to a whole number, whose last bits are then the last bits of the sum.
+const MAGIC: f64 = 6_755_399_441_055_744.0;
+
+/// First 37 bits of π/2: their product with a quarter turn number is exact.
+const QUARTER_1: f64 = 1.5707963267923333;
+/// The next 37 bits.
+const QUARTER_2: f64 = 2.5633441515839558e-12;
+/// The rest, rounded.
+const QUARTER_3: f64 = 1.0562999066987428e-23;
+
+/// Coefficients of `(sin x - x) / x³` in powers of `x²`.
+const SINE: [f64; 6] = [
+    -0.16666666666666632,
+    0.00833333333332249,
+    -0.0001984126982985795,
+    2.7557313707070068e-6,
+    -2.5050760253406863e-8,
+    1.58969099521155e-10,
+];
+/// Coefficients of `(cos x - 1 + x²/2) / x⁴` in powers of `x²`.
+const COSINE: [f64; 6] = [
+    0.0416666666666666,
+    -0.001388888888887411,
+    2.480158728947673e-5,
+    -2.7557314351390663e-7,
+    2.087572321298175e-9,
+    -1.1359647557788195e-11,
+];
+
+/// Sines and cosines of all the angles.
+#[inline(always)]
+pub(super) fn sin_cos_all<S: Bits, const K: usize>(angles: [S; K]) -> ([S; K], [S; K]) {
+    let mut sines = [S::ZERO; K];
+    let mut cosines = [S::ZERO; K];
+    let mut within = true;
+    // Whole packs of four, the last one filled up with its first angle, come out faster than odd numbers of lanes.
+    for start in (0..K).step_by(4) {
+        if K - start < 3 {
+            for k in start..K {
+                (sines[k], cosines[k]) = lane(angles[k]);
+            }
+        } else {
+            let mut results = [(S::ZERO, S::ZERO); 4];
+            for (k, result) in results.iter_mut().enumerate() {
+                let filled = if start + k < K { start + k } else { start };
+                *result = lane(angles[filled]);
+            }
+            for k in start..K.min(start + 4) {
+                (sines[k], cosines[k]) = results[k - start];
+            }
+        }
+    }
+    for angle in angles {
+        within &= angle.to_f64().abs() <= LIMIT;
+    }
+    if !within {
+        for k in 0..K {
+            let (sine, cosine) = repair(angles[k].to_f64(), sines[k].to_f64(), cosines[k].to_f64());
+            (sines[k], cosines[k]) = (S::from_f64(sine), S::from_f64(cosine));
+        }
+    }
+    (sines, cosines)
+}
+
+/// Replaces what the kernel gave for an angle that is too large, infinite or NaN.
+#[cold]
+#[inline(never)]
+fn repair(angle: f64, sine: f64, cosine: f64) -> (f64, f64) {
+    if angle.abs() <= LIMIT {
+        (sine, cosine)
+    } else {
+        angle.sin_cos()
+    }
+}
+
+/// The kernel for one angle within the limit.
+#[inline(always)]
+fn lane<S: Bits>(angle: S) -> (S, S) {
+    let constant = S::from_f64;
+    let magic = constant(MAGIC);
+    let shifted = angle.mul_add(constant(std::f64::consts::FRAC_2_PI), magic);
+    let turns = shifted - magic;
+
+    // The remainder as an unevaluated sum: the first two products are exact, `lost` is what `second` rounded away.
+    let first = turns.mul_add(constant(-QUARTER_1), angle);
+    let second = turns.mul_add(constant(-QUARTER_2), first);
+    let lost = turns.mul_add(constant(-QUARTER_2), first - second);
+    let third = turns.mul_add(constant(QUARTER_3), -lost);
+    let high = second - third;
+    let low = (second - high) - third;
+
+    let (sine, cosine) = (sine_near_zero(high, low), cosine_near_zero(high, low));
+
+    let quadrant = shifted.bits();
+    let swap = 0u64.wrapping_sub(quadrant & 1);
+    let (s, c) = (sine.bits(), cosine.bits());
+    let exchanged = (s ^ c) & swap;
+    let sine_sign = (quadrant & 2) << 62;
+    let cosine_sign = (quadrant.wrapping_add(1) & 2) << 62;
+    (
+        S::of_bits((s ^ exchanged) ^ sine_sign),
+        S::of_bits((c ^ exchanged) ^ cosine_sign),
+    )
+}
+
+/// Sine of `x + y` for `|x| <= π/4`, where `y` is a correction below the last digit of `x`.
+#[inline(always)]
+fn sine_near_zero<S: Scalar>(x: S, y: S) -> S {
+    let [s1, s2, s3, s4, s5, s6] = SINE.map(S::from_f64);
+    let z = x * x;
+    let cube = z * x;
+    let tail = s6
+        .mul_add(z, s5)
+        .mul_add(z, s4)
+        .mul_add(z, s3)
+        .mul_add(z, s2);
+    let bent = cube.mul_add(-tail, S::from_f64(0.5) * y).mul_add(z, -y);
+    x - cube.mul_add(-s1, bent)
+}
+
+/// Cosine of `x + y` for `|x| <= π/4`, where `y` is a correction below the last digit of `x`.
+#[inline(always)]
+fn cosine_near_zero<S: Scalar>(x: S, y: S) -> S {
+    let [c1, c2, c3, c4, c5, c6] = COSINE.map(S::from_f64);
+    let z = x * x;
+    let series = c6
+        .mul_add(z, c5)
+        .mul_add(z, c4)
+        .mul_add(z, c3)
+        .mul_add(z, c2)
+        .mul_add(z, c1);
+    let half = S::from_f64(0.5) * z;
+    let chord = S::ONE - half;
+    let rounding = (S::ONE - chord) - half;
+    chord + (rounding + (z * z).mul_add(series, -(x * y)))
+}
+
+#[cfg(test)]
+mod tests;
