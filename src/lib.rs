@@ -13,11 +13,12 @@
 extern crate self as assur;
 
 pub use assur_macros::{equations, mechanism};
-pub use assur_solvers::{dense, dispatch, ode, periodic, problem, registry, scalar};
+pub use assur_solvers::{check, dense, dispatch, ode, periodic, problem, registry, scalar};
 
 /// What most programs need: `use assur::prelude::*;`.
 pub mod prelude {
     pub use assur_macros::{equations, mechanism};
     pub use assur_solvers::problem::{Equations, Scene};
+    pub use assur_solvers::registry::{Method, Settings};
     pub use assur_solvers::scalar::Scalar;
 }

@@ -48,6 +48,25 @@ const RUN_EXAMPLES: &str = "Examples:
   assur run batten --rtol 1e-12 --format json
   assur run batten --format csv > batten.csv
 
+One JSON object is printed with --format json. Its fields:
+  format       \"assur-run/1\"
+  mechanism    name, title, source
+  scene        name, effects, choices, preset
+  parameters   each: name, kind, unit, value, default, changed
+  task         kind (periodic, run or open), from, to, unit
+  settings     method, rtol
+  status       \"complete\", or \"incomplete\" when a value is missing (null)
+  results      each: name, unit, value and estimated_error at the beginning of the task; minimum and maximum
+               over it, with their times
+  at           each --at: place, time, drivers, results
+  published    each: name, unit, place, published, tolerance, computed, estimated_error, deviation,
+               relative_deviation, within (null when not comparable), remark, line
+  multipliers  each: re, im, modulus, angle, angle_unit, meaning
+  conclusions  what the multipliers say, in words
+  statistics   steps, rejected, evaluations, seconds, seconds_with_error_estimate, largest_estimated_error,
+               work_for_ten_times_more_accuracy
+  figure       path of the figure, or null
+
 The figure goes to NAME-SCENE.svg in the current directory, or where --out or --plot say;
 with --format json or csv it is drawn only when one of these asks for it.";
 
@@ -83,6 +102,9 @@ pub struct RunArguments {
     /// Directory for the figure, created if it is missing.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Curves of the figure, `phi2,dot(phi2)` or `all`; those that matter most unless given.
+    #[arg(long, value_name = "NAMES")]
+    pub curves: Option<String>,
 }
 
 /// How results are printed.
@@ -91,7 +113,7 @@ pub enum Format {
     /// Tables to read.
     #[default]
     Table,
-    /// One JSON object, described in cli/JSON.md.
+    /// One JSON object.
     Json,
     /// The curves over the task, one row a sample.
     Csv,

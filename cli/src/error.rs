@@ -2,6 +2,9 @@
 
 use crate::style::Style;
 
+/// The order in which facts are printed, however they were added.
+const ORDER: [&str; 3] = ["where", "why", "help"];
+
 /// A request that could not be carried out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
@@ -75,18 +78,17 @@ impl Failure {
         }
     }
 
-    /// What went wrong, in one line.
-    pub fn what(&self) -> &str {
-        &self.what
-    }
-
     /// The whole message, with its last line ended; empty when everything is said.
     pub fn render(&self, style: Style) -> String {
         if self.kind == Kind::Said {
             return String::new();
         }
         let mut text = format!("{} {}\n", style.error("error:"), self.what);
-        for (label, fact) in &self.facts {
+        let ordered = ORDER.into_iter().flat_map(|label| {
+            let mut facts = self.facts.iter();
+            std::iter::from_fn(move || facts.find(|(other, _)| *other == label))
+        });
+        for (label, fact) in ordered {
             let label = style.accent(&format!("{label:>5}:"));
             for (index, line) in fact.lines().enumerate() {
                 if index == 0 {
@@ -107,8 +109,8 @@ mod tests {
     #[test]
     fn says_what_where_and_remedy() {
         let failure = Failure::request("there is no mechanism `baten`")
-            .place("run NAME")
-            .remedy("did you mean `batten`?\nall: `assur list`");
+            .remedy("did you mean `batten`?\nall: `assur list`")
+            .place("run NAME");
         assert_eq!(
             failure.render(Style::PLAIN),
             "error: there is no mechanism `baten`\n where: run NAME\n  help: did you mean `batten`?\n        all: `assur list`\n"

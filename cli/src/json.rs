@@ -1,15 +1,35 @@
-//! The answer of `assur run` as one JSON object, described field by field in `cli/JSON.md`.
+//! The answer of `assur run --format json`: one object.
+//!
+//! | field | contents |
+//! |---|---|
+//! | `format` | `"assur-run/1"`; a field that changes its meaning changes the number |
+//! | `mechanism` | `name`, `title`, `source` |
+//! | `scene` | `name`, `effects`, `choices` (name: alternative), `preset` (null for the declared values) |
+//! | `parameters` | each `name`, `kind` (`dimension` or `parameter`), `unit`, `value`, `default`, `changed` |
+//! | `task` | `kind` (`periodic`, `run` or `open`), `from`, `to`, `unit` |
+//! | `settings` | `method`, `rtol` |
+//! | `status` | `"complete"`, or `"incomplete"` when a value below is null because it is not a finite number |
+//! | `results` | each `name`, `unit`, `value` and `estimated_error` at the beginning of the task, and `minimum` and `maximum` over it, each with `value` and `time` |
+//! | `at` | for each `--at`: `place` in words, `time`, `drivers` (`name`, `unit`, `value`), `results` as above without the extremes |
+//! | `published` | each `name`, `unit`, `place`, `published`, `tolerance`, `computed`, `estimated_error`, `deviation`, `relative_deviation`, `within` (null when published for other values), `remark`, `line` of the equation file |
+//! | `multipliers` | each `re`, `im`, `modulus`, `angle`, `angle_unit`, `meaning`; none unless the task is periodic |
+//! | `conclusions` | what the multipliers say, a sentence each |
+//! | `statistics` | `steps`, `rejected`, `evaluations`, `seconds`, `seconds_with_error_estimate`, `largest_estimated_error` (`name`, `relative_to_amplitude`), `work_for_ten_times_more_accuracy` |
+//! | `figure` | path of the figure, or null |
+//!
+//! Values stand in the unit beside them, times in seconds. A run that does not come out prints no object: the message
+//! goes to standard error, and the exit code is 1 or 2.
 
 use std::path::Path;
 
 use assur::registry::Quantity;
 use serde_json::{Value, json};
 
-use crate::motion::Task;
+use crate::case::Task;
 use crate::multipliers::conclusions;
 use crate::published::Comparison;
 use crate::report::{Report, Snapshot};
-use crate::values::method_name;
+use crate::settings::method_name;
 
 /// Name and version of the format.
 pub const FORMAT: &str = "assur-run/1";

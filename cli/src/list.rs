@@ -41,9 +41,7 @@ pub fn execute() -> Result<(), Failure> {
                 preset.summary.to_owned(),
             ]);
         }
-        for line in table.lines() {
-            text += &format!("{line}\n");
-        }
+        text += &table.render(style);
         text.push('\n');
     }
     match REGISTRY.first() {

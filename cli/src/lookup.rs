@@ -58,7 +58,8 @@ pub fn scene(
         return Ok(found);
     }
     let names: Vec<_> = mechanism.scenes.iter().map(|scene| scene.name).collect();
-    let mut failure = Failure::request(format!("`{}` has no scene `{name}`", mechanism.name));
+    let mut failure = Failure::request(format!("`{}` has no scene `{name}`", mechanism.name))
+        .place(format!("--scene {name}"));
     if let Some(words) = with_feature(mechanism, name) {
         failure = failure.reason(words);
     }

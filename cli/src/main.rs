@@ -10,8 +10,16 @@
 //! | 130 | interrupted; nothing is left half written |
 
 mod arguments;
+mod case;
+mod check;
+mod constants;
 mod csv;
+mod curves;
+mod effects;
+#[path = "../../macros/src/emit/mod.rs"]
+mod emit;
 mod error;
+mod expand;
 mod json;
 mod list;
 mod lookup;
@@ -24,6 +32,9 @@ mod progress;
 mod published;
 mod report;
 mod run;
+mod scenes;
+mod settings;
+mod source;
 mod style;
 mod table;
 mod text;
@@ -42,7 +53,9 @@ fn main() -> ExitCode {
     let outcome = match &arguments.command {
         Command::List => list::execute(),
         Command::Run(options) => run::execute(options),
-        _ => Ok(()),
+        Command::Check(options) => check::execute(options),
+        Command::Expand(options) => expand::execute(options),
+        Command::Scenes(options) => scenes::execute(options),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

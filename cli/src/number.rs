@@ -57,14 +57,19 @@ pub fn short(value: f64) -> String {
     )
 }
 
-/// A declared value: as many digits as it was written with, at most fifteen.
+/// A declared value: as many digits as it was written with, at most fifteen; a tiny or huge one with an exponent and at
+/// least three digits.
 pub fn declared(value: f64) -> String {
-    let text = format!("{}", format!("{value:.14e}").parse().unwrap_or(value));
-    if text.len() <= 12 {
-        text
-    } else {
-        format!("{value:e}").chars().take(22).collect()
+    let tidy: f64 = format!("{value:.14e}").parse().unwrap_or(value);
+    let plain = format!("{tidy}");
+    let tiny = tidy != 0.0 && exponent(tidy) < -4;
+    if plain.len() <= 12 && !tiny {
+        return plain;
     }
+    let shortest = format!("{tidy:e}");
+    let digits = shortest.split('e').next().unwrap_or("");
+    let digits = digits.chars().filter(char::is_ascii_digit).count();
+    format!("{tidy:.*e}", digits.max(3) - 1)
 }
 
 /// An error with one or two digits: `3e-12`, `0.05`.
@@ -162,8 +167,10 @@ mod tests {
         let rpm = std::f64::consts::PI / 30.0;
         assert_eq!(declared(250.0 * rpm / rpm), "250");
         assert_eq!(declared(0.1004), "0.1004");
-        assert_eq!(declared(3.8e-6), "0.0000038");
-        assert_eq!(declared(1e-30), "1e-30");
+        assert_eq!(declared(3.8e-6), "3.80e-6");
+        assert_eq!(declared(1.22e-6), "1.22e-6");
+        assert_eq!(declared(-0.00037819), "-0.00037819");
+        assert_eq!(declared(1e-30), "1.00e-30");
     }
 
     #[test]

@@ -2,11 +2,13 @@
 
 use assur::registry::{At, Expectation, Mechanism};
 
+use crate::case::Case;
+use crate::constants::{Constants, find_preset};
+use crate::curves::{self, Extreme};
 use crate::error::Failure;
-use crate::motion::{Case, Motion};
+use crate::motion::Motion;
 use crate::number;
-use crate::report::{self, Extreme, driver_label};
-use crate::values::{Constants, find_preset};
+use crate::report::driver_label;
 
 /// A published fact and what was computed in its place.
 #[derive(Clone, Debug)]
@@ -81,8 +83,8 @@ pub fn compare(
                 constants.apply(find_preset(mechanism, preset)?);
                 let case = Case::new(constants)?;
                 let motion = case.solve(motion.settings)?;
-                let curves = report::sample(&case, &motion);
-                let extremes = report::extremes(&case, &motion, &curves);
+                let curves = curves::sample(&case, &motion);
+                let extremes = curves::extremes(&case, &motion, &curves);
                 others.push((preset, case, motion, extremes));
             }
         }

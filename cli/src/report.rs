@@ -4,17 +4,14 @@ use std::time::Instant;
 
 use assur::registry::{Mechanism, Settings};
 
+use crate::case::{Case, Task};
+use crate::curves::{self, Curves, Extreme};
 use crate::error::Failure;
-use crate::motion::{Case, Motion, Task};
+use crate::motion::Motion;
 use crate::multipliers::{self, Multiplier};
 use crate::number;
 use crate::published::{self, Comparison};
-use crate::values::{Place, RTOL};
-
-/// Fewest samples over a task; 720 gives every half degree of a revolution.
-const SAMPLES: usize = 720;
-/// Most samples over a task.
-const MOST_SAMPLES: usize = 40_000;
+use crate::values::Place;
 
 /// All results of a run.
 pub struct Report {
@@ -49,17 +46,6 @@ impl Report {
     }
 }
 
-/// Samples of all variables over the task.
-#[derive(Clone, Debug, Default)]
-pub struct Curves {
-    /// The times.
-    pub times: Vec<f64>,
-    /// Positions of the drivers at each time.
-    pub drivers: Vec<Vec<f64>>,
-    /// Values of the variables at each time.
-    pub values: Vec<Vec<f64>>,
-}
-
 /// All variables at one instant.
 #[derive(Clone, Debug)]
 pub struct Snapshot {
@@ -71,22 +57,6 @@ pub struct Snapshot {
     pub drivers: Vec<f64>,
     /// Values of the variables.
     pub values: Vec<f64>,
-}
-
-/// Smallest and largest value of a variable, each with its time.
-#[derive(Clone, Copy, Debug)]
-pub struct Extreme {
-    /// Time and value of the smallest.
-    pub minimum: (f64, f64),
-    /// Time and value of the largest.
-    pub maximum: (f64, f64),
-}
-
-impl Extreme {
-    /// The largest absolute value.
-    pub fn amplitude(&self) -> f64 {
-        self.minimum.1.abs().max(self.maximum.1.abs())
-    }
 }
 
 /// Time and accuracy.
@@ -119,9 +89,9 @@ pub fn collect(
         .map(|place| locate(&case, *place))
         .collect::<Result<_, _>>()?;
     let motion = case.solve(settings)?;
-    let curves = sample(&case, &motion);
-    let (errors, tenfold) = estimate(&case, &motion, &curves)?;
-    let extremes = extremes(&case, &motion, &curves);
+    let curves = curves::sample(&case, &motion);
+    let (errors, tenfold) = curves::estimate(&case, &motion, &curves)?;
+    let extremes = curves::extremes(&case, &motion, &curves);
     let (from, _) = case.task.limits();
     let start = snapshot(&case, &motion, from, place_label(&case, from));
     let places = times
@@ -130,10 +100,8 @@ pub fn collect(
         .collect();
     let published = published::compare(mechanism, &case, &motion, &extremes)?;
     let multipliers = multipliers::read(&motion.multipliers());
-    let worst = errors
-        .iter()
-        .zip(&extremes)
-        .map(|(error, extreme)| error / extreme.amplitude())
+    let worst = (0..errors.len())
+        .map(|index| errors[index] / size(&case, &extremes, index))
         .enumerate()
         .filter(|(_, share)| share.is_finite())
         .max_by(|(_, a), (_, b)| a.total_cmp(b));
@@ -156,6 +124,17 @@ pub fn collect(
         multipliers,
         cost,
     })
+}
+
+/// What the error of a variable is compared with: its amplitude; where that is nothing beside other variables of the
+/// same unit, as a difference that vanishes, a billionth of theirs.
+fn size(case: &Case, extremes: &[Extreme], index: usize) -> f64 {
+    let variables = case.variables.iter().zip(extremes);
+    let alike = variables.filter(|(other, _)| other.dimension == case.variables[index].dimension);
+    let largest = alike
+        .map(|(_, extreme)| extreme.amplitude())
+        .fold(0.0, f64::max);
+    extremes[index].amplitude().max(1e-9 * largest)
 }
 
 /// The time of a place, with its name.
@@ -213,133 +192,5 @@ pub fn snapshot(case: &Case, motion: &Motion, time: f64, label: String) -> Snaps
         time,
         drivers: case.drivers(time),
         values: case.sample(motion, time),
-    }
-}
-
-/// Samples the task evenly, more finely where the solution took many steps.
-pub fn sample(case: &Case, motion: &Motion) -> Curves {
-    let (from, to) = case.task.limits();
-    if case.task == Task::Open {
-        return Curves::default();
-    }
-    let count = (motion.effort().steps * 4)
-        .clamp(SAMPLES, MOST_SAMPLES)
-        .next_multiple_of(SAMPLES);
-    let times: Vec<_> = (0..=count)
-        .map(|index| from + (to - from) * index as f64 / count as f64)
-        .collect();
-    Curves {
-        drivers: times.iter().map(|time| case.drivers(*time)).collect(),
-        values: times
-            .iter()
-            .map(|time| case.sample(motion, *time))
-            .collect(),
-        times,
-    }
-}
-
-/// The global error of each variable by solving again with another tolerance, and the work of ten times more accuracy.
-///
-/// The error is proportional to the tolerance, so a solution with a tenth of it differs from the printed one by nine
-/// tenths of the printed one's error. Where double precision leaves no room for a tenth, ten times the tolerance gives
-/// an upper bound instead. Rounding is added as a floor.
-fn estimate(
-    case: &Case,
-    motion: &Motion,
-    curves: &Curves,
-) -> Result<(Vec<f64>, Option<f64>), Failure> {
-    let rtol = motion.settings.rtol;
-    let finer = rtol / 10.0 >= RTOL.0;
-    let (other, share) = if finer {
-        (rtol / 10.0, 10.0 / 9.0)
-    } else {
-        (rtol * 10.0, 1.0)
-    };
-    let check = case.solve(Settings {
-        rtol: other,
-        ..motion.settings
-    })?;
-    let mut errors = vec![0.0; case.variables.len()];
-    // Every third sample is enough for a largest value.
-    for (time, values) in curves.times.iter().zip(&curves.values).step_by(3) {
-        for ((error, a), b) in errors
-            .iter_mut()
-            .zip(values)
-            .zip(case.sample(&check, *time))
-        {
-            *error = f64::max(*error, (a - b).abs() * share).max(4.0 * f64::EPSILON * a.abs());
-        }
-    }
-    let work = motion.effort().evaluations;
-    let tenfold = (finer && work > 0).then(|| check.effort().evaluations as f64 / work as f64);
-    Ok((errors, tenfold))
-}
-
-/// Smallest and largest value of each variable, refined between the samples.
-pub fn extremes(case: &Case, motion: &Motion, curves: &Curves) -> Vec<Extreme> {
-    let best = |column: usize, sign: f64| {
-        let value = |time: f64| {
-            sign * case
-                .sample(motion, time)
-                .get(column)
-                .copied()
-                .unwrap_or(f64::NAN)
-        };
-        let samples = curves.values.iter().map(|row| sign * row[column]);
-        let top = samples
-            .enumerate()
-            .filter(|(_, value)| value.is_finite())
-            .max_by(|(_, a), (_, b)| a.total_cmp(b));
-        let Some((index, sampled)) = top else {
-            return (f64::NAN, f64::NAN);
-        };
-        let last = curves.times.len() - 1;
-        let (time, refined) = climb(
-            value,
-            curves.times[index.saturating_sub(1)],
-            curves.times[(index + 1).min(last)],
-        );
-        // At the border of the task the sample itself is the extreme.
-        if refined > sampled {
-            (time, sign * refined)
-        } else {
-            (curves.times[index], sign * sampled)
-        }
-    };
-    (0..case.variables.len())
-        .map(|column| Extreme {
-            minimum: best(column, -1.0),
-            maximum: best(column, 1.0),
-        })
-        .collect()
-}
-
-/// The largest value between two times, by golden section.
-fn climb(value: impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> (f64, f64) {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let (mut a, mut b) = (to - GOLDEN * (to - from), from + GOLDEN * (to - from));
-    let (mut at_a, mut at_b) = (value(a), value(b));
-    for _ in 0..36 {
-        if at_a > at_b {
-            (to, b, at_b) = (b, a, at_a);
-            a = to - GOLDEN * (to - from);
-            at_a = value(a);
-        } else {
-            (from, a, at_a) = (a, b, at_b);
-            b = from + GOLDEN * (to - from);
-            at_b = value(b);
-        }
-    }
-    if at_a > at_b { (a, at_a) } else { (b, at_b) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_top_of_a_parabola_is_found() {
-        let (time, value) = climb(|time| 2.0 - (time - 0.3).powi(2), 0.0, 1.0);
-        assert!((time - 0.3).abs() < 1e-7 && (value - 2.0).abs() < 1e-14);
     }
 }

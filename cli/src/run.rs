@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 use assur::registry::{Mechanism, SceneEntry, Settings};
 
 use crate::arguments::{Format, RunArguments};
+use crate::case::{Case, Task};
+use crate::constants::Constants;
 use crate::error::Failure;
-use crate::motion::{Case, Task};
 use crate::output::{self, Destination};
+use crate::plot::Selection;
 use crate::progress::Progress;
 use crate::report::{self, Report};
-use crate::values::{self, Constants};
-use crate::{csv, json, lookup, plot, style, table};
+use crate::{csv, json, lookup, plot, settings, style, table, values};
 
 /// Runs a scene. Everything is computed first; then the figure is written, then the answer is printed.
 ///
@@ -31,9 +32,10 @@ pub fn execute(options: &RunArguments) -> Result<(), Failure> {
         .map(|text| values::place(scene, text))
         .collect::<Result<Vec<_>, _>>()?;
     let settings = Settings {
-        method: values::method(options.method.as_deref())?,
-        rtol: values::rtol(options.rtol.as_deref())?,
+        method: settings::method(options.method.as_deref())?,
+        rtol: settings::rtol(options.rtol.as_deref())?,
     };
+    let curves = Selection::read(scene, options.curves.as_deref())?;
     let figure = match figure_path(options, mechanism, scene) {
         Some(path) => Some(Destination::check(&path)?),
         None => None,
@@ -49,12 +51,12 @@ pub fn execute(options: &RunArguments) -> Result<(), Failure> {
             ),
         );
     }
-    let progress = Progress::start(format!("{name}, scene {}", scene.name));
+    let progress = Progress::start(format!("{name}, scene {}", scene.name), 0);
     let report = report::collect(mechanism, case, settings, &places)?;
     drop(progress);
     let drawn = match figure.filter(|_| !report.curves.times.is_empty()) {
         Some(destination) => {
-            destination.write(plot::draw(&report).as_bytes())?;
+            destination.write(plot::draw(&report, &curves).as_bytes())?;
             Some(destination)
         }
         None => None,

@@ -1,15 +1,18 @@
 //! The answer of `assur run` as tables to read.
 
+mod published;
+mod variables;
+
 use std::path::Path;
 
+use crate::case::Task;
 use crate::list::composition;
-use crate::motion::Task;
 use crate::multipliers::conclusions;
 use crate::number;
-use crate::report::{Report, Snapshot};
+use crate::report::Report;
+use crate::settings::method_name;
 use crate::style::Style;
 use crate::text::{Align, Columns, wrap};
-use crate::values::method_name;
 
 /// Widest line of prose.
 const WIDTH: usize = 96;
@@ -23,13 +26,13 @@ pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
     head(&mut page, report);
     parameters(&mut page, report);
     if !report.curves.times.is_empty() {
-        snapshot(
+        variables::snapshot(
             &mut page,
             report,
             &report.start,
             &format!("At the start, {}", report.start.label),
         );
-        extremes(&mut page, report);
+        variables::extremes(&mut page, report);
     }
     for place in &report.places {
         let time = if place.label.starts_with("time") {
@@ -37,14 +40,14 @@ pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
         } else {
             format!(", time = {} s", number::short(place.time))
         };
-        snapshot(
+        variables::snapshot(
             &mut page,
             report,
             place,
             &format!("At {}{time}", place.label),
         );
     }
-    published(&mut page, report);
+    published::section(&mut page, report);
     multipliers(&mut page, report);
     if let Some(path) = figure {
         page.line(&format!("Figure: {}", path.display()));
@@ -67,14 +70,7 @@ impl Page {
     fn section(&mut self, heading: &str, table: &Columns) {
         let heading = self.style.heading(heading);
         self.line(&heading);
-        for (index, line) in table.lines().iter().enumerate() {
-            let line = if index == 0 {
-                self.style.faint(line)
-            } else {
-                line.clone()
-            };
-            self.line(&line);
-        }
+        self.text += &table.render(self.style);
     }
 }
 
@@ -147,167 +143,6 @@ fn parameters(page: &mut Page, report: &Report) {
 
 fn first_line(text: &str) -> String {
     text.lines().next().unwrap_or("").to_owned()
-}
-
-fn snapshot(page: &mut Page, report: &Report, snapshot: &Snapshot, heading: &str) {
-    let mut table = Columns::new([
-        ("", Align::Left),
-        ("value", Align::Point),
-        ("unit", Align::Left),
-        ("± error", Align::Left),
-        ("", Align::Left),
-    ]);
-    let rows = report
-        .case
-        .variables
-        .iter()
-        .zip(&snapshot.values)
-        .zip(&report.errors);
-    for ((variable, value), error) in rows {
-        table.row([
-            variable.name.clone(),
-            number::with_error(variable.in_unit(*value), variable.in_unit(*error)),
-            variable.unit.clone(),
-            number::error(variable.in_unit(*error)),
-            variable.summary.clone(),
-        ]);
-    }
-    page.section(heading, &table);
-    page.line("");
-}
-
-fn extremes(page: &mut Page, report: &Report) {
-    let place = match report.case.scene.drivers.first() {
-        Some(driver) if driver.unit.is_empty() => format!("at {}", driver.name),
-        Some(driver) => format!("at {}, {}", driver.name, driver.unit),
-        None => "at time, s".to_owned(),
-    };
-    let mut table = Columns::new([
-        ("", Align::Left),
-        ("smallest", Align::Point),
-        (&place, Align::Point),
-        ("largest", Align::Point),
-        (&place, Align::Point),
-        ("unit", Align::Left),
-    ]);
-    let time = |time: f64| {
-        let position = report.case.drivers(time).first().copied();
-        let shown = match (position, report.case.scene.drivers.first()) {
-            (Some(position), Some(driver)) => position / driver.factor,
-            _ => time,
-        };
-        number::short(number::significant(shown, 5).parse().unwrap_or(shown))
-    };
-    for ((variable, extreme), error) in report
-        .case
-        .variables
-        .iter()
-        .zip(&report.extremes)
-        .zip(&report.errors)
-    {
-        let show = |value: f64| {
-            number::with_error(
-                variable.in_unit(value),
-                variable.in_unit(error.max(1e-8 * extreme.amplitude())),
-            )
-        };
-        table.row([
-            variable.name.clone(),
-            show(extreme.minimum.1),
-            time(extreme.minimum.0),
-            show(extreme.maximum.1),
-            time(extreme.maximum.0),
-            variable.unit.clone(),
-        ]);
-    }
-    let over = if report.is_cycle() {
-        "Over the period"
-    } else {
-        "Over the run"
-    };
-    page.section(over, &table);
-    page.line("");
-}
-
-fn published(page: &mut Page, report: &Report) {
-    if report.published.is_empty() {
-        return;
-    }
-    let mut table = Columns::new([
-        ("", Align::Left),
-        ("where", Align::Left),
-        ("published", Align::Point),
-        ("computed", Align::Point),
-        ("unit", Align::Left),
-        ("deviation", Align::Left),
-        ("", Align::Right),
-        ("band", Align::Left),
-        ("", Align::Left),
-        ("", Align::Left),
-    ]);
-    let mut remarks: Vec<&str> = Vec::new();
-    for comparison in &report.published {
-        let variable = &report.case.variables[comparison.variable];
-        let error = report.errors[comparison.variable].max(1e-7 * comparison.computed.abs());
-        let note = if comparison.fact.remark.is_empty() {
-            String::new()
-        } else {
-            let known = remarks
-                .iter()
-                .position(|remark| *remark == comparison.fact.remark);
-            let number = known.unwrap_or_else(|| {
-                remarks.push(comparison.fact.remark);
-                remarks.len() - 1
-            });
-            format!("[{}]", number + 1)
-        };
-        table.row([
-            variable.name.clone(),
-            comparison.place.clone(),
-            number::declared(variable.in_unit(comparison.fact.value)),
-            number::with_error(
-                variable.in_unit(comparison.computed),
-                variable.in_unit(error),
-            ),
-            variable.unit.clone(),
-            number::signed(variable.in_unit(comparison.deviation()), 2),
-            number::percent(comparison.relative()),
-            format!(
-                "± {}",
-                number::short(variable.in_unit(comparison.fact.tolerance))
-            ),
-            match comparison.within() {
-                Some(true) => "within",
-                Some(false) => "OUTSIDE",
-                None => "-",
-            }
-            .to_owned(),
-            note,
-        ]);
-    }
-    page.section("Published values", &table);
-    for (index, remark) in remarks.iter().enumerate() {
-        for (line, part) in wrap(remark, WIDTH - 8).iter().enumerate() {
-            let lead = if line == 0 {
-                format!("[{}]", index + 1)
-            } else {
-                String::new()
-            };
-            let line = page.style.faint(&format!("  {lead:<5}{part}"));
-            page.line(&line);
-        }
-    }
-    if report
-        .published
-        .iter()
-        .any(|comparison| !comparison.comparable)
-    {
-        let line = page
-            .style
-            .warn("  (-) published for other values than those of this run: not comparable");
-        page.line(&line);
-    }
-    page.line("");
 }
 
 fn multipliers(page: &mut Page, report: &Report) {

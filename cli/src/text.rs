@@ -1,5 +1,7 @@
 //! Tables in plain text: columns as wide as their contents, numbers with point under point.
 
+use crate::style::Style;
+
 /// How a column is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Align {
@@ -25,15 +27,14 @@ const GAP: &str = "  ";
 
 impl Columns {
     /// A table with a heading for each column.
-    pub fn new<const N: usize>(columns: [(&str, Align); N]) -> Self {
+    pub fn new<'a>(columns: impl IntoIterator<Item = (&'a str, Align)>) -> Self {
+        let (headings, align) = columns
+            .into_iter()
+            .map(|(heading, align)| (heading.to_owned(), align))
+            .unzip();
         Self {
-            align: columns.iter().map(|(_, align)| *align).collect(),
-            rows: vec![
-                columns
-                    .iter()
-                    .map(|(heading, _)| (*heading).to_owned())
-                    .collect(),
-            ],
+            align,
+            rows: vec![headings],
         }
     }
 
@@ -42,20 +43,35 @@ impl Columns {
         self.rows.push(cells.into_iter().collect());
     }
 
-    /// Whether there is no row but the headings.
-    pub fn is_empty(&self) -> bool {
-        self.rows.len() <= 1
+    /// The whole table, each line ended, the headings faint.
+    pub fn render(&self, style: Style) -> String {
+        let headed = self.is_headed();
+        let mut text = String::new();
+        for (index, line) in self.lines().iter().enumerate() {
+            text += &if index == 0 && headed {
+                style.faint(line)
+            } else {
+                line.clone()
+            };
+            text.push('\n');
+        }
+        text
+    }
+
+    /// Whether any column has a heading.
+    fn is_headed(&self) -> bool {
+        self.rows[0].iter().any(|heading| !heading.is_empty())
     }
 
     /// The lines, the headings first unless all of them are empty; columns without any contents are left out.
-    pub fn lines(&self) -> Vec<String> {
+    fn lines(&self) -> Vec<String> {
         let cell =
             |row: usize, column: usize| self.rows[row].get(column).map_or("", String::as_str);
         let used: Vec<_> = (0..self.align.len())
             .filter(|column| (1..self.rows.len()).any(|row| !cell(row, *column).is_empty()))
             .collect();
         let shapes: Vec<_> = used.iter().map(|column| self.shape(*column)).collect();
-        let first = usize::from(self.rows[0].iter().all(String::is_empty));
+        let first = usize::from(!self.is_headed());
         let mut lines = Vec::new();
         for row in first..self.rows.len() {
             let mut line = INDENT.to_owned();
@@ -161,7 +177,7 @@ mod tests {
         assert_eq!(
             table.lines(),
             [
-                "  name  value     unit",
+                "  name     value  unit",
                 "  a        1.25   mm",
                 "  long  -300.5",
                 "  c        2e-12  s"
@@ -173,7 +189,6 @@ mod tests {
     #[test]
     fn empty_columns_and_headings_are_left_out() {
         let mut table = Columns::new([("", Align::Left), ("", Align::Left), ("", Align::Right)]);
-        assert!(table.is_empty());
         table.row(["a", "", "10"].map(String::from));
         table.row(["b", "", "9"].map(String::from));
         assert_eq!(table.lines(), ["  a  10", "  b   9"].map(String::from));

@@ -94,6 +94,7 @@ pub fn scene(
             ..
         } = &statement.kind
             && let Some(name) = crate::unroll::target_name(target, low.diagnostics)
+            && names.table.contains_key(&name.text)
         {
             let used = low.used.contains(&name.text);
             low.term(&Term {
@@ -113,16 +114,18 @@ pub fn scene(
     let equations = parts.equations(&mut low, &names);
     let unknowns = unknown_names(&names);
     let given = state_symbols(&names);
-    let scene_name = task
-        .scene
-        .map_or("(no scene)", |(scene, _)| scene.name.text.as_str());
-    let solved = if low.diagnostics.error_count() == before {
+    let place = task.scene.map_or_else(
+        || task.selected.describe(),
+        |(scene, _)| format!("in the scene `{}`", scene.name.text),
+    );
+    // Equations of statements that could not be read are missing in the balance.
+    let solved = if low.diagnostics.error_count() == before && task.file.unread.is_empty() {
         motion::solve(
             &mut low.graph,
             &equations,
             &unknowns,
             &given,
-            scene_name,
+            &place,
             low.diagnostics,
         )
     } else {
@@ -345,21 +348,15 @@ impl Parts {
         };
         let joule = crate::unit::parse_unit_text("J").map(|unit| unit.dimension);
         let Ok(mut expected) = joule else { return };
-        let word = if kind == EnergyKind::Dissipation {
-            if let Some(watt) = expected.div(&second()) {
-                expected = watt;
-            }
-            "a dissipation function is a power"
-        } else {
-            "this has to be an energy"
-        };
+        let mut word = "this has to be an energy (J)";
+        if kind == EnergyKind::Dissipation
+            && let Some(watt) = expected.div(&second())
+        {
+            (expected, word) = (watt, "a dissipation function is a power (W)");
+        }
         // A coordinate may have any unit, but an energy is an energy.
         if agree(found, Kind::Of(expected)).is_none() {
-            let message = format!(
-                "{word} ({}), and this is {}",
-                Unit::for_dimension(&expected).symbol,
-                describe(found.dimension())
-            );
+            let message = format!("{word}, and this is {}", describe(found.dimension()));
             low.diagnostics.push(Diagnostic::error(value.span, message));
             return;
         }
@@ -430,7 +427,7 @@ impl Parts {
         let Some(place) = self.energy_places.first().copied() else {
             return equations;
         };
-        let Some(direction) = low.direction(place) else {
+        let Some(direction) = low.direction() else {
             return equations;
         };
         let concerned: Vec<u32> = (0..names.coordinates.len() as u32)

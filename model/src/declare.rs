@@ -9,6 +9,7 @@ use crate::homogeneity::{agree, describe, over};
 use crate::lower::{Kind, Lowering, second};
 use crate::resolve::{Declared, Names};
 use crate::syntax::tree::{Constant, Term, TermKind, Unknown};
+use crate::token::Span;
 use crate::unit::{self, Dimension, Unit};
 
 /// Kind of each given quantity with the unit in which it is printed.
@@ -213,7 +214,15 @@ impl Lowering<'_> {
                 self.diagnostics.push(Diagnostic::error(place, message));
             }
             let position = match &driver.what.position {
-                Some(term) => self.scalar(term).map(|found| (found, term.span)),
+                Some(term) => {
+                    let before = self.diagnostics.error_count();
+                    let found = self.scalar(term).map(|found| (found, term.span));
+                    // Another driver that is not read yet says nothing by itself.
+                    if found.is_none() && self.diagnostics.error_count() == before {
+                        self.not_prescribed(term.span);
+                    }
+                    found
+                }
                 None => {
                     self.diagnostics.push(
                         Diagnostic::error(
@@ -237,10 +246,7 @@ impl Lowering<'_> {
             };
             let moving = |symbol| !matches!(symbol, Symbol::Time | Symbol::Parameter(_));
             if self.graph.depends_on(value, moving) {
-                self.diagnostics.push(
-                    Diagnostic::error(span, "a driver is prescribed: its motion can depend on the time and on constants alone")
-                        .hint("a quantity that follows from coordinates is a `let`"),
-                );
+                self.not_prescribed(span);
                 positions.push(None);
                 continue;
             }
@@ -255,7 +261,18 @@ impl Lowering<'_> {
             self.driver_rates[index] = Some(self.graph.tangent(&[value], &direction)[0]);
             positions.push(Some(value));
         }
+        self.drivers_read();
         positions
+    }
+
+    fn not_prescribed(&mut self, span: Span) {
+        self.diagnostics.push(
+            Diagnostic::error(
+                span,
+                "a driver is prescribed: its motion can depend on the time and on constants alone",
+            )
+            .hint("a quantity that follows from coordinates or drivers is a `let`"),
+        );
     }
 
     /// A scalar equation's two sides, as `left − right`.

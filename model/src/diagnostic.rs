@@ -66,15 +66,21 @@ impl Diagnostic {
 pub struct Diagnostics {
     list: Vec<Diagnostic>,
     seen: std::collections::HashSet<(Span, String)>,
+    errors: usize,
 }
 
 impl Diagnostics {
     /// Adds a message unless the same one stands at the same place.
     pub fn push(&mut self, diagnostic: Diagnostic) {
-        if self
-            .seen
-            .insert((diagnostic.span, diagnostic.message.clone()))
-        {
+        let mistake = diagnostic.message.clone();
+        self.push_once(mistake, diagnostic);
+    }
+
+    /// Adds a message unless one about the same mistake stands at the same place: where the message names the scene,
+    /// the mistake is what it says without it.
+    pub fn push_once(&mut self, mistake: String, diagnostic: Diagnostic) {
+        self.errors += usize::from(diagnostic.severity == Severity::Error);
+        if self.seen.insert((diagnostic.span, mistake)) {
             self.list.push(diagnostic);
         }
     }
@@ -86,19 +92,14 @@ impl Diagnostics {
             .for_each(|diagnostic| self.push(diagnostic));
     }
 
-    /// Number of errors so far.
+    /// Number of errors so far; one that was met in an earlier scene counts again.
     pub fn error_count(&self) -> usize {
-        self.list
-            .iter()
-            .filter(|diagnostic| diagnostic.severity == Severity::Error)
-            .count()
+        self.errors
     }
 
     /// Whether an error is among them.
     pub fn has_errors(&self) -> bool {
-        self.list
-            .iter()
-            .any(|diagnostic| diagnostic.severity == Severity::Error)
+        self.errors > 0
     }
 
     /// The messages in the order of the file.

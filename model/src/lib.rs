@@ -178,6 +178,7 @@ fn check_unshown(
                 );
             }
             let mut selected = Selected::defaults(survey);
+            selected.surround(&name.text, survey);
             selected.effects.insert(name.text.clone());
             check(selected, diagnostics);
         }
@@ -193,6 +194,7 @@ fn check_unshown(
                     .first()
                     .cloned()
                     .unwrap_or_else(|| Selected::defaults(survey));
+                selected.surround(&name.text, survey);
                 selected
                     .choices
                     .insert(name.text.clone(), alternative.name.text.clone());
@@ -231,7 +233,10 @@ fn check_facts(file: &File, scenes: &[(&Scene, &[String])], diagnostics: &mut Di
             (expect.preset.as_ref(), "preset", presets.clone()),
         ];
         for (name, what, known) in wanted {
-            let Some(name) = name.filter(|name| !known.contains(&name.text.as_str())) else {
+            let missing = |name: &&syntax::tree::Name| {
+                !known.contains(&name.text.as_str()) && !file.unread.contains(&name.text)
+            };
+            let Some(name) = name.filter(missing) else {
                 continue;
             };
             let report =
@@ -266,6 +271,12 @@ fn presets(file: &File, seen: &Seen, diagnostics: &mut Diagnostics) -> Vec<Prese
                 continue;
             };
             let Some((kind, declared)) = seen.constants.get(&target.text) else {
+                if file
+                    .unread
+                    .contains(target.text.split('[').next().unwrap_or_default())
+                {
+                    continue;
+                }
                 let report = Diagnostic::error(
                     target.span,
                     format!("there is no dimension or parameter `{}`", target.text),

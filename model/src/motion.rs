@@ -47,7 +47,8 @@ pub struct Solved {
     pub mass: Vec<Expression>,
 }
 
-/// Solves the equations for the highest derivatives; `given` are the symbols of the state vector.
+/// Solves the equations for the highest derivatives; `given` are the symbols of the state vector, `scene` says in
+/// messages where this is, `in the scene `elastic``.
 pub fn solve(
     graph: &mut Graph,
     equations: &[Equation],
@@ -339,7 +340,7 @@ fn report_imbalance(
     if let Some((rows, columns)) = &imbalance.overdetermined {
         let named = listed(rows.iter().map(|row| equations[*row].name.clone()));
         let message = format!(
-            "in the scene `{scene}` {} ({named}) would have to determine {}{}",
+            "{} ({named}) would have to determine {}{}",
             count(rows.len(), "equation"),
             count(columns.len(), "unknown"),
             if columns.is_empty() {
@@ -354,18 +355,19 @@ fn report_imbalance(
         let last = rows
             .last()
             .map_or(Span::default(), |row| equations[*row].span);
-        diagnostics.push(
-            Diagnostic::error(last, message)
-                .hint("take an equation away, or declare what else it determines"),
+        let report = Diagnostic::error(last, format!("{scene} {message}"));
+        diagnostics.push_once(
+            message,
+            report.hint("take an equation away, or declare what else it determines"),
         );
     }
     if let Some((columns, rows)) = &imbalance.underdetermined {
         let named = listed(columns.iter().map(|column| unknowns[*column].name.clone()));
         let message = if rows.is_empty() {
-            format!("in the scene `{scene}` nothing determines {named}")
+            format!("nothing determines {named}")
         } else {
             format!(
-                "in the scene `{scene}` {} ({named}) have to be determined by {} ({})",
+                "{} ({named}) have to be determined by {} ({})",
                 count(columns.len(), "unknown"),
                 count(rows.len(), "equation"),
                 listed(rows.iter().map(|row| equations[*row].name.clone()))
@@ -374,8 +376,9 @@ fn report_imbalance(
         let place = columns
             .first()
             .map_or(Span::default(), |column| unknowns[*column].span);
-        diagnostics.push(
-            Diagnostic::error(place, message)
+        diagnostics.push_once(
+            message.clone(),
+            Diagnostic::error(place, format!("{scene} {message}"))
                 .hint("add a `motion` equation or an energy with this unknown, or take the unknown away; a coordinate without mass is a `state`"),
         );
     }

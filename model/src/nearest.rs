@@ -1,12 +1,15 @@
 //! The nearest known name to one that is unknown.
 
-/// The known name that differs least from `wanted`, if it differs by little: at most a third of its letters, two at
-/// least. Letters that differ only in case count half.
+/// The known name that differs least from `wanted`, if it differs by little: by at most a third of its letters, two of
+/// a short name. Letters that differ only in case count half.
 pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let limit = 2
-        * (wanted.chars().count() / 3)
-            .max(if wanted.chars().count() > 1 { 2 } else { 1 })
-            .min(4);
+    let letters = wanted.chars().count();
+    // Of a single letter only its case may differ.
+    let limit = if letters > 1 {
+        2 * (letters / 3).clamp(2, 4)
+    } else {
+        1
+    };
     known
         .into_iter()
         .map(|name| (distance(wanted, name), name))
@@ -55,6 +58,6 @@ mod tests {
     #[test]
     fn a_different_word_is_not() {
         assert_eq!(nearest("clearance", ["torsion", "bending"]), None);
-        assert_eq!(nearest("x", ["torsion"]), None);
+        assert_eq!(nearest("x", ["torsion", "y", "xy"]), None);
     }
 }

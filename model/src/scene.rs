@@ -8,16 +8,24 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::nearest::nearest;
 use crate::syntax::tree::{
-    Alternative, BinaryOperator, File, Name, Scene, Statement, StatementKind, Term, TermKind,
-    UnaryOperator,
+    Alternative, BinaryOperator, Constant, File, Name, Output, Scene, Statement, StatementKind,
+    Term, TermKind, UnaryOperator, Unknown,
 };
+use crate::token::Span;
 use crate::unroll::{bounds, statement_with_index};
 
-/// Most statements that a scene may come to.
+/// Most statements that the repetitions of a scene may come to.
 const LIMIT: usize = 20_000;
 
 /// A choice: name, explanation, documentation, alternatives.
 type Choice<'a> = (&'a Name, Option<&'a str>, &'a [String], &'a [Alternative]);
+
+/// What a block stands in: an effect, or an alternative of a choice.
+#[derive(Clone, Debug)]
+enum Around {
+    Effect(String),
+    Alternative(String, String),
+}
 
 /// The effects and choices of a file.
 #[derive(Clone, Debug, Default)]
@@ -28,18 +36,30 @@ pub struct Survey<'a> {
     pub choices: Vec<Choice<'a>>,
     /// Scenes in the order of the file, with their documentation.
     pub scenes: Vec<(&'a Scene, &'a [String])>,
+    /// For each effect and choice what it stands in.
+    around: BTreeMap<&'a str, Vec<Around>>,
+    /// Declared names with their places: one that is missing in a scene is declared in a block that does not hold.
+    pub hidden: BTreeMap<&'a str, Span>,
+    /// Words of statements that could not be read.
+    pub unread: Option<&'a BTreeSet<String>>,
 }
 
 impl<'a> Survey<'a> {
     /// Looks through a file, nested blocks included.
     pub fn of(file: &'a File, diagnostics: &mut Diagnostics) -> Self {
-        let mut survey = Self::default();
-        survey.visit(&file.statements);
+        let mut survey = Self {
+            unread: Some(&file.unread),
+            ..Self::default()
+        };
+        survey.visit(&file.statements, &mut Vec::new());
         survey.report_duplicates(diagnostics);
+        file.statements
+            .iter()
+            .for_each(|statement| report_misplaced(statement, true, diagnostics));
         survey
     }
 
-    fn visit(&mut self, statements: &'a [Statement]) {
+    fn visit(&mut self, statements: &'a [Statement], around: &mut Vec<Around>) {
         for statement in statements {
             match &statement.kind {
                 StatementKind::Effect {
@@ -50,8 +70,11 @@ impl<'a> Survey<'a> {
                 } => {
                     self.effects
                         .push((name, text.as_deref(), &statement.documentation));
-                    self.visit(body);
-                    self.visit(otherwise);
+                    self.around.insert(&name.text, around.clone());
+                    around.push(Around::Effect(name.text.clone()));
+                    self.visit(body, around);
+                    around.pop();
+                    self.visit(otherwise, around);
                 }
                 StatementKind::Choice {
                     name,
@@ -64,20 +87,101 @@ impl<'a> Survey<'a> {
                         &statement.documentation,
                         alternatives,
                     ));
-                    alternatives
-                        .iter()
-                        .for_each(|alternative| self.visit(&alternative.body));
+                    self.around.insert(&name.text, around.clone());
+                    for alternative in alternatives {
+                        around.push(Around::Alternative(
+                            name.text.clone(),
+                            alternative.name.text.clone(),
+                        ));
+                        self.visit(&alternative.body, around);
+                        around.pop();
+                    }
                 }
                 StatementKind::If {
                     then, otherwise, ..
                 } => {
-                    self.visit(then);
-                    self.visit(otherwise);
+                    self.visit(then, around);
+                    self.visit(otherwise, around);
                 }
-                StatementKind::For { body, .. } => self.visit(body),
+                StatementKind::For { body, .. } => self.visit(body, around),
                 StatementKind::Scene(scene) => self.scenes.push((scene, &statement.documentation)),
+                StatementKind::Constant(Constant { target, .. })
+                | StatementKind::Let { target, .. }
+                | StatementKind::Driver { target, .. }
+                | StatementKind::Coordinate(Unknown { target, .. })
+                | StatementKind::State(Unknown { target, .. })
+                | StatementKind::Output(Output {
+                    name: Some(target),
+                    value: Some(_),
+                    ..
+                }) => {
+                    self.hidden.insert(&target.name.text, target.name.span);
+                }
                 _ => {}
             }
+        }
+    }
+
+    /// Whether a name that is missing may have been declared by a statement that could not be read.
+    pub fn is_unread(&self, name: &str) -> bool {
+        let base = name.split('[').next().unwrap_or(name);
+        self.unread.is_some_and(|words| words.contains(base))
+    }
+
+    /// Whether a condition speaks of something that could not be read.
+    pub fn speaks_of_unread(&self, condition: &Term) -> bool {
+        match &condition.kind {
+            TermKind::Name(name) => self.is_unread(name),
+            TermKind::Member { base: inner, .. } | TermKind::Unary(_, inner) => {
+                self.speaks_of_unread(inner)
+            }
+            TermKind::Binary(_, left, right) => {
+                self.speaks_of_unread(left) || self.speaks_of_unread(right)
+            }
+            _ => false,
+        }
+    }
+
+    /// Why a condition on effects and choices cannot be decided, where it speaks of one that the file does not have.
+    pub fn explain(&self, condition: &Term) -> Option<Diagnostic> {
+        let choices = || self.choices.iter().map(|choice| choice.0.text.as_str());
+        match &condition.kind {
+            TermKind::Unary(UnaryOperator::Not, inner) => self.explain(inner),
+            TermKind::Binary(BinaryOperator::And | BinaryOperator::Or, left, right) => {
+                self.explain(left).or_else(|| self.explain(right))
+            }
+            TermKind::Name(name) if self.effects.iter().all(|effect| effect.0.text != *name) => {
+                if let Some(choice) = self.choices.iter().find(|choice| choice.0.text == *name) {
+                    return Some(no_alternative_said(condition.span, choice));
+                }
+                let near = nearest(
+                    name,
+                    self.effects.iter().map(|effect| effect.0.text.as_str()),
+                )?;
+                let report =
+                    Diagnostic::error(condition.span, format!("there is no effect `{name}`"));
+                Some(report.hint(format!("did you mean `{near}`?")))
+            }
+            TermKind::Member { base, name } => {
+                let TermKind::Name(wanted) = &base.kind else {
+                    return None;
+                };
+                match self.choices.iter().find(|choice| choice.0.text == *wanted) {
+                    Some(choice) if choice.3.iter().any(|one| one.name.text == name.text) => None,
+                    Some(choice) => Some(no_alternative(name, choice)),
+                    None => {
+                        let report =
+                            Diagnostic::error(base.span, format!("there is no choice `{wanted}`"));
+                        Some(match nearest(wanted, choices()) {
+                            Some(near) => report.hint(format!("did you mean `{near}`?")),
+                            None => report.hint(
+                                "`choice.alternative` asks which alternative of a choice holds",
+                            ),
+                        })
+                    }
+                }
+            }
+            _ => None,
         }
     }
 
@@ -124,6 +228,67 @@ fn report_twice<'a>(
     }
 }
 
+fn no_alternative(wanted: &Name, choice: &Choice<'_>) -> Diagnostic {
+    let known: Vec<_> = choice.3.iter().map(|one| one.name.text.as_str()).collect();
+    let message = format!(
+        "the choice `{}` has no alternative `{}`",
+        choice.0.text, wanted.text
+    );
+    Diagnostic::error(wanted.span, message)
+        .related(choice.0.span, "the choice")
+        .hint(format!("it has {}", known.join(", ")))
+}
+
+fn no_alternative_said(span: Span, choice: &Choice<'_>) -> Diagnostic {
+    let name = &choice.0.text;
+    let example = choice.3.first().map_or("…", |one| one.name.text.as_str());
+    Diagnostic::error(
+        span,
+        format!("`{name}` is a choice: say which alternative holds"),
+    )
+    .related(choice.0.span, "the choice")
+    .hint(format!("for example `{name}.{example}`"))
+}
+
+/// Scenes, presets and published facts belong to the whole file: inside a block they would be overlooked.
+fn report_misplaced(statement: &Statement, outside: bool, diagnostics: &mut Diagnostics) {
+    let what = match &statement.kind {
+        StatementKind::Scene(_) => "a scene",
+        StatementKind::Preset { .. } => "a preset",
+        StatementKind::Expect(_) => "a published fact",
+        StatementKind::Effect {
+            body, otherwise, ..
+        }
+        | StatementKind::If {
+            then: body,
+            otherwise,
+            ..
+        } => {
+            return body
+                .iter()
+                .chain(otherwise)
+                .for_each(|one| report_misplaced(one, false, diagnostics));
+        }
+        StatementKind::Choice { alternatives, .. } => {
+            let bodies = alternatives
+                .iter()
+                .flat_map(|alternative| &alternative.body);
+            return bodies.for_each(|one| report_misplaced(one, false, diagnostics));
+        }
+        StatementKind::For { body, .. } => {
+            return body
+                .iter()
+                .for_each(|one| report_misplaced(one, false, diagnostics));
+        }
+        _ => return,
+    };
+    if !outside {
+        let report =
+            Diagnostic::error(statement.span, format!("{what} stands outside every block"));
+        diagnostics.push(report.hint("move it out of the braces"));
+    }
+}
+
 /// What is switched on.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Selected {
@@ -148,6 +313,20 @@ impl Selected {
         }
     }
 
+    /// Switches on whatever an effect or choice stands in.
+    pub fn surround(&mut self, name: &str, survey: &Survey<'_>) {
+        for around in survey.around.get(name).into_iter().flatten() {
+            match around {
+                Around::Effect(effect) => {
+                    self.effects.insert(effect.clone());
+                }
+                Around::Alternative(choice, alternative) => {
+                    self.choices.insert(choice.clone(), alternative.clone());
+                }
+            }
+        }
+    }
+
     /// What a scene selects; reports what the file does not have.
     pub fn by(scene: &Scene, survey: &Survey<'_>, diagnostics: &mut Diagnostics) -> Option<Self> {
         let mut selected = Self::defaults(survey);
@@ -157,23 +336,13 @@ impl Selected {
             let choice = survey.choices.iter().find(|choice| choice.0.text == *name);
             match (&selection.alternative, choice) {
                 (Some(alternative), Some(choice)) => {
-                    let names = || choice.3.iter().map(|one| one.name.text.as_str());
-                    if names().any(|one| one == alternative.text) {
+                    if choice.3.iter().any(|one| one.name.text == alternative.text) {
                         selected
                             .choices
                             .insert(name.clone(), alternative.text.clone());
                     } else {
                         good = false;
-                        let message = format!(
-                            "the choice `{name}` has no alternative `{}`",
-                            alternative.text
-                        );
-                        let known: Vec<_> = names().collect();
-                        diagnostics.push(
-                            Diagnostic::error(alternative.span, message)
-                                .related(choice.0.span, "the choice")
-                                .hint(format!("it has {}", known.join(", "))),
-                        );
+                        diagnostics.push(no_alternative(alternative, choice));
                     }
                 }
                 (None, None) if survey.effects.iter().any(|effect| effect.0.text == *name) => {
@@ -186,14 +355,9 @@ impl Selected {
                 }
                 (None, Some(choice)) => {
                     good = false;
-                    let message = format!("`{name}` is a choice: say which alternative holds");
-                    let example = choice.3.first().map_or("…", |one| one.name.text.as_str());
-                    diagnostics.push(
-                        Diagnostic::error(selection.name.span, message)
-                            .related(choice.0.span, "the choice")
-                            .hint(format!("for example `{name}.{example}`")),
-                    );
+                    diagnostics.push(no_alternative_said(selection.name.span, choice));
                 }
+                _ if survey.is_unread(name) => good = false,
                 (alternative, _) => {
                     good = false;
                     let what = if alternative.is_some() {
@@ -234,6 +398,25 @@ impl Selected {
         good.then_some(selected)
     }
 
+    /// What is switched on, for messages: "with `torsion` and `crank.exact`".
+    pub fn describe(&self) -> String {
+        let choices = self
+            .choices
+            .iter()
+            .map(|(choice, alternative)| format!("`{choice}.{alternative}`"));
+        let all: Vec<String> = self
+            .effects
+            .iter()
+            .map(|effect| format!("`{effect}`"))
+            .chain(choices)
+            .collect();
+        if all.is_empty() {
+            "without effects".into()
+        } else {
+            format!("with {}", all.join(" and "))
+        }
+    }
+
     /// Decides a condition on effects and choices; `None` when it speaks of anything else.
     pub fn decide(&self, condition: &Term, survey: &Survey<'_>) -> Option<bool> {
         match &condition.kind {
@@ -241,10 +424,16 @@ impl Selected {
                 Some(self.effects.contains(name))
             }
             TermKind::Member { base, name } => match &base.kind {
-                TermKind::Name(choice) => self
-                    .choices
-                    .get(choice)
-                    .map(|alternative| *alternative == name.text),
+                TermKind::Name(wanted) => {
+                    let choice = survey
+                        .choices
+                        .iter()
+                        .find(|choice| choice.0.text == *wanted)?;
+                    choice.3.iter().find(|one| one.name.text == name.text)?;
+                    self.choices
+                        .get(wanted)
+                        .map(|alternative| *alternative == name.text)
+                }
                 _ => None,
             },
             TermKind::Unary(UnaryOperator::Not, inner) => {
@@ -269,61 +458,119 @@ pub fn specialise(
     selected: &Selected,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Statement> {
-    let mut flat = Vec::new();
-    open(&file.statements, survey, selected, &mut flat, diagnostics);
-    flat
+    let mut opener = Opener {
+        survey,
+        selected,
+        diagnostics,
+        flat: Vec::new(),
+        copies: 0,
+    };
+    opener.open(&file.statements);
+    opener.flat
 }
 
-fn open(
-    statements: &[Statement],
-    survey: &Survey<'_>,
-    selected: &Selected,
-    flat: &mut Vec<Statement>,
-    diagnostics: &mut Diagnostics,
-) {
-    for statement in statements {
-        if flat.len() > LIMIT {
-            diagnostics.push(Diagnostic::error(
-                statement.span,
-                format!("the repetitions up to here come to more than {LIMIT} statements"),
-            ));
-            return;
-        }
-        match &statement.kind {
-            StatementKind::Effect { name, body, otherwise, .. } => {
-                let branch = if selected.effects.contains(&name.text) { body } else { otherwise };
-                open(branch, survey, selected, flat, diagnostics);
+/// Opens blocks and writes repetitions out.
+struct Opener<'a, 'b> {
+    survey: &'a Survey<'b>,
+    selected: &'a Selected,
+    diagnostics: &'a mut Diagnostics,
+    flat: Vec<Statement>,
+    /// Statements that repetitions have written out.
+    copies: usize,
+}
+
+impl Opener<'_, '_> {
+    fn open(&mut self, statements: &[Statement]) {
+        for statement in statements {
+            if self.copies > LIMIT {
+                return;
             }
-            StatementKind::Choice { name, alternatives, .. } => {
-                let held = selected.choices.get(&name.text);
-                if let Some(alternative) = alternatives.iter().find(|one| Some(&one.name.text) == held) {
-                    open(&alternative.body, survey, selected, flat, diagnostics);
+            match &statement.kind {
+                StatementKind::Effect {
+                    name,
+                    body,
+                    otherwise,
+                    ..
+                } => {
+                    self.open(if self.selected.effects.contains(&name.text) {
+                        body
+                    } else {
+                        otherwise
+                    });
                 }
-            }
-            StatementKind::If { condition, then, otherwise } => match selected.decide(condition, survey) {
-                Some(held) => open(if held { then } else { otherwise }, survey, selected, flat, diagnostics),
-                None => diagnostics.push(
-                    Diagnostic::error(
-                        condition.span,
-                        "statements can depend on effects and choices only, and this condition speaks of something else",
-                    )
-                    .hint("to switch on a quantity write `if … { … } else { … }` inside an expression"),
-                ),
-            },
-            StatementKind::For { index, from, to, body } => {
-                if let Some((first, last)) = bounds(from, to, diagnostics) {
-                    for value in first..=last {
-                        let copies: Vec<_> =
-                            body.iter().map(|one| statement_with_index(one, &index.text, value)).collect();
-                        open(&copies, survey, selected, flat, diagnostics);
-                        if flat.len() > LIMIT {
-                            break;
-                        }
+                StatementKind::Choice {
+                    name, alternatives, ..
+                } => {
+                    let held = self.selected.choices.get(&name.text);
+                    if let Some(alternative) =
+                        alternatives.iter().find(|one| Some(&one.name.text) == held)
+                    {
+                        self.open(&alternative.body);
                     }
                 }
+                StatementKind::If {
+                    condition,
+                    then,
+                    otherwise,
+                } => match self.selected.decide(condition, self.survey) {
+                    Some(held) => self.open(if held { then } else { otherwise }),
+                    None => self.undecided(condition),
+                },
+                StatementKind::For {
+                    index,
+                    from,
+                    to,
+                    body,
+                } => {
+                    if let Some((first, last)) = bounds(from, to, self.diagnostics) {
+                        self.repeat(statement.span, &index.text, first..=last, body);
+                    }
+                }
+                StatementKind::Scene(_)
+                | StatementKind::Preset { .. }
+                | StatementKind::Expect(_) => {}
+                _ => self.flat.push(statement.clone()),
             }
-            StatementKind::Scene(_) | StatementKind::Preset { .. } | StatementKind::Expect(_) => {}
-            _ => flat.push(statement.clone()),
         }
+    }
+
+    fn repeat(
+        &mut self,
+        span: Span,
+        index: &str,
+        values: std::ops::RangeInclusive<i64>,
+        body: &[Statement],
+    ) {
+        for value in values {
+            self.copies += body.len().max(1);
+            if self.copies > LIMIT {
+                let message =
+                    format!("the repetitions up to here come to more than {LIMIT} statements");
+                self.diagnostics
+                    .push_once("repetitions".into(), Diagnostic::error(span, message));
+                return;
+            }
+            let copies: Vec<_> = body
+                .iter()
+                .map(|one| statement_with_index(one, index, value))
+                .collect();
+            self.open(&copies);
+            if self.copies > LIMIT {
+                return;
+            }
+        }
+    }
+
+    fn undecided(&mut self, condition: &Term) {
+        if self.survey.speaks_of_unread(condition) {
+            return;
+        }
+        self.diagnostics.push(self.survey.explain(condition).unwrap_or_else(|| {
+            Diagnostic::error(
+                condition.span,
+                "statements can depend on effects and choices only, and this condition speaks of something else",
+            )
+            .hint("to switch on a quantity write `if … { … } else { … }` inside an expression")
+        }));
     }
 }

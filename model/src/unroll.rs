@@ -48,11 +48,10 @@ pub fn bounds(from: &Term, to: &Term, diagnostics: &mut Diagnostics) -> Option<(
         whole_number(from, diagnostics)?,
         whole_number(to, diagnostics)?,
     );
-    if last - first >= LIMIT {
-        let message = format!(
-            "the repetition runs over {} values; at most {LIMIT} are written out",
-            last - first + 1
-        );
+    let count = last.saturating_sub(first).saturating_add(1);
+    if count > LIMIT {
+        let message =
+            format!("the repetition runs over {count} values; at most {LIMIT} are written out");
         diagnostics.push(Diagnostic::error(from.span.to(to.span), message));
         return None;
     }
@@ -229,10 +228,15 @@ pub fn statement_with_index(statement: &Statement, index: &str, value: i64) -> S
                 *body = list(body);
             }
         }
-        StatementKind::Effect { .. }
-        | StatementKind::Choice { .. }
-        | StatementKind::Preset { .. } => {}
-        StatementKind::Scene(_) | StatementKind::Expect(_) => {}
+        StatementKind::Effect {
+            body, otherwise, ..
+        } => (*body, *otherwise) = (list(body), list(otherwise)),
+        StatementKind::Choice { alternatives, .. } => {
+            alternatives
+                .iter_mut()
+                .for_each(|alternative| alternative.body = list(&alternative.body));
+        }
+        StatementKind::Preset { .. } | StatementKind::Scene(_) | StatementKind::Expect(_) => {}
     }
     copy
 }

@@ -8,8 +8,10 @@
 //! | [`ode`] | the motion from a start: Tsitouras 5(4), Dormand–Prince 8(5,3), continuous output |
 //! | [`periodic`] | the steady state: method of initial parameters, shooting, Floquet multipliers |
 //! | [`dense`] | small linear systems |
+//! | [`check`] | what the generated tests of a mechanism ask of it |
 //! | [`scalar`], [`dispatch`] | the numbers that all of it runs on, and the choice of the instruction set |
 
+pub mod check;
 pub mod dense;
 pub mod dispatch;
 pub mod ode;

@@ -3,11 +3,13 @@
 //! Equations are written once, for any [`Scalar`]. A comparison gives a mask and a branch becomes [`Scalar::select`],
 //! so that several lanes of a pack may take different sides.
 
+mod dual;
 mod error_function;
 mod fused;
 mod plain;
 mod sine;
 
+pub use dual::Dual;
 pub use fused::Fused;
 
 /// A number: `f64`, `f32`, fused `f64`, a pack of lanes, a dual number.

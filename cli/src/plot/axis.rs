@@ -38,7 +38,7 @@ impl Axis {
         let steps = [5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0, 720.0];
         let step = steps
             .into_iter()
-            .find(|step| *step >= 0.75 * wanted)
+            .find(|step| *step >= 0.8 * wanted)
             .filter(|_| wanted >= 4.0);
         Self::with_step(low, high, step.unwrap_or_else(|| round_step(wanted)))
     }

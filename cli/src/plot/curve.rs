@@ -78,7 +78,8 @@ mod tests {
         assert!(few.len() < 120, "{}", few.len());
         for pair in few.windows(2) {
             let middle = ((pair[0].0 + pair[1].0) / 2.0, (pair[0].1 + pair[1].1) / 2.0);
-            assert!((middle.1 - wave(middle.0)).abs() < 0.15);
+            // Up to 0.08 across the line is up to 0.18 upwards where the line is steepest.
+            assert!((middle.1 - wave(middle.0)).abs() < 0.19);
         }
     }
 

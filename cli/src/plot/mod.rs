@@ -1,13 +1,19 @@
 //! The figure of a run: panels of curves over one cycle, chosen from the data of the scene alone.
 
+mod across;
 mod axis;
+mod cluster;
+mod column;
 mod curve;
 mod figure;
 mod kind;
+mod legend;
 mod marks;
 mod name;
 mod panels;
 mod scale;
+mod selection;
 mod svg;
 
 pub use figure::draw;
+pub use selection::Selection;

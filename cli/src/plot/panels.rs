@@ -1,14 +1,15 @@
-//! Which curves share a panel: those of one kind and of comparable size.
+//! The panels of a figure: which there are, which matter most, and the colours of their curves.
 
+use assur::registry::At;
+
+use super::cluster::{self, Track};
 use super::kind::Kind;
 use super::name::{self, Name};
+use super::selection::Selection;
 use crate::report::Report;
-use crate::variables::Variable;
 
-/// A curve this many times smaller than another would be a flat line beside it and gets a panel of its own.
-const COMPARABLE: f64 = 15.0;
-/// Curves closer than this share of the height of a panel are drawn as one.
-const COINCIDENT: f64 = 0.006;
+/// Panels of a figure unless others are asked for.
+const USUAL: usize = 6;
 
 /// Curves with a common scale.
 #[derive(Clone, Debug)]
@@ -21,8 +22,10 @@ pub struct Panel {
     pub unit: String,
     /// The curves.
     pub curves: Vec<Line>,
-    /// Published values: horizontal position, value, colour.
-    pub facts: Vec<(f64, f64, Option<usize>)>,
+    /// Published values.
+    pub facts: Vec<Fact>,
+    /// How much it matters, the smallest the most.
+    rank: u8,
 }
 
 /// A curve, or several that coincide.
@@ -32,209 +35,171 @@ pub struct Line {
     pub names: Vec<Name>,
     /// Values in the unit of the panel.
     pub values: Vec<f64>,
-    /// Colour by number; none where several curves coincide.
+    /// Colour by number; none is black.
     pub colour: Option<usize>,
+    /// What has a colour of its own: a coordinate keeps it in its derivatives. None where several curves coincide.
+    key: Option<(Kind, String)>,
 }
 
-/// One variable with its samples in SI units.
-struct Track<'a> {
-    index: usize,
-    variable: &'a Variable,
-    kind: Kind,
-    values: Vec<f64>,
-    amplitude: f64,
+/// A published value.
+#[derive(Clone, Copy, Debug)]
+pub struct Fact {
+    /// Horizontal position.
+    pub at: f64,
+    /// The value in the unit of the panel.
+    pub value: f64,
+    /// Index of the curve that it belongs to.
+    pub curve: usize,
 }
 
-/// All panels of a report, sorted by kind.
-pub fn choose(report: &Report, abscissa: &dyn Fn(f64) -> f64) -> Vec<Panel> {
-    let tracks = tracks(report);
-    let colours = colours(&tracks);
-    let mut panels = Vec::new();
-    for cluster in clusters(&tracks) {
-        panels.extend(panel(report, &cluster, &colours, abscissa));
+/// The panels of a report, sorted by kind and size.
+pub fn choose(report: &Report, selection: &Selection, abscissa: &dyn Fn(f64) -> f64) -> Vec<Panel> {
+    let mut tracks = cluster::tracks(report, selection);
+    if *selection == Selection::Usual {
+        // What is zero as far as anybody knows is not worth a curve.
+        let shows = |track: &Track<'_>| track.amplitude > 20.0 * report.errors[track.index];
+        if tracks.iter().any(shows) {
+            tracks.retain(shows);
+        }
+    }
+    let mut panels: Vec<Panel> = Vec::new();
+    for cluster in cluster::clusters(&tracks) {
+        let main = panel(report, &cluster, abscissa);
+        let fine = differences(report, &cluster);
+        panels.extend(main.into_iter().chain(fine));
+    }
+    if *selection == Selection::Usual {
+        panels.sort_by_key(|panel| panel.rank);
+        panels.truncate(USUAL);
     }
     panels.sort_by_key(|panel| panel.kind.rank().1);
+    colour(&mut panels);
     panels
 }
 
-fn tracks(report: &Report) -> Vec<Track<'_>> {
-    let variables = report.case.variables.iter().enumerate();
-    let track = |(index, variable)| {
-        let values: Vec<f64> = report.curves.values.iter().map(|row| row[index]).collect();
-        let amplitude = values
-            .iter()
-            .filter(|value| value.is_finite())
-            .fold(0.0, |most: f64, value| most.max(value.abs()));
-        Track {
-            index,
-            variable,
-            kind: Kind::of(variable),
-            values,
-            amplitude,
-        }
-    };
-    variables.map(track).collect()
-}
-
-/// A colour for each track: the same for a coordinate and its derivatives.
-fn colours(tracks: &[Track<'_>]) -> Vec<usize> {
-    let mut seen: Vec<(Kind, &str)> = Vec::new();
-    let mut colours = Vec::new();
-    for track in tracks {
-        let key = (track.kind.family(), name::base(&track.variable.name).0);
-        let among = seen.iter().filter(|(family, _)| *family == key.0);
-        let position = among.clone().position(|other| *other == key);
-        colours.push(position.unwrap_or(among.count()));
-        if position.is_none() {
+/// Gives each coordinate a colour of its own among the panels of its family.
+fn colour(panels: &mut [Panel]) {
+    let mut seen: Vec<(Kind, String)> = Vec::new();
+    for line in panels.iter_mut().flat_map(|panel| &mut panel.curves) {
+        let Some(key) = line.key.take() else { continue };
+        let mut among = seen.iter().filter(|(family, _)| *family == key.0);
+        let count = among.clone().count();
+        let known = among.position(|other| *other == key);
+        line.colour = Some(known.unwrap_or(count));
+        if known.is_none() {
             seen.push(key);
         }
     }
-    colours
 }
 
-/// Tracks that may share a panel, each list in the order of the scene.
-fn clusters<'a, 't>(tracks: &'t [Track<'a>]) -> Vec<Vec<&'t Track<'a>>> {
-    let mut clusters: Vec<Vec<&Track<'_>>> = Vec::new();
-    let mut by_size: Vec<_> = tracks.iter().collect();
-    by_size.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
-    for track in by_size {
-        let fits = |cluster: &&mut Vec<&Track<'_>>| {
-            let largest = cluster[0];
-            // What is zero but for rounding stays with the others.
-            let size = largest.amplitude / track.amplitude;
-            largest.kind == track.kind && (!(COMPARABLE..=1e8).contains(&size) || size.is_nan())
-        };
-        match clusters.iter_mut().find(fits) {
-            Some(cluster) => cluster.push(track),
-            None => clusters.push(vec![track]),
-        }
-    }
-    for cluster in &mut clusters {
-        cluster.sort_by_key(|track| track.index);
-    }
-    clusters.sort_by_key(|cluster| cluster.first().map_or(0, |track| track.index));
-    clusters
+fn key(track: &Track<'_>) -> (Kind, String) {
+    let (base, _) = name::base(&track.variable.name);
+    (track.kind.family(), base.to_owned())
 }
 
-/// The panel of a cluster; a second one shows how curves that coincide in the first differ.
-fn panel(
-    report: &Report,
-    cluster: &[&Track<'_>],
-    colours: &[usize],
-    abscissa: &dyn Fn(f64) -> f64,
-) -> Vec<Panel> {
-    let Some(first) = cluster.first() else {
-        return Vec::new();
-    };
-    let (unit, factor) = unit(cluster);
-    let groups = coincident(cluster);
-    let line = |group: &Vec<&Track<'_>>| Line {
+/// A line for tracks that coincide.
+fn line(group: &[&Track<'_>], values: impl Iterator<Item = f64>) -> Line {
+    Line {
         names: group
             .iter()
             .map(|track| name::set(&track.variable.name))
             .collect(),
-        values: group[0].values.iter().map(|value| value / factor).collect(),
-        colour: (group.len() == 1).then(|| colours[group[0].index]),
+        values: values.collect(),
+        colour: None,
+        key: match group {
+            [only] => Some(key(only)),
+            _ => None,
+        },
+    }
+}
+
+/// The panel of a cluster.
+fn panel(report: &Report, cluster: &[&Track<'_>], abscissa: &dyn Fn(f64) -> f64) -> Option<Panel> {
+    let first = cluster.first()?;
+    let (unit, factor) = cluster::unit(cluster);
+    let groups = cluster::coincident(cluster);
+    let curves = groups.iter().map(|group| {
+        let values = group[0].values.iter().map(|value| value / factor);
+        line(group, values)
+    });
+    let mut curves: Vec<_> = curves.collect();
+    // Black is for the first curve of several; another one has the colour of the first variable in it.
+    let several = groups
+        .iter()
+        .zip(&mut curves)
+        .filter(|(group, _)| group.len() > 1);
+    for (group, line) in several.skip(1) {
+        line.key = Some(key(group[0]));
+    }
+    let of_cluster = |variable: usize| {
+        let holds = |group: &Vec<&Track<'_>>| group.iter().any(|track| track.index == variable);
+        groups.iter().position(holds)
     };
-    let curves: Vec<_> = groups.iter().map(line).collect();
-    let fact = |comparison: &crate::published::Comparison| {
-        let group = groups
-            .iter()
-            .find(|group| group.iter().any(|track| track.index == comparison.variable))?;
-        let time = comparison.time?;
-        comparison.comparable.then_some(())?;
-        let colour = (group.len() == 1).then(|| colours[comparison.variable]);
-        Some((abscissa(time), comparison.fact.value / factor, colour))
-    };
+    let known = report
+        .published
+        .iter()
+        .filter(|comparison| comparison.comparable);
+    let facts = known.clone().filter_map(|comparison| {
+        Some(Fact {
+            curve: of_cluster(comparison.variable)?,
+            at: abscissa(comparison.time?),
+            value: comparison.fact.value / factor,
+        })
+    });
+    let facts: Vec<_> = facts.collect();
+    let peak = known
+        .filter(|comparison| of_cluster(comparison.variable).is_some())
+        .any(|comparison| {
+            matches!(
+                comparison.fact.at,
+                At::Maximum | At::Minimum | At::Amplitude
+            )
+        });
+    let names = curves.iter().flat_map(|line| &line.names);
+    let names: Vec<_> = names.map(|name| name.text.as_str()).collect();
     let title = match first.kind.title() {
-        "" => curves
-            .iter()
-            .flat_map(|line| &line.names)
-            .map(|name| name.text.clone())
-            .collect::<Vec<_>>()
-            .join(", "),
+        "" => names.join(", "),
         title => title.to_owned(),
     };
-    let main = Panel {
+    Some(Panel {
         kind: first.kind,
         title,
         unit: name::unit(unit),
+        rank: rank(first.kind, !facts.is_empty(), peak),
         curves,
-        facts: report.published.iter().filter_map(fact).collect(),
-    };
-    let mut panels = vec![main];
-    if first.kind.is_position() {
-        let wide = groups.iter().filter(|group| group.len() > 1);
-        panels.extend(wide.filter_map(|group| differences(report, group, colours)));
-    }
-    panels
-}
-
-/// The unit in which most of the cluster is given; of two, the one with the handier numbers.
-fn unit<'t>(cluster: &[&'t Track<'_>]) -> (&'t str, f64) {
-    let most = cluster
-        .iter()
-        .map(|track| track.amplitude)
-        .fold(0.0, f64::max);
-    let rank = |track: &Track<'_>| {
-        let same = cluster
-            .iter()
-            .filter(|other| other.variable.unit == track.variable.unit)
-            .count();
-        let handy = (0.5..5000.0).contains(&(most / track.variable.factor));
-        (handy, same)
-    };
-    let mut best: Option<&Track<'_>> = None;
-    for track in cluster {
-        if best.is_none_or(|best| rank(track) > rank(best)) {
-            best = Some(track);
-        }
-    }
-    best.map_or(("", 1.0), |track| {
-        (track.variable.unit.as_str(), track.variable.factor)
+        facts,
     })
 }
 
-/// Tracks that cannot be told apart at the scale of their panel, together.
-fn coincident<'a, 't>(cluster: &[&'t Track<'a>]) -> Vec<Vec<&'t Track<'a>>> {
-    let all = || {
-        cluster
-            .iter()
-            .flat_map(|track| track.values.iter().copied())
-            .filter(|value| value.is_finite())
-    };
-    let height = all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min);
-    let mut groups: Vec<Vec<&Track<'_>>> = Vec::new();
-    for track in cluster {
-        let near = |group: &&mut Vec<&Track<'_>>| {
-            let pairs = group[0].values.iter().zip(&track.values);
-            pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) <= COINCIDENT * height
-        };
-        match groups.iter_mut().find(near) {
-            Some(group) => group.push(track),
-            None => groups.push(vec![track]),
-        }
+/// What matters: a curve whose height was published, positions, what they differ by, forces, then the rest.
+fn rank(kind: Kind, has_facts: bool, has_peak: bool) -> u8 {
+    match kind {
+        _ if has_peak => 0,
+        _ if kind.is_position() && has_facts => 1,
+        _ if kind.is_position() => 2,
+        Kind::Force | Kind::Torque => 3,
+        _ if has_facts => 4,
+        Kind::Energy | Kind::Power | Kind::Other(_) => 5,
+        Kind::Translation(_) | Kind::Rotation(_) => 6,
     }
-    groups
 }
 
-/// How tracks that coincide at the scale of their panel differ from their mean, unless they are the same.
-fn differences(report: &Report, group: &[&Track<'_>], colours: &[usize]) -> Option<Panel> {
-    let first = group.first()?;
+/// A panel of how curves that coincide at the scale of their own panel differ from their mean, unless they are the
+/// same.
+fn differences(report: &Report, cluster: &[&Track<'_>]) -> Option<Panel> {
+    let groups = cluster::coincident(cluster);
+    let group = groups.iter().find(|group| group.len() > 1)?;
+    let first = group.first().filter(|track| track.kind.is_position())?;
     let mean: Vec<f64> = (0..first.values.len())
         .map(|row| group.iter().map(|track| track.values[row]).sum::<f64>() / group.len() as f64)
         .collect();
-    let apart = |track: &Track<'_>| -> Vec<f64> {
-        track
-            .values
-            .iter()
-            .zip(&mean)
-            .map(|(value, mean)| value - mean)
-            .collect()
+    let apart = |track: &&Track<'_>| -> Vec<f64> {
+        let pairs = track.values.iter().zip(&mean);
+        pairs.map(|(value, mean)| value - mean).collect()
     };
     let most = group
         .iter()
-        .flat_map(|track| apart(track))
+        .flat_map(apart)
         .fold(0.0, |most: f64, value| most.max(value.abs()));
     let noise = group
         .iter()
@@ -243,32 +208,17 @@ fn differences(report: &Report, group: &[&Track<'_>], colours: &[usize]) -> Opti
     if !(most > 20.0 * noise && most > 1e-9 * first.amplitude) {
         return None;
     }
-    let (unit, factor) = finer_unit(first, most);
-    let line = |track: &&Track<'_>| Line {
-        names: vec![name::set(&track.variable.name)],
-        values: apart(track).iter().map(|value| value / factor).collect(),
-        colour: Some(colours[track.index]),
+    let (unit, factor) = cluster::finer_unit(first, most);
+    let curve = |track: &&Track<'_>| {
+        let values = apart(track);
+        line(&[track], values.iter().map(|value| value / factor))
     };
     Some(Panel {
         kind: first.kind,
         title: format!("{}, each less the mean", first.kind.title()),
         unit: name::unit(unit),
-        curves: group.iter().map(line).collect(),
+        curves: group.iter().map(curve).collect(),
         facts: Vec::new(),
+        rank: 4,
     })
-}
-
-/// A unit in which a small difference has handy numbers.
-fn finer_unit<'t>(track: &'t Track<'_>, most: f64) -> (&'t str, f64) {
-    let own = (track.variable.unit.as_str(), track.variable.factor);
-    let finer: &[(&str, f64)] = match track.kind {
-        Kind::Translation(_) => &[("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9)],
-        Kind::Rotation(_) if own.0 == "rad" => &[("mrad", 1e-3), ("µrad", 1e-6)],
-        _ => &[],
-    };
-    let handy = finer
-        .iter()
-        .copied()
-        .find(|(_, factor)| *factor < own.1 * 1.1 && most / factor >= 0.1);
-    handy.filter(|_| most / own.1 < 0.1).unwrap_or(own)
 }

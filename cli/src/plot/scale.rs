@@ -22,11 +22,6 @@ impl Scale {
         value >= self.values.0.min(self.values.1) - slack
             && value <= self.values.0.max(self.values.1) + slack
     }
-
-    /// Pixels for one unit of the values.
-    pub fn per_unit(&self) -> f64 {
-        ((self.pixels.1 - self.pixels.0) / (self.values.1 - self.values.0)).abs()
-    }
 }
 
 #[cfg(test)]
@@ -43,7 +38,6 @@ mod tests {
             (scale.pixel(-1.0), scale.pixel(3.0), scale.pixel(1.0)),
             (100.0, 20.0, 60.0)
         );
-        assert_eq!(scale.per_unit(), 20.0);
         assert!(scale.contains(3.0) && !scale.contains(3.1));
     }
 }

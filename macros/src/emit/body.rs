@@ -10,14 +10,14 @@ use assur_model::program::{Input, OperationKind, Stage, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::blocks::BLOCK;
 use super::expression::{self, Expression};
 use super::layout::Layout;
+use super::pairs::pairs;
 use super::schedule::{self, Levels};
 
 /// Most operations in one expression.
 const LONGEST: usize = 8;
-/// Most statements in one block.
-const BLOCK: usize = 100;
 
 /// Where a function stands, and so what it finds computed.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -70,13 +70,22 @@ impl<'a> Body<'a> {
             body.outside(value).is_some()
         });
         let uses = body.uses(&needed, wanted, named);
-        for Levels { before, batch } in schedule::levels(layout.program(), &needed) {
+        for Levels { mut before, batch } in schedule::levels(layout.program(), &needed) {
+            before.sort_by_key(|value| body.input_order(*value));
             for value in before {
                 body.state(value, uses.get(&value).copied().unwrap_or(0));
             }
             body.state_sines(&batch);
         }
         body
+    }
+
+    /// Components of the state come first, in their order; the sort is stable.
+    fn input_order(&self, value: Value) -> u32 {
+        match self.kind(value) {
+            OperationKind::Input(Input::State(index)) => *index,
+            _ => u32::MAX,
+        }
     }
 
     /// How often each value is read; the named ones count as read often.
@@ -244,57 +253,4 @@ impl<'a> Body<'a> {
         }
         blocks.into_iter().rev().collect()
     }
-}
-
-/// Sine and cosine of one angle.
-pub struct Pair {
-    /// The angle.
-    pub angle: Value,
-    /// Its sine, if that is read.
-    pub sine: Option<Value>,
-    /// Its cosine, if that is read.
-    pub cosine: Option<Value>,
-}
-
-/// Sorts the sines and cosines of a batch by their angles.
-pub fn pairs(layout: &Layout<'_>, batch: &[Value]) -> Vec<Pair> {
-    use assur_model::program::Function;
-    let mut pairs: Vec<Pair> = Vec::new();
-    for value in batch {
-        let OperationKind::Call(function, arguments) =
-            &layout.program().operations[value.0 as usize].kind
-        else {
-            continue;
-        };
-        let Some(angle) = arguments.first().copied() else {
-            continue;
-        };
-        let index = pairs
-            .iter()
-            .position(|pair| pair.angle == angle)
-            .unwrap_or_else(|| {
-                pairs.push(Pair {
-                    angle,
-                    sine: None,
-                    cosine: None,
-                });
-                pairs.len() - 1
-            });
-        match function {
-            Function::Sin => pairs[index].sine = Some(*value),
-            _ => pairs[index].cosine = Some(*value),
-        }
-    }
-    pairs
-}
-
-/// Statements that write things, in blocks when they are many.
-pub fn blocks(statements: &[TokenStream]) -> TokenStream {
-    if statements.len() <= BLOCK {
-        return quote!(#(#statements)*);
-    }
-    statements
-        .chunks(BLOCK)
-        .map(|block| quote!({ #(#block)* }))
-        .collect()
 }

@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::layout::Layout;
-use super::{Origin, registry};
+use super::{Origin, counts, values};
 
 /// A text as documentation, line by line.
 pub fn lines(text: &str) -> TokenStream {
@@ -20,6 +20,14 @@ pub fn lines(text: &str) -> TokenStream {
             quote!(#[doc = #line])
         })
         .collect()
+}
+
+/// Documentation of a method: how many operations it does.
+pub fn operations(count: usize) -> TokenStream {
+    match count {
+        1 => lines("1 operation."),
+        _ => lines(&format!("{count} operations.")),
+    }
 }
 
 /// Documentation of the mechanism.
@@ -47,7 +55,7 @@ pub fn scene(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> String 
     let mut text = format!("{}\n", plain(&title(&model.documentation, &model.name)));
     text += &format!("\nScene `{}`", scene.name);
     if !scene.summary.is_empty() {
-        text += &format!(": {}", plain(&scene.summary));
+        text += &format!(": {}", plain(scene.summary.trim().trim_end_matches('.')));
     }
     text += ".\n";
     let effects = scene.effects.iter().map(|name| {
@@ -74,7 +82,7 @@ pub fn scene(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> String 
     text += &table("Drivers", QUANTITY, scene.drivers.iter().map(quantity_row));
     text += &table("State", QUANTITY, scene.states.iter().map(quantity_row));
     text += &table("Outputs", QUANTITY, scene.outputs.iter().map(quantity_row));
-    let count = registry::counts(layout);
+    let count = counts::of(layout);
     text += &format!(
         "\nOperations: {} once per parameter set, {} per instant, {} per evaluation, {} per Jacobian.\n",
         count.prepare, count.instant, count.derivative, count.jacobian
@@ -131,8 +139,8 @@ fn constant_row(constant: &ConstantInfo) -> String {
     let name = &constant.quantity.name;
     format!(
         "| `{name}` | {} | {} | {} |\n",
-        code(&value(constant)),
-        code(&range(constant)),
+        code(&values::value(constant)),
+        code(&values::range(constant)),
         cell(&constant.quantity.summary)
     )
 }
@@ -156,73 +164,6 @@ fn table(title: &str, heads: &[&str], rows: impl Iterator<Item = String>) -> Str
     format!("\n{title}:\n\n{heads}|\n{rule}|\n{rows}")
 }
 
-/// Documentation of a field: `Crank radius. 75 mm ± 0.05 mm; here in SI units.`
-pub fn constant(constant: &ConstantInfo) -> String {
-    let summary = plain(constant.quantity.summary.trim())
-        .trim_end_matches('.')
-        .to_owned();
-    let summary = if summary.is_empty() {
-        if constant.is_dimension {
-            "Dimension".to_owned()
-        } else {
-            "Parameter".to_owned()
-        }
-    } else {
-        summary
-    };
-    let mut text = format!("{summary}: `{}`", value(constant));
-    let range = range(constant);
-    if !range.is_empty() {
-        text += &format!(", `{range}`");
-    }
-    match constant.quantity.factor {
-        1.0 => text + ".",
-        factor => {
-            text + &format!(
-                "; stored in SI units, `{}` is {}.",
-                constant.quantity.unit,
-                neat(factor)
-            )
-        }
-    }
-}
-
-/// `75 mm ± 0.05 mm`
-fn value(constant: &ConstantInfo) -> String {
-    let quantity = &constant.quantity;
-    let shown = |value: f64| {
-        format!("{} {}", neat(value / quantity.factor), quantity.unit)
-            .trim_end()
-            .to_owned()
-    };
-    let mut text = shown(constant.default);
-    if constant.tolerance != 0.0 {
-        text += &format!(" ± {}", shown(constant.tolerance));
-    }
-    text
-}
-
-/// `in 60 .. 90`, nothing when both ends are open.
-fn range(constant: &ConstantInfo) -> String {
-    let (low, high) = constant.range;
-    if low.is_infinite() && high.is_infinite() {
-        return String::new();
-    }
-    let factor = constant.quantity.factor;
-    format!("in {} .. {}", neat(low / factor), neat(high / factor))
-}
-
-/// A number with at most twelve digits, so that `0.075/0.001` is 75.
-fn neat(value: f64) -> String {
-    let rounded = format!("{value:.11e}").parse().unwrap_or(value);
-    let size = f64::abs(rounded);
-    if size == 0.0 || (1e-4..1e7).contains(&size) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
-    }
-}
-
 fn code(text: &str) -> String {
     if text.is_empty() {
         String::new()
@@ -236,7 +177,7 @@ fn cell(text: &str) -> String {
 }
 
 /// A text of the user's in which brackets mean nothing to rustdoc.
-fn plain(text: &str) -> String {
+pub fn plain(text: &str) -> String {
     text.replace('[', "\\[")
         .replace(']', "\\]")
         .replace('<', "\\<")

@@ -6,10 +6,11 @@ use assur_model::program::{OperationKind, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::body::{Body, Place, blocks};
+use super::blocks::blocks;
+use super::body::{Body, Place};
 use super::expression::{scalar, size};
 use super::layout::Layout;
-use super::{docs, instant, outputs};
+use super::{counts, docs, instant, outputs};
 
 /// Longest array literal for a column of the Jacobian; longer columns are filled entry by entry.
 const SHORT: usize = 8;
@@ -56,7 +57,9 @@ fn derivative(layout: &Layout<'_>) -> TokenStream {
     let body = Body::new(layout, Place::Evaluation, wanted, &[]);
     let statements = body.statements(wanted);
     let values = wanted.iter().map(|value| body.value(*value));
+    let text = docs::operations(counts::of(layout).derivative);
     quote! {
+        #text
         #[inline(always)]
         fn derivative(&self, instant: &Self::Instant, state: &Self::State, rate: &mut Self::State) {
             #statements
@@ -95,7 +98,9 @@ fn jacobian(layout: &Layout<'_>) -> TokenStream {
     }
     let writes = blocks(&writes);
     let first = first(quote!(columns), states);
+    let text = docs::operations(counts::of(layout).jacobian);
     quote! {
+        #text
         #[inline(always)]
         fn jacobian(&self, instant: &Self::Instant, state: &Self::State, columns: &mut [Self::State]) {
             #first

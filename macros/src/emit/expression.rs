@@ -30,6 +30,8 @@ pub struct Expression {
     pub reads: BTreeSet<Value>,
     /// Operations in it.
     pub weight: usize,
+    /// The text of the same without its sign, which holds together like a whole, if it is `-…`.
+    pub opposite: Option<TokenStream>,
 }
 
 impl Expression {
@@ -40,6 +42,7 @@ impl Expression {
             binding: Binding::Whole,
             reads: BTreeSet::new(),
             weight: 0,
+            opposite: None,
         }
     }
 
@@ -79,9 +82,17 @@ pub fn number(value: f64) -> TokenStream {
 
 /// A number as a scalar.
 pub fn scalar(value: f64) -> Expression {
+    if value < 0.0 {
+        let size = scalar(-value).tokens;
+        return Expression {
+            binding: Binding::Sign,
+            opposite: Some(size.clone()),
+            ..Expression::whole(quote!(-#size))
+        };
+    }
     let literal = number(value);
     Expression::whole(match value {
-        0.0 => quote!(S::ZERO),
+        0.0 if value.is_sign_positive() => quote!(S::ZERO),
         1.0 => quote!(S::ONE),
         _ => quote!(S::from_f64(#literal)),
     })
@@ -104,13 +115,17 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
         Kind::Number(value) => return scalar(*value),
         // Inputs are given by whoever calls.
         Kind::Input(_) => (TokenStream::new(), Whole),
-        Kind::Add(..) => {
+        Kind::Add(..) | Kind::Subtract(..) => {
             let (a, b) = (at(0, Sum), at(1, Product));
-            (quote!(#a + #b), Sum)
-        }
-        Kind::Subtract(..) => {
-            let (a, b) = (at(0, Sum), at(1, Product));
-            (quote!(#a - #b), Sum)
+            let adds = matches!(kind, Kind::Add(..));
+            let sum = match (adds, &all[1].opposite, &all[0].opposite) {
+                (true, Some(b), _) => quote!(#a - #b),
+                (false, Some(b), _) => quote!(#a + #b),
+                (true, None, Some(a)) => quote!(#b - #a),
+                (true, None, None) => quote!(#a + #b),
+                (false, None, _) => quote!(#a - #b),
+            };
+            (sum, Sum)
         }
         Kind::Multiply(..) => {
             let (a, b) = (at(0, Product), at(1, Sign));
@@ -120,18 +135,27 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
             let (a, b) = (at(0, Product), at(1, Sign));
             (quote!(#a / #b), Product)
         }
-        Kind::Negate(_) => {
-            let a = at(0, Whole);
-            (quote!(-#a), Sign)
-        }
+        Kind::Negate(_) => match &all[0].opposite {
+            Some(a) => (a.clone(), Whole),
+            None => {
+                let a = at(0, Whole);
+                (quote!(-#a), Sign)
+            }
+        },
         Kind::MultiplyAdd(..) => (quote!(S::mul_add(#(#text),*)), Whole),
         Kind::MultiplySubtract(..) => {
             let (a, b, c) = (text[0], text[1], at(2, Whole));
-            (quote!(S::mul_add(#a, #b, -#c)), Whole)
+            match &all[2].opposite {
+                Some(c) => (quote!(S::mul_add(#a, #b, #c)), Whole),
+                None => (quote!(S::mul_add(#a, #b, -#c)), Whole),
+            }
         }
         Kind::NegateMultiplyAdd(..) => {
             let (a, b, c) = (at(0, Whole), text[1], text[2]);
-            (quote!(S::mul_add(-#a, #b, #c)), Whole)
+            match &all[0].opposite {
+                Some(a) => (quote!(S::mul_add(#a, #b, #c)), Whole),
+                None => (quote!(S::mul_add(-#a, #b, #c)), Whole),
+            }
         }
         Kind::Call(function, _) => (call(*function, &text), Whole),
         Kind::Compare(Relation::Less, ..) => (quote!(S::less(#(#text),*)), Whole),
@@ -156,11 +180,13 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
         .flat_map(|one| one.reads.iter().copied())
         .collect();
     let weight = 1 + all.iter().map(|one| one.weight).sum::<usize>();
+    let opposite = (binding == Sign).then(|| at(0, Whole));
     Expression {
         tokens,
         binding,
         reads,
         weight,
+        opposite,
     }
 }
 

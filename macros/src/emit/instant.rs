@@ -6,11 +6,12 @@ use assur_model::program::Value;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::body::{Body, Place, pairs};
+use super::body::{Body, Place};
 use super::docs;
 use super::expression::Expression;
 use super::layout::Layout;
-use super::schedule;
+use super::pairs::pairs;
+use super::{counts, names, schedule};
 
 /// The struct.
 pub fn items(layout: &Layout<'_>) -> TokenStream {
@@ -42,7 +43,9 @@ fn one(layout: &Layout<'_>) -> TokenStream {
         layout.stored(&layout.timed, &body),
     );
     let name = &layout.instant;
+    let text = docs::operations(counts::of(layout).instant);
     quote! {
+        #text
         #[inline(always)]
         fn instant(&self, time: S) -> Self::Instant {
             #statements
@@ -70,7 +73,7 @@ fn several(layout: &Layout<'_>) -> TokenStream {
         let angles: Vec<Value> = pairs.iter().map(|pair| pair.angle).collect();
         let names: Vec<_> = angles
             .iter()
-            .map(|angle| format_ident!("angle_{}", angle.0.to_string() + "_"))
+            .map(|angle| format_ident!("angle_{}_", names::bare(layout.names.of(*angle))))
             .collect();
         let body = Body::with_given(layout, Place::Time, &angles, &[], given.clone());
         let statements = body.statements(&angles);
@@ -102,22 +105,23 @@ fn several(layout: &Layout<'_>) -> TokenStream {
         layout.stored(&layout.timed, &body),
     );
     let (name, placeholders) = (&layout.instant, layout.placeholders(&layout.timed));
-    let fill = (!layout.timed.is_empty()).then(|| {
-        quote! {
+    let fill = match layout.timed.is_empty() {
+        true => quote!([#name { #placeholders }; K_]),
+        false => quote! {
+            let mut instants = [#name { #placeholders }; K_];
             for k_ in 0..K_ {
                 let time = times[k_];
                 #statements
                 instants[k_] = #name { #fields };
             }
-        }
-    });
+            instants
+        },
+    };
     quote! {
         #[inline(always)]
         fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
             #(#sines)*
-            let mut instants = [#name { #placeholders }; K_];
             #fill
-            instants
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use assur_model::checked::SceneModel;
-use assur_model::program::{Program, Stage, Value};
+use assur_model::program::{OperationKind, Program, Stage, Value};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -11,6 +11,7 @@ use super::body::Body;
 use super::expression::size as whole;
 use super::names::{self, Names};
 use super::schedule::{self, Shape};
+use super::{docs, formula};
 
 /// A scene with the names of its types and the fields that its values are stored in.
 pub struct Layout<'a> {
@@ -83,13 +84,35 @@ impl<'a> Layout<'a> {
     pub fn fields(&self, stored: &BTreeSet<Value>) -> TokenStream {
         let fields = stored.iter().map(|value| {
             let (name, kind) = (self.names.of(*value), self.type_of(*value));
-            quote!(#name: #kind)
+            let text = self.explanation(*value, stored);
+            quote!(#text #name: #kind)
         });
         if stored.is_empty() {
             quote!(scalar_: ::core::marker::PhantomData<S>)
         } else {
             quote!(#(#fields),*)
         }
+    }
+
+    /// Documentation of a field: its formula, unless it is a quantity of the file as it stands.
+    fn explanation(&self, value: Value, stored: &BTreeSet<Value>) -> Option<TokenStream> {
+        let program = self.program();
+        let kind = &program.operations[value.0 as usize].kind;
+        if matches!(kind, OperationKind::Input(_)) {
+            return None;
+        }
+        let text = formula::of(self, value, stored).map(|text| format!("`{text}`"));
+        let entries = &program.results.jacobian;
+        let slope = entries.iter().find(|entry| entry.2 == value).map(|entry| {
+            let name = |index: u32| &self.scene.states[index as usize].name;
+            let (row, column) = (name(entry.0), name(entry.1));
+            format!("Jacobian, rate of `{row}` by `{column}`")
+        });
+        let text = match (slope, text) {
+            (Some(slope), Some(text)) => format!("{slope}: {text}"),
+            (slope, text) => slope.or(text)?,
+        };
+        Some(docs::lines(&text))
     }
 
     /// The fields with their values, `name: value`.

@@ -4,21 +4,28 @@
 //! that of the output: for each scene the parameters that a user fills in ([`parameters`]), the equations prepared for
 //! a scalar type ([`equations`]), what depends on the time alone ([`instant`]), outputs and energies ([`outputs`]);
 //! then the tables ([`registry`]) and the tests ([`tests`]). The functions are straight lines of statements
-//! ([`body`]); which values they need and in which order is found in [`schedule`], what is stored where in [`layout`].
+//! ([`body`]); which values they need and in which order is found in [`schedule`], what is stored where in [`layout`];
+//! [`formula`] says in the fields' documentation what they are.
 
+mod blocks;
 mod body;
+mod counts;
 mod docs;
 mod equations;
 mod expression;
+mod formula;
 mod instant;
 mod layout;
 pub mod names;
 mod outputs;
+mod pairs;
 mod parameters;
 mod registry;
+mod requirements;
 mod scene;
 mod schedule;
 mod tests;
+mod values;
 
 use assur_model::checked::Model;
 use assur_model::token::Span;
@@ -73,8 +80,9 @@ pub fn mechanism(model: &Model, origin: &Origin<'_>) -> TokenStream {
             #(#scenes)*
             #alias_item
             #table
+            #tests
         }
+        #[allow(unused_imports)]
         pub use #module::{#(#exported),*};
-        #tests
     }
 }

@@ -119,6 +119,24 @@ pub fn distinct<'a>(names: impl IntoIterator<Item = &'a str>) -> Vec<Ident> {
         .collect()
 }
 
+/// Type names that are all different, made in the order of a list: with `Equations` and `Instant` behind them as well.
+pub fn distinct_types(names: impl IntoIterator<Item = String>) -> Vec<String> {
+    let mut taken = BTreeSet::new();
+    let ends = ["", "Equations", "Instant"];
+    let mut all = Vec::new();
+    for mut name in names {
+        while ends
+            .iter()
+            .any(|end| taken.contains(&format!("{name}{end}")))
+        {
+            name.push('_');
+        }
+        taken.extend(ends.iter().map(|end| format!("{name}{end}")));
+        all.push(name);
+    }
+    all
+}
+
 /// The name if it is free, else the name with its index.
 fn free(name: String, index: usize, taken: &mut BTreeSet<String>) -> Ident {
     if taken.insert(name.clone()) {
@@ -181,8 +199,7 @@ fn input_name(scene: &SceneModel, input: Input) -> Option<String> {
 }
 
 fn trigonometric_name(function: Function, angle: &Ident) -> String {
-    let angle = angle.to_string();
-    let angle = angle.trim_start_matches("r#").trim_end_matches('_');
+    let angle = bare(angle);
     let prefix = if function == Function::Sin {
         "sin"
     } else {
@@ -191,9 +208,22 @@ fn trigonometric_name(function: Function, angle: &Ident) -> String {
     format!("{prefix}_{angle}_")
 }
 
-/// `slope_2_0_` for an entry of the Jacobian, `rate_2_` for a derivative.
+/// A name without what makes it one of Rust's or of the printer's: `type` for `r#type`, `v3` for `v3_`.
+pub fn bare(name: &Ident) -> String {
+    let name = name.to_string();
+    name.trim_start_matches("r#")
+        .trim_end_matches('_')
+        .to_owned()
+}
+
+/// The name of a driver or output, `slope_2_0_` for an entry of the Jacobian, `rate_2_` for a derivative.
 fn result_name(scene: &SceneModel, value: Value) -> Option<String> {
     let results = &scene.program.results;
+    let drivers = results.drivers.iter().zip(&scene.drivers);
+    let outputs = results.outputs.iter().zip(&scene.outputs);
+    if let Some((_, quantity)) = drivers.chain(outputs).find(|(entry, _)| **entry == value) {
+        return Some(plain(&quantity.name));
+    }
     if let Some(index) = results.derivative.iter().position(|entry| *entry == value) {
         return Some(format!("rate_{index}_"));
     }

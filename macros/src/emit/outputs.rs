@@ -4,17 +4,21 @@ use assur_model::program::Value;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::body::{Body, Place, blocks};
+use super::blocks::blocks;
+use super::body::{Body, Place};
 use super::equations::first;
 use super::expression::{size, triangle};
 use super::layout::Layout;
+use super::{counts, docs};
 
 /// The methods of `Equations` for outputs and drivers.
 pub fn methods(layout: &Layout<'_>) -> TokenStream {
     let results = &layout.program().results;
     let outputs = writes(layout, &results.outputs);
     let drivers = writes(layout, &results.drivers);
+    let text = docs::operations(counts::of(layout).outputs);
     quote! {
+        #text
         #[inline(always)]
         fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
             #outputs

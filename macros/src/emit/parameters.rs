@@ -1,6 +1,6 @@
 //! The type that a user fills in: the parameters of a scene, and what the solvers ask of it.
 
-use assur_model::checked::{Model, RequirementInfo, SpanKind};
+use assur_model::checked::{Model, SpanKind};
 use assur_model::program::Value;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -8,7 +8,7 @@ use quote::quote;
 use super::body::{Body, Place};
 use super::expression::{number, size};
 use super::layout::Layout;
-use super::{Origin, docs, registry};
+use super::{Origin, docs, registry, requirements, values};
 
 /// The parameter struct of a scene with its methods.
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
@@ -19,7 +19,7 @@ pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenSt
         .iter()
         .zip(constants)
         .map(|(field, constant)| {
-            let text = docs::lines(&docs::constant(constant));
+            let text = docs::lines(&values::field(constant));
             quote!(#text pub #field: f64)
         });
     let defaults = layout
@@ -52,6 +52,7 @@ pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenSt
 fn inherent(layout: &Layout<'_>) -> TokenStream {
     let (name, fields) = (&layout.parameters, &layout.constants);
     let count = size(fields.len());
+    let places = (0..fields.len()).map(size);
     let constants = registry::constants(layout.scene);
     let results = &layout.program().results;
     let requirements = computed(
@@ -82,8 +83,7 @@ fn inherent(layout: &Layout<'_>) -> TokenStream {
 
             /// Sets all values, SI units, in the order of the fields.
             pub fn from_values(values: &[f64; #count]) -> Self {
-                let [#(#fields),*] = *values;
-                Self { #(#fields),* }
+                Self { #(#fields: values[#places]),* }
             }
 
             /// All values, SI units, in the order of the fields.
@@ -135,8 +135,12 @@ fn implementation(layout: &Layout<'_>) -> TokenStream {
     let scales = scene.scales.iter().map(|value| number(*value));
     let state_names = scene.states.iter().map(|state| &state.name);
     let output_names = scene.outputs.iter().map(|output| &output.name);
-    let (prepare, check, span, start) =
-        (prepare(layout), check(layout), span(layout), start(layout));
+    let (prepare, check, span, start) = (
+        prepare(layout),
+        requirements::check(layout),
+        span(layout),
+        start(layout),
+    );
     quote! {
         impl ::assur::problem::Scene for #name {
             type Equations<S: ::assur::scalar::Scalar> = #equations<S>;
@@ -172,76 +176,6 @@ fn prepare(layout: &Layout<'_>) -> TokenStream {
             #equations { #fields }
         }
     }
-}
-
-fn check(layout: &Layout<'_>) -> TokenStream {
-    let requirements = &layout.scene.requirements;
-    let names = (0..requirements.len()).map(|index| quote::format_ident!("require_{index}_"));
-    let compute = (!requirements.is_empty()).then(|| {
-        let names = names.clone();
-        quote!(let [#(#names),*] = self.requirements_::<f64>();)
-    });
-    let each = requirements.iter().zip(names).map(|(requirement, held)| {
-        let refused = refused(layout, requirement);
-        quote!(if !<f64 as ::assur::scalar::Scalar>::holds(#held) { return #refused; })
-    });
-    quote! {
-        fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
-            ::assur::registry::check_values(Self::CONSTANTS, &self.values())?;
-            #compute
-            #(#each)*
-            ::core::result::Result::Ok(())
-        }
-    }
-}
-
-/// `found R = 75 mm, l = 70 mm; expected R < l`
-fn refused(layout: &Layout<'_>, requirement: &RequirementInfo) -> TokenStream {
-    let name = if requirement.message.is_empty() {
-        &requirement.text
-    } else {
-        &requirement.message
-    };
-    let mut found = Vec::new();
-    let mut values = Vec::new();
-    for index in &requirement.names {
-        let Some(constant) = layout.scene.constants.get(*index) else {
-            continue;
-        };
-        let (field, quantity) = (&layout.constants[*index], &constant.quantity);
-        found.push(
-            format!(
-                "{} = {{}} {}",
-                escape(&quantity.name),
-                escape(&quantity.unit)
-            )
-            .trim_end()
-            .to_owned(),
-        );
-        let factor = number(quantity.factor);
-        values.push(if quantity.factor == 1.0 {
-            quote!(self.#field)
-        } else {
-            quote!(self.#field / #factor)
-        });
-    }
-    let found = if found.is_empty() {
-        String::new()
-    } else {
-        format!("found {}; ", found.join(", "))
-    };
-    let reason = format!("{found}expected {}", escape(&requirement.text));
-    quote! {
-        ::core::result::Result::Err(::assur::problem::Refused {
-            name: ::std::string::String::from(#name),
-            reason: ::std::format!(#reason #(, #values)*),
-        })
-    }
-}
-
-/// A text inside a format string.
-fn escape(text: &str) -> String {
-    text.replace('{', "{{").replace('}', "}}")
 }
 
 fn span(layout: &Layout<'_>) -> TokenStream {

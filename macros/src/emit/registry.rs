@@ -1,15 +1,12 @@
 //! The mechanism as data: `MECHANISM`, and how a scene is bound to values without knowing its type.
 
-use std::collections::BTreeSet;
-
 use assur_model::checked::{ExpectInfo, ExpectPlace, Model, QuantityInfo, SceneModel};
-use assur_model::program::{OperationKind, Stage, Value};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::expression::{number, size};
 use super::layout::Layout;
-use super::{Origin, docs, names, schedule};
+use super::{Origin, counts, docs, names};
 
 /// The static `MECHANISM` and the functions that its entries point to.
 pub fn table(model: &Model, layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
@@ -79,7 +76,7 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
         .expectations
         .iter()
         .map(|one| expectation(one, origin));
-    let counts = counts(layout);
+    let counts = counts::of(layout);
     let [prepare, instant, derivative, jacobian, outputs_count] = [
         counts.prepare,
         counts.instant,
@@ -115,7 +112,7 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
 }
 
 fn binder_name(layout: &Layout<'_>) -> proc_macro2::Ident {
-    format_ident!("bind_{}_", names::snake(&layout.parameters.to_string()))
+    format_ident!("bind_{}_", names::bare(&layout.parameters))
 }
 
 fn binder(layout: &Layout<'_>) -> TokenStream {
@@ -234,47 +231,4 @@ fn expectation(expected: &ExpectInfo, origin: &Origin<'_>) -> TokenStream {
 
 fn line(origin: &Origin<'_>, span: assur_model::token::Span) -> Literal {
     Literal::u32_unsuffixed((origin.line_of)(span))
-}
-
-/// Operations of one call of each emitted function.
-pub struct Counts {
-    /// Once per parameter set.
-    pub prepare: usize,
-    /// Once per instant.
-    pub instant: usize,
-    /// Per evaluation of the derivative.
-    pub derivative: usize,
-    /// Per evaluation of the Jacobian.
-    pub jacobian: usize,
-    /// Per evaluation of all outputs.
-    pub outputs: usize,
-}
-
-/// Counts the operations of a scene.
-pub fn counts(layout: &Layout<'_>) -> Counts {
-    let program = layout.program();
-    let results = &program.results;
-    let count = |wanted: &[Value], from: Stage| {
-        let given = |value: Value| {
-            program.operations[value.0 as usize].stage < from && !is_free(program, value)
-        };
-        schedule::count(program, &schedule::needed(program, wanted, &given))
-    };
-    let list = |values: &BTreeSet<Value>| values.iter().copied().collect::<Vec<Value>>();
-    let slopes: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
-    Counts {
-        prepare: count(&list(&layout.prepared), Stage::Constant),
-        instant: count(&list(&layout.timed), Stage::Instant),
-        derivative: count(&results.derivative, Stage::State),
-        jacobian: count(&slopes, Stage::State),
-        outputs: count(&results.outputs, Stage::Instant),
-    }
-}
-
-/// Whether a value costs nothing anywhere.
-fn is_free(program: &assur_model::program::Program, value: Value) -> bool {
-    matches!(
-        program.operations[value.0 as usize].kind,
-        OperationKind::Number(_)
-    )
 }

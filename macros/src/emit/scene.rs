@@ -15,11 +15,7 @@ pub fn type_names(model: &Model) -> Vec<String> {
     {
         return vec![names::pascal(&model.name)];
     }
-    model
-        .scenes
-        .iter()
-        .map(|scene| names::pascal(&scene.name))
-        .collect()
+    names::distinct_types(model.scenes.iter().map(|scene| names::pascal(&scene.name)))
 }
 
 /// The name of the mechanism as another name of its first scene, unless a scene has that name.

@@ -1,7 +1,93 @@
-//! The generated unit tests.
-use super::Origin;
+//! The generated unit tests: a module for each scene, a test for its derivatives, for its energy, and for each
+//! published fact. The checks themselves are `assur::check`.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::expression::size;
 use super::layout::Layout;
-use proc_macro2::TokenStream;
-pub fn module(_layouts: &[Layout<'_>], _origin: &Origin<'_>) -> TokenStream {
-    TokenStream::new()
+use super::{Origin, names};
+
+/// The module of the tests; nothing when there is nothing to test.
+pub fn module(layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
+    let modules = names::distinct(layouts.iter().map(|layout| layout.scene.name.as_str()));
+    let scenes: TokenStream = layouts
+        .iter()
+        .zip(&modules)
+        .map(|(layout, name)| scene(layout, name, origin))
+        .collect();
+    if scenes.is_empty() {
+        return scenes;
+    }
+    quote! {
+        #[cfg(test)]
+        #[allow(unnameable_test_items)]
+        mod tests_ {
+            #scenes
+        }
+    }
+}
+
+fn scene(layout: &Layout<'_>, module: &Ident, origin: &Origin<'_>) -> TokenStream {
+    let own = [jacobian(layout), energy(layout)];
+    let tests: TokenStream = own
+        .into_iter()
+        .flatten()
+        .chain([facts(layout, origin)])
+        .collect();
+    if tests.is_empty() {
+        return tests;
+    }
+    quote!(mod #module { #tests })
+}
+
+fn jacobian(layout: &Layout<'_>) -> Option<TokenStream> {
+    let name = &layout.parameters;
+    (layout.states() > 0).then(|| {
+        quote! {
+            #[test]
+            fn jacobian_() -> ::core::result::Result<(), ::assur::check::Failed> {
+                ::assur::check::jacobian::<super::super::#name>()
+            }
+        }
+    })
+}
+
+fn energy(layout: &Layout<'_>) -> Option<TokenStream> {
+    let (name, equations) = (&layout.parameters, &layout.equations);
+    let has_energy = layout.program().results.energy.len() == 2;
+    (layout.scene.conservative && has_energy && layout.states() > 0).then(|| {
+        quote! {
+            #[test]
+            fn energy_() -> ::core::result::Result<(), ::assur::check::Failed> {
+                ::assur::check::energy::<super::super::#name>(super::super::#equations::<f64>::energy)
+            }
+        }
+    })
+}
+
+/// A test for each published fact, called after it: `phi2_at_theta_0_rad`.
+fn facts(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
+    let scene = layout.scene;
+    let facts = &scene.expectations;
+    let functions = names::distinct(facts.iter().map(|fact| fact.label.as_str()));
+    let tests = facts.iter().zip(functions).enumerate();
+    tests
+        .map(|(index, (fact, function))| {
+            let text = format!(
+                " `{}`, {}:{}",
+                fact.label,
+                origin.file,
+                (origin.line_of)(fact.span)
+            );
+            let (scene, index) = (&scene.name, size(index));
+            quote! {
+                #[doc = #text]
+                #[test]
+                fn #function() -> ::core::result::Result<(), ::assur::check::Failed> {
+                    ::assur::check::fact(&super::super::MECHANISM, #scene, #index)
+                }
+            }
+        })
+        .collect()
 }

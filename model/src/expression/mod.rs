@@ -15,3 +15,6 @@ mod solve;
 mod stable;
 
 pub use graph::{Expression, Graph, Node, Real, Symbol};
+
+#[cfg(test)]
+mod tests;

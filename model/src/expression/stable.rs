@@ -49,32 +49,30 @@ pub fn function(
 
 /// The stable form of a sum of terms, two of which may cancel.
 pub fn sum(graph: &mut Graph, terms: &[Expression]) -> Option<Vec<Expression>> {
-    for (i, first) in terms.iter().enumerate() {
-        for second in &terms[i + 1..] {
-            let found = pair(graph, *first, *second).or_else(|| pair(graph, *second, *first));
+    let parts: Vec<(f64, Expression)> = terms.iter().map(|term| split(graph, *term)).collect();
+    for (i, (c, f)) in parts.iter().enumerate() {
+        for (j, (d, g)) in parts.iter().enumerate().skip(i + 1) {
+            // Only `c*f - c*g` can cancel.
+            if *c != -*d {
+                continue;
+            }
+            let found = if *c > 0.0 {
+                difference(graph, *f, *g)
+            } else {
+                difference(graph, *g, *f)
+            };
             if let Some(stable) = found {
-                let mut rest: Vec<_> = terms
+                let others = terms
                     .iter()
-                    .copied()
-                    .filter(|term| term != first && term != second)
-                    .collect();
-                rest.push(stable);
+                    .enumerate()
+                    .filter(|(index, _)| *index != i && *index != j);
+                let mut rest: Vec<_> = others.map(|(_, term)| *term).collect();
+                rest.push(graph.scale(c.abs(), stable));
                 return Some(rest);
             }
         }
     }
     None
-}
-
-/// `c*f - c*g` as one term.
-fn pair(graph: &mut Graph, positive: Expression, negative: Expression) -> Option<Expression> {
-    let (c, f) = split(graph, positive);
-    let (d, g) = split(graph, negative);
-    if c <= 0.0 || c != -d {
-        return None;
-    }
-    let stable = difference(graph, f, g)?;
-    Some(graph.scale(c, stable))
 }
 
 /// As [`Graph::split_coefficient`], with a number as a multiple of one.

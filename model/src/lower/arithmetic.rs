@@ -5,8 +5,36 @@ use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
 use crate::homogeneity::{agree, describe, disagreement, over, power, times};
 use crate::program::Relation;
-use crate::syntax::tree::{BinaryOperator, Term, UnaryOperator};
+use crate::syntax::tree::{BinaryOperator, Term, TermKind, UnaryOperator};
 use crate::token::Span;
+use crate::unit::is_unit;
+
+/// The number and its unit with which a term ends, if the unit is one name without brackets.
+fn last_unit(term: &Term) -> Option<(f64, &str)> {
+    let inner = match &term.kind {
+        TermKind::Number {
+            value,
+            unit: Some(unit),
+        } => {
+            let bare = unit.span.first == unit.span.last && unit.span.last == term.span.last;
+            return if bare {
+                unit.factors
+                    .first()
+                    .map(|(name, _)| (*value, name.text.as_str()))
+            } else {
+                None
+            };
+        }
+        TermKind::Unary(_, inner) | TermKind::Binary(_, _, inner) => inner,
+        _ => return None,
+    };
+    // Parentheses around the whole end it elsewhere.
+    if inner.span.last == term.span.last {
+        last_unit(inner)
+    } else {
+        None
+    }
+}
 
 impl Lowering<'_> {
     pub(super) fn unary(&mut self, operator: UnaryOperator, inner: &Term) -> Typed {
@@ -45,6 +73,9 @@ impl Lowering<'_> {
     }
 
     pub(super) fn binary(&mut self, operator: BinaryOperator, left: &Term, right: &Term) -> Typed {
+        if operator == BinaryOperator::Divide && self.is_ambiguous(left, right) {
+            return Typed::Wrong;
+        }
         let (a, b) = (self.term(left), self.term(right));
         if matches!(a, Typed::Wrong) || matches!(b, Typed::Wrong) {
             return Typed::Wrong;
@@ -63,6 +94,40 @@ impl Lowering<'_> {
             }
             _ => self.compare(operator, (left.span, a), (right.span, b)),
         }
+    }
+
+    /// Reports `5 N/m`, where `m` may be the quantity or the metre.
+    fn is_ambiguous(&mut self, left: &Term, right: &Term) -> bool {
+        let (Some((number, unit)), TermKind::Name(name)) = (last_unit(left), &right.kind) else {
+            return false;
+        };
+        let in_parentheses = right.span.first != right.span.last;
+        if in_parentheses || !is_unit(name) {
+            return false;
+        }
+        let compound = format!("{number} [{unit}/{name}]");
+        let declared = self.names.table.get(name).map(|entry| entry.span);
+        let local = self
+            .locals
+            .last()
+            .is_some_and(|scope| scope.contains_key(name));
+        let place = left.span.to(right.span);
+        if declared.is_none() && !local {
+            let message = format!("there is no quantity `{name}` here by which to divide");
+            self.error(
+                Diagnostic::error(right.span, message)
+                    .hint(format!("write `{compound}` for the unit {unit}/{name}")),
+            );
+            return true;
+        }
+        let report = Diagnostic::error(place, format!("`{name}` is a quantity of the file here, and a unit as well")).hint(
+            format!("write `{compound}` for the unit {unit}/{name}, or `({number} {unit})/{name}` to divide by the quantity `{name}`"),
+        );
+        self.error(match declared {
+            Some(span) => report.related(span, "the quantity"),
+            None => report,
+        });
+        true
     }
 
     /// Whether a value depends on dimensions and parameters alone.

@@ -83,6 +83,9 @@ impl Lowering<'_> {
         }
         let Some((_, function, expected, rule)) = TABLE.iter().find(|row| row.0 == name.text)
         else {
+            if self.survey.is_unread(&name.text) {
+                return Typed::Wrong;
+            }
             let report =
                 Diagnostic::error(name.span, format!("there is no function `{}`", name.text));
             let own = names

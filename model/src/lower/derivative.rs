@@ -68,7 +68,7 @@ impl Lowering<'_> {
                     .hint("at most the second derivative of a coordinate and the first of a state can be used"),
             );
         }
-        let Some(direction) = self.direction(span) else {
+        let Some(direction) = self.direction() else {
             return Typed::Wrong;
         };
         let values = self.graph.tangent(&values, &direction);
@@ -82,8 +82,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// How everything given moves with time: `dq/dt = u`, `du/dt = a`.
-    pub fn direction(&mut self, span: Span) -> Option<HashMap<Symbol, Expression>> {
+    /// How everything given moves with time: `dq/dt = u`, `du/dt = a`. None when the motion of a driver is wrong.
+    pub fn direction(&mut self) -> Option<HashMap<Symbol, Expression>> {
         let coordinates = self.names.coordinates.len() as u32;
         let mut direction = HashMap::new();
         direction.insert(Symbol::Time, self.graph.one());
@@ -108,24 +108,10 @@ impl Lowering<'_> {
                 Some(rate) => {
                     direction.insert(Symbol::Driver(index as u32), rate);
                 }
-                None => {
-                    let driver = &self.names.drivers[index];
-                    self.diagnostics.push(
-                        Diagnostic::error(
-                            span,
-                            format!(
-                                "the motion of the driver `{}` is not stated",
-                                driver.name.text
-                            ),
-                        )
-                        .related(driver.name.span, "declared here")
-                        .hint(format!(
-                            "say how it moves, as in `driver {} = n*time;`",
-                            driver.name.text
-                        )),
-                    );
-                    return None;
-                }
+                // While positions are read, no other driver can occur in them; afterwards this one is a mistake, which
+                // has been reported.
+                None if !self.drivers_read => {}
+                None => return None,
             }
         }
         Some(direction)

@@ -9,6 +9,7 @@ mod vector;
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
+use typed::Key;
 pub use typed::{Kind, Typed};
 
 use crate::declare::Kinds;
@@ -24,6 +25,9 @@ use crate::unroll::{bounds, whole_number, with_index};
 
 /// Functions may call functions this deep.
 const DEPTH: usize = 64;
+
+/// Most terms that the sums of a scene may come to.
+const SUMMANDS: usize = 100_000;
 
 /// Dimension of a time.
 pub fn second() -> Dimension {
@@ -50,8 +54,10 @@ pub struct Lowering<'a> {
     done: HashMap<String, Typed>,
     open: Vec<(String, Span)>,
     locals: Vec<HashMap<String, Typed>>,
-    calls: HashMap<(String, Vec<Expression>), Typed>,
+    calls: HashMap<(String, Vec<Key>), Typed>,
     arguments: u32,
+    summands: usize,
+    drivers_read: bool,
 }
 
 impl<'a> Lowering<'a> {
@@ -77,6 +83,8 @@ impl<'a> Lowering<'a> {
             locals: Vec::new(),
             calls: HashMap::new(),
             arguments: 0,
+            summands: 0,
+            drivers_read: false,
         }
     }
 
@@ -103,10 +111,10 @@ impl<'a> Lowering<'a> {
             },
             TermKind::Member { .. } => match self.selected.decide(term, self.survey) {
                 Some(held) => Typed::Decided(held),
-                None => self.error(
-                    Diagnostic::error(term.span, "there is no such choice")
-                        .hint("`choice.alternative` asks which alternative of a choice holds"),
-                ),
+                None if self.survey.speaks_of_unread(term) => Typed::Wrong,
+                None => self.error(self.survey.explain(term).unwrap_or_else(|| {
+                    Diagnostic::error(term.span, "a name stands before `.alternative`")
+                })),
             },
             TermKind::Vector(items) => self.vector(items, term.span),
             TermKind::Unary(operator, inner) => self.unary(*operator, inner),
@@ -164,6 +172,11 @@ impl<'a> Lowering<'a> {
                 None
             }
         }
+    }
+
+    /// From now on a driver without a position is a mistake that has been reported.
+    pub fn drivers_read(&mut self) {
+        self.drivers_read = true;
     }
 
     /// Reports a mistake.
@@ -257,6 +270,9 @@ impl<'a> Lowering<'a> {
         if let Some(held) = self.selected.decide(&as_name, self.survey) {
             return Typed::Decided(held);
         }
+        if self.survey.is_unread(name) {
+            return Typed::Wrong;
+        }
         let mut report = Diagnostic::error(span, format!("there is no `{name}` here"));
         let functions = FUNCTIONS.contains(&name);
         let indexed = self
@@ -282,10 +298,14 @@ impl<'a> Lowering<'a> {
             ));
         } else if indexed {
             report = report.hint(format!("`{name}` has an index: `{name}[1]`"));
+        } else if let Some(place) = self.survey.hidden.get(name) {
+            report = report
+                .related(*place, "declared in a block that does not hold here")
+                .hint("it is declared in a block that does not hold here: say in `else` what takes its place");
         } else if let Some(near) = nearest(name, known) {
             report = report.hint(format!("did you mean `{near}`?"));
         } else {
-            report = report.hint("declare it with `parameter`, `dimension`, `coordinate` or `let`; if it is declared inside an effect, say in `else` what takes its place");
+            report = report.hint("declare it with `parameter`, `dimension`, `coordinate` or `let`");
         }
         self.error(report)
     }
@@ -342,18 +362,11 @@ impl<'a> Lowering<'a> {
         if arguments.iter().any(|one| matches!(one, Typed::Wrong)) {
             return Typed::Wrong;
         }
-        let key: Option<Vec<Expression>> = arguments
-            .iter()
-            .map(|one| {
-                if let Typed::Scalar { value, .. } = one {
-                    Some(*value)
-                } else {
-                    None
-                }
-            })
-            .collect();
-        let key = key.map(|values| (name.text.clone(), values));
-        if let Some(done) = key.as_ref().and_then(|key| self.calls.get(key)) {
+        let key = (
+            name.text.clone(),
+            arguments.iter().map(Typed::key).collect::<Vec<_>>(),
+        );
+        if let Some(done) = self.calls.get(&key) {
             return done.clone();
         }
         if let Some(at) = self.open.iter().position(|(one, _)| *one == name.text) {
@@ -387,9 +400,7 @@ impl<'a> Lowering<'a> {
         let typed = self.term(body);
         self.locals.pop();
         self.open.pop();
-        if let Some(key) = key {
-            self.calls.insert(key, typed.clone());
-        }
+        self.calls.insert(key, typed.clone());
         typed
     }
 
@@ -399,6 +410,13 @@ impl<'a> Lowering<'a> {
         };
         let mut total = Typed::scalar(self.graph.zero(), Kind::Any);
         for value in first..=last {
+            self.summands += 1;
+            if self.summands > SUMMANDS {
+                let message = format!("the sums up to here come to more than {SUMMANDS} terms");
+                self.diagnostics
+                    .push_once("sums".into(), Diagnostic::error(body.span, message));
+                return Typed::Wrong;
+            }
             let item = self.term(&with_index(body, &index.text, value));
             total = self.add(total, body.span, item, body.span);
             if matches!(total, Typed::Wrong) {

@@ -57,7 +57,28 @@ pub enum Typed {
     Wrong,
 }
 
+/// What two equal meanings have in common: variant and rate, kind, values.
+pub(super) type Key = (u8, Option<[(i8, i8); 7]>, Vec<Expression>);
+
 impl Typed {
+    /// The same for equal meanings, and for no others. A value alone would not do: `2` and `2 m` have the same one.
+    pub(super) fn key(&self) -> Key {
+        let dimension = |kind: &Kind| match kind {
+            Kind::Any => None,
+            Kind::Of(dimension) => Some(dimension.exponents()),
+        };
+        match self {
+            Typed::Scalar { value, kind, rate } => (u8::from(*rate), dimension(kind), vec![*value]),
+            Typed::Vector { values, kind, rate } => {
+                (2 + u8::from(*rate), dimension(kind), values.clone())
+            }
+            Typed::Matrix(rows) => (4, None, rows.concat()),
+            Typed::Condition(value) => (5, None, vec![*value]),
+            Typed::Decided(held) => (6 + u8::from(*held), None, Vec::new()),
+            Typed::Wrong => (8, None, Vec::new()),
+        }
+    }
+
     /// A number that is no rate.
     pub fn scalar(value: Expression, kind: Kind) -> Self {
         Typed::Scalar {

@@ -102,10 +102,9 @@ fn write(term: &Term, least: u8) -> String {
         }
         TermKind::Binary(kind, left, right) => {
             let (symbol, power) = operator(*kind);
-            (
-                format!("{}{symbol}{}", write(left, power), write(right, power + 1)),
-                power,
-            )
+            // Comparisons cannot be chained, so both sides of one are tighter.
+            let left = write(left, if power == 3 { 4 } else { power });
+            (format!("{left}{symbol}{}", write(right, power + 1)), power)
         }
         TermKind::Call { name, arguments } => (format!("{}({})", name.text, list(arguments)), 9),
         TermKind::If {

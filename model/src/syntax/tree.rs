@@ -31,6 +31,8 @@ pub struct File {
     pub source: Option<String>,
     /// The statements, in the order of the file (which does not matter).
     pub statements: Vec<Statement>,
+    /// Words of statements that could not be read: what they would have declared is not reported as missing.
+    pub unread: std::collections::BTreeSet<String>,
 }
 
 /// One statement.

@@ -108,6 +108,11 @@ fn read(factors: &[(Name, (i8, i8))]) -> Result<Unit, (Option<&Name>, String)> {
     Ok(unit)
 }
 
+/// Whether a name is the symbol of a unit, with its prefix if it has one.
+pub fn is_unit(name: &str) -> bool {
+    table::find(name).is_some()
+}
+
 fn hint(name: &str) -> Option<String> {
     let instead = match name {
         "in" | "inches" => "inch",

@@ -233,27 +233,41 @@ impl Parser<'_> {
         lines
     }
 
-    /// Goes on behind the next `;`, or behind the next block, at this level; stops before the end of the block around.
-    pub(super) fn skip_statement(&mut self) {
+    /// Gives up the statement that begins at `begin`, in which a mistake was found at the next token. Goes on behind
+    /// the `;` or the block that ends it; stops before the end of the block around.
+    pub(super) fn skip_statement(&mut self, begin: usize) {
+        let mistake = std::mem::replace(&mut self.cursor.at, begin);
         let mut depth = 0_usize;
         while let Some(token) = self.cursor.ahead(0) {
+            let beyond = self.cursor.at >= mistake;
             match token.kind {
                 TokenKind::Open(_) => depth += 1,
-                TokenKind::Close(_) if depth == 0 => return,
+                TokenKind::Close(_) if depth == 0 => break,
                 TokenKind::Close(bracket) => {
                     depth -= 1;
-                    if depth == 0 && bracket == '}' && !self.is_word_ahead(1, "else") {
+                    if beyond && depth == 0 && bracket == '}' && !self.is_word_ahead(1, "else") {
                         self.advance();
-                        return;
+                        let _ = self.take_operator(";");
+                        break;
                     }
                 }
-                TokenKind::Punctuation { character: ';', .. } if depth == 0 => {
+                TokenKind::Punctuation { character: ';', .. } if depth == 0 && beyond => {
                     self.advance();
-                    return;
+                    break;
                 }
                 _ => {}
             }
             self.advance();
         }
+        if self.cursor.at == begin {
+            self.advance();
+        }
+        let skipped = self
+            .cursor
+            .tokens
+            .get(begin..self.cursor.at)
+            .unwrap_or_default();
+        let words = skipped.iter().filter(|token| token.kind == TokenKind::Word);
+        self.unread.extend(words.map(|token| token.text.clone()));
     }
 }

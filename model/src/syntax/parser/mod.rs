@@ -10,6 +10,8 @@ mod statement;
 mod term;
 mod unit;
 
+use std::collections::BTreeSet;
+
 use crate::diagnostic::Diagnostics;
 use crate::syntax::tree::{File, Term, UnitTerm};
 use crate::token::Token;
@@ -52,6 +54,8 @@ struct Parser<'a> {
     depth: usize,
     /// Indices of the repetitions around.
     indices: Vec<String>,
+    /// Words of statements that could not be read.
+    unread: BTreeSet<String>,
     /// Whether a bracket after a name may be the unit of an output.
     in_output: bool,
 }
@@ -63,6 +67,7 @@ impl<'a> Parser<'a> {
             diagnostics,
             depth: 0,
             indices: Vec::new(),
+            unread: BTreeSet::new(),
             in_output: false,
         }
     }
@@ -81,3 +86,6 @@ impl<'a> Parser<'a> {
         result
     }
 }
+
+#[cfg(test)]
+mod tests;

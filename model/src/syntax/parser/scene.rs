@@ -30,12 +30,7 @@ impl Parser<'_> {
                 let begin = self.cursor.at;
                 match self.item() {
                     Ok(list) => items.extend(list),
-                    Err(_) => {
-                        self.skip_statement();
-                        if self.cursor.at == begin {
-                            self.advance();
-                        }
-                    }
+                    Err(_) => self.skip_statement(begin),
                 }
             }
             self.close('}')?;

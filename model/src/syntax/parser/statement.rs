@@ -1,5 +1,7 @@
 //! Statements and blocks.
 
+use std::collections::BTreeSet;
+
 use super::{Parser, Read};
 use crate::diagnostic::Diagnostic;
 use crate::nearest::nearest;
@@ -50,23 +52,30 @@ impl Parser<'_> {
     /// Documentation, name, source, statements.
     pub(super) fn file(&mut self) -> Read<File> {
         let documentation = self.documentation();
+        let begin = self.cursor.at;
         let name = self.name("the name of the mechanism")?;
         let mut file = File {
             documentation,
             name,
             source: None,
             statements: Vec::new(),
+            unread: BTreeSet::new(),
         };
         if let Err(reported) = self.header(&mut file) {
             // Without its first `;` the rest would be read as something that it is not.
             if KEYWORDS.contains(&file.name.text.as_str()) {
                 return Err(reported);
             }
-            self.skip_statement();
+            self.skip_statement(begin);
         }
         while !self.at_end() {
             self.statement(&mut file.statements);
+            if self.is_close('}') {
+                let _: Read<()> = self.wrong("this `}` closes nothing", Some("take it away"));
+                self.advance();
+            }
         }
+        file.unread = std::mem::take(&mut self.unread);
         Ok(file)
     }
 
@@ -128,12 +137,7 @@ impl Parser<'_> {
                 };
                 list.extend(kinds.into_iter().map(one));
             }
-            Err(_) => {
-                self.skip_statement();
-                if self.cursor.at == begin {
-                    self.advance();
-                }
-            }
+            Err(_) => self.skip_statement(begin),
         }
     }
 
@@ -321,11 +325,11 @@ impl Parser<'_> {
         }
         self.close('}')?;
         if alternatives.is_empty() {
-            return self.wrong_at(
+            let report = Diagnostic::error(
                 place,
                 format!("the choice `{}` has no alternative", name.text),
-                None,
             );
+            self.diagnostics.push(report);
         }
         Ok(StatementKind::Choice {
             name,

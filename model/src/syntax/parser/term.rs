@@ -20,6 +20,9 @@ const OPERATORS: &[(&str, BinaryOperator, u8)] = &[
     ("/", BinaryOperator::Divide, 5),
 ];
 
+/// Most operands that operators of one strength may join without brackets.
+const CHAIN: usize = 2000;
+
 /// Words that go on with the statement after a number, so that they are no units.
 const NOT_UNITS: &[&str] = &["in", "on", "normal", "uniform", "truncated", "over", "else"];
 
@@ -31,7 +34,7 @@ impl Parser<'_> {
 
     fn binary(&mut self, least: u8) -> Read<Term> {
         let mut left = self.unary()?;
-        loop {
+        for _ in 0..CHAIN {
             // `+-` begins a tolerance.
             if self.is_operator("+-") {
                 return Ok(left);
@@ -58,6 +61,10 @@ impl Parser<'_> {
                 kind: TermKind::Binary(*operator, Box::new(left), Box::new(right)),
             };
         }
+        self.wrong(
+            format!("this joins more than {CHAIN} operands"),
+            Some("give parts of it names with `let`, or write a `sum`"),
+        )
     }
 
     fn unary(&mut self) -> Read<Term> {
@@ -85,11 +92,10 @@ impl Parser<'_> {
         if !self.is_operator("^") {
             return Ok(base);
         }
-        if let TermKind::Number {
-            value,
-            unit: Some(unit),
-        } = &base.kind
+        if let TermKind::Number { value, unit: Some(unit) } = &base.kind
             && unit.span.first == unit.span.last
+            // In parentheses it is clear.
+            && unit.span.last == base.span.last
         {
             let name = &unit.factors[0].0.text;
             let hint = format!(
@@ -224,7 +230,7 @@ impl Parser<'_> {
             span: self.since(start),
             kind,
         };
-        while self.is_operator(".") && !self.is_operator("..") {
+        if self.is_operator(".") && !self.is_operator("..") {
             self.advance();
             let member = self.name("a name after `.`")?;
             term = Term {

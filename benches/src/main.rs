@@ -1,0 +1,87 @@
+//! The benchmark of Assur: emitted code against code written by hand, and against other libraries.
+//!
+//! See `README.md` for what is fair and what is not.
+
+mod chain;
+mod count;
+mod evaluate;
+mod hand;
+mod hand_loop;
+#[cfg(feature = "peers")]
+mod peers;
+mod revolutions;
+mod table;
+
+use std::process::ExitCode;
+
+/// What is printed when the command is wrong.
+const USAGE: &str = "\
+usage: assur-benches [COMMAND]
+
+  evaluate      one evaluation of emitted and of hand-written code
+  revolutions   ten revolutions and the periodic motion
+  peers         other libraries on the same equations; needs `--features peers`
+  chain         how long a chain of 30 pendulums takes to derive
+  all           all of these (default)
+  brief         the times of `revolutions` alone, as numbers";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match words.as_slice() {
+        ["evaluate"] => with_counts(&[evaluate::report]),
+        ["revolutions"] => with_counts(&[revolutions::report]),
+        ["peers"] => return run_peers(),
+        ["chain"] => chain::report(),
+        ["brief"] => revolutions::brief(),
+        [] | ["all"] => {
+            with_counts(&[evaluate::report, revolutions::report]);
+            chain::report();
+            if cfg!(feature = "peers") {
+                return run_peers();
+            }
+            println!("\nOther libraries are compared with `--features peers`.");
+        }
+        ["count", group, name] => return run_counted(group, name),
+        _ => {
+            eprintln!("{USAGE}");
+            return ExitCode::from(2);
+        }
+    }
+    ExitCode::SUCCESS
+}
+
+/// Prints reports that count instructions.
+fn with_counts(reports: &[fn()]) {
+    count::announce();
+    for report in reports {
+        report();
+    }
+}
+
+/// What the program does under valgrind.
+fn run_counted(group: &str, name: &str) -> ExitCode {
+    let mut cases = match group {
+        "evaluate" => evaluate::cases(),
+        "revolutions" => revolutions::cases(),
+        _ => Vec::new(),
+    };
+    if count::run_counted(&mut cases, name) {
+        ExitCode::SUCCESS
+    } else {
+        eprintln!("there is no case `{name}` in the group `{group}`");
+        ExitCode::from(2)
+    }
+}
+
+#[cfg(feature = "peers")]
+fn run_peers() -> ExitCode {
+    peers::report();
+    ExitCode::SUCCESS
+}
+
+#[cfg(not(feature = "peers"))]
+fn run_peers() -> ExitCode {
+    eprintln!("the libraries are not built in: cargo run --release --features peers peers");
+    ExitCode::from(2)
+}

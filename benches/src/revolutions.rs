@@ -1,0 +1,229 @@
+//! Ten revolutions with DOP853, and the periodic motion: whole solves against a hand-written loop.
+
+use std::hint::black_box;
+
+use assur::dispatch::{Task, dispatch, is_fused};
+use assur::ode::{Dop853, Method, Options, Plain, Workspace, integrate};
+use assur::periodic;
+use assur::problem::{Scene, Span};
+use assur::registry::{self, Settings};
+use assur::scalar::Scalar;
+use assur_equations::batten::Elastic;
+
+use crate::count::{Case, measure, shortest};
+use crate::hand::Batten;
+use crate::hand_loop::{self, Run};
+use crate::table::{Table, number, power, ratio, verdict};
+
+/// Ten revolutions at 250 rpm, in seconds.
+pub const END: f64 = 2.4;
+/// Near the periodic motion.
+pub const START: [f64; 6] = [
+    0.0,
+    -0.000_377_352_429_5,
+    -0.000_376_442_960_1,
+    0.080_250_353_39,
+    0.0,
+    0.0,
+];
+/// Absolute tolerance per unit of the relative one, that of the emitted code too.
+pub const SCALE: f64 = 1e-3;
+/// Relative tolerance of the comparison.
+const RTOL: f64 = 1e-9;
+/// Relative tolerance of the reference.
+const REFERENCE_RTOL: f64 = 1e-14;
+/// Natural frequency of the ends of the bar, rad/s, which turns errors of speeds into errors of deflections.
+const FREQUENCY: f64 = 314.0;
+/// Largest ratio of the dispatched code to the hand-written loop.
+const GOAL: f64 = 1.1;
+
+/// Integration of the emitted code.
+struct Revolutions(f64);
+
+impl Task for Revolutions {
+    type Output = Run;
+
+    #[inline(always)]
+    fn run<S: Scalar>(self) -> Run {
+        emitted_with::<S, Dop853>(self.0)
+    }
+}
+
+/// Ten revolutions of the emitted code with any method.
+#[inline(always)]
+pub fn emitted_with<S: Scalar, M: Method>(rtol: f64) -> Run {
+    let equations = Elastic::default().prepare::<S>();
+    let system = Plain(&equations);
+    let options = Options::scaled(rtol, Elastic::SCALES);
+    let mut start = [S::ZERO; 6];
+    for (target, value) in start.iter_mut().zip(START) {
+        *target = S::from_f64(value);
+    }
+    let mut workspace = Workspace::<_, M>::new::<S, _>(&system);
+    let times = (0.0, END);
+    let statistics = integrate(&system, times, &start, &options, &mut workspace, &mut ());
+    let mut end = [f64::NAN; 6];
+    for (target, value) in end.iter_mut().zip(workspace.state()) {
+        *target = value.to_f64();
+    }
+    Run {
+        end,
+        evaluations: statistics.map_or(0, |statistics| statistics.evaluations),
+    }
+}
+
+#[inline(never)]
+fn emitted(rtol: f64) -> Run {
+    Revolutions(rtol).run::<f64>()
+}
+
+/// The emitted code on the scalar type that the machine at hand is fastest with.
+#[inline(never)]
+pub fn dispatched(rtol: f64) -> Run {
+    dispatch(Revolutions(rtol))
+}
+
+#[inline(never)]
+fn hand<const KERNEL: bool>(rtol: f64) -> Run {
+    hand_loop::run::<KERNEL>(&Batten::default(), END, START, rtol, SCALE)
+}
+
+/// The periodic motion as a program asks for it.
+fn periodic_motion() -> periodic::Orbit {
+    let scene = Elastic::default();
+    let Span::Periodic(period) = scene.span() else {
+        panic!("the scene is not periodic");
+    };
+    let settings = Settings {
+        method: registry::Method::Dop853,
+        rtol: RTOL,
+    };
+    periodic::solve(&scene, period, &settings).expect("the batten has a periodic motion")
+}
+
+/// The state at the end, far more accurate than what is compared with it.
+pub fn reference() -> [f64; 6] {
+    emitted(REFERENCE_RTOL).end
+}
+
+/// Error of the deflections of the bar at the end, in metres.
+///
+/// It is the amplitude of the vibration by which a motion is wrong, from deflection and speed: the deflection alone
+/// passes through zero now and then, and a bad motion would look good.
+pub fn error(end: &[f64; 6], reference: &[f64; 6]) -> f64 {
+    let amplitude = |w: usize| {
+        let speed = (end[w + 3] - reference[w + 3]) / FREQUENCY;
+        (end[w] - reference[w]).hypot(speed)
+    };
+    amplitude(1).max(amplitude(2))
+}
+
+/// The integrations by name.
+const KINDS: [(&str, fn(f64) -> Run); 4] = [
+    ("hand, sine of std", hand::<false>),
+    ("hand, sine of Assur", hand::<true>),
+    ("emitted", emitted),
+    ("emitted, dispatched", dispatched),
+];
+
+/// Everything that is measured.
+pub fn cases() -> Vec<Case<'static>> {
+    let names = ["loop-std", "loop-kernel", "loop-emitted", "loop-dispatched"];
+    let loops = names.into_iter().zip(KINDS).map(|(name, (_, code))| {
+        Case::new(name, 1, move || {
+            black_box(code(black_box(RTOL)));
+        })
+    });
+    let periodic = Case::new("periodic", 1, || {
+        black_box(periodic_motion());
+    });
+    loops.chain([periodic]).collect()
+}
+
+/// Measures and prints.
+pub fn report() {
+    let measures = measure("revolutions", &mut cases(), 100);
+    let reference = reference();
+    let check = error(&hand::<false>(REFERENCE_RTOL).end, &reference);
+    let columns = [
+        "code",
+        "evaluations",
+        "error, m",
+        "instructions",
+        "ratio",
+        "per evaluation",
+        "time, us",
+        "ratio",
+    ];
+    let mut table = Table::new("Ten revolutions with DOP853, rtol 1e-9", &columns);
+    for ((kind, code), one) in KINDS.into_iter().zip(&measures) {
+        let run = code(RTOL);
+        let each = one.instructions.map(|all| all / run.evaluations as f64);
+        table.row([
+            kind.to_owned(),
+            run.evaluations.to_string(),
+            power(error(&run.end, &reference)),
+            number(one.instructions),
+            ratio(one.instructions, measures[1].instructions),
+            number(each),
+            number(one.microseconds()),
+            ratio(one.microseconds(), measures[1].microseconds()),
+        ]);
+    }
+    table.print();
+    println!("Emitted and hand-written code differ by {check:.1e} m at rtol 1e-14.");
+    let fused = if is_fused() { "fused" } else { "plain" };
+    println!("Dispatched code runs on {fused} numbers here.\n");
+    let best = |get: fn(&crate::count::Measure) -> Option<f64>| {
+        let [first, second] = [get(&measures[0])?, get(&measures[1])?];
+        Some(first.min(second))
+    };
+    let time = best(|one| one.microseconds());
+    let count = best(|one| one.instructions);
+    for (what, one) in [("emitted", &measures[2]), ("dispatched", &measures[3])] {
+        let name = |unit| format!("{what} / best hand-written loop, {unit}");
+        verdict(&name("instructions"), one.instructions, count, GOAL);
+        verdict(&name("time"), one.microseconds(), time, GOAL);
+    }
+
+    let orbit = periodic_motion();
+    let columns = ["periodic::solve", "instructions", "time, us"];
+    let mut table = Table::new("The periodic motion with DOP853, rtol 1e-9", &columns);
+    let one = &measures[4];
+    table.row([
+        "elastic batten".to_owned(),
+        number(one.instructions),
+        number(one.microseconds()),
+    ]);
+    table.print();
+    let worst = orbit.estimated_error[1].max(orbit.estimated_error[2]);
+    println!(
+        "Residual {:.1e}, estimated error of the deflections {worst:.1e} m, condition {:.0}.",
+        orbit.residual, orbit.condition
+    );
+}
+
+/// Prints the shortest times of all integrations in microseconds, for `native.sh`.
+pub fn brief() {
+    let seconds = shortest(&mut cases(), 200);
+    let times: Vec<String> = seconds
+        .iter()
+        .map(|one| format!("{:.1}", one * 1e6))
+        .collect();
+    println!("{}", times.join(" "));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_loops_give_the_same_motion() {
+        let reference = reference();
+        for (kind, code) in KINDS {
+            let run = code(RTOL);
+            assert!(error(&run.end, &reference) < 1e-11, "{kind}: {run:?}");
+            assert!(error(&code(1e-13).end, &reference) < 1e-14, "{kind}");
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! `assur check`: every mistake of an equation file, without compiling any Rust.
+
+use std::path::Path;
+
+use assur_model::checked::{Model, SceneModel};
+use assur_model::diagnostic::Severity;
+use assur_model::program::Stage;
+
+use crate::arguments::CheckArguments;
+use crate::error::Failure;
+use crate::number;
+use crate::output::{complain, print};
+use crate::source::Source;
+use crate::style;
+use crate::text::{Align, Columns};
+
+/// Checks each file: messages go to standard error, what a right file holds to standard output.
+///
+/// # Errors
+/// When a file has an error, after all files have been looked at.
+pub fn execute(options: &CheckArguments) -> Result<(), Failure> {
+    let mut wrong = false;
+    for path in &options.files {
+        if let Err(failure) = check(path) {
+            complain(&failure.render(style::stderr()));
+            wrong = true;
+        }
+    }
+    if wrong { Err(Failure::said()) } else { Ok(()) }
+}
+
+fn check(path: &Path) -> Result<(), Failure> {
+    let source = Source::read(path)?;
+    let style = style::stderr();
+    let name = source.name();
+    let checked = source.compile(style).map_err(|message| {
+        complain(&message);
+        complain(&format!("{name}: 1 error\n"));
+        Failure::said()
+    })?;
+    complain(&checked.messages(style));
+    let count = [
+        (checked.count(Severity::Error), "error"),
+        (checked.count(Severity::Warning), "warning"),
+    ]
+    .into_iter()
+    .filter(|(count, _)| *count > 0)
+    .map(|(count, what)| format!("{count} {what}{}", if count == 1 { "" } else { "s" }))
+    .collect::<Vec<_>>()
+    .join(", ");
+    let Some(model) = &checked.compiled.model else {
+        complain(&format!("{name}: {count}\n"));
+        return Err(Failure::said());
+    };
+    let verdict = if count.is_empty() {
+        "no error".to_owned()
+    } else {
+        format!("no error, {count}")
+    };
+    print(&format!("{name}: {verdict}\n{}", summary(model)))
+}
+
+/// The scenes with their size.
+fn summary(model: &Model) -> String {
+    let mut table = Columns::new([
+        (model.name.as_str(), Align::Left),
+        ("states", Align::Right),
+        ("equations", Align::Right),
+        ("operations", Align::Right),
+        ("outputs", Align::Right),
+        ("parameters", Align::Right),
+    ]);
+    for scene in &model.scenes {
+        table.row([
+            scene.name.clone(),
+            scene.states.len().to_string(),
+            scene.equations.len().to_string(),
+            number::count(operations(scene)),
+            scene.outputs.len().to_string(),
+            scene.constants.len().to_string(),
+        ]);
+    }
+    table.render(style::stdout())
+}
+
+/// Operations of one evaluation of the derivative with the time-only values that it and the Jacobian need.
+fn operations(scene: &SceneModel) -> usize {
+    let program = &scene.program;
+    let results = &program.results;
+    let slopes = results.jacobian.iter().map(|entry| entry.2);
+    let evaluated: Vec<_> = results.derivative.iter().copied().chain(slopes).collect();
+    program.count(&evaluated, Stage::Instant) + program.count(&results.derivative, Stage::State)
+}

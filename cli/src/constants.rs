@@ -1,0 +1,228 @@
+//! The dimensions and parameters of a scene, and what stands behind `--set` and `--preset`.
+
+use assur::registry::{Constant, Mechanism, Preset, SceneEntry};
+
+use crate::error::Failure;
+use crate::lookup::{suggestion, with_feature};
+use crate::number;
+use crate::values::{quantity, split};
+use crate::variables::Dimension;
+
+/// The dimensions and parameters of a scene with their values, SI units.
+#[derive(Clone)]
+pub struct Constants {
+    /// The scene.
+    pub scene: &'static SceneEntry,
+    /// The preset that the values start from; empty for the declared ones.
+    pub preset: &'static str,
+    /// The values, in the order of the scene.
+    pub values: Vec<f64>,
+    /// Whether the value was given by `--set`.
+    given: Vec<bool>,
+}
+
+impl Constants {
+    /// The values that the file declares.
+    pub fn declared(scene: &'static SceneEntry) -> Self {
+        Self {
+            scene,
+            preset: scene.preset,
+            values: scene
+                .constants
+                .iter()
+                .map(|constant| constant.default)
+                .collect(),
+            given: vec![false; scene.constants.len()],
+        }
+    }
+
+    /// The values of the file, with a preset and single values put over them.
+    ///
+    /// # Errors
+    /// Unknown names, wrong units, values that cannot be.
+    pub fn from_options(
+        mechanism: &'static Mechanism,
+        scene: &'static SceneEntry,
+        preset: Option<&str>,
+        sets: &[String],
+    ) -> Result<Self, Failure> {
+        let mut constants = Self::declared(scene);
+        if let Some(name) = preset {
+            constants.apply(find_preset(mechanism, name)?);
+        }
+        for text in sets {
+            constants.set(mechanism, text)?;
+        }
+        Ok(constants)
+    }
+
+    /// Puts a named set of values over these; values that the scene does not have are passed over.
+    pub fn apply(&mut self, preset: &Preset) {
+        self.preset = preset.name;
+        for (name, value) in preset.values {
+            if let Some(index) = self.position(name) {
+                self.values[index] = *value;
+            }
+        }
+    }
+
+    fn position(&self, name: &str) -> Option<usize> {
+        self.scene
+            .constants
+            .iter()
+            .position(|constant| constant.quantity.name == name)
+    }
+
+    fn set(&mut self, mechanism: &'static Mechanism, text: &str) -> Result<(), Failure> {
+        let (name, value) = split(text, "--set", "n=300rpm")?;
+        let index = self
+            .position(name)
+            .ok_or_else(|| unknown_constant(mechanism, self.scene, name))?;
+        if self.given[index] {
+            return Err(Failure::request(format!("`{name}` is given twice"))
+                .place(format!("--set {text}"))
+                .remedy("leave one of them out"));
+        }
+        let constant = &self.scene.constants[index];
+        let value = quantity(value, &constant.quantity)
+            .map_err(|failure| failure.place(format!("--set {text}")))?;
+        permitted(constant, value).map_err(|failure| failure.place(format!("--set {text}")))?;
+        self.values[index] = value;
+        self.given[index] = true;
+        Ok(())
+    }
+
+    /// Names of the values that were given by `--set`.
+    pub fn given_names(&self) -> Vec<&'static str> {
+        let constants = self.scene.constants.iter().zip(&self.given);
+        let given = constants.filter(|(_, given)| **given);
+        given.map(|(constant, _)| constant.quantity.name).collect()
+    }
+
+    /// Whether any value differs from the file's.
+    pub fn changed(&self) -> bool {
+        (0..self.values.len()).any(|index| self.is_changed(index))
+    }
+
+    /// Whether a value differs from the file's.
+    pub fn is_changed(&self, index: usize) -> bool {
+        self.scene.constants[index].default != self.values[index]
+    }
+}
+
+/// The preset of this name.
+///
+/// # Errors
+/// When there is none; the nearest name is offered.
+pub fn find_preset(mechanism: &'static Mechanism, name: &str) -> Result<&'static Preset, Failure> {
+    mechanism
+        .presets
+        .iter()
+        .find(|preset| preset.name == name)
+        .ok_or_else(|| {
+            let names: Vec<_> = mechanism.presets.iter().map(|preset| preset.name).collect();
+            Failure::request(format!("`{}` has no preset `{name}`", mechanism.name))
+                .place(format!("--preset {name}"))
+                .remedy(suggestion(name, &names))
+        })
+}
+
+fn unknown_constant(
+    mechanism: &'static Mechanism,
+    scene: &'static SceneEntry,
+    name: &str,
+) -> Failure {
+    let failure = Failure::request(format!(
+        "scene `{}` of `{}` has no parameter `{name}`",
+        scene.name, mechanism.name
+    ))
+    .place(format!("--set {name}=…"));
+    if let Some(words) = with_feature(mechanism, name) {
+        return failure.remedy(words);
+    }
+    if scene.drivers.iter().any(|driver| driver.name == name) {
+        return failure.remedy(format!(
+            "`{name}` is driven; --at {name}=… prints everything at a position of it"
+        ));
+    }
+    let elsewhere: Vec<_> = mechanism
+        .scenes
+        .iter()
+        .filter(|other| {
+            other
+                .constants
+                .iter()
+                .any(|constant| constant.quantity.name == name)
+        })
+        .map(|other| other.name)
+        .collect();
+    if !elsewhere.is_empty() {
+        return failure.remedy(format!(
+            "it belongs to --scene {}",
+            elsewhere.join(", --scene ")
+        ));
+    }
+    let names: Vec<_> = scene
+        .constants
+        .iter()
+        .map(|constant| constant.quantity.name)
+        .collect();
+    failure.remedy(suggestion(name, &names))
+}
+
+/// Whether a constant may take a value: its declared range, and masses, lengths and speeds stay above zero where the
+/// file has them above zero.
+fn permitted(constant: &Constant, value: f64) -> Result<(), Failure> {
+    let quantity = &constant.quantity;
+    let show = |value: f64| {
+        format!(
+            "{} {}",
+            number::short(value / quantity.factor),
+            quantity.unit
+        )
+        .trim_end()
+        .to_owned()
+    };
+    let (low, high) = constant.range;
+    if value < low || value > high {
+        let range = match (low.is_finite(), high.is_finite()) {
+            (true, true) => format!("from {} to {}", show(low), show(high)),
+            (true, false) => format!("{} or more", show(low)),
+            _ => format!("{} or less", show(high)),
+        };
+        return Err(
+            Failure::request(format!("`{}` cannot be {}", quantity.name, show(value)))
+                .reason(format!("the file permits {range}"))
+                .remedy(format!("give a value {range}")),
+        );
+    }
+    if value <= 0.0 && constant.default > 0.0 {
+        let kind = kind(quantity.dimension, constant.is_dimension);
+        if let Some(kind) = kind {
+            return Err(
+                Failure::request(format!("`{}` cannot be {}", quantity.name, show(value)))
+                    .reason(format!("{kind} is positive"))
+                    .remedy(format!(
+                        "give a value above zero; the default is {}",
+                        show(constant.default)
+                    )),
+            );
+        }
+    }
+    Ok(())
+}
+
+/// What a quantity is that cannot be zero or negative.
+fn kind(dimension: Dimension, is_dimension: bool) -> Option<&'static str> {
+    let exponents: Vec<_> = dimension
+        .iter()
+        .map(|(up, down)| f64::from(*up) / f64::from((*down).max(1)))
+        .collect();
+    match exponents[..3] {
+        [0.0, 1.0, 0.0] => Some("a mass"),
+        [2.0, 1.0, 0.0] => Some("a moment of inertia"),
+        [1.0, 0.0, 0.0] if is_dimension => Some("a length"),
+        [0.0, 0.0, -1.0] | [1.0, 0.0, -1.0] => Some("a speed"),
+        _ => None,
+    }
+}

@@ -1,0 +1,246 @@
+//! What the command answers to right requests.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::{answer, entries, folder};
+
+fn json(arguments: &[&str], directory: &Path) -> Value {
+    let text = answer(&[arguments, &["--format", "json"]].concat(), directory);
+    serde_json::from_str(&text).expect("one JSON object")
+}
+
+/// The result of this name.
+#[track_caller]
+fn result<'a>(list: &'a Value, name: &str) -> &'a Value {
+    let list = list.as_array().expect("a list");
+    let found = list.iter().find(|result| result["name"] == name);
+    found.expect("a result of this name")
+}
+
+#[test]
+fn everything_is_listed() {
+    let text = answer(&["list"], &folder("list"));
+    for word in [
+        "batten\n",
+        "batten_table\n",
+        "elastic",
+        "first_order",
+        "assur run batten",
+    ] {
+        assert!(text.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn the_default_run_prints_tables_and_draws_its_figure() {
+    let directory = folder("default");
+    let text = answer(&["run", "batten"], &directory);
+    for word in [
+        "Batten, scene elastic",
+        "rpm",
+        "Published values",
+        "deviation",
+        "Floquet multipliers",
+        "never forgets its start",
+        "Estimated global error",
+        "ten times more accuracy",
+        "batten-elastic.svg",
+        "3.80e-6",
+    ] {
+        assert!(text.contains(word), "{word} is missing in\n{text}");
+    }
+    assert!(!text.contains("OUTSIDE"), "{text}");
+    assert_eq!(entries(&directory), [directory.join("batten-elastic.svg")]);
+    let figure = std::fs::read_to_string(directory.join("batten-elastic.svg")).expect("a figure");
+    for word in [
+        "<svg",
+        "rear dead centre",
+        "front dead centre",
+        "locks",
+        "φ₂",
+        "rad/s²",
+    ] {
+        assert!(figure.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn json_has_its_documented_fields() {
+    let directory = folder("json");
+    let object = json(
+        &["run", "batten", "--at", "theta=1.9198", "--at", "time=10ms"],
+        &directory,
+    );
+    let names: Vec<_> = object.as_object().expect("an object").keys().collect();
+    let documented = [
+        "format",
+        "mechanism",
+        "scene",
+        "parameters",
+        "task",
+        "settings",
+        "status",
+        "results",
+        "at",
+        "published",
+        "multipliers",
+        "conclusions",
+        "statistics",
+        "figure",
+    ];
+    assert_eq!(names, documented);
+    assert_eq!(object["format"], "assur-run/1");
+    assert_eq!(object["mechanism"]["name"], "batten");
+    assert_eq!(object["scene"]["choices"]["crank"], "two_term");
+    assert_eq!(object["status"], "complete");
+    assert_eq!(object["task"]["kind"], "periodic");
+    assert_eq!(object["figure"], Value::Null);
+    assert_eq!(result(&object["parameters"], "n")["value"], 250.0);
+    assert!(object["statistics"]["evaluations"].as_u64() > Some(0));
+    assert_eq!(object["multipliers"].as_array().map(Vec::len), Some(6));
+    for result in object["results"].as_array().expect("results") {
+        assert!(
+            result["value"].is_number() && result["unit"].is_string(),
+            "{result}"
+        );
+        assert!(result["estimated_error"].is_number(), "{result}");
+        assert!(result["maximum"]["value"].is_number(), "{result}");
+    }
+    let [place, later] = object["at"].as_array().expect("places").as_slice() else {
+        panic!("two places");
+    };
+    let lag = result(&place["results"], "phi2")["value"]
+        .as_f64()
+        .expect("a number");
+    assert!((lag + 0.000758).abs() < 1e-5, "{lag}");
+    assert!(result(&place["results"], "F1")["unit"] == "N");
+    assert_eq!(later["time"], 0.01);
+    for published in object["published"].as_array().expect("facts") {
+        assert_eq!(published["within"], true, "{published}");
+        assert!(published["deviation"].is_number());
+    }
+    assert!(
+        entries(&directory).is_empty(),
+        "JSON draws no figure unasked"
+    );
+}
+
+#[test]
+fn values_are_changed_with_their_units() {
+    let directory = folder("set");
+    let object = json(
+        &["run", "batten", "--set", "n=300rpm", "--set", "R=7cm"],
+        &directory,
+    );
+    assert_eq!(result(&object["parameters"], "n")["value"], 300.0);
+    assert_eq!(result(&object["parameters"], "n")["changed"], true);
+    let crank = result(&object["parameters"], "R")["value"].as_f64();
+    assert!((crank.expect("a number") - 70.0).abs() < 1e-12);
+    let period = object["task"]["to"].as_f64().expect("a number");
+    assert!((period - 0.2).abs() < 1e-12, "{period}");
+    for published in object["published"].as_array().expect("facts") {
+        assert_eq!(
+            published["within"],
+            Value::Null,
+            "published for other values"
+        );
+    }
+}
+
+#[test]
+fn every_scene_comes_out() {
+    let directory = folder("every");
+    for (name, scenes) in [
+        (
+            "batten",
+            &[
+                "rigid",
+                "torsion",
+                "bending",
+                "uncoupled",
+                "exact",
+                "damped",
+                "start",
+            ][..],
+        ),
+        ("batten_table", &["table", "identity"]),
+    ] {
+        for scene in scenes {
+            let object = json(
+                &["run", name, "--scene", scene, "--method", "tsit5"],
+                &directory,
+            );
+            assert_eq!(object["status"], "complete", "{name} {scene}");
+            assert_eq!(object["settings"]["method"], "tsit5");
+        }
+    }
+}
+
+#[test]
+fn csv_is_a_rectangle_of_numbers() {
+    let text = answer(&["run", "batten", "--format", "csv"], &folder("csv"));
+    let mut lines = text.lines();
+    let heading: Vec<_> = lines.next().unwrap_or("").split(',').collect();
+    assert_eq!(heading[..3], ["time [s]", "theta [rad]", "phi2 [rad]"]);
+    assert!(heading.contains(&"drive_torque [N m]"));
+    assert!(lines.clone().count() > 700);
+    for line in lines {
+        let cells: Vec<_> = line.split(',').map(str::parse::<f64>).collect();
+        assert_eq!(cells.len(), heading.len());
+        assert!(cells.iter().all(Result::is_ok), "{line}");
+    }
+}
+
+#[test]
+fn figures_go_where_they_are_asked_for() {
+    let directory = folder("figures");
+    answer(&["run", "batten", "--out", "new/folder"], &directory);
+    assert!(directory.join("new/folder/batten-elastic.svg").is_file());
+    let plot = [
+        "run",
+        "batten",
+        "--curves",
+        "F1,dot(x3)",
+        "--plot",
+        "chosen.svg",
+    ];
+    answer(&plot, &directory);
+    let chosen = std::fs::read_to_string(directory.join("chosen.svg")).expect("a figure");
+    assert!(chosen.contains("F₁") && chosen.contains("Velocity") && !chosen.contains("φ"));
+    answer(
+        &["run", "batten", "--curves", "all", "--plot", "all.svg"],
+        &directory,
+    );
+    let all = std::fs::read_to_string(directory.join("all.svg")).expect("a figure");
+    assert!(all.contains("Torque") && all.contains("Acceleration"));
+    let parts = |path: &Path| path.to_string_lossy().contains(".part");
+    assert!(!entries(&directory).iter().any(|path| parts(path)));
+}
+
+#[test]
+fn scenes_are_compared() {
+    let text = answer(
+        &["scenes", "batten", "--set", "beta_t=2ms"],
+        &folder("scenes"),
+    );
+    for word in [
+        "states",
+        "equations",
+        "operations",
+        "evaluation",
+        "cycle",
+        "elastic",
+        "whole run",
+        "What the effect torsion changes",
+        "What the effect damping changes",
+        "What the choice crank changes",
+        "phi2",
+        "%",
+    ] {
+        assert!(text.contains(word), "{word} is missing in\n{text}");
+    }
+    let table = answer(&["scenes", "batten_table"], &folder("scenes_table"));
+    assert!(table.contains("What the preset changes"), "{table}");
+}

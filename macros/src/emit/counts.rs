@@ -1,0 +1,44 @@
+//! How many operations each emitted function does.
+
+use std::collections::BTreeSet;
+
+use assur_model::program::{Stage, Value};
+
+use super::layout::Layout;
+use super::schedule;
+
+/// Operations of one call of each emitted function.
+pub struct Counts {
+    /// Once per parameter set.
+    pub prepare: usize,
+    /// Once per instant.
+    pub instant: usize,
+    /// Per evaluation of the derivative.
+    pub derivative: usize,
+    /// Per evaluation of the Jacobian.
+    pub jacobian: usize,
+    /// Per evaluation of all outputs.
+    pub outputs: usize,
+}
+
+/// Counts the operations of a scene.
+pub fn of(layout: &Layout<'_>) -> Counts {
+    let program = layout.program();
+    let results = &program.results;
+    let count = |wanted: &[Value], from: Stage| {
+        let given = |value: Value| {
+            program.operations[value.0 as usize].stage < from
+                && !schedule::is_number(program, value)
+        };
+        schedule::count(program, &schedule::needed(program, wanted, &given))
+    };
+    let list = |values: &BTreeSet<Value>| values.iter().copied().collect::<Vec<Value>>();
+    let slopes: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
+    Counts {
+        prepare: count(&list(&layout.prepared), Stage::Constant),
+        instant: count(&list(&layout.timed), Stage::Instant),
+        derivative: count(&results.derivative, Stage::State),
+        jacobian: count(&slopes, Stage::State),
+        outputs: count(&results.outputs, Stage::Instant),
+    }
+}

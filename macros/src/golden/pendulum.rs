@@ -1,0 +1,440 @@
+/// A point mass on a massless rod.
+///
+/// Source: any textbook.
+///
+/// Printed from `pendulum.eqn` by Assur.
+#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    rustdoc::all,
+    non_snake_case,
+    non_camel_case_types,
+    non_upper_case_globals,
+    unused_qualifications,
+    unused_parens,
+    unused_variables,
+    dead_code
+)]
+mod pendulum_ {
+    /// A point mass on a massless rod.
+    ///
+    /// Scene `swing`: two swings or so.
+    ///
+    /// ```text
+    /// kinetic m*(l*dot(phi))^2/2   [N m]  pendulum.eqn:11
+    /// potential -m*g*l*cos(phi)    [N m]  pendulum.eqn:12
+    /// ```
+    ///
+    /// Parameters:
+    ///
+    /// | name | value |  |  |
+    /// |---|---|---|---|
+    /// | `l` | `1 m` | `in 0.001 m .. 100 m` | Length of the rod. |
+    /// | `m` | `2 kg` |  |  |
+    /// | `g` | `9.81 m/s^2` |  |  |
+    ///
+    /// State:
+    ///
+    /// | name | unit |  |
+    /// |---|---|---|
+    /// | `phi` | `rad` |  |
+    /// | `dot(phi)` | `rad/s` |  |
+    ///
+    /// Outputs:
+    ///
+    /// | name | unit |  |
+    /// |---|---|---|
+    /// | `pull` | `N` | Force in the rod. |
+    ///
+    /// Operations: 7 once per parameter set, 0 per instant, 3 per evaluation, 3 per Jacobian.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Swing {
+        /// Length of the rod: `1 m`, `in 0.001 m .. 100 m`.
+        pub l: f64,
+        /// Parameter: `2 kg`.
+        pub m: f64,
+        /// Parameter: `9.81 m/s^2`.
+        pub g: f64,
+    }
+    impl ::core::default::Default for Swing {
+        fn default() -> Self {
+            Self { l: 1.0, m: 2.0, g: 9.81 }
+        }
+    }
+    impl Swing {
+        /// Names, units, defaults and ranges of the fields, in their order.
+        pub const CONSTANTS: &'static [::assur::registry::Constant] = &[
+            ::assur::registry::Constant {
+                quantity: ::assur::registry::Quantity {
+                    name: "l",
+                    summary: "Length of the rod.",
+                    unit: "m",
+                    factor: 1.0,
+                    dimension: [(1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+                },
+                is_dimension: true,
+                default: 1.0,
+                tolerance: 0.0,
+                range: (0.001, 100.0),
+            },
+            ::assur::registry::Constant {
+                quantity: ::assur::registry::Quantity {
+                    name: "m",
+                    summary: "",
+                    unit: "kg",
+                    factor: 1.0,
+                    dimension: [(0, 1), (1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+                },
+                is_dimension: false,
+                default: 2.0,
+                tolerance: 0.0,
+                range: (f64::NEG_INFINITY, f64::INFINITY),
+            },
+            ::assur::registry::Constant {
+                quantity: ::assur::registry::Quantity {
+                    name: "g",
+                    summary: "",
+                    unit: "m/s^2",
+                    factor: 1.0,
+                    dimension: [(1, 1), (0, 1), (-2, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+                },
+                is_dimension: false,
+                default: 9.81,
+                tolerance: 0.0,
+                range: (f64::NEG_INFINITY, f64::INFINITY),
+            },
+        ];
+        /// Sets all values, SI units, in the order of the fields.
+        pub fn from_values(values: &[f64; 3]) -> Self {
+            Self {
+                l: values[0],
+                m: values[1],
+                g: values[2],
+            }
+        }
+        /// All values, SI units, in the order of the fields.
+        pub fn values(&self) -> [f64; 3] {
+            [self.l, self.m, self.g]
+        }
+        /// The conditions on the values.
+        fn requirements_<S: ::assur::scalar::Scalar>(&self) -> [S::Mask; 1] {
+            let l = S::from_f64(self.l);
+            [S::less(l, S::from_f64(50.0))]
+        }
+        /// The period, or the first and the last time.
+        fn span_<S: ::assur::scalar::Scalar>(&self) -> [S; 2] {
+            [S::ZERO, S::from_f64(4.0)]
+        }
+        /// The declared start values of the state.
+        fn start_<S: ::assur::scalar::Scalar>(&self) -> [S; 2] {
+            [S::ONE, S::ZERO]
+        }
+    }
+    impl ::assur::problem::Scene for Swing {
+        type Equations<S: ::assur::scalar::Scalar> = SwingEquations<S>;
+        const LINEAR: bool = false;
+        const STATES: usize = 2;
+        const OUTPUTS: usize = 1;
+        const DRIVERS: usize = 0;
+        const SCALES: &'static [f64] = &[0.001, 0.001];
+        const STATE_NAMES: &'static [&'static str] = &["phi", "dot(phi)"];
+        const OUTPUT_NAMES: &'static [&'static str] = &["pull"];
+        fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
+            let g = S::from_f64(self.g);
+            let l = S::from_f64(self.l);
+            let m = S::from_f64(self.m);
+            let v11_ = m * (l * l);
+            SwingEquations {
+                g,
+                l,
+                v8_: g * (S::ONE / l),
+                m,
+                v11_,
+                v12_: S::from_f64(0.5) * v11_,
+                v14_: m * g * l,
+            }
+        }
+        fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
+            ::assur::registry::check_values(Self::CONSTANTS, &self.values())?;
+            let [require_0_] = self.requirements_::<f64>();
+            if !<f64 as ::assur::scalar::Scalar>::holds(require_0_) {
+                return ::core::result::Result::Err(::assur::problem::Refused {
+                    name: ::std::string::String::from("the rod has to be short"),
+                    reason: ::std::format!("found l = {} m; expected l < 50 m", self.l),
+                });
+            }
+            ::core::result::Result::Ok(())
+        }
+        fn span(&self) -> ::assur::problem::Span {
+            let [from, to] = self.span_::<f64>();
+            ::assur::problem::Span::Run(from, to)
+        }
+        fn start(&self) -> ::std::vec::Vec<f64> {
+            self.start_::<f64>().to_vec()
+        }
+    }
+    /// Equations of [`Swing`], prepared for a scalar type.
+    #[derive(Clone, Copy, Debug)]
+    pub struct SwingEquations<S: ::assur::scalar::Scalar> {
+        g: S,
+        l: S,
+        /// `g*(1/l)`
+        v8_: S,
+        m: S,
+        /// `m*l^2`
+        v11_: S,
+        /// `0.5*v11_`
+        v12_: S,
+        /// `m*g*l`
+        v14_: S,
+    }
+    impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S>
+    for SwingEquations<S> {
+        type State = [S; 2];
+        type Instant = SwingInstant<S>;
+        #[inline(always)]
+        fn states(&self) -> usize {
+            2
+        }
+        /// 0 operations.
+        #[inline(always)]
+        fn instant(&self, time: S) -> Self::Instant {
+            SwingInstant {
+                scalar_: ::core::marker::PhantomData,
+            }
+        }
+        #[inline(always)]
+        fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
+            [SwingInstant {
+                scalar_: ::core::marker::PhantomData,
+            }; K_]
+        }
+        /// 3 operations.
+        #[inline(always)]
+        fn derivative(
+            &self,
+            instant: &Self::Instant,
+            state: &Self::State,
+            rate: &mut Self::State,
+        ) {
+            let phi = state[0];
+            let dot_phi = state[1];
+            let (sin_phi_, _) = S::sin_cos(phi);
+            *rate = [dot_phi, -(self.v8_ * sin_phi_)];
+        }
+        #[inline(always)]
+        fn variation(
+            &self,
+            instant: &Self::Instant,
+            state: &Self::State,
+            rate: &mut Self::State,
+            columns: &[Self::State],
+            products: &mut [Self::State],
+        ) {
+            let phi = state[0];
+            let dot_phi = state[1];
+            let (sin_phi_, cos_phi_) = S::sin_cos(phi);
+            let slope_1_0_ = -(self.v8_ * cos_phi_);
+            *rate = [dot_phi, -(self.v8_ * sin_phi_)];
+            for (column_, product_) in columns.iter().zip(products) {
+                product_[0] = column_[1];
+                product_[1] = slope_1_0_ * column_[0];
+            }
+        }
+        /// 3 operations.
+        #[inline(always)]
+        fn jacobian(
+            &self,
+            instant: &Self::Instant,
+            state: &Self::State,
+            columns: &mut [Self::State],
+        ) {
+            ::core::debug_assert!(columns.len() >= 2);
+            let ::core::option::Option::Some(columns) = columns.first_chunk_mut::<2>()
+            else { return };
+            let phi = state[0];
+            let (_, cos_phi_) = S::sin_cos(phi);
+            columns[0] = [S::ZERO, -(self.v8_ * cos_phi_)];
+            columns[1] = [S::ONE, S::ZERO];
+        }
+        /// 6 operations.
+        #[inline(always)]
+        fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
+            ::core::debug_assert!(values.len() >= 1);
+            let ::core::option::Option::Some(values) = values.first_chunk_mut::<1>()
+            else { return };
+            let phi = state[0];
+            let dot_phi = state[1];
+            let (_, cos_phi_) = S::sin_cos(phi);
+            let pull = self.m
+                * S::mul_add(self.g, cos_phi_, self.l * (dot_phi * dot_phi));
+            values[0] = pull;
+        }
+        #[inline(always)]
+        fn drivers(&self, time: S, values: &mut [S]) {}
+    }
+    /// What the equations of [`Swing`] need of one time.
+    #[derive(Clone, Copy, Debug)]
+    pub struct SwingInstant<S: ::assur::scalar::Scalar> {
+        scalar_: ::core::marker::PhantomData<S>,
+    }
+    impl<S: ::assur::scalar::Scalar> SwingEquations<S> {
+        /// The symmetric mass matrix, in the order of the coordinates.
+        #[inline]
+        pub fn mass_matrix(&self, time: S, state: &[S; 2]) -> [[S; 1]; 1] {
+            [[self.v11_]]
+        }
+        /// Kinetic and potential energy, in joules.
+        #[inline]
+        pub fn energy(&self, time: S, state: &[S; 2]) -> (S, S) {
+            let phi = state[0];
+            let dot_phi = state[1];
+            let (_, cos_phi_) = S::sin_cos(phi);
+            (self.v12_ * (dot_phi * dot_phi), -(self.v14_ * cos_phi_))
+        }
+    }
+    /// The first scene of the mechanism, `Swing`.
+    pub type Pendulum = Swing;
+    /// The mechanism `Pendulum` as data.
+    pub static MECHANISM: ::assur::registry::Mechanism = ::assur::registry::Mechanism {
+        name: "pendulum",
+        title: "Pendulum",
+        summary: "A point mass on a massless rod.",
+        source: "any textbook",
+        file: "",
+        text: "",
+        effects: &[],
+        choices: &[],
+        presets: &[],
+        scenes: &[
+            ::assur::registry::SceneEntry {
+                name: "swing",
+                summary: "two swings or so",
+                effects: &[],
+                choices: &[],
+                preset: "",
+                constants: Swing::CONSTANTS,
+                drivers: &[],
+                states: &[
+                    ::assur::registry::Quantity {
+                        name: "phi",
+                        summary: "",
+                        unit: "rad",
+                        factor: 1.0,
+                        dimension: [
+                            (0, 1),
+                            (0, 1),
+                            (0, 1),
+                            (0, 1),
+                            (0, 1),
+                            (0, 1),
+                            (0, 1),
+                        ],
+                    },
+                    ::assur::registry::Quantity {
+                        name: "dot(phi)",
+                        summary: "",
+                        unit: "rad/s",
+                        factor: 1.0,
+                        dimension: [
+                            (0, 1),
+                            (0, 1),
+                            (-1, 1),
+                            (0, 1),
+                            (0, 1),
+                            (0, 1),
+                            (0, 1),
+                        ],
+                    },
+                ],
+                outputs: &[
+                    ::assur::registry::Quantity {
+                        name: "pull",
+                        summary: "Force in the rod.",
+                        unit: "N",
+                        factor: 1.0,
+                        dimension: [
+                            (1, 1),
+                            (1, 1),
+                            (-2, 1),
+                            (0, 1),
+                            (0, 1),
+                            (0, 1),
+                            (0, 1),
+                        ],
+                    },
+                ],
+                equations: &[
+                    ::assur::registry::EquationText {
+                        text: "kinetic m*(l*dot(phi))^2/2",
+                        unit: "N m",
+                        line: 11,
+                    },
+                    ::assur::registry::EquationText {
+                        text: "potential -m*g*l*cos(phi)",
+                        unit: "N m",
+                        line: 12,
+                    },
+                ],
+                operations: ::assur::registry::Operations {
+                    prepare: 7,
+                    instant: 0,
+                    derivative: 3,
+                    jacobian: 3,
+                    outputs: 6,
+                },
+                marks: &[],
+                expectations: &[
+                    ::assur::registry::Expectation {
+                        at: ::assur::registry::At::Maximum,
+                        quantity: (true, 0),
+                        value: 37.65854,
+                        tolerance: 0.0001,
+                        preset: "",
+                        remark: "energy",
+                        line: 19,
+                    },
+                ],
+                bind: bind_Swing_,
+            },
+        ],
+    };
+    fn bind_Swing_(
+        values: &[f64],
+    ) -> ::core::result::Result<
+        ::std::boxed::Box<dyn ::assur::registry::Run>,
+        ::assur::problem::Refused,
+    > {
+        let ::core::result::Result::Ok(values) = values.try_into() else {
+            return ::core::result::Result::Err(::assur::problem::Refused {
+                name: ::std::string::String::from("number of values"),
+                reason: ::std::format!("found {}, expected 3", values.len()),
+            });
+        };
+        ::assur::registry::bind(Swing::from_values(values))
+    }
+    #[cfg(test)]
+    #[allow(unnameable_test_items)]
+    mod tests_ {
+        mod swing {
+            #[test]
+            fn jacobian_() -> ::core::result::Result<(), ::assur::check::Failed> {
+                ::assur::check::jacobian::<super::super::Swing>()
+            }
+            #[test]
+            fn energy_() -> ::core::result::Result<(), ::assur::check::Failed> {
+                ::assur::check::energy::<
+                    super::super::Swing,
+                >(super::super::SwingEquations::<f64>::energy)
+            }
+            /// `pull, maximum`, pendulum.eqn:19
+            #[test]
+            fn pull_maximum() -> ::core::result::Result<(), ::assur::check::Failed> {
+                ::assur::check::fact(&super::super::MECHANISM, "swing", 0)
+            }
+        }
+    }
+}
+#[allow(unused_imports)]
+pub use pendulum_::{Swing, SwingEquations, SwingInstant, Pendulum, MECHANISM};

@@ -1,0 +1,149 @@
+//! The emitted code against the evaluator of the language: both run the same program, one as compiled Rust. On numbers
+//! that take their functions from the standard library, as the evaluator does, they agree to the last bits.
+#![allow(missing_docs, reason = "what is tested is the emitted code")]
+
+#[path = "evaluator/standard.rs"]
+mod standard;
+
+use assur::problem::{Equations, Scene, Span, Storage};
+use assur_model::checked::SceneModel;
+use assur_model::lexer;
+use standard::Standard;
+
+/// Largest difference as a share of the value: two units in the last place.
+const DIFFERENCE: f64 = 4.5e-16;
+/// Sets of values, times and states that each scene is tried with.
+const TRIALS: usize = 20;
+
+/// The scene as the compiler has it.
+fn compiled(text: &str, name: &str) -> SceneModel {
+    let lexed = lexer::lex_file(text).expect("the file can be read");
+    let model = assur_model::compile(&lexed.tokens).model;
+    let scenes = model.expect("the file has no mistake").scenes;
+    let found = scenes.into_iter().find(|scene| scene.name == name);
+    found.expect("the file has the scene")
+}
+
+/// Numbers between -1 and 1, the same in every run.
+struct Scatter(u64);
+
+impl Scatter {
+    fn next(&mut self) -> f64 {
+        let odd = 6_364_136_223_846_793_005;
+        self.0 = self
+            .0
+            .wrapping_mul(odd)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+#[track_caller]
+fn check(found: &[f64], expected: &[f64], what: &str) {
+    assert_eq!(found.len(), expected.len(), "{what}");
+    for (index, (found, expected)) in found.iter().zip(expected).enumerate() {
+        assert!(
+            (found - expected).abs() <= DIFFERENCE * expected.abs(),
+            "{what} {index}: emitted {found:e}, evaluated {expected:e}"
+        );
+    }
+}
+
+fn numbers(values: &[Standard]) -> Vec<f64> {
+    values.iter().map(|value| value.0).collect()
+}
+
+/// Compares everything that both compute.
+#[track_caller]
+fn compare<C: Scene>(model: &SceneModel, from_values: impl Fn(&[f64]) -> C) {
+    let mut scatter = Scatter(1);
+    for _ in 0..TRIALS {
+        let values: Vec<f64> = model
+            .constants
+            .iter()
+            .map(|constant| constant.default * (1.0 + 0.05 * scatter.next()))
+            .collect();
+        let time = scatter.next();
+        let state: Vec<f64> = C::SCALES
+            .iter()
+            .map(|scale| scale * scatter.next())
+            .collect();
+        compare_at(model, &from_values(&values), &values, time, &state);
+    }
+}
+
+type State<C> = <<C as Scene>::Equations<Standard> as Equations<Standard>>::State;
+
+fn compare_at<C: Scene>(model: &SceneModel, scene: &C, values: &[f64], time: f64, state: &[f64]) {
+    let results = &model.program.results;
+    let expected = model.program.evaluate(values, time, state);
+    let equations = scene.prepare::<Standard>();
+    let mut here = State::<C>::zeros(C::STATES);
+    let slots = here.as_mut().iter_mut().zip(state);
+    slots.for_each(|(slot, value)| *slot = Standard(*value));
+    let mut rate = here.clone();
+    let instant = equations.instant(Standard(time));
+    equations.derivative(&instant, &here, &mut rate);
+    check(
+        &numbers(rate.as_ref()),
+        &expected.all(&results.derivative),
+        "rate",
+    );
+
+    let mut slopes = vec![here.clone(); C::STATES];
+    equations.jacobian(&instant, &here, &mut slopes);
+    let mut jacobian = vec![vec![0.0; C::STATES]; C::STATES];
+    for (row, column, value) in &results.jacobian {
+        jacobian[*column as usize][*row as usize] = expected.get(*value);
+    }
+    for (column, wanted) in slopes.iter().zip(&jacobian) {
+        check(&numbers(column.as_ref()), wanted, "slope");
+    }
+
+    let mut outputs = vec![Standard(f64::NAN); C::OUTPUTS];
+    equations.outputs(Standard(time), &here, &mut outputs);
+    check(
+        &numbers(&outputs),
+        &expected.all(&results.outputs),
+        "output",
+    );
+    let mut drivers = vec![Standard(f64::NAN); C::DRIVERS];
+    equations.drivers(Standard(time), &mut drivers);
+    check(
+        &numbers(&drivers),
+        &expected.all(&results.drivers),
+        "driver",
+    );
+    check(&scene.start(), &expected.all(&results.start), "start");
+    let span = match scene.span() {
+        Span::Periodic(period) => vec![period],
+        Span::Run(from, to) => vec![from, to],
+        Span::Open => Vec::new(),
+    };
+    check(&span, &expected.all(&results.span), "time of the task");
+}
+
+/// A test for each scene of a module.
+macro_rules! scenes {
+    ($module:ident: $($name:ident $kind:ident),*) => {$(
+        #[test]
+        fn $name() {
+            let model = super::compiled(assur_equations::$module::TEXT, stringify!($name));
+            super::compare(&model, |values| {
+                let values = values.try_into().expect("as many values as constants");
+                assur_equations::$module::$kind::from_values(values)
+            });
+        }
+    )*};
+}
+
+mod batten {
+    scenes! {
+        batten: elastic Elastic, rigid Rigid, torsion Torsion, bending Bending, uncoupled Uncoupled,
+        first_order FirstOrder, nonlinear Nonlinear, exact Exact, harmonic Harmonic, damped Damped, start Start
+    }
+}
+
+mod batten_table {
+    scenes! { batten_table: table Table, identity Identity }
+}

@@ -1,0 +1,102 @@
+//! Callers that must not compile, each with the messages of rustc beside it. `ASSUR_BLESS=1` writes them anew.
+//!
+//! rustc is called directly with the libraries that cargo has just built: no second workspace, nothing to download.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::SystemTime;
+
+/// Where cargo put the libraries that this test was linked with.
+fn libraries() -> PathBuf {
+    let own = std::env::current_exe().expect("the test has a path");
+    own.parent().expect("it lies in a folder").to_owned()
+}
+
+/// The facade that cargo built last. The one of this build is newer than its sources, and so is every newer one.
+fn facade(folder: &Path) -> PathBuf {
+    let entries = folder.read_dir().expect("the folder can be read");
+    let built = entries.flatten().filter(|entry| {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        name.starts_with("libassur-") && name.ends_with(".rlib")
+    });
+    let age = |entry: &std::fs::DirEntry| {
+        let data = entry.metadata().and_then(|data| data.modified());
+        data.unwrap_or(SystemTime::UNIX_EPOCH)
+    };
+    built
+        .max_by_key(age)
+        .expect("cargo has built the facade")
+        .path()
+}
+
+/// What rustc says about a file; that it accepts it.
+fn compile(name: &str) -> (String, bool) {
+    let libraries = libraries();
+    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let output = Command::new(rustc)
+        .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui"))
+        .args([
+            "--edition=2024",
+            "--crate-type=lib",
+            "--emit=metadata",
+            "--color=never",
+        ])
+        .arg("-o")
+        .arg(Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.rmeta")))
+        .arg("--extern")
+        .arg(format!("assur={}", facade(&libraries).display()))
+        .arg("-L")
+        .arg(format!("dependency={}", libraries.display()))
+        .arg(format!("{name}.rs"))
+        .output()
+        .expect("rustc can be started");
+    let said = String::from_utf8_lossy(&output.stderr).replace("\r\n", "\n");
+    (said, output.status.success())
+}
+
+#[track_caller]
+fn check(name: &str) {
+    let (found, accepted) = compile(name);
+    assert!(!accepted, "{name}.rs compiles\n{found}");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/ui/{name}.stderr"));
+    if std::env::var_os("ASSUR_BLESS").is_some() {
+        std::fs::write(&path, &found).expect("the messages can be written");
+    }
+    let expected = std::fs::read_to_string(&path)
+        .unwrap_or_default()
+        .replace("\r\n", "\n");
+    assert!(
+        found == expected,
+        "{name}.rs: rustc says\n{found}\nexpected\n{expected}"
+    );
+}
+
+#[test]
+fn units_have_to_balance() {
+    check("wrong_unit");
+}
+
+#[test]
+fn a_name_has_to_be_declared() {
+    check("unknown_name");
+}
+
+#[test]
+fn a_scene_has_as_many_equations_as_unknowns() {
+    check("unbalanced");
+}
+
+#[test]
+fn a_file_has_to_be_there() {
+    check("missing_file");
+}
+
+#[test]
+fn a_scene_has_its_own_parameters() {
+    check("foreign_parameter");
+}
+
+#[test]
+fn mistakes_are_underlined_in_the_equation_file() {
+    check("in_file");
+}

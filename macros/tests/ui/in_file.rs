@@ -1,0 +1,2 @@
+//! The mistake is underlined in the equation file.
+assur::equations! { "broken.eqn" }

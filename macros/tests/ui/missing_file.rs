@@ -1,0 +1,2 @@
+//! A file that is not there.
+assur::equations! { "missing.eqn", "no module" }

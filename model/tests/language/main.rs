@@ -1,0 +1,65 @@
+//! The language from outside: files that compile, files that do not and what is said about them, files that are cut or
+//! garbled, and chains of pendulums against an independent computation.
+
+mod chain;
+mod fuzz;
+mod grammar;
+mod right;
+mod scenes;
+mod wrong;
+
+use std::fmt::Write;
+
+use assur_model::checked::Compiled;
+use assur_model::lexer::{Lexed, lex_plain};
+
+/// A mass on a spring: what most files here begin with.
+const SPRING: &str = "Sample; parameter m = 2 kg, c = 8 [N/m]; coordinate x: m = 0.1 m; \
+                      kinetic m*dot(x)^2/2; potential c*x^2/2; output x; ";
+
+/// A message that is expected: a part of it, the words that it points at, and a part of the hint (or nothing).
+type Expected = (&'static str, &'static str, &'static str);
+
+/// Compiles the tokens of a file.
+#[track_caller]
+fn compiled(text: &str) -> (Compiled, Lexed) {
+    let lexed = lex_plain(text).unwrap();
+    (assur_model::compile(&lexed.tokens), lexed)
+}
+
+/// The words that a message points at.
+fn words<'a>(text: &'a str, lexed: &Lexed, span: assur_model::token::Span) -> &'a str {
+    let range = |index: u32| lexed.ranges.get(index as usize).cloned().unwrap_or(0..0);
+    &text[range(span.first).start..range(span.last).end]
+}
+
+/// Checks that a file gives these messages and no others.
+#[track_caller]
+fn check(text: &str, expected: &[Expected]) {
+    let (compiled, lexed) = compiled(text);
+    let mut shown = String::new();
+    for one in &compiled.diagnostics {
+        let place = words(text, &lexed, one.span);
+        let _ = writeln!(
+            shown,
+            "  {:?}: {} [{place}] {:?}",
+            one.severity, one.message, one.hint
+        );
+    }
+    assert_eq!(
+        compiled.diagnostics.len(),
+        expected.len(),
+        "{text}\n{shown}"
+    );
+    for (found, (message, place, hint)) in compiled.diagnostics.iter().zip(expected) {
+        assert!(
+            found.message.contains(message),
+            "no {message:?}: {text}\n{shown}"
+        );
+        assert_eq!(words(text, &lexed, found.span), *place, "{text}\n{shown}");
+        assert!(
+            found.hint.as_deref().unwrap_or("").contains(hint),
+            "no hint {hint:?}: {text}\n{shown}"
+        );
+    }
+}

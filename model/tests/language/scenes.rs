@@ -1,0 +1,194 @@
+//! Effects, choices and scenes: what is wrong with them, and that a mistake in several scenes is said once.
+
+use super::{Expected, SPRING, check, compiled};
+
+#[test]
+#[rustfmt::skip]
+fn scenes_select_what_there_is() {
+    let cases: &[(&str, &[Expected])] = &[
+        ("effect torsion { } scene s = torsoin; scene t = torsion;", &[("the scene `s` selects an unknown effect `torsoin`", "torsoin", "did you mean `torsion`?")]),
+        ("scene s = torsion;", &[("unknown effect `torsion`", "torsion", "the file declares no effect")]),
+        ("choice k { a { } b { } } scene s = k.d;", &[("the choice `k` has no alternative `d`", "d", "it has a, b")]),
+        ("choice k { a { } b { } } scene s = k;", &[("`k` is a choice: say which alternative holds", "k", "`k.a`")]),
+        ("choice k { a { } b { } } scene s = j.a;", &[("selects an unknown choice `j`", "j", "")]),
+        ("scene s { preset p; }", &[("there is no preset `p`", "p", "declare it with")]),
+        ("preset first { m = 1 kg; } scene s { preset frist; }", &[("there is no preset `frist`", "frist", "did you mean `first`?")]),
+        ("scene s { periodic over 1 s; run time 0 .. 1 s; }", &[("a scene has one task, and this is its second", "0", "")]),
+        ("scene s { run theta 0 .. 1 s; }", &[("a scene runs over `time`", "theta", "run time 0 s .. 3 s;")]),
+        ("scene s { periodic over x/(1 [m/s]); }", &[("can depend on constants alone", "x/(1 [m/s])", "")]),
+        ("scene s { start 2*x = 1 m; }", &[("only a coordinate, its `dot`, or a state can be started", "2*x", "")]),
+        ("scene s { start x = dot(x)*(1 s); }", &[("a start value can depend on constants alone", "dot(x)*(1 s)", "")]),
+        ("if m < 1 kg { let a = 1; }", &[("statements can depend on effects and choices only", "m < 1 kg", "inside an expression")]),
+        ("effect torsion { } if torsoin { } scene s = torsion;", &[("there is no effect `torsoin`", "torsoin", "did you mean `torsion`?")]),
+        ("choice k { a { } b { } } if k.d { } scene s;", &[("the choice `k` has no alternative `d`", "d", "it has a, b")]),
+        ("choice k { a { } b { } } output y = if k.d { 1 } else { 2 }; scene s;", &[("the choice `k` has no alternative `d`", "d", "it has a, b")]),
+        ("effect e { scene s; }", &[("no scene shows the effect `e`", "e", "scene with_e = e { … }"), ("a scene stands outside every block", "scene s;", "")]),
+        ("effect e { expect at maximum: x = 1 m +- 1 m; } scene s = e;", &[("a published fact stands outside every block", "expect at maximum: x = 1 m +- 1 m;", "")]),
+        ("effect e { preset p { m = 1 kg; } } scene s = e;", &[("a preset stands outside every block", "preset p { m = 1 kg; }", "")]),
+    ];
+    for (text, expected) in cases {
+        check(&format!("{SPRING}{text}"), expected);
+    }
+}
+
+#[test]
+fn an_effect_in_no_scene_is_a_warning_and_is_checked() {
+    check(
+        &format!("{SPRING} effect e {{ let a = x; output a; }} scene s;"),
+        &[(
+            "no scene shows the effect `e`",
+            "e",
+            "scene with_e = e { … }",
+        )],
+    );
+    check(
+        &format!("{SPRING} effect e {{ output a = x + m; }} scene s;"),
+        &[
+            ("no scene shows the effect `e`", "e", ""),
+            ("this adds or subtracts", "x + m", ""),
+        ],
+    );
+    check(
+        &format!("{SPRING} choice k {{ a {{ }} b {{ output a = x + m; }} }} scene s;"),
+        &[("this adds or subtracts", "x + m", "")],
+    );
+    // An effect inside another one is checked together with it.
+    check(
+        &format!("{SPRING} effect e {{ effect f {{ output a = x + m; }} }} scene s = e;"),
+        &[
+            ("no scene shows the effect `f`", "f", ""),
+            ("this adds or subtracts", "x + m", ""),
+        ],
+    );
+    check(
+        &format!("{SPRING} effect e {{ coordinate y: m = 0; }} scene s;"),
+        &[
+            ("no scene shows the effect `e`", "e", ""),
+            ("with `e` nothing determines `ddot(y)`", "y", ""),
+        ],
+    );
+}
+
+#[test]
+#[rustfmt::skip]
+fn a_mistake_in_several_scenes_is_said_once() {
+    let scenes = "effect e { } effect f { } scene s { run time 0 .. 1 s; } scene t = e; scene u = e + f { periodic over 1 s; }";
+    for (text, expected) in [
+        ("output y = x + m;", ("this adds or subtracts", "x + m", "")),
+        ("coordinate y: furlong = 0; kinetic m*dot(y)^2/2;", ("`furlong` is not a unit", "furlong", "")),
+        ("coordinate y: m = 0; kinetic m*dot(z)^2/2;", ("there is no `z` here", "z", "")),
+        ("motion extra: c*x = 0;", ("in the scene `s` 1 equation (`extra`)", "motion extra: c*x = 0;", "")),
+        ("coordinate y: m = 0;", ("in the scene `s` nothing determines", "y", "")),
+        ("let a = a;", ("defined by itself", "a", "")),
+        ("parameter k = 1, k = 2;", ("declared twice", "k", "")),
+        ("require x < 1 m;", ("a condition on moving quantities", "x < 1 m", "")),
+    ] {
+        check(&format!("{SPRING}{text}{scenes}"), &[expected]);
+    }
+}
+
+#[test]
+fn what_is_missing_without_an_effect_is_said_for_that_scene() {
+    let text =
+        format!("{SPRING} effect e {{ let a = 2*x; }} output b = 3*a; scene s; scene t = e;");
+    check(
+        &text,
+        &[(
+            "there is no `a` here",
+            "a",
+            "say in `else` what takes its place",
+        )],
+    );
+}
+
+#[test]
+fn a_run_needs_start_values() {
+    let file = |start: &str, scene: &str| {
+        format!(
+            "Sample; parameter m = 2 kg; coordinate x: m{start}; kinetic m*dot(x)^2/2; state i: A; motion dot(i) = 0; output x, i; scene s {{ {scene} }}"
+        )
+    };
+    check(
+        &file("", "run time 0 .. 1 s;"),
+        &[
+            (
+                "`x` has no start value, and a scene runs from the start",
+                "x",
+                "coordinate x: m = 0;",
+            ),
+            ("`i` has no start value", "i", ""),
+        ],
+    );
+    check(
+        &file(" = 0", "run time 0 .. 1 s;"),
+        &[("`i` has no start value", "i", "")],
+    );
+    check(&file("", "run time 0 .. 1 s; start x = 0, i = 1 A;"), &[]);
+    check(&file("", "periodic over 1 s;"), &[]);
+}
+
+#[test]
+#[rustfmt::skip]
+fn facts_name_what_is_reported() {
+    let cases: &[(&str, &[Expected])] = &[
+        ("expect scene t at maximum: x = 1 m +- 1 m; scene s;", &[("there is no scene `t`", "t", "")]),
+        ("expect preset q at maximum: x = 1 m +- 1 m; scene s;", &[("there is no preset `q`", "q", "")]),
+        ("expect at maximum: speed = 1 m +- 1 m; scene s;", &[("the scene `s` does not report `speed`", "speed", "add it to the outputs")]),
+        ("expect at middle: x = 1 m +- 1 m; scene s;", &[("`middle` is no place in a motion", "middle", "`maximum`, `minimum`, `amplitude`")]),
+        ("expect at x = 1 m: x = 1 m +- 1 m; scene s;", &[("`x` is neither a driver nor the time", "x", "a value of time")]),
+        ("expect at maximum: x = 1 m +- -1 m; scene s;", &[("a tolerance cannot be negative", "-1 m", "")]),
+        ("expect at maximum: x = m +- 1 m; scene s;", &[("a fixed value is expected here", "m", "is a `let`")]),
+    ];
+    for (text, expected) in cases {
+        check(&format!("{SPRING}{text}"), expected);
+    }
+}
+
+#[test]
+fn the_order_of_statements_does_not_matter() {
+    let statements = [
+        "parameter m = 2 kg;",
+        "let a = 2*b;",
+        "let b = m*dot(x);",
+        "coordinate x: m = 0;",
+        "kinetic m*dot(x)^2/2;",
+        "output a;",
+        "effect e { let f(y) = 2*y; } else { let f(y) = y; }",
+        "output q = f(a);",
+        "scene s;",
+        "scene t = e;",
+    ];
+    let forward = format!("Sample; {}", statements.join(" "));
+    let backward = format!(
+        "Sample; {}",
+        statements
+            .iter()
+            .rev()
+            .copied()
+            .collect::<Vec<_>>()
+            .join(" ")
+    );
+    let (forward, backward) = (compiled(&forward).0, compiled(&backward).0);
+    assert!(forward.diagnostics.is_empty() && backward.diagnostics.is_empty());
+    let names = |compiled: &assur_model::checked::Compiled| {
+        let scenes = compiled
+            .model
+            .as_ref()
+            .map(|model| &model.scenes)
+            .into_iter()
+            .flatten();
+        let mut names: Vec<_> = scenes
+            .map(|scene| {
+                (
+                    scene.name.clone(),
+                    scene.outputs.len(),
+                    scene.states.len(),
+                    scene.constants.len(),
+                )
+            })
+            .collect();
+        names.sort();
+        names
+    };
+    assert_eq!(names(&forward), names(&backward));
+}

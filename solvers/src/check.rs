@@ -1,0 +1,128 @@
+//! What the generated tests of a mechanism ask of it: that its derivatives are those of its equations, that energy
+//! stays where it cannot go, that published facts come out.
+//!
+//! Each check gives back what it found instead of panicking, so that the command may run it too.
+
+mod derivatives;
+mod facts;
+#[cfg(test)]
+mod tests;
+
+pub use derivatives::jacobian;
+pub use facts::fact;
+
+use crate::ode;
+use crate::problem::{Equations, Scene, Span, Storage};
+use crate::registry::{Method, Settings};
+
+/// Largest drift of the energy, as a share of what is exchanged.
+const DRIFT: f64 = 1e-9;
+
+/// Why a check failed. It prints as its text in both formats, because a test prints its error with `{:?}`.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Failed(pub String);
+
+impl std::fmt::Display for Failed {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(&self.0)
+    }
+}
+
+impl std::fmt::Debug for Failed {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Failed {}
+
+/// The state of a scene on plain numbers.
+type State<C> = <<C as Scene>::Equations<f64> as Equations<f64>>::State;
+
+/// Follows the motion of a scene that neither loses nor gains energy, and checks that the sum of its energies stays.
+///
+/// # Errors
+/// The drift and its time, or that the motion could not be followed.
+pub fn energy<C: Scene + Default>(
+    energies: fn(&C::Equations<f64>, f64, &State<C>) -> (f64, f64),
+) -> Result<(), Failed> {
+    let scene = C::default();
+    let equations = scene.prepare::<f64>();
+    let (from, to) = limits(scene.span());
+    let start = moving_start(&scene, &equations, from);
+    let settings = Settings {
+        method: Method::Dop853,
+        rtol: 1e-12,
+    };
+    let motion = ode::march(&scene, (from, to), &start, &settings)
+        .map_err(|error| Failed(format!("the motion could not be followed: {error}")))?;
+    let at = |time: f64| {
+        let (kinetic, potential) = energies(&equations, time, &state::<C>(&motion.at(time)));
+        (time, kinetic, potential)
+    };
+    let all: Vec<(f64, f64, f64)> = motion.times().iter().map(|time| at(*time)).collect();
+    let (_, kinetic, potential) = at(from);
+    let exchanged = all
+        .iter()
+        .map(|(_, now, level)| now.abs() + (level - potential).abs())
+        .fold(0.0, f64::max);
+    let drift = |entry: &(f64, f64, f64)| entry.1 - kinetic + (entry.2 - potential);
+    match all
+        .iter()
+        .find(|entry| !(drift(entry).abs() <= DRIFT * exchanged))
+    {
+        None => Ok(()),
+        Some(entry) => Err(Failed(format!(
+            "at {} s the energy has changed by {:e} J, while {exchanged:e} J are exchanged; expected a change of at most {:e} J",
+            entry.0,
+            drift(entry),
+            DRIFT * exchanged
+        ))),
+    }
+}
+
+/// First and last time of a task; a second where none is stated.
+fn limits(span: Span) -> (f64, f64) {
+    match span {
+        Span::Periodic(period) => (0.0, period),
+        Span::Run(from, to) => (from, to),
+        Span::Open => (0.0, 1.0),
+    }
+}
+
+/// The declared start, or where nothing moves from there, one a little beside it.
+fn moving_start<C: Scene>(scene: &C, equations: &C::Equations<f64>, time: f64) -> Vec<f64> {
+    let start = scene.start();
+    let mut rate = State::<C>::zeros(C::STATES);
+    equations.derivative(&equations.instant(time), &state::<C>(&start), &mut rate);
+    match rate.as_ref().iter().all(|value| *value == 0.0) {
+        true => beside(&start, C::SCALES, 1, 100.0),
+        false => start,
+    }
+}
+
+/// A deterministic state around another, each component off by at most so many of its scales.
+fn beside(state: &[f64], scales: &[f64], index: usize, size: f64) -> Vec<f64> {
+    let golden = 0.618_033_988_749_894_9;
+    let offset = |component: usize| {
+        let share = ((index * state.len() + component) as f64 + 0.3) * golden;
+        2.0 * share.fract() - 1.0
+    };
+    state
+        .iter()
+        .zip(scales)
+        .enumerate()
+        .map(|(component, (value, scale))| value + size * scale * offset(component))
+        .collect()
+}
+
+/// The numbers as a state of the scene.
+fn state<C: Scene>(values: &[f64]) -> State<C> {
+    let mut state = State::<C>::zeros(C::STATES);
+    state
+        .as_mut()
+        .iter_mut()
+        .zip(values)
+        .for_each(|(slot, value)| *slot = *value);
+    state
+}

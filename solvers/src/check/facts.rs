@@ -1,0 +1,214 @@
+//! Published facts against the computed motion.
+
+use super::{Failed, limits};
+use crate::ode::Trajectory;
+use crate::problem::Span;
+use crate::registry::{At, Expectation, Mechanism, Method, Quantity, Run, SceneEntry, Settings};
+
+/// How the motion is found: far more accurately than anything is published.
+const SETTINGS: Settings = Settings {
+    method: Method::Dop853,
+    rtol: 1e-11,
+};
+/// Samples along a task when a position of a driver or an extreme is sought.
+const SAMPLES: usize = 2048;
+
+/// Solves a scene and checks one of its published facts, by its place in the list of the scene.
+///
+/// # Errors
+/// The fact with the computed and the published value; or why there is no value to compare.
+pub fn fact(mechanism: &Mechanism, scene: &str, index: usize) -> Result<(), Failed> {
+    let scene = mechanism.scenes.iter().find(|entry| entry.name == scene);
+    let scene = scene.ok_or_else(|| Failed("there is no such scene".into()))?;
+    let fact = scene.expectations.get(index);
+    let fact = fact.ok_or_else(|| Failed("there is no such fact".into()))?;
+    let (is_output, quantity) = fact.quantity;
+    let table = if is_output {
+        scene.outputs
+    } else {
+        scene.states
+    };
+    let quantity = table
+        .get(quantity)
+        .ok_or_else(|| Failed("the scene does not report the quantity".into()))?;
+    let motion = Motion::of(mechanism, scene, fact)?;
+    let computed = motion
+        .value(fact)
+        .ok_or_else(|| Failed(format!("the motion does not get to {:?}", fact.at)))?;
+    let deviation = computed - fact.value;
+    if deviation.abs() <= fact.tolerance {
+        return Ok(());
+    }
+    Err(Failed(text(mechanism, fact, quantity, computed)))
+}
+
+/// `dot(phi2) at Driver(0, 1.9): computed …, published … ± …, deviation … (batten.eqn:190)`
+fn text(mechanism: &Mechanism, fact: &Expectation, quantity: &Quantity, computed: f64) -> String {
+    let shown = |value: f64| {
+        format!("{} {}", value / quantity.factor, quantity.unit)
+            .trim_end()
+            .to_owned()
+    };
+    format!(
+        "{} at {:?}: computed {}, published {} ± {}, deviation {} ({}:{}) {}",
+        quantity.name,
+        fact.at,
+        shown(computed),
+        shown(fact.value),
+        shown(fact.tolerance),
+        shown(computed - fact.value),
+        mechanism.file,
+        fact.line,
+        fact.remark,
+    )
+}
+
+/// A solved scene.
+struct Motion {
+    run: Box<dyn Run>,
+    span: Span,
+    /// None where the scene has no task, or no state.
+    path: Option<Trajectory>,
+}
+
+impl Motion {
+    fn of(mechanism: &Mechanism, scene: &SceneEntry, fact: &Expectation) -> Result<Self, Failed> {
+        let preset = mechanism
+            .presets
+            .iter()
+            .find(|preset| preset.name == fact.preset);
+        let given = preset.map_or(&[][..], |preset| preset.values);
+        let values: Vec<f64> = scene
+            .constants
+            .iter()
+            .map(|constant| {
+                let own = given
+                    .iter()
+                    .find(|(name, _)| *name == constant.quantity.name);
+                own.map_or(constant.default, |(_, value)| *value)
+            })
+            .collect();
+        let run = (scene.bind)(&values).map_err(|refused| Failed(refused.to_string()))?;
+        let span = run.span();
+        let unsolved = |error: &dyn std::fmt::Display| Failed(format!("no motion: {error}"));
+        let path = match span {
+            _ if scene.states.is_empty() => None,
+            Span::Open => None,
+            Span::Periodic(period) => {
+                let orbit = run.periodic(period, &SETTINGS);
+                Some(orbit.map_err(|error| unsolved(&error))?.trajectory)
+            }
+            Span::Run(from, to) => {
+                let motion = run.march((from, to), &run.start(), &SETTINGS);
+                Some(motion.map_err(|error| unsolved(&error))?)
+            }
+        };
+        Ok(Self { run, span, path })
+    }
+
+    /// The computed value of a fact; nothing where the motion does not get there.
+    fn value(&self, fact: &Expectation) -> Option<f64> {
+        match fact.at {
+            At::Time(time) => self.at(self.reduce(time)?, fact.quantity),
+            At::Driver(driver, position) => self.at(self.time_of(driver, position)?, fact.quantity),
+            At::Maximum => self.largest(fact.quantity, |value| value),
+            At::Minimum => self
+                .largest(fact.quantity, |value| -value)
+                .map(|value| -value),
+            At::Amplitude => self.largest(fact.quantity, f64::abs),
+        }
+    }
+
+    /// A state (`false`) or output (`true`) at a time.
+    fn at(&self, time: f64, quantity: (bool, usize)) -> Option<f64> {
+        let state = match &self.path {
+            Some(path) => path.at(time),
+            None => self.run.start(),
+        };
+        match quantity.0 {
+            true => self.run.outputs(time, &state).get(quantity.1).copied(),
+            false => state.get(quantity.1).copied(),
+        }
+    }
+
+    /// The time of the task that a time means: in a steady state every cycle is like the first.
+    fn reduce(&self, time: f64) -> Option<f64> {
+        match self.span {
+            Span::Periodic(period) => Some(time.rem_euclid(period)),
+            Span::Run(from, to) => (from..=to).contains(&time).then_some(time),
+            Span::Open => Some(time),
+        }
+    }
+
+    /// The time at which a driver first reaches a position; in a steady state any number of cycles away.
+    fn time_of(&self, driver: usize, position: f64) -> Option<f64> {
+        let at = |time: f64| self.run.drivers(time).get(driver).copied();
+        let (from, to) = limits(self.span);
+        let (first, last) = (at(from)?, at(to)?);
+        let position = match self.span {
+            Span::Periodic(_) if last != first => {
+                position - ((position - first) / (last - first)).floor() * (last - first)
+            }
+            _ => position,
+        };
+        let near = 1e-12 * (first.abs() + last.abs() + position.abs());
+        let off = |time: f64| at(time).map_or(f64::NAN, |here| here - position);
+        let times = self.times();
+        let reached = times.iter().find(|time| off(**time).abs() <= near);
+        let between = times
+            .windows(2)
+            .find(|pair| off(pair[0]) * off(pair[1]) < 0.0);
+        match (reached, between) {
+            (Some(time), Some(pair)) if *time <= pair[0] => Some(*time),
+            (_, Some(pair)) => Some(bisect(off, pair[0], pair[1])),
+            (reached, None) => reached.copied(),
+        }
+    }
+
+    /// Times along the task.
+    fn times(&self) -> Vec<f64> {
+        let (from, to) = limits(self.span);
+        let at = |index: usize| from + (to - from) * index as f64 / SAMPLES as f64;
+        (0..=SAMPLES).map(at).collect()
+    }
+
+    /// The largest of what is made of a quantity over the task.
+    fn largest(&self, quantity: (bool, usize), size: impl Fn(f64) -> f64) -> Option<f64> {
+        let times = self.times();
+        let at = |time: f64| self.at(time, quantity).map(&size);
+        let mut best = (0, f64::NEG_INFINITY);
+        for (index, time) in times.iter().enumerate() {
+            let here = at(*time)?;
+            if here > best.1 {
+                best = (index, here);
+            }
+        }
+        // Between its neighbours the largest sample is beside one hill, which thirds close in on.
+        let (mut low, mut high) = (
+            times[best.0.saturating_sub(1)],
+            times[(best.0 + 1).min(SAMPLES)],
+        );
+        for _ in 0..60 {
+            let third = (high - low) / 3.0;
+            if at(low + third)? < at(high - third)? {
+                low += third;
+            } else {
+                high -= third;
+            }
+        }
+        Some(best.1.max(at(low + (high - low) / 2.0)?))
+    }
+}
+
+fn bisect(function: impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
+    let rising = function(from) < 0.0;
+    for _ in 0..80 {
+        let middle = from + (to - from) / 2.0;
+        if (function(middle) < 0.0) == rising {
+            from = middle;
+        } else {
+            to = middle;
+        }
+    }
+    to
+}

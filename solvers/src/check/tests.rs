@@ -1,0 +1,179 @@
+//! The checks find mistakes: each is shown one.
+
+use super::{energy, fact, jacobian};
+use crate::problem::{Equations, Refused, Scene, Span};
+use crate::registry::{At, Expectation, Mechanism, Operations, Quantity, SceneEntry, bind};
+use crate::scalar::Scalar;
+
+/// An oscillator of unit frequency whose spring hardens; with a mistake in its Jacobian or a leak in its energy.
+#[derive(Clone, Default)]
+struct Oscillator<const MISTAKE: u8>;
+
+const RIGHT: u8 = 0;
+const WRONG_SLOPE: u8 = 1;
+const LOSS: u8 = 2;
+
+struct Prepared<const MISTAKE: u8>;
+
+impl<S: Scalar, const MISTAKE: u8> Equations<S> for Prepared<MISTAKE> {
+    type State = [S; 2];
+    type Instant = ();
+
+    fn states(&self) -> usize {
+        2
+    }
+    fn instant(&self, _time: S) {}
+    fn instants<const K: usize>(&self, _times: [S; K]) -> [(); K] {
+        [(); K]
+    }
+    fn derivative(&self, _instant: &(), state: &[S; 2], rate: &mut [S; 2]) {
+        let [x, v] = *state;
+        let loss = S::from_f64(if MISTAKE == LOSS { 1e-6 } else { 0.0 });
+        *rate = [v, -x - x * x * x - loss * v];
+    }
+    fn variation(
+        &self,
+        instant: &(),
+        state: &[S; 2],
+        rate: &mut [S; 2],
+        columns: &[[S; 2]],
+        products: &mut [[S; 2]],
+    ) {
+        self.derivative(instant, state, rate);
+        let mut slopes = [[S::ZERO; 2]; 2];
+        self.jacobian(instant, state, &mut slopes);
+        for ([x, v], product) in columns.iter().zip(products) {
+            *product = [0, 1].map(|row| slopes[0][row] * *x + slopes[1][row] * *v);
+        }
+    }
+    fn jacobian(&self, _instant: &(), state: &[S; 2], columns: &mut [[S; 2]]) {
+        let factor = S::from_f64(if MISTAKE == WRONG_SLOPE { 2.0 } else { 3.0 });
+        let loss = S::from_f64(if MISTAKE == LOSS { 1e-6 } else { 0.0 });
+        columns[0] = [S::ZERO, -S::ONE - factor * state[0] * state[0]];
+        columns[1] = [S::ONE, -loss];
+    }
+    fn outputs(&self, _time: S, _state: &[S; 2], _values: &mut [S]) {}
+    fn drivers(&self, time: S, values: &mut [S]) {
+        values[0] = time + time;
+    }
+}
+
+impl<const MISTAKE: u8> Scene for Oscillator<MISTAKE> {
+    type Equations<S: Scalar> = Prepared<MISTAKE>;
+    const LINEAR: bool = false;
+    const STATES: usize = 2;
+    const OUTPUTS: usize = 0;
+    const DRIVERS: usize = 1;
+    const SCALES: &'static [f64] = &[1.0, 1.0];
+    const STATE_NAMES: &'static [&'static str] = &["x", "dot(x)"];
+    const OUTPUT_NAMES: &'static [&'static str] = &[];
+
+    fn prepare<S: Scalar>(&self) -> Prepared<MISTAKE> {
+        Prepared
+    }
+    fn check(&self) -> Result<(), Refused> {
+        Ok(())
+    }
+    fn span(&self) -> Span {
+        Span::Run(0.0, 5.0)
+    }
+    fn start(&self) -> Vec<f64> {
+        vec![1.0, 0.0]
+    }
+}
+
+fn energies<const MISTAKE: u8>(_: &Prepared<MISTAKE>, _: f64, state: &[f64; 2]) -> (f64, f64) {
+    let [x, v] = *state;
+    (v * v / 2.0, x * x / 2.0 + x.powi(4) / 4.0)
+}
+
+const LENGTH: Quantity = Quantity {
+    name: "x",
+    summary: "",
+    unit: "mm",
+    factor: 1e-3,
+    dimension: [(0, 1); 7],
+};
+
+/// Checks that `x` has this value, in metres.
+fn fact_about(at: At, value: f64) -> Result<(), super::Failed> {
+    let expectations = Box::leak(Box::new([Expectation {
+        at,
+        quantity: (false, 0),
+        value,
+        tolerance: 1e-9,
+        preset: "",
+        remark: "",
+        line: 7,
+    }]));
+    let scenes = Box::leak(Box::new([SceneEntry {
+        name: "free",
+        summary: "",
+        effects: &[],
+        choices: &[],
+        preset: "",
+        constants: &[],
+        drivers: &[LENGTH],
+        states: &[LENGTH, LENGTH],
+        outputs: &[],
+        equations: &[],
+        operations: Operations::default(),
+        marks: &[],
+        expectations,
+        bind: |_| bind(Oscillator::<RIGHT>),
+    }]));
+    let mechanism = Mechanism {
+        name: "oscillator",
+        title: "",
+        summary: "",
+        source: "",
+        file: "oscillator.eqn",
+        text: "",
+        effects: &[],
+        choices: &[],
+        presets: &[],
+        scenes,
+    };
+    fact(&mechanism, "free", 0)
+}
+
+#[test]
+fn a_wrong_slope_is_found() {
+    assert_eq!(jacobian::<Oscillator<RIGHT>>(), Ok(()));
+    let failed = jacobian::<Oscillator<WRONG_SLOPE>>().unwrap_err().0;
+    assert!(
+        failed.starts_with("Jacobian, rate of dot(x) with respect to x"),
+        "{failed}"
+    );
+}
+
+#[test]
+fn a_leak_of_energy_is_found() {
+    assert_eq!(energy::<Oscillator<RIGHT>>(energies), Ok(()));
+    let failed = energy::<Oscillator<LOSS>>(energies).unwrap_err().0;
+    assert!(failed.contains("the energy has changed by -"), "{failed}");
+}
+
+#[test]
+fn facts_have_their_places() {
+    for place in [
+        At::Time(0.0),
+        At::Driver(0, 0.0),
+        At::Maximum,
+        At::Amplitude,
+    ] {
+        assert_eq!(fact_about(place, 1.0), Ok(()), "{place:?}");
+    }
+    assert_eq!(fact_about(At::Minimum, -1.0), Ok(()));
+}
+
+#[test]
+fn a_fact_that_does_not_hold_is_named() {
+    let failed = fact_about(At::Maximum, 0.75).unwrap_err().0;
+    assert!(
+        failed.starts_with("x at Maximum: computed 1000 mm, published 750 mm ± 0.000001 mm, deviation 250 mm (oscillator.eqn:7)"),
+        "{failed}"
+    );
+    let failed = fact_about(At::Time(6.0), 1.0).unwrap_err().0;
+    assert_eq!(failed, "the motion does not get to Time(6.0)");
+}

@@ -1,0 +1,6 @@
+//! The batten of a shuttle loom: laws, limits and digits of an independent computation.
+
+mod laws;
+mod limits;
+mod losses;
+mod reference;

@@ -1,0 +1,12 @@
+//! What no crate can test alone: equation file to emitted Rust to solver to number.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`boundaries`] | which package may know which |
+//! | [`batten`] | a mechanism against an independent computation, closed forms, limits, energy |
+//! | [`hard`] | cases in which the naive way fails, beside ours |
+
+mod batten;
+mod boundaries;
+mod hard;
+mod solved;
