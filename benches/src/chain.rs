@@ -11,10 +11,6 @@ use assur_model::program::Stage;
 
 use crate::table::{Table, number};
 
-#[expect(
-    dead_code,
-    reason = "printing is measured, the names are for the macro"
-)]
 #[path = "../../macros/src/emit/mod.rs"]
 mod emit;
 

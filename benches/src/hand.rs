@@ -112,7 +112,8 @@ impl Batten {
         let slip = at.x1 * phi;
         let (g3, g4) = self.bar(w3 - self.lambda * slip, w4 + (1.0 + self.lambda) * slip);
         let free = at.pin - at.rate * phi - at.coriolis * dphi;
-        let torque = at.x1 * (self.m2 * free + self.lambda * g3 - (1.0 + self.lambda) * g4) - self.c * phi;
+        let torque =
+            at.x1 * (self.m2 * free + self.lambda * g3 - (1.0 + self.lambda) * g4) - self.c * phi;
         *rate = [
             dphi,
             dw3,
@@ -130,9 +131,13 @@ impl Batten {
         // Forces by the slip, and what of forces turns the shaft.
         let (g3, g4) = self.bar(-low * at.x1, high * at.x1);
         let turn = at.x1 * at.inverse_inertia;
-        let (by3, by4) = (low * self.k33 - high * self.k34, low * self.k34 - high * self.k44);
+        let (by3, by4) = (
+            low * self.k33 - high * self.k34,
+            low * self.k34 - high * self.k44,
+        );
         *columns = [[0.0; 6]; 6];
-        columns[0][3] = turn * (low * g3 - high * g4 - self.m2 * at.rate) - self.c * at.inverse_inertia;
+        columns[0][3] =
+            turn * (low * g3 - high * g4 - self.m2 * at.rate) - self.c * at.inverse_inertia;
         columns[0][4] = -g3 * self.inverse_m3;
         columns[0][5] = -g4 * self.inverse_m4;
         columns[1][3] = turn * by3;

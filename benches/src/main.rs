@@ -7,6 +7,7 @@ mod count;
 mod evaluate;
 mod hand;
 mod hand_loop;
+mod hand_system;
 #[cfg(feature = "peers")]
 mod peers;
 mod revolutions;

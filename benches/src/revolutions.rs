@@ -13,6 +13,7 @@ use assur_equations::batten::Elastic;
 use crate::count::{Case, measure, shortest};
 use crate::hand::Batten;
 use crate::hand_loop::{self, Run};
+use crate::hand_system;
 use crate::table::{Table, number, power, ratio, verdict};
 
 /// Ten revolutions at 250 rpm, in seconds.
@@ -119,16 +120,26 @@ pub fn error(end: &[f64; 6], reference: &[f64; 6]) -> f64 {
 }
 
 /// The integrations by name.
-const KINDS: [(&str, fn(f64) -> Run); 4] = [
+const KINDS: [(&str, fn(f64) -> Run); 5] = [
     ("hand, sine of std", hand::<false>),
     ("hand, sine of Assur", hand::<true>),
+    (
+        "hand-written equations, Assur's stepper",
+        hand_system::run::<Dop853>,
+    ),
     ("emitted", emitted),
     ("emitted, dispatched", dispatched),
 ];
 
 /// Everything that is measured.
 pub fn cases() -> Vec<Case<'static>> {
-    let names = ["loop-std", "loop-kernel", "loop-emitted", "loop-dispatched"];
+    let names = [
+        "loop-std",
+        "loop-kernel",
+        "loop-stepper",
+        "loop-emitted",
+        "loop-dispatched",
+    ];
     let loops = names.into_iter().zip(KINDS).map(|(name, (_, code))| {
         Case::new(name, 1, move || {
             black_box(code(black_box(RTOL)));
@@ -180,7 +191,7 @@ pub fn report() {
     };
     let time = best(|one| one.microseconds());
     let count = best(|one| one.instructions);
-    for (what, one) in [("emitted", &measures[2]), ("dispatched", &measures[3])] {
+    for (what, one) in [("emitted", &measures[3]), ("dispatched", &measures[4])] {
         let name = |unit| format!("{what} / best hand-written loop, {unit}");
         verdict(&name("instructions"), one.instructions, count, GOAL);
         verdict(&name("time"), one.microseconds(), time, GOAL);
@@ -189,7 +200,7 @@ pub fn report() {
     let orbit = periodic_motion();
     let columns = ["periodic::solve", "instructions", "time, us"];
     let mut table = Table::new("The periodic motion with DOP853, rtol 1e-9", &columns);
-    let one = &measures[4];
+    let one = &measures[5];
     table.row([
         "elastic batten".to_owned(),
         number(one.instructions),

@@ -124,7 +124,8 @@ mod tests {
         let mut table = Table::new("none", &["name", "ns"]);
         table.row(["a".to_owned(), "12.5".to_owned()]);
         table.row(["longer".to_owned()]);
-        let expected = "| name   |   ns |\n|--------|-----:|\n| a      | 12.5 |\n| longer |      |\n";
+        let expected =
+            "| name   |   ns |\n|--------|-----:|\n| a      | 12.5 |\n| longer |      |\n";
         assert_eq!(table.text(), expected);
     }
 

@@ -56,15 +56,15 @@ One JSON object is printed with --format json. Its fields:
   task         kind (periodic, run or open), from, to, unit
   settings     method, rtol
   status       \"complete\", or \"incomplete\" when a value is missing (null)
-  results      each: name, unit, value and estimated_error at the beginning of the task; minimum and maximum
-               over it, with their times
+  results      each: name, unit, value and estimated_error at the beginning of the task;
+               minimum and maximum over it, with their times
   at           each --at: place, time, drivers, results
-  published    each: name, unit, place, published, tolerance, computed, estimated_error, deviation,
-               relative_deviation, within (null when not comparable), remark, line
+  published    each: name, unit, place, published, tolerance, computed, estimated_error,
+               deviation, relative_deviation, within (null when not comparable), remark, line
   multipliers  each: re, im, modulus, angle, angle_unit, meaning
   conclusions  what the multipliers say, in words
-  statistics   steps, rejected, evaluations, seconds, seconds_with_error_estimate, largest_estimated_error,
-               work_for_ten_times_more_accuracy
+  statistics   steps, rejected, evaluations, seconds, seconds_with_error_estimate,
+               largest_estimated_error, work_for_ten_times_more_accuracy
   figure       path of the figure, or null
 
 The figure goes to NAME-SCENE.svg in the current directory, or where --out or --plot say;

@@ -125,7 +125,7 @@ fn table(steps: &[&Step<'_>]) -> Columns {
         for step in steps {
             row.extend(match step.before.change(step.after, &variable.name) {
                 None => [String::new(), String::new()],
-                Some((change, amplitude)) if !(change > NOISE * amplitude) => {
+                Some((change, amplitude)) if change <= NOISE * amplitude => {
                     ["-".to_owned(), String::new()]
                 }
                 Some((change, amplitude)) => [

@@ -13,6 +13,9 @@ pub trait Task {
     /// What the work gives.
     type Output;
 
+    /// Whether the work is too long to be inlined. It runs on `f64` then, whose code needs no special instructions.
+    const LARGE: bool = false;
+
     /// Does the work.
     fn run<S: Scalar>(self) -> Self::Output;
 }
@@ -20,6 +23,9 @@ pub trait Task {
 /// Runs the task on [`Fused`] numbers where these are fast, on `f64` elsewhere.
 #[inline]
 pub fn dispatch<T: Task>(task: T) -> T::Output {
+    if T::LARGE {
+        return task.run::<f64>();
+    }
     #[cfg(target_arch = "x86_64")]
     {
         if is_fused() {

@@ -86,6 +86,9 @@ pub trait Scene: Clone + Send + Sync {
     /// Whether `f` is affine in the state, so that superposition holds.
     const LINEAR: bool;
 
+    /// Whether the equations are so long that they are compiled once, as functions, instead of into each solver.
+    const LARGE: bool = false;
+
     /// Length of the state vector.
     const STATES: usize;
     /// Number of outputs.

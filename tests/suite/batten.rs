@@ -4,3 +4,5 @@ mod laws;
 mod limits;
 mod losses;
 mod reference;
+
+pub use laws::bending_alone;

@@ -1,1 +1,231 @@
+//! The arrows between the packages. See section 1 of the design.
 
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The packages, their folders and all that they may depend on.
+const ARROWS: [(&str, &str, Allowed); 6] = [
+    ("assur-model", "model", Allowed::Nothing),
+    (
+        "assur-solvers",
+        "solvers",
+        Allowed::Only(&["nalgebra", "clarabel"]),
+    ),
+    ("assur-macros", "macros", Allowed::Of(&["assur-model"])),
+    (
+        "assur",
+        "",
+        Allowed::Only(&["assur-macros", "assur-solvers"]),
+    ),
+    ("assur-equations", "equations", Allowed::Only(&["assur"])),
+    (
+        "assur-cli",
+        "cli",
+        Allowed::Of(&["assur", "assur-equations", "assur-model"]),
+    ),
+];
+
+/// What a package may depend on.
+enum Allowed {
+    Nothing,
+    /// On these packages alone.
+    Only(&'static [&'static str]),
+    /// On exactly these packages of ours, and on any of others.
+    Of(&'static [&'static str]),
+}
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The names under `[dependencies]`, `[build-dependencies]` and those of a target; those of tests and of the workspace
+/// are free.
+fn dependencies(manifest: &str) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    let mut inside = false;
+    for line in manifest.lines().map(str::trim) {
+        if let Some(section) = line.strip_prefix('[') {
+            let section = section.trim_end_matches(']');
+            let (kind, name) = match section.split_once("dependencies.") {
+                Some((before, name)) => (format!("{before}dependencies"), Some(name)),
+                None => (section.to_owned(), None),
+            };
+            let is_free = kind.ends_with("dev-dependencies") || kind.starts_with("workspace");
+            let is_kind = kind.ends_with("dependencies") && !is_free;
+            inside = is_kind && name.is_none();
+            if let Some(name) = name.filter(|_| is_kind) {
+                names.insert(name.to_owned());
+            }
+        } else if inside && !line.starts_with('#') {
+            let name = line.split(['=', '.', ' ']).next().unwrap_or_default();
+            if !name.is_empty() {
+                names.insert(name.trim_matches('"').to_owned());
+            }
+        }
+    }
+    names
+}
+
+#[track_caller]
+fn check_dependencies(manifest: &str, expected: &[&str]) {
+    let expected: BTreeSet<String> = expected.iter().map(|it| it.to_string()).collect();
+    assert_eq!(dependencies(manifest), expected);
+}
+
+#[test]
+fn dependencies_are_read_from_all_their_sections() {
+    check_dependencies(
+        "[package]\nname = \"a\"\n[dependencies]\n\n[lints]\nb = 1",
+        &[],
+    );
+    check_dependencies(
+        "[dependencies]\n# c = \"1\"\nsyn = { version = \"1\" }\nd.workspace = true\n[dev-dependencies]\ne = \"1\"",
+        &["syn", "d"],
+    );
+    check_dependencies(
+        "[dependencies.f]\nversion = \"1\"\n[target.'cfg(unix)'.dependencies]\ng = \"1\"\n[build-dependencies]\nh = \"1\"",
+        &["f", "g", "h"],
+    );
+}
+
+#[test]
+fn arrows_do_not_turn() {
+    for (package, folder, allowed) in ARROWS {
+        let manifest = read(&root().join(folder).join("Cargo.toml"));
+        assert!(
+            manifest.contains(&format!("name = \"{package}\"")),
+            "{folder}"
+        );
+        let found = dependencies(&manifest);
+        let found: BTreeSet<&str> = found.iter().map(String::as_str).collect();
+        match allowed {
+            Allowed::Nothing => assert!(found.is_empty(), "{package} -> {found:?}"),
+            Allowed::Only(names) => {
+                let extra: Vec<_> = found.iter().filter(|it| !names.contains(it)).collect();
+                assert!(extra.is_empty(), "{package} -> {extra:?}");
+            }
+            Allowed::Of(names) => {
+                let ours: Vec<&str> = found
+                    .into_iter()
+                    .filter(|it| it.starts_with("assur"))
+                    .collect();
+                assert_eq!(ours, names, "{package}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_member_has_its_arrows() {
+    let manifest = read(&root().join("Cargo.toml"));
+    let members = manifest.lines().find(|line| line.starts_with("members"));
+    let members: BTreeSet<&str> = members.unwrap().split('"').skip(1).step_by(2).collect();
+    let known = ARROWS.map(|(_, folder, _)| if folder.is_empty() { "." } else { folder });
+    assert_eq!(members, BTreeSet::from(known));
+}
+
+/// All files below a folder.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        match path.is_dir() {
+            true => found.extend(files(&path)),
+            false => found.push(path),
+        }
+    }
+    found.sort();
+    found
+}
+
+#[test]
+fn solvers_and_model_do_not_name_each_other() {
+    for (folder, foreign) in [
+        (
+            "solvers/src",
+            &["assur_model", "assur_macros", "proc_macro"][..],
+        ),
+        (
+            "model/src",
+            &["assur_solvers", "assur_macros", "proc_macro", "syn::"],
+        ),
+        ("macros/src", &["assur_solvers"]),
+    ] {
+        for path in files(&root().join(folder)) {
+            for line in code(&read(&path)) {
+                let named = foreign.iter().find(|name| line.contains(**name));
+                assert!(named.is_none(), "{}: {line}", path.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn the_list_of_equation_files_is_the_directory() {
+    let folder = root().join("equations/src");
+    let text = read(&folder.join("lib.rs"));
+    let listed: BTreeSet<&str> = text
+        .split('"')
+        .skip(1)
+        .step_by(2)
+        .filter(|name| name.ends_with(".eqn"))
+        .collect();
+    let present: Vec<PathBuf> = files(&folder)
+        .into_iter()
+        .filter(|path| path.extension().is_some_and(|it| it == "eqn"))
+        .collect();
+    let present: BTreeSet<&str> = present
+        .iter()
+        .map(|path| path.strip_prefix(&folder).unwrap().to_str().unwrap())
+        .collect();
+    assert_eq!(listed, present);
+    let registered: BTreeSet<&str> = assur_equations::REGISTRY.iter().map(|it| it.file).collect();
+    assert_eq!(registered, present);
+}
+
+/// The lines that are compiled into the program: no comments, no unit tests (which stand last in a file).
+fn code(text: &str) -> impl Iterator<Item = &str> {
+    text.lines()
+        .take_while(|line| !line.starts_with("#[cfg(test)]"))
+        .filter(|line| !line.trim_start().starts_with("//"))
+}
+
+/// Whether a line shows the user how the command or the macro is called.
+fn is_example(line: &str) -> bool {
+    [
+        "assur run ",
+        "assur expand ",
+        "assur scenes ",
+        "list of equation files",
+    ]
+    .iter()
+    .any(|call| line.contains(call))
+}
+
+#[test]
+fn no_crate_knows_a_mechanism() {
+    let mut mechanisms = Vec::new();
+    for mechanism in assur_equations::REGISTRY {
+        mechanisms.extend([mechanism.name, mechanism.title]);
+    }
+    for folder in ["model/src", "macros/src", "solvers/src", "cli/src", "src"] {
+        for path in files(&root().join(folder)) {
+            let is_test = path.ends_with("tests.rs")
+                || path
+                    .components()
+                    .any(|it| it.as_os_str() == "tests" || it.as_os_str() == "golden");
+            if is_test {
+                continue;
+            }
+            for line in code(&read(&path)).filter(|line| !is_example(line)) {
+                let named = mechanisms.iter().find(|name| line.contains(**name));
+                assert!(named.is_none(), "{}: {line}", path.display());
+            }
+        }
+    }
+}

@@ -1,1 +1,7 @@
+//! Hard cases: the naive way fails, and beside it stands ours.
 
+mod absurd;
+mod cancellation;
+mod long;
+mod resonance;
+mod units;

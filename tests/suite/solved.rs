@@ -62,21 +62,19 @@ impl Solved {
 
     /// The same with some values changed.
     pub fn with(mechanism: &str, scene: &str, changes: &[(&str, f64)]) -> Self {
-        Self::try_with(mechanism, scene, changes, &FINE).unwrap()
+        Self::of(entry(mechanism, scene), changes, &FINE).unwrap()
     }
 
-    /// The same at a tolerance, with the error if there is none.
-    pub fn try_with(
-        mechanism: &str,
-        scene: &str,
+    /// The steady state of a scene with some values changed at a tolerance, or why there is none.
+    pub fn of(
+        entry: &'static SceneEntry,
         changes: &[(&str, f64)],
         settings: &Settings,
     ) -> Result<Self, PeriodicError> {
-        let entry = entry(mechanism, scene);
         let values = values(entry, changes);
         let run = (entry.bind)(&values).unwrap();
         let Span::Periodic(period) = run.span() else {
-            panic!("the scene {scene} has another task");
+            panic!("the scene {} has another task", entry.name);
         };
         Ok(Self {
             orbit: run.periodic(period, settings)?,
@@ -91,11 +89,6 @@ impl Solved {
     pub fn constant(&self, name: &str) -> f64 {
         let mut constants = self.entry.constants.iter();
         self.values[constants.position(|it| it.quantity.name == name).unwrap()]
-    }
-
-    /// Whether the scene reports a quantity.
-    pub fn reports(&self, name: &str) -> bool {
-        self.entry.outputs.iter().any(|it| it.name == name)
     }
 
     /// The time at which the crank is at an angle.

@@ -58,9 +58,10 @@ fn derivative(layout: &Layout<'_>) -> TokenStream {
     let statements = body.statements(wanted);
     let values = wanted.iter().map(|value| body.value(*value));
     let text = docs::operations(counts::of(layout).derivative);
+    let inline = layout.inline();
     quote! {
         #text
-        #[inline(always)]
+        #inline
         fn derivative(&self, instant: &Self::Instant, state: &Self::State, rate: &mut Self::State) {
             #statements
             *rate = [#(#values),*];
@@ -99,9 +100,10 @@ fn jacobian(layout: &Layout<'_>) -> TokenStream {
     let writes = blocks(&writes);
     let first = first(quote!(columns), states);
     let text = docs::operations(counts::of(layout).jacobian);
+    let inline = layout.inline();
     quote! {
         #text
-        #[inline(always)]
+        #inline
         fn jacobian(&self, instant: &Self::Instant, state: &Self::State, columns: &mut [Self::State]) {
             #first
             #statements
@@ -122,8 +124,9 @@ fn variation(layout: &Layout<'_>) -> TokenStream {
         .map(|row| product(layout, &body, row))
         .collect();
     let rows = blocks(&rows);
+    let inline = layout.inline();
     quote! {
-        #[inline(always)]
+        #inline
         fn variation(
             &self,
             instant: &Self::Instant,

@@ -44,9 +44,10 @@ fn one(layout: &Layout<'_>) -> TokenStream {
     );
     let name = &layout.instant;
     let text = docs::operations(counts::of(layout).instant);
+    let inline = layout.inline();
     quote! {
         #text
-        #[inline(always)]
+        #inline
         fn instant(&self, time: S) -> Self::Instant {
             #statements
             #name { #fields }
@@ -117,8 +118,9 @@ fn several(layout: &Layout<'_>) -> TokenStream {
             instants
         },
     };
+    let inline = layout.inline();
     quote! {
-        #[inline(always)]
+        #inline
         fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
             #(#sines)*
             #fill

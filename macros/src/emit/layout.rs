@@ -13,6 +13,9 @@ use super::names::{self, Names};
 use super::schedule::{self, Shape};
 use super::{docs, formula};
 
+/// Operations of an evaluation with its Jacobian from which on a scene is large.
+const LARGE: usize = 3000;
+
 /// A scene with the names of its types and the fields that its values are stored in.
 pub struct Layout<'a> {
     /// The scene.
@@ -67,6 +70,24 @@ impl<'a> Layout<'a> {
             instant: format_ident!("{type_name}Instant"),
             prepared: schedule::frontier(program, &all, Stage::Instant),
             timed,
+        }
+    }
+
+    /// Whether the functions are too long to be compiled into every solver: rustc would take minutes.
+    pub fn is_large(&self) -> bool {
+        let results = &self.program().results;
+        let slopes = results.jacobian.iter().map(|entry| entry.2);
+        let all: Vec<Value> = results.derivative.iter().copied().chain(slopes).collect();
+        self.program().count(&all, Stage::State) > LARGE
+    }
+
+    /// How the functions of the equations are compiled. What is inlined into a solver gets the instructions for which
+    /// the solver is compiled.
+    pub fn inline(&self) -> TokenStream {
+        if self.is_large() {
+            quote!(#[inline(never)])
+        } else {
+            quote!(#[inline(always)])
         }
     }
 

@@ -17,14 +17,15 @@ pub fn methods(layout: &Layout<'_>) -> TokenStream {
     let outputs = writes(layout, &results.outputs);
     let drivers = writes(layout, &results.drivers);
     let text = docs::operations(counts::of(layout).outputs);
+    let inline = layout.inline();
     quote! {
         #text
-        #[inline(always)]
+        #inline
         fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
             #outputs
         }
 
-        #[inline(always)]
+        #inline
         fn drivers(&self, time: S, values: &mut [S]) {
             #drivers
         }

@@ -131,7 +131,7 @@ fn implementation(layout: &Layout<'_>) -> TokenStream {
         size(scene.outputs.len()),
         size(scene.drivers.len()),
     );
-    let linear = layout.program().linear;
+    let (linear, large) = (layout.program().linear, layout.is_large());
     let scales = scene.scales.iter().map(|value| number(*value));
     let state_names = scene.states.iter().map(|state| &state.name);
     let output_names = scene.outputs.iter().map(|output| &output.name);
@@ -146,6 +146,7 @@ fn implementation(layout: &Layout<'_>) -> TokenStream {
             type Equations<S: ::assur::scalar::Scalar> = #equations<S>;
 
             const LINEAR: bool = #linear;
+            const LARGE: bool = #large;
             const STATES: usize = #states;
             const OUTPUTS: usize = #outputs;
             const DRIVERS: usize = #drivers;

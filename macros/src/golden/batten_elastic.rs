@@ -114,7 +114,7 @@ mod batten_ {
     /// | `v_difference` | `m/s` |  |
     /// | `F_difference` | `N` |  |
     ///
-    /// Operations: 70 once per parameter set, 49 per instant, 36 per evaluation, 0 per Jacobian.
+    /// Operations: 70 once per parameter set, 49 per instant, 32 per evaluation, 0 per Jacobian.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Elastic {
         /// Crank: `75 mm`, `in 1 mm .. 1000 mm`; stored in SI units, `mm` is 0.001.
@@ -394,6 +394,7 @@ mod batten_ {
     impl ::assur::problem::Scene for Elastic {
         type Equations<S: ::assur::scalar::Scalar> = ElasticEquations<S>;
         const LINEAR: bool = true;
+        const LARGE: bool = false;
         const STATES: usize = 6;
         const OUTPUTS: usize = 22;
         const DRIVERS: usize = 1;
@@ -432,10 +433,9 @@ mod batten_ {
         ];
         fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
             let J2 = S::from_f64(self.J2);
-            let R = S::from_f64(self.R);
-            let v10_ = R * R;
             let m2 = S::from_f64(self.m2);
-            let v12_ = v10_ * m2;
+            let R = S::from_f64(self.R);
+            let v11_ = R * R;
             let n = S::from_f64(self.n);
             let l = S::from_f64(self.l);
             let v15_ = S::ONE / l;
@@ -444,59 +444,62 @@ mod batten_ {
             let d33 = S::from_f64(self.d33);
             let d44 = S::from_f64(self.d44);
             let d34 = S::from_f64(self.d34);
-            let v24_ = S::ONE / (d33 * d44 - d34 * d34);
+            let v23_ = S::ONE / S::mul_add(d33, d44, -(d34 * d34));
             let lambda = S::from_f64(self.lambda);
             let v26_ = S::ONE + lambda;
-            let v30_ = v24_ * d34;
-            let v31_ = v24_ * d44;
-            let v32_ = n * n;
+            let v29_ = v23_ * d34;
+            let v30_ = v23_ * d33;
+            let v31_ = n * n;
+            let v32_ = v31_ * v11_;
             let m3 = S::from_f64(self.m3);
-            let v41_ = S::ONE / m3;
+            let v40_ = S::ONE / m3;
             let m4 = S::from_f64(self.m4);
-            let v43_ = S::ONE / m4;
-            let v47_ = -S::mul_add(lambda, d44, d34 * v26_);
-            let v49_ = S::mul_add(d34, lambda, v26_ * d33);
-            let v55_ = R * v24_;
+            let v42_ = S::ONE / m4;
+            let v46_ = -S::mul_add(lambda, d44, d34 * v26_);
+            let v48_ = S::mul_add(d34, lambda, v26_ * d33);
+            let v55_ = R * v23_;
             let m1 = S::from_f64(self.m1);
             ElasticEquations {
                 J2,
-                R,
                 m2,
-                v12_,
+                R,
+                v12_: m2 * v11_,
                 n,
                 v16_,
                 c,
                 d33,
                 d44,
                 d34,
-                v24_,
+                v23_,
                 lambda,
-                v27_: v24_ * v26_,
-                v28_: R * v26_,
-                v29_: R * lambda,
+                v25_: v23_ * lambda,
+                v26_,
+                v27_: R * v26_,
+                v28_: R * lambda,
+                v29_,
                 v30_,
                 v31_,
-                v34_: v10_ * v15_ * v32_,
-                v35_: R * v32_,
-                v37_: v10_ * n * v15_,
+                v33_: v32_ * v15_,
+                v34_: R * v31_,
+                v35_: S::from_f64(4.0) * v16_,
+                v37_: v11_ * n * v15_,
                 v38_: R * n,
-                v39_: S::from_f64(4.0) * v16_,
                 m3,
-                v41_,
+                v40_,
                 m4,
-                v43_,
-                v44_: -c,
-                v53_: v24_ * v10_ * S::mul_add(-v26_, v49_, lambda * v47_),
-                v54_: v12_ * v32_,
-                v56_: v55_ * v47_,
-                v57_: v55_ * v49_,
+                v42_,
+                v43_: -c,
+                v52_: v23_ * v11_ * S::mul_add(-v26_, v48_, lambda * v46_),
+                v54_: v31_ * m2 * v11_,
+                v56_: v55_ * v46_,
+                v57_: v55_ * v48_,
                 v59_: -S::from_f64(2.0) * (R * m2),
-                v61_: v55_ * v41_ * v47_,
-                slope_4_1_: -(v31_ * v41_),
-                slope_4_2_: v30_ * v41_,
-                v66_: v55_ * v43_ * v49_,
-                slope_5_1_: v30_ * v43_,
-                slope_5_2_: -(v24_ * d33 * v43_),
+                v61_: v55_ * v40_ * v46_,
+                slope_4_1_: -(v23_ * d44 * v40_),
+                slope_4_2_: v29_ * v40_,
+                v67_: v55_ * v42_ * v48_,
+                slope_5_1_: v29_ * v42_,
+                slope_5_2_: -(v30_ * v42_),
                 v71_: S::from_f64(0.5) * n,
                 v72_: S::from_f64(0.5) * v16_,
                 m1,
@@ -504,14 +507,14 @@ mod batten_ {
                 v75_: lambda * m4,
                 v76_: v26_ * m4,
                 v77_: lambda * m3,
-                v80_: S::from_f64(0.5) * (v10_ * v32_ * m1),
-                v81_: S::from_f64(0.5) * J2,
-                v82_: S::from_f64(0.5) * m3,
-                v83_: S::from_f64(0.5) * m4,
-                v84_: S::from_f64(0.5) * m2,
-                v85_: S::from_f64(0.5) * c,
-                v86_: S::from_f64(0.5) * v24_,
-                v87_: S::from_f64(2.0) * d34,
+                v79_: S::from_f64(0.5) * (v32_ * m1),
+                v80_: S::from_f64(0.5) * J2,
+                v81_: S::from_f64(0.5) * m3,
+                v82_: S::from_f64(0.5) * m4,
+                v83_: S::from_f64(0.5) * m2,
+                v84_: S::from_f64(0.5) * c,
+                v85_: S::from_f64(0.5) * v23_,
+                v86_: S::from_f64(2.0) * d34,
             }
         }
         fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
@@ -553,9 +556,9 @@ mod batten_ {
     #[derive(Clone, Copy, Debug)]
     pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
         J2: S,
-        R: S,
         m2: S,
-        /// `R^2*m2`
+        R: S,
+        /// `m2*R^2`
         v12_: S,
         n: S,
         /// `R*(1/l)`
@@ -565,87 +568,91 @@ mod batten_ {
         d44: S,
         d34: S,
         /// `1/(d33*d44 - d34^2)`
-        v24_: S,
+        v23_: S,
         lambda: S,
-        /// `v24_*(1 + lambda)`
+        /// `v23_*lambda`
+        v25_: S,
+        /// `1 + lambda`
+        v26_: S,
+        /// `R*v26_`
         v27_: S,
-        /// `R*(1 + lambda)`
-        v28_: S,
         /// `R*lambda`
+        v28_: S,
+        /// `v23_*d34`
         v29_: S,
-        /// `v24_*d34`
+        /// `v23_*d33`
         v30_: S,
-        /// `v24_*d44`
+        /// `n^2`
         v31_: S,
-        /// `R^2*(1/l)*n^2`
+        /// `v31_*R^2*(1/l)`
+        v33_: S,
+        /// `R*v31_`
         v34_: S,
-        /// `R*n^2`
+        /// `4*v16_`
         v35_: S,
         /// `R^2*n*(1/l)`
         v37_: S,
         /// `R*n`
         v38_: S,
-        /// `4*v16_`
-        v39_: S,
         m3: S,
         /// `1/m3`
-        v41_: S,
+        v40_: S,
         m4: S,
         /// `1/m4`
-        v43_: S,
+        v42_: S,
         /// `-c`
-        v44_: S,
-        /// `v24_*R^2*(lambda*(-(lambda*d44 + d34*(1 + lambda))) - (1 + lambda)*(d34*lambda + (1 + lambda)*d33))`
-        v53_: S,
-        /// `v12_*n^2`
+        v43_: S,
+        /// `v23_*R^2*(lambda*(-(lambda*d44 + d34*v26_)) - v26_*(d34*lambda + v26_*d33))`
+        v52_: S,
+        /// `v31_*m2*R^2`
         v54_: S,
-        /// `R*v24_*(-(lambda*d44 + d34*(1 + lambda)))`
+        /// `R*v23_*(-(lambda*d44 + d34*v26_))`
         v56_: S,
-        /// `R*v24_*(d34*lambda + (1 + lambda)*d33)`
+        /// `R*v23_*(d34*lambda + v26_*d33)`
         v57_: S,
         /// `(-2)*(R*m2)`
         v59_: S,
-        /// `R*v24_*v41_*(-(lambda*d44 + d34*(1 + lambda)))`
+        /// `R*v23_*v40_*(-(lambda*d44 + d34*v26_))`
         v61_: S,
-        /// Jacobian, rate of `dot(w3)` by `w3`: `-v31_*v41_`
+        /// Jacobian, rate of `dot(w3)` by `w3`: `-v23_*d44*v40_`
         slope_4_1_: S,
-        /// Jacobian, rate of `dot(w3)` by `w4`: `v30_*v41_`
+        /// Jacobian, rate of `dot(w3)` by `w4`: `v29_*v40_`
         slope_4_2_: S,
-        /// `R*v24_*v43_*(d34*lambda + (1 + lambda)*d33)`
-        v66_: S,
-        /// Jacobian, rate of `dot(w4)` by `w3`: `v30_*v43_`
+        /// `R*v23_*v42_*(d34*lambda + v26_*d33)`
+        v67_: S,
+        /// Jacobian, rate of `dot(w4)` by `w3`: `v29_*v42_`
         slope_5_1_: S,
-        /// Jacobian, rate of `dot(w4)` by `w4`: `-v24_*d33*v43_`
+        /// Jacobian, rate of `dot(w4)` by `w4`: `-v30_*v42_`
         slope_5_2_: S,
         /// `0.5*n`
         v71_: S,
         /// `0.5*v16_`
         v72_: S,
         m1: S,
-        /// `(1 + lambda)*m3`
+        /// `v26_*m3`
         v74_: S,
         /// `lambda*m4`
         v75_: S,
-        /// `(1 + lambda)*m4`
+        /// `v26_*m4`
         v76_: S,
         /// `lambda*m3`
         v77_: S,
-        /// `0.5*(R^2*n^2*m1)`
-        v80_: S,
+        /// `0.5*(v31_*R^2*m1)`
+        v79_: S,
         /// `0.5*J2`
-        v81_: S,
+        v80_: S,
         /// `0.5*m3`
-        v82_: S,
+        v81_: S,
         /// `0.5*m4`
-        v83_: S,
+        v82_: S,
         /// `0.5*m2`
-        v84_: S,
+        v83_: S,
         /// `0.5*c`
+        v84_: S,
+        /// `0.5*v23_`
         v85_: S,
-        /// `0.5*v24_`
-        v86_: S,
         /// `2*d34`
-        v87_: S,
+        v86_: S,
     }
     impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S>
     for ElasticEquations<S> {
@@ -665,31 +672,31 @@ mod batten_ {
             let v100_ = S::ONE / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2);
             let v101_ = v96_ * sin_theta_;
             let v105_ = v96_ * cos_theta_;
-            let ddot_x1 = S::mul_add(self.v35_, v105_, self.v34_ * v94_);
-            let v110_ = S::mul_add(self.v38_, v105_, self.v37_ * v94_);
-            let v111_ = S::mul_add(self.v39_, cos_theta_, -S::ONE);
+            let ddot_x1 = S::mul_add(self.v34_, v105_, self.v33_ * v94_);
+            let v108_ = S::mul_add(self.v35_, cos_theta_, -S::ONE);
+            let v112_ = S::mul_add(self.v38_, v105_, self.v37_ * v94_);
             let v123_ = v101_ * v100_;
             ElasticInstant {
                 v100_,
                 v102_: self.R * v101_,
-                v103_: self.v28_ * v101_,
-                v104_: self.v29_ * v101_,
-                v108_: -ddot_x1,
-                v110_,
-                v113_: self.v35_ * (sin_theta_ * v111_),
+                v103_: self.v27_ * v101_,
+                v104_: self.v28_ * v101_,
+                ddot_x1,
+                v110_: self.v34_ * (sin_theta_ * v108_),
+                v113_: S::from_f64(2.0) * v112_,
                 v115_: -(self.m3 * ddot_x1),
                 v117_: -(self.m4 * ddot_x1),
                 slope_3_0_: v100_
                     * S::mul_add(
                         v96_ * v94_,
-                        S::mul_add(-self.v54_, v111_, self.v53_ * v96_),
-                        self.v44_,
+                        S::mul_add(-self.v54_, v108_, self.v52_ * v96_),
+                        self.v43_,
                     ),
                 slope_3_1_: -(self.v56_ * v123_),
                 slope_3_2_: -(self.v57_ * v123_),
-                slope_3_3_: self.v59_ * (v123_ * v110_),
+                slope_3_3_: self.v59_ * (v123_ * v112_),
                 slope_4_0_: -(self.v61_ * v101_),
-                slope_5_0_: -(self.v66_ * v101_),
+                slope_5_0_: -(self.v67_ * v101_),
             }
         }
         #[inline(always)]
@@ -705,7 +712,7 @@ mod batten_ {
                 v102_: S::ZERO,
                 v103_: S::ZERO,
                 v104_: S::ZERO,
-                v108_: S::ZERO,
+                ddot_x1: S::ZERO,
                 v110_: S::ZERO,
                 v113_: S::ZERO,
                 v115_: S::ZERO,
@@ -725,36 +732,36 @@ mod batten_ {
                     / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2);
                 let v101_ = v96_ * sin_theta_[k_];
                 let v105_ = v96_ * cos_theta_[k_];
-                let ddot_x1 = S::mul_add(self.v35_, v105_, self.v34_ * v94_);
-                let v110_ = S::mul_add(self.v38_, v105_, self.v37_ * v94_);
-                let v111_ = S::mul_add(self.v39_, cos_theta_[k_], -S::ONE);
+                let ddot_x1 = S::mul_add(self.v34_, v105_, self.v33_ * v94_);
+                let v108_ = S::mul_add(self.v35_, cos_theta_[k_], -S::ONE);
+                let v112_ = S::mul_add(self.v38_, v105_, self.v37_ * v94_);
                 let v123_ = v101_ * v100_;
                 instants[k_] = ElasticInstant {
                     v100_,
                     v102_: self.R * v101_,
-                    v103_: self.v28_ * v101_,
-                    v104_: self.v29_ * v101_,
-                    v108_: -ddot_x1,
-                    v110_,
-                    v113_: self.v35_ * (sin_theta_[k_] * v111_),
+                    v103_: self.v27_ * v101_,
+                    v104_: self.v28_ * v101_,
+                    ddot_x1,
+                    v110_: self.v34_ * (sin_theta_[k_] * v108_),
+                    v113_: S::from_f64(2.0) * v112_,
                     v115_: -(self.m3 * ddot_x1),
                     v117_: -(self.m4 * ddot_x1),
                     slope_3_0_: v100_
                         * S::mul_add(
                             v96_ * v94_,
-                            S::mul_add(-self.v54_, v111_, self.v53_ * v96_),
-                            self.v44_,
+                            S::mul_add(-self.v54_, v108_, self.v52_ * v96_),
+                            self.v43_,
                         ),
                     slope_3_1_: -(self.v56_ * v123_),
                     slope_3_2_: -(self.v57_ * v123_),
-                    slope_3_3_: self.v59_ * (v123_ * v110_),
+                    slope_3_3_: self.v59_ * (v123_ * v112_),
                     slope_4_0_: -(self.v61_ * v101_),
-                    slope_5_0_: -(self.v66_ * v101_),
+                    slope_5_0_: -(self.v67_ * v101_),
                 };
             }
             instants
         }
-        /// 36 operations.
+        /// 32 operations.
         #[inline(always)]
         fn derivative(
             &self,
@@ -768,33 +775,36 @@ mod batten_ {
             let dot_phi2 = state[3];
             let dot_w3 = state[4];
             let dot_w4 = state[5];
-            let shaft = self.c * phi2;
             let u4 = S::mul_add(instant.v103_, phi2, w4);
             let u3 = S::mul_add(-instant.v104_, phi2, w3);
-            let v155_ = self.v30_ * u4;
-            let v156_ = self.v31_ * u3;
-            let v165_ = S::mul_add(
-                self.m2,
-                S::mul_add(instant.v110_, dot_phi2, instant.v108_)
-                    + S::mul_add(instant.v113_, phi2, instant.v110_ * dot_phi2),
-                S::mul_add(
-                    self.lambda,
-                    v155_ - v156_,
-                    self.v27_ * S::mul_add(-self.d34, u3, self.d33 * u4),
-                ),
-            );
+            let v157_ = self.v29_ * u3;
+            let v158_ = self.v30_ * u4;
+            let v165_ = instant.v102_
+                * S::mul_add(
+                    self.m2,
+                    S::mul_add(
+                        -instant.v113_,
+                        dot_phi2,
+                        S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
+                    ),
+                    S::mul_add(
+                        self.v26_,
+                        v157_ - v158_,
+                        self.v25_ * S::mul_add(-self.d34, u4, self.d44 * u3),
+                    ),
+                );
             *rate = [
                 dot_phi2,
                 dot_w3,
                 dot_w4,
-                -(instant.v100_ * S::mul_add(instant.v102_, v165_, shaft)),
-                self.v41_ * (instant.v115_ + v155_ - v156_),
-                self.v43_
+                instant.v100_ * S::mul_add(-self.c, phi2, v165_),
+                self.v40_
                     * S::mul_add(
-                        self.v24_,
-                        S::mul_add(-self.d33, u4, self.d34 * u3),
-                        instant.v117_,
+                        self.v23_,
+                        S::mul_add(-self.d44, u3, self.d34 * u4),
+                        instant.v115_,
                     ),
+                self.v42_ * (instant.v117_ + v157_ - v158_),
             ];
         }
         #[inline(always)]
@@ -812,33 +822,36 @@ mod batten_ {
             let dot_phi2 = state[3];
             let dot_w3 = state[4];
             let dot_w4 = state[5];
-            let shaft = self.c * phi2;
             let u4 = S::mul_add(instant.v103_, phi2, w4);
             let u3 = S::mul_add(-instant.v104_, phi2, w3);
-            let v155_ = self.v30_ * u4;
-            let v156_ = self.v31_ * u3;
-            let v165_ = S::mul_add(
-                self.m2,
-                S::mul_add(instant.v110_, dot_phi2, instant.v108_)
-                    + S::mul_add(instant.v113_, phi2, instant.v110_ * dot_phi2),
-                S::mul_add(
-                    self.lambda,
-                    v155_ - v156_,
-                    self.v27_ * S::mul_add(-self.d34, u3, self.d33 * u4),
-                ),
-            );
+            let v157_ = self.v29_ * u3;
+            let v158_ = self.v30_ * u4;
+            let v165_ = instant.v102_
+                * S::mul_add(
+                    self.m2,
+                    S::mul_add(
+                        -instant.v113_,
+                        dot_phi2,
+                        S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
+                    ),
+                    S::mul_add(
+                        self.v26_,
+                        v157_ - v158_,
+                        self.v25_ * S::mul_add(-self.d34, u4, self.d44 * u3),
+                    ),
+                );
             *rate = [
                 dot_phi2,
                 dot_w3,
                 dot_w4,
-                -(instant.v100_ * S::mul_add(instant.v102_, v165_, shaft)),
-                self.v41_ * (instant.v115_ + v155_ - v156_),
-                self.v43_
+                instant.v100_ * S::mul_add(-self.c, phi2, v165_),
+                self.v40_
                     * S::mul_add(
-                        self.v24_,
-                        S::mul_add(-self.d33, u4, self.d34 * u3),
-                        instant.v117_,
+                        self.v23_,
+                        S::mul_add(-self.d44, u3, self.d34 * u4),
+                        instant.v115_,
                     ),
+                self.v42_ * (instant.v117_ + v157_ - v158_),
             ];
             for (column_, product_) in columns.iter().zip(products) {
                 product_[0] = column_[3];
@@ -923,7 +936,7 @@ mod batten_ {
             columns[4] = [S::ZERO, S::ONE, S::ZERO, S::ZERO, S::ZERO, S::ZERO];
             columns[5] = [S::ZERO, S::ZERO, S::ONE, S::ZERO, S::ZERO, S::ZERO];
         }
-        /// 108 operations.
+        /// 125 operations.
         #[inline(always)]
         fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
             ::core::debug_assert!(values.len() >= 22);
@@ -948,8 +961,11 @@ mod batten_ {
             let v101_ = v96_ * sin_theta_;
             let v102_ = self.R * v101_;
             let v105_ = v96_ * cos_theta_;
-            let ddot_x1 = S::mul_add(self.v35_, v105_, self.v34_ * v94_);
-            let v110_ = S::mul_add(self.v38_, v105_, self.v37_ * v94_);
+            let ddot_x1 = S::mul_add(self.v34_, v105_, self.v33_ * v94_);
+            let v108_ = S::mul_add(self.v35_, cos_theta_, -S::ONE);
+            let v110_ = self.v34_ * (sin_theta_ * v108_);
+            let v112_ = S::mul_add(self.v38_, v105_, self.v37_ * v94_);
+            let v113_ = S::from_f64(2.0) * v112_;
             let x1 = self.R
                 * S::mul_add(
                     -self.v72_,
@@ -957,39 +973,50 @@ mod batten_ {
                     S::from_f64(2.0) * (sin_v134_ * sin_v134_),
                 );
             let dot_x1 = self.v38_ * v101_;
-            let u4 = S::mul_add(self.v28_ * v101_, phi2, w4);
-            let u3 = S::mul_add(-(self.v29_ * v101_), phi2, w3);
-            let v155_ = self.v30_ * u4;
-            let v156_ = self.v31_ * u3;
-            let v158_ = v110_ * dot_phi2;
-            let v160_ = -S::mul_add(
-                self.v35_ * (sin_theta_ * S::mul_add(self.v39_, cos_theta_, -S::ONE)),
-                phi2,
-                v158_,
-            );
-            let v165_ = S::mul_add(
-                self.m2,
-                S::mul_add(v110_, dot_phi2, -ddot_x1) - v160_,
-                S::mul_add(
-                    self.lambda,
-                    v155_ - v156_,
-                    self.v27_ * S::mul_add(-self.d34, u3, self.d33 * u4),
-                ),
-            );
-            let v166_ = S::mul_add(v102_, v165_, shaft);
+            let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
+            let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
+            let v157_ = self.v29_ * u3;
+            let v158_ = self.v30_ * u4;
+            let v165_ = v102_
+                * S::mul_add(
+                    self.m2,
+                    S::mul_add(-v113_, dot_phi2, S::mul_add(-v110_, phi2, ddot_x1)),
+                    S::mul_add(
+                        self.v26_,
+                        v157_ - v158_,
+                        self.v25_ * S::mul_add(-self.d34, u4, self.d44 * u3),
+                    ),
+                );
+            let v169_ = S::mul_add(-self.d44, u3, self.d34 * u4);
             let x2 = S::mul_add(-v102_, phi2, x1);
             let x3 = x1 + w3;
             let x4 = x1 + w4;
-            let ddot_x2 = S::mul_add(self.R * (v101_ * v100_), v166_, ddot_x1 + v160_)
-                - v158_;
-            let ddot_x3 = ddot_x1 + self.v41_ * (v155_ - (self.m3 * ddot_x1) - v156_);
-            let ddot_x4 = ddot_x1
-                + self.v43_
+            let v190_ = S::mul_add(
+                self.m2,
+                S::mul_add(v113_, dot_phi2, S::mul_add(v110_, phi2, -ddot_x1)),
+                self.v23_
                     * S::mul_add(
-                        self.v24_,
-                        S::mul_add(-self.d33, u4, self.d34 * u3),
-                        -(self.m4 * ddot_x1),
-                    );
+                        self.lambda,
+                        v169_,
+                        self.v26_ * S::mul_add(-self.d34, u3, self.d33 * u4),
+                    ),
+            );
+            let ddot_x2 = S::mul_add(
+                -v113_,
+                dot_phi2,
+                S::mul_add(
+                    self.R * sin_theta_,
+                    S::mul_add(
+                        -(self.v31_ * v108_),
+                        phi2,
+                        v96_ * v100_ * S::mul_add(v102_, v190_, shaft),
+                    ),
+                    ddot_x1,
+                ),
+            );
+            let ddot_x3 = ddot_x1
+                + self.v40_ * S::mul_add(self.v23_, v169_, -(self.m3 * ddot_x1));
+            let ddot_x4 = ddot_x1 + self.v42_ * (v157_ - (self.m4 * ddot_x1) - v158_);
             let F1 = S::mul_add(
                 -self.v75_,
                 ddot_x4,
@@ -1008,7 +1035,7 @@ mod batten_ {
             values[2] = x3;
             values[3] = x4;
             values[4] = dot_x1;
-            values[5] = S::mul_add(-v110_, phi2, S::mul_add(-v102_, dot_phi2, dot_x1));
+            values[5] = S::mul_add(-v112_, phi2, S::mul_add(-v102_, dot_phi2, dot_x1));
             values[6] = dot_x1 + dot_w3;
             values[7] = dot_x1 + dot_w4;
             values[8] = ddot_x1;
@@ -1017,7 +1044,7 @@ mod batten_ {
             values[11] = ddot_x4;
             values[12] = phi2;
             values[13] = dot_phi2;
-            values[14] = -(v100_ * v166_);
+            values[14] = v100_ * S::mul_add(-self.c, phi2, v165_);
             values[15] = F1;
             values[16] = F2;
             values[17] = drive_torque;
@@ -1037,7 +1064,7 @@ mod batten_ {
     /// What the equations of [`Elastic`] need of one time.
     #[derive(Clone, Copy, Debug)]
     pub struct ElasticInstant<S: ::assur::scalar::Scalar> {
-        /// `1/(R^2*m2*(sin(n*time)^2*(1 - R*(1/l)*cos(n*time))^2) + J2)`
+        /// `1/(m2*R^2*(sin(n*time)^2*(1 - R*(1/l)*cos(n*time))^2) + J2)`
         v100_: S,
         /// `R*((1 - R*(1/l)*cos(n*time))*sin(n*time))`
         v102_: S,
@@ -1045,15 +1072,15 @@ mod batten_ {
         v103_: S,
         /// `R*lambda*((1 - R*(1/l)*cos(n*time))*sin(n*time))`
         v104_: S,
-        /// `-(R*n^2*((1 - R*(1/l)*cos(n*time))*cos(n*time)) + R^2*(1/l)*n^2*sin(n*time)^2)`
-        v108_: S,
-        /// `R*n*((1 - R*(1/l)*cos(n*time))*cos(n*time)) + R^2*n*(1/l)*sin(n*time)^2`
-        v110_: S,
+        /// `R*n^2*((1 - R*(1/l)*cos(n*time))*cos(n*time)) + n^2*R^2*(1/l)*sin(n*time)^2`
+        ddot_x1: S,
         /// `R*n^2*(sin(n*time)*(4*(R*(1/l))*cos(n*time) + (-1)))`
+        v110_: S,
+        /// `2*(R*n*((1 - R*(1/l)*cos(n*time))*cos(n*time)) + R^2*n*(1/l)*sin(n*time)^2)`
         v113_: S,
-        /// `-m3*(R*n^2*((1 - R*(1/l)*cos(n*time))*cos(n*time)) + R^2*(1/l)*n^2*sin(n*time)^2)`
+        /// `-m3*ddot_x1`
         v115_: S,
-        /// `-m4*(R*n^2*((1 - R*(1/l)*cos(n*time))*cos(n*time)) + R^2*(1/l)*n^2*sin(n*time)^2)`
+        /// `-m4*ddot_x1`
         v117_: S,
         /// Jacobian, rate of `dot(phi2)` by `phi2`
         slope_3_0_: S,
@@ -1061,7 +1088,7 @@ mod batten_ {
         slope_3_1_: S,
         /// Jacobian, rate of `dot(phi2)` by `w4`
         slope_3_2_: S,
-        /// Jacobian, rate of `dot(phi2)` by `dot(phi2)`: `(-2)*(R*m2)*((1 - R*(1/l)*cos(n*time))*sin(n*time)*v100_*v110_)`
+        /// Jacobian, rate of `dot(phi2)` by `dot(phi2)`
         slope_3_3_: S,
         /// Jacobian, rate of `dot(w3)` by `phi2`
         slope_4_0_: S,
@@ -1096,14 +1123,14 @@ mod batten_ {
             let dot_w3 = state[4];
             let dot_w4 = state[5];
             let theta = self.n * time;
-            let v197_ = self.n - dot_phi2;
+            let v207_ = self.n - dot_phi2;
             let (sin_theta_, cos_theta_) = S::sin_cos(theta);
             let v94_ = sin_theta_ * sin_theta_;
             let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
             let v101_ = v96_ * sin_theta_;
             let dot_x1 = self.v38_ * v101_;
-            let u4 = S::mul_add(self.v28_ * v101_, phi2, w4);
-            let u3 = S::mul_add(-(self.v29_ * v101_), phi2, w3);
+            let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
+            let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
             let dot_x2 = S::mul_add(
                 -S::mul_add(self.v38_, v96_ * cos_theta_, self.v37_ * v94_),
                 phi2,
@@ -1111,29 +1138,29 @@ mod batten_ {
             );
             let dot_x3 = dot_x1 + dot_w3;
             let dot_x4 = dot_x1 + dot_w4;
-            let v204_ = S::mul_add(
-                self.v83_,
+            let v214_ = S::mul_add(
+                self.v82_,
                 dot_x4 * dot_x4,
                 S::mul_add(
-                    self.v82_,
+                    self.v81_,
                     dot_x3 * dot_x3,
                     S::mul_add(
-                        self.v81_,
-                        v197_ * v197_,
-                        self.v80_ * (v94_ * (v96_ * v96_)),
+                        self.v80_,
+                        v207_ * v207_,
+                        self.v79_ * (v94_ * (v96_ * v96_)),
                     ),
                 ),
             );
             (
-                S::mul_add(self.v84_, dot_x2 * dot_x2, v204_),
+                S::mul_add(self.v83_, dot_x2 * dot_x2, v214_),
                 S::mul_add(
-                    self.v86_,
+                    self.v85_,
                     S::mul_add(
                         u3,
-                        S::mul_add(-self.v87_, u4, self.d44 * u3),
+                        S::mul_add(-self.v86_, u4, self.d44 * u3),
                         self.d33 * (u4 * u4),
                     ),
-                    self.v85_ * (phi2 * phi2),
+                    self.v84_ * (phi2 * phi2),
                 ),
             )
         }
@@ -1653,9 +1680,9 @@ mod batten_ {
                 operations: ::assur::registry::Operations {
                     prepare: 70,
                     instant: 49,
-                    derivative: 36,
+                    derivative: 32,
                     jacobian: 0,
-                    outputs: 108,
+                    outputs: 125,
                 },
                 marks: &[
                     ::assur::registry::Mark {

@@ -134,6 +134,7 @@ mod pendulum_ {
     impl ::assur::problem::Scene for Swing {
         type Equations<S: ::assur::scalar::Scalar> = SwingEquations<S>;
         const LINEAR: bool = false;
+        const LARGE: bool = false;
         const STATES: usize = 2;
         const OUTPUTS: usize = 1;
         const DRIVERS: usize = 0;

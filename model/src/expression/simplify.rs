@@ -9,11 +9,12 @@ use super::stable;
 const ROUNDS: usize = 6;
 
 impl Graph {
-    /// Simpler expressions with the same values.
-    pub fn simplify(&mut self, roots: &[Expression]) -> Vec<Expression> {
+    /// Simpler expressions with the same values. The first so many are evaluated most often: what they use once is
+    /// taken into them, even if the others use it as well.
+    pub fn simplify(&mut self, roots: &[Expression], often: usize) -> Vec<Expression> {
         let mut current = roots.to_vec();
         for _ in 0..ROUNDS {
-            let next = self.round(&current);
+            let next = self.round(&current, often);
             if next == current {
                 break;
             }
@@ -22,9 +23,9 @@ impl Graph {
         current
     }
 
-    fn round(&mut self, roots: &[Expression]) -> Vec<Expression> {
+    fn round(&mut self, roots: &[Expression], often: usize) -> Vec<Expression> {
         let reachable = self.reachable(roots);
-        let uses = self.uses(roots, &reachable);
+        let uses = self.uses(roots, often);
         let mut new: HashMap<Expression, Expression> = HashMap::new();
         for old in reachable {
             let node = self.node(old).clone();
@@ -39,18 +40,20 @@ impl Graph {
         roots.iter().map(|root| new[root]).collect()
     }
 
-    /// How often each node is an operand or a root.
-    pub fn uses(
-        &self,
-        roots: &[Expression],
-        reachable: &[Expression],
-    ) -> HashMap<Expression, usize> {
+    /// How often each node is an operand or a root, counted among the first so many roots wherever it occurs there.
+    pub fn uses(&self, roots: &[Expression], often: usize) -> HashMap<Expression, usize> {
+        let mut uses = self.uses_in(roots);
+        uses.extend(self.uses_in(&roots[..often.min(roots.len())]));
+        uses
+    }
+
+    fn uses_in(&self, roots: &[Expression]) -> HashMap<Expression, usize> {
         let mut uses: HashMap<Expression, usize> = HashMap::new();
         for root in roots {
             *uses.entry(*root).or_insert(0) += 1;
         }
-        for one in reachable {
-            for operand in self.node(*one).operands() {
+        for one in self.reachable(roots) {
+            for operand in self.node(one).operands() {
                 *uses.entry(operand).or_insert(0) += 1;
             }
         }

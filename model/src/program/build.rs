@@ -78,10 +78,11 @@ impl Request {
 
 /// Builds the program: puts in what symbols stand for, simplifies, collects by stages, and writes the operations down.
 pub fn build(graph: &mut Graph, request: &Request) -> Program {
+    let often = request.derivative.len() + request.jacobian.len();
     let bound = bind(graph, &request.roots(), &request.bindings);
-    let simple = graph.simplify(&bound);
-    let collected = collect::collect(graph, &simple, request);
-    let mut emitter = Emitter::new(graph, request, &collected);
+    let simple = graph.simplify(&bound, often);
+    let collected = collect::collect(graph, &simple, often, request);
+    let mut emitter = Emitter::new(graph, request, &collected, often);
     let values: Vec<Value> = collected.iter().map(|root| emitter.value(*root)).collect();
     let mut rest = values.into_iter();
     let mut take = |count: usize| rest.by_ref().take(count).collect::<Vec<Value>>();

@@ -8,9 +8,14 @@ use super::build::Request;
 use crate::expression::{Expression, Graph, Node};
 
 /// The expressions with common factors pulled out.
-pub fn collect(graph: &mut Graph, roots: &[Expression], request: &Request) -> Vec<Expression> {
+pub fn collect(
+    graph: &mut Graph,
+    roots: &[Expression],
+    often: usize,
+    request: &Request,
+) -> Vec<Expression> {
     let reachable = graph.reachable(roots);
-    let uses = graph.uses(roots, &reachable);
+    let uses = graph.uses(roots, often);
     let mut new: HashMap<Expression, Expression> = HashMap::new();
     for old in reachable {
         let node = graph.node(old).clone();

@@ -28,9 +28,14 @@ struct Key(String);
 
 impl<'a> Emitter<'a> {
     /// Begins to write what some expressions are made of.
-    pub fn new(graph: &'a mut Graph, request: &'a Request, roots: &[Expression]) -> Self {
+    pub fn new(
+        graph: &'a mut Graph,
+        request: &'a Request,
+        roots: &[Expression],
+        often: usize,
+    ) -> Self {
         let reachable = graph.reachable(roots);
-        let uses = graph.uses(roots, &reachable);
+        let uses = graph.uses(roots, often);
         let mut frequency = HashMap::new();
         for one in &reachable {
             if let Node::Product(factors) = graph.node(*one) {

@@ -32,17 +32,19 @@ impl<const N: usize> Equations<f64> for Rates<N> {
 
     fn variation(
         &self,
-        _instant: &f64,
-        _state: &[f64; N],
-        _rate: &mut [f64; N],
+        instant: &f64,
+        state: &[f64; N],
+        rate: &mut [f64; N],
         _columns: &[[f64; N]],
-        _products: &mut [[f64; N]],
+        products: &mut [[f64; N]],
     ) {
-        unimplemented!("not needed here")
+        // No test here integrates variations: NaN would show if one did.
+        (self.0)(*instant, state, rate);
+        products.fill([f64::NAN; N]);
     }
 
-    fn jacobian(&self, _instant: &f64, _state: &[f64; N], _columns: &mut [[f64; N]]) {
-        unimplemented!("not needed here")
+    fn jacobian(&self, _instant: &f64, _state: &[f64; N], columns: &mut [[f64; N]]) {
+        columns.fill([f64::NAN; N]);
     }
 
     fn outputs(&self, _time: f64, _state: &[f64; N], _values: &mut [f64]) {}

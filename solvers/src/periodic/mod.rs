@@ -93,6 +93,7 @@ struct Solving<'a, C> {
 
 impl<C: Scene> Task for Solving<'_, C> {
     type Output = Result<Orbit, PeriodicError>;
+    const LARGE: bool = C::LARGE;
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> Self::Output {

@@ -123,6 +123,7 @@ struct Timing<'a, C> {
 
 impl<C: Scene> Task for Timing<'_, C> {
     type Output = f64;
+    const LARGE: bool = C::LARGE;
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> f64 {

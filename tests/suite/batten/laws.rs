@@ -38,7 +38,6 @@ fn bending_alone_has_the_closed_form() {
             worst = worst.max(off.abs());
         }
     }
-    println!("closed form: {worst:e} m");
     assert!(worst < 1e-12, "{worst:e} m");
 }
 
@@ -52,7 +51,6 @@ fn interpolation_keeps_the_digits_of_the_steps() {
         (it[place] - bending_alone(&solved, angle)).abs()
     };
     let worst = samples.iter().enumerate().map(off).fold(0.0, f64::max);
-    println!("interpolation: {worst:e} m");
     assert!(worst < 1e-12, "{worst:e} m");
 }
 
@@ -96,7 +94,6 @@ fn multipliers_without_losses_are_reciprocal() {
             assert!(off < 1e-9, "{scene}: 1/({one}) is missed by {off:e}");
         }
         let off = (re - 1.0).hypot(im);
-        println!("{scene}: det - 1 {off:e}");
         assert!(off < 1e-9, "{scene}: the determinant is off by {off:e}");
     }
 }
@@ -128,7 +125,6 @@ fn without_losses_the_drive_does_no_work() {
         let solved = Solved::new("batten", scene);
         let torque = solved.place("drive_torque");
         let share = solved.mean(|it| it[torque]) / solved.amplitude("drive_torque");
-        println!("{scene}: mean torque {share:e} of the largest");
         assert!(share.abs() < 1e-10, "{scene}: {share:e} of the largest");
     }
 }

@@ -12,43 +12,40 @@ fn difference(first: &Solved, second: &Solved, name: &str) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Scales some values of `elastic` more and more and checks that the difference from the limit falls with the scale.
+/// Scales some values of `elastic` and checks that its distance from the limit is so many times the flexibility that is
+/// left, or somewhat less.
 #[track_caller]
-fn check(names: &[&str], scales: &[f64], limit: &str, output: &str, per_scale: f64) {
+fn check(names: &[&'static str], scales: &[f64], limit: &str, distances: [(&str, f64); 2]) {
     let limit = Solved::new("batten", limit);
     let whole = Solved::new("batten", "elastic");
     for scale in scales {
-        let change = |name: &&'static str| (*name, whole.constant(name) * scale);
-        let changes: Vec<(&str, f64)> = names.iter().map(|it| change(&leak(it))).collect();
+        let changes: Vec<(&str, f64)> = names
+            .iter()
+            .map(|name| (*name, whole.constant(name) * scale))
+            .collect();
         let stiff = Solved::with("batten", "elastic", &changes);
-        let softness = if *scale < 1.0 { *scale } else { 1.0 / scale };
-        let off = difference(&stiff, &limit, output);
-        println!(
-            "{names:?} x {scale:e}: {output} off {off:e}, per scale {:e}",
-            off / softness
-        );
-        assert!(
-            off <= per_scale * softness,
-            "{names:?} x {scale:e}: {off:e}"
-        );
+        let flexibility = scale.min(1.0 / scale);
+        for (output, distance) in distances {
+            let ratio = difference(&stiff, &limit, output) / flexibility / distance;
+            assert!(
+                (0.5..1.05).contains(&ratio),
+                "{names:?} x {scale:e}, {output}: {ratio} of the distance"
+            );
+        }
     }
 }
-fn leak(s: &str) -> &'static str {
-    Box::leak(s.to_string().into_boxed_str())
-}
-
-const BAR: [&str; 3] = ["d33", "d44", "d34"];
 
 #[test]
 fn a_stiff_bar_is_a_rigid_bar() {
-    let scales = [1e-1, 1e-2, 1e-3, 1e-4];
-    check(&BAR, &scales, "torsion", "x3", 1e-3);
-    check(&BAR, &scales, "torsion", "phi2", 1e-2);
+    let bar = ["d33", "d44", "d34"];
+    let distances = [("x3", 6.65e-4), ("phi2", 9.76e-6)];
+    check(&bar, &[1e-2, 1e-3, 1e-4], "torsion", distances);
 }
 
 #[test]
 fn a_stiff_shaft_is_a_rigid_shaft() {
-    let scales = [1e1, 1e2, 1e3, 1e4];
-    check(&["c"], &scales, "bending", "x3", 1e-2);
-    check(&["c"], &scales, "bending", "phi2", 1e-1);
+    // From a thousand times on the free motion of the shaft has so many periods in a revolution that the solver finds
+    // its matrix too uncertain and refuses.
+    let distances = [("x3", 8.1e-5), ("phi2", 4e-3)];
+    check(&["c"], &[1e1, 3e1, 1e2], "bending", distances);
 }

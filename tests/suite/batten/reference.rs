@@ -10,9 +10,9 @@ const LOCKS: f64 = 1.9198;
 /// Names there, names here, and the part of the error that does not shrink with the value: rounding of what it is
 /// computed from.
 const QUANTITIES: [(&str, &str, f64); 15] = [
-    ("phi2", "phi2", 1e-14),
+    ("phi2", "phi2", 1e-13),
     ("dphi2", "dot(phi2)", 1e-11),
-    ("ddphi2", "ddot(phi2)", 1e-9),
+    ("ddphi2", "ddot(phi2)", 1e-8),
     ("x3", "x3", 1e-14),
     ("dx3", "dot(x3)", 1e-12),
     ("ddx3", "ddot(x3)", 1e-10),
@@ -60,15 +60,8 @@ fn check_state(solved: &Solved, case: &str, place: &str, angle: f64) {
         };
         compared += 1;
         let off = (found - expected).abs();
-        if std::env::var("SHOW").is_ok() {
-            println!(
-                "{case} {place} {name} {found:e} off {off:e} rel {:e}",
-                off / expected.abs()
-            );
-            continue;
-        }
         assert!(
-            off <= 1e-9 * expected.abs() + rounding,
+            off <= 1e-10 * expected.abs() + rounding,
             "{case}, {place}, {name}: {found:e}, expected {expected:e}, off by {off:e}"
         );
     }
@@ -90,10 +83,6 @@ fn check_multipliers(solved: &Solved, case: &str, tolerance: f64) {
             .min_by(|a, b| distance(&left[*a]).total_cmp(&distance(&left[*b])))
             .unwrap();
         let off = distance(&left.swap_remove(nearest));
-        if std::env::var("SHOW").is_ok() {
-            println!("{case} multiplier off {off:e}");
-            continue;
-        }
         assert!(off <= tolerance, "{case}: {re}{im:+}i is off by {off:e}");
     }
 }
@@ -104,7 +93,7 @@ fn check(case: &str, solved: &Solved) {
     if REFERENCE[case]["at_1.9198"].is_object() {
         check_state(solved, case, "at_1.9198", LOCKS);
     }
-    check_multipliers(solved, case, 1e-9);
+    check_multipliers(solved, case, 1e-10);
 }
 
 /// The cases of the reference and the scenes that they are.
@@ -146,10 +135,6 @@ fn amplitudes_agree_with_the_reference() {
                 continue;
             };
             let found = solved.amplitude(name);
-            if std::env::var("SHOW").is_ok() {
-                println!("{case} amplitude {name} {:e}", found / expected - 1.0);
-                continue;
-            }
             // Samples miss the top by at most half of their distance squared times the curvature.
             assert!(
                 (found / expected - 1.0).abs() < 1e-4,
@@ -174,10 +159,6 @@ fn deflections_agree_with_thirty_digits() {
         ] {
             let expected: f64 = reference[place][key].as_str().unwrap().parse().unwrap();
             let off = (computed(&solved, angle, name).unwrap() - expected).abs();
-            if std::env::var("SHOW").is_ok() {
-                println!("30 {place} {name} off {off:e}");
-                continue;
-            }
             assert!(off <= allowed, "{place}, {name} is off by {off:e}");
         }
     }
@@ -194,5 +175,5 @@ fn expectations_of_all_scenes_hold() {
             }
         }
     }
-    assert!(facts >= 36, "{facts}");
+    assert!(facts >= 24, "{facts}");
 }

@@ -110,9 +110,9 @@ fn values_are_kept() {
         }
         tested += 1;
         check_values(&graph, root, expected, &format!("normal form {round}"));
-        let simple = graph.simplify(&[root])[0];
+        let simple = graph.simplify(&[root], 1)[0];
         check_values(&graph, simple, expected, &format!("simplified {round}"));
-        let again = graph.simplify(&[simple])[0];
+        let again = graph.simplify(&[simple], 1)[0];
         check_values(
             &graph,
             again,
@@ -155,7 +155,7 @@ fn gradient_and_tangent_agree_with_each_other_and_with_differences() {
         let gradient = graph.gradient(&[(root, one)], &[X, Y, Z]);
         for (index, symbol) in [X, Y, Z].into_iter().enumerate() {
             let tangent = graph.tangent(&[root], &HashMap::from([(symbol, one)]))[0];
-            let simple = graph.simplify(&[tangent])[0];
+            let simple = graph.simplify(&[tangent], 1)[0];
             for point in POINTS {
                 let (forward, backward) = (
                     value(&graph, tangent, point),

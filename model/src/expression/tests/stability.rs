@@ -148,7 +148,7 @@ fn differences_keep_their_digits() {
         let mut graph = Graph::new();
         let (x, y) = (graph.symbol(X), graph.symbol(Y));
         let root = (case.build)(&mut graph, x, y);
-        let simple = graph.simplify(&[root])[0];
+        let simple = graph.simplify(&[root], 1)[0];
         let mut lost = 0.0_f64;
         for (small, large) in [(1.7e-3, 0.9), (-3.1e-5, 1.2), (2.3e-7, 0.4), (-7.7e-9, 1.9)] {
             let exact = (case.exact)(small, large);
@@ -182,7 +182,7 @@ fn differences_are_found_in_longer_sums() {
     let versine = graph.sub(one, cosine);
     let root_difference = graph.sub(roots[0], roots[1]);
     let total = graph.add(versine, root_difference);
-    let simple = graph.simplify(&[total])[0];
+    let simple = graph.simplify(&[total], 1)[0];
     let (small, large) = (2.3e-6_f64, 0.8_f64);
     let exact = 2.0 * (small / 2.0).sin().powi(2) + small / ((large + small).sqrt() + large.sqrt());
     let found = value(&graph, simple, [small, large, 0.0]);

@@ -1,0 +1,84 @@
+//! Values that no machine has.
+
+use crate::solved::bind;
+use assur::registry::{Constant, SceneEntry};
+use assur_equations::REGISTRY;
+
+/// Every constant of every scene.
+fn each(mut check: impl FnMut(&SceneEntry, &Constant)) {
+    for scene in REGISTRY.iter().flat_map(|mechanism| mechanism.scenes) {
+        scene
+            .constants
+            .iter()
+            .for_each(|constant| check(scene, constant));
+    }
+}
+
+/// The refusal of a value names the constant and what is wrong with it.
+#[track_caller]
+fn check_refused(scene: &SceneEntry, constant: &Constant, value: f64) {
+    let name = constant.quantity.name;
+    match bind(scene, &[(name, value)]) {
+        Ok(_) => panic!("{}: {name} = {value} is accepted", scene.name),
+        Err(refused) => {
+            let text = refused.to_string();
+            assert!(
+                text.contains(name),
+                "{}: {name} = {value}: {text}",
+                scene.name
+            );
+            assert!(!refused.reason.is_empty());
+        }
+    }
+}
+
+#[test]
+fn values_that_are_not_finite_are_refused_by_name() {
+    each(|scene, constant| {
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            check_refused(scene, constant, value);
+        }
+    });
+}
+
+#[test]
+fn values_outside_their_range_are_refused_by_name() {
+    let mut refused = 0;
+    each(|scene, constant| {
+        let (low, high) = constant.range;
+        for value in [0.0, -constant.default, -1e300, 1e300] {
+            if !(low..=high).contains(&value) {
+                check_refused(scene, constant, value);
+                refused += 1;
+            }
+        }
+    });
+    assert!(refused > 100, "{refused}");
+}
+
+#[test]
+fn sizes_and_masses_are_above_zero() {
+    each(|scene, constant| {
+        let name = constant.quantity.name;
+        if constant.is_dimension || matches!(name, "m1" | "m2" | "m3" | "m4" | "J2" | "c" | "n") {
+            check_refused(scene, constant, 0.0);
+            check_refused(scene, constant, -constant.default);
+        }
+    });
+}
+
+/// What is accepted can be evaluated, and has as many rates and outputs as it says.
+#[test]
+fn values_at_the_edge_of_their_range_do_no_harm() {
+    each(|scene, constant| {
+        let (low, high) = constant.range;
+        for value in [low, high, 0.0, -constant.default, -1e300, 1e300] {
+            let Ok(run) = bind(scene, &[(constant.quantity.name, value)]) else {
+                continue;
+            };
+            let state = vec![1e-3; scene.states.len()];
+            assert_eq!(run.rates(0.1, &state).len(), scene.states.len());
+            assert_eq!(run.outputs(0.1, &state).len(), scene.outputs.len());
+        }
+    });
+}
