@@ -54,12 +54,12 @@ fn check(without: &[Lag], with: &[Lag]) {
     assert!((at(without, 250.0) - 3.7744).abs() < 3e-3);
     assert!((at(with, 250.0) - 3.7535).abs() < 3e-3);
     let largest = |curve: &[Lag]| curve.iter().flatten().fold(0.0, |a: f64, b| a.max(*b));
+    let near = without.iter().filter(|lag| lag.is_none()).count();
     println!(
-        "largest {} {} resonances {}",
-        largest(without),
-        largest(with),
-        without.iter().filter(|l| l.is_none()).count()
+        "  {near} of {} speeds lie too near to a resonance without losses",
+        without.len()
     );
+    assert!((10..100).contains(&near));
     assert!(with.iter().all(Option::is_some));
     assert!(largest(without) > 2.0 * largest(with));
 }

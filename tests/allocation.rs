@@ -84,7 +84,7 @@ fn check_revolutions<C: Scene + Default, M: Method>() {
 
 #[test]
 fn the_counter_counts() {
-    assert_eq!(allocations(|| Vec::<f64>::new()), 0);
+    assert_eq!(allocations(Vec::<f64>::new), 0);
     assert_eq!(allocations(|| vec![1.0]), 1);
 }
 

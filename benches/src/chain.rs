@@ -11,6 +11,8 @@ use assur_model::program::Stage;
 
 use crate::table::{Table, number};
 
+// Without this `cargo fmt` would format the files of another package.
+#[rustfmt::skip]
 #[path = "../../macros/src/emit/mod.rs"]
 mod emit;
 

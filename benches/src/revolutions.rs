@@ -119,8 +119,11 @@ pub fn error(end: &[f64; 6], reference: &[f64; 6]) -> f64 {
     amplitude(1).max(amplitude(2))
 }
 
-/// The integrations by name.
-const KINDS: [(&str, fn(f64) -> Run); 5] = [
+/// An integration at a relative tolerance, with its name.
+type Kind = (&'static str, fn(f64) -> Run);
+
+/// All integrations.
+const KINDS: [Kind; 5] = [
     ("hand, sine of std", hand::<false>),
     ("hand, sine of Assur", hand::<true>),
     (

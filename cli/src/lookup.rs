@@ -2,6 +2,7 @@
 
 use assur::registry::{Mechanism, SceneEntry};
 use assur_equations::REGISTRY;
+use assur_model::nearest::nearest;
 
 use crate::error::Failure;
 
@@ -112,7 +113,7 @@ pub fn with_feature(mechanism: &Mechanism, name: &str) -> Option<String> {
 
 /// The nearest of the names, or all of them.
 pub fn suggestion(wanted: &str, names: &[&str]) -> String {
-    if let Some(nearest) = nearest(wanted, names) {
+    if let Some(nearest) = nearest(wanted, names.iter().copied()) {
         return format!("did you mean `{nearest}`?");
     }
     match names {
@@ -122,43 +123,6 @@ pub fn suggestion(wanted: &str, names: &[&str]) -> String {
     }
 }
 
-/// The name that differs least, if it differs by little enough to be a slip.
-pub fn nearest<'a>(wanted: &str, names: &[&'a str]) -> Option<&'a str> {
-    let permitted = wanted.chars().count().div_ceil(3).max(1);
-    names
-        .iter()
-        .map(|name| {
-            (
-                distance(&wanted.to_lowercase(), &name.to_lowercase()),
-                *name,
-            )
-        })
-        .filter(|(far, _)| *far <= permitted)
-        .min_by_key(|(far, _)| *far)
-        .map(|(_, name)| name)
-}
-
-/// Insertions, deletions, replacements and exchanges of neighbours between two words.
-fn distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    let mut rows = vec![(0..=b.len()).collect::<Vec<_>>()];
-    for i in 1..=a.len() {
-        let mut row = vec![i];
-        for j in 1..=b.len() {
-            let above = &rows[i - 1];
-            let mut least = (above[j] + 1)
-                .min(row[j - 1] + 1)
-                .min(above[j - 1] + usize::from(a[i - 1] != b[j - 1]));
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                least = least.min(rows[i - 2][j - 2] + 1);
-            }
-            row.push(least);
-        }
-        rows.push(row);
-    }
-    rows[a.len()][b.len()]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -166,7 +130,7 @@ mod tests {
     #[track_caller]
     fn check_nearest(wanted: &str, expected: Option<&str>) {
         assert_eq!(
-            nearest(wanted, &["batten", "table_drive", "n", "m1"]),
+            nearest(wanted, ["batten", "table_drive", "n", "m1"]),
             expected
         );
     }

@@ -3,7 +3,7 @@
 use assur::registry::Method;
 
 use crate::error::Failure;
-use crate::lookup::nearest;
+use assur_model::nearest::nearest;
 
 /// Tolerances between which the methods do what they say.
 pub const RTOL: (f64, f64) = (1e-14, 1e-2);
@@ -54,7 +54,7 @@ pub fn method(text: Option<&str>) -> Result<Method, Failure> {
         return Ok(*method);
     }
     let names = METHODS.map(|(name, _)| name);
-    let remedy = match nearest(text, &names) {
+    let remedy = match nearest(text, names) {
         Some(name) => format!("did you mean `{name}`?"),
         None => format!("there are: {}", names.join(", ")),
     };

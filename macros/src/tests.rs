@@ -46,8 +46,8 @@ fn check(name: &str, emitted: &str) {
         std::fs::write(&path, emitted).expect("the golden file can be written");
     }
     let golden = std::fs::read_to_string(&path).unwrap_or_default();
-    let pairs = golden.lines().zip(emitted.lines()).enumerate();
-    for (index, (old, new)) in pairs.filter(|(_, (old, new))| old != new).take(1) {
+    let mut pairs = golden.lines().zip(emitted.lines()).enumerate();
+    if let Some((index, (old, new))) = pairs.find(|(_, (old, new))| old != new) {
         panic!(
             "{name}:{}: emitted code has changed\n  from {old}\n  to   {new}\nif that is right, run with ASSUR_BLESS=1",
             index + 1

@@ -2,22 +2,19 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use crate::checked::{
-    ConstantInfo, EquationInfo, QuantityInfo, RequirementInfo, SceneModel, SpanKind,
-};
+use crate::checked::{ConstantInfo, QuantityInfo, SceneModel, SpanKind};
 use crate::declare::{per_second, quantity};
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::Diagnostics;
 use crate::expression::{Expression, Symbol};
 use crate::facts;
-use crate::homogeneity::{agree, describe};
-use crate::lagrange::{self, Energies};
-use crate::lower::{Kind, Lowering, Typed, second};
+use crate::lagrange::Energies;
+use crate::lower::{Kind, Lowering};
 use crate::motion::{self, Equation, Solved, UnknownName};
+use crate::parts::Parts;
 use crate::program::{self, Input, Request};
 use crate::resolve::{Names, Role};
 use crate::scene::{Selected, Survey, specialise};
-use crate::syntax::print;
-use crate::syntax::tree::{EnergyKind, File, Scene, SceneItem, Statement, StatementKind, Term};
+use crate::syntax::tree::{File, Scene, SceneItem, StatementKind, Term};
 use crate::token::Span;
 use crate::unit::Unit;
 
@@ -259,203 +256,6 @@ pub fn scene(
     }
     model.program = program::build(&mut low.graph, &request);
     Some(model)
-}
-
-/// Energies, equations and conditions, read from the statements.
-#[derive(Default)]
-struct Parts {
-    energies: Energies,
-    energy_places: Vec<Span>,
-    written: Vec<Equation>,
-    conditions: Vec<Expression>,
-    requirements: Vec<RequirementInfo>,
-    texts: Vec<EquationInfo>,
-}
-
-impl Parts {
-    fn read(&mut self, statement: &Statement, low: &mut Lowering<'_>) {
-        let span = statement.span;
-        match &statement.kind {
-            StatementKind::Energy { kind, value } => {
-                self.energy(*kind, value, span, statement, low)
-            }
-            StatementKind::Force { value, on } => self.force(value, on, statement, low),
-            StatementKind::Motion { label, left, right } => {
-                let name = label.as_ref().map_or_else(
-                    || format!("{} = {}", print::term(left), print::term(right)),
-                    |label| label.text.clone(),
-                );
-                if let Some((residuals, kind)) = low.balance(left, right) {
-                    for residual in residuals {
-                        self.written.push(Equation {
-                            residual,
-                            name: name.clone(),
-                            span,
-                            lagrange: None,
-                        });
-                    }
-                    self.text(statement, kind);
-                }
-            }
-            StatementKind::Require { condition, text } => {
-                let Some(value) = low.condition(condition) else {
-                    return;
-                };
-                let moving = |symbol| !matches!(symbol, Symbol::Parameter(_));
-                if low.graph.depends_on(value, moving) {
-                    low.diagnostics.push(
-                        Diagnostic::error(condition.span, "a condition on moving quantities is not available in this version of Assur")
-                            .hint("`require` speaks of dimensions and parameters"),
-                    );
-                    return;
-                }
-                let names = (0..low.names.constants.len())
-                    .filter(|index| {
-                        low.graph
-                            .depends_on(value, |symbol| symbol == Symbol::Parameter(*index as u32))
-                    })
-                    .collect();
-                self.conditions.push(value);
-                self.requirements.push(RequirementInfo {
-                    text: print::term(condition),
-                    message: text.clone().unwrap_or_default(),
-                    names,
-                });
-            }
-            _ => {}
-        }
-    }
-
-    fn text(&mut self, statement: &Statement, kind: Kind) {
-        let unit = Unit::for_dimension(&kind.dimension()).symbol;
-        self.texts.push(EquationInfo {
-            text: print::statement(statement),
-            unit,
-            span: statement.span,
-        });
-    }
-
-    fn energy(
-        &mut self,
-        kind: EnergyKind,
-        value: &Term,
-        span: Span,
-        statement: &Statement,
-        low: &mut Lowering<'_>,
-    ) {
-        let Some((expression, found)) = low.scalar(value) else {
-            return;
-        };
-        let joule = crate::unit::parse_unit_text("J").map(|unit| unit.dimension);
-        let Ok(mut expected) = joule else { return };
-        let mut word = "this has to be an energy (J)";
-        if kind == EnergyKind::Dissipation
-            && let Some(watt) = expected.div(&second())
-        {
-            (expected, word) = (watt, "a dissipation function is a power (W)");
-        }
-        // A coordinate may have any unit, but an energy is an energy.
-        if agree(found, Kind::Of(expected)).is_none() {
-            let message = format!("{word}, and this is {}", describe(found.dimension()));
-            low.diagnostics.push(Diagnostic::error(value.span, message));
-            return;
-        }
-        let list = match kind {
-            EnergyKind::Kinetic => &mut self.energies.kinetic,
-            EnergyKind::Potential => &mut self.energies.potential,
-            EnergyKind::Dissipation => &mut self.energies.dissipation,
-        };
-        list.push(expression);
-        self.energy_places.push(span);
-        self.text(statement, Kind::Of(expected));
-    }
-
-    fn force(&mut self, value: &Term, on: &Term, statement: &Statement, low: &mut Lowering<'_>) {
-        let (force, position) = (low.term(value), low.term(on));
-        let (forces, positions, p, q) = match (force, position) {
-            (Typed::Wrong, _) | (_, Typed::Wrong) => return,
-            (
-                Typed::Scalar {
-                    value: f, kind: p, ..
-                },
-                Typed::Scalar {
-                    value: x, kind: q, ..
-                },
-            ) => (vec![f], vec![x], p, q),
-            (
-                Typed::Vector {
-                    values: f, kind: p, ..
-                },
-                Typed::Vector {
-                    values: x, kind: q, ..
-                },
-            ) if f.len() == x.len() => (f, x, p, q),
-            (a, b) => {
-                let message = format!(
-                    "the force is {} and its position is {}",
-                    a.describe(),
-                    b.describe()
-                );
-                low.diagnostics
-                    .push(Diagnostic::error(statement.span, message));
-                return;
-            }
-        };
-        let work = crate::homogeneity::times(p, q);
-        let joule = crate::unit::parse_unit_text("J").map(|unit| unit.dimension);
-        if let (Some(work), Ok(joule)) = (work, joule)
-            && agree(work, Kind::Of(joule)).is_none()
-        {
-            let message = format!(
-                "a force times its position has to be an energy (J), and this is {}",
-                describe(work.dimension())
-            );
-            low.diagnostics
-                .push(Diagnostic::error(statement.span, message));
-            return;
-        }
-        self.energies
-            .forces
-            .extend(forces.into_iter().zip(positions));
-        self.energy_places.push(statement.span);
-        self.text(statement, p);
-    }
-
-    /// All equations: those written, and Lagrange's for the coordinates that occur in energies.
-    fn equations(&mut self, low: &mut Lowering<'_>, names: &Names) -> Vec<Equation> {
-        let mut equations = std::mem::take(&mut self.written);
-        let Some(place) = self.energy_places.first().copied() else {
-            return equations;
-        };
-        let Some(direction) = low.direction() else {
-            return equations;
-        };
-        let concerned: Vec<u32> = (0..names.coordinates.len() as u32)
-            .filter(|coordinate| self.energies.concern(&low.graph, *coordinate))
-            .collect();
-        let rates = std::mem::take(&mut low.rates);
-        let residuals = lagrange::residuals(
-            &mut low.graph,
-            &self.energies,
-            &concerned,
-            &direction,
-            &|e| rates.contains(&e),
-        );
-        low.rates = rates;
-        for (coordinate, residual) in concerned.into_iter().zip(residuals) {
-            let name = format!(
-                "Lagrange's equation of {}",
-                names.coordinates[coordinate as usize].name.text
-            );
-            equations.push(Equation {
-                residual,
-                name,
-                span: place,
-                lagrange: Some(coordinate as usize),
-            });
-        }
-        equations
-    }
 }
 
 fn unknown_names(names: &Names) -> Vec<UnknownName> {

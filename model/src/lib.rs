@@ -26,6 +26,7 @@ pub mod lexer;
 mod lower;
 mod motion;
 pub mod nearest;
+mod parts;
 pub mod program;
 mod resolve;
 mod scene;

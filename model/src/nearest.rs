@@ -20,6 +20,9 @@ pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Op
 
 /// Twice the number of letters that have to be put in, taken away, changed or swapped.
 fn distance(left: &str, right: &str) -> usize {
+    if left.to_lowercase() == right.to_lowercase() {
+        return usize::from(left != right);
+    }
     let (left, right): (Vec<char>, Vec<char>) = (left.chars().collect(), right.chars().collect());
     let mut rows: Vec<Vec<usize>> = vec![(0..=right.len()).map(|index| 2 * index).collect()];
     for (i, a) in left.iter().enumerate() {

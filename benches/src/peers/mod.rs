@@ -66,7 +66,11 @@ const PEERS: [Peer; 11] = [
         "rkv988e",
         differential_equations::verner,
     ),
-    peer("ode_solvers", "dop853", ode_solvers::dop853),
+    peer(
+        "ode_solvers, time as a state",
+        "dop853",
+        ode_solvers::dop853,
+    ),
     peer("ode_solvers", "dopri5", ode_solvers::dopri5),
     peer("diffsol", "tsit45", diffsol::tsit45),
     peer("diffsol", "bdf", diffsol::bdf),

@@ -96,9 +96,7 @@ impl<'a> Body<'a> {
         named: &[Value],
     ) -> BTreeMap<Value, usize> {
         let mut uses = BTreeMap::new();
-        let inner = needed
-            .iter()
-            .flat_map(|value| schedule::operands(self.kind(*value)));
+        let inner = needed.iter().flat_map(|value| self.kind(*value).operands());
         for value in inner
             .chain(wanted.iter().copied())
             .chain(named.iter().copied())

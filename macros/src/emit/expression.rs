@@ -107,7 +107,7 @@ pub fn size(value: usize) -> Literal {
 pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) -> Expression {
     use Binding::{Product, Sign, Sum, Whole};
     use OperationKind as Kind;
-    let read = super::schedule::operands(kind);
+    let read = kind.operands();
     let all: Vec<Expression> = read.iter().map(|value| operand(*value)).collect();
     let text: Vec<&TokenStream> = all.iter().map(|one| &one.tokens).collect();
     let at = |index: usize, binding: Binding| all[index].at_least(binding);

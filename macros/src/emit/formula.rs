@@ -6,7 +6,6 @@ use assur_model::program::{Function, Input, OperationKind, Relation, Value};
 
 use super::expression::Binding;
 use super::layout::Layout;
-use super::schedule::operands;
 
 /// Longest formula, in characters.
 const LONGEST: usize = 100;
@@ -62,7 +61,7 @@ impl Printer<'_> {
     fn operation(&self, kind: &OperationKind) -> (String, Binding) {
         use Binding::{Product, Sign, Sum, Whole};
         use OperationKind as Kind;
-        let read = operands(kind);
+        let read = kind.operands();
         let at = |index: usize, binding: Binding| {
             let (text, own) = self.text(read[index]);
             if own < binding {

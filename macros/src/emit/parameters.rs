@@ -171,7 +171,9 @@ fn prepare(layout: &Layout<'_>) -> TokenStream {
         layout.stored(&layout.prepared, &body),
     );
     let equations = &layout.equations;
+    let inline = layout.inline();
     quote! {
+        #inline
         fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
             #statements
             #equations { #fields }

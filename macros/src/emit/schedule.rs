@@ -28,35 +28,6 @@ pub fn shape(program: &Program, value: Value) -> Shape {
     }
 }
 
-/// Values that an operation reads.
-pub fn operands(kind: &OperationKind) -> Vec<Value> {
-    use OperationKind as Kind;
-    match kind {
-        Kind::Number(_) | Kind::Input(_) => Vec::new(),
-        Kind::Negate(a) | Kind::Not(a) => vec![*a],
-        Kind::Add(a, b) | Kind::Subtract(a, b) | Kind::Multiply(a, b) | Kind::Divide(a, b) => {
-            vec![*a, *b]
-        }
-        Kind::And(a, b) | Kind::Or(a, b) | Kind::Compare(_, a, b) => vec![*a, *b],
-        Kind::MultiplyAdd(a, b, c)
-        | Kind::MultiplySubtract(a, b, c)
-        | Kind::NegateMultiplyAdd(a, b, c) => {
-            vec![*a, *b, *c]
-        }
-        Kind::Call(_, arguments) => arguments.clone(),
-        Kind::Select {
-            condition,
-            then,
-            otherwise,
-        } => vec![*condition, *then, *otherwise],
-        Kind::Factor { entries, .. } => entries.clone(),
-        Kind::Solve { factor, right } => std::iter::once(*factor)
-            .chain(right.iter().copied())
-            .collect(),
-        Kind::Element { solution, .. } => vec![*solution],
-    }
-}
-
 /// Whether a value is a number written out, which is never stored.
 pub fn is_number(program: &Program, value: Value) -> bool {
     matches!(
@@ -75,7 +46,7 @@ pub fn needed(
     let mut open: Vec<Value> = wanted.to_vec();
     while let Some(value) = open.pop() {
         if !outside(value) && needed.insert(value) {
-            open.extend(operands(&program.operations[value.0 as usize].kind));
+            open.extend(program.operations[value.0 as usize].kind.operands());
         }
     }
     needed
@@ -90,7 +61,7 @@ pub fn frontier(program: &Program, wanted: &[Value], stage: Stage) -> BTreeSet<V
         .filter(|value| earlier(*value))
         .collect();
     for value in needed(program, wanted, &earlier) {
-        let read = operands(&program.operations[value.0 as usize].kind);
+        let read = program.operations[value.0 as usize].kind.operands();
         border.extend(read.into_iter().filter(|value| earlier(*value)));
     }
     border.retain(|value| !is_number(program, *value));
@@ -119,7 +90,7 @@ pub fn levels(program: &Program, needed: &BTreeSet<Value>) -> Vec<Levels> {
     let mut level: BTreeMap<Value, usize> = BTreeMap::new();
     let mut levels: Vec<Levels> = Vec::new();
     for value in needed {
-        let read = operands(&program.operations[value.0 as usize].kind);
+        let read = program.operations[value.0 as usize].kind.operands();
         let own = read
             .iter()
             .filter_map(|operand| level.get(operand))

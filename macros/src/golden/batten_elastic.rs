@@ -431,6 +431,7 @@ mod batten_ {
             "v_difference",
             "F_difference",
         ];
+        #[inline(always)]
         fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
             let J2 = S::from_f64(self.J2);
             let m2 = S::from_f64(self.m2);

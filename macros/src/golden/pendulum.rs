@@ -141,6 +141,7 @@ mod pendulum_ {
         const SCALES: &'static [f64] = &[0.001, 0.001];
         const STATE_NAMES: &'static [&'static str] = &["phi", "dot(phi)"];
         const OUTPUT_NAMES: &'static [&'static str] = &["pull"];
+        #[inline(always)]
         fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
             let g = S::from_f64(self.g);
             let l = S::from_f64(self.l);

@@ -21,6 +21,13 @@ pub enum PeriodicError {
         /// Index of the state with the largest part in the free motion.
         state: usize,
     },
+    /// The tolerance is too loose for a useful result, though no resonance is near.
+    Inaccurate {
+        /// Amplification of relative errors into the motion, see [`super::Orbit::condition`].
+        condition: f64,
+        /// Relative error of the motion that is to be expected.
+        expected_error: f64,
+    },
     /// Shooting did not find a repeating motion.
     NotConverged {
         /// Integrations of the variational equations.
@@ -51,6 +58,14 @@ impl fmt::Display for PeriodicError {
                 "resonance: the multiplier {multiplier} lies {distance:.2e} from 1, and errors would be amplified \
                  {condition:.2e} times, to {expected_error:.0e} of the motion, mostly in state {state}; change the \
                  speed, add damping, or try a smaller rtol if the motion is known to exist"
+            ),
+            Self::Inaccurate {
+                condition,
+                expected_error,
+            } => write!(
+                formatter,
+                "the tolerance is too loose: the motion would be known to a relative error of {expected_error:.1e} only \
+                 (condition number {condition:.1e}); choose a smaller one"
             ),
             Self::NotConverged {
                 iterations,

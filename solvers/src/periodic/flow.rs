@@ -28,8 +28,8 @@ pub(super) struct Return {
     pub end: DVector<f64>,
     /// `Φ = ∂end/∂start`.
     pub matrix: DMatrix<f64>,
-    /// Largest state on the way.
-    pub peak: f64,
+    /// Largest absolute value of each state on the way.
+    pub peak: DVector<f64>,
 }
 
 impl Return {
@@ -38,14 +38,9 @@ impl Return {
         &self.end - &self.start
     }
 
-    /// Relative difference of `Φ` from another computation of the same, as a measure of its error.
-    pub fn uncertainty(&self, other: &Self) -> f64 {
-        (&self.matrix - &other.matrix).norm() / (1.0 + self.matrix.norm())
-    }
-
-    /// Difference of the gap from another computation of the same, as a measure of its error.
-    pub fn noise(&self, other: &Self) -> f64 {
-        (self.gap() - other.gap()).norm()
+    /// Size of the motion: 1 or more, as tolerances are relative to the scales at least.
+    pub fn size(&self) -> f64 {
+        1.0 + self.peak.iter().copied().fold(0.0, f64::max)
     }
 }
 
@@ -82,7 +77,7 @@ impl<C: Scene, S: Scalar, M: Method> Flow<C, S, M> {
         let options = Options::scaled(rtol, C::SCALES);
         let mut workspace = Workspace::<Bundle<_>, M>::new::<S, _>(&varied);
         let mut peak = Peak::<C, S> {
-            size: 0.0,
+            sizes: start.abs(),
             types: PhantomData,
         };
         integrate(
@@ -101,7 +96,7 @@ impl<C: Scene, S: Scalar, M: Method> Flow<C, S, M> {
             start: start.clone(),
             end: over_scales::<C, S>(motion.as_ref()),
             matrix: DMatrix::from_fn(C::STATES, C::STATES, scaled),
-            peak: peak.size.max(start.amax()),
+            peak: peak.sizes,
         })
     }
 
@@ -142,10 +137,10 @@ fn over_scales<C: Scene, S: Scalar>(state: &[S]) -> DVector<f64> {
     )
 }
 
-/// Keeps the largest state of a motion over its scale.
+/// Keeps the largest absolute value of each state of a motion, over its scale.
 struct Peak<C, S> {
     /// The largest so far.
-    size: f64,
+    sizes: DVector<f64>,
     /// The scene and the scalar type.
     types: PhantomData<(C, S)>,
 }
@@ -153,8 +148,9 @@ struct Peak<C, S> {
 impl<C: Scene, S: Scalar, Y: Storage<S>> Observer<Bundle<Y>> for Peak<C, S> {
     #[inline(always)]
     fn step(&mut self, step: &Step<'_, Bundle<Y>>) {
-        for (value, scale) in step.after.motion.as_ref().iter().zip(C::SCALES) {
-            self.size = self.size.max(value.to_f64().abs() / scale);
+        let states = step.after.motion.as_ref().iter().zip(C::SCALES);
+        for (size, (value, scale)) in self.sizes.iter_mut().zip(states) {
+            *size = size.max(value.to_f64().abs() / scale);
         }
     }
 }

@@ -14,6 +14,7 @@ mod error;
 mod flow;
 mod multipliers;
 mod shooting;
+mod smallest;
 
 pub use error::PeriodicError;
 pub use multipliers::Multiplier;
@@ -46,6 +47,9 @@ pub struct Orbit {
     pub residual: f64,
     /// Integrations of the variational equations.
     pub iterations: usize,
+    /// Free motions that repeat after the same period and are not driven: any amount of them could be added. The
+    /// motion here is the smallest, in the mean square over the period.
+    pub free: usize,
     /// For each state the largest difference over the period between the computations at `rtol` and at `rtol / 30`,
     /// SI units. The motion is that of the second, so this is an estimate from above.
     pub estimated_error: Vec<f64>,
@@ -154,18 +158,20 @@ fn solve_with<C: Scene, S: Scalar, M: Method>(
     let [coarse, fine] = returns.as_slice() else {
         return Err(PeriodicError::BadPeriod { period });
     };
-    let uncertainty = rtol.max(fine.uncertainty(coarse));
-    let load = 10.0 * (fine.noise(coarse) + rtol * (1.0 + fine.peak));
     let closing = Closing::new(&fine.matrix);
+    let uncertainty = rtol.max(closing.uncertainty(&(&fine.matrix - &coarse.matrix)));
+    let noise = closing.length(&(fine.gap() - coarse.gap()));
+    let load = 10.0 * (noise + rtol * closing.length(&fine.peak.add_scalar(1.0)));
     let close = |back: &Return, closing: &Closing| {
-        closing
-            .solve(&back.gap(), uncertainty, load)
-            .map(|change| &back.start + change)
+        let closed = closing.solve(&back.gap(), uncertainty, load)?;
+        Ok::<_, PeriodicError>((&back.start + closed.change, closed.free))
     };
-    let starts = [
-        close(coarse, &Closing::new(&coarse.matrix))?,
-        close(fine, &closing)?,
-    ];
+    let (first, _) = close(coarse, &Closing::new(&coarse.matrix))?;
+    let (second, free) = close(fine, &closing)?;
+    let mut starts = [first, second];
+    if superpose && !free.is_empty() {
+        starts = smallest::settle(&flow, starts, &free, tolerances)?;
+    }
     let mut motions = Vec::with_capacity(starts.len());
     for (start, rtol) in starts.iter().zip(tolerances) {
         motions.push(flow.march(start, rtol)?);
@@ -184,6 +190,7 @@ fn solve_with<C: Scene, S: Scalar, M: Method>(
         multipliers: multipliers::of(&fine.matrix),
         condition: closing.condition(),
         iterations,
+        free: free.len(),
         start,
         determinant: closing.determinant(),
     })

@@ -89,7 +89,7 @@ impl Search {
                 self.best = Some(best);
                 Ok(Verdict::Try(next))
             }
-            _ if gap <= 1e3 * rtol * (1.0 + best.back.peak) => Ok(Verdict::Closed(best.back)),
+            _ if gap <= 1e3 * rtol * best.back.size() => Ok(Verdict::Closed(best.back)),
             _ => {
                 self.count(gap, iterations)?;
                 Ok(Verdict::Try(best.back.end))
@@ -99,7 +99,7 @@ impl Search {
 
     /// Whether a candidate is better by the natural test: its Newton step with the matrix of the best one is shorter.
     fn is_better(&self, best: &Best, back: &Return, rtol: f64) -> Result<bool, PeriodicError> {
-        let change = best.closing.solve(&back.gap(), rtol, f64::INFINITY)?;
+        let change = best.closing.solve(&back.gap(), rtol, f64::INFINITY)?.change;
         Ok(change.norm() <= (1.0 - 0.25 * self.part) * best.change.norm())
     }
 
@@ -112,8 +112,8 @@ impl Search {
     ) -> Result<Verdict, PeriodicError> {
         let gap = back.gap();
         let closing = Closing::new(&back.matrix);
-        let change = closing.solve(&gap, rtol, f64::INFINITY)?;
-        let size = 1.0 + back.peak;
+        let change = closing.solve(&gap, rtol, f64::INFINITY)?.change;
+        let size = back.size();
         if gap.amax() <= 10.0 * rtol * size && change.amax() <= rtol.sqrt() * size {
             return Ok(Verdict::Closed(back));
         }

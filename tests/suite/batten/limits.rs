@@ -44,8 +44,6 @@ fn a_stiff_bar_is_a_rigid_bar() {
 
 #[test]
 fn a_stiff_shaft_is_a_rigid_shaft() {
-    // From a thousand times on the free motion of the shaft has so many periods in a revolution that the solver finds
-    // its matrix too uncertain and refuses.
     let distances = [("x3", 8.1e-5), ("phi2", 4e-3)];
-    check(&["c"], &[1e1, 3e1, 1e2], "bending", distances);
+    check(&["c"], &[1e1, 1e2, 1e3, 1e4], "bending", distances);
 }

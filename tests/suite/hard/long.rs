@@ -64,7 +64,7 @@ impl Observer<[f64; 2]> for Drift<'_> {
     }
 }
 
-/// Largest relative change of the energy over so many periods, of which one lasts 3.3 s.
+/// Largest relative change of the energy over so many periods, of which one lasts 2.67 s.
 fn drift<M: Method>(periods: f64, rtol: f64) -> f64 {
     let swing = Swing::default();
     let equations = swing.prepare::<f64>();
@@ -81,7 +81,7 @@ fn drift<M: Method>(periods: f64, rtol: f64) -> f64 {
         ..Options::scaled(rtol, Swing::SCALES)
     };
     let mut workspace = Workspace::<_, M>::new::<f64, _>(&system);
-    let times = (0.0, 3.29 * periods);
+    let times = (0.0, 2.67 * periods);
     integrate(&system, times, &start, &options, &mut workspace, &mut drift).unwrap();
     drift.largest
 }
