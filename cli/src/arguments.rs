@@ -63,7 +63,8 @@ One JSON object is printed with --format json. Its fields:
                deviation, relative_deviation, within (null when not comparable), remark, line
   multipliers  each: re, im, modulus, angle, angle_unit, meaning
   conclusions  what the multipliers say, in words
-  statistics   steps, rejected, evaluations, seconds, seconds_with_error_estimate,
+  statistics   steps, rejected, evaluations, condition, residual, seconds,
+               seconds_with_error_estimate,
                largest_estimated_error, work_for_ten_times_more_accuracy
   figure       path of the figure, or null
 

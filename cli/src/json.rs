@@ -8,13 +8,13 @@
 //! | `parameters` | each `name`, `kind` (`dimension` or `parameter`), `unit`, `value`, `default`, `changed` |
 //! | `task` | `kind` (`periodic`, `run` or `open`), `from`, `to`, `unit` |
 //! | `settings` | `method`, `rtol` |
-//! | `status` | `"complete"`, or `"incomplete"` when a value below is null because it is not a finite number |
+//! | `status` | `"complete"`; `"not unique"` when free motions repeat after the same period and nothing drives them, so that any amount could be added (`conclusions` says it); or `"incomplete"` when a value below is null because it is not a finite number |
 //! | `results` | each `name`, `unit`, `value` and `estimated_error` at the beginning of the task, and `minimum` and `maximum` over it, each with `value` and `time` |
 //! | `at` | for each `--at`: `place` in words, `time`, `drivers` (`name`, `unit`, `value`), `results` as above without the extremes |
 //! | `published` | each `name`, `unit`, `place`, `published`, `tolerance`, `computed`, `estimated_error`, `deviation`, `relative_deviation`, `within` (null when published for other values), `remark`, `line` of the equation file |
 //! | `multipliers` | each `re`, `im`, `modulus`, `angle`, `angle_unit`, `meaning`; none unless the task is periodic |
 //! | `conclusions` | what the multipliers say, a sentence each |
-//! | `statistics` | `steps`, `rejected`, `evaluations`, `seconds`, `seconds_with_error_estimate`, `largest_estimated_error` (`name`, `relative_to_amplitude`), `work_for_ten_times_more_accuracy` |
+//! | `statistics` | `steps`, `rejected`, `evaluations`, `condition` (number of the steady state), `residual` (after a period, over the scales), `seconds`, `seconds_with_error_estimate`, `largest_estimated_error` (`name`, `relative_to_amplitude`), `work_for_ten_times_more_accuracy` |
 //! | `figure` | path of the figure, or null |
 //!
 //! Values stand in the unit beside them, times in seconds. A run that does not come out prints no object: the message
@@ -74,12 +74,12 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
             "method": method_name(report.motion.settings.method),
             "rtol": report.motion.settings.rtol,
         },
-        "status": if complete { "complete" } else { "incomplete" },
+        "status": status(complete, report.free()),
         "results": results,
         "at": places,
         "published": published,
         "multipliers": multipliers(report),
-        "conclusions": conclusions(&report.multipliers),
+        "conclusions": conclusions(&report.multipliers, report.free()),
         "statistics": statistics(report),
         "figure": figure.map(|path| path.display().to_string()),
     })
@@ -213,6 +213,14 @@ fn multipliers(report: &Report) -> Value {
     Value::Array(list)
 }
 
+fn status(complete: bool, free: usize) -> &'static str {
+    match (complete, free) {
+        (false, _) => "incomplete",
+        (true, 0) => "complete",
+        (true, _) => "not unique",
+    }
+}
+
 fn statistics(report: &Report) -> Value {
     let effort = report.motion.effort();
     let worst = report.cost.worst.map(|(index, share)| {
@@ -222,6 +230,8 @@ fn statistics(report: &Report) -> Value {
         "steps": effort.steps,
         "rejected": effort.rejected,
         "evaluations": effort.evaluations,
+        "condition": report.motion.closing().map(|closing| closing.0),
+        "residual": report.motion.closing().map(|closing| closing.1),
         "seconds": report.cost.solve,
         "seconds_with_error_estimate": report.cost.total,
         "largest_estimated_error": worst,

@@ -106,6 +106,15 @@ impl Motion {
         }
     }
 
+    /// Condition number of a steady state, residual after a period over the scales, and number of free motions that
+    /// nothing determines; none unless the task is a steady state.
+    pub fn closing(&self) -> Option<(f64, f64, usize)> {
+        match &self.path {
+            Path::Orbit(orbit) => Some((orbit.condition, orbit.residual, orbit.free)),
+            _ => None,
+        }
+    }
+
     /// The work that was done.
     pub fn effort(&self) -> Effort {
         let statistics = match &self.path {

@@ -105,8 +105,20 @@ pub fn read(values: &[(f64, f64)]) -> Vec<Multiplier> {
     list
 }
 
-/// What all of them together say about the steady state, one sentence a line.
-pub fn conclusions(list: &[Multiplier]) -> Vec<String> {
+/// What all of them together say about the steady state, one sentence a line. `free` motions are not determined.
+pub fn conclusions(list: &[Multiplier], free: usize) -> Vec<String> {
+    let mut lines = stability(list);
+    if free > 0 {
+        lines.push(format!(
+            "not unique: {free} free motion{} after the same period and nothing drives {}; of all steady states this is the smallest",
+            if free == 1 { " repeats" } else { "s repeat" },
+            if free == 1 { "it" } else { "them" },
+        ));
+    }
+    lines
+}
+
+fn stability(list: &[Multiplier]) -> Vec<String> {
     let Some(largest) = list.iter().map(Multiplier::modulus).max_by(f64::total_cmp) else {
         return Vec::new();
     };
@@ -179,7 +191,7 @@ mod tests {
 
     #[test]
     fn an_undamped_mechanism_never_forgets() {
-        let lines = conclusions(&read(&[(0.6, 0.8), (0.6, -0.8)]));
+        let lines = conclusions(&read(&[(0.6, 0.8), (0.6, -0.8)]), 0);
         assert!(lines[0].contains("never forgets its start"), "{lines:?}");
         assert!(
             lines[1].starts_with("nearest to +1: the pair at ±53.13°, distance 0.894"),
@@ -189,7 +201,7 @@ mod tests {
 
     #[test]
     fn growth_is_called_unstable() {
-        let lines = conclusions(&read(&[(-1.1, 0.0)]));
+        let lines = conclusions(&read(&[(-1.1, 0.0)]), 0);
         assert!(lines[0].contains("unstable"), "{lines:?}");
     }
 }

@@ -40,6 +40,11 @@ pub struct Report {
 }
 
 impl Report {
+    /// Number of free motions that nothing determines.
+    pub fn free(&self) -> usize {
+        self.motion.closing().map_or(0, |closing| closing.2)
+    }
+
     /// Whether the task is a steady state that repeats.
     pub fn is_cycle(&self) -> bool {
         matches!(self.case.task, Task::Periodic(_))

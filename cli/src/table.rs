@@ -170,7 +170,7 @@ fn multipliers(page: &mut Page, report: &Report) {
         "Floquet multipliers, what one period does to a disturbance",
         &table,
     );
-    for line in conclusions(&report.multipliers) {
+    for line in conclusions(&report.multipliers, report.free()) {
         for (index, part) in wrap(&line, WIDTH - 4).iter().enumerate() {
             page.line(&format!("  {}{part}", if index == 0 { "" } else { "  " }));
         }

@@ -122,7 +122,9 @@ impl<'a> Body<'a> {
             (OperationKind::Input(Input::Time), Place::Time, _) => quote!(time),
             (_, Place::Parameters, _) => return None,
             (_, _, Stage::Constant | Stage::Parameter) => quote!(self.#name),
-            (_, Place::Evaluation, Stage::Instant) => quote!(instant.#name),
+            (_, Place::Evaluation, Stage::Instant) if self.layout.timed.contains(&value) => {
+                quote!(instant.#name)
+            }
             _ => return None,
         };
         Some(Expression::whole(stored))

@@ -34,11 +34,17 @@ pub fn of(layout: &Layout<'_>) -> Counts {
     };
     let list = |values: &BTreeSet<Value>| values.iter().copied().collect::<Vec<Value>>();
     let slopes: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
+    let there = |value: Value| {
+        let stage = program.operations[value.0 as usize].stage;
+        (stage < Stage::Instant && !schedule::is_number(program, value))
+            || layout.timed.contains(&value)
+    };
+    let slope_count = schedule::count(program, &schedule::needed(program, &slopes, &there));
     Counts {
         prepare: count(&list(&layout.prepared), Stage::Constant),
         instant: count(&list(&layout.timed), Stage::Instant),
         derivative: count(&results.derivative, Stage::State),
-        jacobian: count(&slopes, Stage::State),
+        jacobian: slope_count,
         outputs: count(&results.outputs, Stage::Instant),
     }
 }

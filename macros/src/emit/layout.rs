@@ -36,6 +36,29 @@ pub struct Layout<'a> {
     pub timed: BTreeSet<Value>,
 }
 
+/// What an instant stores: what the derivative needs of the time, and the functions of the time that the Jacobian
+/// needs beside it. The rest of the Jacobian is computed where it is asked for, so that a plain run does not pay for it.
+fn timed(program: &Program) -> BTreeSet<Value> {
+    let results = &program.results;
+    let stage = |value: Value| program.operations[value.0 as usize].stage;
+    let mut timed = schedule::frontier(program, &results.derivative, Stage::State);
+    timed.retain(|value| stage(*value) == Stage::Instant);
+    let mut open: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
+    while let Some(value) = open.pop() {
+        let kind = &program.operations[value.0 as usize].kind;
+        if stage(value) < Stage::Instant || timed.contains(&value) {
+            continue;
+        }
+        let function = matches!(kind, OperationKind::Call(..) | OperationKind::Input(_));
+        if function && stage(value) == Stage::Instant {
+            timed.insert(value);
+        } else {
+            open.extend(kind.operands());
+        }
+    }
+    timed
+}
+
 impl<'a> Layout<'a> {
     /// Lays out a scene whose type has this name.
     pub fn new(scene: &'a SceneModel, type_name: &str) -> Self {
@@ -54,9 +77,6 @@ impl<'a> Layout<'a> {
             .chain(rest.into_iter().flatten())
             .copied()
             .collect();
-        let stage = |value: &Value| program.operations[value.0 as usize].stage;
-        let mut timed = schedule::frontier(program, &evaluated, Stage::State);
-        timed.retain(|value| stage(value) == Stage::Instant);
         let names = scene
             .constants
             .iter()
@@ -69,7 +89,7 @@ impl<'a> Layout<'a> {
             equations: format_ident!("{type_name}Equations"),
             instant: format_ident!("{type_name}Instant"),
             prepared: schedule::frontier(program, &all, Stage::Instant),
-            timed,
+            timed: timed(program),
         }
     }
 

@@ -114,7 +114,7 @@ mod batten_ {
     /// | `v_difference` | `m/s` |  |
     /// | `F_difference` | `N` |  |
     ///
-    /// Operations: 70 once per parameter set, 49 per instant, 32 per evaluation, 0 per Jacobian.
+    /// Operations: 69 once per parameter set, 31 per instant, 29 per evaluation, 28 per Jacobian.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Elastic {
         /// Crank: `75 mm`, `in 1 mm .. 1000 mm`; stored in SI units, `mm` is 0.001.
@@ -437,6 +437,7 @@ mod batten_ {
             let m2 = S::from_f64(self.m2);
             let R = S::from_f64(self.R);
             let v11_ = R * R;
+            let v12_ = m2 * v11_;
             let n = S::from_f64(self.n);
             let l = S::from_f64(self.l);
             let v15_ = S::ONE / l;
@@ -451,20 +452,20 @@ mod batten_ {
             let v29_ = v23_ * d34;
             let v30_ = v23_ * d33;
             let v31_ = n * n;
-            let v32_ = v31_ * v11_;
+            let v32_ = v11_ * v31_;
             let m3 = S::from_f64(self.m3);
             let v40_ = S::ONE / m3;
             let m4 = S::from_f64(self.m4);
             let v42_ = S::ONE / m4;
-            let v46_ = -S::mul_add(lambda, d44, d34 * v26_);
-            let v48_ = S::mul_add(d34, lambda, v26_ * d33);
-            let v55_ = R * v23_;
+            let v46_ = -S::mul_add(lambda, d44, v26_ * d34);
+            let v48_ = S::mul_add(lambda, d34, v26_ * d33);
+            let v54_ = R * v23_;
             let m1 = S::from_f64(self.m1);
             ElasticEquations {
                 J2,
                 m2,
                 R,
-                v12_: m2 * v11_,
+                v12_,
                 n,
                 v16_,
                 c,
@@ -491,31 +492,31 @@ mod batten_ {
                 v42_,
                 v43_: -c,
                 v52_: v23_ * v11_ * S::mul_add(-v26_, v48_, lambda * v46_),
-                v54_: v31_ * m2 * v11_,
-                v56_: v55_ * v46_,
-                v57_: v55_ * v48_,
-                v59_: -S::from_f64(2.0) * (R * m2),
-                v61_: v55_ * v40_ * v46_,
-                slope_4_1_: -(v23_ * d44 * v40_),
+                v53_: v12_ * v31_,
+                v55_: v54_ * v46_,
+                v56_: v54_ * v48_,
+                v58_: -S::from_f64(2.0) * (R * m2),
+                v60_: v54_ * v40_ * v46_,
+                slope_4_1_: -(v23_ * v40_ * d44),
                 slope_4_2_: v29_ * v40_,
-                v67_: v55_ * v42_ * v48_,
+                v66_: v54_ * v42_ * v48_,
                 slope_5_1_: v29_ * v42_,
                 slope_5_2_: -(v30_ * v42_),
-                v71_: S::from_f64(0.5) * n,
-                v72_: S::from_f64(0.5) * v16_,
+                v70_: S::from_f64(0.5) * n,
+                v71_: S::from_f64(0.5) * v16_,
                 m1,
+                v73_: lambda * m4,
                 v74_: v26_ * m3,
-                v75_: lambda * m4,
-                v76_: v26_ * m4,
-                v77_: lambda * m3,
-                v79_: S::from_f64(0.5) * (v32_ * m1),
-                v80_: S::from_f64(0.5) * J2,
-                v81_: S::from_f64(0.5) * m3,
-                v82_: S::from_f64(0.5) * m4,
-                v83_: S::from_f64(0.5) * m2,
-                v84_: S::from_f64(0.5) * c,
-                v85_: S::from_f64(0.5) * v23_,
-                v86_: S::from_f64(2.0) * d34,
+                v75_: v26_ * m4,
+                v76_: lambda * m3,
+                v78_: S::from_f64(0.5) * (v32_ * m1),
+                v79_: S::from_f64(0.5) * J2,
+                v80_: S::from_f64(0.5) * m3,
+                v81_: S::from_f64(0.5) * m4,
+                v82_: S::from_f64(0.5) * m2,
+                v83_: S::from_f64(0.5) * c,
+                v84_: S::from_f64(0.5) * v23_,
+                v85_: S::from_f64(2.0) * d34,
             }
         }
         fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
@@ -585,7 +586,7 @@ mod batten_ {
         v30_: S,
         /// `n^2`
         v31_: S,
-        /// `v31_*R^2*(1/l)`
+        /// `R^2*v31_*(1/l)`
         v33_: S,
         /// `R*v31_`
         v34_: S,
@@ -603,57 +604,57 @@ mod batten_ {
         v42_: S,
         /// `-c`
         v43_: S,
-        /// `v23_*R^2*(lambda*(-(lambda*d44 + d34*v26_)) - v26_*(d34*lambda + v26_*d33))`
+        /// `v23_*R^2*(lambda*(-(lambda*d44 + v26_*d34)) - v26_*(lambda*d34 + v26_*d33))`
         v52_: S,
-        /// `v31_*m2*R^2`
-        v54_: S,
-        /// `R*v23_*(-(lambda*d44 + d34*v26_))`
+        /// `v12_*v31_`
+        v53_: S,
+        /// `R*v23_*(-(lambda*d44 + v26_*d34))`
+        v55_: S,
+        /// `R*v23_*(lambda*d34 + v26_*d33)`
         v56_: S,
-        /// `R*v23_*(d34*lambda + v26_*d33)`
-        v57_: S,
         /// `(-2)*(R*m2)`
-        v59_: S,
-        /// `R*v23_*v40_*(-(lambda*d44 + d34*v26_))`
-        v61_: S,
-        /// Jacobian, rate of `dot(w3)` by `w3`: `-v23_*d44*v40_`
+        v58_: S,
+        /// `R*v23_*v40_*(-(lambda*d44 + v26_*d34))`
+        v60_: S,
+        /// Jacobian, rate of `dot(w3)` by `w3`: `-v23_*v40_*d44`
         slope_4_1_: S,
         /// Jacobian, rate of `dot(w3)` by `w4`: `v29_*v40_`
         slope_4_2_: S,
-        /// `R*v23_*v42_*(d34*lambda + v26_*d33)`
-        v67_: S,
+        /// `R*v23_*v42_*(lambda*d34 + v26_*d33)`
+        v66_: S,
         /// Jacobian, rate of `dot(w4)` by `w3`: `v29_*v42_`
         slope_5_1_: S,
         /// Jacobian, rate of `dot(w4)` by `w4`: `-v30_*v42_`
         slope_5_2_: S,
         /// `0.5*n`
-        v71_: S,
+        v70_: S,
         /// `0.5*v16_`
-        v72_: S,
+        v71_: S,
         m1: S,
+        /// `lambda*m4`
+        v73_: S,
         /// `v26_*m3`
         v74_: S,
-        /// `lambda*m4`
-        v75_: S,
         /// `v26_*m4`
-        v76_: S,
+        v75_: S,
         /// `lambda*m3`
-        v77_: S,
-        /// `0.5*(v31_*R^2*m1)`
-        v79_: S,
+        v76_: S,
+        /// `0.5*(R^2*v31_*m1)`
+        v78_: S,
         /// `0.5*J2`
-        v80_: S,
+        v79_: S,
         /// `0.5*m3`
-        v81_: S,
+        v80_: S,
         /// `0.5*m4`
-        v82_: S,
+        v81_: S,
         /// `0.5*m2`
-        v83_: S,
+        v82_: S,
         /// `0.5*c`
-        v84_: S,
+        v83_: S,
         /// `0.5*v23_`
-        v85_: S,
+        v84_: S,
         /// `2*d34`
-        v86_: S,
+        v85_: S,
     }
     impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S>
     for ElasticEquations<S> {
@@ -663,41 +664,29 @@ mod batten_ {
         fn states(&self) -> usize {
             6
         }
-        /// 49 operations.
+        /// 31 operations.
         #[inline(always)]
         fn instant(&self, time: S) -> Self::Instant {
             let theta = self.n * time;
             let (sin_theta_, cos_theta_) = S::sin_cos(theta);
-            let v94_ = sin_theta_ * sin_theta_;
-            let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-            let v100_ = S::ONE / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2);
-            let v101_ = v96_ * sin_theta_;
-            let v105_ = v96_ * cos_theta_;
-            let ddot_x1 = S::mul_add(self.v34_, v105_, self.v33_ * v94_);
-            let v108_ = S::mul_add(self.v35_, cos_theta_, -S::ONE);
-            let v112_ = S::mul_add(self.v38_, v105_, self.v37_ * v94_);
-            let v123_ = v101_ * v100_;
+            let v93_ = sin_theta_ * sin_theta_;
+            let v95_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+            let v100_ = v95_ * sin_theta_;
+            let v104_ = v95_ * cos_theta_;
+            let ddot_x1 = S::mul_add(self.v34_, v104_, self.v33_ * v93_);
             ElasticInstant {
-                v100_,
-                v102_: self.R * v101_,
-                v103_: self.v27_ * v101_,
-                v104_: self.v28_ * v101_,
+                sin_theta_,
+                cos_theta_,
+                v99_: S::ONE / S::mul_add(self.v12_, v93_ * (v95_ * v95_), self.J2),
+                v101_: self.R * v100_,
+                v102_: self.v27_ * v100_,
+                v103_: self.v28_ * v100_,
                 ddot_x1,
-                v110_: self.v34_ * (sin_theta_ * v108_),
-                v113_: S::from_f64(2.0) * v112_,
-                v115_: -(self.m3 * ddot_x1),
-                v117_: -(self.m4 * ddot_x1),
-                slope_3_0_: v100_
-                    * S::mul_add(
-                        v96_ * v94_,
-                        S::mul_add(-self.v54_, v108_, self.v52_ * v96_),
-                        self.v43_,
-                    ),
-                slope_3_1_: -(self.v56_ * v123_),
-                slope_3_2_: -(self.v57_ * v123_),
-                slope_3_3_: self.v59_ * (v123_ * v112_),
-                slope_4_0_: -(self.v61_ * v101_),
-                slope_5_0_: -(self.v67_ * v101_),
+                v109_: self.v34_
+                    * (sin_theta_ * S::mul_add(self.v35_, cos_theta_, -S::ONE)),
+                v112_: S::from_f64(2.0) * S::mul_add(self.v38_, v104_, self.v37_ * v93_),
+                v114_: -(self.m3 * ddot_x1),
+                v116_: -(self.m4 * ddot_x1),
             }
         }
         #[inline(always)]
@@ -709,60 +698,45 @@ mod batten_ {
             }
             let (sin_theta_, cos_theta_) = S::sin_cos_all::<K_>(angle_theta_);
             let mut instants = [ElasticInstant {
-                v100_: S::ZERO,
+                sin_theta_: S::ZERO,
+                cos_theta_: S::ZERO,
+                v99_: S::ZERO,
+                v101_: S::ZERO,
                 v102_: S::ZERO,
                 v103_: S::ZERO,
-                v104_: S::ZERO,
                 ddot_x1: S::ZERO,
-                v110_: S::ZERO,
-                v113_: S::ZERO,
-                v115_: S::ZERO,
-                v117_: S::ZERO,
-                slope_3_0_: S::ZERO,
-                slope_3_1_: S::ZERO,
-                slope_3_2_: S::ZERO,
-                slope_3_3_: S::ZERO,
-                slope_4_0_: S::ZERO,
-                slope_5_0_: S::ZERO,
+                v109_: S::ZERO,
+                v112_: S::ZERO,
+                v114_: S::ZERO,
+                v116_: S::ZERO,
             }; K_];
             for k_ in 0..K_ {
                 let time = times[k_];
-                let v94_ = sin_theta_[k_] * sin_theta_[k_];
-                let v96_ = S::mul_add(-self.v16_, cos_theta_[k_], S::ONE);
-                let v100_ = S::ONE
-                    / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2);
-                let v101_ = v96_ * sin_theta_[k_];
-                let v105_ = v96_ * cos_theta_[k_];
-                let ddot_x1 = S::mul_add(self.v34_, v105_, self.v33_ * v94_);
-                let v108_ = S::mul_add(self.v35_, cos_theta_[k_], -S::ONE);
-                let v112_ = S::mul_add(self.v38_, v105_, self.v37_ * v94_);
-                let v123_ = v101_ * v100_;
+                let v93_ = sin_theta_[k_] * sin_theta_[k_];
+                let v95_ = S::mul_add(-self.v16_, cos_theta_[k_], S::ONE);
+                let v100_ = v95_ * sin_theta_[k_];
+                let v104_ = v95_ * cos_theta_[k_];
+                let ddot_x1 = S::mul_add(self.v34_, v104_, self.v33_ * v93_);
                 instants[k_] = ElasticInstant {
-                    v100_,
-                    v102_: self.R * v101_,
-                    v103_: self.v27_ * v101_,
-                    v104_: self.v28_ * v101_,
+                    sin_theta_: sin_theta_[k_],
+                    cos_theta_: cos_theta_[k_],
+                    v99_: S::ONE / S::mul_add(self.v12_, v93_ * (v95_ * v95_), self.J2),
+                    v101_: self.R * v100_,
+                    v102_: self.v27_ * v100_,
+                    v103_: self.v28_ * v100_,
                     ddot_x1,
-                    v110_: self.v34_ * (sin_theta_[k_] * v108_),
-                    v113_: S::from_f64(2.0) * v112_,
-                    v115_: -(self.m3 * ddot_x1),
-                    v117_: -(self.m4 * ddot_x1),
-                    slope_3_0_: v100_
-                        * S::mul_add(
-                            v96_ * v94_,
-                            S::mul_add(-self.v54_, v108_, self.v52_ * v96_),
-                            self.v43_,
-                        ),
-                    slope_3_1_: -(self.v56_ * v123_),
-                    slope_3_2_: -(self.v57_ * v123_),
-                    slope_3_3_: self.v59_ * (v123_ * v112_),
-                    slope_4_0_: -(self.v61_ * v101_),
-                    slope_5_0_: -(self.v67_ * v101_),
+                    v109_: self.v34_
+                        * (sin_theta_[k_]
+                            * S::mul_add(self.v35_, cos_theta_[k_], -S::ONE)),
+                    v112_: S::from_f64(2.0)
+                        * S::mul_add(self.v38_, v104_, self.v37_ * v93_),
+                    v114_: -(self.m3 * ddot_x1),
+                    v116_: -(self.m4 * ddot_x1),
                 };
             }
             instants
         }
-        /// 32 operations.
+        /// 29 operations.
         #[inline(always)]
         fn derivative(
             &self,
@@ -776,36 +750,33 @@ mod batten_ {
             let dot_phi2 = state[3];
             let dot_w3 = state[4];
             let dot_w4 = state[5];
-            let u4 = S::mul_add(instant.v103_, phi2, w4);
-            let u3 = S::mul_add(-instant.v104_, phi2, w3);
-            let v157_ = self.v29_ * u3;
-            let v158_ = self.v30_ * u4;
-            let v165_ = instant.v102_
+            let u4 = S::mul_add(instant.v102_, phi2, w4);
+            let u3 = S::mul_add(-instant.v103_, phi2, w3);
+            let v154_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+            let v155_ = self.v29_ * u3;
+            let v156_ = self.v30_ * u4;
+            let ddot_phi2 = instant.v99_
                 * S::mul_add(
-                    self.m2,
-                    S::mul_add(
-                        -instant.v113_,
-                        dot_phi2,
-                        S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
-                    ),
-                    S::mul_add(
-                        self.v26_,
-                        v157_ - v158_,
-                        self.v25_ * S::mul_add(-self.d34, u4, self.d44 * u3),
-                    ),
+                    -self.c,
+                    phi2,
+                    instant.v101_
+                        * S::mul_add(
+                            self.m2,
+                            S::mul_add(
+                                -instant.v112_,
+                                dot_phi2,
+                                S::mul_add(-instant.v109_, phi2, instant.ddot_x1),
+                            ),
+                            S::mul_add(self.v26_, v155_ - v156_, self.v25_ * v154_),
+                        ),
                 );
             *rate = [
                 dot_phi2,
                 dot_w3,
                 dot_w4,
-                instant.v100_ * S::mul_add(-self.c, phi2, v165_),
-                self.v40_
-                    * S::mul_add(
-                        self.v23_,
-                        S::mul_add(-self.d44, u3, self.d34 * u4),
-                        instant.v115_,
-                    ),
-                self.v42_ * (instant.v117_ + v157_ - v158_),
+                ddot_phi2,
+                self.v40_ * S::mul_add(-self.v23_, v154_, instant.v114_),
+                self.v42_ * (instant.v116_ + v155_ - v156_),
             ];
         }
         #[inline(always)]
@@ -823,75 +794,85 @@ mod batten_ {
             let dot_phi2 = state[3];
             let dot_w3 = state[4];
             let dot_w4 = state[5];
-            let u4 = S::mul_add(instant.v103_, phi2, w4);
-            let u3 = S::mul_add(-instant.v104_, phi2, w3);
-            let v157_ = self.v29_ * u3;
-            let v158_ = self.v30_ * u4;
-            let v165_ = instant.v102_
+            let v93_ = instant.sin_theta_ * instant.sin_theta_;
+            let v95_ = S::mul_add(-self.v16_, instant.cos_theta_, S::ONE);
+            let v100_ = v95_ * instant.sin_theta_;
+            let slope_3_0_ = instant.v99_
                 * S::mul_add(
-                    self.m2,
+                    v95_ * v93_,
                     S::mul_add(
-                        -instant.v113_,
-                        dot_phi2,
-                        S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
+                        -self.v53_,
+                        S::mul_add(self.v35_, instant.cos_theta_, -S::ONE),
+                        self.v52_ * v95_,
                     ),
-                    S::mul_add(
-                        self.v26_,
-                        v157_ - v158_,
-                        self.v25_ * S::mul_add(-self.d34, u4, self.d44 * u3),
-                    ),
+                    self.v43_,
+                );
+            let v122_ = v100_ * instant.v99_;
+            let slope_3_1_ = -(self.v55_ * v122_);
+            let slope_3_2_ = -(self.v56_ * v122_);
+            let slope_3_3_ = self.v58_
+                * (v122_
+                    * S::mul_add(
+                        self.v38_,
+                        v95_ * instant.cos_theta_,
+                        self.v37_ * v93_,
+                    ));
+            let slope_4_0_ = -(self.v60_ * v100_);
+            let slope_5_0_ = -(self.v66_ * v100_);
+            let u4 = S::mul_add(instant.v102_, phi2, w4);
+            let u3 = S::mul_add(-instant.v103_, phi2, w3);
+            let v154_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+            let v155_ = self.v29_ * u3;
+            let v156_ = self.v30_ * u4;
+            let ddot_phi2 = instant.v99_
+                * S::mul_add(
+                    -self.c,
+                    phi2,
+                    instant.v101_
+                        * S::mul_add(
+                            self.m2,
+                            S::mul_add(
+                                -instant.v112_,
+                                dot_phi2,
+                                S::mul_add(-instant.v109_, phi2, instant.ddot_x1),
+                            ),
+                            S::mul_add(self.v26_, v155_ - v156_, self.v25_ * v154_),
+                        ),
                 );
             *rate = [
                 dot_phi2,
                 dot_w3,
                 dot_w4,
-                instant.v100_ * S::mul_add(-self.c, phi2, v165_),
-                self.v40_
-                    * S::mul_add(
-                        self.v23_,
-                        S::mul_add(-self.d44, u3, self.d34 * u4),
-                        instant.v115_,
-                    ),
-                self.v42_ * (instant.v117_ + v157_ - v158_),
+                ddot_phi2,
+                self.v40_ * S::mul_add(-self.v23_, v154_, instant.v114_),
+                self.v42_ * (instant.v116_ + v155_ - v156_),
             ];
             for (column_, product_) in columns.iter().zip(products) {
                 product_[0] = column_[3];
                 product_[1] = column_[4];
                 product_[2] = column_[5];
                 product_[3] = S::mul_add(
-                    instant.slope_3_3_,
+                    slope_3_3_,
                     column_[3],
                     S::mul_add(
-                        instant.slope_3_2_,
+                        slope_3_2_,
                         column_[2],
-                        S::mul_add(
-                            instant.slope_3_1_,
-                            column_[1],
-                            instant.slope_3_0_ * column_[0],
-                        ),
+                        S::mul_add(slope_3_1_, column_[1], slope_3_0_ * column_[0]),
                     ),
                 );
                 product_[4] = S::mul_add(
                     self.slope_4_2_,
                     column_[2],
-                    S::mul_add(
-                        self.slope_4_1_,
-                        column_[1],
-                        instant.slope_4_0_ * column_[0],
-                    ),
+                    S::mul_add(self.slope_4_1_, column_[1], slope_4_0_ * column_[0]),
                 );
                 product_[5] = S::mul_add(
                     self.slope_5_2_,
                     column_[2],
-                    S::mul_add(
-                        self.slope_5_1_,
-                        column_[1],
-                        instant.slope_5_0_ * column_[0],
-                    ),
+                    S::mul_add(self.slope_5_1_, column_[1], slope_5_0_ * column_[0]),
                 );
             }
         }
-        /// 0 operations.
+        /// 28 operations.
         #[inline(always)]
         fn jacobian(
             &self,
@@ -902,19 +883,32 @@ mod batten_ {
             ::core::debug_assert!(columns.len() >= 6);
             let ::core::option::Option::Some(columns) = columns.first_chunk_mut::<6>()
             else { return };
+            let v93_ = instant.sin_theta_ * instant.sin_theta_;
+            let v95_ = S::mul_add(-self.v16_, instant.cos_theta_, S::ONE);
+            let v100_ = v95_ * instant.sin_theta_;
+            let v122_ = v100_ * instant.v99_;
             columns[0] = [
                 S::ZERO,
                 S::ZERO,
                 S::ZERO,
-                instant.slope_3_0_,
-                instant.slope_4_0_,
-                instant.slope_5_0_,
+                instant.v99_
+                    * S::mul_add(
+                        v95_ * v93_,
+                        S::mul_add(
+                            -self.v53_,
+                            S::mul_add(self.v35_, instant.cos_theta_, -S::ONE),
+                            self.v52_ * v95_,
+                        ),
+                        self.v43_,
+                    ),
+                -(self.v60_ * v100_),
+                -(self.v66_ * v100_),
             ];
             columns[1] = [
                 S::ZERO,
                 S::ZERO,
                 S::ZERO,
-                instant.slope_3_1_,
+                -(self.v55_ * v122_),
                 self.slope_4_1_,
                 self.slope_5_1_,
             ];
@@ -922,7 +916,7 @@ mod batten_ {
                 S::ZERO,
                 S::ZERO,
                 S::ZERO,
-                instant.slope_3_2_,
+                -(self.v56_ * v122_),
                 self.slope_4_2_,
                 self.slope_5_2_,
             ];
@@ -930,14 +924,20 @@ mod batten_ {
                 S::ONE,
                 S::ZERO,
                 S::ZERO,
-                instant.slope_3_3_,
+                self.v58_
+                    * (v122_
+                        * S::mul_add(
+                            self.v38_,
+                            v95_ * instant.cos_theta_,
+                            self.v37_ * v93_,
+                        )),
                 S::ZERO,
                 S::ZERO,
             ];
             columns[4] = [S::ZERO, S::ONE, S::ZERO, S::ZERO, S::ZERO, S::ZERO];
             columns[5] = [S::ZERO, S::ZERO, S::ONE, S::ZERO, S::ZERO, S::ZERO];
         }
-        /// 125 operations.
+        /// 117 operations.
         #[inline(always)]
         fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
             ::core::debug_assert!(values.len() >= 22);
@@ -952,83 +952,78 @@ mod batten_ {
             let theta = self.n * time;
             let shaft = self.c * phi2;
             let v_difference = dot_w3 - dot_w4;
-            let ([sin_theta_, sin_v134_], [cos_theta_, _]) = S::sin_cos_all([
+            let ([sin_theta_, sin_v133_], [cos_theta_, _]) = S::sin_cos_all([
                 theta,
-                self.v71_ * time,
+                self.v70_ * time,
             ]);
-            let v94_ = sin_theta_ * sin_theta_;
-            let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-            let v100_ = S::ONE / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2);
-            let v101_ = v96_ * sin_theta_;
-            let v102_ = self.R * v101_;
-            let v105_ = v96_ * cos_theta_;
-            let ddot_x1 = S::mul_add(self.v34_, v105_, self.v33_ * v94_);
-            let v108_ = S::mul_add(self.v35_, cos_theta_, -S::ONE);
-            let v110_ = self.v34_ * (sin_theta_ * v108_);
-            let v112_ = S::mul_add(self.v38_, v105_, self.v37_ * v94_);
-            let v113_ = S::from_f64(2.0) * v112_;
+            let v93_ = sin_theta_ * sin_theta_;
+            let v95_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+            let v99_ = S::ONE / S::mul_add(self.v12_, v93_ * (v95_ * v95_), self.J2);
+            let v100_ = v95_ * sin_theta_;
+            let v101_ = self.R * v100_;
+            let v104_ = v95_ * cos_theta_;
+            let ddot_x1 = S::mul_add(self.v34_, v104_, self.v33_ * v93_);
+            let v107_ = S::mul_add(self.v35_, cos_theta_, -S::ONE);
+            let v111_ = S::mul_add(self.v38_, v104_, self.v37_ * v93_);
+            let v112_ = S::from_f64(2.0) * v111_;
             let x1 = self.R
                 * S::mul_add(
-                    -self.v72_,
-                    v94_,
-                    S::from_f64(2.0) * (sin_v134_ * sin_v134_),
+                    -self.v71_,
+                    v93_,
+                    S::from_f64(2.0) * (sin_v133_ * sin_v133_),
                 );
-            let dot_x1 = self.v38_ * v101_;
-            let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
-            let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
-            let v157_ = self.v29_ * u3;
-            let v158_ = self.v30_ * u4;
-            let v165_ = v102_
-                * S::mul_add(
-                    self.m2,
-                    S::mul_add(-v113_, dot_phi2, S::mul_add(-v110_, phi2, ddot_x1)),
-                    S::mul_add(
-                        self.v26_,
-                        v157_ - v158_,
-                        self.v25_ * S::mul_add(-self.d34, u4, self.d44 * u3),
-                    ),
-                );
-            let v169_ = S::mul_add(-self.d44, u3, self.d34 * u4);
-            let x2 = S::mul_add(-v102_, phi2, x1);
+            let dot_x1 = self.v38_ * v100_;
+            let u4 = S::mul_add(self.v27_ * v100_, phi2, w4);
+            let u3 = S::mul_add(-(self.v28_ * v100_), phi2, w3);
+            let v154_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+            let v155_ = self.v29_ * u3;
+            let v156_ = self.v30_ * u4;
+            let v159_ = S::mul_add(
+                -v112_,
+                dot_phi2,
+                S::mul_add(-(self.v34_ * (sin_theta_ * v107_)), phi2, ddot_x1),
+            );
+            let x2 = S::mul_add(-v101_, phi2, x1);
             let x3 = x1 + w3;
             let x4 = x1 + w4;
-            let v190_ = S::mul_add(
-                self.m2,
-                S::mul_add(v113_, dot_phi2, S::mul_add(v110_, phi2, -ddot_x1)),
-                self.v23_
-                    * S::mul_add(
-                        self.lambda,
-                        v169_,
-                        self.v26_ * S::mul_add(-self.d34, u3, self.d33 * u4),
+            let v186_ = v95_ * v99_
+                * S::mul_add(
+                    v101_,
+                    S::mul_add(
+                        -self.m2,
+                        v159_,
+                        self.v23_
+                            * S::mul_add(
+                                -self.lambda,
+                                v154_,
+                                self.v26_ * S::mul_add(-self.d34, u3, self.d33 * u4),
+                            ),
                     ),
-            );
+                    shaft,
+                );
             let ddot_x2 = S::mul_add(
-                -v113_,
+                -v112_,
                 dot_phi2,
                 S::mul_add(
                     self.R * sin_theta_,
-                    S::mul_add(
-                        -(self.v31_ * v108_),
-                        phi2,
-                        v96_ * v100_ * S::mul_add(v102_, v190_, shaft),
-                    ),
+                    S::mul_add(-(self.v31_ * v107_), phi2, v186_),
                     ddot_x1,
                 ),
             );
             let ddot_x3 = ddot_x1
-                + self.v40_ * S::mul_add(self.v23_, v169_, -(self.m3 * ddot_x1));
-            let ddot_x4 = ddot_x1 + self.v42_ * (v157_ - (self.m4 * ddot_x1) - v158_);
+                + self.v40_ * S::mul_add(-self.v23_, v154_, -(self.m3 * ddot_x1));
+            let ddot_x4 = ddot_x1 + self.v42_ * (v155_ - (self.m4 * ddot_x1) - v156_);
             let F1 = S::mul_add(
-                -self.v75_,
+                -self.v73_,
                 ddot_x4,
                 S::mul_add(self.v74_, ddot_x3, self.m1 * ddot_x1),
             );
             let F2 = S::mul_add(
-                -self.v77_,
+                -self.v76_,
                 ddot_x3,
-                S::mul_add(self.v76_, ddot_x4, self.m2 * ddot_x2),
+                S::mul_add(self.m2, ddot_x2, self.v75_ * ddot_x4),
             );
-            let drive_torque = S::mul_add(v102_, F1, shaft);
+            let drive_torque = S::mul_add(v101_, F1, shaft);
             let x_difference = x3 - x4;
             let F_difference = F1 - F2;
             values[0] = x1;
@@ -1036,7 +1031,7 @@ mod batten_ {
             values[2] = x3;
             values[3] = x4;
             values[4] = dot_x1;
-            values[5] = S::mul_add(-v112_, phi2, S::mul_add(-v102_, dot_phi2, dot_x1));
+            values[5] = S::mul_add(-v111_, phi2, S::mul_add(-v101_, dot_phi2, dot_x1));
             values[6] = dot_x1 + dot_w3;
             values[7] = dot_x1 + dot_w4;
             values[8] = ddot_x1;
@@ -1045,7 +1040,17 @@ mod batten_ {
             values[11] = ddot_x4;
             values[12] = phi2;
             values[13] = dot_phi2;
-            values[14] = v100_ * S::mul_add(-self.c, phi2, v165_);
+            values[14] = v99_
+                * S::mul_add(
+                    -self.c,
+                    phi2,
+                    v101_
+                        * S::mul_add(
+                            self.m2,
+                            v159_,
+                            S::mul_add(self.v26_, v155_ - v156_, self.v25_ * v154_),
+                        ),
+                );
             values[15] = F1;
             values[16] = F2;
             values[17] = drive_torque;
@@ -1065,36 +1070,28 @@ mod batten_ {
     /// What the equations of [`Elastic`] need of one time.
     #[derive(Clone, Copy, Debug)]
     pub struct ElasticInstant<S: ::assur::scalar::Scalar> {
-        /// `1/(m2*R^2*(sin(n*time)^2*(1 - R*(1/l)*cos(n*time))^2) + J2)`
-        v100_: S,
-        /// `R*((1 - R*(1/l)*cos(n*time))*sin(n*time))`
+        /// `sin(n*time)`
+        sin_theta_: S,
+        /// `cos(n*time)`
+        cos_theta_: S,
+        /// `1/(m2*R^2*(sin_theta_^2*(1 - R*(1/l)*cos_theta_)^2) + J2)`
+        v99_: S,
+        /// `R*((1 - R*(1/l)*cos_theta_)*sin_theta_)`
+        v101_: S,
+        /// `R*(1 + lambda)*((1 - R*(1/l)*cos_theta_)*sin_theta_)`
         v102_: S,
-        /// `R*(1 + lambda)*((1 - R*(1/l)*cos(n*time))*sin(n*time))`
+        /// `R*lambda*((1 - R*(1/l)*cos_theta_)*sin_theta_)`
         v103_: S,
-        /// `R*lambda*((1 - R*(1/l)*cos(n*time))*sin(n*time))`
-        v104_: S,
-        /// `R*n^2*((1 - R*(1/l)*cos(n*time))*cos(n*time)) + n^2*R^2*(1/l)*sin(n*time)^2`
+        /// `R*n^2*((1 - R*(1/l)*cos_theta_)*cos_theta_) + R^2*n^2*(1/l)*sin_theta_^2`
         ddot_x1: S,
-        /// `R*n^2*(sin(n*time)*(4*(R*(1/l))*cos(n*time) + (-1)))`
-        v110_: S,
-        /// `2*(R*n*((1 - R*(1/l)*cos(n*time))*cos(n*time)) + R^2*n*(1/l)*sin(n*time)^2)`
-        v113_: S,
+        /// `R*n^2*(sin_theta_*(4*(R*(1/l))*cos_theta_ + (-1)))`
+        v109_: S,
+        /// `2*(R*n*((1 - R*(1/l)*cos_theta_)*cos_theta_) + R^2*n*(1/l)*sin_theta_^2)`
+        v112_: S,
         /// `-m3*ddot_x1`
-        v115_: S,
+        v114_: S,
         /// `-m4*ddot_x1`
-        v117_: S,
-        /// Jacobian, rate of `dot(phi2)` by `phi2`
-        slope_3_0_: S,
-        /// Jacobian, rate of `dot(phi2)` by `w3`
-        slope_3_1_: S,
-        /// Jacobian, rate of `dot(phi2)` by `w4`
-        slope_3_2_: S,
-        /// Jacobian, rate of `dot(phi2)` by `dot(phi2)`
-        slope_3_3_: S,
-        /// Jacobian, rate of `dot(w3)` by `phi2`
-        slope_4_0_: S,
-        /// Jacobian, rate of `dot(w4)` by `phi2`
-        slope_5_0_: S,
+        v116_: S,
     }
     impl<S: ::assur::scalar::Scalar> ElasticEquations<S> {
         /// The symmetric mass matrix, in the order of the coordinates.
@@ -1102,14 +1099,14 @@ mod batten_ {
         pub fn mass_matrix(&self, time: S, state: &[S; 6]) -> [[S; 3]; 3] {
             let theta = self.n * time;
             let (sin_theta_, cos_theta_) = S::sin_cos(theta);
-            let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-            let v99_ = S::mul_add(
+            let v95_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+            let v98_ = S::mul_add(
                 self.v12_,
-                sin_theta_ * sin_theta_ * (v96_ * v96_),
+                sin_theta_ * sin_theta_ * (v95_ * v95_),
                 self.J2,
             );
             [
-                [v99_, S::ZERO, S::ZERO],
+                [v98_, S::ZERO, S::ZERO],
                 [S::ZERO, self.m3, S::ZERO],
                 [S::ZERO, S::ZERO, self.m4],
             ]
@@ -1124,44 +1121,44 @@ mod batten_ {
             let dot_w3 = state[4];
             let dot_w4 = state[5];
             let theta = self.n * time;
-            let v207_ = self.n - dot_phi2;
+            let v201_ = self.n - dot_phi2;
             let (sin_theta_, cos_theta_) = S::sin_cos(theta);
-            let v94_ = sin_theta_ * sin_theta_;
-            let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-            let v101_ = v96_ * sin_theta_;
-            let dot_x1 = self.v38_ * v101_;
-            let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
-            let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
+            let v93_ = sin_theta_ * sin_theta_;
+            let v95_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+            let v100_ = v95_ * sin_theta_;
+            let dot_x1 = self.v38_ * v100_;
+            let u4 = S::mul_add(self.v27_ * v100_, phi2, w4);
+            let u3 = S::mul_add(-(self.v28_ * v100_), phi2, w3);
             let dot_x2 = S::mul_add(
-                -S::mul_add(self.v38_, v96_ * cos_theta_, self.v37_ * v94_),
+                -S::mul_add(self.v38_, v95_ * cos_theta_, self.v37_ * v93_),
                 phi2,
-                S::mul_add(-(self.R * v101_), dot_phi2, dot_x1),
+                S::mul_add(-(self.R * v100_), dot_phi2, dot_x1),
             );
             let dot_x3 = dot_x1 + dot_w3;
             let dot_x4 = dot_x1 + dot_w4;
-            let v214_ = S::mul_add(
-                self.v82_,
+            let v208_ = S::mul_add(
+                self.v81_,
                 dot_x4 * dot_x4,
                 S::mul_add(
-                    self.v81_,
+                    self.v80_,
                     dot_x3 * dot_x3,
                     S::mul_add(
-                        self.v80_,
-                        v207_ * v207_,
-                        self.v79_ * (v94_ * (v96_ * v96_)),
+                        self.v79_,
+                        v201_ * v201_,
+                        self.v78_ * (v93_ * (v95_ * v95_)),
                     ),
                 ),
             );
             (
-                S::mul_add(self.v83_, dot_x2 * dot_x2, v214_),
+                S::mul_add(self.v82_, dot_x2 * dot_x2, v208_),
                 S::mul_add(
-                    self.v85_,
+                    self.v84_,
                     S::mul_add(
                         u3,
-                        S::mul_add(-self.v86_, u4, self.d44 * u3),
+                        S::mul_add(-self.v85_, u4, self.d44 * u3),
                         self.d33 * (u4 * u4),
                     ),
-                    self.v84_ * (phi2 * phi2),
+                    self.v83_ * (phi2 * phi2),
                 ),
             )
         }
@@ -1679,11 +1676,11 @@ mod batten_ {
                     },
                 ],
                 operations: ::assur::registry::Operations {
-                    prepare: 70,
-                    instant: 49,
-                    derivative: 32,
-                    jacobian: 0,
-                    outputs: 125,
+                    prepare: 69,
+                    instant: 31,
+                    derivative: 29,
+                    jacobian: 28,
+                    outputs: 117,
                 },
                 marks: &[
                     ::assur::registry::Mark {

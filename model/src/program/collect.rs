@@ -1,7 +1,7 @@
 //! Pulls common factors out of sums, those first that change most often: what multiplies a coordinate then becomes a
 //! coefficient that is computed once an instant.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::Stage;
 use super::build::Request;
@@ -30,6 +30,35 @@ pub fn collect(
                     })
                     .collect();
                 factored(graph, terms, request)
+            }
+            _ => graph.rebuild_with(&node, &new),
+        };
+        graph.carry(old, value);
+        new.insert(old, value);
+    }
+    let collected: Vec<_> = roots.iter().map(|root| new[root]).collect();
+    share_signs(graph, &collected)
+}
+
+/// Of a sum and its negative one is computed: the other is minus it.
+fn share_signs(graph: &mut Graph, roots: &[Expression]) -> Vec<Expression> {
+    let reachable = graph.reachable(roots);
+    let known: HashSet<Expression> = reachable.iter().copied().collect();
+    let mut new: HashMap<Expression, Expression> = HashMap::new();
+    for old in reachable {
+        let node = graph.node(old).clone();
+        let value = match &node {
+            Node::Sum(terms) => {
+                let turned: Vec<_> = terms.iter().map(|term| graph.neg(*term)).collect();
+                let opposite = graph.sum(&turned);
+                match new
+                    .get(&opposite)
+                    .copied()
+                    .filter(|_| known.contains(&opposite))
+                {
+                    Some(earlier) => graph.neg(earlier),
+                    None => graph.rebuild_with(&node, &new),
+                }
             }
             _ => graph.rebuild_with(&node, &new),
         };
