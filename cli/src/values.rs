@@ -84,7 +84,7 @@ pub fn split<'a>(
 /// # Errors
 /// What cannot be read, is not finite, or has another unit.
 pub fn quantity(text: &str, quantity: &Quantity) -> Result<f64, Failure> {
-    let example = example(quantity);
+    let example = example(quantity, text);
     let parsed = crate::unit::parse(text).map_err(|reason| {
         Failure::request(format!("`{text}` is not a value of `{}`", quantity.name))
             .reason(reason)
@@ -115,14 +115,23 @@ pub fn quantity(text: &str, quantity: &Quantity) -> Result<f64, Failure> {
     Ok(parsed.value)
 }
 
-fn example(quantity: &Quantity) -> String {
+/// How the value might have been meant: the number that was typed with the unit of the quantity.
+fn example(quantity: &Quantity, text: &str) -> String {
+    let typed: String = text
+        .chars()
+        .take_while(|one| one.is_ascii_digit() || matches!(one, '.' | '-'))
+        .collect();
+    let number = match typed.parse::<f64>() {
+        Ok(_) => typed.as_str(),
+        Err(_) => "1.5",
+    };
     let simple = quantity.unit.chars().all(char::is_alphabetic);
     if quantity.unit.is_empty() {
-        format!("{}=1.5", quantity.name)
+        format!("{}={number}", quantity.name)
     } else if simple {
-        format!("{}=1.5{}", quantity.name, quantity.unit)
+        format!("{}={number}{}", quantity.name, quantity.unit)
     } else {
-        format!("'{}=1.5 [{}]'", quantity.name, quantity.unit)
+        format!("'{}={number} [{}]'", quantity.name, quantity.unit)
     }
 }
 
