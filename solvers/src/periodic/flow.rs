@@ -3,16 +3,19 @@
 use super::error::PeriodicError;
 use crate::ode::{
     Bundle, Method, Observer, OdeError, Options, Step, Trajectory, Varied, Workspace, integrate,
-    march_with, state_from,
+    march, state_from,
 };
 use crate::problem::{Equations, Scene, Storage};
+use crate::registry::Settings;
 use crate::scalar::Scalar;
 use nalgebra::{DMatrix, DVector};
 use std::marker::PhantomData;
 
 /// A scene with its period, ready to be integrated by a method on a scalar type.
-pub(super) struct Flow<C: Scene, S: Scalar, M> {
-    /// The equations.
+pub(super) struct Flow<'a, C: Scene, S: Scalar, M> {
+    /// The scene.
+    scene: &'a C,
+    /// Its equations.
     equations: C::Equations<S>,
     /// The period.
     period: f64,
@@ -44,11 +47,12 @@ impl Return {
     }
 }
 
-impl<C: Scene, S: Scalar, M: Method> Flow<C, S, M> {
+impl<'a, C: Scene, S: Scalar, M: Method> Flow<'a, C, S, M> {
     /// A scene with its period.
     #[inline(always)]
-    pub fn new(scene: &C, period: f64) -> Self {
+    pub fn new(scene: &'a C, period: f64) -> Self {
         Self {
+            scene,
             equations: scene.prepare(),
             period,
             method: PhantomData,
@@ -100,16 +104,19 @@ impl<C: Scene, S: Scalar, M: Method> Flow<C, S, M> {
         })
     }
 
-    /// Integrates the motion alone over one period.
-    #[inline(always)]
+    /// Integrates the motion alone over one period. It goes the way of every motion, through the choice of the
+    /// instruction set, so that its code is there once.
     pub fn march(&self, start: &DVector<f64>, rtol: f64) -> Result<Trajectory, OdeError> {
-        let options = Options::scaled(rtol, C::SCALES);
-        march_with::<S, _, M>(
-            &self.equations,
-            (0.0, self.period),
-            &self.state(start)?,
-            &options,
-        )
+        let values: Vec<f64> = start
+            .iter()
+            .zip(C::SCALES)
+            .map(|(value, scale)| value * scale)
+            .collect();
+        let settings = Settings {
+            method: M::NAME,
+            rtol,
+        };
+        march(self.scene, (0.0, self.period), &values, &settings)
     }
 
     /// The state of the equations from a vector over its scales.

@@ -116,12 +116,8 @@ pub fn solve_on<C: Scene, S: Scalar>(
     settings: &Settings,
 ) -> Result<Orbit, PeriodicError> {
     match settings.method {
-        registry::Method::Tsit5 => {
-            solve_with::<C, S, Tsit5>(scene, period, settings.rtol, C::LINEAR)
-        }
-        registry::Method::Dop853 => {
-            solve_with::<C, S, Dop853>(scene, period, settings.rtol, C::LINEAR)
-        }
+        registry::Method::Tsit5 => solve_with::<C, S, Tsit5>(scene, period, settings.rtol),
+        registry::Method::Dop853 => solve_with::<C, S, Dop853>(scene, period, settings.rtol),
     }
 }
 
@@ -131,14 +127,13 @@ fn solve_with<C: Scene, S: Scalar, M: Method>(
     scene: &C,
     period: f64,
     rtol: f64,
-    superpose: bool,
 ) -> Result<Orbit, PeriodicError> {
     if !(period.is_finite() && period > 0.0) {
         return Err(PeriodicError::BadPeriod { period });
     }
     let flow = Flow::<C, S, M>::new(scene, period);
     let tolerances = [rtol, (rtol / REFINEMENT).max(SMALLEST_RTOL)];
-    let mut guess = if superpose {
+    let mut guess = if C::LINEAR {
         DVector::zeros(C::STATES)
     } else {
         flow.guess(scene)?
@@ -146,7 +141,7 @@ fn solve_with<C: Scene, S: Scalar, M: Method>(
     let mut iterations = 0;
     let mut returns = Vec::with_capacity(tolerances.len());
     for rtol in tolerances {
-        let back = if superpose {
+        let back = if C::LINEAR {
             iterations += 1;
             flow.turn(&guess, rtol)?
         } else {
@@ -169,7 +164,7 @@ fn solve_with<C: Scene, S: Scalar, M: Method>(
     let (first, _) = close(coarse, &Closing::new(&coarse.matrix))?;
     let (second, free) = close(fine, &closing)?;
     let mut starts = [first, second];
-    if superpose && !free.is_empty() {
+    if C::LINEAR && !free.is_empty() {
         starts = smallest::settle(&flow, starts, &free, tolerances)?;
     }
     let mut motions = Vec::with_capacity(starts.len());

@@ -20,7 +20,7 @@ const SMALLEST_PART: f64 = 1.0 / 64.0;
 /// damped mechanism towards its steady state.
 #[inline(always)]
 pub(super) fn shoot<C: Scene, S: Scalar, M: Method>(
-    flow: &Flow<C, S, M>,
+    flow: &Flow<'_, C, S, M>,
     guess: &DVector<f64>,
     rtol: f64,
     iterations: &mut usize,

@@ -14,7 +14,7 @@ const SAMPLES: usize = 512;
 /// Adds to the starts, one for each tolerance, what makes the mean square of the motion smallest.
 #[inline(always)]
 pub(super) fn settle<C: Scene, S: Scalar, M: Method>(
-    flow: &Flow<C, S, M>,
+    flow: &Flow<'_, C, S, M>,
     starts: [DVector<f64>; 2],
     free: &[DVector<f64>],
     tolerances: [f64; 2],

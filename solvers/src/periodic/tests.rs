@@ -1,7 +1,6 @@
 //! Tests of the periodic solver against closed forms and known facts.
 
-use super::{Orbit, PeriodicError, solve, solve_with};
-use crate::ode::Dop853;
+use super::{Orbit, PeriodicError, solve, solve_on};
 use crate::problem::{Equations, Refused, Scene, Span};
 use crate::registry::{Method, Settings};
 use crate::scalar::Scalar;
@@ -169,7 +168,15 @@ fn tsit5_finds_the_same_within_its_tolerance() {
 #[test]
 fn shooting_agrees_with_superposition() {
     let scene = Oscillator::<true>::FORCED;
-    let orbit = solve_with::<_, f64, Dop853>(&scene, TAU, 1e-12, false).unwrap();
+    let orbit = solve_on::<_, f64>(
+        &Oscillator::<false>::FORCED,
+        TAU,
+        &Settings {
+            method: Method::Dop853,
+            rtol: 1e-12,
+        },
+    )
+    .unwrap();
     assert!(error(&scene, &orbit) < 3e-12, "{:e}", error(&scene, &orbit));
     assert!(orbit.iterations <= 6, "{}", orbit.iterations);
 }
