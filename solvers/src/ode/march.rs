@@ -78,7 +78,7 @@ pub fn march_on<C: Scene, S: Scalar>(
 
 /// The motion of some equations from a start.
 #[inline(always)]
-fn march_with<S: Scalar, E: Equations<S>, M: Method>(
+pub(super) fn march_with<S: Scalar, E: Equations<S>, M: Method>(
     equations: &E,
     times: (f64, f64),
     start: &E::State,

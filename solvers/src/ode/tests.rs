@@ -68,7 +68,7 @@ pub(super) fn march<M: Method, const N: usize>(
     start: [f64; N],
     options: &Options,
 ) -> Result<Trajectory, OdeError> {
-    super::march_with::<f64, _, M>(&Rates(rates), times, &start, options)
+    super::march::march_with::<f64, _, M>(&Rates(rates), times, &start, options)
 }
 
 /// The final state and number of evaluations without anything stored.
