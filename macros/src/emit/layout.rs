@@ -44,7 +44,11 @@ fn timed(program: &Program) -> BTreeSet<Value> {
     let mut timed = schedule::frontier(program, &results.derivative, Stage::State);
     timed.retain(|value| stage(*value) == Stage::Instant);
     let mut open: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
+    let mut seen: BTreeSet<Value> = BTreeSet::new();
     while let Some(value) = open.pop() {
+        if !seen.insert(value) {
+            continue;
+        }
         let kind = &program.operations[value.0 as usize].kind;
         if stage(value) < Stage::Instant || timed.contains(&value) {
             continue;
