@@ -79,3 +79,28 @@ fn unary_signs_and_numbers_are_rust() {
     assert_eq!(emit::names::pascal("two_term"), "TwoTerm");
     assert_eq!(emit::names::snake("HealdLinkage"), "heald_linkage");
 }
+
+/// A walk that visits a shared value once for each way to it never comes to an end here.
+#[test]
+fn the_time_to_emit_a_long_chain_does_not_explode() {
+    let text = "assur::mechanism! {
+        Chain from \"a textbook\";
+        parameter l = 0.1 m, m = 0.2 kg, g = 9.81 [m/s^2];
+        let x[0] = 0 m, y[0] = 0 m;
+        for k in 1..16 {
+            coordinate q[k]: rad = 0.1;
+            let x[k] = x[k - 1] + l*sin(q[k]);
+            let y[k] = y[k - 1] - l*cos(q[k]);
+            kinetic m*(dot(x[k])^2 + dot(y[k])^2)/2;
+            potential m*g*y[k];
+        }
+        output x[16], y[16];
+        scene swing { run time 0 s .. 1 s; }
+    }";
+    let rust = emitted(text, "chain.eqn", |_| true);
+    assert!(
+        rust.contains("pub struct Swing"),
+        "{}",
+        &rust[..rust.len().min(2000)]
+    );
+}
