@@ -1,5 +1,7 @@
 //! Round numbers along an axis.
 
+use super::name::raise;
+
 /// Ticks at round numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
@@ -94,7 +96,7 @@ fn widen(low: f64, high: f64) -> (f64, f64) {
     (low - room, high + room)
 }
 
-/// 1, 2, 2.5 or 5 times a power of ten, the first that is no smaller than wanted.
+/// 1, 2 or 5 times a power of ten, the first that is no smaller than wanted.
 fn round_step(wanted: f64) -> f64 {
     let power = 10f64.powf(wanted.log10().floor());
     let steps = [1.0, 2.0, 5.0, 10.0];
@@ -106,20 +108,7 @@ fn round_step(wanted: f64) -> f64 {
 }
 
 fn superscript(power: &str) -> String {
-    power
-        .chars()
-        .map(|character| match character {
-            '-' | '−' => '⁻',
-            '0' => '⁰',
-            '1' => '¹',
-            '2' => '²',
-            '3' => '³',
-            digit => digit
-                .to_digit(10)
-                .and_then(|digit| char::from_u32(0x2070 + digit))
-                .unwrap_or(digit),
-        })
-        .collect()
+    power.chars().map(raise).collect()
 }
 
 #[cfg(test)]

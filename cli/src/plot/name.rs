@@ -118,9 +118,10 @@ pub fn unit(unit: &str) -> String {
     }
 }
 
-fn raise(character: char) -> char {
+/// A digit or sign as a superscript.
+pub fn raise(character: char) -> char {
     match character {
-        '-' => '⁻',
+        '-' | '−' => '⁻',
         '1' => '¹',
         '2' => '²',
         '3' => '³',
