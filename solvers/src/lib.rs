@@ -6,12 +6,14 @@
 //! | module | what it finds |
 //! |---|---|
 //! | [`ode`] | the motion from a start: Tsitouras 5(4), Dormand–Prince 8(5,3), continuous output |
+//! | [`closure`] | the positions of a linkage: its loops closed |
 //! | [`periodic`] | the steady state: method of initial parameters, shooting, Floquet multipliers |
 //! | [`dense`] | small linear systems |
 //! | [`check`] | what the generated tests of a mechanism ask of it |
 //! | [`scalar`], [`dispatch`] | the numbers that all of it runs on, and the choice of the instruction set |
 
 pub mod check;
+pub mod closure;
 pub mod dense;
 pub mod dispatch;
 pub mod ode;

@@ -1,0 +1,190 @@
+//! What the closure solvers ask of a linkage: the two traits that emitted code implements.
+//!
+//! A linkage is its loops: equations `F(z; x, p) = 0` in the dependent coordinates `z`, for independent variables `x`
+//! (the positions of the drivers, or the time) and dimensions `p`. The compiler has ordered them into groups, each
+//! closed after those it needs: an Assur group of two links in closed form with an explicit assembly mode, anything
+//! larger by iteration. All quantities are in SI units, angles in radians.
+
+use crate::problem::{Refused, Storage};
+use crate::scalar::Scalar;
+
+/// How the unknowns of a group are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GroupKind {
+    /// Equations that are linear in displacements: one solution. Two of them are a PRP or RPP dyad.
+    Linear,
+    /// One equation `A cos φ + B sin φ = C`: two solutions.
+    Angle,
+    /// Two links joined by a pivot, each turning: two circles meet.
+    Rrr,
+    /// A link that turns and a slide: a circle meets a line.
+    Rrp,
+    /// A slide that turns about a pivot, its displacement and its angle unknown.
+    Rpr,
+    /// None of these: iteration.
+    General,
+}
+
+impl GroupKind {
+    /// Whether the group has two assembly modes in closed form.
+    pub fn has_modes(self) -> bool {
+        !matches!(self, GroupKind::Linear | GroupKind::General)
+    }
+}
+
+/// Loop equations that are closed together.
+#[derive(Clone, Copy, Debug)]
+pub struct Group {
+    /// How they are solved.
+    pub kind: GroupKind,
+    /// Indices of the dependent coordinates that they determine.
+    pub unknowns: &'static [usize],
+    /// Indices of the scalar equations.
+    pub equations: &'static [usize],
+}
+
+/// The loops of one linkage with its dimensions fixed. The methods neither allocate nor panic; what does not exist is
+/// NaN.
+pub trait Closure<S: Scalar> {
+    /// A position: the dependent coordinates `z` first, in their declared order, then whatever the model keeps beside
+    /// them (sines and cosines of those that are angles). A coordinate of a group is valid once the group is closed.
+    type Position: Storage<S>;
+    /// What depends on the independent variables alone.
+    type Instant: Clone;
+    /// Room for the rows of the largest group.
+    type Row: Storage<S>;
+    /// Room for the square matrix of the largest group.
+    type Matrix: Storage<S>;
+
+    /// Values that depend on the independent variables alone.
+    fn instant(&self, independents: &[S]) -> Self::Instant;
+
+    /// Closes a group in closed form: writes its unknowns (angles within `±π`) and returns the sine of its transmission
+    /// angle: the determinant of its Jacobian over the product of the lengths of its columns, with the sign of `mode`.
+    /// Zero is a dead point; NaN says that the group does not assemble. Groups it depends on must be closed.
+    ///
+    /// For [`GroupKind::Linear`] `mode` is without effect, and the sine is that between the two directions (±1 for a
+    /// single equation). A group of kind [`GroupKind::General`] gives NaN.
+    fn close(
+        &self,
+        group: usize,
+        instant: &Self::Instant,
+        mode: S,
+        position: &mut Self::Position,
+    ) -> S;
+
+    /// By how much a group in closed form assembles, in the unit of its equations (metres for loops of lengths):
+    /// negative is the gap that is left, zero a dead point.
+    fn margin(&self, group: usize, instant: &Self::Instant, position: &Self::Position) -> S;
+
+    /// Completes a position of which the unknowns of a group (the first entries) have been set, and writes the
+    /// residuals of its `n` equations and their Jacobian by its unknowns: `jacobian.as_ref()[i*n + j] = ∂F_i/∂z_j`, in the
+    /// order of [`Group::equations`] and [`Group::unknowns`]. For groups of every kind.
+    fn trial(
+        &self,
+        group: usize,
+        instant: &Self::Instant,
+        position: &mut Self::Position,
+        residual: &mut Self::Row,
+        jacobian: &mut Self::Matrix,
+    );
+
+    /// Writes the residuals of all equations at a closed position; shape: the number of dependent coordinates.
+    fn residual(&self, instant: &Self::Instant, position: &Self::Position, residual: &mut [S]);
+
+    /// Writes the kinematic coefficients: `columns[k].as_ref()[i] = ∂z_i/∂x_k` for the dependent coordinates `i`, which
+    /// are the first entries.
+    fn coefficients(
+        &self,
+        instant: &Self::Instant,
+        position: &Self::Position,
+        columns: &mut [Self::Position],
+    );
+
+    /// Writes the outputs, in their declared order.
+    fn outputs(&self, instant: &Self::Instant, position: &Self::Position, values: &mut [S]);
+
+    /// Writes the influence coefficients: `values[i*VARIABLES + j]` is the derivative of output `i` by variable `j`,
+    /// with the loops closed.
+    fn influence(&self, instant: &Self::Instant, position: &Self::Position, values: &mut [S]);
+
+    /// Writes the second derivatives: for each output the lower triangle, row by row, `VARIABLES*(VARIABLES + 1)/2`
+    /// values. A linkage that has none ([`Linkage::SECOND`]) writes nothing.
+    fn second_influence(
+        &self,
+        instant: &Self::Instant,
+        position: &Self::Position,
+        values: &mut [S],
+    );
+
+    /// Writes the points, x and y of each.
+    fn points(&self, instant: &Self::Instant, position: &Self::Position, values: &mut [S]);
+}
+
+/// What a scene of a linkage does when it is run without being told more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Where it begins, and where a sweep does.
+    pub from: f64,
+    /// Where a sweep ends; `from` for an independent variable that stands still.
+    pub to: f64,
+    /// The value for which the start values of the dependent coordinates are meant.
+    pub start: f64,
+    /// The period after which the linkage is where it was, 2π for a turning crank; infinite if there is none.
+    pub period: f64,
+}
+
+/// What an influence coefficient is taken by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variable {
+    /// The constant of this index.
+    Constant(usize),
+    /// The independent variable of this index.
+    Independent(usize),
+}
+
+/// A linkage with its dimensions: the type that a user fills in and hands to a solver.
+pub trait Linkage: Clone + Send + Sync {
+    /// The loops, prepared for a scalar type.
+    type Closure<S: Scalar>: Closure<S> + Send + Sync;
+
+    /// Number of independent variables.
+    const INDEPENDENTS: usize;
+    /// Number of dependent coordinates.
+    const DEPENDENTS: usize;
+    /// Number of outputs.
+    const OUTPUTS: usize;
+    /// Number of points.
+    const POINTS: usize;
+    /// Number of constants.
+    const CONSTANTS: usize;
+    /// What influence coefficients are taken by.
+    const VARIABLES: &'static [Variable];
+    /// Whether there are second derivatives.
+    const SECOND: bool;
+    /// The groups, each after those it needs.
+    const GROUPS: &'static [Group];
+    /// Which dependent coordinates are angles, the same after a turn.
+    const ANGLES: &'static [bool];
+
+    /// All constants, SI units, in their order.
+    fn values(&self) -> Vec<f64>;
+
+    /// The same linkage with other constants.
+    fn with_values(values: &[f64]) -> Self;
+
+    /// Computes what depends on the constants alone, from constants of any scalar type.
+    fn prepare<S: Scalar>(values: &[S]) -> Self::Closure<S>;
+
+    /// Checks the conditions that the mechanism puts on its values.
+    ///
+    /// # Errors
+    /// The first condition that does not hold, with the values concerned.
+    fn check(&self) -> Result<(), Refused>;
+
+    /// The range of each independent variable; length `INDEPENDENTS`.
+    fn ranges(&self) -> Vec<Range>;
+
+    /// Rough values of the dependent coordinates at the start, which pick the assembly mode; NaN where none is stated.
+    fn start(&self) -> Vec<f64>;
+}
