@@ -18,8 +18,8 @@ fn compiled(text: &str) -> (Model, Lexed) {
     )
 }
 
-/// The emitted items of some scenes of a mechanism, formatted.
-fn emitted(text: &str, file: &str, is_kept: impl Fn(&str) -> bool) -> String {
+/// The emitted items of some scenes of a mechanism.
+fn emitted(text: &str, file: &str, is_kept: impl Fn(&str) -> bool) -> syn::File {
     let (mut model, lexed) = compiled(text);
     model.scenes.retain(|scene| is_kept(&scene.name));
     let line_of = |span: assur_model::token::Span| {
@@ -32,8 +32,31 @@ fn emitted(text: &str, file: &str, is_kept: impl Fn(&str) -> bool) -> String {
         line_of: &line_of,
     };
     let items = emit::mechanism(&model, &origin);
-    let file = syn::parse2(items).expect("the emitted items are Rust");
-    prettyplease::unparse(&file)
+    syn::parse2(items).expect("the emitted items are Rust")
+}
+
+/// The types of the scenes, each with the implementations that follow it and named after it, so that a long module is
+/// reviewed in pieces. The table and the tests are left out: those of a short mechanism show as much.
+fn pieces(file: syn::File) -> Vec<(String, String)> {
+    let content = file.items.into_iter().find_map(|item| match item {
+        syn::Item::Mod(module) => module.content,
+        _ => None,
+    });
+    let mut pieces: Vec<(String, syn::File)> = Vec::new();
+    for item in content.expect("the items stand in a module").1 {
+        match (&item, pieces.last_mut()) {
+            (syn::Item::Struct(one), _) => {
+                let name = emit::names::snake(&one.ident.to_string());
+                pieces.push((name, syn::parse_quote!(#item)));
+            }
+            (syn::Item::Impl(_) | syn::Item::Type(_), Some((_, piece))) => {
+                piece.items.push(item);
+            }
+            _ => {}
+        }
+    }
+    let formatted = |(name, piece)| (name, prettyplease::unparse(&piece));
+    pieces.into_iter().map(formatted).collect()
 }
 
 /// Compares with a golden file, or writes it.
@@ -61,13 +84,20 @@ const BATTEN: &str = include_str!("../../equations/src/batten.eqn");
 
 #[test]
 fn pendulum() {
-    check("pendulum.rs", &emitted(PENDULUM, "pendulum.eqn", |_| true));
+    let emitted = emitted(PENDULUM, "pendulum.eqn", |_| true);
+    check("pendulum.rs", &prettyplease::unparse(&emitted));
 }
 
 #[test]
 fn batten_elastic() {
     let emitted = emitted(BATTEN, "batten.eqn", |name| name == "elastic");
-    check("batten_elastic.rs", &emitted);
+    let pieces = pieces(emitted);
+    for (name, rust) in &pieces {
+        check(&format!("batten_elastic/{name}.rs"), rust);
+    }
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/golden/batten_elastic");
+    let files = std::fs::read_dir(folder).expect("the golden files can be listed");
+    assert_eq!(files.count(), pieces.len(), "one file is not emitted");
 }
 
 #[test]
@@ -97,7 +127,7 @@ fn the_time_to_emit_a_long_chain_does_not_explode() {
         output x[16], y[16];
         scene swing { run time 0 s .. 1 s; }
     }";
-    let rust = emitted(text, "chain.eqn", |_| true);
+    let rust = prettyplease::unparse(&emitted(text, "chain.eqn", |_| true));
     assert!(
         rust.contains("pub struct Swing"),
         "{}",

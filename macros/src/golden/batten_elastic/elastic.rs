@@ -1,0 +1,528 @@
+/// Batten of an automatic shuttle loom: a crank at each end of one shaft swings the batten, whose two swords carry
+/// an elastic bar.
+///
+/// Six masses, three degrees of freedom. All displacements are measured forward, towards the cloth, from the rear
+/// dead centre, where `theta = 0`. The arc of the sword pins is replaced by its chord.
+///
+/// The coordinates of the bar are its deflections `w3`, `w4` from the rigid motion: the elastic forces are
+/// differences some 200 times smaller than their terms when they are written in `x3` and `x4`.
+///
+/// The masses and stiffnesses are a reconstruction: the paper fixes their ratios alone.
+///
+/// Scene `elastic`: The paper's model: shaft and bar are elastic, nothing is lost.
+///
+/// * `bending`: the bar bends
+/// * `coupling`: a force on one end of the bar moves its other end too
+/// * `torsion`: the crankshaft twists between its cranks
+/// * `crank.two_term`: how exactly the crank and rod are described
+/// * `linearisation.K1`: how the lag enters the travel of the brake-side pin
+///
+/// ```text
+/// kinetic m1*dot(x1)^2/2 + m2*dot(x2)^2/2 + m3*dot(x3)^2/2 + m4*dot(x4)^2/2   [N m]  batten.eqn:61
+/// kinetic J2*(n - dot(phi2))^2/2                                              [N m]  batten.eqn:70
+/// potential c*phi2^2/2                                                        [N m]  batten.eqn:71
+/// potential stiffness(u3, u4)/2                                               [N m]  batten.eqn:106
+/// ```
+///
+/// Parameters:
+///
+/// | name | value |  |  |
+/// |---|---|---|---|
+/// | `R` | `75 mm` | `in 1 mm .. 1000 mm` | Crank. |
+/// | `l` | `271 mm` | `in 1 mm .. 10000 mm` | Connecting rod. |
+/// | `n` | `250 rpm` | `in 1 rpm .. 2000 rpm` | Speed of the crankshaft. |
+/// | `m1` | `28.5 kg` | `in 1e-6 kg .. 100000 kg` | Sword pin with rod and frame, drive side. |
+/// | `m2` | `28.5 kg` | `in 1e-6 kg .. 100000 kg` | Sword pin with rod and frame, brake side. |
+/// | `m3` | `2.02 kg` | `in 1e-6 kg .. 100000 kg` | End of the bar, drive side. |
+/// | `m4` | `2.02 kg` | `in 1e-6 kg .. 100000 kg` | End of the bar, brake side. |
+/// | `lambda` | `0.385` | `in 0 .. 10` | Cantilever of the bar over its span, L1/L. |
+/// | `c` | `20980 N m/rad` | `in 1 N m/rad .. 1e12 N m/rad` | Torsional stiffness of the shaft between its cranks. |
+/// | `J2` | `0.1004 kg m^2` | `in 1e-9 kg m^2 .. 1000000 kg m^2` | Disc at the brake end. |
+/// | `d33` | `3.8e-6 m/N` | `in 1e-15 m/N .. 1 m/N` | Displacement of the drive-side end of the bar by unit force there. |
+/// | `d44` | `3.8e-6 m/N` | `in 1e-15 m/N .. 1 m/N` | Displacement of the brake-side end of the bar by unit force there. |
+/// | `d34` | `1.22e-6 m/N` | `in -1 m/N .. 1 m/N` | Displacement of one end of the bar by unit force at the other. |
+///
+/// Drivers:
+///
+/// | name | unit |  |
+/// |---|---|---|
+/// | `theta` | `rad` | Angle of the drive-end crank from the rear dead centre. |
+///
+/// State:
+///
+/// | name | unit |  |
+/// |---|---|---|
+/// | `phi2` | `rad` | Lag of the brake-end crank behind the drive-end one. |
+/// | `w3` | `m` | Displacement of the drive-side end of the bar from the rigid motion. |
+/// | `w4` | `m` | Displacement of the brake-side end of the bar from the rigid motion. |
+/// | `dot(phi2)` | `rad/s` |  |
+/// | `dot(w3)` | `m/s` |  |
+/// | `dot(w4)` | `m/s` |  |
+///
+/// Outputs:
+///
+/// | name | unit |  |
+/// |---|---|---|
+/// | `x1` | `m` |  |
+/// | `x2` | `m` |  |
+/// | `x3` | `m` |  |
+/// | `x4` | `m` |  |
+/// | `dot(x1)` | `m/s` |  |
+/// | `dot(x2)` | `m/s` |  |
+/// | `dot(x3)` | `m/s` |  |
+/// | `dot(x4)` | `m/s` |  |
+/// | `ddot(x1)` | `m/s^2` |  |
+/// | `ddot(x2)` | `m/s^2` |  |
+/// | `ddot(x3)` | `m/s^2` |  |
+/// | `ddot(x4)` | `m/s^2` |  |
+/// | `phi2` | `rad` |  |
+/// | `dot(phi2)` | `rad/s` |  |
+/// | `ddot(phi2)` | `rad/s^2` |  |
+/// | `F1` | `N` |  |
+/// | `F2` | `N` |  |
+/// | `drive_torque` | `N m` | Torque at the drive end that keeps the speed. |
+/// | `shaft_torque` | `N m` | Torque in the shaft between its cranks. |
+/// | `x_difference` | `m` | Ends of the bar, drive side ahead of brake side. |
+/// | `v_difference` | `m/s` |  |
+/// | `F_difference` | `N` |  |
+///
+/// Operations: 69 once per parameter set, 31 per instant, 29 per evaluation, 28 per Jacobian.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Elastic {
+    /// Crank: `75 mm`, `in 1 mm .. 1000 mm`; stored in SI units, `mm` is 0.001.
+    pub R: f64,
+    /// Connecting rod: `271 mm`, `in 1 mm .. 10000 mm`; stored in SI units, `mm` is 0.001.
+    pub l: f64,
+    /// Speed of the crankshaft: `250 rpm`, `in 1 rpm .. 2000 rpm`; stored in SI units, `rpm` is 0.10471975512.
+    pub n: f64,
+    /// Sword pin with rod and frame, drive side: `28.5 kg`, `in 1e-6 kg .. 100000 kg`.
+    pub m1: f64,
+    /// Sword pin with rod and frame, brake side: `28.5 kg`, `in 1e-6 kg .. 100000 kg`.
+    pub m2: f64,
+    /// End of the bar, drive side: `2.02 kg`, `in 1e-6 kg .. 100000 kg`.
+    pub m3: f64,
+    /// End of the bar, brake side: `2.02 kg`, `in 1e-6 kg .. 100000 kg`.
+    pub m4: f64,
+    /// Cantilever of the bar over its span, L1/L: `0.385`, `in 0 .. 10`.
+    pub lambda: f64,
+    /// Torsional stiffness of the shaft between its cranks: `20980 N m/rad`, `in 1 N m/rad .. 1e12 N m/rad`.
+    pub c: f64,
+    /// Disc at the brake end: `0.1004 kg m^2`, `in 1e-9 kg m^2 .. 1000000 kg m^2`.
+    pub J2: f64,
+    /// Displacement of the drive-side end of the bar by unit force there: `3.8e-6 m/N`, `in 1e-15 m/N .. 1 m/N`.
+    pub d33: f64,
+    /// Displacement of the brake-side end of the bar by unit force there: `3.8e-6 m/N`, `in 1e-15 m/N .. 1 m/N`.
+    pub d44: f64,
+    /// Displacement of one end of the bar by unit force at the other: `1.22e-6 m/N`, `in -1 m/N .. 1 m/N`.
+    pub d34: f64,
+}
+impl ::core::default::Default for Elastic {
+    fn default() -> Self {
+        Self {
+            R: 0.075,
+            l: 0.271,
+            n: 26.17993877991494,
+            m1: 28.5,
+            m2: 28.5,
+            m3: 2.02,
+            m4: 2.02,
+            lambda: 0.385,
+            c: 20980.0,
+            J2: 0.1004,
+            d33: 3.8e-6,
+            d44: 3.8e-6,
+            d34: 1.22e-6,
+        }
+    }
+}
+impl Elastic {
+    /// Names, units, defaults and ranges of the fields, in their order.
+    pub const CONSTANTS: &'static [::assur::registry::Constant] = &[
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "R",
+                summary: "Crank.",
+                unit: "mm",
+                factor: 0.001,
+                dimension: [(1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: true,
+            default: 0.075,
+            tolerance: 0.0,
+            range: (0.001, 1.0),
+        },
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "l",
+                summary: "Connecting rod.",
+                unit: "mm",
+                factor: 0.001,
+                dimension: [(1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: true,
+            default: 0.271,
+            tolerance: 0.0,
+            range: (0.001, 10.0),
+        },
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "n",
+                summary: "Speed of the crankshaft.",
+                unit: "rpm",
+                factor: 0.10471975511965977,
+                dimension: [(0, 1), (0, 1), (-1, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: false,
+            default: 26.17993877991494,
+            tolerance: 0.0,
+            range: (0.10471975511965977, 209.43951023931953),
+        },
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "m1",
+                summary: "Sword pin with rod and frame, drive side.",
+                unit: "kg",
+                factor: 1.0,
+                dimension: [(0, 1), (1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: false,
+            default: 28.5,
+            tolerance: 0.0,
+            range: (1e-6, 100000.0),
+        },
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "m2",
+                summary: "Sword pin with rod and frame, brake side.",
+                unit: "kg",
+                factor: 1.0,
+                dimension: [(0, 1), (1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: false,
+            default: 28.5,
+            tolerance: 0.0,
+            range: (1e-6, 100000.0),
+        },
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "m3",
+                summary: "End of the bar, drive side.",
+                unit: "kg",
+                factor: 1.0,
+                dimension: [(0, 1), (1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: false,
+            default: 2.02,
+            tolerance: 0.0,
+            range: (1e-6, 100000.0),
+        },
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "m4",
+                summary: "End of the bar, brake side.",
+                unit: "kg",
+                factor: 1.0,
+                dimension: [(0, 1), (1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: false,
+            default: 2.02,
+            tolerance: 0.0,
+            range: (1e-6, 100000.0),
+        },
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "lambda",
+                summary: "Cantilever of the bar over its span, L1/L.",
+                unit: "",
+                factor: 1.0,
+                dimension: [(0, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: false,
+            default: 0.385,
+            tolerance: 0.0,
+            range: (0.0, 10.0),
+        },
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "c",
+                summary: "Torsional stiffness of the shaft between its cranks.",
+                unit: "N m/rad",
+                factor: 1.0,
+                dimension: [(2, 1), (1, 1), (-2, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: false,
+            default: 20980.0,
+            tolerance: 0.0,
+            range: (1.0, 1000000000000.0),
+        },
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "J2",
+                summary: "Disc at the brake end.",
+                unit: "kg m^2",
+                factor: 1.0,
+                dimension: [(2, 1), (1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: false,
+            default: 0.1004,
+            tolerance: 0.0,
+            range: (1e-9, 1000000.0),
+        },
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "d33",
+                summary: "Displacement of the drive-side end of the bar by unit force there.",
+                unit: "m/N",
+                factor: 1.0,
+                dimension: [(0, 1), (-1, 1), (2, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: false,
+            default: 3.8e-6,
+            tolerance: 0.0,
+            range: (1e-15, 1.0),
+        },
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "d44",
+                summary: "Displacement of the brake-side end of the bar by unit force there.",
+                unit: "m/N",
+                factor: 1.0,
+                dimension: [(0, 1), (-1, 1), (2, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: false,
+            default: 3.8e-6,
+            tolerance: 0.0,
+            range: (1e-15, 1.0),
+        },
+        ::assur::registry::Constant {
+            quantity: ::assur::registry::Quantity {
+                name: "d34",
+                summary: "Displacement of one end of the bar by unit force at the other.",
+                unit: "m/N",
+                factor: 1.0,
+                dimension: [(0, 1), (-1, 1), (2, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
+            },
+            is_dimension: false,
+            default: 1.22e-6,
+            tolerance: 0.0,
+            range: (-1.0, 1.0),
+        },
+    ];
+    /// Sets all values, SI units, in the order of the fields.
+    pub fn from_values(values: &[f64; 13]) -> Self {
+        Self {
+            R: values[0],
+            l: values[1],
+            n: values[2],
+            m1: values[3],
+            m2: values[4],
+            m3: values[5],
+            m4: values[6],
+            lambda: values[7],
+            c: values[8],
+            J2: values[9],
+            d33: values[10],
+            d44: values[11],
+            d34: values[12],
+        }
+    }
+    /// All values, SI units, in the order of the fields.
+    pub fn values(&self) -> [f64; 13] {
+        [
+            self.R,
+            self.l,
+            self.n,
+            self.m1,
+            self.m2,
+            self.m3,
+            self.m4,
+            self.lambda,
+            self.c,
+            self.J2,
+            self.d33,
+            self.d44,
+            self.d34,
+        ]
+    }
+    /// The conditions on the values.
+    fn requirements_<S: ::assur::scalar::Scalar>(&self) -> [S::Mask; 2] {
+        let R = S::from_f64(self.R);
+        let l = S::from_f64(self.l);
+        let d33 = S::from_f64(self.d33);
+        let d44 = S::from_f64(self.d44);
+        let d34 = S::from_f64(self.d34);
+        [S::less(R, l), S::less(d34 * d34, d33 * d44)]
+    }
+    /// The period, or the first and the last time.
+    fn span_<S: ::assur::scalar::Scalar>(&self) -> [S; 1] {
+        let n = S::from_f64(self.n);
+        [S::from_f64(6.283185307179586) / n]
+    }
+    /// The declared start values of the state.
+    fn start_<S: ::assur::scalar::Scalar>(&self) -> [S; 6] {
+        [S::ZERO, S::ZERO, S::ZERO, S::ZERO, S::ZERO, S::ZERO]
+    }
+}
+impl ::assur::problem::Scene for Elastic {
+    type Equations<S: ::assur::scalar::Scalar> = ElasticEquations<S>;
+    const LINEAR: bool = true;
+    const LARGE: bool = false;
+    const STATES: usize = 6;
+    const OUTPUTS: usize = 22;
+    const DRIVERS: usize = 1;
+    const SCALES: &'static [f64] = &[0.001, 0.001, 0.001, 0.001, 0.001, 0.001];
+    const STATE_NAMES: &'static [&'static str] = &[
+        "phi2",
+        "w3",
+        "w4",
+        "dot(phi2)",
+        "dot(w3)",
+        "dot(w4)",
+    ];
+    const OUTPUT_NAMES: &'static [&'static str] = &[
+        "x1",
+        "x2",
+        "x3",
+        "x4",
+        "dot(x1)",
+        "dot(x2)",
+        "dot(x3)",
+        "dot(x4)",
+        "ddot(x1)",
+        "ddot(x2)",
+        "ddot(x3)",
+        "ddot(x4)",
+        "phi2",
+        "dot(phi2)",
+        "ddot(phi2)",
+        "F1",
+        "F2",
+        "drive_torque",
+        "shaft_torque",
+        "x_difference",
+        "v_difference",
+        "F_difference",
+    ];
+    #[inline(always)]
+    fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
+        let J2 = S::from_f64(self.J2);
+        let m2 = S::from_f64(self.m2);
+        let R = S::from_f64(self.R);
+        let v11_ = R * R;
+        let v12_ = m2 * v11_;
+        let n = S::from_f64(self.n);
+        let l = S::from_f64(self.l);
+        let v15_ = S::ONE / l;
+        let v16_ = R * v15_;
+        let c = S::from_f64(self.c);
+        let d33 = S::from_f64(self.d33);
+        let d44 = S::from_f64(self.d44);
+        let d34 = S::from_f64(self.d34);
+        let v23_ = S::ONE / S::mul_add(d33, d44, -(d34 * d34));
+        let lambda = S::from_f64(self.lambda);
+        let v26_ = S::ONE + lambda;
+        let v29_ = v23_ * d34;
+        let v30_ = v23_ * d33;
+        let v31_ = n * n;
+        let v32_ = v11_ * v31_;
+        let m3 = S::from_f64(self.m3);
+        let v40_ = S::ONE / m3;
+        let m4 = S::from_f64(self.m4);
+        let v42_ = S::ONE / m4;
+        let v46_ = -S::mul_add(lambda, d44, v26_ * d34);
+        let v48_ = S::mul_add(lambda, d34, v26_ * d33);
+        let v54_ = R * v23_;
+        let m1 = S::from_f64(self.m1);
+        ElasticEquations {
+            J2,
+            m2,
+            R,
+            v12_,
+            n,
+            v16_,
+            c,
+            d33,
+            d44,
+            d34,
+            v23_,
+            lambda,
+            v25_: v23_ * lambda,
+            v26_,
+            v27_: R * v26_,
+            v28_: R * lambda,
+            v29_,
+            v30_,
+            v31_,
+            v33_: v32_ * v15_,
+            v34_: R * v31_,
+            v35_: S::from_f64(4.0) * v16_,
+            v37_: v11_ * n * v15_,
+            v38_: R * n,
+            m3,
+            v40_,
+            m4,
+            v42_,
+            v43_: -c,
+            v52_: v23_ * v11_ * S::mul_add(-v26_, v48_, lambda * v46_),
+            v53_: v12_ * v31_,
+            v55_: v54_ * v46_,
+            v56_: v54_ * v48_,
+            v58_: -S::from_f64(2.0) * (R * m2),
+            v60_: v54_ * v40_ * v46_,
+            slope_4_1_: -(v23_ * v40_ * d44),
+            slope_4_2_: v29_ * v40_,
+            v66_: v54_ * v42_ * v48_,
+            slope_5_1_: v29_ * v42_,
+            slope_5_2_: -(v30_ * v42_),
+            v70_: S::from_f64(0.5) * n,
+            v71_: S::from_f64(0.5) * v16_,
+            m1,
+            v73_: lambda * m4,
+            v74_: v26_ * m3,
+            v75_: v26_ * m4,
+            v76_: lambda * m3,
+            v78_: S::from_f64(0.5) * (v32_ * m1),
+            v79_: S::from_f64(0.5) * J2,
+            v80_: S::from_f64(0.5) * m3,
+            v81_: S::from_f64(0.5) * m4,
+            v82_: S::from_f64(0.5) * m2,
+            v83_: S::from_f64(0.5) * c,
+            v84_: S::from_f64(0.5) * v23_,
+            v85_: S::from_f64(2.0) * d34,
+        }
+    }
+    fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
+        ::assur::registry::check_values(Self::CONSTANTS, &self.values())?;
+        let [require_0_, require_1_] = self.requirements_::<f64>();
+        if !<f64 as ::assur::scalar::Scalar>::holds(require_0_) {
+            return ::core::result::Result::Err(::assur::problem::Refused {
+                name: ::std::string::String::from(
+                    "the connecting rod has to be longer than the crank",
+                ),
+                reason: ::std::format!(
+                    "found R = {} mm, l = {} mm; expected R < l", self.R / 0.001, self.l
+                    / 0.001
+                ),
+            });
+        }
+        if !<f64 as ::assur::scalar::Scalar>::holds(require_1_) {
+            return ::core::result::Result::Err(::assur::problem::Refused {
+                name: ::std::string::String::from(
+                    "the flexibilities of the bar have to be positive definite",
+                ),
+                reason: ::std::format!(
+                    "found d33 = {} m/N, d44 = {} m/N, d34 = {} m/N; expected d33*d44 > d34^2",
+                    self.d33, self.d44, self.d34
+                ),
+            });
+        }
+        ::core::result::Result::Ok(())
+    }
+    fn span(&self) -> ::assur::problem::Span {
+        let [period] = self.span_::<f64>();
+        ::assur::problem::Span::Periodic(period)
+    }
+    fn start(&self) -> ::std::vec::Vec<f64> {
+        self.start_::<f64>().to_vec()
+    }
+}

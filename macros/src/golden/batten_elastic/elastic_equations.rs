@@ -1,0 +1,504 @@
+/// Equations of [`Elastic`], prepared for a scalar type.
+#[derive(Clone, Copy, Debug)]
+pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
+    J2: S,
+    m2: S,
+    R: S,
+    /// `m2*R^2`
+    v12_: S,
+    n: S,
+    /// `R*(1/l)`
+    v16_: S,
+    c: S,
+    d33: S,
+    d44: S,
+    d34: S,
+    /// `1/(d33*d44 - d34^2)`
+    v23_: S,
+    lambda: S,
+    /// `v23_*lambda`
+    v25_: S,
+    /// `1 + lambda`
+    v26_: S,
+    /// `R*v26_`
+    v27_: S,
+    /// `R*lambda`
+    v28_: S,
+    /// `v23_*d34`
+    v29_: S,
+    /// `v23_*d33`
+    v30_: S,
+    /// `n^2`
+    v31_: S,
+    /// `R^2*v31_*(1/l)`
+    v33_: S,
+    /// `R*v31_`
+    v34_: S,
+    /// `4*v16_`
+    v35_: S,
+    /// `R^2*n*(1/l)`
+    v37_: S,
+    /// `R*n`
+    v38_: S,
+    m3: S,
+    /// `1/m3`
+    v40_: S,
+    m4: S,
+    /// `1/m4`
+    v42_: S,
+    /// `-c`
+    v43_: S,
+    /// `v23_*R^2*(lambda*(-(lambda*d44 + v26_*d34)) - v26_*(lambda*d34 + v26_*d33))`
+    v52_: S,
+    /// `v12_*v31_`
+    v53_: S,
+    /// `R*v23_*(-(lambda*d44 + v26_*d34))`
+    v55_: S,
+    /// `R*v23_*(lambda*d34 + v26_*d33)`
+    v56_: S,
+    /// `(-2)*(R*m2)`
+    v58_: S,
+    /// `R*v23_*v40_*(-(lambda*d44 + v26_*d34))`
+    v60_: S,
+    /// Jacobian, rate of `dot(w3)` by `w3`: `-v23_*v40_*d44`
+    slope_4_1_: S,
+    /// Jacobian, rate of `dot(w3)` by `w4`: `v29_*v40_`
+    slope_4_2_: S,
+    /// `R*v23_*v42_*(lambda*d34 + v26_*d33)`
+    v66_: S,
+    /// Jacobian, rate of `dot(w4)` by `w3`: `v29_*v42_`
+    slope_5_1_: S,
+    /// Jacobian, rate of `dot(w4)` by `w4`: `-v30_*v42_`
+    slope_5_2_: S,
+    /// `0.5*n`
+    v70_: S,
+    /// `0.5*v16_`
+    v71_: S,
+    m1: S,
+    /// `lambda*m4`
+    v73_: S,
+    /// `v26_*m3`
+    v74_: S,
+    /// `v26_*m4`
+    v75_: S,
+    /// `lambda*m3`
+    v76_: S,
+    /// `0.5*(R^2*v31_*m1)`
+    v78_: S,
+    /// `0.5*J2`
+    v79_: S,
+    /// `0.5*m3`
+    v80_: S,
+    /// `0.5*m4`
+    v81_: S,
+    /// `0.5*m2`
+    v82_: S,
+    /// `0.5*c`
+    v83_: S,
+    /// `0.5*v23_`
+    v84_: S,
+    /// `2*d34`
+    v85_: S,
+}
+impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquations<S> {
+    type State = [S; 6];
+    type Instant = ElasticInstant<S>;
+    #[inline(always)]
+    fn states(&self) -> usize {
+        6
+    }
+    /// 31 operations.
+    #[inline(always)]
+    fn instant(&self, time: S) -> Self::Instant {
+        let theta = self.n * time;
+        let (sin_theta_, cos_theta_) = S::sin_cos(theta);
+        let v93_ = sin_theta_ * sin_theta_;
+        let v95_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+        let v100_ = v95_ * sin_theta_;
+        let v104_ = v95_ * cos_theta_;
+        let ddot_x1 = S::mul_add(self.v34_, v104_, self.v33_ * v93_);
+        ElasticInstant {
+            sin_theta_,
+            cos_theta_,
+            v99_: S::ONE / S::mul_add(self.v12_, v93_ * (v95_ * v95_), self.J2),
+            v101_: self.R * v100_,
+            v102_: self.v27_ * v100_,
+            v103_: self.v28_ * v100_,
+            ddot_x1,
+            v109_: self.v34_ * (sin_theta_ * S::mul_add(self.v35_, cos_theta_, -S::ONE)),
+            v112_: S::from_f64(2.0) * S::mul_add(self.v38_, v104_, self.v37_ * v93_),
+            v114_: -(self.m3 * ddot_x1),
+            v116_: -(self.m4 * ddot_x1),
+        }
+    }
+    #[inline(always)]
+    fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
+        let mut angle_theta_ = [S::ZERO; K_];
+        for k_ in 0..K_ {
+            let time = times[k_];
+            angle_theta_[k_] = self.n * time;
+        }
+        let (sin_theta_, cos_theta_) = S::sin_cos_all::<K_>(angle_theta_);
+        let mut instants = [ElasticInstant {
+            sin_theta_: S::ZERO,
+            cos_theta_: S::ZERO,
+            v99_: S::ZERO,
+            v101_: S::ZERO,
+            v102_: S::ZERO,
+            v103_: S::ZERO,
+            ddot_x1: S::ZERO,
+            v109_: S::ZERO,
+            v112_: S::ZERO,
+            v114_: S::ZERO,
+            v116_: S::ZERO,
+        }; K_];
+        for k_ in 0..K_ {
+            let time = times[k_];
+            let v93_ = sin_theta_[k_] * sin_theta_[k_];
+            let v95_ = S::mul_add(-self.v16_, cos_theta_[k_], S::ONE);
+            let v100_ = v95_ * sin_theta_[k_];
+            let v104_ = v95_ * cos_theta_[k_];
+            let ddot_x1 = S::mul_add(self.v34_, v104_, self.v33_ * v93_);
+            instants[k_] = ElasticInstant {
+                sin_theta_: sin_theta_[k_],
+                cos_theta_: cos_theta_[k_],
+                v99_: S::ONE / S::mul_add(self.v12_, v93_ * (v95_ * v95_), self.J2),
+                v101_: self.R * v100_,
+                v102_: self.v27_ * v100_,
+                v103_: self.v28_ * v100_,
+                ddot_x1,
+                v109_: self.v34_
+                    * (sin_theta_[k_] * S::mul_add(self.v35_, cos_theta_[k_], -S::ONE)),
+                v112_: S::from_f64(2.0) * S::mul_add(self.v38_, v104_, self.v37_ * v93_),
+                v114_: -(self.m3 * ddot_x1),
+                v116_: -(self.m4 * ddot_x1),
+            };
+        }
+        instants
+    }
+    /// 29 operations.
+    #[inline(always)]
+    fn derivative(
+        &self,
+        instant: &Self::Instant,
+        state: &Self::State,
+        rate: &mut Self::State,
+    ) {
+        let phi2 = state[0];
+        let w3 = state[1];
+        let w4 = state[2];
+        let dot_phi2 = state[3];
+        let dot_w3 = state[4];
+        let dot_w4 = state[5];
+        let u4 = S::mul_add(instant.v102_, phi2, w4);
+        let u3 = S::mul_add(-instant.v103_, phi2, w3);
+        let v154_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+        let v155_ = self.v29_ * u3;
+        let v156_ = self.v30_ * u4;
+        let ddot_phi2 = instant.v99_
+            * S::mul_add(
+                -self.c,
+                phi2,
+                instant.v101_
+                    * S::mul_add(
+                        self.m2,
+                        S::mul_add(
+                            -instant.v112_,
+                            dot_phi2,
+                            S::mul_add(-instant.v109_, phi2, instant.ddot_x1),
+                        ),
+                        S::mul_add(self.v26_, v155_ - v156_, self.v25_ * v154_),
+                    ),
+            );
+        *rate = [
+            dot_phi2,
+            dot_w3,
+            dot_w4,
+            ddot_phi2,
+            self.v40_ * S::mul_add(-self.v23_, v154_, instant.v114_),
+            self.v42_ * (instant.v116_ + v155_ - v156_),
+        ];
+    }
+    #[inline(always)]
+    fn variation(
+        &self,
+        instant: &Self::Instant,
+        state: &Self::State,
+        rate: &mut Self::State,
+        columns: &[Self::State],
+        products: &mut [Self::State],
+    ) {
+        let phi2 = state[0];
+        let w3 = state[1];
+        let w4 = state[2];
+        let dot_phi2 = state[3];
+        let dot_w3 = state[4];
+        let dot_w4 = state[5];
+        let v93_ = instant.sin_theta_ * instant.sin_theta_;
+        let v95_ = S::mul_add(-self.v16_, instant.cos_theta_, S::ONE);
+        let v100_ = v95_ * instant.sin_theta_;
+        let slope_3_0_ = instant.v99_
+            * S::mul_add(
+                v95_ * v93_,
+                S::mul_add(
+                    -self.v53_,
+                    S::mul_add(self.v35_, instant.cos_theta_, -S::ONE),
+                    self.v52_ * v95_,
+                ),
+                self.v43_,
+            );
+        let v122_ = v100_ * instant.v99_;
+        let slope_3_1_ = -(self.v55_ * v122_);
+        let slope_3_2_ = -(self.v56_ * v122_);
+        let slope_3_3_ = self.v58_
+            * (v122_
+                * S::mul_add(self.v38_, v95_ * instant.cos_theta_, self.v37_ * v93_));
+        let slope_4_0_ = -(self.v60_ * v100_);
+        let slope_5_0_ = -(self.v66_ * v100_);
+        let u4 = S::mul_add(instant.v102_, phi2, w4);
+        let u3 = S::mul_add(-instant.v103_, phi2, w3);
+        let v154_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+        let v155_ = self.v29_ * u3;
+        let v156_ = self.v30_ * u4;
+        let ddot_phi2 = instant.v99_
+            * S::mul_add(
+                -self.c,
+                phi2,
+                instant.v101_
+                    * S::mul_add(
+                        self.m2,
+                        S::mul_add(
+                            -instant.v112_,
+                            dot_phi2,
+                            S::mul_add(-instant.v109_, phi2, instant.ddot_x1),
+                        ),
+                        S::mul_add(self.v26_, v155_ - v156_, self.v25_ * v154_),
+                    ),
+            );
+        *rate = [
+            dot_phi2,
+            dot_w3,
+            dot_w4,
+            ddot_phi2,
+            self.v40_ * S::mul_add(-self.v23_, v154_, instant.v114_),
+            self.v42_ * (instant.v116_ + v155_ - v156_),
+        ];
+        for (column_, product_) in columns.iter().zip(products) {
+            product_[0] = column_[3];
+            product_[1] = column_[4];
+            product_[2] = column_[5];
+            product_[3] = S::mul_add(
+                slope_3_3_,
+                column_[3],
+                S::mul_add(
+                    slope_3_2_,
+                    column_[2],
+                    S::mul_add(slope_3_1_, column_[1], slope_3_0_ * column_[0]),
+                ),
+            );
+            product_[4] = S::mul_add(
+                self.slope_4_2_,
+                column_[2],
+                S::mul_add(self.slope_4_1_, column_[1], slope_4_0_ * column_[0]),
+            );
+            product_[5] = S::mul_add(
+                self.slope_5_2_,
+                column_[2],
+                S::mul_add(self.slope_5_1_, column_[1], slope_5_0_ * column_[0]),
+            );
+        }
+    }
+    /// 28 operations.
+    #[inline(always)]
+    fn jacobian(
+        &self,
+        instant: &Self::Instant,
+        state: &Self::State,
+        columns: &mut [Self::State],
+    ) {
+        ::core::debug_assert!(columns.len() >= 6);
+        let ::core::option::Option::Some(columns) = columns.first_chunk_mut::<6>() else {
+            return
+        };
+        let v93_ = instant.sin_theta_ * instant.sin_theta_;
+        let v95_ = S::mul_add(-self.v16_, instant.cos_theta_, S::ONE);
+        let v100_ = v95_ * instant.sin_theta_;
+        let v122_ = v100_ * instant.v99_;
+        columns[0] = [
+            S::ZERO,
+            S::ZERO,
+            S::ZERO,
+            instant.v99_
+                * S::mul_add(
+                    v95_ * v93_,
+                    S::mul_add(
+                        -self.v53_,
+                        S::mul_add(self.v35_, instant.cos_theta_, -S::ONE),
+                        self.v52_ * v95_,
+                    ),
+                    self.v43_,
+                ),
+            -(self.v60_ * v100_),
+            -(self.v66_ * v100_),
+        ];
+        columns[1] = [
+            S::ZERO,
+            S::ZERO,
+            S::ZERO,
+            -(self.v55_ * v122_),
+            self.slope_4_1_,
+            self.slope_5_1_,
+        ];
+        columns[2] = [
+            S::ZERO,
+            S::ZERO,
+            S::ZERO,
+            -(self.v56_ * v122_),
+            self.slope_4_2_,
+            self.slope_5_2_,
+        ];
+        columns[3] = [
+            S::ONE,
+            S::ZERO,
+            S::ZERO,
+            self.v58_
+                * (v122_
+                    * S::mul_add(
+                        self.v38_,
+                        v95_ * instant.cos_theta_,
+                        self.v37_ * v93_,
+                    )),
+            S::ZERO,
+            S::ZERO,
+        ];
+        columns[4] = [S::ZERO, S::ONE, S::ZERO, S::ZERO, S::ZERO, S::ZERO];
+        columns[5] = [S::ZERO, S::ZERO, S::ONE, S::ZERO, S::ZERO, S::ZERO];
+    }
+    /// 117 operations.
+    #[inline(always)]
+    fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
+        ::core::debug_assert!(values.len() >= 22);
+        let ::core::option::Option::Some(values) = values.first_chunk_mut::<22>() else {
+            return
+        };
+        let phi2 = state[0];
+        let w3 = state[1];
+        let w4 = state[2];
+        let dot_phi2 = state[3];
+        let dot_w3 = state[4];
+        let dot_w4 = state[5];
+        let theta = self.n * time;
+        let shaft = self.c * phi2;
+        let v_difference = dot_w3 - dot_w4;
+        let ([sin_theta_, sin_v133_], [cos_theta_, _]) = S::sin_cos_all([
+            theta,
+            self.v70_ * time,
+        ]);
+        let v93_ = sin_theta_ * sin_theta_;
+        let v95_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+        let v99_ = S::ONE / S::mul_add(self.v12_, v93_ * (v95_ * v95_), self.J2);
+        let v100_ = v95_ * sin_theta_;
+        let v101_ = self.R * v100_;
+        let v104_ = v95_ * cos_theta_;
+        let ddot_x1 = S::mul_add(self.v34_, v104_, self.v33_ * v93_);
+        let v107_ = S::mul_add(self.v35_, cos_theta_, -S::ONE);
+        let v111_ = S::mul_add(self.v38_, v104_, self.v37_ * v93_);
+        let v112_ = S::from_f64(2.0) * v111_;
+        let x1 = self.R
+            * S::mul_add(-self.v71_, v93_, S::from_f64(2.0) * (sin_v133_ * sin_v133_));
+        let dot_x1 = self.v38_ * v100_;
+        let u4 = S::mul_add(self.v27_ * v100_, phi2, w4);
+        let u3 = S::mul_add(-(self.v28_ * v100_), phi2, w3);
+        let v154_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+        let v155_ = self.v29_ * u3;
+        let v156_ = self.v30_ * u4;
+        let v159_ = S::mul_add(
+            -v112_,
+            dot_phi2,
+            S::mul_add(-(self.v34_ * (sin_theta_ * v107_)), phi2, ddot_x1),
+        );
+        let x2 = S::mul_add(-v101_, phi2, x1);
+        let x3 = x1 + w3;
+        let x4 = x1 + w4;
+        let v186_ = v95_ * v99_
+            * S::mul_add(
+                v101_,
+                S::mul_add(
+                    -self.m2,
+                    v159_,
+                    self.v23_
+                        * S::mul_add(
+                            -self.lambda,
+                            v154_,
+                            self.v26_ * S::mul_add(-self.d34, u3, self.d33 * u4),
+                        ),
+                ),
+                shaft,
+            );
+        let ddot_x2 = S::mul_add(
+            -v112_,
+            dot_phi2,
+            S::mul_add(
+                self.R * sin_theta_,
+                S::mul_add(-(self.v31_ * v107_), phi2, v186_),
+                ddot_x1,
+            ),
+        );
+        let ddot_x3 = ddot_x1
+            + self.v40_ * S::mul_add(-self.v23_, v154_, -(self.m3 * ddot_x1));
+        let ddot_x4 = ddot_x1 + self.v42_ * (v155_ - (self.m4 * ddot_x1) - v156_);
+        let F1 = S::mul_add(
+            -self.v73_,
+            ddot_x4,
+            S::mul_add(self.v74_, ddot_x3, self.m1 * ddot_x1),
+        );
+        let F2 = S::mul_add(
+            -self.v76_,
+            ddot_x3,
+            S::mul_add(self.m2, ddot_x2, self.v75_ * ddot_x4),
+        );
+        let drive_torque = S::mul_add(v101_, F1, shaft);
+        let x_difference = x3 - x4;
+        let F_difference = F1 - F2;
+        values[0] = x1;
+        values[1] = x2;
+        values[2] = x3;
+        values[3] = x4;
+        values[4] = dot_x1;
+        values[5] = S::mul_add(-v111_, phi2, S::mul_add(-v101_, dot_phi2, dot_x1));
+        values[6] = dot_x1 + dot_w3;
+        values[7] = dot_x1 + dot_w4;
+        values[8] = ddot_x1;
+        values[9] = ddot_x2;
+        values[10] = ddot_x3;
+        values[11] = ddot_x4;
+        values[12] = phi2;
+        values[13] = dot_phi2;
+        values[14] = v99_
+            * S::mul_add(
+                -self.c,
+                phi2,
+                v101_
+                    * S::mul_add(
+                        self.m2,
+                        v159_,
+                        S::mul_add(self.v26_, v155_ - v156_, self.v25_ * v154_),
+                    ),
+            );
+        values[15] = F1;
+        values[16] = F2;
+        values[17] = drive_torque;
+        values[18] = shaft;
+        values[19] = x_difference;
+        values[20] = v_difference;
+        values[21] = F_difference;
+    }
+    #[inline(always)]
+    fn drivers(&self, time: S, values: &mut [S]) {
+        ::core::debug_assert!(values.len() >= 1);
+        let ::core::option::Option::Some(values) = values.first_chunk_mut::<1>() else {
+            return
+        };
+        values[0] = self.n * time;
+    }
+}
