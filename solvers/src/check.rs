@@ -12,7 +12,7 @@ pub use derivatives::jacobian;
 pub use facts::fact;
 
 use crate::ode;
-use crate::problem::{Equations, Scene, Span, Storage};
+use crate::problem::{Equations, Scene, Storage};
 use crate::registry::{Method, Settings};
 
 /// Largest drift of the energy, as a share of what is exchanged.
@@ -49,7 +49,7 @@ type Energies<C> = fn(&<C as Scene>::Equations<f64>, f64, &State<C>) -> (f64, f6
 pub fn energy<C: Scene + Default>(energies: Energies<C>) -> Result<(), Failed> {
     let scene = C::default();
     let equations = scene.prepare::<f64>();
-    let (from, to) = limits(scene.span());
+    let (from, to) = scene.span().limits();
     let start = moving_start(&scene, &equations, from);
     let settings = Settings {
         method: Method::Dop853,
@@ -79,15 +79,6 @@ pub fn energy<C: Scene + Default>(energies: Energies<C>) -> Result<(), Failed> {
             drift(entry),
             DRIFT * exchanged
         ))),
-    }
-}
-
-/// First and last time of a task; a second where none is stated.
-fn limits(span: Span) -> (f64, f64) {
-    match span {
-        Span::Periodic(period) => (0.0, period),
-        Span::Run(from, to) => (from, to),
-        Span::Open => (0.0, 1.0),
     }
 }
 

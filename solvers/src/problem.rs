@@ -1,7 +1,11 @@
 //! What the solvers ask of a model: the two traits that emitted code implements.
 //!
 //! A [`Scene`] is a set of parameter values, the type that a user fills in. Preparing it for a scalar type gives
-//! [`Equations`]: everything that depends on the parameters alone is computed there, once.
+//! [`Equations`]: everything that depends on the parameters alone is computed there, once. Its task is a [`Span`].
+
+mod span;
+
+pub use span::Span;
 
 use crate::scalar::Scalar;
 
@@ -65,17 +69,6 @@ pub trait Equations<S: Scalar> {
 
     /// Writes the positions of the drivers at a time, in their declared order.
     fn drivers(&self, time: S, values: &mut [S]);
-}
-
-/// What a scene does when it is run without being told more; values in SI units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Span {
-    /// The steady state that repeats after this period, in seconds.
-    Periodic(f64),
-    /// A motion from the first time to the second, in seconds.
-    Run(f64, f64),
-    /// Nothing is stated: positions are evaluated where they are asked for.
-    Open,
 }
 
 /// A scene of a mechanism with its parameter values: the type that a user fills in and hands to a solver.

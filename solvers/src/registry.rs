@@ -226,6 +226,15 @@ pub trait Run: Send + Sync {
     fn start(&self) -> Vec<f64>;
     /// Positions of the drivers at a time.
     fn drivers(&self, time: f64) -> Vec<f64>;
+    /// The first time of the task at which a driver has a position, see [`Span::time_of`].
+    ///
+    /// # Errors
+    /// The lowest and the highest position that it has; neither is a number where there is no such driver.
+    fn time_of(&self, driver: usize, position: f64) -> Result<f64, (f64, f64)> {
+        let at = |time| self.drivers(time).get(driver).copied();
+        self.span()
+            .time_of(|time| at(time).unwrap_or(f64::NAN), position)
+    }
     /// All outputs at a time and state.
     fn outputs(&self, time: f64, state: &[f64]) -> Vec<f64>;
     /// Time derivative of the state.

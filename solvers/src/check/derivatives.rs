@@ -1,6 +1,6 @@
 //! Derived Jacobians against dual numbers.
 
-use super::{Failed, State, beside, limits, state};
+use super::{Failed, State, beside, state};
 use crate::problem::{Equations, Scene, Storage};
 use crate::scalar::{Dual, Scalar};
 
@@ -21,7 +21,7 @@ type DualState<C> = <<C as Scene>::Equations<Dual> as Equations<Dual>>::State;
 /// The first entry that deviates, with both values; or that no state was found at which all are finite.
 pub fn jacobian<C: Scene + Default>() -> Result<(), Failed> {
     let scene = C::default();
-    let (from, to) = limits(scene.span());
+    let (from, to) = scene.span().limits();
     let point = Point {
         plain: scene.prepare::<f64>(),
         dual: scene.prepare::<Dual>(),
@@ -153,7 +153,7 @@ impl<C: Scene> Point<'_, C> {
 
     /// The derivative of the state with the second of two instants that are computed together.
     fn several(&self, time: f64, here: &State<C>) -> State<C> {
-        let (from, _) = limits(self.scene.span());
+        let (from, _) = self.scene.span().limits();
         let [_, instant] = self.plain.instants([from, time]);
         let mut rate = State::<C>::zeros(C::STATES);
         self.plain.derivative(&instant, here, &mut rate);

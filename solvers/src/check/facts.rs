@@ -1,6 +1,6 @@
 //! Published facts against the computed motion.
 
-use super::{Failed, limits};
+use super::Failed;
 use crate::ode::Trajectory;
 use crate::problem::Span;
 use crate::registry::{At, Expectation, Mechanism, Method, Quantity, Run, SceneEntry, Settings};
@@ -10,7 +10,7 @@ const SETTINGS: Settings = Settings {
     method: Method::Dop853,
     rtol: 1e-11,
 };
-/// Samples along a task when a position of a driver or an extreme is sought.
+/// Samples along a task when an extreme is sought.
 const SAMPLES: usize = 2048;
 
 /// Solves a scene and checks one of its published facts, by its place in the list of the scene.
@@ -109,8 +109,11 @@ impl Motion {
     /// The computed value of a fact; nothing where the motion does not get there.
     fn value(&self, fact: &Expectation) -> Option<f64> {
         match fact.at {
-            At::Time(time) => self.at(self.reduce(time)?, fact.quantity),
-            At::Driver(driver, position) => self.at(self.time_of(driver, position)?, fact.quantity),
+            At::Time(time) => self.at(self.span.reduce(time)?, fact.quantity),
+            At::Driver(driver, position) => {
+                let time = self.run.time_of(driver, position).ok()?;
+                self.at(time, fact.quantity)
+            }
             At::Maximum => self.largest(fact.quantity, |value| value),
             At::Minimum => self
                 .largest(fact.quantity, |value| -value)
@@ -131,43 +134,9 @@ impl Motion {
         }
     }
 
-    /// The time of the task that a time means: in a steady state every cycle is like the first.
-    fn reduce(&self, time: f64) -> Option<f64> {
-        match self.span {
-            Span::Periodic(period) => Some(time.rem_euclid(period)),
-            Span::Run(from, to) => (from..=to).contains(&time).then_some(time),
-            Span::Open => Some(time),
-        }
-    }
-
-    /// The time at which a driver first reaches a position; in a steady state any number of cycles away.
-    fn time_of(&self, driver: usize, position: f64) -> Option<f64> {
-        let at = |time: f64| self.run.drivers(time).get(driver).copied();
-        let (from, to) = limits(self.span);
-        let (first, last) = (at(from)?, at(to)?);
-        let position = match self.span {
-            Span::Periodic(_) if last != first => {
-                position - ((position - first) / (last - first)).floor() * (last - first)
-            }
-            _ => position,
-        };
-        let near = 1e-12 * (first.abs() + last.abs() + position.abs());
-        let off = |time: f64| at(time).map_or(f64::NAN, |here| here - position);
-        let times = self.times();
-        let reached = times.iter().find(|time| off(**time).abs() <= near);
-        let between = times
-            .windows(2)
-            .find(|pair| off(pair[0]) * off(pair[1]) < 0.0);
-        match (reached, between) {
-            (Some(time), Some(pair)) if *time <= pair[0] => Some(*time),
-            (_, Some(pair)) => Some(bisect(off, pair[0], pair[1])),
-            (reached, None) => reached.copied(),
-        }
-    }
-
     /// Times along the task.
     fn times(&self) -> Vec<f64> {
-        let (from, to) = limits(self.span);
+        let (from, to) = self.span.limits();
         let at = |index: usize| from + (to - from) * index as f64 / SAMPLES as f64;
         (0..=SAMPLES).map(at).collect()
     }
@@ -198,17 +167,4 @@ impl Motion {
         }
         Some(best.1.max(at(low + (high - low) / 2.0)?))
     }
-}
-
-fn bisect(function: impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
-    let rising = function(from) < 0.0;
-    for _ in 0..80 {
-        let middle = from + (to - from) / 2.0;
-        if (function(middle) < 0.0) == rising {
-            from = middle;
-        } else {
-            to = middle;
-        }
-    }
-    to
 }

@@ -168,6 +168,15 @@ fn facts_have_their_places() {
 }
 
 #[test]
+fn a_driver_has_a_position_when_it_is_there() {
+    let run = bind(Oscillator::<RIGHT>).expect("it has no values");
+    assert_eq!(run.time_of(0, 3.0), Ok(1.5));
+    assert_eq!(run.time_of(0, 11.0), Err((0.0, 10.0)));
+    let nowhere = run.time_of(1, 3.0).expect_err("there is one driver");
+    assert!(nowhere.0.is_nan() && nowhere.1.is_nan());
+}
+
+#[test]
 fn a_fact_that_does_not_hold_is_named() {
     let failed = fact_about(At::Maximum, 0.75).unwrap_err().0;
     assert!(
