@@ -1,8 +1,9 @@
 //! The variables over a task: samples, extremes, and how accurate they are.
 
+use assur::problem::Span;
 use assur::registry::Settings;
 
-use crate::case::{Case, Task};
+use crate::case::Case;
 use crate::error::Failure;
 use crate::motion::Motion;
 use crate::settings::RTOL;
@@ -42,7 +43,7 @@ impl Extreme {
 /// Samples the task evenly, more finely where the solution took many steps.
 pub fn sample(case: &Case, motion: &Motion) -> Curves {
     let (from, to) = case.task.limits();
-    if case.task == Task::Open {
+    if case.task == Span::Open {
         return Curves::default();
     }
     let count = (motion.effort().steps * 4)

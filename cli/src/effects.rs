@@ -1,8 +1,9 @@
 //! What one effect, choice or preset changes: scenes that differ by it alone, side by side.
 
+use assur::problem::Span;
 use assur::registry::{Mechanism, SceneEntry};
 
-use crate::case::{Case, Task};
+use crate::case::Case;
 use crate::motion::Motion;
 use crate::number;
 use crate::style::Style;
@@ -24,7 +25,7 @@ impl<'a> Cycle<'a> {
     pub fn of(case: &'a Case, motion: &Motion) -> Option<Self> {
         let (from, to) = case.task.limits();
         let time = |index| from + (to - from) * index as f64 / INSTANTS as f64;
-        (case.task != Task::Open).then(|| Self {
+        (case.task != Span::Open).then(|| Self {
             case,
             samples: (0..=INSTANTS)
                 .map(|index| case.sample(motion, time(index)))

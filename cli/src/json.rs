@@ -22,10 +22,10 @@
 
 use std::path::Path;
 
+use assur::problem::Span;
 use assur::registry::Quantity;
 use serde_json::{Value, json};
 
-use crate::case::Task;
 use crate::multipliers::conclusions;
 use crate::published::Comparison;
 use crate::report::{Report, Snapshot};
@@ -117,12 +117,12 @@ fn parameters(report: &Report) -> Value {
     (0..constants.values.len()).map(one).collect()
 }
 
-fn task(task: Task) -> Value {
-    let (from, to) = task.limits();
-    let kind = match task {
-        Task::Periodic(_) => "periodic",
-        Task::Run(..) => "run",
-        Task::Open => "open",
+fn task(task: Span) -> Value {
+    let (kind, (from, to)) = match task {
+        Span::Periodic(_) => ("periodic", task.limits()),
+        Span::Run(..) => ("run", task.limits()),
+        // It lasts no time; the limits of an open span are those of a search.
+        Span::Open => ("open", (0.0, 0.0)),
     };
     json!({ "kind": kind, "from": from, "to": to, "unit": "s" })
 }

@@ -2,10 +2,11 @@
 //!
 //! This is the only file that talks to the solvers.
 
+use assur::problem::Span;
 use assur::registry::Settings;
 use assur::{ode, periodic};
 
-use crate::case::{Case, Task};
+use crate::case::Case;
 use crate::error::Failure;
 
 impl Case {
@@ -19,17 +20,17 @@ impl Case {
             Path::Positions
         } else {
             match self.task {
-                Task::Periodic(period) => Path::Orbit(
+                Span::Periodic(period) => Path::Orbit(
                     self.run()
                         .periodic(period, &settings)
                         .map_err(|error| not_periodic(&error))?,
                 ),
-                Task::Run(from, to) => Path::Trajectory(
+                Span::Run(from, to) => Path::Trajectory(
                     self.run()
                         .march((from, to), &self.run().start(), &settings)
                         .map_err(|error| not_marched(&error))?,
                 ),
-                Task::Open => Path::Start(self.run().start()),
+                Span::Open => Path::Start(self.run().start()),
             }
         };
         Ok(Motion {

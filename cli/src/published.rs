@@ -132,12 +132,12 @@ fn one(fact: &'static Expectation, solved: &Solved<'_>, comparable: bool) -> Opt
     let (place, time, extreme) = match fact.at {
         At::Time(time) => (
             format!("time = {} s", number::short(time)),
-            case.reduce(time),
+            case.task.reduce(time),
             f64::NAN,
         ),
         At::Driver(driver, position) => (
             driver_label(case, driver, position),
-            case.time_of(driver, position).ok(),
+            case.run().time_of(driver, position).ok(),
             f64::NAN,
         ),
         At::Maximum => ("maximum".to_owned(), None, extreme.maximum.1),

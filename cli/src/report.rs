@@ -2,9 +2,10 @@
 
 use std::time::Instant;
 
+use assur::problem::Span;
 use assur::registry::{Mechanism, Settings};
 
-use crate::case::{Case, Task};
+use crate::case::Case;
 use crate::curves::{self, Curves, Extreme};
 use crate::error::Failure;
 use crate::motion::Motion;
@@ -47,7 +48,7 @@ impl Report {
 
     /// Whether the task is a steady state that repeats.
     pub fn is_cycle(&self) -> bool {
-        matches!(self.case.task, Task::Periodic(_))
+        matches!(self.case.task, Span::Periodic(_))
     }
 }
 
@@ -147,7 +148,8 @@ fn locate(case: &Case, place: Place) -> Result<(f64, String), Failure> {
     match place {
         Place::Time(time) => {
             let label = format!("time = {} s", number::short(time));
-            case.reduce(time).map(|time| (time, label)).ok_or_else(|| {
+            let reached = case.task.reduce(time).map(|time| (time, label));
+            reached.ok_or_else(|| {
                 let (from, to) = case.task.limits();
                 Failure::request(format!("the task does not reach time = {time} s"))
                     .place("--at")
@@ -156,7 +158,8 @@ fn locate(case: &Case, place: Place) -> Result<(f64, String), Failure> {
         }
         Place::Driver(index, position) => {
             let label = driver_label(case, index, position);
-            case.time_of(index, position)
+            case.run()
+                .time_of(index, position)
                 .map(|time| (time, label.clone()))
                 .map_err(|(low, high)| {
                     Failure::request(format!("the task does not reach {label}"))

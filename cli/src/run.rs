@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use assur::problem::Span;
 use assur::registry::{Mechanism, SceneEntry, Settings};
 
 use crate::arguments::{Format, RunArguments};
-use crate::case::{Case, Task};
+use crate::case::Case;
 use crate::constants::Constants;
 use crate::error::Failure;
 use crate::output::{self, Destination};
@@ -41,7 +42,7 @@ pub fn execute(options: &RunArguments) -> Result<(), Failure> {
         None => None,
     };
     let case = Case::new(constants)?;
-    if case.task == Task::Open && places.is_empty() {
+    if case.task == Span::Open && places.is_empty() {
         return Err(
             Failure::request(format!("scene `{}` has no task of its own", scene.name)).remedy(
                 format!(

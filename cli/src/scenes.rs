@@ -1,9 +1,10 @@
 //! `assur scenes`: how large the scenes of a mechanism are, what they cost, and what each effect changes.
 
+use assur::problem::Span;
 use assur::registry::{Mechanism, SceneEntry, Settings};
 
 use crate::arguments::ScenesArguments;
-use crate::case::{Case, Task};
+use crate::case::Case;
 use crate::constants::Constants;
 use crate::effects::{self, Cycle};
 use crate::error::Failure;
@@ -110,7 +111,7 @@ impl<'a> Measured<'a> {
             failure: None,
         };
         let outcome = case.solve(settings).and_then(|motion| {
-            if !case.scene.states.is_empty() && case.task != Task::Open {
+            if !case.scene.states.is_empty() && case.task != Span::Open {
                 let mut best = f64::INFINITY;
                 for _ in 0..REPEATS {
                     let seconds = case.time_cycle(&motion)?;
@@ -156,9 +157,9 @@ fn sizes(cases: &[Case], measured: &[Measured<'_>], style: Style) -> String {
             time(has_states.then_some(measured.evaluation * 1e-9)),
             time(measured.seconds),
             match case.task {
-                Task::Open => "no task".to_owned(),
-                Task::Periodic(period) => format!("{} s", number::short(period)),
-                Task::Run(from, to) => format!("{} s, whole run", number::short(to - from)),
+                Span::Open => "no task".to_owned(),
+                Span::Periodic(period) => format!("{} s", number::short(period)),
+                Span::Run(from, to) => format!("{} s, whole run", number::short(to - from)),
             },
             composition(scene),
         ]);

@@ -5,7 +5,8 @@ mod variables;
 
 use std::path::Path;
 
-use crate::case::Task;
+use assur::problem::Span;
+
 use crate::list::composition;
 use crate::multipliers::conclusions;
 use crate::number;
@@ -76,18 +77,17 @@ impl Page {
 
 fn head(page: &mut Page, report: &Report) {
     let scene = report.case.scene;
-    let (from, to) = report.case.task.limits();
     let task = match report.case.task {
-        Task::Periodic(period) => format!(
+        Span::Periodic(period) => format!(
             "steady state over one period of {} s",
             number::short(period)
         ),
-        Task::Run(..) => format!(
+        Span::Run(from, to) => format!(
             "motion from {} s to {} s",
             number::short(from),
             number::short(to)
         ),
-        Task::Open => "positions".to_owned(),
+        Span::Open => "positions".to_owned(),
     };
     let title = format!("{}, scene {}: {task}", report.mechanism.title, scene.name);
     page.line(&page.style.heading(&title));

@@ -33,8 +33,8 @@ pub fn find(report: &Report, positions: &[f64], abscissa: &dyn Fn(f64) -> f64) -
     let case = &report.case;
     let stated = case.scene.marks.iter().filter_map(|mark| {
         let time = match mark.at {
-            At::Time(time) => case.reduce(time)?,
-            At::Driver(driver, position) => case.time_of(driver, position).ok()?,
+            At::Time(time) => case.task.reduce(time)?,
+            At::Driver(driver, position) => case.run().time_of(driver, position).ok()?,
             _ => return None,
         };
         Some(Mark {
