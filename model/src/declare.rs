@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use crate::checked::{ConstantInfo, QuantityInfo};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Symbol};
-use crate::homogeneity::{agree, describe, over};
-use crate::lower::{Kind, Lowering, second};
+use crate::homogeneity::{agree, describe, disagreement, over};
+use crate::lower::{Kind, Lowering, Typed, second};
 use crate::resolve::{Declared, Names};
 use crate::syntax::tree::{Constant, Term, TermKind, Unknown};
 use crate::token::Span;
@@ -275,12 +275,10 @@ impl Lowering<'_> {
         );
     }
 
-    /// A scalar equation's two sides, as `left − right`.
+    /// An equation's two sides, as `left − right` in each component.
     pub fn balance(&mut self, left: &Term, right: &Term) -> Option<(Vec<Expression>, Kind)> {
-        use crate::lower::Typed;
-        let (a, b) = (self.term(left), self.term(right));
-        match (a, b) {
-            (Typed::Wrong, _) | (_, Typed::Wrong) => None,
+        let (x, p, y, q) = match (self.term(left), self.term(right)) {
+            (Typed::Wrong, _) | (_, Typed::Wrong) => return None,
             (
                 Typed::Scalar {
                     value: x, kind: p, ..
@@ -288,18 +286,7 @@ impl Lowering<'_> {
                 Typed::Scalar {
                     value: y, kind: q, ..
                 },
-            ) => match agree(p, q) {
-                Some(kind) => Some((vec![self.graph.sub(x, y)], kind)),
-                None => {
-                    let report = crate::homogeneity::disagreement(
-                        "the two sides of the equation are",
-                        (left.span, p),
-                        (right.span, q),
-                    );
-                    self.diagnostics.push(report);
-                    None
-                }
-            },
+            ) => (vec![x], p, vec![y], q),
             (
                 Typed::Vector {
                     values: x, kind: p, ..
@@ -307,24 +294,7 @@ impl Lowering<'_> {
                 Typed::Vector {
                     values: y, kind: q, ..
                 },
-            ) if x.len() == y.len() => match agree(p, q) {
-                Some(kind) => Some((
-                    x.iter()
-                        .zip(&y)
-                        .map(|(x, y)| self.graph.sub(*x, *y))
-                        .collect(),
-                    kind,
-                )),
-                None => {
-                    let report = crate::homogeneity::disagreement(
-                        "the two sides of the equation are",
-                        (left.span, p),
-                        (right.span, q),
-                    );
-                    self.diagnostics.push(report);
-                    None
-                }
-            },
+            ) if x.len() == y.len() => (x, p, y, q),
             (a, b) => {
                 let message = format!(
                     "the two sides of the equation are {} and {}",
@@ -333,9 +303,18 @@ impl Lowering<'_> {
                 );
                 self.diagnostics
                     .push(Diagnostic::error(left.span.to(right.span), message));
-                None
+                return None;
             }
-        }
+        };
+        let Some(kind) = agree(p, q) else {
+            let text = "the two sides of the equation are";
+            let report = disagreement(text, (left.span, p), (right.span, q));
+            self.diagnostics.push(report);
+            return None;
+        };
+        let pairs = x.iter().zip(&y);
+        let differences = pairs.map(|(x, y)| self.graph.sub(*x, *y));
+        Some((differences.collect(), kind))
     }
 
     /// Unit in which a reported value is printed when the file states none.
