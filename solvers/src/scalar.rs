@@ -27,8 +27,12 @@ pub trait Scalar:
     + std::ops::Div<Output = Self>
     + std::ops::Neg<Output = Self>
 {
-    /// Result of a comparison.
-    type Mask: Copy + std::fmt::Debug;
+    /// Result of a comparison; [`Scalar::and`], [`Scalar::or`] and [`Scalar::not`] are its operators.
+    type Mask: Copy
+        + std::fmt::Debug
+        + std::ops::BitAnd<Output = Self::Mask>
+        + std::ops::BitOr<Output = Self::Mask>
+        + std::ops::Not<Output = Self::Mask>;
     /// 0
     const ZERO: Self;
     /// 1
@@ -48,11 +52,20 @@ pub trait Scalar:
     /// Whether `left == right`; a NaN equals nothing, itself included.
     fn equal(left: Self, right: Self) -> Self::Mask;
     /// Whether both hold.
-    fn and(left: Self::Mask, right: Self::Mask) -> Self::Mask;
+    #[inline(always)]
+    fn and(left: Self::Mask, right: Self::Mask) -> Self::Mask {
+        left & right
+    }
     /// Whether at least one holds.
-    fn or(left: Self::Mask, right: Self::Mask) -> Self::Mask;
+    #[inline(always)]
+    fn or(left: Self::Mask, right: Self::Mask) -> Self::Mask {
+        left | right
+    }
     /// Whether it does not hold.
-    fn not(mask: Self::Mask) -> Self::Mask;
+    #[inline(always)]
+    fn not(mask: Self::Mask) -> Self::Mask {
+        !mask
+    }
     /// The mask as a truth value (that of the first lane).
     fn holds(mask: Self::Mask) -> bool;
     /// `then` where the mask holds, `otherwise` elsewhere.

@@ -58,15 +58,6 @@ impl Scalar for Standard {
     fn equal(left: Self, right: Self) -> bool {
         left.0 == right.0
     }
-    fn and(left: bool, right: bool) -> bool {
-        left && right
-    }
-    fn or(left: bool, right: bool) -> bool {
-        left || right
-    }
-    fn not(mask: bool) -> bool {
-        !mask
-    }
     fn holds(mask: bool) -> bool {
         mask
     }

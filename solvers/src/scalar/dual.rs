@@ -126,15 +126,6 @@ impl Scalar for Dual {
     fn equal(left: Self, right: Self) -> bool {
         left.value == right.value
     }
-    fn and(left: bool, right: bool) -> bool {
-        left & right
-    }
-    fn or(left: bool, right: bool) -> bool {
-        left | right
-    }
-    fn not(mask: bool) -> bool {
-        !mask
-    }
     fn holds(mask: bool) -> bool {
         mask
     }

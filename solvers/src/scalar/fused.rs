@@ -74,18 +74,6 @@ impl Scalar for Fused {
         left.0 == right.0
     }
     #[inline(always)]
-    fn and(left: bool, right: bool) -> bool {
-        left & right
-    }
-    #[inline(always)]
-    fn or(left: bool, right: bool) -> bool {
-        left | right
-    }
-    #[inline(always)]
-    fn not(mask: bool) -> bool {
-        !mask
-    }
-    #[inline(always)]
     fn holds(mask: bool) -> bool {
         mask
     }

@@ -45,18 +45,6 @@ macro_rules! plain {
                 left == right
             }
             #[inline(always)]
-            fn and(left: bool, right: bool) -> bool {
-                left & right
-            }
-            #[inline(always)]
-            fn or(left: bool, right: bool) -> bool {
-                left | right
-            }
-            #[inline(always)]
-            fn not(mask: bool) -> bool {
-                !mask
-            }
-            #[inline(always)]
             fn holds(mask: bool) -> bool {
                 mask
             }
