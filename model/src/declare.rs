@@ -258,7 +258,8 @@ impl Lowering<'_> {
             };
             self.declare_kind(symbol, Kind::Of(kind.dimension()), &unit);
             let direction = HashMap::from([(Symbol::Time, self.graph.one())]);
-            self.driver_rates[index] = Some(self.graph.tangent(&[value], &direction)[0]);
+            let rate = self.graph.tangent(&[value], &direction)[0];
+            self.driver_motions[index] = Some((value, rate));
             positions.push(Some(value));
         }
         self.drivers_read();

@@ -119,6 +119,9 @@ impl Parts {
             low.diagnostics.push(Diagnostic::error(value.span, message));
             return;
         }
+        if !low.has_forces(kind, expression, value, span) {
+            return;
+        }
         let list = match kind {
             EnergyKind::Kinetic => &mut self.energies.kinetic,
             EnergyKind::Potential => &mut self.energies.potential,
@@ -171,6 +174,9 @@ impl Parts {
             );
             low.diagnostics
                 .push(Diagnostic::error(statement.span, message));
+            return;
+        }
+        if !low.has_directions(&positions, on, statement.span) {
             return;
         }
         self.energies

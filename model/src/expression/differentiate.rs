@@ -209,7 +209,7 @@ impl Graph {
     }
 
     /// Partial derivatives of a product, power or function with respect to its operands.
-    fn slopes(&mut self, one: Expression) -> Vec<(Expression, Expression)> {
+    pub(super) fn slopes(&mut self, one: Expression) -> Vec<(Expression, Expression)> {
         match self.node(one).clone() {
             Node::Product(factors) => (0..factors.len())
                 .map(|index| {

@@ -4,6 +4,7 @@
 //! a normal form: numbers are folded, equal terms and factors are collected, operands are sorted. Sums inside sums stay
 //! as they are, because what is shared must not be written out; [`Graph::simplify`] opens those that are used once.
 
+mod breaks;
 mod build;
 mod differentiate;
 mod display;
@@ -14,6 +15,7 @@ mod simplify;
 mod solve;
 mod stable;
 
+pub use breaks::{Breaks, Course};
 pub use graph::{Expression, Graph, Node, Real, Symbol};
 
 #[cfg(test)]

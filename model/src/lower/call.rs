@@ -7,7 +7,7 @@ use crate::homogeneity::{agree, describe, disagreement, power};
 use crate::nearest::nearest;
 use crate::program::Function;
 use crate::resolve::{FUNCTIONS, Role};
-use crate::syntax::tree::{Name, Term};
+use crate::syntax::tree::{Name, Term, TermKind};
 use crate::token::Span;
 
 /// What a function does to the kinds of its arguments.
@@ -193,6 +193,15 @@ impl Lowering<'_> {
         };
         let quotient = self.graph.div(a, b);
         let whole = self.graph.call(Function::Floor, &[quotient]);
+        let kind_of_term = TermKind::Call {
+            name: name.clone(),
+            arguments: arguments.to_vec(),
+        };
+        let term = Term {
+            span,
+            kind: kind_of_term,
+        };
+        self.written.insert(whole, &term);
         let part = self.graph.mul(b, whole);
         Typed::scalar(self.graph.sub(a, part), kind)
     }

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::breaks::Wanted;
 use super::{Kind, Lowering, Typed, second};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
@@ -21,21 +22,22 @@ impl Lowering<'_> {
             return self.error(Diagnostic::error(span, message));
         }
         match name.text.as_str() {
-            "diff" => self.partial(&arguments[0], &arguments[1]),
-            "dot" => {
-                let typed = self.term(&arguments[0]);
-                self.dot(typed, span)
-            }
+            "diff" => self.partial(&arguments[0], &arguments[1], span),
+            "dot" => self.dot(&arguments[0], span),
             _ => {
-                let typed = self.term(&arguments[0]);
-                let once = self.dot(typed, span);
-                self.dot(once, span)
+                let once = self.dot(&arguments[0], span);
+                self.dot_of(once, &arguments[0], span)
             }
         }
     }
 
-    /// The time derivative of a typed value.
-    pub fn dot(&mut self, typed: Typed, span: Span) -> Typed {
+    fn dot(&mut self, term: &Term, span: Span) -> Typed {
+        let typed = self.term(term);
+        self.dot_of(typed, term, span)
+    }
+
+    /// The time derivative of a value, which a term came to.
+    fn dot_of(&mut self, typed: Typed, term: &Term, span: Span) -> Typed {
         let (values, kind, scalar) = match typed {
             Typed::Scalar { value, kind, .. } => (vec![value], kind, true),
             Typed::Vector { values, kind, .. } => (values, kind, false),
@@ -71,6 +73,10 @@ impl Lowering<'_> {
         let Some(direction) = self.direction() else {
             return Typed::Wrong;
         };
+        let moves = |symbol| direction.contains_key(&symbol);
+        if !self.is_differentiable(&values, &moves, &Wanted::explicitly(term, span)) {
+            return Typed::Wrong;
+        }
         let values = self.graph.tangent(&values, &direction);
         match (scalar, values.as_slice()) {
             (true, [value]) => Typed::Scalar {
@@ -104,8 +110,8 @@ impl Lowering<'_> {
             );
         }
         for index in 0..self.names.drivers.len() {
-            match self.driver_rates[index] {
-                Some(rate) => {
+            match self.driver_motions[index] {
+                Some((_, rate)) => {
                     direction.insert(Symbol::Driver(index as u32), rate);
                 }
                 // While positions are read, no other driver can occur in them; afterwards this one is a mistake, which
@@ -118,7 +124,7 @@ impl Lowering<'_> {
     }
 
     /// `diff(f, x)`: the partial derivative with everything else fixed.
-    fn partial(&mut self, function: &Term, variable: &Term) -> Typed {
+    fn partial(&mut self, function: &Term, variable: &Term, span: Span) -> Typed {
         if let TermKind::Name(name) = &variable.kind
             && let Some(Typed::Scalar { value, kind, .. }) = self
                 .locals
@@ -126,7 +132,7 @@ impl Lowering<'_> {
                 .and_then(|scope| scope.get(name))
                 .cloned()
         {
-            return self.partial_in_argument(function, name, (value, kind));
+            return self.partial_in_argument(function, name, (value, kind), span);
         }
         let Some((value, kind)) = self.scalar(variable) else {
             return Typed::Wrong;
@@ -141,6 +147,12 @@ impl Lowering<'_> {
             }
         };
         let typed = self.term(function);
+        // What is constant passes through no jump.
+        let moves = |symbol| symbol == given && !matches!(given, Symbol::Parameter(_));
+        let wanted = Wanted::explicitly(function, span);
+        if !self.is_differentiable(typed.values(), &moves, &wanted) {
+            return Typed::Wrong;
+        }
         self.quotient(typed, given, kind, function.span)
     }
 
@@ -150,6 +162,7 @@ impl Lowering<'_> {
         function: &Term,
         name: &str,
         (value, kind): (Expression, Kind),
+        span: Span,
     ) -> Typed {
         let symbol = Symbol::Argument(self.arguments);
         self.arguments += 1;
@@ -159,8 +172,15 @@ impl Lowering<'_> {
         self.locals.push(scope);
         let typed = self.term(function);
         self.locals.pop();
+        let is_fixed = self.is_fixed(value);
+        let moves = |other| other == symbol && !is_fixed;
+        let wanted = Wanted::explicitly(function, span);
+        if !self.is_differentiable(typed.values(), &moves, &wanted) {
+            return Typed::Wrong;
+        }
         let varied = self.quotient(typed, symbol, kind, function.span);
         let map = HashMap::from([(symbol, value)]);
+        self.written.substitute(&mut self.graph, symbol, value);
         match varied {
             Typed::Scalar { value, kind, .. } => {
                 Typed::scalar(self.graph.substitute(&[value], &map)[0], kind)

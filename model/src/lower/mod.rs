@@ -2,15 +2,18 @@
 //! taken.
 
 mod arithmetic;
+mod breaks;
 mod call;
 mod derivative;
 mod typed;
 mod vector;
+mod written;
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 use typed::Key;
 pub use typed::{Kind, Typed};
+use written::Written;
 
 use crate::declare::Kinds;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -44,8 +47,8 @@ pub struct Lowering<'a> {
     pub names: &'a Names,
     /// Names that something refers to.
     pub used: BTreeSet<String>,
-    /// Time derivative of each driver: its position must have been lowered.
-    pub driver_rates: Vec<Option<Expression>>,
+    /// Position of each driver and its time derivative: the position must have been lowered.
+    pub driver_motions: Vec<Option<(Expression, Expression)>>,
     /// Expressions that are time derivatives of something that depends on positions and time alone.
     pub rates: HashSet<Expression>,
     survey: &'a Survey<'a>,
@@ -55,6 +58,7 @@ pub struct Lowering<'a> {
     open: Vec<(String, Span)>,
     locals: Vec<HashMap<String, Typed>>,
     calls: HashMap<(String, Vec<Key>), Typed>,
+    written: Written,
     arguments: u32,
     summands: usize,
     drivers_read: bool,
@@ -73,7 +77,7 @@ impl<'a> Lowering<'a> {
             diagnostics,
             names,
             used: BTreeSet::new(),
-            driver_rates: vec![None; names.drivers.len()],
+            driver_motions: vec![None; names.drivers.len()],
             rates: HashSet::new(),
             survey,
             selected,
@@ -82,6 +86,7 @@ impl<'a> Lowering<'a> {
             open: Vec::new(),
             locals: Vec::new(),
             calls: HashMap::new(),
+            written: Written::default(),
             arguments: 0,
             summands: 0,
             drivers_read: false,
@@ -91,6 +96,7 @@ impl<'a> Lowering<'a> {
     /// What a term means. Mistakes are reported once and give [`Typed::Wrong`].
     pub fn term(&mut self, term: &Term) -> Typed {
         let typed = self.lower(term);
+        self.take_up(term, &typed);
         if let Typed::Scalar {
             value, rate: true, ..
         } = typed

@@ -79,6 +79,15 @@ impl Typed {
         }
     }
 
+    /// The value of a number, the components of a vector.
+    pub(super) fn values(&self) -> &[Expression] {
+        match self {
+            Typed::Scalar { value, .. } => std::slice::from_ref(value),
+            Typed::Vector { values, .. } => values,
+            _ => &[],
+        }
+    }
+
     /// A number that is no rate.
     pub fn scalar(value: Expression, kind: Kind) -> Self {
         Typed::Scalar {

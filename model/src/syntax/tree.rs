@@ -294,6 +294,27 @@ pub struct Term {
     pub kind: TermKind,
 }
 
+impl Term {
+    /// The terms that it is made of, in the order of the file.
+    pub fn parts(&self) -> Vec<&Term> {
+        match &self.kind {
+            TermKind::Number { .. } | TermKind::Name(_) => Vec::new(),
+            TermKind::Index { index: inner, .. }
+            | TermKind::Member { base: inner, .. }
+            | TermKind::Unary(_, inner) => vec![inner],
+            TermKind::Binary(_, left, right) => vec![left, right],
+            TermKind::Vector(items) => items.iter().collect(),
+            TermKind::Call { arguments, .. } => arguments.iter().collect(),
+            TermKind::If {
+                condition,
+                then,
+                otherwise,
+            } => vec![condition, then, otherwise],
+            TermKind::Sum { from, to, body, .. } => vec![from, to, body],
+        }
+    }
+}
+
 /// What an expression is.
 #[derive(Clone, Debug, PartialEq)]
 #[expect(missing_docs, reason = "the example of each variant names its parts")]

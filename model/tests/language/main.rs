@@ -2,6 +2,7 @@
 //! garbled, and chains of pendulums against an independent computation.
 
 mod chain;
+mod derivatives;
 mod fuzz;
 mod grammar;
 mod right;
