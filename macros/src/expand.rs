@@ -87,6 +87,7 @@ fn stub(name: &str, scenes: &[String]) -> Model {
         conservative: false,
         marks: Vec::new(),
         expectations: Vec::new(),
+        linkage: None,
         program: Program::default(),
     };
     Model {

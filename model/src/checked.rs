@@ -3,7 +3,9 @@
 //! It is plain data. The macro prints it as Rust; the command lists it.
 
 use crate::diagnostic::Diagnostic;
+pub use crate::linkage::GroupKind;
 use crate::program::Program;
+pub use crate::syntax::tree::Distribution;
 use crate::token::Span;
 
 /// What the compiler made of a file.
@@ -106,8 +108,97 @@ pub struct SceneModel {
     pub marks: Vec<MarkInfo>,
     /// Published facts.
     pub expectations: Vec<ExpectInfo>,
+    /// The loops, if the scene is a linkage.
+    pub linkage: Option<LinkageInfo>,
     /// The operations.
     pub program: Program,
+}
+
+/// What a linkage has beside its outputs.
+#[derive(Clone, Debug)]
+pub struct LinkageInfo {
+    /// Range of each driver.
+    pub ranges: Vec<RangeInfo>,
+    /// The coordinates that the loops determine.
+    pub dependents: Vec<DependentInfo>,
+    /// The scalar equations of the loops.
+    pub loops: Vec<LoopInfo>,
+    /// Equations that are closed together, each after those it needs.
+    pub groups: Vec<GroupInfo>,
+    /// What influence coefficients are taken by.
+    pub variables: Vec<VariableInfo>,
+    /// Names of the points.
+    pub points: Vec<String>,
+    /// Links, by the indices of their points.
+    pub links: Vec<LinkInfo>,
+}
+
+/// Where a driver moves, SI units.
+#[derive(Clone, Debug)]
+pub struct RangeInfo {
+    /// Where a sweep begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// Where the start values of the dependent coordinates are meant.
+    pub start: f64,
+    /// Period after which the linkage is where it was; infinite if there is none.
+    pub period: f64,
+    /// Permitted error of the position with its distribution; zero if none is stated.
+    pub tolerance: (f64, Distribution),
+}
+
+/// A dependent coordinate.
+#[derive(Clone, Debug)]
+pub struct DependentInfo {
+    /// Name and unit.
+    pub quantity: QuantityInfo,
+    /// Whether it is an angle, the same after a turn.
+    pub is_angle: bool,
+    /// Rough value at the start, SI units; NaN if none is stated.
+    pub start: f64,
+}
+
+/// A scalar loop equation.
+#[derive(Clone, Debug)]
+pub struct LoopInfo {
+    /// Name, `loop.x`.
+    pub name: String,
+    /// Unit of its sides.
+    pub unit: String,
+    /// SI value of one such unit.
+    pub factor: f64,
+    /// Where it stands in the file.
+    pub span: Span,
+}
+
+/// Equations that are closed together.
+#[derive(Clone, Debug)]
+pub struct GroupInfo {
+    /// How they are solved.
+    pub kind: GroupKind,
+    /// Indices of the scalar equations.
+    pub equations: Vec<usize>,
+    /// Indices of the dependent coordinates.
+    pub unknowns: Vec<usize>,
+}
+
+/// What an influence coefficient is taken by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VariableInfo {
+    /// The constant of this index.
+    Constant(usize),
+    /// The driver of this index.
+    Driver(usize),
+}
+
+/// Points that are joined.
+#[derive(Clone, Debug)]
+pub struct LinkInfo {
+    /// Indices of the points, in the order of the line.
+    pub points: Vec<usize>,
+    /// What it is.
+    pub text: String,
 }
 
 /// A named quantity with the unit in which it is printed.
@@ -136,6 +227,8 @@ pub struct ConstantInfo {
     pub default: f64,
     /// Permitted error of the made size, SI units; zero if none is stated.
     pub tolerance: f64,
+    /// How the made sizes are distributed.
+    pub distribution: Distribution,
     /// Permitted range, SI units; infinite where open.
     pub range: (f64, f64),
 }
@@ -169,6 +262,8 @@ pub enum SpanKind {
     Periodic,
     /// A motion from a time to a time.
     Run,
+    /// Positions of the drivers over their ranges.
+    Sweep,
     /// None stated.
     Open,
 }
@@ -187,8 +282,8 @@ pub struct MarkInfo {
 pub struct ExpectInfo {
     /// Where in the motion.
     pub at: ExpectPlace,
-    /// Whether it is an output (else a state), and its index.
-    pub quantity: (bool, usize),
+    /// What it speaks of.
+    pub quantity: Subject,
     /// Published value, SI units.
     pub value: f64,
     /// Half-width of the band, SI units.
@@ -203,13 +298,26 @@ pub struct ExpectInfo {
     pub label: String,
 }
 
+/// What a fact speaks of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// A component of the state, of a linkage a dependent coordinate.
+    State(usize),
+    /// An output.
+    Output(usize),
+    /// The influence of a variable of a linkage on an output: output, variable.
+    Influence(usize, usize),
+}
+
 /// A place in a motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ExpectPlace {
     /// At a time, in seconds.
     Time(f64),
     /// Where the driver of this index first reaches a position, SI units.
     Driver(usize, f64),
+    /// At positions of the drivers, those that are named (index and position, SI units).
+    Position(Vec<(usize, f64)>),
     /// Largest value over the task.
     Maximum,
     /// Smallest value over the task.

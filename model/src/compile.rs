@@ -3,11 +3,12 @@
 use std::collections::{BTreeSet, HashMap};
 
 use crate::checked::{ConstantInfo, QuantityInfo, SceneModel, SpanKind};
-use crate::declare::{per_second, quantity};
-use crate::diagnostic::Diagnostics;
+use crate::declare::{Moved, per_second, quantity};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Symbol};
 use crate::facts;
 use crate::lagrange::Energies;
+use crate::linkage::{Geometry, Linkage, Loops, Ranges};
 use crate::lower::{Kind, Lowering};
 use crate::motion::{self, Equation, Solved, UnknownName};
 use crate::parts::Parts;
@@ -75,13 +76,29 @@ pub fn scene(
         .collect();
     let coordinates = names.coordinates.len();
     let mut units: Vec<Option<Unit>> = Vec::new();
+    let mut dependent_units: Vec<Option<Unit>> = Vec::new();
     for (index, declared) in names.coordinates.iter().enumerate() {
         units.push(low.unknown(Symbol::Coordinate(index as u32), declared));
     }
     for (index, declared) in names.states.iter().enumerate() {
         units.push(low.unknown(Symbol::State(index as u32), declared));
     }
-    let positions = low.drivers(&names);
+    for (index, declared) in names.dependents.iter().enumerate() {
+        dependent_units.push(low.dependent(index as u32, declared));
+    }
+    low.moved = moved(&mut low, &names, task.scene.map(|(scene, _)| scene));
+    let drives = low.drivers(&names, low.moved);
+    let place = task.scene.map_or_else(
+        || task.selected.describe(),
+        |(scene, _)| format!("in the scene `{}`", scene.name.text),
+    );
+    let loops = Loops::read(&statements, &mut low);
+    let loop_texts = loops.texts.clone();
+    let linkage = if low.diagnostics.error_count() == before && task.file.unread.is_empty() {
+        Linkage::of(loops, &names, &place, &mut low)
+    } else {
+        None
+    };
 
     // Abbreviations in the order of the file, used or not, so that each mistake is found.
     for statement in &statements {
@@ -104,17 +121,16 @@ pub fn scene(
         }
     }
 
-    let mut parts = Parts::default();
+    let mut parts = Parts {
+        texts: loop_texts,
+        ..Parts::default()
+    };
     for statement in &statements {
         parts.read(statement, &mut low);
     }
     let equations = parts.equations(&mut low, &names);
     let unknowns = unknown_names(&names);
     let given = state_symbols(&names);
-    let place = task.scene.map_or_else(
-        || task.selected.describe(),
-        |(scene, _)| format!("in the scene `{}`", scene.name.text),
-    );
     // Equations of statements that could not be read are missing in the balance.
     let solved = if low.diagnostics.error_count() == before && task.file.unread.is_empty() {
         motion::solve(
@@ -130,7 +146,13 @@ pub fn scene(
     };
 
     let outputs = facts::outputs(&mut low, &names.outputs[reported]);
-    let span = facts::task(&mut low, task.scene.map(|(scene, _)| scene));
+    let mut span = facts::task(&mut low, task.scene.map(|(scene, _)| scene));
+    if low.moved == Moved::Swept {
+        span.kind = SpanKind::Sweep;
+    }
+    let is_linkage = low.moved != Moved::InTime;
+    let geometry = Geometry::read(&statements, &names, &mut low);
+    let ranges = Ranges::read(&names, task.scene.map(|(scene, _)| scene), &mut low);
     let start = facts::start(
         &mut low,
         &names,
@@ -160,7 +182,7 @@ pub fn scene(
     if low.diagnostics.error_count() > before {
         return None;
     }
-    let solved = solved?;
+    let (solved, linkage) = (solved?, linkage?);
     let (scene, documentation) = task.scene?;
     let preset = facts::preset(&mut low, task.file, scene);
     let mut model = SceneModel {
@@ -183,6 +205,7 @@ pub fn scene(
         conservative: false,
         marks: facts::marks(&mut low, &statements),
         expectations: Vec::new(),
+        linkage: None,
         program: program::Program::default(),
     };
     model.scales = model
@@ -197,7 +220,12 @@ pub fn scene(
             .map(|index| low.graph.symbol(Symbol::Speed(index)))
             .collect(),
         outputs: outputs.values,
-        drivers: positions.iter().flatten().copied().collect(),
+        drivers: match low.moved {
+            Moved::Swept => (0..names.drivers.len() as u32)
+                .map(|index| low.graph.symbol(Symbol::Driver(index)))
+                .collect(),
+            _ => drives.iter().filter_map(|drive| drive.position).collect(),
+        },
         mass: solved.mass.clone(),
         energy: energy(&mut low, &parts.energies),
         requirements: parts.conditions.clone(),
@@ -216,15 +244,24 @@ pub fn scene(
             .bindings
             .insert(Symbol::Acceleration(index as u32), *value);
     }
-    for (index, value) in positions.iter().enumerate() {
-        request
-            .bindings
-            .extend(value.map(|value| (Symbol::Driver(index as u32), value)));
+    if is_linkage {
+        give_drivers(&mut request, names.drivers.len());
+    } else {
+        let positions = drives.iter().map(|drive| drive.position);
+        for (index, position) in positions.enumerate() {
+            let driver = Symbol::Driver(index as u32);
+            request
+                .bindings
+                .extend(position.map(|value| (driver, value)));
+        }
     }
     for (index, symbol) in given.iter().enumerate() {
         request.inputs.insert(*symbol, Input::State(index as u32));
     }
     request.inputs.insert(Symbol::Time, Input::Time);
+    if is_linkage {
+        request.closing = linkage.closing(&mut low, &mut request, &geometry, &drives);
+    }
     let kept = kept_constants(&low, &request);
     for (new, old) in kept.iter().enumerate() {
         request
@@ -250,12 +287,70 @@ pub fn scene(
             .filter_map(|old| kept.iter().position(|one| one == old))
             .collect();
     }
+    if is_linkage {
+        let variables = linkage.variables(&names, &constants, &kept);
+        linkage.differentiate(&mut low, &mut request, &variables, &kept);
+        model.linkage = Some(linkage.info(
+            &mut low,
+            &names,
+            &dependent_units,
+            geometry,
+            ranges,
+            variables,
+        ));
+    }
     model.expectations = facts::expectations(&mut low, task, &model);
     if low.diagnostics.error_count() > before {
         return None;
     }
     model.program = program::build(&mut low.graph, &request);
     Some(model)
+}
+
+/// What moves the drivers. A scene without states that closes loops, or sweeps, is a linkage.
+fn moved(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>) -> Moved {
+    let items = || scene.iter().flat_map(|scene| &scene.items);
+    let sweeps = items().any(|item| matches!(item, SceneItem::Sweep { .. }));
+    let timed =
+        items().any(|item| matches!(item, SceneItem::Run { .. } | SceneItem::Periodic { .. }));
+    let state = names.coordinates.iter().chain(&names.states).next();
+    match (state, names.dependents.first()) {
+        (Some(_), None) if !sweeps => Moved::InTime,
+        (None, None) if !sweeps => Moved::InTime,
+        (None, _) if sweeps || !timed => Moved::Swept,
+        (None, _) => Moved::Given,
+        (Some(state), dependent) => {
+            let (message, place) = match dependent {
+                Some(dependent) => (
+                    "a scene with coordinates or states cannot close loops in this version of Assur",
+                    dependent.name.span,
+                ),
+                None => (
+                    "a scene with coordinates or states moves in time and has nothing to sweep",
+                    scene.map_or(state.name.span, |scene| scene.name.span),
+                ),
+            };
+            low.diagnostics.push(
+                Diagnostic::error(place, message).related(state.name.span, "this moves by itself"),
+            );
+            Moved::InTime
+        }
+    }
+}
+
+/// Positions of drivers, and their speeds and accelerations, come from outside.
+fn give_drivers(request: &mut Request, count: usize) {
+    let count = count as u32;
+    for index in 0..count {
+        request.inputs.extend([
+            (Symbol::Driver(index), Input::Driver(index)),
+            (Symbol::DriverRate(index), Input::Driver(count + index)),
+            (
+                Symbol::DriverAcceleration(index),
+                Input::Driver(2 * count + index),
+            ),
+        ]);
+    }
 }
 
 fn unknown_names(names: &Names) -> Vec<UnknownName> {
@@ -391,6 +486,7 @@ fn kept_constants(low: &Lowering<'_>, request: &Request) -> Vec<usize> {
         all.extend(list);
     }
     all.extend(request.bindings.values());
+    all.extend(request.closing.all());
     let symbols = low.graph.symbols(&all);
     (0..low.names.constants.len())
         .filter(|index| symbols.contains(&Symbol::Parameter(*index as u32)))

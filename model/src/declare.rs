@@ -8,7 +8,9 @@ use crate::expression::{Expression, Symbol};
 use crate::homogeneity::{agree, describe, disagreement, over};
 use crate::lower::{Kind, Lowering, Typed, second};
 use crate::resolve::{Declared, Names};
-use crate::syntax::tree::{Constant, Term, TermKind, Unknown};
+use crate::syntax::tree::{
+    Constant, Dependent, Distribution, Driver, Term, TermKind, Tolerance, Unknown,
+};
 use crate::token::Span;
 use crate::unit::{self, Dimension, Unit};
 
@@ -54,6 +56,28 @@ fn written_unit(term: &Term, diagnostics: &mut Diagnostics) -> Option<Unit> {
         }
         _ => None,
     }
+}
+
+/// What moves the drivers of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moved {
+    /// The time, in equations of motion.
+    InTime,
+    /// The time, but positions and speeds are given to the linkage.
+    Given,
+    /// They are set from outside.
+    Swept,
+}
+
+/// The motion of a driver.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Drive {
+    /// Its position in time.
+    pub position: Option<Expression>,
+    /// Its speed.
+    pub rate: Option<Expression>,
+    /// Its acceleration.
+    pub acceleration: Option<Expression>,
 }
 
 impl Lowering<'_> {
@@ -136,17 +160,11 @@ impl Lowering<'_> {
             is_dimension: constant.is_dimension,
             default,
             tolerance: 0.0,
+            distribution: Distribution::default(),
             range: (f64::NEG_INFINITY, f64::INFINITY),
         };
         if let Some(tolerance) = &constant.tolerance {
-            info.tolerance = self.fixed_of(&tolerance.half_width, kind, "the toleranced size")?;
-            if info.tolerance < 0.0 {
-                self.diagnostics.push(Diagnostic::error(
-                    tolerance.half_width.span,
-                    "a tolerance cannot be negative",
-                ));
-                return None;
-            }
+            (info.tolerance, info.distribution) = self.tolerance(tolerance, kind)?;
         }
         if let Some((low, high)) = &constant.range {
             info.range = (
@@ -172,6 +190,19 @@ impl Lowering<'_> {
         Some(info)
     }
 
+    /// Half-width and distribution of a permitted error.
+    pub fn tolerance(&mut self, tolerance: &Tolerance, kind: Kind) -> Option<(f64, Distribution)> {
+        let half_width = self.fixed_of(&tolerance.half_width, kind, "the toleranced size")?;
+        if half_width < 0.0 {
+            self.diagnostics.push(Diagnostic::error(
+                tolerance.half_width.span,
+                "a tolerance cannot be negative",
+            ));
+            return None;
+        }
+        Some((half_width, tolerance.distribution))
+    }
+
     fn is_made_of_numbers(&self, term: &Term) -> bool {
         match &term.kind {
             TermKind::Number { .. } => true,
@@ -194,76 +225,113 @@ impl Lowering<'_> {
         Some(unit)
     }
 
-    /// Lowers the positions of all drivers and takes their rates.
-    pub fn drivers(&mut self, names: &Names) -> Vec<Option<Expression>> {
-        let mut positions = Vec::new();
+    /// Lowers the motions of all drivers and takes their rates.
+    pub fn drivers(&mut self, names: &Names, moved: Moved) -> Vec<Drive> {
+        let mut drives = Vec::new();
         for (index, driver) in names.drivers.iter().enumerate() {
-            let symbol = Symbol::Driver(index as u32);
-            let bounds = driver
-                .what
-                .range
-                .as_ref()
-                .map(|(low, high)| low.span.to(high.span));
-            if let Some(place) = bounds.or(driver
-                .what
-                .tolerance
-                .as_ref()
-                .map(|one| one.half_width.span))
-            {
-                let message = "the range and the tolerance of a driver are not available in this version of Assur";
-                self.diagnostics.push(Diagnostic::error(place, message));
-            }
-            let position = match &driver.what.position {
-                Some(term) => {
-                    let before = self.diagnostics.error_count();
-                    let found = self.scalar(term).map(|found| (found, term.span));
-                    // Another driver that is not read yet says nothing by itself.
-                    if found.is_none() && self.diagnostics.error_count() == before {
-                        self.not_prescribed(term.span);
-                    }
-                    found
-                }
-                None => {
-                    self.diagnostics.push(
-                        Diagnostic::error(
-                            driver.name.span,
-                            format!(
-                                "the motion of the driver `{}` is not stated",
-                                driver.name.text
-                            ),
-                        )
-                        .hint(format!(
-                            "say how it moves, as in `driver {} = n*time;`",
-                            driver.name.text
-                        )),
-                    );
-                    None
-                }
+            let drive = match &driver.what.motion {
+                Some(term) => self.motion_of(index as u32, term, moved),
+                None => self.free(index as u32, driver, moved),
             };
-            let Some(((value, kind), span)) = position else {
-                positions.push(None);
-                continue;
-            };
-            let moving = |symbol| !matches!(symbol, Symbol::Time | Symbol::Parameter(_));
-            if self.graph.depends_on(value, moving) {
-                self.not_prescribed(span);
-                positions.push(None);
-                continue;
-            }
-            let unit = match kind {
-                Kind::Of(dimension) if dimension == Dimension::NONE => {
-                    unit::parse_unit_text("rad").unwrap_or_else(|_| Unit::for_dimension(&dimension))
-                }
-                _ => Unit::for_dimension(&kind.dimension()),
-            };
-            self.declare_kind(symbol, Kind::Of(kind.dimension()), &unit);
-            let direction = HashMap::from([(Symbol::Time, self.graph.one())]);
-            let rate = self.graph.tangent(&[value], &direction)[0];
-            self.driver_motions[index] = Some((value, rate));
-            positions.push(Some(value));
+            drives.push(drive.unwrap_or_default());
         }
         self.drivers_read();
-        positions
+        drives
+    }
+
+    fn motion_of(&mut self, index: u32, term: &Term, moved: Moved) -> Option<Drive> {
+        let symbol = Symbol::Driver(index);
+        let before = self.diagnostics.error_count();
+        let Some((value, kind)) = self.scalar(term) else {
+            // Another driver that is not read yet says nothing by itself.
+            if self.diagnostics.error_count() == before {
+                self.not_prescribed(term.span);
+            }
+            return None;
+        };
+        let moving = |symbol| !matches!(symbol, Symbol::Time | Symbol::Parameter(_));
+        if self.graph.depends_on(value, moving) {
+            self.not_prescribed(term.span);
+            return None;
+        }
+        let dimension = kind.dimension();
+        let unit = match dimension == Dimension::NONE {
+            true => {
+                unit::parse_unit_text("rad").unwrap_or_else(|_| Unit::for_dimension(&dimension))
+            }
+            false => Unit::for_dimension(&dimension),
+        };
+        self.declare_kind(symbol, Kind::Of(dimension), &unit);
+        let direction = HashMap::from([(Symbol::Time, self.graph.one())]);
+        let rate = self.graph.tangent(&[value], &direction)[0];
+        let acceleration = self.graph.tangent(&[rate], &direction)[0];
+        let varies = self.graph.depends_on(rate, |symbol| symbol == Symbol::Time);
+        let speed = match moved {
+            Moved::InTime => Some(rate),
+            Moved::Given => Some(self.graph.symbol(Symbol::DriverRate(index))),
+            // Where the driver is swept, its speed is known if it is always the same.
+            Moved::Swept => (!varies).then_some(rate),
+        };
+        self.driver_motions[index as usize] = speed.map(|speed| (value, speed));
+        Some(Drive {
+            position: Some(value),
+            rate: Some(rate),
+            acceleration: Some(acceleration),
+        })
+    }
+
+    /// A driver without a motion, which is set from outside.
+    fn free(&mut self, index: u32, driver: &Declared<Driver>, moved: Moved) -> Option<Drive> {
+        let name = &driver.name.text;
+        if moved != Moved::Swept {
+            let message = format!("the motion of the driver `{name}` is not stated");
+            self.diagnostics.push(
+                Diagnostic::error(driver.name.span, message)
+                    .hint(format!("say how it moves, as in `driver {name} = n*time;`")),
+            );
+            return None;
+        }
+        let bounds = driver.what.range.iter().flat_map(|(low, high)| [low, high]);
+        let Some(term) = driver.what.start.iter().chain(bounds).next() else {
+            let message = format!("nothing says where the driver `{name}` is");
+            self.diagnostics
+                .push(Diagnostic::error(driver.name.span, message).hint(format!(
+                    "give it a range, as in `driver {name} in 60 deg .. 120 deg;`"
+                )));
+            return None;
+        };
+        let (_, kind) = self.fixed(term)?;
+        let dimension = kind.dimension();
+        let unit = written_unit(term, self.diagnostics).filter(|unit| unit.dimension == dimension);
+        let unit = unit.unwrap_or_else(|| Unit::for_dimension(&dimension));
+        self.declare_kind(Symbol::Driver(index), Kind::Of(dimension), &unit);
+        None
+    }
+
+    /// Kind and unit of a dependent coordinate: those that it states, else those of its start value.
+    pub fn dependent(&mut self, index: u32, declared: &Declared<Dependent>) -> Option<Unit> {
+        let unit = match (&declared.what.unit, &declared.what.start) {
+            (Some(unit), _) => unit::resolve(unit, self.diagnostics)?,
+            (None, Some(start)) => {
+                let (_, kind) = self.fixed(start)?;
+                let dimension = kind.dimension();
+                let written = written_unit(start, self.diagnostics);
+                written
+                    .filter(|unit| unit.dimension == dimension)
+                    .unwrap_or_else(|| Unit::for_dimension(&dimension))
+            }
+            (None, None) => {
+                let name = &declared.name.text;
+                let message = format!("`{name}` has no unit");
+                self.diagnostics.push(
+                    Diagnostic::error(declared.name.span, message)
+                        .hint(format!("say roughly where it starts, `dependent {name} ~ 10 deg;`, or only its unit, `{name}: rad`")),
+                );
+                return None;
+            }
+        };
+        self.declare_kind(Symbol::Dependent(index), Kind::Of(unit.dimension), &unit);
+        Some(unit)
     }
 
     fn not_prescribed(&mut self, span: Span) {
@@ -323,6 +391,7 @@ impl Lowering<'_> {
         let given = |name: &str| match self.names.table.get(name).map(|entry| &entry.role) {
             Some(crate::resolve::Role::Constant(index)) => self.unit_of(Symbol::Parameter(*index)),
             Some(crate::resolve::Role::Driver(index)) => self.unit_of(Symbol::Driver(*index)),
+            Some(crate::resolve::Role::Dependent(index)) => self.unit_of(Symbol::Dependent(*index)),
             Some(crate::resolve::Role::Coordinate(index)) => {
                 self.unit_of(Symbol::Coordinate(*index))
             }

@@ -1,8 +1,10 @@
 //! What a scene is asked for: outputs, its task, start values, presets, published facts.
 
-use crate::checked::{ExpectInfo, ExpectPlace, MarkInfo, QuantityInfo, SceneModel, SpanKind};
+use crate::checked::{
+    ExpectInfo, ExpectPlace, MarkInfo, QuantityInfo, SceneModel, SpanKind, Subject, VariableInfo,
+};
 use crate::compile::Task;
-use crate::declare::quantity;
+use crate::declare::{Moved, quantity};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
 use crate::homogeneity::{agree, describe, over};
@@ -127,6 +129,7 @@ pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
                 }
                 (SpanKind::Run, vec![from, to])
             }
+            SceneItem::Sweep { .. } => (SpanKind::Sweep, Vec::new()),
             _ => continue,
         };
         if task.kind != SpanKind::Open {
@@ -351,12 +354,9 @@ fn expectation(
     model: &SceneModel,
 ) -> Option<ExpectInfo> {
     let wanted = print::term(&expect.quantity);
-    let state = model.states.iter().position(|one| one.name == wanted);
-    let output = model.outputs.iter().position(|one| one.name == wanted);
-    let quantity = match (output, state) {
-        (Some(index), _) => (true, index),
-        (None, Some(index)) => (false, index),
-        (None, None) => {
+    let quantity = match subject(&expect.quantity, &wanted, model) {
+        Some(quantity) => quantity,
+        None => {
             let names = || {
                 model
                     .outputs
@@ -386,11 +386,14 @@ fn expectation(
         return None;
     }
     let (at, place) = match &expect.at {
-        ExpectAt::Value { variable, value } => {
-            let place = low.place(variable, value)?;
+        ExpectAt::Value { places } => {
+            let text: Vec<_> = places
+                .iter()
+                .map(|(variable, value)| format!("{} = {}", variable.text, print::term(value)))
+                .collect();
             (
-                place,
-                format!(" at {} = {}", variable.text, print::term(value)),
+                low.places(places, model.linkage.is_some())?,
+                format!(" at {}", text.join(", ")),
             )
         }
         ExpectAt::Extreme(word) => {
@@ -427,6 +430,40 @@ fn expectation(
     })
 }
 
+/// What a fact speaks of: an output, a state or dependent coordinate, or the derivative of an output of a linkage.
+fn subject(term: &Term, wanted: &str, model: &SceneModel) -> Option<Subject> {
+    let output = |name: &str| model.outputs.iter().position(|one| one.name == name);
+    if let Some(index) = output(wanted) {
+        return Some(Subject::Output(index));
+    }
+    if let Some(index) = model.states.iter().position(|one| one.name == wanted) {
+        return Some(Subject::State(index));
+    }
+    let linkage = model.linkage.as_ref()?;
+    let dependents = &linkage.dependents;
+    if let Some(index) = dependents
+        .iter()
+        .position(|one| one.quantity.name == wanted)
+    {
+        return Some(Subject::State(index));
+    }
+    let TermKind::Call { name, arguments } = &term.kind else {
+        return None;
+    };
+    let ("diff", [what, by]) = (name.text.as_str(), arguments.as_slice()) else {
+        return None;
+    };
+    let by = print::term(by);
+    let variable = linkage
+        .variables
+        .iter()
+        .position(|variable| match variable {
+            VariableInfo::Constant(index) => model.constants[*index].quantity.name == by,
+            VariableInfo::Driver(index) => model.drivers[*index].name == by,
+        })?;
+    Some(Subject::Influence(output(&print::term(what))?, variable))
+}
+
 /// The places that plots show.
 pub fn marks(low: &mut Lowering<'_>, statements: &[Statement]) -> Vec<MarkInfo> {
     let mut list = Vec::new();
@@ -437,7 +474,8 @@ pub fn marks(low: &mut Lowering<'_>, statements: &[Statement]) -> Vec<MarkInfo> 
             value,
         } = &statement.kind
         {
-            let at = low.place(variable, value);
+            let places = [(variable.clone(), value.clone())];
+            let at = low.places(&places, low.moved == Moved::Swept);
             list.extend(at.map(|at| MarkInfo {
                 text: text.clone(),
                 at,
@@ -448,6 +486,48 @@ pub fn marks(low: &mut Lowering<'_>, statements: &[Statement]) -> Vec<MarkInfo> 
 }
 
 impl Lowering<'_> {
+    /// Where a fact holds. A linkage may be asked for positions of several drivers.
+    fn places(&mut self, places: &[(Name, Term)], linkage: bool) -> Option<ExpectPlace> {
+        if linkage && self.moved == Moved::Swept {
+            return self.positions(places);
+        }
+        let [(variable, value)] = places else {
+            let (second, _) = &places[1];
+            self.diagnostics.push(
+                Diagnostic::error(second.span, "a motion is asked for one place")
+                    .hint("give the time, or the position of one driver"),
+            );
+            return None;
+        };
+        self.place(variable, value)
+    }
+
+    fn positions(&mut self, places: &[(Name, Term)]) -> Option<ExpectPlace> {
+        let mut positions: Vec<(usize, f64)> = Vec::new();
+        for (variable, value) in places {
+            match self.place(variable, value)? {
+                ExpectPlace::Driver(index, _) if positions.iter().any(|one| one.0 == index) => {
+                    let message = format!("`{}` is given twice", variable.text);
+                    self.diagnostics
+                        .push(Diagnostic::error(variable.span, message));
+                    return None;
+                }
+                ExpectPlace::Driver(index, position) => positions.push((index, position)),
+                _ => {
+                    self.diagnostics.push(
+                        Diagnostic::error(
+                            variable.span,
+                            "this scene sweeps its drivers and has no time",
+                        )
+                        .hint("give the position of a driver"),
+                    );
+                    return None;
+                }
+            }
+        }
+        Some(ExpectPlace::Position(positions))
+    }
+
     /// A time, or a position of a driver.
     fn place(&mut self, variable: &Name, value: &Term) -> Option<ExpectPlace> {
         if variable.text == "time" {

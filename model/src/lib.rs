@@ -23,6 +23,7 @@ mod facts;
 mod homogeneity;
 mod lagrange;
 pub mod lexer;
+mod linkage;
 mod lower;
 mod motion;
 pub mod nearest;

@@ -92,7 +92,7 @@ pub fn solve(
         &matching,
         equations,
         unknowns,
-        scene,
+        (scene, &HINTS),
         diagnostics,
     ) {
         return None;
@@ -325,12 +325,26 @@ fn listed(names: impl Iterator<Item = String>) -> String {
         .join(", ")
 }
 
-fn report_imbalance(
+/// What to do about an unbalanced system.
+pub struct Hints {
+    /// Too many equations.
+    pub over: &'static str,
+    /// Too few.
+    pub under: &'static str,
+}
+
+const HINTS: Hints = Hints {
+    over: "take an equation away, or declare what else it determines",
+    under: "add a `motion` equation or an energy with this unknown, or take the unknown away; a coordinate without mass is a `state`",
+};
+
+/// Reports what is determined too often or not at all, and says whether nothing is.
+pub fn report_imbalance(
     incidence: &Incidence,
     matching: &Matching,
     equations: &[Equation],
     unknowns: &[UnknownName],
-    scene: &str,
+    (scene, hints): (&str, &Hints),
     diagnostics: &mut Diagnostics,
 ) -> bool {
     let imbalance = matching.imbalance(incidence);
@@ -356,10 +370,7 @@ fn report_imbalance(
             .last()
             .map_or(Span::default(), |row| equations[*row].span);
         let report = Diagnostic::error(last, format!("{scene} {message}"));
-        diagnostics.push_once(
-            message,
-            report.hint("take an equation away, or declare what else it determines"),
-        );
+        diagnostics.push_once(message, report.hint(hints.over));
     }
     if let Some((columns, rows)) = &imbalance.underdetermined {
         let named = listed(columns.iter().map(|column| unknowns[*column].name.clone()));
@@ -378,8 +389,7 @@ fn report_imbalance(
             .map_or(Span::default(), |column| unknowns[*column].span);
         diagnostics.push_once(
             message.clone(),
-            Diagnostic::error(place, format!("{scene} {message}"))
-                .hint("add a `motion` equation or an energy with this unknown, or take the unknown away; a coordinate without mass is a `state`"),
+            Diagnostic::error(place, format!("{scene} {message}")).hint(hints.under),
         );
     }
     imbalance.overdetermined.is_none() && imbalance.underdetermined.is_none()

@@ -9,8 +9,10 @@ mod evaluate;
 mod order;
 
 pub use build::{Request, build};
-pub use evaluate::Values;
 pub(crate) use evaluate::solve_symmetric;
+pub use evaluate::{Place, Values};
+
+use crate::linkage::Closing;
 
 /// Index of an operation, and so of its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -38,6 +40,12 @@ pub enum Input {
     Time,
     /// A component of the state vector.
     State(u32),
+    /// A driver of a linkage: its position, behind all positions its speed, behind all speeds its acceleration.
+    Driver(u32),
+    /// An entry of a linkage's position.
+    Position(u32),
+    /// The assembly mode of a group, 1 or −1.
+    Mode(u32),
 }
 
 /// One operation.
@@ -186,6 +194,8 @@ pub struct Results {
     pub span: Vec<Value>,
     /// Start values of the state.
     pub start: Vec<Value>,
+    /// What a linkage computes.
+    pub closing: Closing<Value>,
 }
 
 /// The straight line of operations of one scene, sorted so that operands come first and stages rise.

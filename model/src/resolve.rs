@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::syntax::tree::{
-    Constant, Name, Output, Statement, StatementKind, Term, Tolerance, Unknown,
+    Constant, Dependent, Driver, Name, Output, Statement, StatementKind, Term, Unknown,
 };
 use crate::token::Span;
 use crate::unroll::target_name;
@@ -67,6 +67,8 @@ pub enum Role {
     Constant(u32),
     /// A driver, by index.
     Driver(u32),
+    /// A dependent coordinate, by index.
+    Dependent(u32),
     /// A coordinate, by index.
     Coordinate(u32),
     /// A first-order state, by index.
@@ -88,17 +90,6 @@ pub struct Declared<T> {
     pub what: T,
 }
 
-/// A driver as declared.
-#[derive(Clone, Debug)]
-pub struct DriverDeclaration {
-    /// Its motion.
-    pub position: Option<Term>,
-    /// Its range.
-    pub range: Option<(Term, Term)>,
-    /// Its error.
-    pub tolerance: Option<Tolerance>,
-}
-
 /// The names of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
@@ -107,7 +98,11 @@ pub struct Names {
     /// Dimensions and parameters.
     pub constants: Vec<Declared<Constant>>,
     /// Drivers.
-    pub drivers: Vec<Declared<DriverDeclaration>>,
+    pub drivers: Vec<Declared<Driver>>,
+    /// Dependent coordinates.
+    pub dependents: Vec<Declared<Dependent>>,
+    /// Points with their positions, also abbreviations.
+    pub points: Vec<Declared<Term>>,
     /// Coordinates.
     pub coordinates: Vec<Declared<Unknown>>,
     /// First-order states.
@@ -130,7 +125,9 @@ impl Names {
         let summary = statement.documentation.join("\n").trim().to_string();
         let target = match &statement.kind {
             StatementKind::Constant(constant) => &constant.target,
-            StatementKind::Let { target, .. } | StatementKind::Driver { target, .. } => target,
+            StatementKind::Let { target, .. } | StatementKind::Point { target, .. } => target,
+            StatementKind::Driver(driver) => &driver.target,
+            StatementKind::Dependent(dependent) => &dependent.target,
             StatementKind::Coordinate(unknown) | StatementKind::State(unknown) => &unknown.target,
             StatementKind::Output(output) => {
                 self.declare_output(output, summary, diagnostics);
@@ -143,7 +140,9 @@ impl Names {
         };
         let role = match &statement.kind {
             StatementKind::Constant(_) => Role::Constant(self.constants.len() as u32),
-            StatementKind::Driver { .. } => Role::Driver(self.drivers.len() as u32),
+            StatementKind::Driver(_) => Role::Driver(self.drivers.len() as u32),
+            StatementKind::Dependent(_) => Role::Dependent(self.dependents.len() as u32),
+            StatementKind::Point { value, .. } => Role::Let(value.clone()),
             StatementKind::Coordinate(_) => Role::Coordinate(self.coordinates.len() as u32),
             StatementKind::State(_) => Role::State(self.states.len() as u32),
             StatementKind::Let {
@@ -169,23 +168,21 @@ impl Names {
                     what: what.clone(),
                 });
             }
-            StatementKind::Driver {
-                value,
-                range,
-                tolerance,
-                ..
-            } => {
-                let what = DriverDeclaration {
-                    position: value.clone(),
-                    range: range.clone(),
-                    tolerance: tolerance.clone(),
-                };
-                self.drivers.push(Declared {
-                    name,
-                    summary,
-                    what,
-                });
-            }
+            StatementKind::Driver(what) => self.drivers.push(Declared {
+                name,
+                summary,
+                what: what.clone(),
+            }),
+            StatementKind::Dependent(what) => self.dependents.push(Declared {
+                name,
+                summary,
+                what: what.clone(),
+            }),
+            StatementKind::Point { value, .. } => self.points.push(Declared {
+                name,
+                summary,
+                what: value.clone(),
+            }),
             StatementKind::Coordinate(what) => {
                 self.coordinates.push(Declared {
                     name,

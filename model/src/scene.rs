@@ -8,8 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::nearest::nearest;
 use crate::syntax::tree::{
-    Alternative, BinaryOperator, Constant, File, Name, Output, Scene, Statement, StatementKind,
-    Term, TermKind, UnaryOperator, Unknown,
+    Alternative, BinaryOperator, Constant, Dependent, Driver, File, Name, Output, Scene, Statement,
+    StatementKind, Term, TermKind, UnaryOperator, Unknown,
 };
 use crate::token::Span;
 use crate::unroll::{bounds, statement_with_index};
@@ -107,7 +107,9 @@ impl<'a> Survey<'a> {
                 StatementKind::Scene(scene) => self.scenes.push((scene, &statement.documentation)),
                 StatementKind::Constant(Constant { target, .. })
                 | StatementKind::Let { target, .. }
-                | StatementKind::Driver { target, .. }
+                | StatementKind::Driver(Driver { target, .. })
+                | StatementKind::Dependent(Dependent { target, .. })
+                | StatementKind::Point { target, .. }
                 | StatementKind::Coordinate(Unknown { target, .. })
                 | StatementKind::State(Unknown { target, .. })
                 | StatementKind::Output(Output {

@@ -182,17 +182,35 @@ pub fn statement_with_index(statement: &Statement, index: &str, value: i64) -> S
                 *body = term(body);
             }
         }
-        StatementKind::Driver {
+        StatementKind::Driver(driver) => {
+            driver.target = target(&driver.target);
+            driver.motion = driver.motion.as_ref().map(term);
+            driver.start = driver.start.as_ref().map(term);
+            driver.range = driver
+                .range
+                .as_ref()
+                .map(|(low, high)| (term(low), term(high)));
+            if let Some(tolerance) = &mut driver.tolerance {
+                tolerance.half_width = term(&tolerance.half_width);
+            }
+        }
+        StatementKind::Dependent(dependent) => {
+            dependent.target = target(&dependent.target);
+            dependent.start = dependent.start.as_ref().map(term);
+        }
+        StatementKind::Closure { left, right, .. } => (*left, *right) = (term(left), term(right)),
+        StatementKind::Point {
             target: name,
             value: position,
-            range,
-            tolerance,
         } => {
             *name = target(name);
-            *position = position.as_ref().map(term);
-            *range = range.as_ref().map(|(low, high)| (term(low), term(high)));
-            if let Some(tolerance) = tolerance {
-                tolerance.half_width = term(&tolerance.half_width);
+            *position = term(position);
+        }
+        StatementKind::Link { points, .. } => points.iter_mut().for_each(|one| *one = term(one)),
+        StatementKind::Part { bindings, .. } => {
+            for binding in bindings {
+                binding.value = binding.value.as_ref().map(term);
+                binding.start = binding.start.as_ref().map(term);
             }
         }
         StatementKind::Coordinate(unknown) | StatementKind::State(unknown) => {

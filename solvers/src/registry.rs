@@ -4,8 +4,10 @@
 //! prints the answer. Behind `dyn` stand whole runs, never single evaluations.
 
 mod bind;
+mod linkage;
 
 pub use bind::{bind, check_values};
+pub use linkage::{Distribution, Link, LinkageEntry, Loop, RunLinkage, Subject, bind_linkage};
 
 use crate::problem::{Refused, Span};
 
@@ -66,7 +68,13 @@ pub struct Preset {
 }
 
 /// Fixes the values of a scene (SI units, in the order of its constants), if the mechanism accepts them.
-pub type Bind = fn(&[f64]) -> Result<Box<dyn Run>, Refused>;
+#[derive(Clone, Copy)]
+pub enum Bind {
+    /// Of a scene that moves by its equations of motion.
+    Motion(fn(&[f64]) -> Result<Box<dyn Run>, Refused>),
+    /// Of a linkage.
+    Linkage(fn(&[f64]) -> Result<Box<dyn RunLinkage>, Refused>),
+}
 
 /// One scene of a mechanism.
 #[derive(Clone, Copy)]
@@ -99,6 +107,8 @@ pub struct SceneEntry {
     pub expectations: &'static [Expectation],
     /// Fixes the parameter values.
     pub bind: Bind,
+    /// The loops, if the scene is a linkage.
+    pub linkage: Option<LinkageEntry>,
 }
 
 /// A dimension or parameter.
@@ -112,6 +122,8 @@ pub struct Constant {
     pub default: f64,
     /// Permitted error of the made size, SI units; zero if none is stated.
     pub tolerance: f64,
+    /// How the made sizes are distributed.
+    pub distribution: Distribution,
     /// Permitted range in SI units, from `in lo .. hi`; infinite where open.
     pub range: (f64, f64),
 }
@@ -171,8 +183,8 @@ pub struct Mark {
 pub struct Expectation {
     /// Where in the motion.
     pub at: At,
-    /// Index into the scene's states (`false`) or outputs (`true`).
-    pub quantity: (bool, usize),
+    /// What it speaks of.
+    pub subject: Subject,
     /// Published value, SI units.
     pub value: f64,
     /// Half-width of the band in which the computed value must lie, SI units.
@@ -192,6 +204,8 @@ pub enum At {
     Time(f64),
     /// Where the driver of this index first reaches a position, SI units.
     Driver(usize, f64),
+    /// At these positions of the drivers of these indices, the others standing where they start.
+    Position(&'static [(usize, f64)]),
     /// The largest value over the task.
     Maximum,
     /// The smallest value over the task.

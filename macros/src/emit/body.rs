@@ -26,8 +26,14 @@ pub enum Place {
     Parameters,
     /// A method of the equations that is given `time`, and perhaps `state`.
     Time,
-    /// A method of the equations that is given an `instant` and the `state`.
+    /// A method of the equations that is given an `instant` and the `state`, or the `position` of a linkage.
     Evaluation,
+    /// A function that is given the `values` of the constants.
+    Values,
+    /// A method of the loops that is given the `independents`.
+    Independents,
+    /// A method of the parameter struct that is given the `time`.
+    Drive,
 }
 
 /// A statement with what it defines and what it reads.
@@ -119,8 +125,13 @@ impl<'a> Body<'a> {
         let name = self.layout.names.of(value);
         let stored = match (&operation.kind, self.place, operation.stage) {
             (OperationKind::Number(_), _, _) => return None,
-            (OperationKind::Input(Input::Time), Place::Time, _) => quote!(time),
-            (_, Place::Parameters, _) => return None,
+            (OperationKind::Input(Input::Time), Place::Time | Place::Drive, _) => quote!(time),
+            (_, Place::Parameters | Place::Values | Place::Drive, _) => return None,
+            (OperationKind::Input(Input::Position(place)), ..) => {
+                let place = expression::size(*place as usize);
+                quote!(position[#place])
+            }
+            (OperationKind::Input(Input::Mode(_)), ..) => quote!(mode),
             (_, _, Stage::Constant | Stage::Parameter) => quote!(self.#name),
             (_, Place::Evaluation, Stage::Instant) if self.layout.timed.contains(&value) => {
                 quote!(instant.#name)
@@ -180,11 +191,28 @@ impl<'a> Body<'a> {
 
     fn input(&self, input: Input) -> Expression {
         Expression::whole(match input {
+            Input::Parameter(index) if self.place == Place::Values => {
+                let index = expression::size(index as usize);
+                quote!(values[#index])
+            }
             Input::Parameter(index) => {
                 let field = &self.layout.constants[index as usize];
-                quote!(S::from_f64(self.#field))
+                quote!(<S as ::assur::scalar::Scalar>::from_f64(self.#field))
+            }
+            Input::Time if self.place == Place::Independents => {
+                let last = expression::size(3 * self.layout.scene.drivers.len());
+                quote!(independents[#last])
             }
             Input::Time => quote!(time),
+            Input::Driver(index) => {
+                let index = expression::size(index as usize);
+                quote!(independents[#index])
+            }
+            Input::Position(place) => {
+                let place = expression::size(place as usize);
+                quote!(position[#place])
+            }
+            Input::Mode(_) => quote!(mode),
             Input::State(index) => {
                 let index = expression::size(index as usize);
                 quote!(state[#index])

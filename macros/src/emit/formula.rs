@@ -54,6 +54,9 @@ impl Printer<'_> {
                 constant.map(|constant| &constant.quantity)
             }
             Input::State(index) => scene.states.get(index as usize),
+            Input::Driver(_) | Input::Position(_) | Input::Mode(_) => {
+                return super::names::given(scene, input).unwrap_or_default();
+            }
         };
         quantity.map_or_else(String::new, |quantity| quantity.name.clone())
     }

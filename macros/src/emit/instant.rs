@@ -35,6 +35,24 @@ pub fn methods(layout: &Layout<'_>) -> TokenStream {
     quote!(#one #several)
 }
 
+/// The method of `Closure` that makes it from the drivers.
+pub fn of_drivers(layout: &Layout<'_>) -> TokenStream {
+    let wanted: Vec<Value> = layout.timed.iter().copied().collect();
+    let body = Body::new(layout, Place::Independents, &wanted, &[]);
+    let (statements, fields) = (
+        body.statements(&wanted),
+        layout.stored(&layout.timed, &body),
+    );
+    let name = &layout.instant;
+    quote! {
+        #[inline(always)]
+        fn instant(&self, independents: &[S]) -> Self::Instant {
+            #statements
+            #name { #fields }
+        }
+    }
+}
+
 fn one(layout: &Layout<'_>) -> TokenStream {
     let wanted: Vec<Value> = layout.timed.iter().copied().collect();
     let body = Body::new(layout, Place::Time, &wanted, &[]);

@@ -38,12 +38,30 @@ pub struct Layout<'a> {
 
 /// What an instant stores: what the derivative needs of the time, and the functions of the time that the Jacobian
 /// needs beside it. The rest of the Jacobian is computed where it is asked for, so that a plain run does not pay for it.
+///
+/// Of a linkage: what closing needs of the drivers, and the functions of them that the rest needs beside it.
 fn timed(program: &Program) -> BTreeSet<Value> {
     let results = &program.results;
+    let closing = &results.closing;
     let stage = |value: Value| program.operations[value.0 as usize].stage;
-    let mut timed = schedule::frontier(program, &results.derivative, Stage::State);
+    let slopes = closing.slopes.iter().map(|entry| entry.2);
+    let mut first: Vec<Value> = results.derivative.clone();
+    first.extend(closing.residuals.iter().copied().chain(slopes));
+    for closed in closing.groups.iter().flatten() {
+        first.extend(
+            closed
+                .values
+                .iter()
+                .map(|entry| entry.1)
+                .chain([closed.sine]),
+        );
+    }
+    let mut timed = schedule::frontier(program, &first, Stage::State);
     timed.retain(|value| stage(*value) == Stage::Instant);
     let mut open: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
+    if !closing.cosines.is_empty() || closing != &Default::default() {
+        open.extend(results.outputs.iter().copied().chain(closing.all()));
+    }
     let mut seen: BTreeSet<Value> = BTreeSet::new();
     while let Some(value) = open.pop() {
         if !seen.insert(value) {
@@ -80,6 +98,7 @@ impl<'a> Layout<'a> {
             .iter()
             .chain(rest.into_iter().flatten())
             .copied()
+            .chain(results.closing.all())
             .collect();
         let names = scene
             .constants

@@ -9,6 +9,7 @@
 
 mod blocks;
 mod body;
+mod closure;
 mod counts;
 mod docs;
 mod equations;
@@ -16,6 +17,7 @@ mod expression;
 mod formula;
 mod instant;
 mod layout;
+mod linkage;
 pub mod names;
 mod outputs;
 mod pairs;

@@ -30,6 +30,12 @@ const RESERVED: &[&str] = &[
     "values",
     "instant",
     "instants",
+    "independents",
+    "position",
+    "mode",
+    "group",
+    "residual",
+    "jacobian",
     "MECHANISM",
     "REGISTRY",
     "Some",
@@ -194,8 +200,48 @@ fn input_name(scene: &SceneModel, input: Input) -> Option<String> {
             .map(|constant| &constant.quantity),
         Input::State(index) => scene.states.get(index as usize),
         Input::Time => return Some("time_".to_owned()),
+        Input::Driver(index) => return driver_name(scene, index as usize),
+        Input::Position(place) => return position_name(scene, place as usize),
+        Input::Mode(group) => return Some(format!("mode_{group}_")),
     };
     quantity.map(|quantity| plain(&quantity.name))
+}
+
+/// The name of what a linkage is given, without what makes it the printer's.
+pub fn given(scene: &SceneModel, input: Input) -> Option<String> {
+    input_name(scene, input).map(|name| name.trim_end_matches('_').to_owned())
+}
+
+/// `beta`, `beta_rate_`, `beta_acceleration_`
+fn driver_name(scene: &SceneModel, index: usize) -> Option<String> {
+    let count = scene.drivers.len().max(1);
+    let name = plain(&scene.drivers.get(index % count)?.name);
+    Some(match index / count {
+        0 => name,
+        1 => format!("{name}_rate_"),
+        _ => format!("{name}_acceleration_"),
+    })
+}
+
+/// `phi5`, `cos_phi5_`, `sin_phi5_`
+fn position_name(scene: &SceneModel, place: usize) -> Option<String> {
+    let dependents = &scene.linkage.as_ref()?.dependents;
+    if let Some(one) = dependents.get(place) {
+        return Some(plain(&one.quantity.name));
+    }
+    let cosines = &scene.program.results.closing.cosines;
+    let index = cosines
+        .iter()
+        .position(|one| one.is_some_and(|one| place == one || place == one + 1))?;
+    let function = if cosines[index] == Some(place) {
+        "cos"
+    } else {
+        "sin"
+    };
+    Some(format!(
+        "{function}_{}_",
+        plain(&dependents[index].quantity.name)
+    ))
 }
 
 fn trigonometric_name(function: Function, angle: &Ident) -> String {

@@ -8,7 +8,7 @@ use quote::quote;
 use super::body::{Body, Place};
 use super::expression::{number, size};
 use super::layout::Layout;
-use super::{Origin, docs, registry, requirements, values};
+use super::{Origin, docs, linkage, registry, requirements, values};
 
 /// The parameter struct of a scene with its methods.
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
@@ -31,7 +31,10 @@ pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenSt
             quote!(#field: #value)
         });
     let inherent = inherent(layout);
-    let implementation = implementation(layout);
+    let implementation = match &layout.scene.linkage {
+        Some(loops) => linkage::implementation(layout, loops),
+        None => implementation(layout),
+    };
     quote! {
         #text
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -181,7 +184,8 @@ fn prepare(layout: &Layout<'_>) -> TokenStream {
     }
 }
 
-fn span(layout: &Layout<'_>) -> TokenStream {
+/// The method that states the task.
+pub fn span(layout: &Layout<'_>) -> TokenStream {
     let body = match (layout.scene.span, layout.program().results.span.len()) {
         (SpanKind::Periodic, 1) => quote! {
             let [period] = self.span_::<f64>();

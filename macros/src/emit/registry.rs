@@ -1,6 +1,8 @@
 //! The mechanism as data: `MECHANISM`, and how a scene is bound to values without knowing its type.
 
-use assur_model::checked::{ExpectInfo, ExpectPlace, Model, QuantityInfo, SceneModel};
+use assur_model::checked::{
+    Distribution, ExpectInfo, ExpectPlace, LinkageInfo, Model, QuantityInfo, SceneModel, Subject,
+};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -61,7 +63,15 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
         .choices
         .iter()
         .map(|(choice, held)| quote!((#choice, #held)));
-    let (type_name, bind) = (&layout.parameters, binder_name(layout));
+    let (type_name, binder) = (&layout.parameters, binder_name(layout));
+    let bind = match &scene.linkage {
+        Some(_) => quote!(::assur::registry::Bind::Linkage(#binder)),
+        None => quote!(::assur::registry::Bind::Motion(#binder)),
+    };
+    let linkage = match &scene.linkage {
+        Some(loops) => linkage(layout, loops, origin),
+        None => quote!(::core::option::Option::None),
+    };
     let [drivers, states, outputs] = [&scene.drivers, &scene.states, &scene.outputs]
         .map(|list| list.iter().map(quantity).collect::<Vec<_>>());
     let equations = scene.equations.iter().map(|equation| {
@@ -69,7 +79,7 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
         quote!(::assur::registry::EquationText { text: #text, unit: #unit, line: #line })
     });
     let marks = scene.marks.iter().map(|mark| {
-        let (text, at) = (&mark.text, place(mark.at));
+        let (text, at) = (&mark.text, place(&mark.at));
         quote!(::assur::registry::Mark { text: #text, at: #at })
     });
     let expectations = scene
@@ -107,8 +117,53 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
             marks: &[#(#marks),*],
             expectations: &[#(#expectations),*],
             bind: #bind,
+            linkage: #linkage,
         }
     }
+}
+
+/// The loops as data, for a linkage.
+fn linkage(layout: &Layout<'_>, linkage: &LinkageInfo, origin: &Origin<'_>) -> TokenStream {
+    let name = &layout.parameters;
+    let dependents = linkage.dependents.iter().map(|one| quantity(&one.quantity));
+    let loops = linkage.loops.iter().map(|one| {
+        let (name, unit, factor, line) = (
+            &one.name,
+            &one.unit,
+            number(one.factor),
+            line(origin, one.span),
+        );
+        quote!(::assur::registry::Loop { name: #name, unit: #unit, factor: #factor, line: #line })
+    });
+    let tolerances = linkage.ranges.iter().map(|range| {
+        let (half_width, kind) = (number(range.tolerance.0), distribution(range.tolerance.1));
+        quote!((#half_width, #kind))
+    });
+    let points = &linkage.points;
+    let links = linkage.links.iter().map(|link| {
+        let (points, text) = (link.points.iter().map(|one| size(*one)), &link.text);
+        quote!(::assur::registry::Link { points: &[#(#points),*], text: #text })
+    });
+    quote! {
+        ::core::option::Option::Some(::assur::registry::LinkageEntry {
+            dependents: &[#(#dependents),*],
+            loops: &[#(#loops),*],
+            groups: <#name as ::assur::closure::Linkage>::GROUPS,
+            variables: <#name as ::assur::closure::Linkage>::VARIABLES,
+            tolerances: &[#(#tolerances),*],
+            points: &[#(#points),*],
+            links: &[#(#links),*],
+        })
+    }
+}
+
+fn distribution(distribution: Distribution) -> TokenStream {
+    let name = match distribution {
+        Distribution::Normal => quote!(Normal),
+        Distribution::Uniform => quote!(Uniform),
+        Distribution::Truncated => quote!(Truncated),
+    };
+    quote!(::assur::registry::Distribution::#name)
 }
 
 fn binder_name(layout: &Layout<'_>) -> proc_macro2::Ident {
@@ -119,17 +174,21 @@ fn binder(layout: &Layout<'_>) -> TokenStream {
     let (name, type_name) = (binder_name(layout), &layout.parameters);
     let expected = layout.constants.len();
     let reason = format!("found {{}}, expected {expected}");
+    let (run, bind) = match &layout.scene.linkage {
+        Some(_) => (quote!(RunLinkage), quote!(bind_linkage)),
+        None => (quote!(Run), quote!(bind)),
+    };
     quote! {
         fn #name(
             values: &[f64],
-        ) -> ::core::result::Result<::std::boxed::Box<dyn ::assur::registry::Run>, ::assur::problem::Refused> {
+        ) -> ::core::result::Result<::std::boxed::Box<dyn ::assur::registry::#run>, ::assur::problem::Refused> {
             let ::core::result::Result::Ok(values) = values.try_into() else {
                 return ::core::result::Result::Err(::assur::problem::Refused {
                     name: ::std::string::String::from("number of values"),
                     reason: ::std::format!(#reason, values.len()),
                 });
             };
-            ::assur::registry::bind(#type_name::from_values(values))
+            ::assur::registry::#bind(#type_name::from_values(values))
         }
     }
 }
@@ -145,12 +204,14 @@ pub fn constants(scene: &SceneModel) -> TokenStream {
             constant.range.1,
         ]
         .map(number);
+        let distribution = distribution(constant.distribution);
         quote! {
             ::assur::registry::Constant {
                 quantity: #quantity,
                 is_dimension: #is_dimension,
                 default: #default,
                 tolerance: #tolerance,
+                distribution: #distribution,
                 range: (#low, #high),
             }
         }
@@ -190,15 +251,22 @@ fn number_of(value: i8) -> TokenStream {
 }
 
 /// A place in a motion.
-fn place(place: ExpectPlace) -> TokenStream {
+fn place(place: &ExpectPlace) -> TokenStream {
     let at = match place {
         ExpectPlace::Time(time) => {
-            let time = number(time);
+            let time = number(*time);
             quote!(Time(#time))
         }
         ExpectPlace::Driver(index, position) => {
-            let (index, position) = (size(index), number(position));
+            let (index, position) = (size(*index), number(*position));
             quote!(Driver(#index, #position))
+        }
+        ExpectPlace::Position(places) => {
+            let places = places.iter().map(|(index, position)| {
+                let (index, position) = (size(*index), number(*position));
+                quote!((#index, #position))
+            });
+            quote!(Position(&[#(#places),*]))
         }
         ExpectPlace::Maximum => quote!(Maximum),
         ExpectPlace::Minimum => quote!(Minimum),
@@ -208,8 +276,21 @@ fn place(place: ExpectPlace) -> TokenStream {
 }
 
 fn expectation(expected: &ExpectInfo, origin: &Origin<'_>) -> TokenStream {
-    let at = place(expected.at);
-    let (is_output, index) = (expected.quantity.0, size(expected.quantity.1));
+    let at = place(&expected.at);
+    let subject = match expected.quantity {
+        Subject::State(index) => {
+            let index = size(index);
+            quote!(State(#index))
+        }
+        Subject::Output(index) => {
+            let index = size(index);
+            quote!(Output(#index))
+        }
+        Subject::Influence(output, variable) => {
+            let (output, variable) = (size(output), size(variable));
+            quote!(Influence(#output, #variable))
+        }
+    };
     let (value, tolerance) = (number(expected.value), number(expected.tolerance));
     let (preset, remark, line) = (
         &expected.preset,
@@ -219,7 +300,7 @@ fn expectation(expected: &ExpectInfo, origin: &Origin<'_>) -> TokenStream {
     quote! {
         ::assur::registry::Expectation {
             at: #at,
-            quantity: (#is_output, #index),
+            subject: ::assur::registry::Subject::#subject,
             value: #value,
             tolerance: #tolerance,
             preset: #preset,

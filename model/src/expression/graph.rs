@@ -18,6 +18,14 @@ pub enum Symbol {
     Time,
     /// A driver, that is its position.
     Driver(u32),
+    /// The speed of a driver.
+    DriverRate(u32),
+    /// The acceleration of a driver.
+    DriverAcceleration(u32),
+    /// A dependent coordinate, which closures determine.
+    Dependent(u32),
+    /// The assembly mode of a group, 1 or −1.
+    Mode(u32),
     /// A generalized coordinate.
     Coordinate(u32),
     /// The time derivative of a coordinate.

@@ -107,7 +107,7 @@ impl Lowering<'_> {
         self.function(*function, *rule, arguments)
     }
 
-    fn count(&mut self, name: &Name, found: usize, expected: usize, span: Span) -> bool {
+    pub(super) fn count(&mut self, name: &Name, found: usize, expected: usize, span: Span) -> bool {
         if found == expected {
             return true;
         }

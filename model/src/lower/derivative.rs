@@ -4,8 +4,9 @@ use std::collections::HashMap;
 
 use super::breaks::Wanted;
 use super::{Kind, Lowering, Typed, second};
+use crate::declare::Moved;
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Expression, Symbol};
+use crate::expression::{Expression, Graph, Symbol};
 use crate::homogeneity::over;
 use crate::syntax::tree::{Name, Term, TermKind};
 use crate::token::Span;
@@ -13,13 +14,8 @@ use crate::token::Span;
 impl Lowering<'_> {
     pub(super) fn derivative(&mut self, name: &Name, arguments: &[Term], span: Span) -> Typed {
         let expected = if name.text == "diff" { 2 } else { 1 };
-        if arguments.len() != expected {
-            let message = format!(
-                "`{}` takes {expected} argument(s), and this gives it {}",
-                name.text,
-                arguments.len()
-            );
-            return self.error(Diagnostic::error(span, message));
+        if !self.count(name, arguments.len(), expected, span) {
+            return Typed::Wrong;
         }
         match name.text.as_str() {
             "diff" => self.partial(&arguments[0], &arguments[1], span),
@@ -70,6 +66,9 @@ impl Lowering<'_> {
                     .hint("at most the second derivative of a coordinate and the first of a state can be used"),
             );
         }
+        if self.has_no_speed(&values, span) {
+            return Typed::Wrong;
+        }
         let Some(direction) = self.direction() else {
             return Typed::Wrong;
         };
@@ -78,6 +77,7 @@ impl Lowering<'_> {
             return Typed::Wrong;
         }
         let values = self.graph.tangent(&values, &direction);
+        self.derived.extend(&values);
         match (scalar, values.as_slice()) {
             (true, [value]) => Typed::Scalar {
                 value: *value,
@@ -112,18 +112,99 @@ impl Lowering<'_> {
         for index in 0..self.names.drivers.len() {
             match self.driver_motions[index] {
                 Some((_, rate)) => {
-                    direction.insert(Symbol::Driver(index as u32), rate);
+                    let driver = index as u32;
+                    direction.insert(Symbol::Driver(driver), rate);
+                    if self.moved == Moved::Given {
+                        let acceleration = self.graph.symbol(Symbol::DriverAcceleration(driver));
+                        direction.insert(Symbol::DriverRate(driver), acceleration);
+                    }
                 }
+                None if self.moved == Moved::Swept => {}
                 // While positions are read, no other driver can occur in them; afterwards this one is a mistake, which
                 // has been reported.
                 None if !self.drivers_read => {}
                 None => return None,
             }
         }
+        self.follow(&mut direction);
         Some(direction)
     }
 
-    /// `diff(f, x)`: the partial derivative with everything else fixed.
+    /// Lets the dependent coordinates follow the drivers.
+    fn follow(&mut self, direction: &mut HashMap<Symbol, Expression>) {
+        let Some(mut slopes) = self.slopes.take() else {
+            return;
+        };
+        let mut rates: Vec<Vec<Expression>> = vec![Vec::new(); self.names.dependents.len()];
+        for driver in 0..self.names.drivers.len() as u32 {
+            let Some(rate) = direction.get(&Symbol::Driver(driver)).copied() else {
+                continue;
+            };
+            let coefficients = slopes.by(&mut self.graph, Symbol::Driver(driver));
+            for (terms, coefficient) in rates.iter_mut().zip(coefficients) {
+                terms.push(self.graph.mul(coefficient, rate));
+            }
+        }
+        for (index, terms) in rates.iter().enumerate() {
+            let rate = self.graph.sum(terms);
+            direction.insert(Symbol::Dependent(index as u32), rate);
+        }
+        self.slopes = Some(slopes);
+    }
+
+    /// Reports a time derivative of what moves with a driver of which no speed is stated, or that is not there.
+    fn has_no_speed(&mut self, values: &[Expression], span: Span) -> bool {
+        let occurs = |graph: &Graph, wanted: &dyn Fn(Symbol) -> bool| {
+            values.iter().any(|value| graph.depends_on(*value, wanted))
+        };
+        if occurs(&self.graph, &|symbol| {
+            matches!(symbol, Symbol::DriverAcceleration(_))
+        }) {
+            let message = "this is the derivative of an acceleration, which is not available";
+            self.error(Diagnostic::error(span, message));
+            return true;
+        }
+        let dependent = occurs(&self.graph, &|symbol| {
+            matches!(symbol, Symbol::Dependent(_))
+        });
+        if dependent && self.slopes.is_none() {
+            let message = "a closure binds positions, and this is a time derivative";
+            self.error(Diagnostic::error(span, message));
+            return true;
+        }
+        if self.moved != Moved::Swept {
+            return false;
+        }
+        let still = (0..self.names.drivers.len()).find(|index| {
+            let own = Symbol::Driver(*index as u32);
+            self.driver_motions[*index].is_none()
+                && self.drivers_read
+                && (dependent || occurs(&self.graph, &|symbol| symbol == own))
+        });
+        let Some(index) = still else { return false };
+        let driver = &self.names.drivers[index];
+        let name = &driver.name.text;
+        let report = match &driver.what.motion {
+            Some(motion) => Diagnostic::error(
+                span,
+                format!("the speed of the driver `{name}` changes with time, and this scene sweeps its position"),
+            )
+            .related(motion.span, "its motion")
+            .hint("let the scene run over the time instead: `run time a .. b;`"),
+            None => Diagnostic::error(
+                span,
+                format!("this is a time derivative, and nothing says how fast the driver `{name}` moves"),
+            )
+            .related(driver.name.span, "declared here")
+            .hint(format!(
+                "state its motion, as in `driver {name} = n*time;`, or take the derivative by its position: `diff(…, {name})`"
+            )),
+        };
+        self.error(report);
+        true
+    }
+
+    /// `diff(f, x)`: the partial derivative with everything else given fixed; dependent coordinates follow.
     fn partial(&mut self, function: &Term, variable: &Term, span: Span) -> Typed {
         if let TermKind::Name(name) = &variable.kind
             && let Some(Typed::Scalar { value, kind, .. }) = self
@@ -146,9 +227,19 @@ impl Lowering<'_> {
                 );
             }
         };
+        if let Symbol::Dependent(_) = given {
+            return self.error(
+                Diagnostic::error(
+                    variable.span,
+                    "a dependent coordinate is not given: closures determine it",
+                )
+                .hint("take the derivative by a driver or a dimension"),
+            );
+        }
         let typed = self.term(function);
         // What is constant passes through no jump.
-        let moves = |symbol| symbol == given && !matches!(given, Symbol::Parameter(_));
+        let fixed = matches!(given, Symbol::Parameter(_));
+        let moves = |symbol| !fixed && (symbol == given || matches!(symbol, Symbol::Dependent(_)));
         let wanted = Wanted::explicitly(function, span);
         if !self.is_differentiable(typed.values(), &moves, &wanted) {
             return Typed::Wrong;
@@ -195,22 +286,33 @@ impl Lowering<'_> {
     }
 
     fn quotient(&mut self, typed: Typed, given: Symbol, kind: Kind, span: Span) -> Typed {
-        let direction = HashMap::from([(given, self.graph.one())]);
+        let direction = match self.slopes.as_mut() {
+            Some(slopes) => slopes.direction(&mut self.graph, given),
+            None => HashMap::from([(given, self.graph.one())]),
+        };
         match typed {
             Typed::Scalar {
                 value, kind: own, ..
             } => match over(own, kind) {
-                Some(kind) => Typed::scalar(self.graph.tangent(&[value], &direction)[0], kind),
+                Some(kind) => {
+                    let value = self.graph.tangent(&[value], &direction)[0];
+                    self.derived.insert(value);
+                    Typed::scalar(value, kind)
+                }
                 None => Typed::Wrong,
             },
             Typed::Vector {
                 values, kind: own, ..
             } => match over(own, kind) {
-                Some(kind) => Typed::Vector {
-                    values: self.graph.tangent(&values, &direction),
-                    kind,
-                    rate: false,
-                },
+                Some(kind) => {
+                    let values = self.graph.tangent(&values, &direction);
+                    self.derived.extend(&values);
+                    Typed::Vector {
+                        values,
+                        kind,
+                        rate: false,
+                    }
+                }
                 None => Typed::Wrong,
             },
             Typed::Wrong => Typed::Wrong,

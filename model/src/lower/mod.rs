@@ -15,9 +15,10 @@ use typed::Key;
 pub use typed::{Kind, Typed};
 use written::Written;
 
-use crate::declare::Kinds;
+use crate::declare::{Kinds, Moved};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Graph, Symbol};
+use crate::linkage::Slopes;
 use crate::nearest::nearest;
 use crate::resolve::{FUNCTIONS, Names, QUANTITIES, Role};
 use crate::scene::{Selected, Survey};
@@ -51,6 +52,12 @@ pub struct Lowering<'a> {
     pub driver_motions: Vec<Option<(Expression, Expression)>>,
     /// Expressions that are time derivatives of something that depends on positions and time alone.
     pub rates: HashSet<Expression>,
+    /// Expressions that are derivatives, in time or by something given.
+    pub derived: HashSet<Expression>,
+    /// How the dependent coordinates change, once the closures are read.
+    pub slopes: Option<Slopes>,
+    /// What moves the drivers.
+    pub moved: Moved,
     survey: &'a Survey<'a>,
     selected: &'a Selected,
     kinds: Kinds,
@@ -79,6 +86,9 @@ impl<'a> Lowering<'a> {
             used: BTreeSet::new(),
             driver_motions: vec![None; names.drivers.len()],
             rates: HashSet::new(),
+            derived: HashSet::new(),
+            slopes: None,
+            moved: Moved::InTime,
             survey,
             selected,
             kinds: Kinds::new(),
@@ -232,6 +242,7 @@ impl<'a> Lowering<'a> {
         let symbol = match &entry.role {
             Role::Constant(index) => Symbol::Parameter(*index),
             Role::Driver(index) => Symbol::Driver(*index),
+            Role::Dependent(index) => Symbol::Dependent(*index),
             Role::Coordinate(index) => Symbol::Coordinate(*index),
             Role::State(index) => Symbol::State(*index),
             Role::Let(value) => return self.abbreviation(name, value, span),

@@ -169,7 +169,7 @@ impl Lowering<'_> {
             Role::Let(value) => Some((value, &[])),
             Role::Function(arguments, body) => Some((body, arguments)),
             Role::Driver(index) => {
-                let position = &self.names.drivers[*index as usize].what.position;
+                let position = &self.names.drivers[*index as usize].what.motion;
                 position.as_ref().map(|term| (term, [].as_slice()))
             }
             _ => None,

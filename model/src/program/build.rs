@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::emit::Emitter;
 use super::{Input, OperationKind, Program, Results, Stage, Value, collect, order};
 use crate::expression::{Expression, Graph, Symbol};
+use crate::linkage::Closing;
 
 /// What a program is to compute.
 #[derive(Clone, Debug, Default)]
@@ -27,6 +28,8 @@ pub struct Request {
     pub span: Vec<Expression>,
     /// Start values.
     pub start: Vec<Expression>,
+    /// What a linkage computes.
+    pub closing: Closing<Expression>,
     /// Where symbols come from.
     pub inputs: HashMap<Symbol, Input>,
     /// What the other symbols stand for.
@@ -42,7 +45,7 @@ impl Request {
     pub(super) fn stage_of(&self, symbol: Symbol) -> Stage {
         match self.inputs.get(&symbol) {
             Some(Input::Parameter(_)) => Stage::Parameter,
-            Some(Input::Time) => Stage::Instant,
+            Some(Input::Time | Input::Driver(_)) => Stage::Instant,
             _ => Stage::State,
         }
     }
@@ -72,6 +75,7 @@ impl Request {
         ] {
             roots.extend(list);
         }
+        roots.extend(self.closing.all());
         roots
     }
 }
@@ -103,6 +107,10 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
         requirements: take(request.requirements.len()),
         span: take(request.span.len()),
         start: take(request.start.len()),
+        closing: {
+            let mut closing = take(request.closing.all().len()).into_iter();
+            request.closing.map(|_| closing.next().unwrap_or(Value(0)))
+        },
     };
     let mut program = Program {
         operations: emitter.operations,

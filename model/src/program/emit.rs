@@ -6,8 +6,8 @@
 use std::collections::HashMap;
 
 use super::build::Request;
-use super::{Function, Operation, OperationKind, Stage, Value};
-use crate::expression::{Expression, Graph, Node};
+use super::{Function, Input, Operation, OperationKind, Stage, Value};
+use crate::expression::{Expression, Graph, Node, Symbol};
 
 /// Writes operations.
 pub struct Emitter<'a> {
@@ -88,6 +88,13 @@ impl<'a> Emitter<'a> {
             Node::Sum(terms) => self.sum(&terms),
             Node::Product(factors) => self.product(&factors),
             Node::Power(base, exponent) => self.power(base, exponent),
+            Node::Call(function @ (Function::Sin | Function::Cos), arguments)
+                if self.kept_angle(arguments[0]).is_some() =>
+            {
+                let place = self.kept_angle(arguments[0]).unwrap_or_default() as u32;
+                let place = place + u32::from(function == Function::Sin);
+                self.push(OperationKind::Input(Input::Position(place)), Stage::State)
+            }
             Node::Call(function, arguments) => {
                 let arguments = self.values(&arguments);
                 self.call(function, arguments)
@@ -133,6 +140,16 @@ impl<'a> Emitter<'a> {
                 let solution = self.value(solution);
                 self.combine(OperationKind::Element { solution, index })
             }
+        }
+    }
+
+    /// Where the position keeps the cosine of an angle, if it is a dependent coordinate.
+    fn kept_angle(&self, angle: Expression) -> Option<usize> {
+        match self.graph.node(angle) {
+            Node::Symbol(Symbol::Dependent(index)) => {
+                *self.request.closing.cosines.get(*index as usize)?
+            }
+            _ => None,
         }
     }
 

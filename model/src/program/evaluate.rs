@@ -8,6 +8,17 @@ pub struct Values {
     numbers: Vec<f64>,
 }
 
+/// Where a linkage is evaluated.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Place<'a> {
+    /// Positions of the drivers, and their speeds and accelerations where these are given.
+    pub drivers: &'a [f64],
+    /// Dependent coordinates, then cosines and sines of those that are angles.
+    pub position: &'a [f64],
+    /// Assembly modes of the groups.
+    pub modes: &'a [f64],
+}
+
 impl Values {
     /// The value of an operation; conditions are 1 or 0.
     pub fn get(&self, value: Value) -> f64 {
@@ -23,6 +34,23 @@ impl Values {
 impl Program {
     /// Evaluates all operations. Shapes: `parameters`, `states`; inputs that are missing are NaN.
     pub fn evaluate(&self, parameters: &[f64], time: f64, state: &[f64]) -> Values {
+        self.evaluate_all(parameters, time, state, &Place::default())
+    }
+
+    /// Evaluates all operations of a linkage at a place.
+    pub fn evaluate_linkage(&self, parameters: &[f64], time: f64, linkage: &Place<'_>) -> Values {
+        self.evaluate_all(parameters, time, &[], linkage)
+    }
+
+    fn evaluate_all(
+        &self,
+        parameters: &[f64],
+        time: f64,
+        state: &[f64],
+        linkage: &Place<'_>,
+    ) -> Values {
+        let given =
+            |list: &[f64], index: u32| list.get(index as usize).copied().unwrap_or(f64::NAN);
         let mut numbers: Vec<f64> = Vec::with_capacity(self.operations.len());
         let mut solutions: std::collections::HashMap<u32, Vec<f64>> =
             std::collections::HashMap::new();
@@ -31,13 +59,12 @@ impl Program {
             let truth = |held: bool| if held { 1.0 } else { 0.0 };
             let number = match &operation.kind {
                 OperationKind::Number(number) => *number,
-                OperationKind::Input(Input::Parameter(index)) => {
-                    parameters.get(*index as usize).copied().unwrap_or(f64::NAN)
-                }
-                OperationKind::Input(Input::State(index)) => {
-                    state.get(*index as usize).copied().unwrap_or(f64::NAN)
-                }
+                OperationKind::Input(Input::Parameter(index)) => given(parameters, *index),
+                OperationKind::Input(Input::State(index)) => given(state, *index),
                 OperationKind::Input(Input::Time) => time,
+                OperationKind::Input(Input::Driver(index)) => given(linkage.drivers, *index),
+                OperationKind::Input(Input::Position(index)) => given(linkage.position, *index),
+                OperationKind::Input(Input::Mode(index)) => given(linkage.modes, *index),
                 OperationKind::Add(a, b) => at(a) + at(b),
                 OperationKind::Subtract(a, b) => at(a) - at(b),
                 OperationKind::Multiply(a, b) => at(a) * at(b),

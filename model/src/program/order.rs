@@ -129,4 +129,9 @@ fn for_each(program: &mut Program, apply: &mut dyn FnMut(&mut Value)) {
     ] {
         list.iter_mut().for_each(&mut *apply);
     }
+    results.closing = results.closing.map(|value| {
+        let mut value = *value;
+        apply(&mut value);
+        value
+    });
 }

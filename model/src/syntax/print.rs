@@ -25,6 +25,12 @@ pub fn statement(statement: &Statement) -> String {
             left,
             right,
         } => format!("motion {} = {}", term(left), term(right)),
+        StatementKind::Closure { label, left, right } => {
+            let label = label
+                .as_ref()
+                .map_or(String::new(), |label| format!("{}: ", label.text));
+            format!("closure {label}{} = {}", term(left), term(right))
+        }
         StatementKind::Energy { kind, value } => {
             let keyword = match kind {
                 EnergyKind::Kinetic => "kinetic",

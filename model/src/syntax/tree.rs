@@ -64,12 +64,29 @@ pub enum StatementKind {
         arguments: Option<Vec<Name>>,
         value: Term,
     },
-    /// `driver theta = n*time in 0 .. 2*pi;` Either part may be missing.
-    Driver {
-        target: Target,
-        value: Option<Term>,
-        range: Option<(Term, Term)>,
-        tolerance: Option<Tolerance>,
+    /// `driver theta = n*time in 0 .. 2*pi;` or `driver phi ~ 90 deg in 60 deg .. 120 deg +- 0.1 deg;`
+    Driver(Driver),
+    /// `dependent phi7 ~ -70 deg, s: m ~ 0.1 m;`
+    Dependent(Dependent),
+    /// `closure loop: l4*dir(phi4) + l5*dir(phi5) = [b, a];`
+    Closure {
+        label: Option<Name>,
+        left: Term,
+        right: Term,
+    },
+    /// `point E = l4*dir(phi4);`. Several after commas become several statements.
+    Point { target: Target, value: Term },
+    /// `link D - E - F "rod";`. Several after commas become several statements.
+    Link {
+        points: Vec<Term>,
+        text: Option<String>,
+    },
+    /// `part feed: SewingFeed from "sewing_feed.eqn" { phi = theta; e_v = 6 mm +- 0.1 mm; beta ~ 180 deg; }`
+    Part {
+        name: Name,
+        mechanism: Name,
+        file: Option<Name>,
+        bindings: Vec<Binding>,
     },
     /// `coordinate phi2: rad = 0;`
     Coordinate(Unknown),
@@ -142,6 +159,47 @@ pub struct Constant {
     /// Permitted error of the made size.
     pub tolerance: Option<Tolerance>,
     /// Permitted range, `in lo .. hi`.
+    pub range: Option<(Term, Term)>,
+}
+
+/// A driver.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Driver {
+    /// Its name.
+    pub target: Target,
+    /// Its motion, `= n*time`; one without is set from outside.
+    pub motion: Option<Term>,
+    /// Position for which the start values of the dependent coordinates are meant, `~ 90 deg`.
+    pub start: Option<Term>,
+    /// Range over which it moves, `in 60 deg .. 120 deg`.
+    pub range: Option<(Term, Term)>,
+    /// Permitted error of its position.
+    pub tolerance: Option<Tolerance>,
+}
+
+/// A dependent coordinate: closures determine it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dependent {
+    /// Its name.
+    pub target: Target,
+    /// Its unit; that of the start value unless stated.
+    pub unit: Option<UnitTerm>,
+    /// Roughly its value where the drivers start, which also picks the assembly mode.
+    pub start: Option<Term>,
+}
+
+/// What a part gets from outside: a value (with a tolerance perhaps), or a start value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Binding {
+    /// The quantity of the part.
+    pub target: Target,
+    /// Its value, `= 6 mm`.
+    pub value: Option<Term>,
+    /// Where it starts, `~ 180 deg`.
+    pub start: Option<Term>,
+    /// Permitted error of the made size.
+    pub tolerance: Option<Tolerance>,
+    /// Permitted range.
     pub range: Option<(Term, Term)>,
 }
 
@@ -235,12 +293,23 @@ pub enum SceneItem {
         from: Term,
         to: Term,
     },
+    /// `sweep phi4;`, `sweep alpha 60 deg .. 120 deg, beta;`: a grid when several.
+    Sweep { drivers: Vec<SweepRange> },
     /// `preset table;`
     Preset { name: Name },
     /// `output a, b = …;` adds to the outputs that the scene reports. A scene with any reports only these.
     Output(Output),
     /// `start phi2 = 0.1 rad, dot(phi2) = 0;`
     Start { values: Vec<(Term, Term)> },
+}
+
+/// A driver that a scene moves through a range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweepRange {
+    /// The driver.
+    pub driver: Name,
+    /// From where to where; over the declared range unless stated.
+    pub range: Option<(Term, Term)>,
 }
 
 /// A reported quantity.
@@ -279,8 +348,8 @@ pub struct Expect {
 #[derive(Clone, Debug, PartialEq)]
 #[expect(missing_docs, reason = "the example of each variant names its parts")]
 pub enum ExpectAt {
-    /// `at time = …` or `at theta = …`.
-    Value { variable: Name, value: Term },
+    /// `at time = …`, `at theta = …`, `at alpha = …, beta = …`.
+    Value { places: Vec<(Name, Term)> },
     /// `maximum`, `minimum` or `amplitude`, over the task of the scene.
     Extreme(Name),
 }

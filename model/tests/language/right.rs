@@ -1,6 +1,6 @@
 //! Files that compile, with what they come to.
 
-use assur_model::checked::{ExpectPlace, SceneModel, SpanKind};
+use assur_model::checked::{ExpectPlace, SceneModel, SpanKind, Subject};
 use assur_model::program::Values;
 
 use super::{SPRING, compiled};
@@ -185,7 +185,7 @@ fn presets_marks_and_facts_reach_the_scene() {
         .find(|one| one.quantity.name == "m")
         .unwrap();
     assert_eq!((scene.preset.as_str(), mass.default), ("heavy", 20.0));
-    let places: Vec<_> = scene.marks.iter().map(|mark| mark.at).collect();
+    let places: Vec<_> = scene.marks.iter().map(|mark| mark.at.clone()).collect();
     assert_eq!(
         places,
         [
@@ -196,18 +196,28 @@ fn presets_marks_and_facts_reach_the_scene() {
     let facts: Vec<_> = scene
         .expectations
         .iter()
-        .map(|fact| (fact.at, fact.quantity, fact.value, fact.preset.as_str()))
+        .map(|fact| {
+            (
+                fact.at.clone(),
+                fact.quantity,
+                fact.value,
+                fact.preset.as_str(),
+            )
+        })
         .collect();
     assert_eq!(
         facts[0],
         (
             ExpectPlace::Driver(0, std::f64::consts::PI),
-            (true, 0),
+            Subject::Output(0),
             1e-3,
             ""
         )
     );
-    assert_eq!(facts[1], (ExpectPlace::Amplitude, (false, 1), 2.0, "heavy"));
+    assert_eq!(
+        facts[1],
+        (ExpectPlace::Amplitude, Subject::State(1), 2.0, "heavy")
+    );
     assert_eq!(
         values(scene, 0.0, &[0.0, 0.0]).all(&scene.program.results.start),
         [0.1, 1.0]

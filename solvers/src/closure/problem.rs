@@ -1,11 +1,11 @@
 //! What the closure solvers ask of a linkage: the two traits that emitted code implements.
 //!
-//! A linkage is its loops: equations `F(z; x, p) = 0` in the dependent coordinates `z`, for independent variables `x`
-//! (the positions of the drivers, or the time) and dimensions `p`. The compiler has ordered them into groups, each
+//! A linkage is its loops: equations `F(z; x, p) = 0` in the dependent coordinates `z`, for positions `x` of the drivers
+//! and dimensions `p`. The compiler has ordered them into groups, each
 //! closed after those it needs: an Assur group of two links in closed form with an explicit assembly mode, anything
 //! larger by iteration. All quantities are in SI units, angles in radians.
 
-use crate::problem::{Refused, Storage};
+use crate::problem::{Refused, Span, Storage};
 use crate::scalar::Scalar;
 
 /// How the unknowns of a group are found.
@@ -92,8 +92,8 @@ pub trait Closure<S: Scalar> {
     /// Writes the residuals of all equations at a closed position; shape: the number of dependent coordinates.
     fn residual(&self, instant: &Self::Instant, position: &Self::Position, residual: &mut [S]);
 
-    /// Writes the kinematic coefficients: `columns[k].as_ref()[i] = ∂z_i/∂x_k` for the dependent coordinates `i`, which
-    /// are the first entries.
+    /// Writes the kinematic coefficients: `columns[k].as_ref()[i] = ∂z_i/∂x_k` for the drivers `k` and the dependent
+    /// coordinates `i`, which are the first entries.
     fn coefficients(
         &self,
         instant: &Self::Instant,
@@ -121,7 +121,7 @@ pub trait Closure<S: Scalar> {
     fn points(&self, instant: &Self::Instant, position: &Self::Position, values: &mut [S]);
 }
 
-/// What a scene of a linkage does when it is run without being told more.
+/// Where a driver moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
     /// Where it begins, and where a sweep does.
@@ -139,8 +139,8 @@ pub struct Range {
 pub enum Variable {
     /// The constant of this index.
     Constant(usize),
-    /// The independent variable of this index.
-    Independent(usize),
+    /// The position of the driver of this index.
+    Driver(usize),
 }
 
 /// A linkage with its dimensions: the type that a user fills in and hands to a solver.
@@ -148,8 +148,11 @@ pub trait Linkage: Clone + Send + Sync {
     /// The loops, prepared for a scalar type.
     type Closure<S: Scalar>: Closure<S> + Send + Sync;
 
-    /// Number of independent variables.
+    /// Number of independent variables: the positions of the drivers, and where these move in time their speeds, their
+    /// accelerations, and the time.
     const INDEPENDENTS: usize;
+    /// Number of drivers. Their positions, the first independent variables, alone determine the position.
+    const DRIVERS: usize;
     /// Number of dependent coordinates.
     const DEPENDENTS: usize;
     /// Number of outputs.
@@ -182,7 +185,13 @@ pub trait Linkage: Clone + Send + Sync {
     /// The first condition that does not hold, with the values concerned.
     fn check(&self) -> Result<(), Refused>;
 
-    /// The range of each independent variable; length `INDEPENDENTS`.
+    /// The task of the scene: a time, or [`Span::Open`] where drivers are swept.
+    fn span(&self) -> Span;
+
+    /// All independent variables at a time; none where the drivers do not move in time.
+    fn drive(&self, time: f64) -> Option<Vec<f64>>;
+
+    /// The range of each driver; length `DRIVERS`, NaN where none is stated.
     fn ranges(&self) -> Vec<Range>;
 
     /// Rough values of the dependent coordinates at the start, which pick the assembly mode; NaN where none is stated.

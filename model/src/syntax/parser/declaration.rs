@@ -2,7 +2,8 @@
 
 use super::{Parser, Read};
 use crate::syntax::tree::{
-    Constant, Distribution, Name, StatementKind, Target, Term, Tolerance, Unknown,
+    Binding, Constant, Dependent, Distribution, Driver, Name, StatementKind, Target, Term,
+    TermKind, Tolerance, Unknown,
 };
 
 impl Parser<'_> {
@@ -119,20 +120,155 @@ impl Parser<'_> {
         Ok(list)
     }
 
-    /// `theta = n*time in 0 .. 2*pi`
+    /// `theta = n*time in 0 .. 2*pi`, `phi ~ 90 deg in 60 deg .. 120 deg +- 0.1 deg`
     pub(super) fn driver(&mut self) -> Read<StatementKind> {
         let target = self.target()?;
-        let value = if self.take_operator("=") {
-            Some(self.term()?)
+        let (motion, start) = self.value_and_start()?;
+        let (tolerance, range) = self.limits()?;
+        Ok(StatementKind::Driver(Driver {
+            target,
+            motion,
+            start,
+            range,
+            tolerance,
+        }))
+    }
+
+    /// `= n*time` and `~ 90 deg`, either or both in this order.
+    fn value_and_start(&mut self) -> Read<(Option<Term>, Option<Term>)> {
+        let value = self.after("=")?;
+        Ok((value, self.after("~")?))
+    }
+
+    /// The term after an operator, if that is there.
+    fn after(&mut self, operator: &str) -> Read<Option<Term>> {
+        if self.take_operator(operator) {
+            return Ok(Some(self.term()?));
+        }
+        Ok(None)
+    }
+
+    /// `phi7 ~ -70 deg`, `s: m ~ 0.1 m`
+    pub(super) fn dependent(&mut self) -> Read<StatementKind> {
+        let target = self.target()?;
+        let unit = if self.take_operator(":") {
+            Some(self.declared_unit()?)
         } else {
             None
         };
+        if self.is_operator("=") {
+            let hint = format!(
+                "`~` gives roughly the value where the drivers start: `dependent {} ~ …;`",
+                target.name.text
+            );
+            return self.wrong(
+                "a dependent coordinate is not set: closures determine it",
+                Some(&hint),
+            );
+        }
+        let start = self.after("~")?;
+        Ok(StatementKind::Dependent(Dependent {
+            target,
+            unit,
+            start,
+        }))
+    }
+
+    /// `E = l4*dir(phi4)`
+    pub(super) fn point(&mut self) -> Read<StatementKind> {
+        let target = self.target()?;
+        self.operator("=")?;
+        let value = self.term()?;
+        Ok(StatementKind::Point { target, value })
+    }
+
+    /// `D - E - F "rod"`
+    pub(super) fn link(&mut self) -> Read<StatementKind> {
+        let begin = self.here();
+        let mut points = vec![self.place()?];
+        while self.take_operator("-") {
+            points.push(self.place()?);
+        }
+        if points.len() < 2 {
+            return self.wrong_at(
+                self.since(begin),
+                "a link joins at least two points",
+                Some("write `link A - B;`"),
+            );
+        }
+        let text = self.text();
+        Ok(StatementKind::Link { points, text })
+    }
+
+    /// The name of a point: `A`, `A[2]`, `feed.A`.
+    fn place(&mut self) -> Read<Term> {
+        let begin = self.here();
+        let name = self.name("a point")?;
+        let mut kind = TermKind::Name(name.text.clone());
+        if self.is_open_ahead(0, '[') {
+            let index = Box::new(self.index()?);
+            kind = TermKind::Index { name, index };
+        }
+        let mut term = Term {
+            span: self.since(begin),
+            kind,
+        };
+        while self.take_operator(".") {
+            let name = self.name("a point of the part")?;
+            term = Term {
+                span: self.since(begin),
+                kind: TermKind::Member {
+                    base: Box::new(term),
+                    name,
+                },
+            };
+        }
+        Ok(term)
+    }
+
+    /// `feed: SewingFeed from "sewing_feed.eqn" { phi = theta; e_v = 6 mm; }`
+    pub(super) fn part(&mut self) -> Read<StatementKind> {
+        let name = self.name("the name of the part")?;
+        self.operator(":")?;
+        let mechanism = self.name("the mechanism that the part is")?;
+        let file = if self.take_word("from") {
+            let place = self.here();
+            match self.text() {
+                Some(text) => Some(Name { text, span: place }),
+                None => return self.expected("the name of a file in quotation marks"),
+            }
+        } else {
+            None
+        };
+        let mut bindings = Vec::new();
+        if !self.take_operator(";") {
+            self.open('{')?;
+            while !self.is_close('}') {
+                let _ = self.documentation();
+                bindings.push(self.binding()?);
+            }
+            self.close('}')?;
+        }
+        Ok(StatementKind::Part {
+            name,
+            mechanism,
+            file,
+            bindings,
+        })
+    }
+
+    /// `e_v = 6 mm +- 0.1 mm;`, `beta ~ 180 deg;`
+    fn binding(&mut self) -> Read<Binding> {
+        let target = self.target()?;
+        let (value, start) = self.value_and_start()?;
         let (tolerance, range) = self.limits()?;
-        Ok(StatementKind::Driver {
+        self.operator(";")?;
+        Ok(Binding {
             target,
             value,
-            range,
+            start,
             tolerance,
+            range,
         })
     }
 

@@ -3,8 +3,8 @@
 use super::{Parser, Read};
 use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::{
-    Expect, ExpectAt, Name, Output, Scene, SceneItem, Selection, StatementKind, Target, Term,
-    TermKind,
+    Expect, ExpectAt, Name, Output, Scene, SceneItem, Selection, StatementKind, SweepRange, Target,
+    Term, TermKind,
 };
 
 impl Parser<'_> {
@@ -55,8 +55,9 @@ impl Parser<'_> {
 
     fn item(&mut self) -> Read<Vec<SceneItem>> {
         let _ = self.documentation();
-        let keyword =
-            self.name("what the scene does: `periodic`, `run`, `preset`, `output` or `start`")?;
+        let keyword = self.name(
+            "what the scene does: `periodic`, `run`, `sweep`, `preset`, `output` or `start`",
+        )?;
         let items = match keyword.text.as_str() {
             "periodic" => {
                 if !self.take_word("over") {
@@ -86,7 +87,11 @@ impl Parser<'_> {
                 })?;
                 vec![SceneItem::Start { values }]
             }
-            "sweep" | "measure" | "draw" => {
+            "sweep" => {
+                let drivers = self.commas(Self::sweep_range)?;
+                vec![SceneItem::Sweep { drivers }]
+            }
+            "measure" => {
                 let message = format!(
                     "`{}` is not available in this version of Assur",
                     keyword.text
@@ -95,11 +100,19 @@ impl Parser<'_> {
             }
             other => {
                 let message = format!("`{other}` is nothing that a scene does");
-                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `preset`, `output` or `start`"));
+                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `sweep`, `preset`, `output` or `start`"));
             }
         };
         self.operator(";")?;
         Ok(items)
+    }
+
+    /// `phi4` or `phi4 60 deg .. 120 deg`
+    fn sweep_range(&mut self) -> Read<SweepRange> {
+        let driver = self.name("a driver")?;
+        let ends = self.is_operator(",") || self.is_operator(";");
+        let range = if ends { None } else { Some(self.range()?) };
+        Ok(SweepRange { driver, range })
     }
 
     /// `x`, `F1 [kN]`, `F1 = … [kN]`, `dot(x) [mm/s]`
@@ -193,10 +206,13 @@ impl Parser<'_> {
         }
         let place = self.name("a driver, `time`, `maximum`, `minimum` or `amplitude`")?;
         let at = if self.take_operator("=") {
-            ExpectAt::Value {
-                variable: place,
-                value: self.term()?,
+            let mut places = vec![(place, self.term()?)];
+            while self.take_operator(",") {
+                let place = self.name("a driver")?;
+                self.operator("=")?;
+                places.push((place, self.term()?));
             }
+            ExpectAt::Value { places }
         } else {
             ExpectAt::Extreme(place)
         };

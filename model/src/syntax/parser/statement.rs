@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::{Parser, Read};
 use crate::diagnostic::Diagnostic;
 use crate::nearest::nearest;
-use crate::syntax::tree::{Alternative, EnergyKind, File, Statement, StatementKind};
+use crate::syntax::tree::{Alternative, EnergyKind, File, Name, Statement, StatementKind, Term};
 use crate::token::Span;
 
 /// Words that begin a statement.
@@ -15,6 +15,8 @@ const KEYWORDS: &[&str] = &[
     "preset",
     "let",
     "driver",
+    "dependent",
+    "closure",
     "coordinate",
     "state",
     "motion",
@@ -29,24 +31,15 @@ const KEYWORDS: &[&str] = &[
     "for",
     "scene",
     "output",
+    "point",
+    "link",
+    "part",
     "mark",
     "expect",
 ];
 
 /// Words that will begin a statement once.
-const PLANNED: &[&str] = &[
-    "closure",
-    "dependent",
-    "point",
-    "link",
-    "mode",
-    "when",
-    "set",
-    "hold",
-    "part",
-    "measure",
-    "sweep",
-];
+const PLANNED: &[&str] = &["mode", "when", "set", "hold", "measure"];
 
 impl Parser<'_> {
     /// Documentation, name, source, statements.
@@ -151,6 +144,7 @@ impl Parser<'_> {
             "if" => Some(self.condition()?),
             "for" => Some(self.repetition()?),
             "scene" => Some(self.scene()?),
+            "part" => Some(self.part()?),
             _ => None,
         };
         if let Some(kind) = block {
@@ -161,6 +155,10 @@ impl Parser<'_> {
             "parameter" => self.commas(|parser| parser.constant(false))?,
             "let" => self.commas(Self::abbreviation)?,
             "driver" => self.commas(Self::driver)?,
+            "dependent" => self.commas(Self::dependent)?,
+            "closure" => vec![self.closure()?],
+            "point" => self.commas(Self::point)?,
+            "link" => self.commas(Self::link)?,
             "coordinate" => {
                 self.commas(|parser| Ok(StatementKind::Coordinate(parser.unknown(true)?)))?
             }
@@ -225,6 +223,17 @@ impl Parser<'_> {
     }
 
     fn motion(&mut self) -> Read<StatementKind> {
+        let (label, left, right) = self.equation()?;
+        Ok(StatementKind::Motion { label, left, right })
+    }
+
+    fn closure(&mut self) -> Read<StatementKind> {
+        let (label, left, right) = self.equation()?;
+        Ok(StatementKind::Closure { label, left, right })
+    }
+
+    /// `name: left = right`; the name may be missing.
+    fn equation(&mut self) -> Read<(Option<Name>, Term, Term)> {
         let labelled = self.is_any_word() && self.is_operator_ahead(1, ":");
         let label = if labelled {
             Some(self.name("a name")?)
@@ -236,8 +245,7 @@ impl Parser<'_> {
         }
         let left = self.term()?;
         self.operator("=")?;
-        let right = self.term()?;
-        Ok(StatementKind::Motion { label, left, right })
+        Ok((label, left, self.term()?))
     }
 
     fn energy(&mut self, kind: EnergyKind) -> Read<StatementKind> {

@@ -1,0 +1,271 @@
+//! The loops of a linkage prepared for a scalar type: closed forms, trial positions, derivatives.
+
+use assur_model::checked::{GroupInfo, LinkageInfo};
+use assur_model::program::{Input, OperationKind, Value};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::blocks::blocks;
+use super::body::{Body, Place};
+use super::expression::size;
+use super::layout::Layout;
+use super::{docs, instant};
+
+/// The struct and its implementation of `Closure`.
+pub fn items(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
+    let (name, instant) = (&layout.equations, &layout.instant);
+    let fields = layout.fields(&layout.prepared);
+    let text = docs::lines(&format!(
+        "Loops of [`{}`], prepared for a scalar type.",
+        layout.parameters
+    ));
+    let largest = linkage
+        .groups
+        .iter()
+        .map(|group| group.unknowns.len())
+        .max()
+        .unwrap_or(0);
+    let [position, row, matrix] = [
+        layout.program().results.closing.position(),
+        largest,
+        largest * largest,
+    ]
+    .map(size);
+    let closing = &layout.program().results.closing;
+    let lists = [
+        ("residual", quote!(residual), closing.residuals.clone()),
+        (
+            "outputs",
+            quote!(values),
+            layout.program().results.outputs.clone(),
+        ),
+        ("influence", quote!(values), closing.influence.clone()),
+        ("second_influence", quote!(values), closing.second.clone()),
+        ("points", quote!(values), closing.points.clone()),
+    ];
+    let lists = lists
+        .iter()
+        .map(|(method, target, values)| list(layout, method, target, values));
+    let methods = [
+        instant::of_drivers(layout),
+        close(layout, linkage),
+        margin(layout, linkage),
+        trial(layout, linkage),
+        coefficients(layout, linkage),
+    ];
+    quote! {
+        #text
+        #[derive(Clone, Copy, Debug)]
+        pub struct #name<S: ::assur::scalar::Scalar> { #fields }
+
+        impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for #name<S> {
+            type Position = [S; #position];
+            type Instant = #instant<S>;
+            type Row = [S; #row];
+            type Matrix = [S; #matrix];
+
+            #(#methods)*
+            #(#lists)*
+        }
+    }
+}
+
+/// A match on the number of the group; groups with nothing to do give NaN.
+fn by_group(arms: Vec<Option<TokenStream>>, otherwise: TokenStream) -> TokenStream {
+    let arms = arms.into_iter().enumerate().filter_map(|(group, arm)| {
+        let (group, arm) = (size(group), arm?);
+        Some(quote!(#group => { #arm }))
+    });
+    quote!(match group { #(#arms)* _ => #otherwise })
+}
+
+fn close(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
+    let groups = &layout.program().results.closing.groups;
+    let arms = groups.iter().zip(&linkage.groups).map(|(closed, group)| {
+        let closed = closed.as_ref()?;
+        let wanted: Vec<Value> = closed
+            .values
+            .iter()
+            .map(|entry| entry.1)
+            .chain([closed.sine])
+            .collect();
+        let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
+        let statements = body.statements(&wanted);
+        let writes = closed.values.iter().map(|(place, value)| {
+            let (place, value) = (size(*place), body.value(*value));
+            quote!(position[#place] = #value;)
+        });
+        let text = equations(layout, group);
+        let sine = body.value(closed.sine);
+        Some(quote!(#text { #statements #(#writes)* #sine }))
+    });
+    let arms = by_group(arms.collect(), quote!(S::from_f64(f64::NAN)));
+    quote! {
+        #[inline(always)]
+        fn close(&self, group: usize, instant: &Self::Instant, mode: S, position: &mut Self::Position) -> S {
+            #arms
+        }
+    }
+}
+
+/// The equations of a group in its unknowns, as a statement that does nothing but say so.
+fn equations(_layout: &Layout<'_>, _group: &GroupInfo) -> TokenStream {
+    TokenStream::new()
+}
+
+fn margin(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
+    let groups = &layout.program().results.closing.groups;
+    let arms = groups.iter().zip(&linkage.groups).map(|(closed, _)| {
+        let wanted = [closed.as_ref()?.margin];
+        let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
+        let (statements, value) = (body.statements(&wanted), body.value(wanted[0]));
+        Some(quote!(#statements #value))
+    });
+    let arms = by_group(arms.collect(), quote!(S::from_f64(f64::NAN)));
+    quote! {
+        fn margin(&self, group: usize, instant: &Self::Instant, position: &Self::Position) -> S {
+            #arms
+        }
+    }
+}
+
+fn trial(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
+    let closing = &layout.program().results.closing;
+    let arms = linkage.groups.iter().map(|group| {
+        let count = group.unknowns.len();
+        let slope = |row: usize, column: usize| {
+            let found = closing
+                .slopes
+                .iter()
+                .find(|entry| (entry.0, entry.1) == (row, column));
+            found.map(|entry| entry.2)
+        };
+        let residuals: Vec<Value> = group
+            .equations
+            .iter()
+            .map(|row| closing.residuals[*row])
+            .collect();
+        let slopes: Vec<Option<Value>> = group
+            .equations
+            .iter()
+            .flat_map(|row| group.unknowns.iter().map(|column| slope(*row, *column)))
+            .collect();
+        let wanted: Vec<Value> = residuals
+            .iter()
+            .copied()
+            .chain(slopes.iter().flatten().copied())
+            .collect();
+        let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
+        let statements = body.statements(&wanted);
+        let sines = sines(layout, &group.unknowns);
+        let rows = residuals.iter().enumerate().map(|(index, value)| {
+            let (index, value) = (size(index), body.value(*value));
+            quote!(residual[#index] = #value;)
+        });
+        let entries = slopes.iter().enumerate().map(|(index, value)| {
+            let value = value.map_or(quote!(S::ZERO), |value| body.value(value));
+            let index = size(index);
+            quote!(jacobian[#index] = #value;)
+        });
+        debug_assert_eq!(slopes.len(), count * count);
+        Some(quote!(#sines #statements #(#rows)* #(#entries)*))
+    });
+    let arms = by_group(arms.collect(), quote!({}));
+    quote! {
+        #[inline(always)]
+        fn trial(
+            &self,
+            group: usize,
+            instant: &Self::Instant,
+            position: &mut Self::Position,
+            residual: &mut Self::Row,
+            jacobian: &mut Self::Matrix,
+        ) {
+            #arms
+        }
+    }
+}
+
+/// Takes sines and cosines of the angles among some dependent coordinates.
+fn sines(layout: &Layout<'_>, unknowns: &[usize]) -> TokenStream {
+    let cosines = &layout.program().results.closing.cosines;
+    let kept: Vec<(usize, usize)> = unknowns
+        .iter()
+        .filter_map(|one| Some((*one, cosines[*one]?)))
+        .collect();
+    if kept.is_empty() {
+        return TokenStream::new();
+    }
+    let angles = kept.iter().map(|(one, _)| size(*one));
+    let (mut cos, mut sin) = (Vec::new(), Vec::new());
+    for (_, place) in &kept {
+        cos.push(size(*place));
+        sin.push(size(*place + 1));
+    }
+    let names: Vec<_> = (0..kept.len()).map(size).collect();
+    quote! {
+        let (sines_, cosines_) = S::sin_cos_all([#(position[#angles]),*]);
+        #(position[#cos] = cosines_[#names]; position[#sin] = sines_[#names];)*
+    }
+}
+
+fn coefficients(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
+    let entries = &layout.program().results.closing.coefficients;
+    let wanted: Vec<Value> = entries.iter().map(|entry| entry.2).collect();
+    let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
+    let statements = body.statements(&wanted);
+    let mut writes = Vec::new();
+    for driver in 0..layout.scene.drivers.len() {
+        for dependent in 0..linkage.dependents.len() {
+            let entry = entries
+                .iter()
+                .find(|entry| (entry.0, entry.1) == (dependent, driver));
+            let value = entry.map_or(quote!(S::ZERO), |entry| body.value(entry.2));
+            let (dependent, driver) = (size(dependent), size(driver));
+            writes.push(quote!(columns[#driver][#dependent] = #value;));
+        }
+    }
+    let first = super::equations::first(quote!(columns), layout.scene.drivers.len());
+    let writes = blocks(&writes);
+    quote! {
+        #[inline(always)]
+        fn coefficients(&self, instant: &Self::Instant, position: &Self::Position, columns: &mut [Self::Position]) {
+            #first
+            #statements
+            #writes
+        }
+    }
+}
+
+/// A method that writes some values one after the other.
+fn list(layout: &Layout<'_>, method: &str, target: &TokenStream, wanted: &[Value]) -> TokenStream {
+    let method = super::names::identifier(method);
+    let body = Body::new(layout, Place::Evaluation, wanted, &[]);
+    let statements = body.statements(wanted);
+    let writes: Vec<TokenStream> = wanted
+        .iter()
+        .enumerate()
+        .map(|(index, value)| {
+            let (index, value) = (size(index), body.value(*value));
+            quote!(#target[#index] = #value;)
+        })
+        .collect();
+    let first = (!wanted.is_empty()).then(|| super::equations::first(target.clone(), wanted.len()));
+    let writes = blocks(&writes);
+    quote! {
+        #[inline(always)]
+        fn #method(&self, instant: &Self::Instant, position: &Self::Position, #target: &mut [S]) {
+            #first
+            #statements
+            #writes
+        }
+    }
+}
+
+/// Whether a value is given from outside with the position.
+pub fn is_given(kind: &OperationKind) -> bool {
+    matches!(
+        kind,
+        OperationKind::Input(Input::Position(_) | Input::Mode(_))
+    )
+}

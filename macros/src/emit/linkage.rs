@@ -1,0 +1,164 @@
+//! What the solvers ask of the parameters of a linkage.
+
+use assur_model::checked::{GroupKind, LinkageInfo, VariableInfo};
+use assur_model::program::Value;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::body::{Body, Place};
+use super::expression::{number, size};
+use super::layout::Layout;
+use super::requirements;
+
+/// The implementation of `Linkage`.
+pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
+    let (name, closure) = (&layout.parameters, &layout.equations);
+    let closing = &layout.program().results.closing;
+    let counts = [
+        match closing.rates.is_empty() {
+            true => layout.scene.drivers.len(),
+            false => 3 * layout.scene.drivers.len() + 1,
+        },
+        layout.scene.drivers.len(),
+        linkage.dependents.len(),
+        layout.scene.outputs.len(),
+        linkage.points.len(),
+        layout.constants.len(),
+    ];
+    let [
+        independents,
+        drivers,
+        dependents,
+        outputs,
+        points,
+        constants,
+    ] = counts.map(size);
+    let second = !closing.second.is_empty();
+    let variables = linkage.variables.iter().map(|variable| match variable {
+        VariableInfo::Constant(index) => {
+            let index = size(*index);
+            quote!(::assur::closure::Variable::Constant(#index))
+        }
+        VariableInfo::Driver(index) => {
+            let index = size(*index);
+            quote!(::assur::closure::Variable::Driver(#index))
+        }
+    });
+    let angles = linkage.dependents.iter().map(|one| one.is_angle);
+    let groups = groups(linkage);
+    let (prepare, check, drive) = (prepare(layout), requirements::check(layout), drive(layout));
+    let ranges = linkage.ranges.iter().map(|range| {
+        let [from, to, start, period] =
+            [range.from, range.to, range.start, range.period].map(number);
+        quote!(::assur::closure::Range { from: #from, to: #to, start: #start, period: #period })
+    });
+    let starts = linkage.dependents.iter().map(|one| number(one.start));
+    let span = super::parameters::span(layout);
+    quote! {
+        impl ::assur::closure::Linkage for #name {
+            type Closure<S: ::assur::scalar::Scalar> = #closure<S>;
+
+            const INDEPENDENTS: usize = #independents;
+            const DRIVERS: usize = #drivers;
+            const DEPENDENTS: usize = #dependents;
+            const OUTPUTS: usize = #outputs;
+            const POINTS: usize = #points;
+            const CONSTANTS: usize = #constants;
+            const VARIABLES: &'static [::assur::closure::Variable] = &[#(#variables),*];
+            const SECOND: bool = #second;
+            const GROUPS: &'static [::assur::closure::Group] = &[#(#groups),*];
+            const ANGLES: &'static [bool] = &[#(#angles),*];
+
+            fn values(&self) -> ::std::vec::Vec<f64> {
+                Self::values(self).to_vec()
+            }
+
+            fn with_values(values: &[f64]) -> Self {
+                let mut all = [0.0; #constants];
+                all.copy_from_slice(values);
+                Self::from_values(&all)
+            }
+
+            #prepare
+            #check
+            #span
+            #drive
+
+            fn ranges(&self) -> ::std::vec::Vec<::assur::closure::Range> {
+                ::std::vec![#(#ranges),*]
+            }
+
+            fn start(&self) -> ::std::vec::Vec<f64> {
+                ::std::vec![#(#starts),*]
+            }
+        }
+    }
+}
+
+fn groups(linkage: &LinkageInfo) -> impl Iterator<Item = TokenStream> {
+    linkage.groups.iter().map(|group| {
+        let kind = match group.kind {
+            GroupKind::Linear => quote!(Linear),
+            GroupKind::Angle => quote!(Angle),
+            GroupKind::Rrr => quote!(Rrr),
+            GroupKind::Rrp => quote!(Rrp),
+            GroupKind::Rpr => quote!(Rpr),
+            GroupKind::General => quote!(General),
+        };
+        let [unknowns, equations] = [&group.unknowns, &group.equations]
+            .map(|list| list.iter().map(|one| size(*one)).collect::<Vec<_>>());
+        quote! {
+            ::assur::closure::Group {
+                kind: ::assur::closure::GroupKind::#kind,
+                unknowns: &[#(#unknowns),*],
+                equations: &[#(#equations),*],
+            }
+        }
+    })
+}
+
+/// What depends on the constants alone, from constants of any scalar type.
+fn prepare(layout: &Layout<'_>) -> TokenStream {
+    let wanted: Vec<Value> = layout.prepared.iter().copied().collect();
+    let body = Body::new(layout, Place::Values, &wanted, &[]);
+    let (statements, fields) = (
+        body.statements(&wanted),
+        layout.stored(&layout.prepared, &body),
+    );
+    let closure = &layout.equations;
+    quote! {
+        #[inline(always)]
+        fn prepare<S: ::assur::scalar::Scalar>(values: &[S]) -> Self::Closure<S> {
+            #statements
+            #closure { #fields }
+        }
+    }
+}
+
+/// The motion of the drivers in time: positions, speeds, accelerations, and the time itself.
+fn drive(layout: &Layout<'_>) -> TokenStream {
+    let results = &layout.program().results;
+    if results.closing.rates.is_empty() {
+        return quote! {
+            fn drive(&self, time: f64) -> ::core::option::Option<::std::vec::Vec<f64>> {
+                ::core::option::Option::None
+            }
+        };
+    }
+    let wanted: Vec<Value> = results
+        .drivers
+        .iter()
+        .chain(&results.closing.rates)
+        .copied()
+        .collect();
+    let body = Body::new(layout, Place::Drive, &wanted, &[]);
+    let statements = body.statements(&wanted);
+    let values = wanted.iter().map(|value| body.value(*value));
+    quote! {
+        fn drive(&self, time: f64) -> ::core::option::Option<::std::vec::Vec<f64>> {
+            type S = f64;
+            #statements
+            ::core::option::Option::Some(::std::vec![#(#values,)* time])
+        }
+    }
+}

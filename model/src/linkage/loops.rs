@@ -1,0 +1,152 @@
+//! The loop equations as they are written.
+
+use crate::checked::EquationInfo;
+use crate::diagnostic::Diagnostic;
+use crate::expression::{Expression, Symbol};
+use crate::lower::{Kind, Lowering};
+use crate::motion::Equation;
+use crate::syntax::print;
+use crate::syntax::tree::{Statement, StatementKind, Term};
+use crate::token::Span;
+use crate::unit::Unit;
+
+/// The loop equations of a scene.
+#[derive(Default)]
+pub struct Loops {
+    /// Scalar equations, a vector's components one after the other.
+    pub equations: Vec<Equation>,
+    /// Their kinds.
+    pub kinds: Vec<Kind>,
+    /// The closures as text.
+    pub texts: Vec<EquationInfo>,
+}
+
+impl Loops {
+    /// Reads all closures.
+    pub fn read(statements: &[Statement], low: &mut Lowering<'_>) -> Self {
+        let mut loops = Self::default();
+        for statement in statements {
+            if let StatementKind::Closure { label, left, right } = &statement.kind {
+                let name = label.as_ref().map_or_else(
+                    || format!("{} = {}", print::term(left), print::term(right)),
+                    |label| label.text.clone(),
+                );
+                loops.take(&name, left, right, statement, low);
+            }
+        }
+        loops.report_repeated(low);
+        loops
+    }
+
+    fn take(
+        &mut self,
+        name: &str,
+        left: &Term,
+        right: &Term,
+        statement: &Statement,
+        low: &mut Lowering<'_>,
+    ) {
+        let Some((residuals, kind)) = low.balance(left, right) else {
+            return;
+        };
+        let expanded = super::expand(&mut low.graph, &residuals);
+        let many = expanded.len() > 1;
+        for (residual, component) in expanded.into_iter().zip(["x", "y", "z"]) {
+            if !self.is_usable(residual, left.span.to(right.span), low) {
+                continue;
+            }
+            self.equations.push(Equation {
+                residual,
+                name: if many {
+                    format!("{name}.{component}")
+                } else {
+                    name.to_string()
+                },
+                span: statement.span,
+                lagrange: None,
+            });
+            self.kinds.push(kind);
+        }
+        self.texts.push(EquationInfo {
+            text: print::statement(statement),
+            unit: Unit::for_dimension(&kind.dimension()).symbol,
+            span: statement.span,
+        });
+    }
+
+    /// A loop is closed by dependent coordinates, at every position of the drivers.
+    fn is_usable(&self, residual: Expression, span: Span, low: &mut Lowering<'_>) -> bool {
+        let depends = |low: &Lowering<'_>, kind: &dyn Fn(Symbol) -> bool| {
+            low.graph.depends_on(residual, kind)
+        };
+        let report = match () {
+            () if depends(low, &|symbol| symbol == Symbol::Time) => {
+                Diagnostic::error(span, "a closure cannot depend on the time by itself")
+                    .hint("say with a `driver` what moves")
+            }
+            () if depends(low, &|symbol| {
+                matches!(
+                    symbol,
+                    Symbol::Coordinate(_)
+                        | Symbol::State(_)
+                        | Symbol::Speed(_)
+                        | Symbol::Acceleration(_)
+                )
+            }) =>
+            {
+                Diagnostic::error(
+                    span,
+                    "closures that bind coordinates are not available in this version of Assur",
+                )
+                .hint("a closure can hold drivers and dependent coordinates")
+            }
+            () if depends(low, &|symbol| {
+                matches!(
+                    symbol,
+                    Symbol::DriverRate(_) | Symbol::DriverAcceleration(_)
+                )
+            }) =>
+            {
+                Diagnostic::error(
+                    span,
+                    "a closure binds positions, and this holds a time derivative",
+                )
+            }
+            () if !depends(low, &|symbol| matches!(symbol, Symbol::Dependent(_))) => {
+                let zero = low.graph.as_number(residual) == Some(0.0);
+                let report = Diagnostic::error(
+                    span,
+                    "no dependent coordinate occurs in this equation, so it closes nothing",
+                );
+                match zero {
+                    true => report.hint("one component of the vector equation says 0 = 0"),
+                    false => report
+                        .hint("declare what it determines with `dependent`, or write a `require`"),
+                }
+            }
+            () => return true,
+        };
+        low.diagnostics.push(report);
+        false
+    }
+
+    /// Two equations that say the same.
+    fn report_repeated(&self, low: &mut Lowering<'_>) {
+        for (index, one) in self.equations.iter().enumerate() {
+            let opposite = low.graph.neg(one.residual);
+            let same =
+                |other: &&Equation| other.residual == one.residual || other.residual == opposite;
+            if let Some(earlier) = self.equations[..index].iter().find(same) {
+                let message = format!(
+                    "the closures `{}` and `{}` say the same",
+                    earlier.name, one.name
+                );
+                low.diagnostics.push(
+                    Diagnostic::error(one.span, message)
+                        .related(earlier.span, "the first one")
+                        .hint("take one of them away: it determines nothing"),
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! The order in which the loops are closed.
+
+use super::{Group, Loops, Slopes, angles};
+use crate::diagnostic::Diagnostic;
+use crate::expression::{Expression, Graph, Symbol};
+use crate::lower::{Kind, Lowering};
+use crate::motion::{Equation, Hints, UnknownName, report_imbalance};
+use crate::resolve::Names;
+use crate::structure::{Incidence, Matching, blocks};
+
+/// Largest group whose matrix is inverted by its cofactors.
+const LARGEST: usize = 6;
+
+const HINTS: Hints = Hints {
+    over: "take a closure away, or declare what else it determines with `dependent`",
+    under: "add a `closure` that holds it, or make it a `driver`",
+};
+
+/// The loops of a scene in their order.
+#[derive(Default)]
+pub struct Linkage {
+    /// The scalar equations.
+    pub equations: Vec<Equation>,
+    /// Their kinds.
+    pub kinds: Vec<Kind>,
+    /// The groups, each after those it needs.
+    pub groups: Vec<Group>,
+    /// Which dependent coordinates are angles, the same after a turn.
+    pub angles: Vec<bool>,
+}
+
+impl Linkage {
+    /// Orders the loops and recognises their groups; the derivatives of the dependent coordinates become known to
+    /// `low`. `place` says in messages where this is.
+    pub fn of(loops: Loops, names: &Names, place: &str, low: &mut Lowering<'_>) -> Option<Self> {
+        let residuals: Vec<_> = loops.equations.iter().map(|one| one.residual).collect();
+        let count = names.dependents.len();
+        let incidence = incidence(&low.graph, &residuals, count);
+        let matching = Matching::of(&incidence);
+        let unknowns: Vec<UnknownName> = names
+            .dependents
+            .iter()
+            .map(|one| UnknownName {
+                name: one.name.text.clone(),
+                span: one.name.span,
+            })
+            .collect();
+        if !report_imbalance(
+            &incidence,
+            &matching,
+            &loops.equations,
+            &unknowns,
+            (place, &HINTS),
+            low.diagnostics,
+        ) {
+            return None;
+        }
+        let angles: Vec<bool> = (0..count as u32)
+            .map(Symbol::Dependent)
+            .map(|symbol| {
+                low.kind_of(symbol) == Kind::NUMBER
+                    && angles::is_turn(&mut low.graph, &residuals, symbol)
+            })
+            .collect();
+        let mut groups = Vec::new();
+        for block in blocks(&incidence, &matching) {
+            let mut unknowns = block.unknowns;
+            unknowns.sort_unstable();
+            if unknowns.len() > LARGEST {
+                report_large(&block.equations, &loops.equations, low);
+                return None;
+            }
+            let mode = groups.len() as u32;
+            groups.push(Group::of(
+                &mut low.graph,
+                &residuals,
+                block.equations,
+                unknowns,
+                &angles,
+                mode,
+            ));
+        }
+        let slopes = Slopes::new(&mut low.graph, &residuals, &groups, count);
+        let dependent = groups
+            .iter()
+            .find(|group| is_redundant(&low.graph, &slopes, group));
+        if let Some(group) = dependent {
+            report_redundant(group, &loops.equations, low);
+            return None;
+        }
+        low.slopes = Some(slopes);
+        Some(Self {
+            equations: loops.equations,
+            kinds: loops.kinds,
+            groups,
+            angles,
+        })
+    }
+}
+
+fn incidence(graph: &Graph, residuals: &[Expression], columns: usize) -> Incidence {
+    let occurs = |residual: &Expression| {
+        (0..columns)
+            .filter(|k| {
+                graph.depends_on(*residual, |symbol| symbol == Symbol::Dependent(*k as u32))
+            })
+            .collect()
+    };
+    Incidence {
+        rows: residuals.iter().map(occurs).collect(),
+        columns,
+    }
+}
+
+fn named(group: &[usize], equations: &[Equation]) -> String {
+    let names: Vec<_> = group
+        .iter()
+        .map(|row| format!("`{}`", equations[*row].name))
+        .collect();
+    names.join(", ")
+}
+
+fn report_large(group: &[usize], equations: &[Equation], low: &mut Lowering<'_>) {
+    let message = format!(
+        "{} loop equations have to be closed together ({}); at most {LARGEST} can be in this version of Assur",
+        group.len(),
+        named(group, equations)
+    );
+    let place = equations[group[0]].span;
+    low.diagnostics.push(
+        Diagnostic::error(place, message).hint("state the linkage by more and shorter loops"),
+    );
+}
+
+/// Whether the equations of a group depend on each other at every position: then the determinant of their matrix is zero
+/// wherever it is tried.
+fn is_redundant(graph: &Graph, slopes: &Slopes, group: &Group) -> bool {
+    (1..=3).all(|place| {
+        let given = |symbol: Symbol| Graph::somewhere(symbol, place);
+        let entry = |row: &usize, column: &usize| {
+            slopes
+                .entry(*row, *column)
+                .map_or(0.0, |entry| graph.evaluate(&[entry], &given)[0])
+        };
+        let mut matrix: Vec<Vec<f64>> = group
+            .equations
+            .iter()
+            .map(|row| {
+                group
+                    .unknowns
+                    .iter()
+                    .map(|column| entry(row, column))
+                    .collect()
+            })
+            .collect();
+        let size = matrix
+            .iter()
+            .flatten()
+            .fold(0.0_f64, |most, one| most.max(one.abs()));
+        smallest_pivot(&mut matrix) <= 1e-10 * size
+    })
+}
+
+/// The smallest pivot of an elimination with complete pivoting.
+fn smallest_pivot(matrix: &mut Vec<Vec<f64>>) -> f64 {
+    let mut smallest = f64::INFINITY;
+    while !matrix.is_empty() {
+        let places =
+            (0..matrix.len()).flat_map(|row| (0..matrix.len()).map(move |column| (row, column)));
+        let size = |place: &(usize, usize)| matrix[place.0][place.1].abs();
+        let best = places.max_by(|a, b| size(a).total_cmp(&size(b)));
+        let (row, column) = best.unwrap_or_default();
+        let pivot = matrix.swap_remove(row);
+        smallest = smallest.min(pivot[column].abs());
+        for other in matrix.iter_mut() {
+            let factor = other[column] / pivot[column];
+            other
+                .iter_mut()
+                .zip(&pivot)
+                .for_each(|(a, b)| *a -= factor * b);
+            other.remove(column);
+        }
+    }
+    smallest
+}
+
+fn report_redundant(group: &Group, equations: &[Equation], low: &mut Lowering<'_>) {
+    let message = format!(
+        "the loop equations {} depend on each other: one of them follows from the others at every position",
+        named(&group.equations, equations)
+    );
+    let place = group
+        .equations
+        .last()
+        .map_or(Default::default(), |row| equations[*row].span);
+    low.diagnostics.push(Diagnostic::error(place, message).hint(
+        "a mechanism needs one closure for each independent loop: leave the redundant one out",
+    ));
+}

@@ -1,0 +1,247 @@
+//! What a linkage is asked for, and what it says of itself.
+
+use super::{ClosedForm, Closing, Geometry, Linkage, Ranges, Slot, angles, expand};
+use crate::checked::{ConstantInfo, DependentInfo, GroupInfo, LinkageInfo, LoopInfo, VariableInfo};
+use crate::declare::{Drive, Moved, quantity};
+use crate::expression::{Expression, Symbol};
+use crate::lower::Lowering;
+use crate::program::{Input, Request};
+use crate::resolve::Names;
+use crate::unit::Unit;
+
+/// Most second derivatives that are written out. Beyond, and for outputs that are derivatives themselves, dual numbers
+/// find them.
+const MOST_SECOND: usize = 200;
+
+impl Linkage {
+    /// Everything but the influence coefficients. Outputs of `request` are put in terms of single angles.
+    pub fn closing(
+        &self,
+        low: &mut Lowering<'_>,
+        request: &mut Request,
+        geometry: &Geometry,
+        drives: &[Drive],
+    ) -> Closing<Expression> {
+        let graph = &mut low.graph;
+        request.outputs = expand(graph, &request.outputs);
+        let cosines = self.cosines();
+        let place = |slot: Slot| match slot {
+            Slot::Value(index) => index,
+            Slot::Cosine(index) => cosines[index].unwrap_or(index),
+            Slot::Sine(index) => cosines[index].unwrap_or(index) + 1,
+        };
+        let groups = self.groups.iter().map(|group| {
+            group.closed.as_ref().map(|closed| ClosedForm {
+                values: closed
+                    .values
+                    .iter()
+                    .map(|(slot, value)| (place(*slot), *value))
+                    .collect(),
+                sine: closed.sine,
+                margin: closed.margin,
+            })
+        });
+        let groups = groups.collect();
+        let residuals: Vec<_> = self.equations.iter().map(|one| one.residual).collect();
+        let count = cosines.len();
+        let mut slopes = Vec::new();
+        let mut coefficients = Vec::new();
+        let zero = graph.zero();
+        if let Some(known) = &mut low.slopes {
+            for row in 0..residuals.len() {
+                slopes.extend(
+                    (0..count).filter_map(|column| Some((row, column, known.entry(row, column)?))),
+                );
+            }
+            for driver in 0..drives.len() {
+                let by = known.by(graph, Symbol::Driver(driver as u32));
+                let nonzero = by
+                    .into_iter()
+                    .enumerate()
+                    .filter(|(_, value)| *value != zero);
+                coefficients.extend(nonzero.map(|(index, value)| (index, driver, value)));
+            }
+        }
+        for index in 0..count as u32 {
+            request
+                .inputs
+                .insert(Symbol::Dependent(index), Input::Position(index));
+        }
+        for group in 0..self.groups.len() as u32 {
+            request
+                .inputs
+                .insert(Symbol::Mode(group), Input::Mode(group));
+        }
+        let rates = match low.moved {
+            Moved::Given => {
+                let speeds = drives.iter().filter_map(|drive| drive.rate);
+                speeds
+                    .chain(drives.iter().filter_map(|drive| drive.acceleration))
+                    .collect()
+            }
+            _ => Vec::new(),
+        };
+        Closing {
+            groups,
+            residuals,
+            slopes,
+            coefficients,
+            influence: Vec::new(),
+            second: Vec::new(),
+            points: expand(&mut low.graph, &geometry.points),
+            rates,
+            cosines,
+        }
+    }
+
+    /// Places of the cosines in a position.
+    fn cosines(&self) -> Vec<Option<usize>> {
+        let mut next = self.angles.len();
+        let mut place = |is_angle: &bool| {
+            is_angle.then(|| {
+                next += 2;
+                next - 2
+            })
+        };
+        self.angles.iter().map(&mut place).collect()
+    }
+
+    /// What influence coefficients are taken by: the dimensions that are kept, parameters with a tolerance, the drivers.
+    pub fn variables(
+        &self,
+        names: &Names,
+        constants: &[Option<ConstantInfo>],
+        kept: &[usize],
+    ) -> Vec<VariableInfo> {
+        let counts = |old: &usize| {
+            let made = |info: &ConstantInfo| info.is_dimension || info.tolerance > 0.0;
+            constants[*old].as_ref().is_some_and(made)
+        };
+        let constants = kept.iter().enumerate().filter(|(_, old)| counts(old));
+        constants
+            .map(|(new, _)| VariableInfo::Constant(new))
+            .chain((0..names.drivers.len()).map(VariableInfo::Driver))
+            .collect()
+    }
+
+    /// Adds the influence coefficients.
+    pub fn differentiate(
+        &self,
+        low: &mut Lowering<'_>,
+        request: &mut Request,
+        variables: &[VariableInfo],
+        kept: &[usize],
+    ) {
+        let Some(slopes) = &mut low.slopes else {
+            return;
+        };
+        let graph = &mut low.graph;
+        let symbols: Vec<Symbol> = variables
+            .iter()
+            .map(|variable| match variable {
+                VariableInfo::Constant(new) => Symbol::Parameter(kept[*new] as u32),
+                VariableInfo::Driver(index) => Symbol::Driver(*index as u32),
+            })
+            .collect();
+        let directions: Vec<_> = symbols
+            .iter()
+            .map(|symbol| slopes.direction(graph, *symbol))
+            .collect();
+        let columns: Vec<Vec<Expression>> = directions
+            .iter()
+            .map(|direction| graph.tangent(&request.outputs, direction))
+            .collect();
+        for output in 0..request.outputs.len() {
+            request
+                .closing
+                .influence
+                .extend(columns.iter().map(|column| column[output]));
+        }
+        let derived = |output: &Expression| {
+            graph
+                .reachable(&[*output])
+                .iter()
+                .any(|one| low.derived.contains(one))
+        };
+        let triangle = variables.len() * (variables.len() + 1) / 2;
+        if triangle * request.outputs.len() > MOST_SECOND || request.outputs.iter().any(derived) {
+            return;
+        }
+        for output in 0..request.outputs.len() {
+            for (row, column) in columns.iter().enumerate() {
+                for direction in &directions[..=row] {
+                    let second = graph.tangent(&[column[output]], direction);
+                    request.closing.second.extend(second);
+                }
+            }
+        }
+    }
+
+    /// What the linkage says of itself.
+    pub fn info(
+        &self,
+        low: &mut Lowering<'_>,
+        names: &Names,
+        units: &[Option<Unit>],
+        geometry: Geometry,
+        mut ranges: Ranges,
+        variables: Vec<VariableInfo>,
+    ) -> LinkageInfo {
+        let residuals: Vec<_> = self.equations.iter().map(|one| one.residual).collect();
+        for (index, range) in ranges.list.iter_mut().enumerate() {
+            if angles::is_turn(&mut low.graph, &residuals, Symbol::Driver(index as u32)) {
+                range.period = std::f64::consts::TAU;
+            }
+        }
+        let starts = names
+            .dependents
+            .iter()
+            .map(|declared| match &declared.what.start {
+                Some(term) => low.fixed(term).map_or(f64::NAN, |(value, _)| value),
+                None => f64::NAN,
+            });
+        let starts: Vec<f64> = starts.collect();
+        let dependents = names.dependents.iter().zip(units).enumerate().filter_map(
+            |(index, (declared, unit))| {
+                let unit = unit.as_ref()?;
+                Some(DependentInfo {
+                    quantity: quantity(
+                        &declared.name.text,
+                        &declared.summary,
+                        &unit.dimension,
+                        unit,
+                    ),
+                    is_angle: self.angles[index],
+                    start: starts[index],
+                })
+            },
+        );
+        let loops = self
+            .equations
+            .iter()
+            .zip(&self.kinds)
+            .map(|(equation, kind)| {
+                let unit = Unit::for_dimension(&kind.dimension());
+                LoopInfo {
+                    name: equation.name.clone(),
+                    factor: unit.scale(),
+                    unit: unit.symbol,
+                    span: equation.span,
+                }
+            });
+        let groups = self.groups.iter().map(|group| GroupInfo {
+            kind: group.kind,
+            equations: group.equations.clone(),
+            unknowns: group.unknowns.clone(),
+        });
+        LinkageInfo {
+            ranges: ranges.list,
+            dependents: dependents.collect(),
+            loops: loops.collect(),
+            groups: groups.collect(),
+            variables,
+            points: geometry.names,
+            links: geometry.links,
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! How the dependent coordinates change: `∂F/∂z·dz = −∂F/∂x·dx`, group after group.
+
+use std::collections::{BTreeMap, HashMap};
+
+use super::Group;
+use crate::expression::{Expression, Graph, Symbol};
+
+/// Partial derivatives of the loop equations, and of the dependent coordinates by anything else.
+#[derive(Default)]
+pub struct Slopes {
+    residuals: Vec<Expression>,
+    /// For each equation its partial derivatives by dependent coordinates.
+    rows: Vec<BTreeMap<usize, Expression>>,
+    groups: Vec<Inverse>,
+    by: HashMap<Symbol, Vec<Expression>>,
+    unknowns: usize,
+}
+
+/// A group with the inverse of its matrix.
+struct Inverse {
+    equations: Vec<usize>,
+    unknowns: Vec<usize>,
+    /// One row for each unknown.
+    rows: Vec<Vec<Expression>>,
+}
+
+impl Slopes {
+    /// Takes the derivatives of ordered equations.
+    pub fn new(
+        graph: &mut Graph,
+        residuals: &[Expression],
+        groups: &[Group],
+        unknowns: usize,
+    ) -> Self {
+        let symbols: Vec<_> = (0..unknowns as u32).map(Symbol::Dependent).collect();
+        let mut rows = vec![BTreeMap::new(); residuals.len()];
+        for (row, column, value) in graph.jacobian(residuals, &symbols) {
+            rows[row].insert(column, value);
+        }
+        let zero = graph.zero();
+        let groups = groups
+            .iter()
+            .map(|group| {
+                let entry =
+                    |row: &usize, column: &usize| rows[*row].get(column).copied().unwrap_or(zero);
+                let matrix: Vec<Vec<_>> = group
+                    .equations
+                    .iter()
+                    .map(|row| {
+                        group
+                            .unknowns
+                            .iter()
+                            .map(|column| entry(row, column))
+                            .collect()
+                    })
+                    .collect();
+                let inverse = inverse(graph, &matrix);
+                Inverse {
+                    equations: group.equations.clone(),
+                    unknowns: group.unknowns.clone(),
+                    rows: inverse,
+                }
+            })
+            .collect();
+        Self {
+            residuals: residuals.to_vec(),
+            rows,
+            groups,
+            by: HashMap::new(),
+            unknowns,
+        }
+    }
+
+    /// Entry of the matrix `∂F/∂z`.
+    pub fn entry(&self, row: usize, column: usize) -> Option<Expression> {
+        self.rows[row].get(&column).copied()
+    }
+
+    /// Derivatives of all dependent coordinates by something given, everything else given being held.
+    pub fn by(&mut self, graph: &mut Graph, symbol: Symbol) -> Vec<Expression> {
+        if let Some(known) = self.by.get(&symbol) {
+            return known.clone();
+        }
+        let direction = HashMap::from([(symbol, graph.one())]);
+        let direct = graph.tangent(&self.residuals, &direction);
+        let zero = graph.zero();
+        let mut values = vec![zero; self.unknowns];
+        for group in &self.groups {
+            let Inverse {
+                equations,
+                unknowns,
+                rows: inverse,
+            } = group;
+            let right: Vec<_> = equations
+                .iter()
+                .map(|&row| {
+                    let mut terms = vec![direct[row]];
+                    for (column, slope) in &self.rows[row] {
+                        if !unknowns.contains(column) {
+                            terms.push(graph.mul(*slope, values[*column]));
+                        }
+                    }
+                    let sum = graph.sum(&terms);
+                    graph.neg(sum)
+                })
+                .collect();
+            for (unknown, row) in unknowns.iter().zip(inverse) {
+                let terms: Vec<_> = row
+                    .iter()
+                    .zip(&right)
+                    .map(|(a, b)| graph.mul(*a, *b))
+                    .collect();
+                values[*unknown] = graph.sum(&terms);
+            }
+        }
+        self.by.insert(symbol, values.clone());
+        values
+    }
+
+    /// A direction in which something given changes by one, and the dependent coordinates follow.
+    pub fn direction(&mut self, graph: &mut Graph, symbol: Symbol) -> HashMap<Symbol, Expression> {
+        let zero = graph.zero();
+        let follow = self.by(graph, symbol);
+        let mut direction: HashMap<_, _> = (0..self.unknowns as u32)
+            .map(Symbol::Dependent)
+            .zip(follow)
+            .filter(|(_, value)| *value != zero)
+            .collect();
+        direction.insert(symbol, graph.one());
+        direction
+    }
+}
+
+/// The inverse by cofactors, which share their minors.
+fn inverse(graph: &mut Graph, matrix: &[Vec<Expression>]) -> Vec<Vec<Expression>> {
+    let size = matrix.len();
+    let one = graph.one();
+    let all: Vec<usize> = (0..size).collect();
+    let determinant = minor(graph, matrix, &all, &all);
+    (0..size)
+        .map(|unknown| {
+            (0..size)
+                .map(|equation| {
+                    let without = |left_out: usize| -> Vec<usize> {
+                        all.iter()
+                            .copied()
+                            .filter(|index| *index != left_out)
+                            .collect()
+                    };
+                    let rest = match size {
+                        1 => one,
+                        _ => minor(graph, matrix, &without(equation), &without(unknown)),
+                    };
+                    let sign = if (unknown + equation) % 2 == 0 {
+                        1.0
+                    } else {
+                        -1.0
+                    };
+                    let cofactor = graph.scale(sign, rest);
+                    graph.div(cofactor, determinant)
+                })
+                .collect()
+        })
+        .collect()
+}
+
+/// The determinant of some rows and columns, by expansion along the first of the rows.
+fn minor(
+    graph: &mut Graph,
+    matrix: &[Vec<Expression>],
+    rows: &[usize],
+    columns: &[usize],
+) -> Expression {
+    if let ([row], [column]) = (rows, columns) {
+        return matrix[*row][*column];
+    }
+    let zero = graph.zero();
+    let mut terms = Vec::new();
+    for (index, column) in columns.iter().enumerate() {
+        let entry = matrix[rows[0]][*column];
+        if entry == zero {
+            continue;
+        }
+        let others: Vec<usize> = columns
+            .iter()
+            .copied()
+            .filter(|other| other != column)
+            .collect();
+        let below = minor(graph, matrix, &rows[1..], &others);
+        let share = graph.mul(entry, below);
+        terms.push(if index % 2 == 0 {
+            share
+        } else {
+            graph.neg(share)
+        });
+    }
+    graph.sum(&terms)
+}
