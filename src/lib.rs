@@ -13,7 +13,9 @@
 extern crate self as assur;
 
 pub use assur_macros::{equations, mechanism};
-pub use assur_solvers::{check, dense, dispatch, ode, periodic, problem, registry, scalar};
+pub use assur_solvers::{
+    check, closure, dense, dispatch, ode, periodic, problem, registry, scalar,
+};
 
 /// What most programs need: `use assur::prelude::*;`.
 pub mod prelude {

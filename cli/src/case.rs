@@ -28,7 +28,7 @@ impl Case {
     /// When the mechanism refuses them, with its reason.
     pub fn new(constants: Constants) -> Result<Self, Failure> {
         let scene = constants.scene;
-        let run = (scene.bind)(&constants.values).map_err(|refused| {
+        let run = scene.bind.motion(&constants.values).map_err(|refused| {
             Failure::request(format!(
                 "scene `{}` does not accept these values",
                 scene.name

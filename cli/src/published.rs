@@ -117,13 +117,7 @@ pub fn compare(
 
 fn one(fact: &'static Expectation, solved: &Solved<'_>, comparable: bool) -> Option<Comparison> {
     let case = solved.case;
-    let (is_output, index) = fact.quantity;
-    let table = if is_output {
-        case.scene.outputs
-    } else {
-        case.scene.states
-    };
-    let name = table.get(index)?.name;
+    let name = case.scene.quantity(fact.subject)?.name;
     let variable = case
         .variables
         .iter()
@@ -143,6 +137,7 @@ fn one(fact: &'static Expectation, solved: &Solved<'_>, comparable: bool) -> Opt
         At::Maximum => ("maximum".to_owned(), None, extreme.maximum.1),
         At::Minimum => ("minimum".to_owned(), None, extreme.minimum.1),
         At::Amplitude => ("amplitude".to_owned(), None, extreme.amplitude()),
+        At::Position(_) => return None,
     };
     let computed = time.map_or(extreme, |time| case.sample(solved.motion, time)[variable]);
     let place = if solved.preset == case.scene.preset {

@@ -50,7 +50,7 @@ fn module(file: &LitStr, others: &[Ident]) -> Result<(Ident, TokenStream), Strin
     let name = names::identifier(&stem);
     if !path.ends_with(".eqn") || stem != name.to_string().trim_start_matches("r#") {
         return Err(format!(
-            "found `{path}`, expected a file like `heald_linkage.eqn`, which names a module"
+            "found `{path}`, expected a file like `pendulum.eqn`, which names a module"
         ));
     }
     if others.contains(&name) {

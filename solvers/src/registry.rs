@@ -67,13 +67,49 @@ pub struct Preset {
     pub values: &'static [(&'static str, f64)],
 }
 
-/// Fixes the values of a scene (SI units, in the order of its constants), if the mechanism accepts them.
+/// What fixes the values of a scene (SI units, in the order of its constants), if the mechanism accepts them.
+pub type Binder<R> = fn(&[f64]) -> Result<Box<R>, Refused>;
+
+/// Fixes the values of a scene.
 #[derive(Clone, Copy)]
 pub enum Bind {
     /// Of a scene that moves by its equations of motion.
-    Motion(fn(&[f64]) -> Result<Box<dyn Run>, Refused>),
+    Motion(Binder<dyn Run>),
     /// Of a linkage.
-    Linkage(fn(&[f64]) -> Result<Box<dyn RunLinkage>, Refused>),
+    Linkage(Binder<dyn RunLinkage>),
+}
+
+impl Bind {
+    /// Fixes the values of a scene that moves by its equations of motion.
+    ///
+    /// # Errors
+    /// The first value or condition that the mechanism does not accept, or that the scene is a linkage.
+    pub fn motion(&self, values: &[f64]) -> Result<Box<dyn Run>, Refused> {
+        match self {
+            Bind::Motion(bind) => bind(values),
+            Bind::Linkage(_) => Err(other_kind("a linkage, which is moved from outside")),
+        }
+    }
+
+    /// Fixes the values of a linkage.
+    ///
+    /// # Errors
+    /// The first value or condition that the mechanism does not accept, or that the scene is none.
+    pub fn linkage(&self, values: &[f64]) -> Result<Box<dyn RunLinkage>, Refused> {
+        match self {
+            Bind::Linkage(bind) => bind(values),
+            Bind::Motion(_) => Err(other_kind(
+                "no linkage: it moves by its equations of motion",
+            )),
+        }
+    }
+}
+
+fn other_kind(reason: &str) -> Refused {
+    Refused {
+        name: "the scene".to_string(),
+        reason: format!("it is {reason}"),
+    }
 }
 
 /// One scene of a mechanism.
@@ -109,6 +145,17 @@ pub struct SceneEntry {
     pub bind: Bind,
     /// The loops, if the scene is a linkage.
     pub linkage: Option<LinkageEntry>,
+}
+
+impl SceneEntry {
+    /// What a published fact speaks of; of an influence coefficient the output that is influenced.
+    pub fn quantity(&self, subject: Subject) -> Option<&'static Quantity> {
+        match (subject, &self.linkage) {
+            (Subject::Output(index) | Subject::Influence(index, _), _) => self.outputs.get(index),
+            (Subject::State(index), Some(linkage)) => linkage.dependents.get(index),
+            (Subject::State(index), None) => self.states.get(index),
+        }
+    }
 }
 
 /// A dimension or parameter.

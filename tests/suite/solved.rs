@@ -72,7 +72,7 @@ impl Solved {
         settings: &Settings,
     ) -> Result<Self, PeriodicError> {
         let values = values(entry, changes);
-        let run = (entry.bind)(&values).unwrap();
+        let run = entry.bind.motion(&values).unwrap();
         let Span::Periodic(period) = run.span() else {
             panic!("the scene {} has another task", entry.name);
         };
@@ -147,5 +147,5 @@ impl Solved {
 
 /// Fixes the values of a scene with some of them changed.
 pub fn bind(entry: &SceneEntry, changes: &[(&str, f64)]) -> Result<Box<dyn Run>, Refused> {
-    (entry.bind)(&values(entry, changes))
+    entry.bind.motion(&values(entry, changes))
 }

@@ -1,7 +1,7 @@
 //! The loops of a linkage prepared for a scalar type: closed forms, trial positions, derivatives.
 
-use assur_model::checked::{GroupInfo, LinkageInfo};
-use assur_model::program::{Input, OperationKind, Value};
+use assur_model::checked::LinkageInfo;
+use assur_model::program::Value;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -48,8 +48,8 @@ pub fn items(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
         .map(|(method, target, values)| list(layout, method, target, values));
     let methods = [
         instant::of_drivers(layout),
-        close(layout, linkage),
-        margin(layout, linkage),
+        close(layout),
+        margin(layout),
         trial(layout, linkage),
         coefficients(layout, linkage),
     ];
@@ -79,9 +79,9 @@ fn by_group(arms: Vec<Option<TokenStream>>, otherwise: TokenStream) -> TokenStre
     quote!(match group { #(#arms)* _ => #otherwise })
 }
 
-fn close(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
+fn close(layout: &Layout<'_>) -> TokenStream {
     let groups = &layout.program().results.closing.groups;
-    let arms = groups.iter().zip(&linkage.groups).map(|(closed, group)| {
+    let arms = groups.iter().map(|closed| {
         let closed = closed.as_ref()?;
         let wanted: Vec<Value> = closed
             .values
@@ -95,9 +95,8 @@ fn close(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
             let (place, value) = (size(*place), body.value(*value));
             quote!(position[#place] = #value;)
         });
-        let text = equations(layout, group);
         let sine = body.value(closed.sine);
-        Some(quote!(#text { #statements #(#writes)* #sine }))
+        Some(quote!(#statements #(#writes)* #sine))
     });
     let arms = by_group(arms.collect(), quote!(S::from_f64(f64::NAN)));
     quote! {
@@ -108,14 +107,9 @@ fn close(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
     }
 }
 
-/// The equations of a group in its unknowns, as a statement that does nothing but say so.
-fn equations(_layout: &Layout<'_>, _group: &GroupInfo) -> TokenStream {
-    TokenStream::new()
-}
-
-fn margin(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
+fn margin(layout: &Layout<'_>) -> TokenStream {
     let groups = &layout.program().results.closing.groups;
-    let arms = groups.iter().zip(&linkage.groups).map(|(closed, _)| {
+    let arms = groups.iter().map(|closed| {
         let wanted = [closed.as_ref()?.margin];
         let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
         let (statements, value) = (body.statements(&wanted), body.value(wanted[0]));
@@ -260,12 +254,4 @@ fn list(layout: &Layout<'_>, method: &str, target: &TokenStream, wanted: &[Value
             #writes
         }
     }
-}
-
-/// Whether a value is given from outside with the position.
-pub fn is_given(kind: &OperationKind) -> bool {
-    matches!(
-        kind,
-        OperationKind::Input(Input::Position(_) | Input::Mode(_))
-    )
 }

@@ -101,7 +101,7 @@ pub fn pascal(name: &str) -> String {
     text
 }
 
-/// `HealdLinkage` as `heald_linkage`: the name of a module or function.
+/// `SpringPendulum` as `spring_pendulum`: the name of a module or function.
 pub fn snake(name: &str) -> String {
     let mut text = String::new();
     let mut lower_before = false;

@@ -76,6 +76,7 @@ mod pendulum_ {
                 is_dimension: true,
                 default: 1.0,
                 tolerance: 0.0,
+                distribution: ::assur::registry::Distribution::Normal,
                 range: (0.001, 100.0),
             },
             ::assur::registry::Constant {
@@ -89,6 +90,7 @@ mod pendulum_ {
                 is_dimension: false,
                 default: 2.0,
                 tolerance: 0.0,
+                distribution: ::assur::registry::Distribution::Normal,
                 range: (f64::NEG_INFINITY, f64::INFINITY),
             },
             ::assur::registry::Constant {
@@ -102,6 +104,7 @@ mod pendulum_ {
                 is_dimension: false,
                 default: 9.81,
                 tolerance: 0.0,
+                distribution: ::assur::registry::Distribution::Normal,
                 range: (f64::NEG_INFINITY, f64::INFINITY),
             },
         ];
@@ -119,7 +122,7 @@ mod pendulum_ {
         }
         /// The conditions on the values.
         fn requirements_<S: ::assur::scalar::Scalar>(&self) -> [S::Mask; 1] {
-            let l = S::from_f64(self.l);
+            let l = <S as ::assur::scalar::Scalar>::from_f64(self.l);
             [S::less(l, S::from_f64(50.0))]
         }
         /// The period, or the first and the last time.
@@ -143,9 +146,9 @@ mod pendulum_ {
         const OUTPUT_NAMES: &'static [&'static str] = &["pull"];
         #[inline(always)]
         fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
-            let g = S::from_f64(self.g);
-            let l = S::from_f64(self.l);
-            let m = S::from_f64(self.m);
+            let g = <S as ::assur::scalar::Scalar>::from_f64(self.g);
+            let l = <S as ::assur::scalar::Scalar>::from_f64(self.l);
+            let m = <S as ::assur::scalar::Scalar>::from_f64(self.m);
             let v11_ = m * (l * l);
             SwingEquations {
                 g,
@@ -390,7 +393,7 @@ mod pendulum_ {
                 expectations: &[
                     ::assur::registry::Expectation {
                         at: ::assur::registry::At::Maximum,
-                        quantity: (true, 0),
+                        subject: ::assur::registry::Subject::Output(0),
                         value: 37.65854,
                         tolerance: 0.0001,
                         preset: "",
@@ -398,7 +401,8 @@ mod pendulum_ {
                         line: 19,
                     },
                 ],
-                bind: bind_Swing_,
+                bind: ::assur::registry::Bind::Motion(bind_Swing_),
+                linkage: ::core::option::Option::None,
             },
         ],
     };

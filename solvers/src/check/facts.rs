@@ -3,7 +3,9 @@
 use super::Failed;
 use crate::ode::Trajectory;
 use crate::problem::Span;
-use crate::registry::{At, Expectation, Mechanism, Method, Quantity, Run, SceneEntry, Settings};
+use crate::registry::{
+    At, Expectation, Mechanism, Method, Quantity, Run, SceneEntry, Settings, Subject,
+};
 
 /// How the motion is found: far more accurately than anything is published.
 const SETTINGS: Settings = Settings {
@@ -22,14 +24,8 @@ pub fn fact(mechanism: &Mechanism, scene: &str, index: usize) -> Result<(), Fail
     let scene = scene.ok_or_else(|| Failed("there is no such scene".into()))?;
     let fact = scene.expectations.get(index);
     let fact = fact.ok_or_else(|| Failed("there is no such fact".into()))?;
-    let (is_output, quantity) = fact.quantity;
-    let table = if is_output {
-        scene.outputs
-    } else {
-        scene.states
-    };
-    let quantity = table
-        .get(quantity)
+    let quantity = scene
+        .quantity(fact.subject)
         .ok_or_else(|| Failed("the scene does not report the quantity".into()))?;
     let motion = Motion::of(mechanism, scene, fact)?;
     let computed = motion
@@ -88,7 +84,10 @@ impl Motion {
                 own.map_or(constant.default, |(_, value)| *value)
             })
             .collect();
-        let run = (scene.bind)(&values).map_err(|refused| Failed(refused.to_string()))?;
+        let run = scene
+            .bind
+            .motion(&values)
+            .map_err(|refused| Failed(refused.to_string()))?;
         let span = run.span();
         let unsolved = |error: &dyn std::fmt::Display| Failed(format!("no motion: {error}"));
         let path = match span {
@@ -109,28 +108,30 @@ impl Motion {
     /// The computed value of a fact; nothing where the motion does not get there.
     fn value(&self, fact: &Expectation) -> Option<f64> {
         match fact.at {
-            At::Time(time) => self.at(self.span.reduce(time)?, fact.quantity),
+            At::Time(time) => self.at(self.span.reduce(time)?, fact.subject),
             At::Driver(driver, position) => {
                 let time = self.run.time_of(driver, position).ok()?;
-                self.at(time, fact.quantity)
+                self.at(time, fact.subject)
             }
-            At::Maximum => self.largest(fact.quantity, |value| value),
+            At::Maximum => self.largest(fact.subject, |value| value),
             At::Minimum => self
-                .largest(fact.quantity, |value| -value)
+                .largest(fact.subject, |value| -value)
                 .map(|value| -value),
-            At::Amplitude => self.largest(fact.quantity, f64::abs),
+            At::Amplitude => self.largest(fact.subject, f64::abs),
+            At::Position(_) => None,
         }
     }
 
-    /// A state (`false`) or output (`true`) at a time.
-    fn at(&self, time: f64, quantity: (bool, usize)) -> Option<f64> {
+    /// A state or output at a time.
+    fn at(&self, time: f64, subject: Subject) -> Option<f64> {
         let state = match &self.path {
             Some(path) => path.at(time),
             None => self.run.start(),
         };
-        match quantity.0 {
-            true => self.run.outputs(time, &state).get(quantity.1).copied(),
-            false => state.get(quantity.1).copied(),
+        match subject {
+            Subject::Output(index) => self.run.outputs(time, &state).get(index).copied(),
+            Subject::State(index) => state.get(index).copied(),
+            Subject::Influence(..) => None,
         }
     }
 
@@ -142,9 +143,9 @@ impl Motion {
     }
 
     /// The largest of what is made of a quantity over the task.
-    fn largest(&self, quantity: (bool, usize), size: impl Fn(f64) -> f64) -> Option<f64> {
+    fn largest(&self, subject: Subject, size: impl Fn(f64) -> f64) -> Option<f64> {
         let times = self.times();
-        let at = |time: f64| self.at(time, quantity).map(&size);
+        let at = |time: f64| self.at(time, subject).map(&size);
         let mut best = (0, f64::NEG_INFINITY);
         for (index, time) in times.iter().enumerate() {
             let here = at(*time)?;

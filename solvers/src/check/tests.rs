@@ -2,7 +2,9 @@
 
 use super::{energy, fact, jacobian};
 use crate::problem::{Equations, Refused, Scene, Span};
-use crate::registry::{At, Expectation, Mechanism, Operations, Quantity, SceneEntry, bind};
+use crate::registry::{
+    At, Bind, Expectation, Mechanism, Operations, Quantity, SceneEntry, Subject, bind,
+};
 use crate::scalar::Scalar;
 
 /// An oscillator of unit frequency whose spring hardens; with a mistake in its Jacobian or a leak in its energy.
@@ -99,7 +101,7 @@ const LENGTH: Quantity = Quantity {
 fn fact_about(at: At, value: f64) -> Result<(), super::Failed> {
     let expectations = Box::leak(Box::new([Expectation {
         at,
-        quantity: (false, 0),
+        subject: Subject::State(0),
         value,
         tolerance: 1e-9,
         preset: "",
@@ -120,7 +122,8 @@ fn fact_about(at: At, value: f64) -> Result<(), super::Failed> {
         operations: Operations::default(),
         marks: &[],
         expectations,
-        bind: |_| bind(Oscillator::<RIGHT>),
+        bind: Bind::Motion(|_| bind(Oscillator::<RIGHT>)),
+        linkage: None,
     }]));
     let mechanism = Mechanism {
         name: "oscillator",

@@ -161,6 +161,7 @@ mod tests {
         is_dimension: false,
         default: 1e-3,
         tolerance: 0.0,
+        distribution: crate::registry::Distribution::Normal,
         range: (1e-6, 10.0),
     };
 

@@ -149,6 +149,7 @@ impl Elastic {
             is_dimension: true,
             default: 0.075,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (0.001, 1.0),
         },
         ::assur::registry::Constant {
@@ -162,6 +163,7 @@ impl Elastic {
             is_dimension: true,
             default: 0.271,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (0.001, 10.0),
         },
         ::assur::registry::Constant {
@@ -175,6 +177,7 @@ impl Elastic {
             is_dimension: false,
             default: 26.17993877991494,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (0.10471975511965977, 209.43951023931953),
         },
         ::assur::registry::Constant {
@@ -188,6 +191,7 @@ impl Elastic {
             is_dimension: false,
             default: 28.5,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (1e-6, 100000.0),
         },
         ::assur::registry::Constant {
@@ -201,6 +205,7 @@ impl Elastic {
             is_dimension: false,
             default: 28.5,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (1e-6, 100000.0),
         },
         ::assur::registry::Constant {
@@ -214,6 +219,7 @@ impl Elastic {
             is_dimension: false,
             default: 2.02,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (1e-6, 100000.0),
         },
         ::assur::registry::Constant {
@@ -227,6 +233,7 @@ impl Elastic {
             is_dimension: false,
             default: 2.02,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (1e-6, 100000.0),
         },
         ::assur::registry::Constant {
@@ -240,6 +247,7 @@ impl Elastic {
             is_dimension: false,
             default: 0.385,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (0.0, 10.0),
         },
         ::assur::registry::Constant {
@@ -253,6 +261,7 @@ impl Elastic {
             is_dimension: false,
             default: 20980.0,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (1.0, 1000000000000.0),
         },
         ::assur::registry::Constant {
@@ -266,6 +275,7 @@ impl Elastic {
             is_dimension: false,
             default: 0.1004,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (1e-9, 1000000.0),
         },
         ::assur::registry::Constant {
@@ -279,6 +289,7 @@ impl Elastic {
             is_dimension: false,
             default: 3.8e-6,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (1e-15, 1.0),
         },
         ::assur::registry::Constant {
@@ -292,6 +303,7 @@ impl Elastic {
             is_dimension: false,
             default: 3.8e-6,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (1e-15, 1.0),
         },
         ::assur::registry::Constant {
@@ -305,6 +317,7 @@ impl Elastic {
             is_dimension: false,
             default: 1.22e-6,
             tolerance: 0.0,
+            distribution: ::assur::registry::Distribution::Normal,
             range: (-1.0, 1.0),
         },
     ];
@@ -346,16 +359,16 @@ impl Elastic {
     }
     /// The conditions on the values.
     fn requirements_<S: ::assur::scalar::Scalar>(&self) -> [S::Mask; 2] {
-        let R = S::from_f64(self.R);
-        let l = S::from_f64(self.l);
-        let d33 = S::from_f64(self.d33);
-        let d44 = S::from_f64(self.d44);
-        let d34 = S::from_f64(self.d34);
+        let R = <S as ::assur::scalar::Scalar>::from_f64(self.R);
+        let l = <S as ::assur::scalar::Scalar>::from_f64(self.l);
+        let d33 = <S as ::assur::scalar::Scalar>::from_f64(self.d33);
+        let d44 = <S as ::assur::scalar::Scalar>::from_f64(self.d44);
+        let d34 = <S as ::assur::scalar::Scalar>::from_f64(self.d34);
         [S::less(R, l), S::less(d34 * d34, d33 * d44)]
     }
     /// The period, or the first and the last time.
     fn span_<S: ::assur::scalar::Scalar>(&self) -> [S; 1] {
-        let n = S::from_f64(self.n);
+        let n = <S as ::assur::scalar::Scalar>::from_f64(self.n);
         [S::from_f64(6.283185307179586) / n]
     }
     /// The declared start values of the state.
@@ -405,34 +418,34 @@ impl ::assur::problem::Scene for Elastic {
     ];
     #[inline(always)]
     fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
-        let J2 = S::from_f64(self.J2);
-        let m2 = S::from_f64(self.m2);
-        let R = S::from_f64(self.R);
+        let J2 = <S as ::assur::scalar::Scalar>::from_f64(self.J2);
+        let m2 = <S as ::assur::scalar::Scalar>::from_f64(self.m2);
+        let R = <S as ::assur::scalar::Scalar>::from_f64(self.R);
         let v11_ = R * R;
         let v12_ = m2 * v11_;
-        let n = S::from_f64(self.n);
-        let l = S::from_f64(self.l);
+        let n = <S as ::assur::scalar::Scalar>::from_f64(self.n);
+        let l = <S as ::assur::scalar::Scalar>::from_f64(self.l);
         let v15_ = S::ONE / l;
         let v16_ = R * v15_;
-        let c = S::from_f64(self.c);
-        let d33 = S::from_f64(self.d33);
-        let d44 = S::from_f64(self.d44);
-        let d34 = S::from_f64(self.d34);
+        let c = <S as ::assur::scalar::Scalar>::from_f64(self.c);
+        let d33 = <S as ::assur::scalar::Scalar>::from_f64(self.d33);
+        let d44 = <S as ::assur::scalar::Scalar>::from_f64(self.d44);
+        let d34 = <S as ::assur::scalar::Scalar>::from_f64(self.d34);
         let v23_ = S::ONE / S::mul_add(d33, d44, -(d34 * d34));
-        let lambda = S::from_f64(self.lambda);
+        let lambda = <S as ::assur::scalar::Scalar>::from_f64(self.lambda);
         let v26_ = S::ONE + lambda;
         let v29_ = v23_ * d34;
         let v30_ = v23_ * d33;
         let v31_ = n * n;
         let v32_ = v11_ * v31_;
-        let m3 = S::from_f64(self.m3);
+        let m3 = <S as ::assur::scalar::Scalar>::from_f64(self.m3);
         let v40_ = S::ONE / m3;
-        let m4 = S::from_f64(self.m4);
+        let m4 = <S as ::assur::scalar::Scalar>::from_f64(self.m4);
         let v42_ = S::ONE / m4;
         let v46_ = -S::mul_add(lambda, d44, v26_ * d34);
         let v48_ = S::mul_add(lambda, d34, v26_ * d33);
         let v54_ = R * v23_;
-        let m1 = S::from_f64(self.m1);
+        let m1 = <S as ::assur::scalar::Scalar>::from_f64(self.m1);
         ElasticEquations {
             J2,
             m2,
