@@ -5,4 +5,5 @@
 assur::equations! {
     "batten.eqn",
     "batten_table.eqn",
+    "heald_linkage.eqn",
 }
