@@ -51,10 +51,13 @@ pub trait Closure<S: Scalar> {
     type Position: Storage<S>;
     /// What depends on the independent variables alone.
     type Instant: Clone;
-    /// Room for the rows of the largest group.
+    /// Room for the rows of the largest group: its number of equations.
     type Row: Storage<S>;
-    /// Room for the square matrix of the largest group.
+    /// Room for the square matrix of the largest group: the square of that number.
     type Matrix: Storage<S>;
+
+    /// A position with all entries zero.
+    fn zeros(&self) -> Self::Position;
 
     /// Values that depend on the independent variables alone.
     fn instant(&self, independents: &[S]) -> Self::Instant;
