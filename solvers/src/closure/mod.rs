@@ -1,5 +1,27 @@
 //! Positions of a linkage: its loops closed.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | [`problem`](self) | what is asked of a linkage: [`Closure`], [`Linkage`] |
+//! | `newton`, `scaled` | one group that has no closed form |
+//! | `assembly`, `start`, `predict` | [`Assembly`]: all groups in their modes, put together and moved |
+//! | `continuation`, `crossing` | the same where a step is not certain to keep the modes |
 
+mod assembly;
+mod continuation;
+mod crossing;
+mod error;
+mod newton;
+mod predict;
 mod problem;
+mod root;
+mod scaled;
+mod start;
+#[cfg(test)]
+mod tests;
 
+pub use assembly::{Assembly, Event};
+pub use error::ClosureError;
+pub use newton::{Closed, Failure, Newton, Stop};
 pub use problem::{Closure, Group, GroupKind, Linkage, Range, Variable};
+pub use start::Start;

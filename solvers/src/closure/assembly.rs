@@ -1,0 +1,270 @@
+//! A linkage put together and moved: its position, with the assembly mode of each group.
+//!
+//! [`Assembly::move_to`] closes the groups one after the other with the modes they have and then asks whether they can
+//! have been left on the way. In closed form the sine of the transmission angle has the sign of the mode, so a mode can
+//! only be left where that sine passes through zero. With `s₀`, `s₁` the sines before and after the step, `s*` what the
+//! step before lets expect of `s₁`, and `Δ` the largest turn of a link of the group, the step is certain if
+//!
+//! ```text
+//! |s₀| + |s₁| > max(2 |s₁ - s₀|, 4 Δ, 4 |s₁ - s*|)
+//! ```
+//!
+//! The first two say that the sine cannot have gone to zero while the links turned so little and it changed so little.
+//! The third refuses what returns from zero on the wrong side, or from beyond a gap, with the same sine as before.
+//! Whatever is not certain goes the careful way of [`super::continuation`]. A group that is iterated must besides be found
+//! near where its kinematic coefficients predicted it.
+
+use super::crossing::Stand;
+use super::error::ClosureError;
+use super::newton::{Instant, Newton, Position};
+use super::problem::{Closure, GroupKind, Linkage};
+use crate::scalar::Scalar;
+
+/// Where a group stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct State<S> {
+    /// Its assembly mode, ±1.
+    pub mode: S,
+    /// Sine of its transmission angle.
+    pub sine: S,
+    /// How much that changed in the last step.
+    pub change: S,
+}
+
+/// Something that happened while a mode was followed.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Event {
+    /// Two modes met and both went on. The smooth continuation has the other sign.
+    ChangePoint {
+        /// The group concerned.
+        group: usize,
+        /// The independent variables there.
+        at: Vec<f64>,
+        /// The assembly mode after it.
+        mode: f64,
+    },
+    /// Two modes met and ended. The motion went back on the other one.
+    DeadPoint {
+        /// The group concerned.
+        group: usize,
+        /// The independent variables there.
+        at: Vec<f64>,
+        /// The assembly mode after it.
+        mode: f64,
+    },
+}
+
+/// A linkage with its dimensions fixed, its position and the modes it is assembled in. Moving it allocates nothing,
+/// except near singular positions.
+pub struct Assembly<L: Linkage, S: Scalar> {
+    pub(super) linkage: L,
+    pub(super) closure: L::Closure<S>,
+    /// The independent variables.
+    pub(super) independents: Vec<S>,
+    /// Their change in the last step.
+    pub(super) heading: Vec<S>,
+    pub(super) position: Position<L, S>,
+    /// The position before the step.
+    pub(super) last: Position<L, S>,
+    /// Whole turns that angles have made, in radians.
+    pub(super) turns: Vec<S>,
+    pub(super) groups: Vec<State<S>>,
+    /// The same after a step that is not yet accepted.
+    pub(super) next: Vec<State<S>>,
+    /// The kinematic coefficients; used only if a group is iterated.
+    pub(super) columns: Vec<Position<L, S>>,
+    pub(super) newton: Newton<L, S>,
+    pub(super) events: Vec<Event>,
+    /// The groups that stand exactly at a change point.
+    pub(super) stands: Vec<Stand>,
+}
+
+impl<L: Linkage, S: Scalar> Assembly<L, S> {
+    /// A linkage that is not yet put together: call [`Assembly::start`] next.
+    pub fn new(linkage: &L) -> Self {
+        let values: Vec<S> = linkage.values().into_iter().map(S::from_f64).collect();
+        let closure = L::prepare(&values);
+        let unknown = S::from_f64(f64::NAN);
+        let state = State {
+            mode: S::ONE,
+            sine: unknown,
+            change: unknown,
+        };
+        Self {
+            linkage: linkage.clone(),
+            independents: vec![unknown; L::INDEPENDENTS],
+            heading: vec![unknown; L::INDEPENDENTS],
+            position: closure.zeros(),
+            last: closure.zeros(),
+            turns: vec![S::ZERO; L::DEPENDENTS],
+            groups: vec![state; L::GROUPS.len()],
+            next: vec![state; L::GROUPS.len()],
+            columns: vec![closure.zeros(); L::INDEPENDENTS],
+            newton: Newton::new(),
+            events: Vec::new(),
+            stands: Vec::new(),
+            closure,
+        }
+    }
+
+    /// Moves to other values of the independent variables without leaving the modes, by one step where that is certain
+    /// and carefully elsewhere. For numbers of one lane.
+    ///
+    /// # Errors
+    /// [`ClosureError`], with the place. The linkage then stays at the last position that was reached with certainty.
+    #[inline(always)]
+    pub fn move_to(&mut self, independents: &[S]) -> Result<(), ClosureError> {
+        let instant = self.closure.instant(independents);
+        let ratio = self.ratio(independents);
+        self.last.clone_from(&self.position);
+        if self.close(independents, &instant, ratio) {
+            self.accept(independents, &instant);
+            return Ok(());
+        }
+        self.follow(independents)
+    }
+
+    /// Closes all groups and says whether they have certainly kept their modes. The last step goes into this one `ratio`
+    /// times.
+    #[inline(always)]
+    fn close(&mut self, independents: &[S], instant: &Instant<L, S>, ratio: S) -> bool {
+        let (two, four) = (S::from_f64(2.0), S::from_f64(4.0));
+        let mut certain = true;
+        for (index, group) in L::GROUPS.iter().enumerate() {
+            let now = self.groups[index];
+            let (sine, mut turned) = if group.kind == GroupKind::General {
+                self.iterate(index, independents, instant)
+            } else {
+                let position = &mut self.position;
+                let sine = self.closure.close(index, instant, now.mode, position);
+                (sine, S::ZERO)
+            };
+            if group.kind.has_modes() {
+                let (position, last) = (self.position.as_mut(), self.last.as_ref());
+                for &j in group.unknowns {
+                    if L::ANGLES[j] {
+                        position[j] = position[j] + self.turns[j];
+                        turned = larger(turned, (position[j] - last[j]).abs());
+                    }
+                }
+            }
+            let change = sine - now.sine;
+            let missed = sine - now.change.mul_add(ratio, now.sine);
+            let sum = sine.abs() + now.sine.abs();
+            let steady = S::less(two * larger(change.abs(), two * turned), sum);
+            let expected = S::less(four * missed.abs(), sum);
+            certain &= S::holds(S::and(steady, expected));
+            self.next[index] = State {
+                mode: now.mode,
+                sine,
+                change,
+            };
+        }
+        certain
+    }
+
+    /// Makes the position that was tried the position.
+    #[inline(always)]
+    pub(super) fn accept(&mut self, independents: &[S], instant: &Instant<L, S>) {
+        for (index, value) in independents.iter().enumerate() {
+            self.heading[index] = *value - self.independents[index];
+            self.independents[index] = *value;
+        }
+        self.groups.copy_from_slice(&self.next);
+        if Self::iterates() {
+            self.closure
+                .coefficients(instant, &self.position, &mut self.columns);
+        }
+    }
+
+    /// How often the last step goes into the one to these independent variables; NaN if its direction is another.
+    #[inline(always)]
+    pub(super) fn ratio(&self, independents: &[S]) -> S {
+        if let ([to], [from], [heading]) = (independents, &self.independents[..], &self.heading[..])
+        {
+            return (*to - *from) / *heading;
+        }
+        self.ratio_of_many(independents)
+    }
+
+    /// The same for several independent variables.
+    fn ratio_of_many(&self, independents: &[S]) -> S {
+        let (mut square, mut along, mut size) = (0.0, 0.0, 0.0);
+        for (k, to) in independents.iter().enumerate() {
+            let heading = self.heading[k].to_f64();
+            let change = (*to - self.independents[k]).to_f64();
+            square += heading * heading;
+            along += heading * change;
+            size += change * change;
+        }
+        let aligned = along.abs() >= (1.0 - 1e-12) * (square * size).sqrt();
+        S::from_f64(match (independents.is_empty(), aligned) {
+            (true, _) => 0.0,
+            (false, true) => along / square,
+            (false, false) => f64::NAN,
+        })
+    }
+
+    /// Whether a group is iterated.
+    #[inline(always)]
+    pub(super) fn iterates() -> bool {
+        L::GROUPS
+            .iter()
+            .any(|group| group.kind == GroupKind::General)
+    }
+
+    /// The position: the dependent coordinates first, angles continued over whole turns.
+    #[inline(always)]
+    pub fn position(&self) -> &Position<L, S> {
+        &self.position
+    }
+
+    /// The loops, prepared.
+    #[inline(always)]
+    pub fn closure(&self) -> &L::Closure<S> {
+        &self.closure
+    }
+
+    /// The independent variables.
+    #[inline(always)]
+    pub fn independents(&self) -> &[S] {
+        &self.independents
+    }
+
+    /// The assembly mode of a group, ±1; without meaning for groups that have none.
+    pub fn mode(&self, group: usize) -> f64 {
+        self.groups[group].mode.to_f64()
+    }
+
+    /// Sine of the transmission angle of a group; its smallness says how near a dead point is.
+    pub fn sine(&self, group: usize) -> f64 {
+        self.groups[group].sine.to_f64()
+    }
+
+    /// Writes the outputs at the position.
+    #[inline(always)]
+    pub fn outputs(&self, values: &mut [S]) {
+        let instant = self.closure.instant(&self.independents);
+        self.closure.outputs(&instant, &self.position, values);
+    }
+
+    /// What happened since this was asked last.
+    pub fn take_events(&mut self) -> Vec<Event> {
+        std::mem::take(&mut self.events)
+    }
+
+    /// The independent variables as plain numbers.
+    pub(super) fn place(&self) -> Vec<f64> {
+        self.independents
+            .iter()
+            .map(|value| value.to_f64())
+            .collect()
+    }
+}
+
+/// The larger of two numbers, one of them if either is NaN.
+#[inline(always)]
+fn larger<S: Scalar>(a: S, b: S) -> S {
+    S::select(S::less(a, b), b, a)
+}

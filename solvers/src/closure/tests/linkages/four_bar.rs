@@ -1,0 +1,131 @@
+//! Four-bar: crank, rod and rocker in the plane. `l1 dir(β) + l2 dir(γ) = [a, 0] + l3 dir(θ)`.
+
+use super::{Directions, Dyad, constants, directions, unasked};
+use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
+use crate::problem::Refused;
+use crate::scalar::Scalar;
+use std::f64::consts::TAU;
+
+/// Constants `l1, l2, l3, a`; unknowns `γ, θ`; outputs both.
+#[derive(Clone)]
+pub struct FourBar {
+    pub values: [f64; 4],
+    pub start: [f64; 2],
+    pub range: Range,
+}
+
+impl FourBar {
+    pub fn new(values: [f64; 4], start_at: f64, start: [f64; 2]) -> Self {
+        Self {
+            values,
+            start,
+            range: Range {
+                from: 0.0,
+                to: TAU,
+                start: start_at,
+                period: TAU,
+            },
+        }
+    }
+}
+
+impl Default for FourBar {
+    fn default() -> Self {
+        Self::new([0.025, 0.09, 0.06, 0.1], TAU / 4.0, [0.4, 1.8])
+    }
+}
+
+pub struct Loops<S> {
+    crank: S,
+    frame: S,
+    dyad: Dyad<S>,
+}
+
+impl<S: Scalar> Loops<S> {
+    #[inline(always)]
+    fn span(&self, instant: &[S; 2]) -> [S; 2] {
+        [
+            self.frame - self.crank * instant[0],
+            -self.crank * instant[1],
+        ]
+    }
+}
+
+impl Linkage for FourBar {
+    type Closure<S: Scalar> = Loops<S>;
+    const INDEPENDENTS: usize = 1;
+    const DEPENDENTS: usize = 2;
+    const OUTPUTS: usize = 2;
+    const GROUPS: &'static [Group] = &[Group {
+        kind: GroupKind::Rrr,
+        unknowns: &[0, 1],
+        equations: &[0, 1],
+    }];
+    const ANGLES: &'static [bool] = &[true, true];
+    constants!(4);
+    fn prepare<S: Scalar>(values: &[S]) -> Loops<S> {
+        Loops {
+            crank: values[0],
+            frame: values[3],
+            dyad: Dyad {
+                l2: values[1],
+                l3: values[2],
+            },
+        }
+    }
+    fn ranges(&self) -> Vec<Range> {
+        vec![self.range]
+    }
+    fn start(&self) -> Vec<f64> {
+        self.start.to_vec()
+    }
+}
+
+impl<S: Scalar> Closure<S> for Loops<S> {
+    type Position = [S; 6];
+    type Instant = [S; 2];
+    type Row = [S; 2];
+    type Matrix = [S; 4];
+    unasked!(S);
+
+    fn zeros(&self) -> [S; 6] {
+        [S::ZERO; 6]
+    }
+    #[inline(always)]
+    fn instant(&self, independents: &[S]) -> [S; 2] {
+        let (sine, cosine) = independents[0].sin_cos();
+        [cosine, sine]
+    }
+    #[inline(always)]
+    fn close(&self, _: usize, instant: &[S; 2], mode: S, position: &mut [S; 6]) -> S {
+        let (sine, [ca, sa, cb, sb]) = self.dyad.close(self.span(instant), mode);
+        *position = [S::atan2(sa, ca), S::atan2(sb, cb), ca, sa, cb, sb];
+        sine
+    }
+    fn margin(&self, _: usize, instant: &[S; 2], _: &[S; 6]) -> S {
+        self.dyad.margin(self.span(instant))
+    }
+    fn trial(
+        &self,
+        _: usize,
+        instant: &[S; 2],
+        z: &mut [S; 6],
+        residual: &mut [S; 2],
+        jacobian: &mut [S; 4],
+    ) {
+        let all: Directions<S> = directions(z[0], z[1]);
+        z[2..].copy_from_slice(&all);
+        (*residual, *jacobian) = self.dyad.trial(all, self.span(instant));
+    }
+    fn residual(&self, instant: &[S; 2], z: &[S; 6], residual: &mut [S]) {
+        let all = [z[2], z[3], z[4], z[5]];
+        residual.copy_from_slice(&self.dyad.trial(all, self.span(instant)).0);
+    }
+    fn coefficients(&self, instant: &[S; 2], z: &[S; 6], columns: &mut [[S; 6]]) {
+        let rate = [self.crank * instant[1], -self.crank * instant[0]];
+        columns[0][..2].copy_from_slice(&self.dyad.rates([z[2], z[3], z[4], z[5]], rate));
+    }
+    fn outputs(&self, _: &[S; 2], z: &[S; 6], values: &mut [S]) {
+        values.copy_from_slice(&z[..2]);
+    }
+}

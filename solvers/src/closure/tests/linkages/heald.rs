@@ -1,0 +1,161 @@
+//! Heald linkage: three coupled equations, see the specification.
+//!
+//! ```text
+//! l4 dir(φ4) + l5 dir(φ5) = l6 dir(φ6) + κ l7 dir(φ7) + [b, a]
+//! l6 cos φ6 = s + l7 cos φ7
+//! ```
+
+use super::{constants, unasked};
+use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
+use crate::problem::Refused;
+use crate::scalar::Scalar;
+use std::f64::consts::TAU;
+
+/// Constants `l4, l5, l6, l7, a, b, s, κ`; unknowns `φ5, φ6, φ7`; output `φ7`.
+#[derive(Clone)]
+pub struct Heald {
+    pub values: [f64; 8],
+    pub start: [f64; 3],
+}
+
+impl Heald {
+    pub fn new(kappa: f64, degrees: [f64; 3]) -> Self {
+        Self {
+            values: [0.09, 0.23, 0.18, 0.12, 0.08, 0.105, 0.04, kappa],
+            start: degrees.map(f64::to_radians),
+        }
+    }
+    /// As printed.
+    pub fn printed() -> Self {
+        Self::new(1.0, [10.0, 63.0, -70.0])
+    }
+    /// With a straight guide.
+    pub fn guided() -> Self {
+        Self::new(-1.0, [51.0, 41.0, -36.0])
+    }
+}
+
+impl Default for Heald {
+    fn default() -> Self {
+        Self::printed()
+    }
+}
+
+pub struct Loops<S>([S; 8]);
+
+impl Linkage for Heald {
+    type Closure<S: Scalar> = Loops<S>;
+    const INDEPENDENTS: usize = 1;
+    const DEPENDENTS: usize = 3;
+    const OUTPUTS: usize = 1;
+    const GROUPS: &'static [Group] = &[Group {
+        kind: GroupKind::General,
+        unknowns: &[0, 1, 2],
+        equations: &[0, 1, 2],
+    }];
+    const ANGLES: &'static [bool] = &[true; 3];
+    constants!(8);
+    fn prepare<S: Scalar>(v: &[S]) -> Loops<S> {
+        Loops(std::array::from_fn(|k| v[k]))
+    }
+    fn ranges(&self) -> Vec<Range> {
+        let degrees = |value: f64| value.to_radians();
+        vec![Range {
+            from: degrees(60.0),
+            to: degrees(120.0),
+            start: degrees(90.0),
+            period: TAU,
+        }]
+    }
+    fn start(&self) -> Vec<f64> {
+        self.start.to_vec()
+    }
+}
+
+impl<S: Scalar> Loops<S> {
+    fn rows(&self, instant: &[S; 2], z: &[S; 9]) -> [S; 3] {
+        let [l4, l5, l6, l7, a, b, s, kappa] = self.0;
+        let [_, _, _, c5, s5, c6, s6, c7, s7] = *z;
+        [
+            l4 * instant[0] + l5 * c5 - l6 * c6 - kappa * l7 * c7 - b,
+            l4 * instant[1] + l5 * s5 - l6 * s6 - kappa * l7 * s7 - a,
+            l6 * c6 - s - l7 * c7,
+        ]
+    }
+    fn matrix(&self, z: &[S; 9]) -> [S; 9] {
+        let [_, l5, l6, l7, _, _, _, kappa] = self.0;
+        let [_, _, _, c5, s5, c6, s6, c7, s7] = *z;
+        let zero = S::ZERO;
+        [
+            -l5 * s5,
+            l6 * s6,
+            kappa * l7 * s7,
+            l5 * c5,
+            -l6 * c6,
+            -kappa * l7 * c7,
+            zero,
+            -l6 * s6,
+            l7 * s7,
+        ]
+    }
+}
+
+impl<S: Scalar> Closure<S> for Loops<S> {
+    type Position = [S; 9];
+    type Instant = [S; 2];
+    type Row = [S; 3];
+    type Matrix = [S; 9];
+    unasked!(S);
+
+    fn zeros(&self) -> [S; 9] {
+        [S::ZERO; 9]
+    }
+    fn instant(&self, independents: &[S]) -> [S; 2] {
+        let (sine, cosine) = independents[0].sin_cos();
+        [cosine, sine]
+    }
+    fn close(&self, _: usize, _: &[S; 2], _: S, _: &mut [S; 9]) -> S {
+        S::from_f64(f64::NAN)
+    }
+    fn margin(&self, _: usize, _: &[S; 2], _: &[S; 9]) -> S {
+        S::from_f64(f64::NAN)
+    }
+    fn trial(
+        &self,
+        _: usize,
+        instant: &[S; 2],
+        z: &mut [S; 9],
+        residual: &mut [S; 3],
+        jacobian: &mut [S; 9],
+    ) {
+        let (sines, cosines) = S::sin_cos_all([z[0], z[1], z[2]]);
+        for k in 0..3 {
+            (z[3 + 2 * k], z[4 + 2 * k]) = (cosines[k], sines[k]);
+        }
+        *residual = self.rows(instant, z);
+        *jacobian = self.matrix(z);
+    }
+    fn residual(&self, instant: &[S; 2], z: &[S; 9], residual: &mut [S]) {
+        residual.copy_from_slice(&self.rows(instant, z));
+    }
+    fn coefficients(&self, instant: &[S; 2], z: &[S; 9], columns: &mut [[S; 9]]) {
+        let j = self.matrix(z);
+        let right = [self.0[0] * instant[1], -self.0[0] * instant[0], S::ZERO];
+        let minor = |a: usize, b: usize, c: usize, d: usize| j[a] * j[d] - j[b] * j[c];
+        let determinant =
+            j[0] * minor(4, 5, 7, 8) - j[1] * minor(3, 5, 6, 8) + j[2] * minor(3, 4, 6, 7);
+        for k in 0..3 {
+            let mut m = j;
+            for i in 0..3 {
+                m[3 * i + k] = right[i];
+            }
+            let minor = |a: usize, b: usize, c: usize, d: usize| m[a] * m[d] - m[b] * m[c];
+            let value =
+                m[0] * minor(4, 5, 7, 8) - m[1] * minor(3, 5, 6, 8) + m[2] * minor(3, 4, 6, 7);
+            columns[0][k] = value / determinant;
+        }
+    }
+    fn outputs(&self, _: &[S; 2], z: &[S; 9], values: &mut [S]) {
+        values[0] = z[2];
+    }
+}

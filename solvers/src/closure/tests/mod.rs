@@ -1,0 +1,5 @@
+//! Tests of positions against published numbers and closed forms, and the hard cases.
+
+mod hard;
+mod linkages;
+mod published;
