@@ -30,7 +30,7 @@ pub enum Place {
     Evaluation,
     /// A function that is given the `values` of the constants.
     Values,
-    /// A method of the loops that is given the `independents`.
+    /// A method of the loops that is given the `independents` and the `motion`.
     Independents,
     /// A method of the parameter struct that is given the `time`.
     Drive,
@@ -200,13 +200,20 @@ impl<'a> Body<'a> {
                 quote!(<S as ::assur::scalar::Scalar>::from_f64(self.#field))
             }
             Input::Time if self.place == Place::Independents => {
-                let last = expression::size(3 * self.layout.scene.drivers.len());
-                quote!(independents[#last])
+                let last = expression::size(2 * self.layout.scene.drivers.len());
+                quote!(motion[#last])
             }
             Input::Time => quote!(time),
             Input::Driver(index) => {
-                let index = expression::size(index as usize);
-                quote!(independents[#index])
+                let (index, count) = (index as usize, self.layout.scene.drivers.len());
+                let place = expression::size(index % count);
+                match index < count {
+                    true => quote!(independents[#place]),
+                    false => {
+                        let place = expression::size(index - count);
+                        quote!(motion[#place])
+                    }
+                }
             }
             Input::Position(place) => {
                 let place = expression::size(place as usize);

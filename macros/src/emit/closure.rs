@@ -64,6 +64,11 @@ pub fn items(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
             type Row = [S; #row];
             type Matrix = [S; #matrix];
 
+            #[inline(always)]
+            fn zeros(&self) -> Self::Position {
+                [S::ZERO; #position]
+            }
+
             #(#methods)*
             #(#lists)*
         }

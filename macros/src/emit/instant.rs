@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 
 use super::body::{Body, Place};
 use super::docs;
-use super::expression::Expression;
+use super::expression::{Expression, size};
 use super::layout::Layout;
 use super::pairs::pairs;
 use super::{counts, names, schedule};
@@ -44,11 +44,26 @@ pub fn of_drivers(layout: &Layout<'_>) -> TokenStream {
         layout.stored(&layout.timed, &body),
     );
     let name = &layout.instant;
+    let made = quote!(#statements #name { #fields });
+    let motion = layout.program().results.closing.rates.len() + 1;
+    if motion == 1 {
+        return quote! {
+            #[inline(always)]
+            fn instant(&self, independents: &[S]) -> Self::Instant {
+                #made
+            }
+        };
+    }
+    let motion = size(motion);
     quote! {
         #[inline(always)]
         fn instant(&self, independents: &[S]) -> Self::Instant {
-            #statements
-            #name { #fields }
+            self.moving(independents, &[S::from_f64(f64::NAN); #motion])
+        }
+
+        #[inline(always)]
+        fn moving(&self, independents: &[S], motion: &[S]) -> Self::Instant {
+            #made
         }
     }
 }

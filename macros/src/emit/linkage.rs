@@ -15,24 +15,17 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
     let (name, closure) = (&layout.parameters, &layout.equations);
     let closing = &layout.program().results.closing;
     let counts = [
-        match closing.rates.is_empty() {
-            true => layout.scene.drivers.len(),
-            false => 3 * layout.scene.drivers.len() + 1,
-        },
         layout.scene.drivers.len(),
+        match closing.rates.is_empty() {
+            true => 0,
+            false => closing.rates.len() + 1,
+        },
         linkage.dependents.len(),
         layout.scene.outputs.len(),
         linkage.points.len(),
         layout.constants.len(),
     ];
-    let [
-        independents,
-        drivers,
-        dependents,
-        outputs,
-        points,
-        constants,
-    ] = counts.map(size);
+    let [independents, motion, dependents, outputs, points, constants] = counts.map(size);
     let second = !closing.second.is_empty();
     let variables = linkage.variables.iter().map(|variable| match variable {
         VariableInfo::Constant(index) => {
@@ -59,7 +52,7 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
             type Closure<S: ::assur::scalar::Scalar> = #closure<S>;
 
             const INDEPENDENTS: usize = #independents;
-            const DRIVERS: usize = #drivers;
+            const MOTION: usize = #motion;
             const DEPENDENTS: usize = #dependents;
             const OUTPUTS: usize = #outputs;
             const POINTS: usize = #points;

@@ -31,6 +31,7 @@ const RESERVED: &[&str] = &[
     "instant",
     "instants",
     "independents",
+    "motion",
     "position",
     "mode",
     "group",

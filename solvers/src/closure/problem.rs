@@ -62,6 +62,12 @@ pub trait Closure<S: Scalar> {
     /// Values that depend on the independent variables alone.
     fn instant(&self, independents: &[S]) -> Self::Instant;
 
+    /// The same with how the drivers move, which outputs may need (length [`Linkage::MOTION`]); without it they are NaN.
+    #[inline(always)]
+    fn moving(&self, independents: &[S], _motion: &[S]) -> Self::Instant {
+        self.instant(independents)
+    }
+
     /// Closes a group in closed form: writes its unknowns (angles within `±π`) and returns the sine of its transmission
     /// angle: the determinant of its Jacobian over the product of the lengths of its columns, with the sign of `mode`.
     /// Zero is a dead point; NaN says that the group does not assemble. Groups it depends on must be closed.
@@ -151,11 +157,10 @@ pub trait Linkage: Clone + Send + Sync {
     /// The loops, prepared for a scalar type.
     type Closure<S: Scalar>: Closure<S> + Send + Sync;
 
-    /// Number of independent variables: the positions of the drivers, and where these move in time their speeds, their
-    /// accelerations, and the time.
+    /// Number of independent variables: the positions of the drivers.
     const INDEPENDENTS: usize;
-    /// Number of drivers. Their positions, the first independent variables, alone determine the position.
-    const DRIVERS: usize;
+    /// Length of what says how the drivers move: their speeds, their accelerations, the time; 0 where they are swept.
+    const MOTION: usize;
     /// Number of dependent coordinates.
     const DEPENDENTS: usize;
     /// Number of outputs.
@@ -191,10 +196,11 @@ pub trait Linkage: Clone + Send + Sync {
     /// The task of the scene: a time, or [`Span::Open`] where drivers are swept.
     fn span(&self) -> Span;
 
-    /// All independent variables at a time; none where the drivers do not move in time.
+    /// The independent variables at a time, and behind them how the drivers move; none where they do not move in time.
+    /// Length `INDEPENDENTS + MOTION`.
     fn drive(&self, time: f64) -> Option<Vec<f64>>;
 
-    /// The range of each driver; length `DRIVERS`, NaN where none is stated.
+    /// The range of each driver; length `INDEPENDENTS`, NaN where none is stated.
     fn ranges(&self) -> Vec<Range>;
 
     /// Rough values of the dependent coordinates at the start, which pick the assembly mode; NaN where none is stated.

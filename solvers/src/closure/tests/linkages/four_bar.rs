@@ -2,7 +2,7 @@
 
 use super::{Directions, Dyad, constants, directions, unasked};
 use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
-use crate::problem::Refused;
+use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
 use std::f64::consts::TAU;
 
@@ -54,6 +54,7 @@ impl<S: Scalar> Loops<S> {
 impl Linkage for FourBar {
     type Closure<S: Scalar> = Loops<S>;
     const INDEPENDENTS: usize = 1;
+    const MOTION: usize = 0;
     const DEPENDENTS: usize = 2;
     const OUTPUTS: usize = 2;
     const GROUPS: &'static [Group] = &[Group {
@@ -73,6 +74,14 @@ impl Linkage for FourBar {
             },
         }
     }
+    fn span(&self) -> Span {
+        Span::Open
+    }
+
+    fn drive(&self, _: f64) -> Option<Vec<f64>> {
+        None
+    }
+
     fn ranges(&self) -> Vec<Range> {
         vec![self.range]
     }

@@ -7,7 +7,7 @@
 
 use super::{constants, unasked};
 use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
-use crate::problem::Refused;
+use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
 use std::f64::consts::TAU;
 
@@ -46,6 +46,7 @@ pub struct Loops<S>([S; 8]);
 impl Linkage for Heald {
     type Closure<S: Scalar> = Loops<S>;
     const INDEPENDENTS: usize = 1;
+    const MOTION: usize = 0;
     const DEPENDENTS: usize = 3;
     const OUTPUTS: usize = 1;
     const GROUPS: &'static [Group] = &[Group {
@@ -58,6 +59,14 @@ impl Linkage for Heald {
     fn prepare<S: Scalar>(v: &[S]) -> Loops<S> {
         Loops(std::array::from_fn(|k| v[k]))
     }
+    fn span(&self) -> Span {
+        Span::Open
+    }
+
+    fn drive(&self, _: f64) -> Option<Vec<f64>> {
+        None
+    }
+
     fn ranges(&self) -> Vec<Range> {
         let degrees = |value: f64| value.to_radians();
         vec![Range {

@@ -2,7 +2,7 @@
 
 use super::{Dyad, constants, directions, unasked};
 use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
-use crate::problem::Refused;
+use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
 use std::f64::consts::TAU;
 
@@ -53,6 +53,7 @@ impl<S: Scalar> Loops<S> {
 impl Linkage for SixBar {
     type Closure<S: Scalar> = Loops<S>;
     const INDEPENDENTS: usize = 1;
+    const MOTION: usize = 0;
     const DEPENDENTS: usize = 4;
     const OUTPUTS: usize = 4;
     const GROUPS: &'static [Group] = &[
@@ -79,6 +80,14 @@ impl Linkage for SixBar {
             pivot: [v[8], v[9]],
         }
     }
+    fn span(&self) -> Span {
+        Span::Open
+    }
+
+    fn drive(&self, _: f64) -> Option<Vec<f64>> {
+        None
+    }
+
     fn ranges(&self) -> Vec<Range> {
         vec![Range {
             from: 0.0,

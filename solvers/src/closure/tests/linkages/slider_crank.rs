@@ -2,7 +2,7 @@
 
 use super::{constants, unasked};
 use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
-use crate::problem::Refused;
+use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
 use std::f64::consts::TAU;
 
@@ -27,6 +27,7 @@ pub struct Loops<S>([S; 3]);
 impl Linkage for SliderCrank {
     type Closure<S: Scalar> = Loops<S>;
     const INDEPENDENTS: usize = 1;
+    const MOTION: usize = 0;
     const DEPENDENTS: usize = 2;
     const OUTPUTS: usize = 1;
     const GROUPS: &'static [Group] = &[Group {
@@ -39,6 +40,14 @@ impl Linkage for SliderCrank {
     fn prepare<S: Scalar>(v: &[S]) -> Loops<S> {
         Loops([v[0], v[1], v[2]])
     }
+    fn span(&self) -> Span {
+        Span::Open
+    }
+
+    fn drive(&self, _: f64) -> Option<Vec<f64>> {
+        None
+    }
+
     fn ranges(&self) -> Vec<Range> {
         vec![Range {
             from: 0.0,
