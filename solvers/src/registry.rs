@@ -5,9 +5,11 @@
 
 mod bind;
 mod linkage;
+mod path;
 
 pub use bind::{bind, check_values};
 pub use linkage::{Distribution, Link, LinkageEntry, Loop, RunLinkage, Subject, bind_linkage};
+pub use path::{Path, Sample};
 
 use crate::problem::{Refused, Span};
 

@@ -1,7 +1,8 @@
 //! What a scene has and does that is a linkage.
 
 use super::Quantity;
-use crate::closure::{Group, Linkage, Range, Variable};
+use super::path::{self, Path};
+use crate::closure::{ClosureError, Group, Linkage, Range, Variable};
 use crate::problem::{Refused, Span};
 
 /// The loops of a scene as data.
@@ -76,6 +77,17 @@ pub trait RunLinkage: Send + Sync {
     fn span(&self) -> Span;
     /// Positions, speeds and accelerations of the drivers at a time, where they move in time.
     fn drive(&self, time: f64) -> Option<Vec<f64>>;
+    /// Puts the linkage together where its start values are meant and moves it through the places, in their order.
+    /// Each is the positions of the drivers, and behind them how these move where that is known ([`Self::drive`]).
+    ///
+    /// # Errors
+    /// Why it cannot be put together. Where the way ends before the last place the path says so.
+    fn follow(&self, places: &[Vec<f64>]) -> Result<Path, ClosureError>;
+    /// Influence coefficients at a place: outputs by variables, row by row.
+    ///
+    /// # Errors
+    /// Why the linkage does not get there.
+    fn influence(&self, place: &[f64]) -> Result<Vec<f64>, ClosureError>;
 }
 
 /// Checks the values of a linkage and prepares it.
@@ -103,5 +115,13 @@ impl<L: Linkage + 'static> RunLinkage for Bound<L> {
 
     fn drive(&self, time: f64) -> Option<Vec<f64>> {
         self.linkage.drive(time)
+    }
+
+    fn follow(&self, places: &[Vec<f64>]) -> Result<Path, ClosureError> {
+        path::follow(&self.linkage, places)
+    }
+
+    fn influence(&self, place: &[f64]) -> Result<Vec<f64>, ClosureError> {
+        path::influence(&self.linkage, place)
     }
 }
