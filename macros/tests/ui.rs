@@ -1,4 +1,4 @@
-//! Callers that must not compile, each with the messages of rustc beside it. `ASSUR_BLESS=1` writes them anew.
+//! Callers that must not compile, and one that is warned, each with the messages of rustc beside it. `ASSUR_BLESS=1` writes them anew.
 //!
 //! rustc is called directly with the libraries that cargo has just built: no second workspace, nothing to download.
 
@@ -58,9 +58,21 @@ fn compile(name: &str) -> (String, bool) {
 fn check(name: &str) {
     let (found, accepted) = compile(name);
     assert!(!accepted, "{name}.rs compiles\n{found}");
+    check_messages(name, &found);
+}
+
+#[track_caller]
+fn check_warned(name: &str) {
+    let (found, accepted) = compile(name);
+    assert!(accepted, "{name}.rs does not compile\n{found}");
+    check_messages(name, &found);
+}
+
+#[track_caller]
+fn check_messages(name: &str, found: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/ui/{name}.stderr"));
     if std::env::var_os("ASSUR_BLESS").is_some() {
-        std::fs::write(&path, &found).expect("the messages can be written");
+        std::fs::write(&path, found).expect("the messages can be written");
     }
     let expected = std::fs::read_to_string(&path)
         .unwrap_or_default()
@@ -99,4 +111,9 @@ fn a_scene_has_its_own_parameters() {
 #[test]
 fn mistakes_are_underlined_in_the_equation_file() {
     check("in_file");
+}
+
+#[test]
+fn what_is_not_used_is_a_warning_in_the_equation_file() {
+    check_warned("unused");
 }
