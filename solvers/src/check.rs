@@ -5,11 +5,15 @@
 
 mod derivatives;
 mod facts;
+mod linkage;
+mod positions;
+mod resolve;
 #[cfg(test)]
 mod tests;
 
 pub use derivatives::jacobian;
 pub use facts::fact;
+pub use linkage::closure;
 
 use crate::ode;
 use crate::problem::{Equations, Scene, Storage};

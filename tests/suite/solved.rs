@@ -2,7 +2,7 @@
 
 use assur::periodic::{Orbit, PeriodicError};
 use assur::problem::{Refused, Span};
-use assur::registry::{Method, Run, SceneEntry, Settings};
+use assur::registry::{Bind, Method, Run, SceneEntry, Settings};
 use assur_equations::REGISTRY;
 use std::f64::consts::TAU;
 
@@ -148,4 +148,13 @@ impl Solved {
 /// Fixes the values of a scene with some of them changed.
 pub fn bind(entry: &SceneEntry, changes: &[(&str, f64)]) -> Result<Box<dyn Run>, Refused> {
     entry.bind.motion(&values(entry, changes))
+}
+
+/// Whether a scene of either kind accepts its values with some of them changed.
+pub fn accepts(entry: &SceneEntry, changes: &[(&str, f64)]) -> Result<(), Refused> {
+    let values = values(entry, changes);
+    match entry.bind {
+        Bind::Motion(bind) => bind(&values).map(|_| ()),
+        Bind::Linkage(bind) => bind(&values).map(|_| ()),
+    }
 }

@@ -29,7 +29,7 @@ pub fn module(layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
 }
 
 fn scene(layout: &Layout<'_>, module: &Ident, origin: &Origin<'_>) -> TokenStream {
-    let own = [jacobian(layout), energy(layout)];
+    let own = [jacobian(layout), energy(layout), closure(layout)];
     let tests: TokenStream = own
         .into_iter()
         .flatten()
@@ -48,6 +48,18 @@ fn jacobian(layout: &Layout<'_>) -> Option<TokenStream> {
             #[test]
             fn jacobian_() -> ::core::result::Result<(), ::assur::check::Failed> {
                 ::assur::check::jacobian::<super::super::#name>()
+            }
+        }
+    })
+}
+
+fn closure(layout: &Layout<'_>) -> Option<TokenStream> {
+    let name = &layout.parameters;
+    layout.scene.linkage.as_ref().map(|_| {
+        quote! {
+            #[test]
+            fn closure_() -> ::core::result::Result<(), ::assur::check::Failed> {
+                ::assur::check::closure::<super::super::#name>()
             }
         }
     })

@@ -1,10 +1,11 @@
 //! Published facts against the computed motion.
 
-use super::Failed;
+use super::{Failed, positions};
 use crate::ode::Trajectory;
-use crate::problem::Span;
+use crate::problem::{Refused, Span};
 use crate::registry::{
-    At, Expectation, Mechanism, Method, Quantity, Run, SceneEntry, Settings, Subject,
+    At, Bind, Constant, Expectation, Mechanism, Method, Quantity, Run, SceneEntry, Settings,
+    Subject,
 };
 
 /// How the motion is found: far more accurately than anything is published.
@@ -27,15 +28,35 @@ pub fn fact(mechanism: &Mechanism, scene: &str, index: usize) -> Result<(), Fail
     let quantity = scene
         .quantity(fact.subject)
         .ok_or_else(|| Failed("the scene does not report the quantity".into()))?;
-    let motion = Motion::of(mechanism, scene, fact)?;
-    let computed = motion
-        .value(fact)
-        .ok_or_else(|| Failed(format!("the motion does not get to {:?}", fact.at)))?;
+    let values = values(mechanism, scene, fact);
+    let refused = |refused: Refused| Failed(refused.to_string());
+    let computed = match scene.bind {
+        Bind::Motion(bind) => Motion::of(bind(&values).map_err(refused)?)?
+            .value(fact)
+            .ok_or_else(|| Failed(format!("the motion does not get to {:?}", fact.at)))?,
+        Bind::Linkage(bind) => positions::value(scene, &*bind(&values).map_err(refused)?, fact)?,
+    };
     let deviation = computed - fact.value;
     if deviation.abs() <= fact.tolerance {
         return Ok(());
     }
     Err(Failed(text(mechanism, fact, quantity, computed)))
+}
+
+/// The values of the scene's constants with which a fact is compared.
+fn values(mechanism: &Mechanism, scene: &SceneEntry, fact: &Expectation) -> Vec<f64> {
+    let preset = mechanism
+        .presets
+        .iter()
+        .find(|preset| preset.name == fact.preset);
+    let given = preset.map_or(&[][..], |preset| preset.values);
+    let value = |constant: &Constant| {
+        let own = given
+            .iter()
+            .find(|(name, _)| *name == constant.quantity.name);
+        own.map_or(constant.default, |(_, value)| *value)
+    };
+    scene.constants.iter().map(value).collect()
 }
 
 /// `dot(phi2) at Driver(0, 1.9): computed …, published … ± …, deviation … (batten.eqn:190)`
@@ -68,30 +89,11 @@ struct Motion {
 }
 
 impl Motion {
-    fn of(mechanism: &Mechanism, scene: &SceneEntry, fact: &Expectation) -> Result<Self, Failed> {
-        let preset = mechanism
-            .presets
-            .iter()
-            .find(|preset| preset.name == fact.preset);
-        let given = preset.map_or(&[][..], |preset| preset.values);
-        let values: Vec<f64> = scene
-            .constants
-            .iter()
-            .map(|constant| {
-                let own = given
-                    .iter()
-                    .find(|(name, _)| *name == constant.quantity.name);
-                own.map_or(constant.default, |(_, value)| *value)
-            })
-            .collect();
-        let run = scene
-            .bind
-            .motion(&values)
-            .map_err(|refused| Failed(refused.to_string()))?;
+    fn of(run: Box<dyn Run>) -> Result<Self, Failed> {
         let span = run.span();
         let unsolved = |error: &dyn std::fmt::Display| Failed(format!("no motion: {error}"));
         let path = match span {
-            _ if scene.states.is_empty() => None,
+            _ if run.start().is_empty() => None,
             Span::Open => None,
             Span::Periodic(period) => {
                 let orbit = run.periodic(period, &SETTINGS);

@@ -1,7 +1,7 @@
 //! Values that no machine has.
 
-use crate::solved::bind;
-use assur::registry::{Constant, SceneEntry};
+use crate::solved::{accepts, bind, values};
+use assur::registry::{Bind, Constant, SceneEntry};
 use assur_equations::REGISTRY;
 
 /// Every constant of every scene.
@@ -18,8 +18,8 @@ fn each(mut check: impl FnMut(&SceneEntry, &Constant)) {
 #[track_caller]
 fn check_refused(scene: &SceneEntry, constant: &Constant, value: f64) {
     let name = constant.quantity.name;
-    match bind(scene, &[(name, value)]) {
-        Ok(_) => panic!("{}: {name} = {value} is accepted", scene.name),
+    match accepts(scene, &[(name, value)]) {
+        Ok(()) => panic!("{}: {name} = {value} is accepted", scene.name),
         Err(refused) => {
             let text = refused.to_string();
             assert!(
@@ -60,7 +60,9 @@ fn values_outside_their_range_are_refused_by_name() {
 fn sizes_and_masses_are_above_zero() {
     each(|scene, constant| {
         let name = constant.quantity.name;
-        if constant.is_dimension || matches!(name, "m1" | "m2" | "m3" | "m4" | "J2" | "c" | "n") {
+        // An offset may have any sign.
+        let is_size = constant.is_dimension && constant.range.0 >= 0.0;
+        if is_size || matches!(name, "m1" | "m2" | "m3" | "m4" | "J2" | "c" | "n") {
             check_refused(scene, constant, 0.0);
             check_refused(scene, constant, -constant.default);
         }
@@ -73,7 +75,11 @@ fn values_at_the_edge_of_their_range_do_no_harm() {
     each(|scene, constant| {
         let (low, high) = constant.range;
         for value in [low, high, 0.0, -constant.default, -1e300, 1e300] {
-            let Ok(run) = bind(scene, &[(constant.quantity.name, value)]) else {
+            let changes = [(constant.quantity.name, value)];
+            if let (Bind::Linkage(_), Ok(())) = (scene.bind, accepts(scene, &changes)) {
+                put_together(scene, &changes);
+            }
+            let Ok(run) = bind(scene, &changes) else {
                 continue;
             };
             let state = vec![1e-3; scene.states.len()];
@@ -81,4 +87,18 @@ fn values_at_the_edge_of_their_range_do_no_harm() {
             assert_eq!(run.outputs(0.1, &state).len(), scene.outputs.len());
         }
     });
+}
+
+/// A linkage of absurd dimensions is put together, or says why not.
+fn put_together(scene: &SceneEntry, changes: &[(&str, f64)]) {
+    let run = scene.bind.linkage(&values(scene, changes)).unwrap();
+    let place: Vec<f64> = run.ranges().iter().map(|range| range.to).collect();
+    match run.follow(&[place]) {
+        Ok(path) => {
+            let reached = path.samples.iter().flat_map(|sample| &sample.outputs);
+            assert!(reached.into_iter().all(|value| value.is_finite()));
+            assert!(path.stopped.is_some() || path.samples.len() == 1);
+        }
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
 }
