@@ -6,4 +6,5 @@ assur::equations! {
     "batten.eqn",
     "batten_table.eqn",
     "heald_linkage.eqn",
+    "selvedge_linkage.eqn",
 }

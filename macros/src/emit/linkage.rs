@@ -128,30 +128,38 @@ fn prepare(layout: &Layout<'_>) -> TokenStream {
     }
 }
 
-/// The motion of the drivers in time: positions, speeds, accelerations, and the time itself.
+/// The motion of the drivers in time.
 fn drive(layout: &Layout<'_>) -> TokenStream {
+    let value = match layout.program().results.closing.rates.is_empty() {
+        true => quote!(::core::option::Option::None),
+        false => quote!(::core::option::Option::Some(
+            self.drive_::<f64>(time).to_vec()
+        )),
+    };
+    quote! {
+        fn drive(&self, time: f64) -> ::core::option::Option<::std::vec::Vec<f64>> {
+            #value
+        }
+    }
+}
+
+/// The method that computes it: positions, speeds, accelerations, and the time itself.
+pub fn motion(layout: &Layout<'_>) -> TokenStream {
     let results = &layout.program().results;
     if results.closing.rates.is_empty() {
-        return quote! {
-            fn drive(&self, time: f64) -> ::core::option::Option<::std::vec::Vec<f64>> {
-                ::core::option::Option::None
-            }
-        };
+        return TokenStream::new();
     }
-    let wanted: Vec<Value> = results
-        .drivers
-        .iter()
-        .chain(&results.closing.rates)
-        .copied()
-        .collect();
+    let drivers = results.drivers.iter();
+    let wanted: Vec<Value> = drivers.chain(&results.closing.rates).copied().collect();
     let body = Body::new(layout, Place::Drive, &wanted, &[]);
     let statements = body.statements(&wanted);
     let values = wanted.iter().map(|value| body.value(*value));
+    let count = size(wanted.len() + 1);
     quote! {
-        fn drive(&self, time: f64) -> ::core::option::Option<::std::vec::Vec<f64>> {
-            type S = f64;
+        /// Positions, speeds and accelerations of the drivers at a time, and the time.
+        fn drive_<S: ::assur::scalar::Scalar>(&self, time: S) -> [S; #count] {
             #statements
-            ::core::option::Option::Some(::std::vec![#(#values,)* time])
+            [#(#values,)* time]
         }
     }
 }

@@ -79,6 +79,7 @@ fn inherent(layout: &Layout<'_>) -> TokenStream {
         quote!(S),
         "The declared start values of the state.",
     );
+    let motion = linkage::motion(layout);
     quote! {
         impl #name {
             /// Names, units, defaults and ranges of the fields, in their order.
@@ -97,6 +98,7 @@ fn inherent(layout: &Layout<'_>) -> TokenStream {
             #requirements
             #span
             #start
+            #motion
         }
     }
 }

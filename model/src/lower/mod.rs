@@ -125,8 +125,9 @@ impl<'a> Lowering<'a> {
                 Some(number) => self.name(&format!("{}[{number}]", name.text), term.span),
                 None => Typed::Wrong,
             },
-            TermKind::Member { .. } => match self.selected.decide(term, self.survey) {
+            TermKind::Member { base, name } => match self.selected.decide(term, self.survey) {
                 Some(held) => Typed::Decided(held),
+                None if self.has_components(base, name) => self.component(base, name),
                 None if self.survey.speaks_of_unread(term) => Typed::Wrong,
                 None => self.error(self.survey.explain(term).unwrap_or_else(|| {
                     Diagnostic::error(term.span, "a name stands before `.alternative`")

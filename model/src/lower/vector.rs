@@ -5,8 +5,11 @@ use crate::diagnostic::Diagnostic;
 use crate::expression::Expression;
 use crate::homogeneity::{agree, describe, disagreement, times};
 use crate::program::Function;
-use crate::syntax::tree::{Name, Term};
+use crate::syntax::tree::{Name, Term, TermKind};
 use crate::token::Span;
+
+/// Names of the components of a vector.
+const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
 impl Lowering<'_> {
     /// `[x, y]` or `[x, y, z]`.
@@ -50,6 +53,43 @@ impl Lowering<'_> {
             values,
             kind: common,
             rate: all_rates,
+        }
+    }
+
+    /// Whether `base.x` asks for a component: what stands before the point is a value, and no choice.
+    pub(super) fn has_components(&self, base: &Term, name: &Name) -> bool {
+        let is_value = match &base.kind {
+            TermKind::Name(name) => {
+                self.names.table.contains_key(name)
+                    || self
+                        .locals
+                        .last()
+                        .is_some_and(|scope| scope.contains_key(name))
+            }
+            TermKind::Member { .. } => false,
+            _ => true,
+        };
+        COMPONENTS.contains(&name.text.as_str()) && is_value
+    }
+
+    /// `v.x`, `v.y`, `v.z`
+    pub(super) fn component(&mut self, base: &Term, name: &Name) -> Typed {
+        match self.term(base) {
+            Typed::Vector { values, kind, rate } => {
+                let index = COMPONENTS.iter().position(|one| *one == name.text);
+                match index.and_then(|index| values.get(index)) {
+                    Some(value) => Typed::Scalar {
+                        value: *value,
+                        kind,
+                        rate,
+                    },
+                    None => {
+                        let message = format!("the vector has {} components", values.len());
+                        self.error(Diagnostic::error(name.span, message))
+                    }
+                }
+            }
+            other => self.not_a_vector(other, base.span),
         }
     }
 
