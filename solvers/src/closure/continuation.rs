@@ -33,6 +33,15 @@ pub(super) struct Way {
 }
 
 impl Way {
+    /// A way without change points.
+    pub fn new(from: Vec<f64>, to: Vec<f64>) -> Self {
+        Self {
+            from,
+            to,
+            crossings: Vec::new(),
+        }
+    }
+
     /// The place at `t`.
     pub fn at(&self, t: f64) -> Vec<f64> {
         let ends = self.from.iter().zip(&self.to);
@@ -48,6 +57,13 @@ impl Way {
 }
 
 impl Way {
+    /// The change point of a group.
+    fn crossing_of(&self, group: usize) -> Option<&Crossing> {
+        self.crossings
+            .iter()
+            .find(|crossing| crossing.group == group)
+    }
+
     /// From its begin to its end.
     pub fn heading(&self) -> Vec<f64> {
         self.to
@@ -55,6 +71,29 @@ impl Way {
             .zip(&self.from)
             .map(|(to, from)| to - from)
             .collect()
+    }
+}
+
+/// How far a way has been gone.
+struct Progress {
+    /// As far as this all is certain.
+    done: f64,
+    /// The next step.
+    step: f64,
+    /// The group that was last looked ahead for, and its sine then.
+    looked: (usize, f64),
+    /// The group whose mode ends ahead, and where.
+    end: Option<(usize, f64)>,
+}
+
+impl Progress {
+    /// The end of the next step.
+    fn next(&self) -> f64 {
+        match self.end {
+            Some((_, at)) => self.done + f64::min(self.step, 0.5 * (at - self.done)),
+            None if self.done + 1.01 * self.step >= 1.0 => 1.0,
+            None => self.done + self.step,
+        }
     }
 }
 
@@ -75,11 +114,10 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     #[inline(never)]
     pub(super) fn follow(&mut self, target: &[S]) -> Result<(), ClosureError> {
         self.position.clone_from(&self.last);
-        let mut way = Way {
-            from: self.place(),
-            to: target.iter().map(|value| value.to_f64()).collect(),
-            crossings: Vec::new(),
-        };
+        let mut way = Way::new(
+            self.place(),
+            target.iter().map(|value| value.to_f64()).collect(),
+        );
         if let Some(bad) = way
             .from
             .iter()
@@ -101,75 +139,84 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     }
 
     fn walk(&mut self, way: &mut Way) -> Result<(), ClosureError> {
-        let (mut done, mut step) = (0.0, 1.0);
-        let mut looked = f64::INFINITY;
-        let mut end: Option<(usize, f64)> = None;
+        let mut progress = Progress {
+            done: 0.0,
+            step: 1.0,
+            looked: (0, f64::INFINITY),
+            end: None,
+        };
         for _ in 0..ATTEMPTS {
-            let to = match end {
-                Some((group, at)) if self.sine(group).abs() < ARRIVED || at - done < SMALLEST => {
-                    return Err(self.dead_point(group, way, at));
-                }
-                Some((_, at)) => done + f64::min(step, 0.5 * (at - done)),
-                None if done + 1.01 * step >= 1.0 => 1.0,
-                None => done + step,
-            };
+            if let Some((group, at)) = progress.end
+                && (self.sine(group).abs() < ARRIVED || at - progress.done < SMALLEST)
+            {
+                return Err(self.dead_point(group, way, at));
+            }
+            let to = progress.next();
             let verdict = self.attempt(way, to);
             match verdict {
+                Verdict::Certain if to == 1.0 => {
+                    self.take(way, to);
+                    return Ok(());
+                }
                 Verdict::Certain => {
                     self.take(way, to);
-                    step = 2.0 * (to - done);
-                    done = to;
-                    if done == 1.0 {
-                        return Ok(());
-                    }
+                    progress.step = 2.0 * (to - progress.done);
+                    progress.done = to;
                     continue;
                 }
-                Verdict::Open(group) if L::GROUPS[group].kind != GroupKind::General => {
-                    let gap = -self.margin_at(way, to, group);
-                    if gap > self.allowance(way, done, group) {
-                        end = Some((group, self.end_of_mode(way, group, done, to)));
-                    } else {
-                        let found = self.meet(way, done, Some(to), group);
-                        end = self.heed(way, found, group, done, end);
-                    }
-                }
-                Verdict::Open(group) | Verdict::Doubtful(group) => {
-                    let sine = self.sine(group).abs();
-                    if sine < NEAR && sine < 0.1 * looked && L::GROUPS[group].kind.has_modes() {
-                        looked = sine;
-                        let found = self.meet(way, done, None, group);
-                        end = self.heed(way, found, group, done, end);
-                    }
-                }
+                Verdict::Open(group) => self.look_behind(way, &mut progress, group, to),
+                Verdict::Doubtful(group) => self.look_ahead(way, &mut progress, group),
             }
-            step = f64::min(
-                0.4 * (to - done),
-                if done == 0.0 { 4.0 * FIRST } else { 1.0 },
-            );
-            if step < SMALLEST {
-                return Err(self.lost(way, done, verdict));
+            let longest = if progress.done == 0.0 { FIRST } else { 1.0 };
+            progress.step = f64::min(0.4 * (to - progress.done), longest);
+            if progress.step < SMALLEST {
+                return Err(self.lost(way, progress.done, verdict));
             }
         }
-        Err(self.lost(way, done, Verdict::Doubtful(0)))
+        Err(self.lost(way, progress.done, Verdict::Certain))
     }
 
-    /// Remembers what a look ahead has found.
-    fn heed(
-        &mut self,
-        way: &mut Way,
-        found: Meeting,
-        group: usize,
-        done: f64,
-        end: Option<(usize, f64)>,
-    ) -> Option<(usize, f64)> {
+    /// Looks why a group does not close at `to`.
+    fn look_behind(&mut self, way: &mut Way, progress: &mut Progress, group: usize, to: f64) {
+        if L::GROUPS[group].kind == GroupKind::General {
+            return self.look_ahead(way, progress, group);
+        }
+        let gap = -self.margin_at(way, to, group);
+        if gap > self.allowance(way, progress.done, group) {
+            progress.end = Some((group, self.end_of_mode(way, group, progress.done, to)));
+        } else {
+            let found = self.meet(way, progress.done, Some(to), group);
+            self.heed(way, progress, group, found);
+        }
+    }
+
+    /// Looks for a meeting of modes ahead of a group that comes near one.
+    fn look_ahead(&mut self, way: &mut Way, progress: &mut Progress, group: usize) {
+        let sine = self.sine(group).abs();
+        let known = progress.end.is_some() || way.crossing_of(group).is_some();
+        let looked = progress.looked.0 == group && sine > 0.1 * progress.looked.1;
+        if known || looked || sine > NEAR {
+            return;
+        }
+        progress.looked = (group, sine);
+        if L::GROUPS[group].kind == GroupKind::General {
+            progress.end = self.turn_ahead(way, progress.done).map(|at| (group, at));
+        } else {
+            let found = self.meet(way, progress.done, None, group);
+            self.heed(way, progress, group, found);
+        }
+    }
+
+    /// Remembers what a look has found.
+    fn heed(&mut self, way: &mut Way, progress: &mut Progress, group: usize, found: Meeting) {
         match found {
             Meeting::Point(crossing) => way.crossings.push(crossing),
             Meeting::Gap(beyond) => {
-                return Some((group, self.end_of_mode(way, group, done, beyond)));
+                let at = self.end_of_mode(way, group, progress.done, beyond);
+                progress.end = (at <= 1.0).then_some((group, at));
             }
             Meeting::None => {}
         }
-        end
     }
 
     /// Closes all groups at `t` near the last position. Stops at the first group that is not certain.
@@ -180,10 +227,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         self.position.clone_from(&self.last);
         for group in 0..L::GROUPS.len() {
             let now = self.groups[group];
-            let crossing = way
-                .crossings
-                .iter()
-                .find(|crossing| crossing.group == group);
+            let crossing = way.crossing_of(group);
             if crossing.is_some_and(|crossing| crossing.is_beyond(t)) {
                 return Verdict::Doubtful(group);
             }
@@ -243,10 +287,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let instant = self.closure.instant(&independents);
         self.position.clone_from(&self.last);
         for before in 0..group {
-            let crossing = way
-                .crossings
-                .iter()
-                .find(|crossing| crossing.group == before);
+            let crossing = way.crossing_of(before);
             let own = crossing.map_or(self.groups[before].mode.to_f64(), |crossing| {
                 crossing.mode_at(t)
             });
@@ -310,11 +351,34 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     }
 
     fn dead_point(&mut self, group: usize, way: &Way, at: f64) -> ClosureError {
+        let gap = if L::GROUPS[group].kind == GroupKind::General {
+            self.gap_at(way, 1.0, group)
+        } else {
+            -self.margin_at(way, 1.0, group)
+        };
         ClosureError::DeadPoint {
             group,
             at: way.at(at),
-            wanted: way.to.clone(),
-            gap: -self.margin_at(way, 1.0, group),
+            wanted: way.at(1.0),
+            gap,
+        }
+    }
+
+    /// The gap that is left in an iterated group at `t`, as far as the iteration can tell.
+    fn gap_at(&mut self, way: &Way, t: f64, group: usize) -> f64 {
+        if group > 0 && self.margin_at(way, t, group - 1).is_nan() {
+            return f64::NAN;
+        }
+        let instant = self.closure.instant(&scalars::<S>(&way.at(t)));
+        if group == 0 {
+            self.position.clone_from(&self.last);
+        }
+        match self
+            .newton
+            .close(&self.closure, group, &instant, &mut self.position)
+        {
+            Ok(_) => f64::NAN,
+            Err(failure) => failure.reached.residual,
         }
     }
 

@@ -97,11 +97,18 @@ impl fmt::Display for ClosureError {
                 at,
                 wanted,
                 gap,
-            } => write!(
-                formatter,
-                "group {group} has a dead point at {at:?} on the way to {wanted:?}, where a gap of {gap:e} is left; \
-                 shorten the range, or pass through onto the other mode by arc length"
-            ),
+            } => {
+                write!(
+                    formatter,
+                    "group {group} has a dead point at {at:?} on the way to {wanted:?}"
+                )?;
+                if gap.is_finite() {
+                    write!(formatter, ", where a gap of {gap:e} is left")?;
+                }
+                formatter.write_str(
+                    "; shorten the range, or pass through onto the other mode by arc length",
+                )
+            }
             Self::Ambiguous { group, at, apart } => write!(
                 formatter,
                 "the modes of group {group} cannot be told apart at {at:?}: they differ by {apart:e}, or a link turns \

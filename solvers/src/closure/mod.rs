@@ -6,7 +6,9 @@
 //! | `newton`, `scaled` | one group that has no closed form |
 //! | `assembly`, `start`, `predict` | [`Assembly`]: all groups in their modes, put together and moved |
 //! | `continuation`, `crossing` | the same where a step is not certain to keep the modes |
+//! | `arc`, `turn` | dead points, and passing through them by the length of the curve of positions |
 
+mod arc;
 mod assembly;
 mod continuation;
 mod crossing;
@@ -19,6 +21,7 @@ mod scaled;
 mod start;
 #[cfg(test)]
 mod tests;
+mod turn;
 
 pub use assembly::{Assembly, Event};
 pub use error::ClosureError;
