@@ -6,11 +6,11 @@
 //! step before lets expect of `s₁`, and `Δ` the largest turn of a link of the group, the step is certain if
 //!
 //! ```text
-//! |s₀| + |s₁| > max(2 |s₁ - s₀|, 4 Δ, 4 |s₁ - s*|)
+//! |s₀ + s₁| > 4 (Δ + |s₁ - s*|)    and    |s₀ + s₁| > 2 |s₁ - s₀|
 //! ```
 //!
-//! The first two say that the sine cannot have gone to zero while the links turned so little and it changed so little.
-//! The third refuses what returns from zero on the wrong side, or from beyond a gap, with the same sine as before.
+//! The sine cannot have gone to zero while the links turned so little and it changed so little; and what returns from
+//! zero on the wrong side, or from beyond a gap, with the same sine as before, is not what was expected.
 //! Whatever is not certain goes the careful way of [`super::continuation`]. A group that is iterated must besides be found
 //! near where its kinematic coefficients predicted it.
 
@@ -20,15 +20,14 @@ use super::newton::{Instant, Newton, Position};
 use super::problem::{Closure, GroupKind, Linkage};
 use crate::scalar::Scalar;
 
-/// Where a group stands.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct State<S> {
-    /// Its assembly mode, ±1.
-    pub mode: S,
-    /// Sine of its transmission angle.
-    pub sine: S,
-    /// How much that changed in the last step.
-    pub change: S,
+/// Where the groups stand: an entry for each. There are no more groups than unknowns, so that a position holds them.
+pub(super) struct Groups<V> {
+    /// Assembly modes, ±1.
+    pub modes: V,
+    /// Sines of the transmission angles.
+    pub sines: V,
+    /// How much those changed in the last step.
+    pub changes: V,
 }
 
 /// Something that happened while a mode was followed.
@@ -62,16 +61,18 @@ pub struct Assembly<L: Linkage, S: Scalar> {
     pub(super) closure: L::Closure<S>,
     /// The independent variables.
     pub(super) independents: Vec<S>,
+    /// What depends on them alone.
+    pub(super) instant: Instant<L, S>,
     /// Their change in the last step.
     pub(super) heading: Vec<S>,
     pub(super) position: Position<L, S>,
-    /// The position before the step.
-    pub(super) last: Position<L, S>,
+    /// The position after a step that is not yet accepted.
+    pub(super) trial: Position<L, S>,
     /// Whole turns that angles have made, in radians.
-    pub(super) turns: Vec<S>,
-    pub(super) groups: Vec<State<S>>,
+    pub(super) turns: Position<L, S>,
+    pub(super) groups: Groups<Position<L, S>>,
     /// The same after a step that is not yet accepted.
-    pub(super) next: Vec<State<S>>,
+    pub(super) next: Groups<Position<L, S>>,
     /// The kinematic coefficients; used only if a group is iterated.
     pub(super) columns: Vec<Position<L, S>>,
     pub(super) newton: Newton<L, S>,
@@ -86,20 +87,27 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let values: Vec<S> = linkage.values().into_iter().map(S::from_f64).collect();
         let closure = L::prepare(&values);
         let unknown = S::from_f64(f64::NAN);
-        let state = State {
-            mode: S::ONE,
-            sine: unknown,
-            change: unknown,
+        let all = |value: S| {
+            let mut all = closure.zeros();
+            all.as_mut().fill(value);
+            all
         };
+        let groups = || Groups {
+            modes: all(S::ONE),
+            sines: all(unknown),
+            changes: all(unknown),
+        };
+        let independents = vec![unknown; L::INDEPENDENTS];
         Self {
             linkage: linkage.clone(),
-            independents: vec![unknown; L::INDEPENDENTS],
+            instant: closure.instant(&independents),
+            independents,
             heading: vec![unknown; L::INDEPENDENTS],
             position: closure.zeros(),
-            last: closure.zeros(),
-            turns: vec![S::ZERO; L::DEPENDENTS],
-            groups: vec![state; L::GROUPS.len()],
-            next: vec![state; L::GROUPS.len()],
+            trial: closure.zeros(),
+            turns: closure.zeros(),
+            groups: groups(),
+            next: groups(),
             columns: vec![closure.zeros(); L::INDEPENDENTS],
             newton: Newton::new(),
             events: Vec::new(),
@@ -117,7 +125,6 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     pub fn move_to(&mut self, independents: &[S]) -> Result<(), ClosureError> {
         let instant = self.closure.instant(independents);
         let ratio = self.ratio(independents);
-        self.last.clone_from(&self.position);
         if self.close(independents, &instant, ratio) {
             self.accept(independents, &instant);
             return Ok(());
@@ -129,49 +136,89 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// times.
     #[inline(always)]
     fn close(&mut self, independents: &[S], instant: &Instant<L, S>, ratio: S) -> bool {
-        let (two, four) = (S::from_f64(2.0), S::from_f64(4.0));
-        let mut certain = true;
-        for (index, group) in L::GROUPS.iter().enumerate() {
-            let now = self.groups[index];
-            let (sine, mut turned) = if group.kind == GroupKind::General {
-                self.iterate(index, independents, instant)
-            } else {
-                let position = &mut self.position;
-                let sine = self.closure.close(index, instant, now.mode, position);
-                (sine, S::ZERO)
-            };
-            if group.kind.has_modes() {
-                let (position, last) = (self.position.as_mut(), self.last.as_ref());
-                for &j in group.unknowns {
-                    if L::ANGLES[j] {
-                        position[j] = position[j] + self.turns[j];
-                        turned = larger(turned, (position[j] - last[j]).abs());
-                    }
-                }
-            }
-            let change = sine - now.sine;
-            let missed = sine - now.change.mul_add(ratio, now.sine);
-            let sum = sine.abs() + now.sine.abs();
-            let steady = S::less(two * larger(change.abs(), two * turned), sum);
-            let expected = S::less(four * missed.abs(), sum);
-            certain &= S::holds(S::and(steady, expected));
-            self.next[index] = State {
-                mode: now.mode,
-                sine,
-                change,
-            };
+        /// Written out for the first groups, so that what is known of each is known to the compiler.
+        macro_rules! written_out {
+            ($($index:literal)*) => {{
+                let mut certain = true;
+                $(if L::GROUPS.len() > $index {
+                    certain &= self.close_one($index, independents, instant, ratio);
+                })*
+                certain
+            }};
+        }
+        let mut certain = written_out!(0 1 2 3 4 5);
+        for index in 6..L::GROUPS.len() {
+            certain &= self.close_one(index, independents, instant, ratio);
         }
         certain
+    }
+
+    /// Closes one group.
+    #[inline(always)]
+    fn close_one(
+        &mut self,
+        index: usize,
+        independents: &[S],
+        instant: &Instant<L, S>,
+        ratio: S,
+    ) -> bool {
+        let group = &L::GROUPS[index];
+        let before = self.groups.sines.as_ref()[index];
+        let expected = self.groups.changes.as_ref()[index].mul_add(ratio, before);
+        let (sine, mut turned) = if let GroupKind::General = group.kind {
+            self.iterate(index, independents, instant)
+        } else {
+            let mode = self.groups.modes.as_ref()[index];
+            let sine = self.closure.close(index, instant, mode, &mut self.trial);
+            (sine, S::ZERO)
+        };
+        if group.kind.has_modes() {
+            let (trial, position) = (self.trial.as_mut(), self.position.as_ref());
+            for &j in group.unknowns {
+                if L::ANGLES[j] {
+                    trial[j] = trial[j] + self.turns.as_ref()[j];
+                    turned = larger(turned, (trial[j] - position[j]).abs());
+                }
+            }
+        }
+        let change = sine - before;
+        let sum = (sine + before).abs();
+        let missed = (sine - expected).abs();
+        self.next.sines.as_mut()[index] = sine;
+        self.next.changes.as_mut()[index] = change;
+        let certain = S::less(S::from_f64(4.0) * (turned + missed), sum);
+        if let GroupKind::Rrr = group.kind {
+            // The sine is that of the angle between both links, so that it cannot change by more than twice the turn.
+            return S::holds(certain);
+        }
+        let steady = S::less(S::from_f64(2.0) * change.abs(), sum);
+        S::holds(S::and(certain, steady))
     }
 
     /// Makes the position that was tried the position.
     #[inline(always)]
     pub(super) fn accept(&mut self, independents: &[S], instant: &Instant<L, S>) {
-        for (index, value) in independents.iter().enumerate() {
-            self.heading[index] = *value - self.independents[index];
-            self.independents[index] = *value;
+        if L::INDEPENDENTS == 1 {
+            self.heading[0] = independents[0] - self.independents[0];
+            self.independents[0] = independents[0];
+            return self.accept_groups(instant);
         }
-        self.groups.copy_from_slice(&self.next);
+        let known = self.independents.iter_mut().zip(&mut self.heading);
+        for (value, (kept, heading)) in independents.iter().zip(known) {
+            *heading = *value - *kept;
+            *kept = *value;
+        }
+        self.accept_groups(instant);
+    }
+
+    #[inline(always)]
+    fn accept_groups(&mut self, instant: &Instant<L, S>) {
+        self.position.clone_from(&self.trial);
+        for index in 0..L::GROUPS.len() {
+            self.groups.sines.as_mut()[index] = self.next.sines.as_ref()[index];
+            self.groups.changes.as_mut()[index] = self.next.changes.as_ref()[index];
+        }
+        self.instant.clone_from(instant);
         if Self::iterates() {
             self.closure
                 .coefficients(instant, &self.position, &mut self.columns);
@@ -234,19 +281,18 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
 
     /// The assembly mode of a group, ±1; without meaning for groups that have none.
     pub fn mode(&self, group: usize) -> f64 {
-        self.groups[group].mode.to_f64()
+        self.groups.modes.as_ref()[group].to_f64()
     }
 
     /// Sine of the transmission angle of a group; its smallness says how near a dead point is.
     pub fn sine(&self, group: usize) -> f64 {
-        self.groups[group].sine.to_f64()
+        self.groups.sines.as_ref()[group].to_f64()
     }
 
     /// Writes the outputs at the position.
     #[inline(always)]
     pub fn outputs(&self, values: &mut [S]) {
-        let instant = self.closure.instant(&self.independents);
-        self.closure.outputs(&instant, &self.position, values);
+        self.closure.outputs(&self.instant, &self.position, values);
     }
 
     /// What happened since this was asked last.

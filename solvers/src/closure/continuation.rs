@@ -113,7 +113,6 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     #[cold]
     #[inline(never)]
     pub(super) fn follow(&mut self, target: &[S]) -> Result<(), ClosureError> {
-        self.position.clone_from(&self.last);
         let mut way = Way::new(
             self.place(),
             target.iter().map(|value| value.to_f64()).collect(),
@@ -129,13 +128,8 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             );
             return Err(ClosureError::BadRange { reason });
         }
-        let outcome = self
-            .leave_stands(&mut way)
-            .and_then(|()| self.walk(&mut way));
-        if outcome.is_err() {
-            self.position.clone_from(&self.last);
-        }
-        outcome
+        self.leave_stands(&mut way)?;
+        self.walk(&mut way)
     }
 
     fn walk(&mut self, way: &mut Way) -> Result<(), ClosureError> {
@@ -224,14 +218,14 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let independents = scalars::<S>(&way.at(t));
         let instant = self.closure.instant(&independents);
         let ratio = self.ratio(&independents).to_f64();
-        self.position.clone_from(&self.last);
+        self.trial.clone_from(&self.position);
         for group in 0..L::GROUPS.len() {
-            let now = self.groups[group];
+            let before = self.sine(group);
             let crossing = way.crossing_of(group);
             if crossing.is_some_and(|crossing| crossing.is_beyond(t)) {
                 return Verdict::Doubtful(group);
             }
-            let mode = crossing.map_or(now.mode.to_f64(), |crossing| crossing.mode_at(t));
+            let mode = crossing.map_or(self.mode(group), |crossing| crossing.mode_at(t));
             let (sine, turned) = self.close_near(group, &independents, &instant, mode);
             let sine = match crossing {
                 Some(crossing) if crossing.is_at(t) => self.interpolate(crossing, t, &instant),
@@ -240,15 +234,14 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             if sine.is_nan() {
                 return Verdict::Open(group);
             }
-            let change = sine - now.sine.to_f64();
-            if crossing.is_none()
-                && !is_certain(sine, now.sine.to_f64(), now.change.to_f64() * ratio, turned)
-            {
+            let change = sine - before;
+            let expected = self.groups.changes.as_ref()[group].to_f64() * ratio;
+            if crossing.is_none() && !is_certain(sine, before, expected, turned) {
                 return Verdict::Doubtful(group);
             }
-            self.next[group].mode = S::from_f64(mode);
-            self.next[group].sine = S::from_f64(sine);
-            self.next[group].change = S::from_f64(change);
+            self.next.modes.as_mut()[group] = S::from_f64(mode);
+            self.next.sines.as_mut()[group] = S::from_f64(sine);
+            self.next.changes.as_mut()[group] = S::from_f64(change);
         }
         Verdict::Certain
     }
@@ -267,15 +260,15 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             return (sine.to_f64(), moved.to_f64());
         }
         let mode = S::from_f64(mode);
-        let sine = self.closure.close(group, instant, mode, &mut self.position);
+        let sine = self.closure.close(group, instant, mode, &mut self.trial);
         let mut turned = 0.0;
         for &j in L::GROUPS[group].unknowns {
             if L::ANGLES[j] && kind.has_modes() {
-                let angle = self.position.as_ref()[j].to_f64();
-                let last = self.last.as_ref()[j].to_f64();
-                self.turns[j] = S::from_f64(TAU * ((last - angle) / TAU).round());
-                self.position.as_mut()[j] = self.position.as_ref()[j] + self.turns[j];
-                turned = f64::max(turned, (self.position.as_ref()[j].to_f64() - last).abs());
+                let angle = self.trial.as_ref()[j].to_f64();
+                let last = self.position.as_ref()[j].to_f64();
+                self.turns.as_mut()[j] = S::from_f64(TAU * ((last - angle) / TAU).round());
+                self.trial.as_mut()[j] = self.trial.as_ref()[j] + self.turns.as_ref()[j];
+                turned = f64::max(turned, (self.trial.as_ref()[j].to_f64() - last).abs());
             }
         }
         (sine.to_f64(), turned)
@@ -285,12 +278,10 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     pub(super) fn probe(&mut self, way: &Way, t: f64, group: usize, mode: f64) -> f64 {
         let independents = scalars::<S>(&way.at(t));
         let instant = self.closure.instant(&independents);
-        self.position.clone_from(&self.last);
+        self.trial.clone_from(&self.position);
         for before in 0..group {
             let crossing = way.crossing_of(before);
-            let own = crossing.map_or(self.groups[before].mode.to_f64(), |crossing| {
-                crossing.mode_at(t)
-            });
+            let own = crossing.map_or(self.mode(before), |crossing| crossing.mode_at(t));
             if self
                 .close_near(before, &independents, &instant, own)
                 .0
@@ -304,26 +295,20 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
 
     /// The margin of a group at `t`, NaN if one before it does not close.
     pub(super) fn margin_at(&mut self, way: &Way, t: f64, group: usize) -> f64 {
-        if group > 0
-            && self
-                .probe(way, t, group - 1, self.groups[group - 1].mode.to_f64())
-                .is_nan()
-        {
+        if group > 0 && self.probe(way, t, group - 1, self.mode(group - 1)).is_nan() {
             return f64::NAN;
         }
         let instant = self.closure.instant(&scalars::<S>(&way.at(t)));
         if group == 0 {
-            self.position.clone_from(&self.last);
+            self.trial.clone_from(&self.position);
         }
-        self.closure
-            .margin(group, &instant, &self.position)
-            .to_f64()
+        self.closure.margin(group, &instant, &self.trial).to_f64()
     }
 
     /// Gap that rounding may leave in a group.
     pub(super) fn allowance(&mut self, way: &Way, t: f64, group: usize) -> f64 {
         let instant = self.closure.instant(&scalars::<S>(&way.at(t)));
-        self.position.clone_from(&self.last);
+        self.trial.clone_from(&self.position);
         ROUNDING * self.reach(group, &instant)
     }
 
@@ -346,8 +331,8 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let independents = scalars::<S>(&place);
         let instant = self.closure.instant(&independents);
         self.pass_crossings(way, t);
+        self.groups.modes.clone_from(&self.next.modes);
         self.accept(&independents, &instant);
-        self.last.clone_from(&self.position);
     }
 
     fn dead_point(&mut self, group: usize, way: &Way, at: f64) -> ClosureError {
@@ -371,11 +356,11 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         }
         let instant = self.closure.instant(&scalars::<S>(&way.at(t)));
         if group == 0 {
-            self.position.clone_from(&self.last);
+            self.trial.clone_from(&self.position);
         }
         match self
             .newton
-            .close(&self.closure, group, &instant, &mut self.position)
+            .close(&self.closure, group, &instant, &mut self.trial)
         {
             Ok(_) => f64::NAN,
             Err(failure) => failure.reached.residual,
@@ -416,15 +401,16 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     }
 }
 
-/// Whether a group has certainly kept its mode; without a step before, only a small change is certain.
+/// Whether a group has certainly kept its mode, see [`super::assembly`]; without a step before, only a small change is
+/// certain.
 fn is_certain(sine: f64, before: f64, expected_change: f64, turned: f64) -> bool {
-    let sum = sine.abs() + before.abs();
+    let sum = (sine + before).abs();
     let change = (sine - before).abs();
-    let bound = f64::max(2.0 * change, 4.0 * turned);
     if expected_change.is_nan() {
-        return 8.0 * bound < sum;
+        return 16.0 * change < sum && 32.0 * turned < sum;
     }
-    bound < sum && 4.0 * (sine - before - expected_change).abs() < sum
+    let missed = (sine - before - expected_change).abs();
+    4.0 * (turned + missed) < sum && 2.0 * change < sum
 }
 
 /// The numbers as scalars.

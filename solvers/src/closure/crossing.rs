@@ -88,12 +88,12 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     ) -> Meeting {
         let sine = self.sine(group);
         let step = self.ratio(&scalars::<S>(&way.at(1.0))).to_f64() / (1.0 - done);
-        let slope = self.groups[group].change.to_f64() * step;
+        let slope = self.groups.changes.as_ref()[group].to_f64() * step;
         let at = guess.unwrap_or(done - sine / slope);
         if !(at > done && at < done + 4.0) {
             return Meeting::None;
         }
-        let mode = self.groups[group].mode.to_f64();
+        let mode = self.mode(group);
         match self.close_in(way, group, mode, (done, at)) {
             Ok((at, rate)) => self.choose(way, group, mode, at, rate),
             Err(meeting) => meeting,
@@ -175,7 +175,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
                     return Meeting::None;
                 }
                 for (value, &j) in values.iter_mut().zip(unknowns) {
-                    value[k] = self.position.as_ref()[j].to_f64();
+                    value[k] = self.trial.as_ref()[j].to_f64();
                 }
             }
             if k >= 3 {
@@ -218,11 +218,11 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     ) -> f64 {
         let unknowns = L::GROUPS[crossing.group].unknowns;
         for (values, &j) in crossing.values.iter().zip(unknowns) {
-            self.position.as_mut()[j] = S::from_f64(through(crossing.nodes, *values, t));
+            self.trial.as_mut()[j] = S::from_f64(through(crossing.nodes, *values, t));
         }
         let group = crossing.group;
         self.newton
-            .sine(&self.closure, group, instant, &mut self.position)
+            .sine(&self.closure, group, instant, &mut self.trial)
     }
 
     /// Reports the change points that are passed, and remembers those that are stood on.
@@ -276,7 +276,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         for (miss, mode) in misses.iter_mut().zip([1.0, -1.0]) {
             self.probe(way, before, group, mode);
             *miss = stand.miss(way, before, L::GROUPS[group].unknowns, |j| {
-                (self.position.as_ref()[j] - self.last.as_ref()[j]).to_f64()
+                (self.trial.as_ref()[j] - self.position.as_ref()[j]).to_f64()
             });
         }
         let mode = if misses[0] < misses[1] { 1.0 } else { -1.0 };

@@ -7,6 +7,7 @@
 //! | `assembly`, `start`, `predict` | [`Assembly`]: all groups in their modes, put together and moved |
 //! | `continuation`, `crossing` | the same where a step is not certain to keep the modes |
 //! | `arc`, `turn` | dead points, and passing through them by the length of the curve of positions |
+//! | `sweep` | positions over a grid |
 
 mod arc;
 mod assembly;
@@ -19,6 +20,7 @@ mod problem;
 mod root;
 mod scaled;
 mod start;
+mod sweep;
 #[cfg(test)]
 mod tests;
 mod turn;
@@ -28,3 +30,4 @@ pub use error::ClosureError;
 pub use newton::{Closed, Failure, Newton, Stop};
 pub use problem::{Closure, Group, GroupKind, Linkage, Range, Variable};
 pub use start::Start;
+pub use sweep::{AtDeadPoint, Axis, Positions, sweep};

@@ -23,19 +23,19 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     ) -> (S, S) {
         let unknowns = L::GROUPS[group].unknowns;
         for &j in unknowns {
-            self.position.as_mut()[j] = S::from_f64(self.predicted(j, independents));
+            self.trial.as_mut()[j] = S::from_f64(self.predicted(j, independents));
         }
         let closed = self
             .newton
-            .close(&self.closure, group, instant, &mut self.position);
+            .close(&self.closure, group, instant, &mut self.trial);
         let Ok(closed) = closed else {
             return (S::from_f64(f64::NAN), S::ZERO);
         };
         let (mut moved, mut missed) = (0.0, 0.0);
         for (k, &j) in unknowns.iter().enumerate() {
             let unit = self.newton.units()[k];
-            let found = self.position.as_ref()[j].to_f64();
-            let last = self.last.as_ref()[j].to_f64();
+            let found = self.trial.as_ref()[j].to_f64();
+            let last = self.position.as_ref()[j].to_f64();
             moved = f64::max(moved, (found - last).abs() / unit);
             missed = f64::max(
                 missed,
@@ -49,7 +49,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
 
     /// Where the kinematic coefficients predict a dependent coordinate.
     fn predicted(&self, j: usize, independents: &[S]) -> f64 {
-        let mut value = self.last.as_ref()[j].to_f64();
+        let mut value = self.position.as_ref()[j].to_f64();
         for (column, (to, from)) in self
             .columns
             .iter()

@@ -1,6 +1,6 @@
 //! Putting a linkage together: which assembly mode the start values mean.
 
-use super::assembly::{Assembly, State};
+use super::assembly::Assembly;
 use super::error::ClosureError;
 use super::newton::{Failure, Instant, Stop};
 use super::problem::{Closure, GroupKind, Linkage};
@@ -64,10 +64,12 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             .copied()
             .filter(|&group| L::GROUPS[group].kind.has_modes())
             .collect();
+        let kept = self.groups.modes.clone();
         let mut first = Ok(());
         for bits in 0..1u64 << choices.len().min(16) {
             for (k, &group) in choices.iter().enumerate() {
-                self.groups[group].mode = S::from_f64(if bits >> k & 1 == 0 { 1.0 } else { -1.0 });
+                self.groups.modes.as_mut()[group] =
+                    S::from_f64(if bits >> k & 1 == 0 { 1.0 } else { -1.0 });
             }
             let outcome = self.place_all(at, &instant, near);
             if outcome.is_ok() {
@@ -82,6 +84,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             }
             first = first.and(outcome);
         }
+        self.groups.modes = kept;
         Err(first.err().unwrap_or(ClosureError::BadRange {
             reason: "nothing to start".into(),
         }))
@@ -103,7 +106,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             if sine.is_nan() || sine == 0.0 {
                 return Err(self.explain(group, at, instant));
             }
-            self.groups[group].sine = S::from_f64(sine);
+            self.next.sines.as_mut()[group] = S::from_f64(sine);
             self.unwrap_towards(group, near);
         }
         Ok(())
@@ -112,7 +115,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// Closes a group in closed form in a mode.
     fn closed(&mut self, group: usize, instant: &Instant<L, S>, mode: f64) -> f64 {
         self.closure
-            .close(group, instant, S::from_f64(mode), &mut self.position)
+            .close(group, instant, S::from_f64(mode), &mut self.trial)
             .to_f64()
     }
 
@@ -130,10 +133,10 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             if self.closed(group, instant, mode).is_nan() {
                 return Err(self.explain(group, at, instant));
             }
-            candidate.extend(unknowns.iter().map(|&j| self.position.as_ref()[j].to_f64()));
+            candidate.extend(unknowns.iter().map(|&j| self.trial.as_ref()[j].to_f64()));
         }
         self.newton
-            .sine(&self.closure, group, instant, &mut self.position);
+            .sine(&self.closure, group, instant, &mut self.trial);
         let wanted: Vec<f64> = unknowns.iter().map(|&j| near[j]).collect();
         let [plus, minus] = &candidates;
         let apart = self.distance(group, plus, minus);
@@ -157,9 +160,10 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             });
         }
         if stated {
-            self.groups[group].mode = S::from_f64(if to_plus < to_minus { 1.0 } else { -1.0 });
+            self.groups.modes.as_mut()[group] =
+                S::from_f64(if to_plus < to_minus { 1.0 } else { -1.0 });
         }
-        let mode = self.groups[group].mode.to_f64();
+        let mode = self.mode(group);
         Ok(self.closed(group, instant, mode))
     }
 
@@ -192,11 +196,11 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     ) -> Result<f64, ClosureError> {
         for &j in L::GROUPS[group].unknowns {
             let value = if near[j].is_nan() { 0.0 } else { near[j] };
-            self.position.as_mut()[j] = S::from_f64(value);
+            self.trial.as_mut()[j] = S::from_f64(value);
         }
         let closed = self
             .newton
-            .close(&self.closure, group, instant, &mut self.position);
+            .close(&self.closure, group, instant, &mut self.trial);
         match closed {
             Ok(closed) => Ok(closed.sine),
             Err(failure) => Err(failure_at(failure, group, at)),
@@ -206,28 +210,22 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// Adds whole turns to the angles of a group, so that they are nearest to rough values.
     fn unwrap_towards(&mut self, group: usize, near: &[f64]) {
         for &j in L::GROUPS[group].unknowns {
-            let angle = self.position.as_ref()[j].to_f64();
+            let angle = self.trial.as_ref()[j].to_f64();
             let turns = if L::ANGLES[j] && L::GROUPS[group].kind.has_modes() && near[j].is_finite()
             {
                 TAU * ((near[j] - angle) / TAU).round()
             } else {
                 0.0
             };
-            self.turns[j] = S::from_f64(turns);
-            self.position.as_mut()[j] = S::from_f64(angle + turns);
+            self.turns.as_mut()[j] = S::from_f64(turns);
+            self.trial.as_mut()[j] = S::from_f64(angle + turns);
         }
     }
 
     /// Begins the motion where the groups have been closed.
     fn settle(&mut self, independents: &[S], instant: &Instant<L, S>) {
         let unknown = S::from_f64(f64::NAN);
-        self.next.clone_from(&self.groups);
-        for state in &mut self.next {
-            *state = State {
-                change: unknown,
-                ..*state
-            };
-        }
+        self.next.changes.as_mut().fill(unknown);
         self.independents.copy_from_slice(independents);
         self.accept(independents, instant);
         self.heading.fill(unknown);
@@ -250,7 +248,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
                 apart: 0.0,
             };
         }
-        let margin = self.closure.margin(group, instant, &self.position).to_f64();
+        let margin = self.closure.margin(group, instant, &self.trial).to_f64();
         if margin < -ROUNDING * self.reach(group, instant) {
             return ClosureError::NotAssembled {
                 group,
@@ -271,12 +269,12 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// Length of the longest link of a group, as its equations see it.
     pub(super) fn reach(&mut self, group: usize, instant: &Instant<L, S>) -> f64 {
         for &j in L::GROUPS[group].unknowns {
-            if !self.position.as_ref()[j].to_f64().is_finite() {
-                self.position.as_mut()[j] = S::ZERO;
+            if !self.trial.as_ref()[j].to_f64().is_finite() {
+                self.trial.as_mut()[j] = S::ZERO;
             }
         }
         self.newton
-            .sine(&self.closure, group, instant, &mut self.position);
+            .sine(&self.closure, group, instant, &mut self.trial);
         self.newton
             .columns()
             .iter()

@@ -27,7 +27,6 @@ struct Turn {
 impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// Where the curve of positions from `done` turns back before the end of the way.
     pub(super) fn turn_ahead(&mut self, way: &Way, done: f64) -> Option<f64> {
-        self.position.clone_from(&self.last);
         let mut curve = self.curve(way);
         let begin = curve.begin(&self.coordinates(), done)?;
         let turn = find_turn(&mut curve, begin)?;

@@ -3,3 +3,4 @@
 mod hard;
 mod linkages;
 mod published;
+mod speed;

@@ -97,6 +97,7 @@ impl<S: Scalar> Closure<S> for Loops<S> {
     type Matrix = [S; 4];
     unasked!(S);
 
+    #[inline(always)]
     fn zeros(&self) -> [S; 6] {
         [S::ZERO; 6]
     }

@@ -116,6 +116,7 @@ impl<S: Scalar> Closure<S> for Loops<S> {
     type Matrix = [S; 9];
     unasked!(S);
 
+    #[inline(always)]
     fn zeros(&self) -> [S; 9] {
         [S::ZERO; 9]
     }

@@ -108,6 +108,7 @@ impl<S: Scalar> Closure<S> for Loops<S> {
     type Matrix = [S; 4];
     unasked!(S);
 
+    #[inline(always)]
     fn zeros(&self) -> [S; 12] {
         [S::ZERO; 12]
     }

@@ -69,6 +69,7 @@ impl<S: Scalar> Closure<S> for Loops<S> {
     type Matrix = [S; 4];
     unasked!(S);
 
+    #[inline(always)]
     fn zeros(&self) -> [S; 4] {
         [S::ZERO; 4]
     }
