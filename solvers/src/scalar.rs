@@ -6,13 +6,15 @@
 mod dual;
 mod error_function;
 mod fused;
+mod interval;
 mod plain;
 mod sine;
 
 pub use dual::Dual;
 pub use fused::Fused;
+pub use interval::{Interval, Perhaps};
 
-/// A number: `f64`, `f32`, fused `f64`, a pack of lanes, a dual number.
+/// A number: `f64`, `f32`, fused `f64`, a pack of lanes, a dual number, an interval.
 ///
 /// A function of an argument outside its domain gives NaN. Nothing here panics.
 pub trait Scalar:
