@@ -88,6 +88,9 @@ pub trait RunLinkage: Send + Sync {
     /// # Errors
     /// Why the linkage does not get there.
     fn influence(&self, place: &[f64]) -> Result<Vec<f64>, ClosureError>;
+    /// Nanoseconds of one move between neighbouring positions of the task, outputs included, measured over this many;
+    /// not a number if it has no two positions that are reached.
+    fn time_position(&self, moves: usize) -> f64;
 }
 
 /// Checks the values of a linkage and prepares it.
@@ -123,5 +126,9 @@ impl<L: Linkage + 'static> RunLinkage for Bound<L> {
 
     fn influence(&self, place: &[f64]) -> Result<Vec<f64>, ClosureError> {
         path::influence(&self.linkage, place)
+    }
+
+    fn time_position(&self, moves: usize) -> f64 {
+        path::time_position(&self.linkage, moves)
     }
 }

@@ -1,5 +1,8 @@
 //! A linkage moved through positions.
 
+use std::hint::black_box;
+use std::time::Instant;
+
 use crate::closure::{Assembly, Closure, ClosureError, Event, Linkage, Start};
 
 /// A linkage at one position.
@@ -19,6 +22,8 @@ pub struct Sample {
     pub modes: Vec<f64>,
     /// Sine of the transmission angle of each group; small near a dead point.
     pub sines: Vec<f64>,
+    /// What is left of each loop equation.
+    pub residuals: Vec<f64>,
 }
 
 /// The positions that were reached.
@@ -83,6 +88,8 @@ fn sample<L: Linkage>(assembly: &Assembly<L, f64>, motion: &[f64]) -> Sample {
     let dependents = |position: &<L::Closure<f64> as Closure<f64>>::Position| {
         position.as_ref()[..L::DEPENDENTS].to_vec()
     };
+    let mut residuals = vec![0.0; L::DEPENDENTS];
+    closure.residual(&instant, position, &mut residuals);
     let groups = 0..L::GROUPS.len();
     Sample {
         independents: independents.iter().chain(motion).copied().collect(),
@@ -92,6 +99,7 @@ fn sample<L: Linkage>(assembly: &Assembly<L, f64>, motion: &[f64]) -> Sample {
         coefficients: columns.iter().map(dependents).collect(),
         modes: groups.clone().map(|group| assembly.mode(group)).collect(),
         sines: groups.map(|group| assembly.sine(group)).collect(),
+        residuals,
     }
 }
 
@@ -112,4 +120,48 @@ pub fn influence<L: Linkage>(linkage: &L, place: &[f64]) -> Result<Vec<f64>, Clo
     let mut values = vec![0.0; L::OUTPUTS * L::VARIABLES.len()];
     closure.influence(&instant, assembly.position(), &mut values);
     Ok(values)
+}
+
+/// Positions between which the time of a move is measured.
+const PLACES: usize = 256;
+
+/// Nanoseconds of one move between neighbouring positions of the task, outputs included; NaN if it has no two of them.
+pub fn time_position<L: Linkage>(linkage: &L, moves: usize) -> f64 {
+    let mut assembly = Assembly::<L, f64>::new(linkage);
+    if assembly.start().is_err() {
+        return f64::NAN;
+    }
+    let reached = |place: &Vec<f64>| assembly.move_to(&place[..L::INDEPENDENTS]).is_ok();
+    let places: Vec<_> = places(linkage).into_iter().take_while(reached).collect();
+    if places.len() < 2 {
+        return f64::NAN;
+    }
+    let mut outputs = vec![0.0; L::OUTPUTS];
+    let clock = Instant::now();
+    let back_and_forth = places.iter().rev().chain(&places).cycle();
+    for place in back_and_forth.take(moves) {
+        if assembly.move_to(&place[..L::INDEPENDENTS]).is_err() {
+            return f64::NAN;
+        }
+        assembly.outputs(&mut outputs);
+        black_box(&outputs);
+    }
+    clock.elapsed().as_secs_f64() * 1e9 / moves as f64
+}
+
+/// Positions along the task, all drivers moving at once.
+fn places<L: Linkage>(linkage: &L) -> Vec<Vec<f64>> {
+    let share = |index: usize| index as f64 / PLACES as f64;
+    let (first, last) = linkage.span().limits();
+    let ranges = linkage.ranges();
+    let place = |index: usize| {
+        let moving = linkage.drive(first + share(index) * (last - first));
+        moving.unwrap_or_else(|| {
+            let along = ranges.iter();
+            along
+                .map(|range| range.from + share(index) * (range.to - range.from))
+                .collect()
+        })
+    };
+    (0..=PLACES).map(place).collect()
 }
