@@ -135,7 +135,7 @@ fn derivatives() {
     check_all(&[
         ("output y = dot(ddot(x));", &[("a derivative of an acceleration", "dot(ddot(x))", "at most the second derivative")]),
         ("output y = diff(x^2, 2*x);", &[("`diff` needs something given as its variable", "2*x", "a coordinate, a driver")]),
-        ("output y = diff(x);", &[("`diff` takes 2 argument(s), and this gives it 1", "diff(x)", "")]),
+        ("output y = diff(x);", &[("`diff` takes 2 arguments, and this gives it 1", "diff(x)", "")]),
         ("motion ddot(x)^2 = 1 [m^2/s^4];", &[("this is not linear in `ddot(x)`", "motion ddot(x)^2 = 1 [m^2/s^4];", "")]),
     ]);
 }
