@@ -1,6 +1,7 @@
 //! Intervals: enclosures of all values that an expression takes while its arguments range over theirs.
 
 use super::{Scalar, error_function};
+use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -31,6 +32,36 @@ pub struct Perhaps {
     pub may_hold: bool,
     /// It fails for some numbers.
     pub may_fail: bool,
+}
+
+impl std::ops::BitAnd for Perhaps {
+    type Output = Self;
+    fn bitand(self, other: Self) -> Self {
+        Self {
+            may_hold: self.may_hold && other.may_hold,
+            may_fail: self.may_fail || other.may_fail,
+        }
+    }
+}
+
+impl std::ops::BitOr for Perhaps {
+    type Output = Self;
+    fn bitor(self, other: Self) -> Self {
+        Self {
+            may_hold: self.may_hold || other.may_hold,
+            may_fail: self.may_fail && other.may_fail,
+        }
+    }
+}
+
+impl std::ops::Not for Perhaps {
+    type Output = Self;
+    fn not(self) -> Self {
+        Self {
+            may_hold: self.may_fail,
+            may_fail: self.may_hold,
+        }
+    }
 }
 
 /// Relative error that a function of the standard library may have.
@@ -245,13 +276,16 @@ impl Scalar for Interval {
     fn less(left: Self, right: Self) -> Perhaps {
         Perhaps {
             may_hold: left.low < right.high,
-            may_fail: !(left.high < right.low),
+            may_fail: left.high.partial_cmp(&right.low) != Some(Ordering::Less),
         }
     }
     fn less_equal(left: Self, right: Self) -> Perhaps {
         Perhaps {
             may_hold: left.low <= right.high,
-            may_fail: !(left.high <= right.low),
+            may_fail: matches!(
+                left.high.partial_cmp(&right.low),
+                None | Some(Ordering::Greater)
+            ),
         }
     }
     fn equal(left: Self, right: Self) -> Perhaps {
@@ -259,24 +293,6 @@ impl Scalar for Interval {
         Perhaps {
             may_hold: left.low <= right.high && right.low <= left.high,
             may_fail: !same,
-        }
-    }
-    fn and(left: Perhaps, right: Perhaps) -> Perhaps {
-        Perhaps {
-            may_hold: left.may_hold && right.may_hold,
-            may_fail: left.may_fail || right.may_fail,
-        }
-    }
-    fn or(left: Perhaps, right: Perhaps) -> Perhaps {
-        Perhaps {
-            may_hold: left.may_hold || right.may_hold,
-            may_fail: left.may_fail && right.may_fail,
-        }
-    }
-    fn not(mask: Perhaps) -> Perhaps {
-        Perhaps {
-            may_hold: mask.may_fail,
-            may_fail: mask.may_hold,
         }
     }
     /// Whether it certainly holds.
