@@ -7,4 +7,8 @@ assur::equations! {
     "batten_table.eqn",
     "heald_linkage.eqn",
     "selvedge_linkage.eqn",
+    "feed_rack.eqn",
+    "feed_lift.eqn",
+    "feed_stitch.eqn",
+    "dwell_six_bar.eqn",
 }
