@@ -85,6 +85,7 @@ fn stub(name: &str, scenes: &[String]) -> Model {
         requirements: Vec::new(),
         span: SpanKind::Open,
         conservative: false,
+        literal: None,
         marks: Vec::new(),
         expectations: Vec::new(),
         linkage: None,

@@ -104,6 +104,9 @@ pub struct SceneModel {
     pub span: SpanKind,
     /// Whether energy is conserved: energies are stated, nothing dissipates, and nothing depends on the time.
     pub conservative: bool,
+    /// The first number with a length, mass or time in its unit that the motion or an output depends on. Such a scene
+    /// cannot be stated in other units by changing the values of its constants.
+    pub literal: Option<LiteralInfo>,
     /// Places that plots show.
     pub marks: Vec<MarkInfo>,
     /// Published facts.
@@ -231,6 +234,15 @@ pub struct ConstantInfo {
     pub distribution: Distribution,
     /// Permitted range, SI units; infinite where open.
     pub range: (f64, f64),
+}
+
+/// A number with its unit, as the file writes it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LiteralInfo {
+    /// The number, `3 mm`.
+    pub text: String,
+    /// Where it stands in the file.
+    pub span: Span,
 }
 
 /// An equation as text.

@@ -72,7 +72,7 @@ pub fn scene(
         .constants
         .iter()
         .enumerate()
-        .map(|(index, declared)| low.constant(index as u32, declared))
+        .map(|(index, declared)| low.aside(|low| low.constant(index as u32, declared)))
         .collect();
     let coordinates = names.coordinates.len();
     let mut units: Vec<Option<Unit>> = Vec::new();
@@ -111,10 +111,11 @@ pub fn scene(
             && names.table.contains_key(&name.text)
         {
             let used = low.used.contains(&name.text);
-            low.term(&Term {
+            let term = Term {
                 span: name.span,
                 kind: crate::syntax::tree::TermKind::Name(name.text.clone()),
-            });
+            };
+            low.aside(|low| low.term(&term));
             if !used {
                 low.used.remove(&name.text);
             }
@@ -146,6 +147,7 @@ pub fn scene(
     };
 
     let outputs = facts::outputs(&mut low, &names.outputs[reported]);
+    let literal = low.literal.take();
     let mut span = facts::task(&mut low, task.scene.map(|(scene, _)| scene));
     if low.moved == Moved::Swept {
         span.kind = SpanKind::Sweep;
@@ -203,6 +205,7 @@ pub fn scene(
         requirements: parts.requirements,
         span: span.kind,
         conservative: false,
+        literal,
         marks: facts::marks(&mut low, &statements),
         expectations: Vec::new(),
         linkage: None,

@@ -57,7 +57,7 @@ impl Parts {
                 }
             }
             StatementKind::Require { condition, text } => {
-                let Some(value) = low.condition(condition) else {
+                let Some(value) = low.aside(|low| low.condition(condition)) else {
                     return;
                 };
                 let moving = |symbol| !matches!(symbol, Symbol::Parameter(_));

@@ -5,6 +5,7 @@ mod arithmetic;
 mod breaks;
 mod call;
 mod derivative;
+mod literal;
 mod typed;
 mod vector;
 mod written;
@@ -15,6 +16,7 @@ use typed::Key;
 pub use typed::{Kind, Typed};
 use written::Written;
 
+use crate::checked::LiteralInfo;
 use crate::declare::{Kinds, Moved};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Graph, Symbol};
@@ -24,7 +26,7 @@ use crate::resolve::{FUNCTIONS, Names, QUANTITIES, Role};
 use crate::scene::{Selected, Survey};
 use crate::syntax::tree::{Name, Term, TermKind};
 use crate::token::Span;
-use crate::unit::{self, Dimension, Unit};
+use crate::unit::{Dimension, Unit};
 use crate::unroll::{bounds, whole_number, with_index};
 
 /// Functions may call functions this deep.
@@ -37,6 +39,9 @@ const SUMMANDS: usize = 100_000;
 pub fn second() -> Dimension {
     Dimension::base(2)
 }
+
+/// What a name or a call means, and the first number in it that depends on the units.
+type Meaning = (Typed, Option<LiteralInfo>);
 
 /// Everything that lowering a scene's terms needs and remembers.
 pub struct Lowering<'a> {
@@ -58,14 +63,16 @@ pub struct Lowering<'a> {
     pub slopes: Option<Slopes>,
     /// What moves the drivers.
     pub moved: Moved,
+    /// The first number with a length, mass or time in its unit in what has been lowered, abbreviations included.
+    pub literal: Option<LiteralInfo>,
     survey: &'a Survey<'a>,
     selected: &'a Selected,
     kinds: Kinds,
-    done: HashMap<String, Typed>,
+    done: HashMap<String, Meaning>,
     open: Vec<(String, Span)>,
     locals: Vec<HashMap<String, Typed>>,
-    calls: HashMap<(String, Vec<Key>), Typed>,
     written: Written,
+    calls: HashMap<(String, Vec<Key>), Meaning>,
     arguments: u32,
     summands: usize,
     drivers_read: bool,
@@ -89,6 +96,7 @@ impl<'a> Lowering<'a> {
             derived: HashSet::new(),
             slopes: None,
             moved: Moved::InTime,
+            literal: None,
             survey,
             selected,
             kinds: Kinds::new(),
@@ -119,7 +127,7 @@ impl<'a> Lowering<'a> {
 
     fn lower(&mut self, term: &Term) -> Typed {
         match &term.kind {
-            TermKind::Number { value, unit } => self.literal(*value, unit.as_ref()),
+            TermKind::Number { value, unit } => self.literal(*value, unit.as_ref(), term),
             TermKind::Name(name) => self.name(name, term.span),
             TermKind::Index { name, index } => match whole_number(index, self.diagnostics) {
                 Some(number) => self.name(&format!("{}[{number}]", name.text), term.span),
@@ -217,18 +225,6 @@ impl<'a> Lowering<'a> {
     /// Unit in which a given quantity is printed.
     pub fn unit_of(&self, symbol: Symbol) -> Option<Unit> {
         self.kinds.get(&symbol).map(|(_, unit)| unit.clone())
-    }
-
-    fn literal(&mut self, value: f64, unit: Option<&crate::syntax::tree::UnitTerm>) -> Typed {
-        let (value, kind) = match unit {
-            None if value == 0.0 => (value, Kind::Any),
-            None => (value, Kind::NUMBER),
-            Some(written) => match unit::resolve(written, self.diagnostics) {
-                Some(unit) => (unit.to_si(value), Kind::Of(unit.dimension)),
-                None => return Typed::Wrong,
-            },
-        };
-        Typed::scalar(self.graph.number(value), kind)
     }
 
     fn name(&mut self, name: &str, span: Span) -> Typed {
@@ -329,8 +325,9 @@ impl<'a> Lowering<'a> {
     }
 
     fn abbreviation(&mut self, name: &str, value: &Term, span: Span) -> Typed {
-        if let Some(done) = self.done.get(name) {
-            return done.clone();
+        if let Some((done, literal)) = self.done.get(name).cloned() {
+            self.note(literal);
+            return done;
         }
         if let Some(at) = self.open.iter().position(|(one, _)| one == name) {
             let circle: Vec<_> = self.open[at..]
@@ -358,13 +355,15 @@ impl<'a> Lowering<'a> {
         self.open.push((name.to_string(), span));
         // An abbreviation sees the file's names, not the arguments of whoever uses it.
         self.locals.push(HashMap::new());
-        let typed = self.term(value);
+        let (typed, literal) = self.apart(|low| low.term(value));
         self.locals.pop();
         self.open.pop();
         if let Typed::Scalar { value, .. } = &typed {
             self.graph.name(*value, name);
         }
-        self.done.insert(name.to_string(), typed.clone());
+        self.done
+            .insert(name.to_string(), (typed.clone(), literal.clone()));
+        self.note(literal);
         typed
     }
 
@@ -384,8 +383,9 @@ impl<'a> Lowering<'a> {
             name.text.clone(),
             arguments.iter().map(Typed::key).collect::<Vec<_>>(),
         );
-        if let Some(done) = self.calls.get(&key) {
-            return done.clone();
+        if let Some((done, literal)) = self.calls.get(&key).cloned() {
+            self.note(literal);
+            return done;
         }
         if let Some(at) = self.open.iter().position(|(one, _)| *one == name.text) {
             let circle: Vec<_> = self.open[at..]
@@ -415,10 +415,11 @@ impl<'a> Lowering<'a> {
                 .zip(arguments)
                 .collect(),
         );
-        let typed = self.term(body);
+        let (typed, literal) = self.apart(|low| low.term(body));
         self.locals.pop();
         self.open.pop();
-        self.calls.insert(key, typed.clone());
+        self.calls.insert(key, (typed.clone(), literal.clone()));
+        self.note(literal);
         typed
     }
 

@@ -61,6 +61,11 @@ impl Dimension {
         Some(Self(exponents))
     }
 
+    /// Whether it contains a length, a mass or a time.
+    pub fn is_mechanical(&self) -> bool {
+        self.0[..3].iter().any(|(numerator, _)| *numerator != 0)
+    }
+
     /// The exponents, numerator and denominator.
     pub fn exponents(&self) -> [(i8, i8); 7] {
         self.0
@@ -98,6 +103,8 @@ mod tests {
         assert_eq!(area.pow(1, 2), Some(Dimension::base(0)));
         assert_eq!(Dimension::base(0).pow(1, 2).unwrap().exponents()[0], (1, 2));
         assert_eq!(area.div(&area), Some(Dimension::NONE));
+        assert!(area.is_mechanical() && !Dimension::NONE.is_mechanical());
+        assert!(!Dimension::base(4).is_mechanical());
     }
 
     #[test]

@@ -5,6 +5,7 @@ mod chain;
 mod derivatives;
 mod fuzz;
 mod grammar;
+mod literals;
 mod right;
 mod scenes;
 mod wrong;
