@@ -3,6 +3,7 @@
 //! Equations are written once, for any [`Scalar`]. A comparison gives a mask and a branch becomes [`Scalar::select`],
 //! so that several lanes of a pack may take different sides.
 
+mod bounded;
 mod dual;
 mod error_function;
 mod fused;
@@ -10,11 +11,13 @@ mod interval;
 mod plain;
 mod sine;
 
+pub use bounded::Bounded;
 pub use dual::Dual;
 pub use fused::Fused;
 pub use interval::{Interval, Perhaps};
 
-/// A number: `f64`, `f32`, fused `f64`, a pack of lanes, a dual number, an interval.
+/// A number: `f64`, `f32`, fused `f64`, a pack of lanes, a dual number, an interval, a number with the bound of its
+/// error.
 ///
 /// A function of an argument outside its domain gives NaN. Nothing here panics.
 pub trait Scalar:
@@ -229,9 +232,11 @@ mod tests {
         check::<f64>();
         check::<f32>();
         check::<Fused>();
+        check::<Bounded>();
         for x in [0.125, 0.375, 0.75, 0.875] {
             assert!(functions::<f64>(x) < 5e-16);
             assert!(functions::<Fused>(x) < 5e-16);
+            assert!(functions::<Bounded>(x) < 5e-16);
             assert!(functions::<f32>(x) < 5e-7);
         }
     }
