@@ -1,5 +1,10 @@
 //! What the generated tests of a mechanism ask of it: that its derivatives are those of its equations, that energy
-//! stays where it cannot go, that published facts come out.
+//! stays where it cannot go, that it moves in the same way when it is stated in other units, that published facts come
+//! out.
+//!
+//! Energy is asked of a scene that conserves it. Other units are asked of a scene whose equations and outputs hold no number
+//! with a length, mass or time in its unit: a `3 mm` there, unlike the value of a constant, cannot be restated. The
+//! documentation of such a scene names the first of these numbers.
 //!
 //! Each check gives back what it found instead of panicking, so that the command may run it too.
 
@@ -8,12 +13,14 @@ mod facts;
 mod linkage;
 mod positions;
 mod resolve;
+mod scaling;
 #[cfg(test)]
 mod tests;
 
 pub use derivatives::jacobian;
 pub use facts::fact;
 pub use linkage::closure;
+pub use scaling::scaling;
 
 use crate::ode;
 use crate::problem::{Equations, Scene, Storage};
@@ -21,6 +28,9 @@ use crate::registry::{Method, Settings};
 
 /// Largest drift of the energy, as a share of what is exchanged.
 const DRIFT: f64 = 1e-9;
+
+/// Places that are tried.
+const PLACES: usize = 6;
 
 /// Why a check failed. It prints as its text in both formats, because a test prints its error with `{:?}`.
 #[derive(Clone, PartialEq, Eq)]
@@ -84,6 +94,17 @@ pub fn energy<C: Scene + Default>(energies: Energies<C>) -> Result<(), Failed> {
             DRIFT * exchanged
         ))),
     }
+}
+
+/// Times and states at which a scene is tried: all over its task, near its start and far from it.
+fn places<C: Scene>(scene: &C) -> impl Iterator<Item = (f64, Vec<f64>)> {
+    let ((from, to), start) = (scene.span().limits(), scene.start());
+    (0..PLACES).map(move |index| {
+        // Never the start itself: at rest two branches may meet there, which have two derivatives.
+        let size = [1.0, 30.0, 300.0][index % 3];
+        let time = from + (to - from) * (index as f64 * 0.618 + 0.137).fract();
+        (time, beside(&start, C::SCALES, index, size))
+    })
 }
 
 /// The declared start, or where nothing moves from there, one a little beside it.

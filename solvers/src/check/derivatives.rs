@@ -1,6 +1,6 @@
 //! Derived Jacobians against dual numbers.
 
-use super::{Failed, State, beside, state};
+use super::{Failed, State, places, state};
 use crate::problem::{Equations, Scene, Storage};
 use crate::scalar::{Dual, Scalar};
 
@@ -8,8 +8,6 @@ use crate::scalar::{Dual, Scalar};
 const DEVIATION: f64 = 1e-9;
 /// Largest deviation between two ways to the same value, as a share of it.
 const ROUNDING: f64 = 1e-12;
-/// States that are tried.
-const STATES: usize = 6;
 
 /// The state of a scene on dual numbers.
 type DualState<C> = <<C as Scene>::Equations<Dual> as Equations<Dual>>::State;
@@ -21,18 +19,13 @@ type DualState<C> = <<C as Scene>::Equations<Dual> as Equations<Dual>>::State;
 /// The first entry that deviates, with both values; or that no state was found at which all are finite.
 pub fn jacobian<C: Scene + Default>() -> Result<(), Failed> {
     let scene = C::default();
-    let (from, to) = scene.span().limits();
     let point = Point {
         plain: scene.prepare::<f64>(),
         dual: scene.prepare::<Dual>(),
         scene: &scene,
     };
     let mut finite = 0;
-    for index in 0..STATES {
-        // Never the start itself: at rest two branches may meet there, which have two derivatives.
-        let size = [1.0, 30.0, 300.0][index % 3];
-        let time = from + (to - from) * (index as f64 * 0.618 + 0.137).fract();
-        let values = beside(&scene.start(), C::SCALES, index, size);
+    for (time, values) in places(&scene) {
         finite += usize::from(point.check(time, &values)?);
     }
     match finite {

@@ -1,5 +1,7 @@
 //! The checks find mistakes: each is shown one.
 
+mod scaling;
+
 use super::{energy, fact, jacobian};
 use crate::problem::{Equations, Refused, Scene, Span};
 use crate::registry::{
@@ -97,6 +99,43 @@ const LENGTH: Quantity = Quantity {
     dimension: [(0, 1); 7],
 };
 
+const FREE: SceneEntry = SceneEntry {
+    name: "free",
+    summary: "",
+    effects: &[],
+    choices: &[],
+    preset: "",
+    constants: &[],
+    drivers: &[LENGTH],
+    states: &[LENGTH, LENGTH],
+    outputs: &[],
+    equations: &[],
+    operations: Operations {
+        prepare: 0,
+        instant: 0,
+        derivative: 0,
+        jacobian: 0,
+        outputs: 0,
+    },
+    marks: &[],
+    expectations: &[],
+    bind: Bind::Motion(|_| bind(Oscillator::<RIGHT>)),
+    linkage: None,
+};
+
+const OSCILLATOR: Mechanism = Mechanism {
+    name: "oscillator",
+    title: "",
+    summary: "",
+    source: "",
+    file: "oscillator.eqn",
+    text: "",
+    effects: &[],
+    choices: &[],
+    presets: &[],
+    scenes: &[FREE],
+};
+
 /// Checks that `x` has this value, in metres.
 fn fact_about(at: At, value: f64) -> Result<(), super::Failed> {
     let expectations = Box::leak(Box::new([Expectation {
@@ -109,33 +148,12 @@ fn fact_about(at: At, value: f64) -> Result<(), super::Failed> {
         line: 7,
     }]));
     let scenes = Box::leak(Box::new([SceneEntry {
-        name: "free",
-        summary: "",
-        effects: &[],
-        choices: &[],
-        preset: "",
-        constants: &[],
-        drivers: &[LENGTH],
-        states: &[LENGTH, LENGTH],
-        outputs: &[],
-        equations: &[],
-        operations: Operations::default(),
-        marks: &[],
         expectations,
-        bind: Bind::Motion(|_| bind(Oscillator::<RIGHT>)),
-        linkage: None,
+        ..FREE
     }]));
     let mechanism = Mechanism {
-        name: "oscillator",
-        title: "",
-        summary: "",
-        source: "",
-        file: "oscillator.eqn",
-        text: "",
-        effects: &[],
-        choices: &[],
-        presets: &[],
         scenes,
+        ..OSCILLATOR
     };
     fact(&mechanism, "free", 0)
 }
