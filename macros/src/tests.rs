@@ -110,6 +110,24 @@ fn unary_signs_and_numbers_are_rust() {
     assert_eq!(emit::names::snake("HealdLinkage"), "heald_linkage");
 }
 
+#[test]
+fn a_scene_with_a_number_of_its_own_is_not_stated_in_other_units() {
+    let text = "assur::mechanism! {
+        Spring from \"a textbook\";
+        parameter m = 2 kg, c = 8 [N/m];
+        coordinate x: m = 0.1 m;
+        kinetic m*dot(x)^2/2;
+        potential c*x^2/2;
+        scene plain { output x; }
+        scene far { output y = x + 3 mm; }
+    }";
+    let rust = emitted(text, "spring.eqn", |_| true);
+    assert_eq!(rust.matches("check::scaling(").count(), 1, "{rust}");
+    assert!(rust.contains("Plain::from_values,"), "{rust}");
+    let line = "/// Units: `3 mm` in spring.eqn:8 is no constant, so no test states the scene in other units.";
+    assert_eq!(rust.matches(line).count(), 1, "{rust}");
+}
+
 /// A walk that visits a shared value once for each way to it never comes to an end here.
 #[test]
 fn the_time_to_emit_a_long_chain_does_not_explode() {

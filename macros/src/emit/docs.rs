@@ -87,6 +87,14 @@ pub fn scene(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> String 
         "\nOperations: {} once per parameter set, {} per instant, {} per evaluation, {} per Jacobian.\n",
         count.prepare, count.instant, count.derivative, count.jacobian
     );
+    if let Some(literal) = &scene.literal {
+        text += &format!(
+            "\nUnits: `{}` in {}:{} is no constant, so no test states the scene in other units.\n",
+            literal.text,
+            origin.file,
+            (origin.line_of)(literal.span)
+        );
+    }
     text
 }
 

@@ -1,5 +1,5 @@
-//! The generated unit tests: a module for each scene, a test for its derivatives, for its energy, and for each
-//! published fact. The checks themselves are `assur::check`.
+//! The generated unit tests: a module for each scene, a test for its derivatives, for its energy, for its units, and
+//! for each published fact. The checks themselves are `assur::check`.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -29,7 +29,12 @@ pub fn module(layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
 }
 
 fn scene(layout: &Layout<'_>, module: &Ident, origin: &Origin<'_>) -> TokenStream {
-    let own = [jacobian(layout), energy(layout), closure(layout)];
+    let own = [
+        jacobian(layout),
+        energy(layout),
+        closure(layout),
+        scaling(layout),
+    ];
     let tests: TokenStream = own
         .into_iter()
         .flatten()
@@ -73,6 +78,22 @@ fn energy(layout: &Layout<'_>) -> Option<TokenStream> {
             #[test]
             fn energy_() -> ::core::result::Result<(), ::assur::check::Failed> {
                 ::assur::check::energy::<super::super::#name>(super::super::#equations::<f64>::energy)
+            }
+        }
+    })
+}
+
+/// A test that other units give the same motion, where they can be chosen: the equations hold no number that has one.
+fn scaling(layout: &Layout<'_>) -> Option<TokenStream> {
+    let (name, scene) = (&layout.parameters, &layout.scene.name);
+    let is_something = layout.states() + layout.scene.outputs.len() > 0;
+    let is_motion = layout.scene.linkage.is_none();
+    (layout.scene.literal.is_none() && is_something && is_motion).then(|| {
+        quote! {
+            /// The same mechanism stated in mm, g, ms gives the same motion.
+            #[test]
+            fn scaling_() -> ::core::result::Result<(), ::assur::check::Failed> {
+                ::assur::check::scaling(&super::super::MECHANISM, #scene, super::super::#name::from_values)
             }
         }
     })
