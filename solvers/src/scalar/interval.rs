@@ -282,10 +282,10 @@ impl Scalar for Interval {
     fn less_equal(left: Self, right: Self) -> Perhaps {
         Perhaps {
             may_hold: left.low <= right.high,
-            may_fail: matches!(
-                left.high.partial_cmp(&right.low),
-                None | Some(Ordering::Greater)
-            ),
+            may_fail: left
+                .high
+                .partial_cmp(&right.low)
+                .is_none_or(Ordering::is_gt),
         }
     }
     fn equal(left: Self, right: Self) -> Perhaps {
