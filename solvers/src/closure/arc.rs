@@ -5,7 +5,7 @@
 //! numbers, so that they exist where the kinematic coefficients do not.
 
 use super::continuation::{Way, scalars};
-use super::newton::Position;
+use super::newton::{Newton, Position};
 use super::problem::{Closure, Linkage};
 use super::root::brent;
 use crate::dense::Lu;
@@ -44,11 +44,7 @@ impl<'a, L: Linkage> Curve<'a, L> {
     pub fn new(linkage: &L, way: &'a Way, units: Vec<f64>) -> Self {
         let values: Vec<Dual> = linkage.values().into_iter().map(Dual::constant).collect();
         let closure = L::prepare(&values);
-        let size = L::GROUPS
-            .iter()
-            .map(|group| group.unknowns.len())
-            .max()
-            .unwrap_or(0);
+        let size = Newton::<L, Dual>::size();
         Self {
             way,
             units,

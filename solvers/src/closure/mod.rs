@@ -8,12 +8,15 @@
 //! | `continuation`, `crossing` | the same where a step is not certain to keep the modes |
 //! | `arc`, `turn` | dead points, and passing through them by the length of the curve of positions |
 //! | `sweep` | positions over a grid |
+//! | `modes`, `branch` | all assembly modes at one position |
 
 mod arc;
 mod assembly;
+mod branch;
 mod continuation;
 mod crossing;
 mod error;
+mod modes;
 mod newton;
 mod predict;
 mod problem;
@@ -27,6 +30,7 @@ mod turn;
 
 pub use assembly::{Assembly, Event};
 pub use error::ClosureError;
+pub use modes::{Mode, Modes, Search, modes};
 pub use newton::{Closed, Failure, Newton, Stop};
 pub use problem::{Closure, Group, GroupKind, Linkage, Range, Variable};
 pub use start::Start;

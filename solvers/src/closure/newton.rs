@@ -67,17 +67,19 @@ pub struct Newton<L: Linkage, S: Scalar> {
 impl<L: Linkage, S: Scalar> Newton<L, S> {
     /// Room for the largest group of the linkage.
     pub fn new() -> Self {
-        let size = L::GROUPS
-            .iter()
-            .map(|group| group.unknowns.len())
-            .max()
-            .unwrap_or(0);
+        let size = Self::size();
         Self {
             residual: Storage::zeros(size),
             jacobian: Storage::zeros(size * size),
             scaled: Scaled::new(size),
             base: vec![0.0; size],
         }
+    }
+
+    /// Number of equations of the largest group.
+    pub(super) fn size() -> usize {
+        let sizes = L::GROUPS.iter().map(|group| group.unknowns.len());
+        sizes.max().unwrap_or(0)
     }
 
     /// Closes a group of any kind, starting from the unknowns in `position`, which it completes.

@@ -1,5 +1,6 @@
 //! Tests of positions against published numbers and closed forms, and the hard cases.
 
+mod all_modes;
 mod hard;
 mod linkages;
 mod published;
