@@ -45,7 +45,7 @@ pub struct Path {
 /// Why it cannot be put together. Where the way ends before the last place the path says so.
 pub fn follow<L: Linkage>(linkage: &L, places: &[Vec<f64>]) -> Result<Path, ClosureError> {
     let mut assembly = Assembly::<L, f64>::new(linkage);
-    let start = assembly.start()?;
+    let start = put_together(linkage, &mut assembly)?;
     let mut path = Path {
         start,
         samples: Vec::with_capacity(places.len()),
@@ -69,6 +69,25 @@ pub fn follow<L: Linkage>(linkage: &L, places: &[Vec<f64>]) -> Result<Path, Clos
         path.samples.push(sample(&assembly, motion));
     }
     Ok(path)
+}
+
+/// Puts a linkage together where its start values are meant: where the drivers start, or, if they move in time and no
+/// start is stated, where they are when the task begins.
+fn put_together<L: Linkage>(
+    linkage: &L,
+    assembly: &mut Assembly<L, f64>,
+) -> Result<Start, ClosureError> {
+    let stated = linkage.ranges();
+    let moving = linkage.drive(linkage.span().limits().0);
+    let at = stated.iter().enumerate().map(|(index, range)| {
+        let first = moving.as_ref().and_then(|place| place.get(index).copied());
+        match first.filter(|_| range.start.is_nan()) {
+            Some(first) => first,
+            None => range.start,
+        }
+    });
+    let at: Vec<f64> = at.collect();
+    assembly.start_at(&at, &linkage.start())
 }
 
 fn sample<L: Linkage>(assembly: &Assembly<L, f64>, motion: &[f64]) -> Sample {
@@ -109,7 +128,7 @@ fn sample<L: Linkage>(assembly: &Assembly<L, f64>, motion: &[f64]) -> Sample {
 /// Why the linkage does not get there.
 pub fn influence<L: Linkage>(linkage: &L, place: &[f64]) -> Result<Vec<f64>, ClosureError> {
     let mut assembly = Assembly::<L, f64>::new(linkage);
-    assembly.start()?;
+    put_together(linkage, &mut assembly)?;
     let (drivers, motion) = place.split_at(place.len().min(L::INDEPENDENTS));
     assembly.move_to(drivers)?;
     let closure = assembly.closure();
@@ -128,7 +147,7 @@ const PLACES: usize = 256;
 /// Nanoseconds of one move between neighbouring positions of the task, outputs included; NaN if it has no two of them.
 pub fn time_position<L: Linkage>(linkage: &L, moves: usize) -> f64 {
     let mut assembly = Assembly::<L, f64>::new(linkage);
-    if assembly.start().is_err() {
+    if put_together(linkage, &mut assembly).is_err() {
         return f64::NAN;
     }
     let reached = |place: &Vec<f64>| assembly.move_to(&place[..L::INDEPENDENTS]).is_ok();
