@@ -8,6 +8,7 @@
 //! | `continuation`, `crossing` | the same where a step is not certain to keep the modes |
 //! | `arc`, `turn` | dead points, and passing through them by the length of the curve of positions |
 //! | `sweep` | positions over a grid |
+//! | `limits`, `rates` | how far a driver can go, limit positions and strokes |
 //! | `modes`, `branch` | all assembly modes at one position |
 
 mod arc;
@@ -16,10 +17,12 @@ mod branch;
 mod continuation;
 mod crossing;
 mod error;
+mod limits;
 mod modes;
 mod newton;
 mod predict;
 mod problem;
+mod rates;
 mod root;
 mod scaled;
 mod start;
@@ -30,6 +33,7 @@ mod turn;
 
 pub use assembly::{Assembly, Event};
 pub use error::ClosureError;
+pub use limits::{End, Extreme, Stretch, Stroke, stretch, strokes};
 pub use modes::{Mode, Modes, Search, modes};
 pub use newton::{Closed, Failure, Newton, Stop};
 pub use problem::{Closure, Group, GroupKind, Linkage, Range, Variable};

@@ -33,6 +33,15 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         Some(curve.place(&turn.dead))
     }
 
+    /// The dead point on the way to these independent variables: where it is, and the dependent coordinates there.
+    pub(super) fn dead_position(&mut self, wanted: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let way = Way::new(self.place(), wanted.to_vec());
+        let mut curve = self.curve(&way);
+        let begin = curve.begin(&self.coordinates(), 0.0)?;
+        let dead = find_turn(&mut curve, begin)?.dead;
+        Some((way.at(curve.place(&dead)), curve.coordinates(&dead)))
+    }
+
     /// Passes through the dead point on the way to these independent variables, by the length of the curve of positions,
     /// back to where the linkage stands, on the other mode.
     ///

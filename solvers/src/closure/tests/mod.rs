@@ -1,6 +1,7 @@
 //! Tests of positions against published numbers and closed forms, and the hard cases.
 
 mod all_modes;
+mod extremes;
 mod hard;
 mod linkages;
 mod published;
