@@ -3,10 +3,10 @@
 //! [`Assembly::move_to`] closes the groups one after the other with the modes they have and then asks whether they can
 //! have been left on the way. In closed form the sine of the transmission angle has the sign of the mode, so a mode can
 //! only be left where that sine passes through zero. With `s₀`, `s₁` the sines before and after the step, `s*` what the
-//! step before lets expect of `s₁`, and `Δ` the largest turn of a link of the group, the step is certain if
+//! step before lets expect of `s₁`, and `Δ` the sum of the turns of the links of the group, the step is certain if
 //!
 //! ```text
-//! |s₀ + s₁| > 4 (Δ + |s₁ - s*|)    and    |s₀ + s₁| > 2 |s₁ - s₀|
+//! |s₀ + s₁| > 2 Δ + 4 |s₁ - s*|    and    |s₀ + s₁| > 2 |s₁ - s₀|
 //! ```
 //!
 //! The sine cannot have gone to zero while the links turned so little and it changed so little; and what returns from
@@ -177,7 +177,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             for &j in group.unknowns {
                 if L::ANGLES[j] {
                     trial[j] = trial[j] + self.turns.as_ref()[j];
-                    turned = larger(turned, (trial[j] - position[j]).abs());
+                    turned = turned + (trial[j] - position[j]).abs();
                 }
             }
         }
@@ -186,12 +186,13 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let missed = (sine - expected).abs();
         self.next.sines.as_mut()[index] = sine;
         self.next.changes.as_mut()[index] = change;
-        let certain = S::less(S::from_f64(4.0) * (turned + missed), sum);
+        let two = S::from_f64(2.0);
+        let certain = S::less(two * (turned + missed + missed), sum);
         if let GroupKind::Rrr = group.kind {
-            // The sine is that of the angle between both links, so that it cannot change by more than twice the turn.
+            // The sine is that of the angle between both links, so that it cannot change by more than they turn.
             return S::holds(certain);
         }
-        let steady = S::less(S::from_f64(2.0) * change.abs(), sum);
+        let steady = S::less(two * change.abs(), sum);
         S::holds(S::and(certain, steady))
     }
 
@@ -307,10 +308,4 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             .map(|value| value.to_f64())
             .collect()
     }
-}
-
-/// The larger of two numbers, one of them if either is NaN.
-#[inline(always)]
-fn larger<S: Scalar>(a: S, b: S) -> S {
-    S::select(S::less(a, b), b, a)
 }

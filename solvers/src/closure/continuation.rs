@@ -246,7 +246,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         Verdict::Certain
     }
 
-    /// Closes one group with its angles nearest to the last ones. Gives the sine and the largest turn.
+    /// Closes one group with its angles nearest to the last ones. Gives the sine and the sum of the turns.
     pub(super) fn close_near(
         &mut self,
         group: usize,
@@ -263,12 +263,15 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let sine = self.closure.close(group, instant, mode, &mut self.trial);
         let mut turned = 0.0;
         for &j in L::GROUPS[group].unknowns {
+            let angle = self.trial.as_ref()[j].to_f64();
+            if !angle.is_finite() {
+                return (f64::NAN, f64::NAN);
+            }
             if L::ANGLES[j] && kind.has_modes() {
-                let angle = self.trial.as_ref()[j].to_f64();
                 let last = self.position.as_ref()[j].to_f64();
                 self.turns.as_mut()[j] = S::from_f64(TAU * ((last - angle) / TAU).round());
                 self.trial.as_mut()[j] = self.trial.as_ref()[j] + self.turns.as_ref()[j];
-                turned = f64::max(turned, (self.trial.as_ref()[j].to_f64() - last).abs());
+                turned += (self.trial.as_ref()[j].to_f64() - last).abs();
             }
         }
         (sine.to_f64(), turned)
@@ -384,14 +387,6 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             Verdict::Certain => 0,
         };
         let (at, wanted, sine) = (way.at(done), way.to.clone(), self.sine(group));
-        if L::GROUPS[group].kind == GroupKind::General && sine.abs() < ARRIVED {
-            return ClosureError::DeadPoint {
-                group,
-                at,
-                wanted,
-                gap: f64::NAN,
-            };
-        }
         ClosureError::ModeLost {
             group,
             at,
@@ -407,10 +402,10 @@ fn is_certain(sine: f64, before: f64, expected_change: f64, turned: f64) -> bool
     let sum = (sine + before).abs();
     let change = (sine - before).abs();
     if expected_change.is_nan() {
-        return 16.0 * change < sum && 32.0 * turned < sum;
+        return 16.0 * change < sum && 16.0 * turned < sum;
     }
     let missed = (sine - before - expected_change).abs();
-    4.0 * (turned + missed) < sum && 2.0 * change < sum
+    2.0 * turned + 4.0 * missed < sum && 2.0 * change < sum
 }
 
 /// The numbers as scalars.

@@ -13,7 +13,7 @@ const NOTHING: f64 = 1e-9;
 
 impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// Closes a group of kind `General` near where it is predicted. Gives the sine of its transmission angle, NaN if the
-    /// answer cannot be trusted, and the largest change of its unknowns in radians or lengths of its longest link.
+    /// answer cannot be trusted, and twice the largest change of its unknowns in radians or lengths of its longest link.
     #[inline(never)]
     pub(super) fn iterate(
         &mut self,
@@ -44,7 +44,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         }
         let agrees = missed <= DISAGREEMENT * moved + NOTHING;
         let sine = if agrees { closed.sine } else { f64::NAN };
-        (S::from_f64(sine), S::from_f64(moved))
+        (S::from_f64(sine), S::from_f64(2.0 * moved))
     }
 
     /// Where the kinematic coefficients predict a dependent coordinate.

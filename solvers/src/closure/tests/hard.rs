@@ -2,7 +2,9 @@
 
 use super::linkages::{FourBar, Heald};
 use super::published::{residual, started};
-use crate::closure::{Assembly, Closure, ClosureError, Event};
+use crate::closure::{
+    Assembly, AtDeadPoint, Axis, Closure, ClosureError, Event, Linkage, Newton, sweep,
+};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The change-point linkage: opposite links of the same length.
@@ -193,4 +195,243 @@ fn dead_points_are_passed_onto_the_other_mode() {
         .expect("the other mode goes back");
     assert!(residual(&heald) < 1e-16);
     assert!((heald.position()[2].to_degrees() + 70.06145).abs() > 1.0);
+}
+
+#[test]
+fn loops_that_fail_to_close_by_one_part_in_1e12() {
+    // Stretched, the crank and the frame reach 0.14 m; rod and rocker fall short of it by 1e-12 of that.
+    let mut linkage = parallelogram(false);
+    linkage.values[1] -= 0.14e-12;
+    let mut assembly = started(&linkage);
+    let (at, gap) = dead_point(assembly.move_to(&[PI]));
+    // d = l2 + l3 where (β - π)² = 2 · 0.14e-12 · 0.14 / (l1 a)
+    let before = (2.0f64 * 0.14e-12 * 0.14 / 0.004).sqrt();
+    assert!(((PI - at) / before - 1.0).abs() < 1e-3, "{:e}", PI - at);
+    assert!((gap / 0.14e-12 - 1.0).abs() < 1e-3, "{gap:e}");
+    // Nor is the gap jumped over, which is 3 µrad wide.
+    for beyond in [PI + 1e-5, PI + 0.01, PI + 0.1] {
+        let (again, _) = dead_point(assembly.move_to(&[beyond]));
+        // The margin changes by 1e-7 m/rad there, and is known to 3e-17 m.
+        assert!((again - at).abs() < 1e-9, "{again} {at}");
+    }
+    // The naive way clamps the cosine and goes on as if nothing were.
+    let cosine: f64 = (0.04f64.powi(2) + linkage.values[1].powi(2) - 0.14f64.powi(2))
+        / (2.0 * 0.04 * linkage.values[1]);
+    assert!(cosine.clamp(-1.0, 1.0).acos() > 3.14 && cosine < -1.0);
+}
+
+#[test]
+fn modes_that_miss_each_other_by_one_part_in_1e12_are_not_exchanged() {
+    let mut linkage = parallelogram(false);
+    linkage.values[1] += 0.14e-12;
+    let mut assembly = started(&linkage);
+    let mode = assembly.mode(0);
+    for k in 0..=300 {
+        assembly
+            .move_to(&[FRAC_PI_2 + 0.01 * f64::from(k)])
+            .expect("the mode goes on");
+    }
+    assert_eq!((assembly.mode(0), assembly.take_events()), (mode, vec![]));
+    // With its sign kept, the parallelogram has turned into the crossed linkage.
+    let at = assembly.independents()[0];
+    assert!(apart(assembly.position()[1], rocker(true, at)) < 1e-6);
+    assert!(apart(assembly.position()[1], rocker(false, at)) > 0.5);
+}
+
+#[test]
+fn coincident_pivots() {
+    // A kite: where the crank lies on the frame, rod and rocker turn freely about one point.
+    let kite = |at: f64| FourBar::new([0.1, 0.06, 0.06, 0.1], at, [1.5, 1.5]);
+    let outcome = Assembly::<_, f64>::new(&kite(0.0)).start();
+    assert!(
+        matches!(outcome, Err(ClosureError::Ambiguous { group: 0, .. })),
+        "{outcome:?}"
+    );
+    // On the way through, the smooth continuation is taken.
+    let mut linkage = kite(0.5);
+    linkage.start = [0.9, 1.5];
+    let mut assembly = started(&linkage);
+    let mut last = assembly.position()[0];
+    for k in 1..=100 {
+        assembly
+            .move_to(&[0.5 - 0.01 * f64::from(k)])
+            .expect("it goes on");
+        let found = assembly.position()[0];
+        assert!((found - last).abs() < 0.02, "{k}: {found} {last}");
+        assert!(residual(&assembly) < 1e-12);
+        last = assembly.position()[0];
+    }
+    let events = assembly.take_events();
+    assert!(
+        matches!(&events[..], [Event::ChangePoint { at, .. }] if at[0].abs() < 1e-11),
+        "{events:?}"
+    );
+}
+
+#[test]
+fn links_of_no_length() {
+    // A crank of no length moves nothing.
+    let mut assembly = started(&FourBar::new([0.0, 0.09, 0.06, 0.1], 0.0, [0.4, 1.8]));
+    let before = *assembly.position();
+    assembly.move_to(&[3.0]).expect("nothing moves");
+    assert_eq!(before, *assembly.position());
+    // A rocker of none leaves a gap.
+    let outcome =
+        Assembly::<_, f64>::new(&FourBar::new([0.025, 0.09, 0.0, 0.1], 1.0, [0.4, 1.8])).start();
+    let far = (0.025f64.powi(2) + 0.01 - 0.005 * 1f64.cos()).sqrt();
+    match outcome {
+        Err(ClosureError::NotAssembled { gap, .. }) => {
+            assert!((gap - (far - 0.09).abs()).abs() < 1e-16)
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_million_between_the_longest_and_the_shortest_link() {
+    let mut assembly = started(&FourBar::new([1e-6, 1.0, 0.5, 1.1], 0.0, [0.4, 1.8]));
+    let at_rest = *assembly.position();
+    for k in 0..=360 {
+        let at = f64::from(k).to_radians();
+        assembly.move_to(&[at]).expect("the crank turns");
+        assert!(residual(&assembly) < 1e-15);
+        // To first order in the crank, from its position at 0.
+        let [gamma, theta, ..] = at_rest;
+        let along = 1e-6 * ((at.cos() - 1.0) * gamma.cos() + at.sin() * gamma.sin());
+        let expected = -along / (0.5 * (theta - gamma).sin());
+        let found = assembly.position()[1] - theta;
+        assert!((found - expected).abs() < 2e-11, "{found:e} {expected:e}");
+    }
+}
+
+#[test]
+fn angles_that_pass_half_a_turn() {
+    // Drag link: frame shortest, both cranks turn.
+    let linkage = FourBar::new([0.1, 0.09, 0.1, 0.03], 0.5, [0.0, 1.0]);
+    let mut assembly = started(&linkage);
+    let (mut last, mut jumps) = (*assembly.position(), 0);
+    let first = last;
+    for k in 1..=720 {
+        assembly
+            .move_to(&[0.5 + f64::from(k).to_radians()])
+            .expect("the crank turns");
+        let next = *assembly.position();
+        assert!((next[1] - last[1]).abs() < 0.1);
+        let naive = |z: [f64; 6]| z[5].atan2(z[4]);
+        jumps += usize::from((naive(next) - naive(last)).abs() > 6.0);
+        last = next;
+    }
+    assert!((last[1] - first[1] - 2.0 * TAU).abs() < 1e-12);
+    assert_eq!(jumps, 2, "the arc tangent alone jumps");
+}
+
+#[test]
+fn start_values_pick_the_nearest_mode() {
+    let at = 0.5f64;
+    let start = |values: [f64; 2]| {
+        let mut linkage = FourBar::default();
+        linkage.range.start = at;
+        linkage.start = values;
+        let mut assembly = Assembly::<_, f64>::new(&linkage);
+        assembly
+            .start()
+            .map(|start| (assembly.mode(0), *assembly.position(), start))
+    };
+    let (open, first, told) = start([0.5, 1.5]).expect("it assembles");
+    assert!(told.assumed.is_empty());
+    let (crossed, second, _) = start([-0.9, -1.9]).expect("it assembles");
+    assert_eq!(open, -crossed);
+    // One known value suffices; none is said to have been assumed.
+    assert_eq!(
+        start([f64::NAN, second[1] + 0.3]).expect("it assembles").0,
+        crossed
+    );
+    let (assumed, _, told) = start([f64::NAN; 2]).expect("it assembles");
+    assert_eq!((assumed, told.assumed), (1.0, vec![0]));
+    // Whole turns are kept.
+    let (mode, turned, _) = start([first[0] + TAU, first[1] - TAU]).expect("it assembles");
+    assert_eq!(mode, open);
+    assert!(
+        (turned[0] - first[0] - TAU).abs() < 1e-12 && (turned[1] - first[1] + TAU).abs() < 1e-12
+    );
+    // Half way between the modes there is no nearest one.
+    let middle = [0.5 * (first[0] + second[0]), 0.5 * (first[1] + second[1])];
+    let outcome = start(middle);
+    assert!(
+        matches!(outcome, Err(ClosureError::Ambiguous { .. })),
+        "{outcome:?}"
+    );
+}
+
+#[test]
+fn newton_alone_lands_in_another_mode() {
+    let linkage = Heald::printed();
+    let loops = Heald::prepare::<f64>(&linkage.values());
+    let mut kept = started(&linkage);
+    let start = kept.coordinates();
+    let (sign, mut other, mut same) = (kept.sine(0).signum(), 0, 0);
+    for (number, degrees) in (-65..=220).step_by(5).enumerate() {
+        let at = f64::from(degrees).to_radians();
+        // Ours: from the start along the way, in one call.
+        kept.travel(&[at]).expect("the mode goes on");
+        assert_eq!(kept.sine(0).signum(), sign);
+        assert!(residual(&kept) < 1e-15);
+        // The naive way: Newton's method from rough values, here off by a radian.
+        let mut z = Closure::<f64>::zeros(&loops);
+        for (j, value) in start.iter().enumerate() {
+            z[j] = value + if number >> j & 1 == 0 { 1.0 } else { -1.0 };
+        }
+        let mut newton = Newton::<Heald, f64>::new();
+        if let Ok(closed) = newton.close(&loops, 0, &loops.instant(&[at]), &mut z) {
+            assert!(closed.residual < 1e-15);
+            let away = (0..3)
+                .map(|j| apart(z[j], kept.position()[j]))
+                .fold(0.0, f64::max);
+            if away > 1e-6 { other += 1 } else { same += 1 }
+        }
+    }
+    assert!(other >= 5 && same >= 5, "{other} {same}");
+}
+
+#[test]
+fn nonsense_is_refused() {
+    let mut assembly = Assembly::<_, f64>::new(&FourBar::default());
+    assert!(matches!(
+        assembly.move_to(&[1.0]),
+        Err(ClosureError::BadRange { .. })
+    ));
+    assembly.start().expect("it assembles");
+    assert!(matches!(
+        assembly.move_to(&[f64::NAN]),
+        Err(ClosureError::BadRange { .. })
+    ));
+    assembly.move_to(&[1.0]).expect("it goes on");
+    let mut broken = FourBar::default();
+    broken.values[1] = f64::NAN;
+    let outcome = Assembly::<_, f64>::new(&broken).start();
+    assert!(
+        matches!(outcome, Err(ClosureError::NotFinite { .. })),
+        "{outcome:?}"
+    );
+}
+
+#[test]
+fn sweeps_stop_or_pass_through() {
+    let axis = Axis {
+        from: 0.8,
+        to: 1.4,
+        count: 61,
+    };
+    let stopped = sweep(&swinging(), &[axis], AtDeadPoint::Stop).expect("it assembles");
+    let end = end_of_swing();
+    let count = ((end - 0.8) / 0.01) as usize + 1;
+    assert_eq!((stopped.len(), stopped.missed), (count, 61 - count));
+    assert!(
+        matches!(&stopped.end, Some(ClosureError::DeadPoint { at, .. }) if (at[0] - end).abs() < 1e-12)
+    );
+    let through = sweep(&swinging(), &[axis], AtDeadPoint::Through).expect("it assembles");
+    assert_eq!((through.len(), &through.end), (2 * count, &None));
+    assert!((through.independents(2 * count - 1)[0] - 0.8).abs() < 1e-15);
+    assert!((through.outputs(0)[0] - through.outputs(2 * count - 1)[0]).abs() > 0.1);
+    assert!(matches!(&through.events[..], [Event::DeadPoint { .. }]));
 }
