@@ -1,6 +1,6 @@
 //! One scene with its values: its task, its drivers and its variables.
 
-use assur::problem::Span;
+use assur::problem::{Refused, Span};
 use assur::registry::{Run, SceneEntry};
 
 use crate::constants::Constants;
@@ -28,18 +28,10 @@ impl Case {
     /// When the mechanism refuses them, with its reason.
     pub fn new(constants: Constants) -> Result<Self, Failure> {
         let scene = constants.scene;
-        let run = scene.bind.motion(&constants.values).map_err(|refused| {
-            Failure::request(format!(
-                "scene `{}` does not accept these values",
-                scene.name
-            ))
-            .place(match constants.given_names().as_slice() {
-                [] => "the values of the file".to_owned(),
-                names => format!("--set {}", names.join(", --set ")),
-            })
-            .reason(format!("{}: {}", refused.name, refused.reason))
-            .remedy("change the value with --set, or leave it out for the default")
-        })?;
+        let run = scene
+            .bind
+            .motion(&constants.values)
+            .map_err(|refused| self::refused(&constants, &refused))?;
         let task = run.span();
         let (from, to) = task.limits();
         if !(from.is_finite() && to.is_finite() && from <= to) {
@@ -72,4 +64,18 @@ impl Case {
     pub fn sample(&self, motion: &Motion, time: f64) -> Vec<f64> {
         variables::evaluate(&self.variables, self.run(), time, &motion.state(time))
     }
+}
+
+/// What to say when the mechanism refuses values.
+pub fn refused(constants: &Constants, refused: &Refused) -> Failure {
+    Failure::request(format!(
+        "scene `{}` does not accept these values",
+        constants.scene.name
+    ))
+    .place(match constants.given_names().as_slice() {
+        [] => "the values of the file".to_owned(),
+        names => format!("--set {}", names.join(", --set ")),
+    })
+    .reason(format!("{}: {}", refused.name, refused.reason))
+    .remedy("change the value with --set, or leave it out for the default")
 }

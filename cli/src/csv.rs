@@ -61,7 +61,8 @@ pub fn render(report: &Report) -> String {
     text
 }
 
-fn title(name: &str, unit: &str) -> String {
+/// A name with its unit, as a heading.
+pub fn title(name: &str, unit: &str) -> String {
     let title = if unit.is_empty() {
         name.to_owned()
     } else {
@@ -75,7 +76,7 @@ fn title(name: &str, unit: &str) -> String {
 }
 
 /// A number; an empty cell where there is none.
-fn cell(value: f64) -> String {
+pub fn cell(value: f64) -> String {
     if value.is_finite() {
         format!("{value:?}")
     } else {

@@ -23,9 +23,10 @@
 use std::path::Path;
 
 use assur::problem::Span;
-use assur::registry::Quantity;
+use assur::registry::{Mechanism, Quantity};
 use serde_json::{Value, json};
 
+use crate::constants::Constants;
 use crate::multipliers::conclusions;
 use crate::published::Comparison;
 use crate::report::{Report, Snapshot};
@@ -42,33 +43,19 @@ pub fn render(report: &Report, figure: Option<&Path>) -> String {
 }
 
 fn object(report: &Report, figure: Option<&Path>) -> Value {
-    let scene = report.case.scene;
     let results = results(report);
     let places: Vec<_> = report
         .places
         .iter()
         .map(|place| snapshot(report, place))
         .collect();
-    let published: Vec<_> = report
-        .published
-        .iter()
-        .map(|comparison| compared(report, comparison))
-        .collect();
+    let published: Vec<_> = report.published.iter().map(compared).collect();
     let complete = !lacks(&results) && !places.iter().any(lacks);
     json!({
         "format": FORMAT,
-        "mechanism": {
-            "name": report.mechanism.name,
-            "title": report.mechanism.title,
-            "source": report.mechanism.source,
-        },
-        "scene": {
-            "name": scene.name,
-            "effects": scene.effects,
-            "choices": scene.choices.iter().map(|(name, made)| ((*name).to_owned(), json!(made))).collect::<serde_json::Map<_, _>>(),
-            "preset": text(report.case.constants.preset),
-        },
-        "parameters": parameters(report),
+        "mechanism": mechanism(report.mechanism),
+        "scene": scene(&report.case.constants),
+        "parameters": parameters(&report.case.constants),
         "task": task(report.case.task),
         "settings": {
             "method": method_name(report.motion.settings.method),
@@ -85,7 +72,30 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
     })
 }
 
-fn text(text: &str) -> Value {
+/// The mechanism.
+pub fn mechanism(mechanism: &Mechanism) -> Value {
+    json!({
+        "name": mechanism.name,
+        "title": mechanism.title,
+        "source": mechanism.source,
+    })
+}
+
+/// The scene with its preset.
+pub fn scene(constants: &Constants) -> Value {
+    let scene = constants.scene;
+    let choices = scene.choices.iter();
+    let choices = choices.map(|(name, made)| ((*name).to_owned(), json!(made)));
+    json!({
+        "name": scene.name,
+        "effects": scene.effects,
+        "choices": choices.collect::<serde_json::Map<_, _>>(),
+        "preset": text(constants.preset),
+    })
+}
+
+/// A text, null if it is empty.
+pub fn text(text: &str) -> Value {
     if text.is_empty() {
         Value::Null
     } else {
@@ -100,10 +110,10 @@ fn lacks(value: &Value) -> bool {
         .is_some_and(|list| list.iter().any(|result| result["value"].is_null()))
 }
 
-fn parameters(report: &Report) -> Value {
-    let constants = &report.case.constants;
+/// The dimensions and parameters.
+pub fn parameters(constants: &Constants) -> Value {
     let one = |index: usize| {
-        let constant = &report.case.scene.constants[index];
+        let constant = &constants.scene.constants[index];
         let quantity = &constant.quantity;
         json!({
             "name": quantity.name,
@@ -173,18 +183,18 @@ fn snapshot(report: &Report, snapshot: &Snapshot) -> Value {
     })
 }
 
-fn compared(report: &Report, comparison: &Comparison) -> Value {
-    let variable = &report.case.variables[comparison.variable];
+/// A published value beside the computed one.
+pub fn compared(comparison: &Comparison) -> Value {
     let fact = comparison.fact;
     json!({
-        "name": variable.name,
-        "unit": variable.unit,
+        "name": comparison.name,
+        "unit": comparison.unit,
         "place": comparison.place,
-        "published": variable.in_unit(fact.value),
-        "tolerance": variable.in_unit(fact.tolerance),
-        "computed": variable.in_unit(comparison.computed),
-        "estimated_error": variable.in_unit(report.errors[comparison.variable]),
-        "deviation": variable.in_unit(comparison.deviation()),
+        "published": comparison.in_unit(fact.value),
+        "tolerance": comparison.in_unit(fact.tolerance),
+        "computed": comparison.in_unit(comparison.computed),
+        "estimated_error": comparison.in_unit(comparison.error),
+        "deviation": comparison.in_unit(comparison.deviation()),
         "relative_deviation": comparison.relative(),
         "within": comparison.within(),
         "remark": text(fact.remark),

@@ -15,19 +15,33 @@ use crate::report::driver_label;
 pub struct Comparison {
     /// The fact.
     pub fact: &'static Expectation,
-    /// Index of the variable.
-    pub variable: usize,
+    /// What it speaks of.
+    pub name: String,
+    /// Unit in which it is printed.
+    pub unit: String,
+    /// SI value of one such unit.
+    pub factor: f64,
+    /// Index of the variable, if it is one.
+    pub variable: Option<usize>,
     /// Where in the motion, in words.
     pub place: String,
-    /// The time of the place; none for an extreme or where the motion does not get there.
+    /// The time of the place; none for an extreme, for a position of drivers that are swept, or where the motion does
+    /// not get there.
     pub time: Option<f64>,
     /// The computed value, SI units; NaN where the motion does not get there.
     pub computed: f64,
+    /// Its estimated error, SI units.
+    pub error: f64,
     /// Whether the values of the run are those for which the fact was published.
     pub comparable: bool,
 }
 
 impl Comparison {
+    /// A value in SI units in the unit of the fact.
+    pub fn in_unit(&self, value: f64) -> f64 {
+        value / self.factor
+    }
+
     /// Computed less published.
     pub fn deviation(&self) -> f64 {
         self.computed - self.fact.value
@@ -55,7 +69,8 @@ struct Solved<'a> {
 
 /// Compares all published facts of the scene.
 ///
-/// A fact may ask for a preset; unless the user has chosen values, the scene is solved with it as well.
+/// A fact may ask for a preset; unless the user has chosen values, the scene is solved with it as well. The errors are
+/// the estimated ones of the variables.
 ///
 /// # Errors
 /// When solving with a preset does not succeed.
@@ -64,6 +79,7 @@ pub fn compare(
     case: &Case,
     motion: &Motion,
     extremes: &[Extreme],
+    errors: &[f64],
 ) -> Result<Vec<Comparison>, Failure> {
     let changed = case.constants.changed();
     let wanted = |fact: &Expectation| {
@@ -98,7 +114,7 @@ pub fn compare(
     let facts = case.scene.expectations.iter().filter_map(|fact| {
         let preset = wanted(fact);
         let other = others.iter().find(|(known, ..)| *known == preset);
-        match other {
+        let compared = match other {
             Some((preset, case, motion, extremes)) => one(
                 fact,
                 &Solved {
@@ -110,7 +126,11 @@ pub fn compare(
                 true,
             ),
             None => one(fact, &own, !changed && own.preset == preset),
-        }
+        };
+        compared.map(|compared| Comparison {
+            error: compared.variable.map_or(0.0, |variable| errors[variable]),
+            ..compared
+        })
     });
     Ok(facts.collect())
 }
@@ -145,12 +165,17 @@ fn one(fact: &'static Expectation, solved: &Solved<'_>, comparable: bool) -> Opt
     } else {
         format!("{place}, preset {}", solved.preset)
     };
+    let printed = &case.variables[variable];
     Some(Comparison {
         fact,
-        variable,
+        name: printed.name.clone(),
+        unit: printed.unit.clone(),
+        factor: printed.factor,
+        variable: Some(variable),
         place,
         time,
         computed,
+        error: 0.0,
         comparable,
     })
 }

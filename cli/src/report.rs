@@ -104,7 +104,7 @@ pub fn collect(
         .into_iter()
         .map(|(time, label)| snapshot(&case, &motion, time, label))
         .collect();
-    let published = published::compare(mechanism, &case, &motion, &extremes)?;
+    let published = published::compare(mechanism, &case, &motion, &extremes, &errors)?;
     let multipliers = multipliers::read(&motion.multipliers());
     let worst = (0..errors.len())
         .map(|index| errors[index] / size(&case, &extremes, index))

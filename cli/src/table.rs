@@ -1,12 +1,13 @@
 //! The answer of `assur run` as tables to read.
 
-mod published;
+pub mod published;
 mod variables;
 
 use std::path::Path;
 
 use assur::problem::Span;
 
+use crate::constants::Constants;
 use crate::list::composition;
 use crate::multipliers::conclusions;
 use crate::number;
@@ -16,16 +17,13 @@ use crate::style::Style;
 use crate::text::{Align, Columns, wrap};
 
 /// Widest line of prose.
-const WIDTH: usize = 96;
+pub const WIDTH: usize = 96;
 
 /// All tables, with the last line ended.
 pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
-    let mut page = Page {
-        text: String::new(),
-        style,
-    };
+    let mut page = Page::new(style);
     head(&mut page, report);
-    parameters(&mut page, report);
+    parameters(&mut page, &report.case.constants);
     if !report.curves.times.is_empty() {
         variables::snapshot(
             &mut page,
@@ -48,7 +46,7 @@ pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
             &format!("At {}{time}", place.label),
         );
     }
-    published::section(&mut page, report);
+    published::section(&mut page, &report.published);
     multipliers(&mut page, report);
     if let Some(path) = figure {
         page.line(&format!("Figure: {}", path.display()));
@@ -57,18 +55,31 @@ pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
     page.text
 }
 
-struct Page {
-    text: String,
-    style: Style,
+/// A text under construction.
+pub struct Page {
+    /// What is written so far.
+    pub text: String,
+    /// How it is emphasised.
+    pub style: Style,
 }
 
 impl Page {
-    fn line(&mut self, line: &str) {
+    /// An empty page.
+    pub fn new(style: Style) -> Self {
+        Self {
+            text: String::new(),
+            style,
+        }
+    }
+
+    /// Adds a line.
+    pub fn line(&mut self, line: &str) {
         self.text += line;
         self.text.push('\n');
     }
 
-    fn section(&mut self, heading: &str, table: &Columns) {
+    /// Adds a table under its heading.
+    pub fn section(&mut self, heading: &str, table: &Columns) {
         let heading = self.style.heading(heading);
         self.line(&heading);
         self.text += &table.render(self.style);
@@ -90,20 +101,26 @@ fn head(page: &mut Page, report: &Report) {
         Span::Open => "positions".to_owned(),
     };
     let title = format!("{}, scene {}: {task}", report.mechanism.title, scene.name);
-    page.line(&page.style.heading(&title));
+    about(page, &title, &report.case.constants);
+}
+
+/// The title, and what is in the scene.
+pub fn about(page: &mut Page, title: &str, constants: &Constants) {
+    let scene = constants.scene;
+    page.line(&page.style.heading(title));
     let mut about = composition(scene);
     if !scene.summary.is_empty() {
         about = format!("{} ({about})", scene.summary.lines().next().unwrap_or(""));
     }
-    if !report.case.constants.preset.is_empty() {
-        about += &format!(", preset {}", report.case.constants.preset);
+    if !constants.preset.is_empty() {
+        about += &format!(", preset {}", constants.preset);
     }
     page.line(&format!("  {about}"));
     page.line("");
 }
 
-fn parameters(page: &mut Page, report: &Report) {
-    let constants = &report.case.constants;
+/// The dimensions and parameters with their values.
+pub fn parameters(page: &mut Page, constants: &Constants) {
     if constants.values.is_empty() {
         return;
     }
@@ -115,7 +132,7 @@ fn parameters(page: &mut Page, report: &Report) {
         ("default", Align::Point),
         ("", Align::Left),
     ]);
-    for (index, constant) in report.case.scene.constants.iter().enumerate() {
+    for (index, constant) in constants.scene.constants.iter().enumerate() {
         let quantity = &constant.quantity;
         let changed = constants.is_changed(index);
         let default = if changed {

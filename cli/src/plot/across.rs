@@ -1,5 +1,7 @@
 //! The horizontal axis that all panels share.
 
+use assur::registry::Quantity;
+
 use super::axis::Axis;
 use super::name;
 use crate::report::Report;
@@ -8,7 +10,8 @@ use crate::report::Report;
 pub struct Across {
     driver: bool,
     degrees: bool,
-    factor: f64,
+    /// SI value of a unit of the axis.
+    pub factor: f64,
     /// What it shows, with its unit.
     pub title: String,
 }
@@ -27,36 +30,41 @@ impl Across {
                     _ => false,
                 });
         match driver.filter(|_| steady && report.is_cycle()) {
-            Some(driver) => {
-                let degrees = matches!(driver.unit, "rad" | "deg");
-                let (unit, factor) = if degrees {
-                    ("°".to_owned(), 1f64.to_radians())
-                } else {
-                    (name::unit(driver.unit), driver.factor)
-                };
-                let what = driver
-                    .summary
-                    .lines()
-                    .next()
-                    .unwrap_or("")
-                    .trim_end_matches('.');
-                let letter = name::set(driver.name).text;
-                let parts = [what, &letter, &unit].into_iter();
-                let parts: Vec<_> = parts.filter(|part| !part.is_empty()).collect();
-                let title = parts.join(", ");
-                Self {
-                    driver: true,
-                    degrees,
-                    factor,
-                    title,
-                }
-            }
+            Some(driver) => Self {
+                driver: true,
+                ..Self::along(driver)
+            },
             None => Self {
                 driver: false,
                 degrees: false,
                 factor: 1.0,
                 title: "time, s".to_owned(),
             },
+        }
+    }
+
+    /// The axis of a quantity, angles in degrees.
+    pub fn along(quantity: &Quantity) -> Self {
+        let degrees = matches!(quantity.unit, "rad" | "deg");
+        let (unit, factor) = if degrees {
+            ("°".to_owned(), 1f64.to_radians())
+        } else {
+            (name::unit(quantity.unit), quantity.factor)
+        };
+        let what = quantity
+            .summary
+            .lines()
+            .next()
+            .unwrap_or("")
+            .trim_end_matches('.');
+        let letter = name::set(quantity.name).text;
+        let parts = [what, &letter, &unit].into_iter();
+        let parts: Vec<_> = parts.filter(|part| !part.is_empty()).collect();
+        Self {
+            driver: false,
+            degrees,
+            factor,
+            title: parts.join(", "),
         }
     }
 

@@ -1,8 +1,8 @@
-//! The variables of a report, and which of them may share a panel: those of one kind and of comparable size.
+//! The variables of a figure, and which of them may share a panel: those of one kind and of comparable size.
 
 use super::kind::Kind;
+use super::panels::Data;
 use super::selection::Selection;
-use crate::report::Report;
 use crate::variables::Variable;
 
 /// A curve this many times smaller than another would be a flat line beside it and gets a panel of its own.
@@ -24,12 +24,12 @@ pub struct Track<'a> {
     pub amplitude: f64,
 }
 
-/// The variables of a report that are wanted.
-pub fn tracks<'a>(report: &'a Report, selection: &Selection) -> Vec<Track<'a>> {
-    let variables = report.case.variables.iter().enumerate();
+/// The variables that are wanted.
+pub fn tracks<'a>(data: &Data<'a>, selection: &Selection) -> Vec<Track<'a>> {
+    let variables = data.variables.iter().enumerate();
     let wanted = variables.filter(|(_, variable)| selection.admits(&variable.name));
     let track = |(index, variable): (usize, &'a Variable)| {
-        let values: Vec<f64> = report.curves.values.iter().map(|row| row[index]).collect();
+        let values: Vec<f64> = data.values.iter().map(|row| row[index]).collect();
         let amplitude = values
             .iter()
             .filter(|value| value.is_finite())

@@ -3,15 +3,13 @@
 use super::across::Across;
 use super::column::Column;
 use super::legend::CHARACTER;
-use super::marks;
+use super::marks::Mark;
 use super::name;
-use super::panels::{self, Panel};
+use super::panels::Panel;
 use super::scale::Scale;
-use super::selection::Selection;
 use super::svg::{Anchor, Svg};
+use crate::constants::Constants;
 use crate::number;
-use crate::report::Report;
-use crate::settings::method_name;
 use crate::text;
 
 /// Left of the plotting area of a column: numbers of the axis.
@@ -54,48 +52,64 @@ text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', san
 .fact, .solid { stroke-dasharray: none; }
 ";
 
-/// Draws the figure of a report.
-pub fn draw(report: &Report, selection: &Selection) -> String {
-    let across = Across::new(report);
-    let abscissa = |time: f64| across.at(report, time);
-    let times = report.curves.times.iter();
-    let positions: Vec<f64> = times.map(|time| abscissa(*time)).collect();
-    let panels = panels::choose(report, selection, &abscissa);
-    let has_facts = panels.iter().any(|panel| !panel.facts.is_empty());
-    let marks = marks::find(report, &positions, &abscissa);
-    let panels = arrange(panels);
-    let width = if panels.len() == 1 {
-        WIDTH_ALONE
-    } else {
-        WIDTH
-    };
-    let whole = panels.len().max(1) as f64 * (LEFT + width + RIGHT);
-    let lead = lead(report, ((whole - LEFT - RIGHT) / CHARACTER) as usize);
-    let top = 52.0 + 18.0 * lead.len() as f64;
-    let ends = Across::ends(&positions);
-    let columns = panels.iter().enumerate().map(|(index, panels)| {
-        let left = index as f64 * (LEFT + width + RIGHT) + LEFT;
-        let scale = Scale {
-            values: ends,
-            pixels: (left, left + width),
+/// What a figure shows.
+pub struct Figure {
+    /// The title.
+    pub title: String,
+    /// What is shown, a sentence or two.
+    pub lead: String,
+    /// The horizontal axis.
+    pub across: Across,
+    /// Positions of the samples on it.
+    pub positions: Vec<f64>,
+    /// The panels.
+    pub panels: Vec<Panel>,
+    /// Marked positions.
+    pub marks: Vec<Mark>,
+    /// How the curves were made.
+    pub made: String,
+}
+
+impl Figure {
+    /// Draws it.
+    pub fn draw(self) -> String {
+        let has_facts = self.panels.iter().any(|panel| !panel.facts.is_empty());
+        let panels = arrange(self.panels);
+        let width = if panels.len() == 1 {
+            WIDTH_ALONE
+        } else {
+            WIDTH
         };
-        Column::new(panels, scale, across.axis(ends.0, ends.1, width), &marks)
-    });
-    let columns: Vec<_> = columns.collect();
-    let bottoms = columns.iter().map(|column| column.bottom(top));
-    let bottom = bottoms.fold(top, f64::max);
-    let mut svg = Svg::new(whole, bottom + 34.0);
-    svg.rectangle("paper", (0.0, 0.0), (whole, bottom + 34.0));
-    svg.text("title", (LEFT, 34.0), Anchor::Start, &title(report));
-    for (index, line) in lead.iter().enumerate() {
-        let y = 56.0 + 18.0 * index as f64;
-        svg.text("lead", (LEFT, y), Anchor::Start, line);
+        let whole = panels.len().max(1) as f64 * (LEFT + width + RIGHT);
+        let limit = ((whole - LEFT - RIGHT) / CHARACTER) as usize;
+        let lead = text::wrap(&self.lead, limit);
+        let top = 52.0 + 18.0 * lead.len() as f64;
+        let ends = Across::ends(&self.positions);
+        let columns = panels.iter().enumerate().map(|(index, panels)| {
+            let left = index as f64 * (LEFT + width + RIGHT) + LEFT;
+            let scale = Scale {
+                values: ends,
+                pixels: (left, left + width),
+            };
+            let axis = self.across.axis(ends.0, ends.1, width);
+            Column::new(panels, scale, axis, &self.marks)
+        });
+        let columns: Vec<_> = columns.collect();
+        let bottoms = columns.iter().map(|column| column.bottom(top));
+        let bottom = bottoms.fold(top, f64::max);
+        let mut svg = Svg::new(whole, bottom + 34.0);
+        svg.rectangle("paper", (0.0, 0.0), (whole, bottom + 34.0));
+        svg.text("title", (LEFT, 34.0), Anchor::Start, &self.title);
+        for (index, line) in lead.iter().enumerate() {
+            let y = 56.0 + 18.0 * index as f64;
+            svg.text("lead", (LEFT, y), Anchor::Start, line);
+        }
+        for column in &columns {
+            column.draw(&mut svg, top, &self.positions, &self.across.title);
+        }
+        foot(&mut svg, &self.made, has_facts, bottom + 16.0);
+        svg.finish(&self.title, &lead.join(" "), STYLE)
     }
-    for column in &columns {
-        column.draw(&mut svg, top, &positions, &across.title);
-    }
-    foot(&mut svg, report, has_facts, bottom + 16.0);
-    svg.finish(&title(report), &lead.join(" "), STYLE)
 }
 
 /// Panels in one or two columns of similar length: translations on the left, rotations on the right, others where there
@@ -126,23 +140,13 @@ fn arrange(panels: Vec<Panel>) -> Vec<Vec<Panel>> {
     columns.into()
 }
 
-fn title(report: &Report) -> String {
-    let what = if report.is_cycle() {
-        "steady state over one period"
-    } else {
-        "motion"
-    };
-    format!("{}: {what}", report.mechanism.title)
-}
-
-/// What the scene is, and which values were changed, in lines of at most this many characters.
-fn lead(report: &Report, limit: usize) -> Vec<String> {
-    let scene = report.case.scene;
+/// What the scene is, and which values were changed.
+pub fn lead(constants: &Constants) -> String {
+    let scene = constants.scene;
     let mut sentence = format!("Scene {}", scene.name);
     if let Some(line) = scene.summary.lines().next().filter(|line| !line.is_empty()) {
         sentence += &format!(": {}", line.trim_end_matches('.'));
     }
-    let constants = &report.case.constants;
     let changed = scene
         .constants
         .iter()
@@ -163,30 +167,16 @@ fn lead(report: &Report, limit: usize) -> Vec<String> {
     if !changed.is_empty() {
         sentence += &format!(". With {}", changed.join(", "));
     }
-    text::wrap(&(sentence + "."), limit)
+    sentence + "."
 }
 
 /// How the curves were made, and what the circles are.
-fn foot(svg: &mut Svg, report: &Report, has_facts: bool, y: f64) {
+fn foot(svg: &mut Svg, made: &str, has_facts: bool, y: f64) {
     let mut x = LEFT;
     if has_facts {
         svg.circle("c fact", (x + 4.0, y - 4.0), 3.6);
         svg.text("unit", (x + 14.0, y), Anchor::Start, "published value");
         x += 132.0;
     }
-    let mut made = format!(
-        "{} with rtol {:e}",
-        method_name(report.motion.settings.method),
-        report.motion.settings.rtol
-    );
-    if let Some((_, share)) = report.cost.worst {
-        made += &format!(
-            ", estimated error {} of the amplitude",
-            number::error(share)
-        );
-    }
-    if report.motion.effort().evaluations == 0 {
-        "closed form".clone_into(&mut made);
-    }
-    svg.text("number", (x, y), Anchor::Start, &made);
+    svg.text("number", (x, y), Anchor::Start, made);
 }

@@ -1,10 +1,7 @@
 //! Positions that are marked across the panels: those of the equation file and those that were asked for.
 
-use assur::registry::At;
-
 use super::legend::text_width;
 use super::scale::Scale;
-use crate::report::Report;
 
 /// Marks nearer than this part of the width are one.
 const NEAR: f64 = 0.006;
@@ -24,32 +21,14 @@ pub struct Mark {
     pub asked: bool,
 }
 
-/// All marks, from left to right; one where several would touch.
-pub fn find(report: &Report, positions: &[f64], abscissa: &dyn Fn(f64) -> f64) -> Vec<Mark> {
+/// Marks from left to right; one where several would touch.
+pub fn sort(all: impl Iterator<Item = Mark>, positions: &[f64]) -> Vec<Mark> {
     let (Some(first), Some(last)) = (positions.first(), positions.last()) else {
         return Vec::new();
     };
     let width = (last - first).abs();
-    let case = &report.case;
-    let stated = case.scene.marks.iter().filter_map(|mark| {
-        let time = match mark.at {
-            At::Time(time) => case.task.reduce(time)?,
-            At::Driver(driver, position) => case.run().time_of(driver, position).ok()?,
-            _ => return None,
-        };
-        Some(Mark {
-            at: abscissa(time),
-            label: mark.text.to_owned(),
-            asked: false,
-        })
-    });
-    let asked = report.places.iter().map(|place| Mark {
-        at: abscissa(place.time),
-        label: place.label.clone(),
-        asked: true,
-    });
     let mut marks: Vec<Mark> = Vec::new();
-    for mark in stated.chain(asked) {
+    for mark in all {
         if marks
             .iter()
             .all(|other| (other.at - mark.at).abs() > NEAR * width)

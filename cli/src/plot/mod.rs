@@ -9,11 +9,12 @@ mod figure;
 mod kind;
 mod legend;
 mod marks;
+mod motion;
 mod name;
 mod panels;
 mod scale;
 mod selection;
 mod svg;
 
-pub use figure::draw;
+pub use motion::draw;
 pub use selection::Selection;

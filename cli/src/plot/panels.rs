@@ -1,12 +1,10 @@
 //! The panels of a figure: which there are, which matter most, and the colours of their curves.
 
-use assur::registry::At;
-
 use super::cluster::{self, Track};
 use super::kind::Kind;
 use super::name::{self, Name};
 use super::selection::Selection;
-use crate::report::Report;
+use crate::variables::Variable;
 
 /// Panels of a figure unless others are asked for.
 const USUAL: usize = 6;
@@ -52,20 +50,72 @@ pub struct Fact {
     pub curve: usize,
 }
 
-/// The panels of a report, sorted by kind and size.
-pub fn choose(report: &Report, selection: &Selection, abscissa: &dyn Fn(f64) -> f64) -> Vec<Panel> {
-    let mut tracks = cluster::tracks(report, selection);
+impl Panel {
+    /// A panel of one variable with a curve for each member of a family, their values in its unit.
+    pub fn family(variable: &Variable, members: Vec<(Name, Vec<f64>)>) -> Self {
+        let members = members.into_iter().enumerate();
+        let curves = members.map(|(index, (name, values))| Line {
+            names: vec![name],
+            values,
+            colour: Some(index),
+            key: None,
+        });
+        let kind = Kind::of(variable);
+        let name = name::set(&variable.name).text;
+        let title = match kind.title() {
+            "" => name,
+            title => format!("{title} {name}"),
+        };
+        Self {
+            kind,
+            title,
+            unit: name::unit(&variable.unit),
+            curves: curves.collect(),
+            facts: Vec::new(),
+            rank: 0,
+        }
+    }
+}
+
+/// What panels are made of.
+pub struct Data<'a> {
+    /// The variables.
+    pub variables: &'a [Variable],
+    /// Their values at each sample, SI units.
+    pub values: &'a [Vec<f64>],
+    /// Their estimated errors.
+    pub errors: &'a [f64],
+    /// Published values that may be compared.
+    pub published: Vec<Published>,
+}
+
+/// A published value of a variable.
+#[derive(Clone, Copy, Debug)]
+pub struct Published {
+    /// Index of the variable.
+    pub variable: usize,
+    /// Horizontal position, if it has one.
+    pub at: Option<f64>,
+    /// The value, SI units.
+    pub value: f64,
+    /// Whether it is the largest or smallest one.
+    pub is_extreme: bool,
+}
+
+/// The panels of a figure, sorted by kind and size.
+pub fn choose(data: &Data<'_>, selection: &Selection) -> Vec<Panel> {
+    let mut tracks = cluster::tracks(data, selection);
     if *selection == Selection::Usual {
         // What is zero as far as anybody knows is not worth a curve.
-        let shows = |track: &Track<'_>| track.amplitude > 20.0 * report.errors[track.index];
+        let shows = |track: &Track<'_>| track.amplitude > 20.0 * data.errors[track.index];
         if tracks.iter().any(shows) {
             tracks.retain(shows);
         }
     }
     let mut panels: Vec<Panel> = Vec::new();
     for cluster in cluster::clusters(&tracks) {
-        let main = panel(report, &cluster, abscissa);
-        let fine = differences(report, &cluster);
+        let main = panel(data, &cluster);
+        let fine = differences(data, &cluster);
         panels.extend(main.into_iter().chain(fine));
     }
     if *selection == Selection::Usual {
@@ -114,7 +164,7 @@ fn line(group: &[&Track<'_>], values: impl Iterator<Item = f64>) -> Line {
 }
 
 /// The panel of a cluster.
-fn panel(report: &Report, cluster: &[&Track<'_>], abscissa: &dyn Fn(f64) -> f64) -> Option<Panel> {
+fn panel(data: &Data<'_>, cluster: &[&Track<'_>]) -> Option<Panel> {
     let first = cluster.first()?;
     let (unit, factor) = cluster::unit(cluster);
     let groups = cluster::coincident(cluster);
@@ -135,26 +185,17 @@ fn panel(report: &Report, cluster: &[&Track<'_>], abscissa: &dyn Fn(f64) -> f64)
         let holds = |group: &Vec<&Track<'_>>| group.iter().any(|track| track.index == variable);
         groups.iter().position(holds)
     };
-    let known = report
-        .published
-        .iter()
-        .filter(|comparison| comparison.comparable);
-    let facts = known.clone().filter_map(|comparison| {
+    let known = data.published.iter();
+    let facts = known.clone().filter_map(|known| {
         Some(Fact {
-            curve: of_cluster(comparison.variable)?,
-            at: abscissa(comparison.time?),
-            value: comparison.fact.value / factor,
+            curve: of_cluster(known.variable)?,
+            at: known.at?,
+            value: known.value / factor,
         })
     });
     let facts: Vec<_> = facts.collect();
-    let peak = known
-        .filter(|comparison| of_cluster(comparison.variable).is_some())
-        .any(|comparison| {
-            matches!(
-                comparison.fact.at,
-                At::Maximum | At::Minimum | At::Amplitude
-            )
-        });
+    let mut of_panel = known.filter(|known| of_cluster(known.variable).is_some());
+    let peak = of_panel.any(|known| known.is_extreme);
     let names = curves.iter().flat_map(|line| &line.names);
     let names: Vec<_> = names.map(|name| name.text.as_str()).collect();
     let title = match first.kind.title() {
@@ -186,7 +227,7 @@ fn rank(kind: Kind, has_facts: bool, has_peak: bool) -> u8 {
 
 /// A panel of how curves that coincide at the scale of their own panel differ from their mean, unless they are the
 /// same.
-fn differences(report: &Report, cluster: &[&Track<'_>]) -> Option<Panel> {
+fn differences(data: &Data<'_>, cluster: &[&Track<'_>]) -> Option<Panel> {
     let groups = cluster::coincident(cluster);
     let group = groups.iter().find(|group| group.len() > 1)?;
     let first = group.first().filter(|track| track.kind.is_position())?;
@@ -203,7 +244,7 @@ fn differences(report: &Report, cluster: &[&Track<'_>]) -> Option<Panel> {
         .fold(0.0, |most: f64, value| most.max(value.abs()));
     let noise = group
         .iter()
-        .map(|track| report.errors[track.index])
+        .map(|track| data.errors[track.index])
         .fold(0.0, f64::max);
     if !(most > 20.0 * noise && most > 1e-9 * first.amplitude) {
         return None;

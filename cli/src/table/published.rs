@@ -2,12 +2,12 @@
 
 use super::{Page, WIDTH};
 use crate::number;
-use crate::report::Report;
+use crate::published::Comparison;
 use crate::text::{Align, Columns, wrap};
 
 /// A row for each published value, with its remarks below.
-pub fn section(page: &mut Page, report: &Report) {
-    if report.published.is_empty() {
+pub fn section(page: &mut Page, published: &[Comparison]) {
+    if published.is_empty() {
         return;
     }
     let mut table = Columns::new([
@@ -23,9 +23,8 @@ pub fn section(page: &mut Page, report: &Report) {
         ("", Align::Left),
     ]);
     let mut remarks: Vec<&str> = Vec::new();
-    for comparison in &report.published {
-        let variable = &report.case.variables[comparison.variable];
-        let error = report.errors[comparison.variable].max(1e-7 * comparison.computed.abs());
+    for comparison in published {
+        let error = comparison.error.max(1e-7 * comparison.computed.abs());
         let note = if comparison.fact.remark.is_empty() {
             String::new()
         } else {
@@ -39,19 +38,19 @@ pub fn section(page: &mut Page, report: &Report) {
             format!("[{}]", number + 1)
         };
         table.row([
-            variable.name.clone(),
+            comparison.name.clone(),
             comparison.place.clone(),
-            number::declared(variable.in_unit(comparison.fact.value)),
+            number::declared(comparison.in_unit(comparison.fact.value)),
             number::with_error(
-                variable.in_unit(comparison.computed),
-                variable.in_unit(error),
+                comparison.in_unit(comparison.computed),
+                comparison.in_unit(error),
             ),
-            variable.unit.clone(),
-            number::signed(variable.in_unit(comparison.deviation()), 2),
+            comparison.unit.clone(),
+            number::signed(comparison.in_unit(comparison.deviation()), 2),
             number::percent(comparison.relative()),
             format!(
                 "± {}",
-                number::short(variable.in_unit(comparison.fact.tolerance))
+                number::short(comparison.in_unit(comparison.fact.tolerance))
             ),
             match comparison.within() {
                 Some(true) => "within",
@@ -74,11 +73,7 @@ pub fn section(page: &mut Page, report: &Report) {
             page.line(&line);
         }
     }
-    if report
-        .published
-        .iter()
-        .any(|comparison| !comparison.comparable)
-    {
+    if published.iter().any(|comparison| !comparison.comparable) {
         let line = page
             .style
             .warn("  (-) published for other values than those of this run: not comparable");
