@@ -47,6 +47,10 @@ const RUN_EXAMPLES: &str = "Examples:
   assur run batten --scene exact --set n=300rpm --at theta=110deg
   assur run batten --rtol 1e-12 --format json
   assur run batten --format csv > batten.csv
+  assur run heald_linkage --at phi4=75deg --set l4=91mm
+
+A linkage is moved through the positions of its drivers: --at names one of each, alpha=90deg,beta=180deg; a driver that
+is not named stands where it starts.
 
 One JSON object is printed with --format json. Its fields:
   format       \"assur-run/1\"
@@ -67,6 +71,16 @@ One JSON object is printed with --format json. Its fields:
                seconds_with_error_estimate,
                largest_estimated_error, work_for_ten_times_more_accuracy
   figure       path of the figure, or null
+Of a linkage there are besides (and no settings, multipliers, conclusions):
+  drivers      each: name, unit, from, to, start
+  task         kind may be sweep, over: names of the drivers
+  status       may be \"stopped\"; stopped then lists place and reason, and the exit code is 1
+  results      each: name, unit, minimum and maximum, with value and at (drivers)
+  positions    at round positions: drivers, time if it runs, results (null: not reached)
+  transmission each: loops, unknowns, kind, smallest_angle, unit, at
+  events       each: place, event
+  at           besides: outside, transmission, influence (each: by, of, unit, value)
+  statistics   positions, reached, seconds, seconds_with_limits, largest_gap
 
 The figure goes to NAME-SCENE.svg in the current directory, or where --out or --plot say;
 with --format json or csv it is drawn only when one of these asks for it.";
@@ -85,7 +99,7 @@ pub struct RunArguments {
     /// A dimension or parameter with its unit, `n=300rpm`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// A position of the driver or a time at which to print everything, `theta=110deg`, `time=0.1s`; may be repeated.
+    /// A position of the drivers or a time at which to print everything, `theta=110deg`, `time=0.1s`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub at: Vec<String>,
     /// Relative tolerance of the integration, from 1e-14 to 1e-2.
@@ -116,7 +130,7 @@ pub enum Format {
     Table,
     /// One JSON object.
     Json,
-    /// The curves over the task, one row a sample.
+    /// The curves over the task, one row a sample or position.
     Csv,
 }
 

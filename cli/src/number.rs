@@ -41,6 +41,11 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// A value rounded to this many significant digits.
+pub fn rounded(value: f64, digits: usize) -> f64 {
+    significant(value, digits).parse().unwrap_or(value)
+}
+
 /// The shortest text that means this value to six digits: for values that a person has chosen.
 pub fn short(value: f64) -> String {
     let text = significant(value, 6);

@@ -13,7 +13,7 @@ use crate::output::{self, Destination};
 use crate::plot::Selection;
 use crate::progress::Progress;
 use crate::report::{self, Report};
-use crate::{csv, json, lookup, plot, settings, style, table, values};
+use crate::{csv, json, linkage, lookup, plot, settings, style, table, values};
 
 /// Runs a scene. Everything is computed first; then the figure is written, then the answer is printed.
 ///
@@ -25,6 +25,9 @@ pub fn execute(options: &RunArguments) -> Result<(), Failure> {
     };
     let mechanism = lookup::mechanism(name)?;
     let scene = lookup::scene(mechanism, options.scene.as_deref())?;
+    if scene.linkage.is_some() {
+        return linkage::run::execute(options, mechanism, scene);
+    }
     let constants =
         Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
     let places = options
@@ -78,7 +81,7 @@ fn render(report: &Report, format: Format, figure: Option<&Path>) -> String {
 }
 
 /// Where the figure goes: a table has one unless told otherwise, the formats for programs only when it is asked for.
-fn figure_path(
+pub fn figure_path(
     options: &RunArguments,
     mechanism: &Mechanism,
     scene: &SceneEntry,

@@ -1,6 +1,6 @@
 //! Everything about a motion that has a value at an instant: coordinates, speeds, accelerations, outputs.
 
-use assur::registry::{Quantity, Run, SceneEntry};
+use assur::registry::{LinkageEntry, Quantity, Run, SceneEntry};
 
 /// Exponents of m, kg, s, A, K, mol, cd as numerator and denominator.
 pub type Dimension = [(i8, i8); 7];
@@ -25,7 +25,7 @@ pub struct Variable {
 /// Where the value of a variable comes from; the index is that of the scene's table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
-    /// A component of the state.
+    /// A component of the state, of a linkage a dependent coordinate.
     State(usize),
     /// Time derivative of a component of the state.
     Rate(usize),
@@ -101,6 +101,20 @@ pub fn of_scene(scene: &SceneEntry) -> Vec<Variable> {
                 }
             }
             None => list.push(Variable::new(output, Origin::Output(index))),
+        }
+    }
+    list
+}
+
+/// All variables of a linkage: outputs, then the dependent coordinates that are none.
+pub fn of_linkage(scene: &SceneEntry, entry: &LinkageEntry) -> Vec<Variable> {
+    let outputs = scene.outputs.iter().enumerate();
+    let mut list: Vec<_> = outputs
+        .map(|(index, output)| Variable::new(output, Origin::Output(index)))
+        .collect();
+    for (index, dependent) in entry.dependents.iter().enumerate() {
+        if list.iter().all(|known| known.name != dependent.name) {
+            list.push(Variable::new(dependent, Origin::State(index)));
         }
     }
     list

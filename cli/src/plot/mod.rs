@@ -8,6 +8,7 @@ mod curve;
 mod figure;
 mod kind;
 mod legend;
+mod linkage;
 mod marks;
 mod motion;
 mod name;
@@ -16,5 +17,6 @@ mod scale;
 mod selection;
 mod svg;
 
+pub use linkage::draw as draw_linkage;
 pub use motion::draw;
 pub use selection::Selection;

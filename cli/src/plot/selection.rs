@@ -30,7 +30,10 @@ impl Selection {
         if text.trim() == "all" {
             return Ok(Self::All);
         }
-        let variables = variables::of_scene(scene);
+        let variables = match &scene.linkage {
+            Some(entry) => variables::of_linkage(scene, entry),
+            None => variables::of_scene(scene),
+        };
         let known: Vec<_> = variables
             .iter()
             .map(|variable| variable.name.as_str())

@@ -1,0 +1,24 @@
+//! Linkages: scenes that are moved from outside, through positions of their drivers.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `case` | a linkage with its values, and what its task varies |
+//! | `line`, `search` | the stations of a task, and where something is largest |
+//! | `place`, `influence`, `published` | what `--at` names, influence coefficients, published values |
+//! | `report` | all of that together |
+//! | `table`, `json`, `csv` | how it is printed |
+//! | `group`, `wording` | groups, errors and events in words |
+
+pub mod case;
+pub mod csv;
+pub mod group;
+pub mod influence;
+pub mod json;
+pub mod line;
+pub mod place;
+pub mod published;
+pub mod report;
+pub mod run;
+pub mod search;
+pub mod table;
+pub mod wording;

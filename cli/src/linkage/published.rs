@@ -1,0 +1,153 @@
+//! Published values of a linkage beside the computed ones.
+
+use assur::registry::{At, Expectation, Mechanism, Sample, Subject};
+
+use super::case::{Case, Task, amount};
+use super::influence;
+use super::line::{Grid, Line};
+use super::place::time_of;
+use super::search::{Extreme, largest, smallest};
+use crate::constants::{Constants, find_preset};
+use crate::error::Failure;
+use crate::number;
+use crate::published::Comparison;
+
+/// Compares all published facts of the scene. A fact may ask for a preset; unless the user has chosen values, the linkage
+/// is closed with it as well.
+///
+/// # Errors
+/// When the mechanism refuses a preset.
+pub fn compare(
+    mechanism: &'static Mechanism,
+    case: &Case,
+    lines: &[Line],
+) -> Result<Vec<Comparison>, Failure> {
+    let changed = case.constants.changed();
+    let mut others: Vec<(Case, Vec<Line>)> = Vec::new();
+    let mut list = Vec::new();
+    for fact in case.scene.expectations {
+        let preset = match fact.preset {
+            "" => case.scene.preset,
+            named => named,
+        };
+        let own = preset == case.constants.preset;
+        if own || changed {
+            list.extend(one(fact, case, lines, own && !changed));
+            continue;
+        }
+        if others
+            .iter()
+            .all(|(other, _)| other.constants.preset != preset)
+        {
+            let mut constants = Constants::declared(case.scene);
+            constants.apply(find_preset(mechanism, preset)?);
+            let other = Case::new(constants)?;
+            // What does not close has no value, which the comparison shows.
+            let lines = other.grid(&Grid::fine(&other)).unwrap_or_default();
+            others.push((other, lines));
+        }
+        let found = others
+            .iter()
+            .find(|(other, _)| other.constants.preset == preset);
+        if let Some((other, lines)) = found {
+            list.extend(one(fact, other, lines, true).map(|compared| Comparison {
+                place: format!("{}, preset {preset}", compared.place),
+                ..compared
+            }));
+        }
+    }
+    Ok(list)
+}
+
+fn one(
+    fact: &'static Expectation,
+    case: &Case,
+    lines: &[Line],
+    comparable: bool,
+) -> Option<Comparison> {
+    let quantity = case.scene.quantity(fact.subject)?;
+    let variable = case
+        .variables
+        .iter()
+        .position(|variable| variable.name == quantity.name)?;
+    let value = |sample: &Sample| case.values(sample)[variable];
+    let at = |place: Vec<f64>| match fact.subject {
+        Subject::Influence(output, by) => {
+            let width = case.entry.variables.len();
+            let values = case.run().influence(&place).unwrap_or_default();
+            values.get(output * width + by).copied().unwrap_or(f64::NAN)
+        }
+        _ => case.at(place).map_or(f64::NAN, |sample| value(&sample)),
+    };
+    let of = |extreme: Option<Extreme>| extreme.map_or(f64::NAN, |extreme| extreme.value);
+    let low = || of(smallest(case, lines, value));
+    let high = || of(largest(case, lines, value));
+    let (place, time, computed) = match fact.at {
+        At::Maximum => ("maximum".to_owned(), None, high()),
+        At::Minimum => ("minimum".to_owned(), None, low()),
+        At::Amplitude => ("amplitude".to_owned(), None, low().abs().max(high().abs())),
+        At::Position(positions) => {
+            let mut place = case.standing();
+            for (index, position) in positions {
+                place[*index] = *position;
+            }
+            (position_label(case, positions), None, at(place))
+        }
+        At::Driver(driver, position) => {
+            let label = position_label(case, &[(driver, position)]);
+            let time = match &case.task {
+                Task::Time(span) => time_of(case, *span, driver, position).ok(),
+                _ => None,
+            };
+            let mut place = case.standing();
+            place[driver] = position;
+            let place = time.map_or(place, |time| case.place(&[time]));
+            (label, time, at(place))
+        }
+        At::Time(time) => {
+            let within = match &case.task {
+                Task::Time(span) => span.reduce(time),
+                _ => None,
+            };
+            let computed = within.map_or(f64::NAN, |time| at(case.place(&[time])));
+            (
+                format!("time = {} s", number::short(time)),
+                within,
+                computed,
+            )
+        }
+    };
+    let printed = &case.variables[variable];
+    let (name, (unit, factor), variable) = match fact.subject {
+        Subject::Influence(_, by) => {
+            let by = influence::quantity(case, *case.entry.variables.get(by)?)?;
+            let name = format!("diff({}, {})", printed.name, by.name);
+            (name, influence::unit_of(printed, &by), None)
+        }
+        _ => (
+            printed.name.clone(),
+            (printed.unit.clone(), printed.factor),
+            Some(variable),
+        ),
+    };
+    Some(Comparison {
+        fact,
+        name,
+        unit,
+        factor,
+        variable,
+        place,
+        time,
+        computed,
+        error: 1e-12 * computed.abs(),
+        comparable,
+    })
+}
+
+fn position_label(case: &Case, positions: &[(usize, f64)]) -> String {
+    let parts = positions.iter().map(|(index, position)| {
+        let driver = &case.drivers[*index];
+        format!("{} = {}", driver.name, amount(driver, *position))
+    });
+    parts.collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,237 @@
+//! Why a linkage does not get to a position, in the names and units of the equation file.
+
+use assur::closure::{ClosureError, Event, GroupKind};
+use assur::registry::{LinkageEntry, Quantity};
+
+use super::case::label;
+use super::group;
+use crate::error::Failure;
+use crate::number;
+
+/// A linkage as its messages need it.
+#[derive(Clone, Copy)]
+pub struct Names<'a> {
+    /// The loops.
+    pub entry: &'a LinkageEntry,
+    /// The drivers as they are shown.
+    pub drivers: &'a [Quantity],
+}
+
+/// An error in words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Told {
+    /// Where it is, as positions of the drivers; empty if that is not known.
+    pub place: String,
+    /// Why.
+    pub reason: String,
+    /// What to do about it.
+    pub remedy: &'static str,
+}
+
+impl Told {
+    /// The message of a command that wanted to do something.
+    pub fn failure(self, what: impl Into<String>) -> Failure {
+        Failure::numerical(what)
+            .reason(self.reason)
+            .remedy(self.remedy)
+    }
+}
+
+/// Words an error.
+pub fn tell(names: Names<'_>, error: &ClosureError) -> Told {
+    let place = |at: &[f64]| label(names.drivers, at);
+    let group = |index: usize| group::both(names.entry, index);
+    match error {
+        ClosureError::NotAssembled {
+            group: index,
+            at,
+            gap,
+        } => Told {
+            place: place(at),
+            reason: format!(
+                "at {} the links do not meet: a gap of {} is left in {}",
+                place(at),
+                amount(names.entry, *index, *gap),
+                group(*index)
+            ),
+            remedy: "check the dimensions, those given with --set first; or choose another position",
+        },
+        ClosureError::NotConverged {
+            group: index,
+            at,
+            residual,
+            iterations,
+            sine,
+        } => Told {
+            place: place(at),
+            reason: format!(
+                "at {} the iteration for {} did not settle: {} is left after {iterations} steps (transmission angle \
+                 {})",
+                place(at),
+                group(*index),
+                amount(names.entry, *index, *residual),
+                degrees(*sine)
+            ),
+            remedy: "give start values nearer to the position in the equation file, `dependent phi5 ~ 10 deg`",
+        },
+        ClosureError::DeadPoint {
+            group: index,
+            at,
+            wanted,
+            gap,
+        } => {
+            let beyond = match gap.is_finite() {
+                true => format!(
+                    "; at {} a gap of {} would be left",
+                    place(wanted),
+                    amount(names.entry, *index, *gap)
+                ),
+                false => String::new(),
+            };
+            Told {
+                place: place(at),
+                reason: format!(
+                    "dead point at {}: {} there for {}, and it goes no further{beyond}",
+                    place(at),
+                    dead(names.entry, *index),
+                    group(*index),
+                ),
+                remedy: "stay on this side of the dead point, or change the dimensions with --set",
+            }
+        }
+        ClosureError::Ambiguous {
+            group: index,
+            at,
+            apart,
+        } => Told {
+            place: place(at),
+            reason: format!(
+                "at {} the two assembly modes of {} cannot be told apart{}",
+                place(at),
+                group(*index),
+                match *apart > 0.0 {
+                    true => format!(
+                        ": they lie {} apart (radians or link lengths)",
+                        number::error(*apart)
+                    ),
+                    false => String::new(),
+                }
+            ),
+            remedy: "start at another position in the equation file, or give start values nearer to one of the modes",
+        },
+        ClosureError::NotFinite { group: index, at } => Told {
+            place: place(at),
+            reason: format!("at {} {} has no finite value", place(at), group(*index)),
+            remedy: "a root, a division or a logarithm leaves its range there: check the values given with --set",
+        },
+        ClosureError::ModeLost {
+            group: index,
+            at,
+            wanted,
+            sine,
+        } => Told {
+            place: place(at),
+            reason: format!(
+                "beyond {} on the way to {} the assembly mode of {} cannot be followed with certainty (transmission \
+                 angle {})",
+                place(at),
+                place(wanted),
+                group(*index),
+                degrees(*sine)
+            ),
+            remedy: "two modes come very near to each other there: go to the position another way, or change a \
+                     dimension a little",
+        },
+        other => Told {
+            place: String::new(),
+            reason: other.to_string(),
+            remedy: "check the positions given with --at and the ranges in the equation file",
+        },
+    }
+}
+
+/// The independent variables that an error is about.
+pub fn place(error: &ClosureError) -> Option<&[f64]> {
+    match error {
+        ClosureError::NotAssembled { at, .. }
+        | ClosureError::NotConverged { at, .. }
+        | ClosureError::DeadPoint { at, .. }
+        | ClosureError::Ambiguous { at, .. }
+        | ClosureError::NotFinite { at, .. }
+        | ClosureError::ModeLost { at, .. } => Some(at),
+        _ => None,
+    }
+}
+
+/// The independent variables at an event.
+pub fn place_of(event: &Event) -> Option<&[f64]> {
+    match event {
+        Event::ChangePoint { at, .. } | Event::DeadPoint { at, .. } => Some(at),
+        _ => None,
+    }
+}
+
+/// What is singular at the dead point of a group.
+fn dead(entry: &LinkageEntry, index: usize) -> &'static str {
+    match entry.groups.get(index).map(|group| group.kind) {
+        Some(GroupKind::Rrr) => "the two links are in line",
+        Some(GroupKind::Rrp) => "the link stands square to the slide",
+        Some(GroupKind::Rpr) => "the slide has come to its pivot",
+        _ => "two assembly modes meet",
+    }
+}
+
+/// What happened on the way: its place, and what it was.
+pub fn event(names: Names<'_>, event: &Event) -> (String, String) {
+    let group = |index: usize| group::both(names.entry, index);
+    match event {
+        Event::ChangePoint {
+            group: index, at, ..
+        } => (
+            label(names.drivers, at),
+            format!(
+                "change point of {}: both assembly modes meet; the motion goes on smoothly",
+                group(*index)
+            ),
+        ),
+        Event::DeadPoint {
+            group: index, at, ..
+        } => (
+            label(names.drivers, at),
+            format!(
+                "dead point of {}: the motion goes back in the other assembly mode",
+                group(*index)
+            ),
+        ),
+        _ => (String::new(), "something of an unknown kind".to_owned()),
+    }
+}
+
+/// A residual of a group with its unit: lengths in millimetres, angles in degrees.
+fn amount(entry: &LinkageEntry, group: usize, residual: f64) -> String {
+    let loops = entry
+        .groups
+        .get(group)
+        .map_or(&[][..], |group| group.equations);
+    let mut units = loops
+        .iter()
+        .map(|&index| (entry.loops[index].unit, entry.loops[index].factor));
+    let first = units.next();
+    let (unit, factor) = match first.filter(|first| units.all(|other| other == *first)) {
+        Some(("m", _)) => ("mm", 1e-3),
+        Some(known) => known,
+        None => ("(SI units)", 1.0),
+    };
+    let shown = number::short(number::rounded(residual / factor, 4));
+    format!("{shown} {unit}").trim_end().to_owned()
+}
+
+fn degrees(sine: f64) -> String {
+    match sine.is_finite() {
+        true => format!(
+            "{} deg",
+            number::short(number::rounded(group::transmission(sine), 2))
+        ),
+        false => "unknown".to_owned(),
+    }
+}
