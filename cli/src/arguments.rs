@@ -27,6 +27,11 @@ pub enum Command {
     /// Run a scene: its results, the published values beside them, and a figure of its curves.
     #[command(after_help = RUN_EXAMPLES)]
     Run(RunArguments),
+    /// Show the loops of a linkage, its degrees of freedom and the order of solution.
+    #[command(
+        after_help = "Examples:\n  assur structure heald_linkage\n  assur structure heald_linkage --scene straight --format json"
+    )]
+    Structure(StructureArguments),
     /// Check an equation file without compiling anything.
     #[command(
         after_help = "Example:\n  assur check my_linkage.eqn\n\nExit codes: 0 no error, 2 at least one error."
@@ -132,6 +137,35 @@ pub enum Format {
     Json,
     /// The curves over the task, one row a sample or position.
     Csv,
+}
+
+/// Options of `assur structure`.
+#[derive(Args, Debug)]
+pub struct StructureArguments {
+    /// The mechanism, as `assur list` names it.
+    pub name: Option<String>,
+    /// The scene; the first one of the file unless given.
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// A named set of values to start from.
+    #[arg(long, value_name = "PRESET")]
+    pub preset: Option<String>,
+    /// A dimension or parameter with its unit, `l4=91mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// What is printed.
+    #[arg(long, value_enum, default_value_t = StructureFormat::Table)]
+    pub format: StructureFormat,
+}
+
+/// How a structure is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum StructureFormat {
+    /// Tables to read.
+    #[default]
+    Table,
+    /// One JSON object.
+    Json,
 }
 
 /// Options of `assur check`.

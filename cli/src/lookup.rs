@@ -71,6 +71,45 @@ pub fn scene(
     )))
 }
 
+/// The linkage of this name among the scenes, the first one if none is given.
+///
+/// # Errors
+/// When there is none, or the scene moves by its equations of motion.
+pub fn linkage(
+    mechanism: &'static Mechanism,
+    name: Option<&str>,
+) -> Result<&'static SceneEntry, Failure> {
+    let found = scene(mechanism, name)?;
+    if found.linkage.is_some() {
+        return Ok(found);
+    }
+    let others = mechanism
+        .scenes
+        .iter()
+        .filter(|scene| scene.linkage.is_some());
+    let others: Vec<_> = others.map(|scene| scene.name).collect();
+    let failure = Failure::request(format!(
+        "scene `{}` of `{}` is no linkage",
+        found.name, mechanism.name
+    ))
+    .reason("it moves by its equations of motion, and closes no loops");
+    if let (None, Some(first)) = (name, others.first()) {
+        return Err(failure.remedy(format!("choose one: --scene {first}")));
+    }
+    let everywhere = REGISTRY.iter().filter(|mechanism| {
+        let mut scenes = mechanism.scenes.iter();
+        scenes.any(|scene| scene.linkage.is_some())
+    });
+    let everywhere: Vec<_> = everywhere.map(|mechanism| mechanism.name).collect();
+    Err(
+        failure.remedy(match (others.as_slice(), everywhere.as_slice()) {
+            ([], []) => "no mechanism has a linkage yet".to_owned(),
+            ([], names) => format!("linkages are in: {}", names.join(", ")),
+            (names, _) => format!("choose one: --scene {}", names.join(", --scene ")),
+        }),
+    )
+}
+
 /// If the name is that of an effect, of a choice or of an alternative: which scenes have it.
 pub fn with_feature(mechanism: &Mechanism, name: &str) -> Option<String> {
     let scenes = |has: &dyn Fn(&SceneEntry) -> bool| {

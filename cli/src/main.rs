@@ -37,6 +37,7 @@ mod run;
 mod scenes;
 mod settings;
 mod source;
+mod structure;
 mod style;
 mod table;
 mod text;
@@ -55,6 +56,7 @@ fn main() -> ExitCode {
     let outcome = match &arguments.command {
         Command::List => list::execute(),
         Command::Run(options) => run::execute(options),
+        Command::Structure(options) => structure::execute(options),
         Command::Check(options) => check::execute(options),
         Command::Expand(options) => expand::execute(options),
         Command::Scenes(options) => scenes::execute(options),

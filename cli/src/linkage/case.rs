@@ -64,7 +64,10 @@ impl Case {
             .linkage(&constants.values)
             .map_err(|refused| case::refused(&constants, &refused))?;
         let Some(entry) = &scene.linkage else {
-            return Err(none(scene));
+            return Err(Failure::request(format!(
+                "scene `{}` is no linkage",
+                scene.name
+            )));
         };
         let ranges = run.ranges();
         let task = match run.span() {
@@ -213,11 +216,4 @@ fn swept(ranges: &[Range]) -> Task {
         true => Task::Open,
         false => Task::Sweep(moving),
     }
-}
-
-/// What to say of a scene that closes no loops.
-pub fn none(scene: &SceneEntry) -> Failure {
-    Failure::request(format!("scene `{}` is no linkage", scene.name))
-        .reason("it moves by its equations of motion")
-        .remedy("`assur list` shows the scenes; `assur run` follows their motion")
 }
