@@ -434,6 +434,15 @@ mod pendulum_ {
                     super::super::Swing,
                 >(super::super::SwingEquations::<f64>::energy)
             }
+            /// The same mechanism stated in mm, g, ms gives the same motion.
+            #[test]
+            fn scaling_() -> ::core::result::Result<(), ::assur::check::Failed> {
+                ::assur::check::scaling(
+                    &super::super::MECHANISM,
+                    "swing",
+                    super::super::Swing::from_values,
+                )
+            }
             /// `pull, maximum`, pendulum.eqn:19
             #[test]
             fn pull_maximum() -> ::core::result::Result<(), ::assur::check::Failed> {
