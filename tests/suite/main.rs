@@ -4,9 +4,11 @@
 //! |---|---|
 //! | [`boundaries`] | which package may know which |
 //! | [`batten`] | a mechanism against an independent computation, closed forms, limits, energy |
+//! | [`linkages`] | loops against an independent computation, and the misprints of a paper |
 //! | [`hard`] | cases in which the naive way fails, beside ours |
 
 mod batten;
 mod boundaries;
 mod hard;
+mod linkages;
 mod solved;

@@ -1,0 +1,4 @@
+//! Linkages: loops closed, their derivatives, their assembly modes.
+
+mod misprints;
+mod reference;
