@@ -2,40 +2,52 @@
 
 use super::linkages::SixBar;
 use crate::closure::{Assembly, AtDeadPoint, Axis, Closure, Linkage, sweep};
+use crate::dispatch::{Task, dispatch};
+use crate::scalar::Scalar;
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
-/// A revolution as one would write it by hand: the same closed form, modes fixed, nothing looked at.
-#[inline(never)]
-pub fn by_hand(turns: usize) -> f64 {
-    let linkage = black_box(SixBar::default());
-    let loops = SixBar::prepare::<f64>(&linkage.values());
-    let modes = black_box([-1.0, 1.0]);
-    let mut sum = 0.0;
-    let mut z = Closure::<f64>::zeros(&loops);
-    for k in 0..360 * turns {
-        let at = TAU * k as f64 / 360.0;
-        let instant = loops.instant(&[at]);
-        loops.close(0, &instant, modes[0], &mut z);
-        loops.close(1, &instant, modes[1], &mut z);
-        sum += z[0] + z[1] + z[2] + z[3];
+/// Revolutions as one would write them by hand: the same closed form, modes fixed, nothing looked at.
+struct ByHand(usize);
+
+impl Task for ByHand {
+    type Output = f64;
+    #[inline(always)]
+    fn run<S: Scalar>(self) -> f64 {
+        let values = black_box(SixBar::default()).values().into_iter();
+        let loops = SixBar::prepare::<S>(&values.map(S::from_f64).collect::<Vec<S>>());
+        let modes = black_box([-1.0, 1.0]).map(S::from_f64);
+        let mut sum = S::ZERO;
+        let mut z = loops.zeros();
+        for k in 0..360 * self.0 {
+            let at = S::from_f64(TAU * k as f64 / 360.0);
+            let instant = loops.instant(&[at]);
+            loops.close(0, &instant, modes[0], &mut z);
+            loops.close(1, &instant, modes[1], &mut z);
+            sum = sum + (z[0] + z[1] + z[2] + z[3]);
+        }
+        sum.to_f64()
     }
-    sum
 }
 
 /// The same with modes that are kept.
-#[inline(never)]
-pub fn kept(turns: usize) -> f64 {
-    let mut assembly = Assembly::<SixBar, f64>::new(&black_box(SixBar::default()));
-    assembly.start().expect("the linkage assembles");
-    let mut sum = 0.0;
-    for k in 0..360 * turns {
-        let at = TAU * k as f64 / 360.0;
-        assembly.move_to(&[at]).expect("the crank turns");
-        let z = assembly.position();
-        sum += z[0] + z[1] + z[2] + z[3];
+struct Kept(usize);
+
+impl Task for Kept {
+    type Output = f64;
+    #[inline(always)]
+    fn run<S: Scalar>(self) -> f64 {
+        let mut assembly = Assembly::<SixBar, S>::new(&black_box(SixBar::default()));
+        assembly.start().expect("the linkage assembles");
+        let mut sum = S::ZERO;
+        for k in 0..360 * self.0 {
+            let at = S::from_f64(TAU * k as f64 / 360.0);
+            assembly.move_to(&[at]).expect("the crank turns");
+            let z = assembly.position();
+            sum = sum + (z[0] + z[1] + z[2] + z[3]);
+        }
+        sum.to_f64()
     }
-    sum
 }
 
 #[test]
@@ -52,21 +64,21 @@ fn sweeps_over_a_revolution() {
         let (first, last) = (positions.coordinates(0)[j], positions.coordinates(360)[j]);
         assert!((first - last).abs() < 1e-12);
     }
-    assert!((by_hand(1) - kept(1)).abs() < 1e-9);
+    assert!((dispatch(ByHand(1)) - dispatch(Kept(1))).abs() < 1e-9);
 }
 
-/// Run under `perf stat -e instructions:u` or callgrind, with ASSUR_SPEED=hand or kept.
+/// Run under callgrind with ASSUR_SPEED one of hand, kept, hand_plain, kept_plain.
 #[test]
 #[ignore = "a measurement"]
 fn measure() {
     let turns = 2000;
     let clock = std::time::Instant::now();
     let sum = match std::env::var("ASSUR_SPEED").as_deref() {
-        Ok("hand") => by_hand(turns),
-        _ => kept(turns),
+        Ok("hand") => dispatch(ByHand(turns)),
+        Ok("hand_plain") => ByHand(turns).run::<f64>(),
+        Ok("kept_plain") => Kept(turns).run::<f64>(),
+        _ => dispatch(Kept(turns)),
     };
-    eprintln!(
-        "{} ns a position, {sum}",
-        clock.elapsed().as_nanos() as f64 / (360 * turns) as f64
-    );
+    let elapsed = clock.elapsed().as_nanos() as f64;
+    eprintln!("{} ns a position, {sum}", elapsed / (360 * turns) as f64);
 }
