@@ -14,6 +14,12 @@ use crate::scalar::Dual;
 
 /// Largest turn of the tangent in one step: its cosine.
 const STRAIGHT: f64 = 0.97;
+/// Largest and smallest length of one step towards a place, and their number.
+const LONGEST: f64 = 0.05;
+const SHORTEST: f64 = 1e-9;
+const STEPS: usize = 200;
+/// Length that counts as none, in radians.
+const REACHED: f64 = 1e-12;
 /// Iterations of the corrector.
 const ITERATIONS: usize = 8;
 /// Length of a correction, in radians, that ends the iteration.
@@ -120,6 +126,26 @@ impl<'a, L: Linkage> Curve<'a, L> {
                 let cosine: f64 = tangent.iter().zip(&from.tangent).map(|(a, b)| a * b).sum();
                 return (cosine >= STRAIGHT).then_some(Point { y, tangent });
             }
+        }
+        None
+    }
+
+    /// The point at a place further on, if the curve goes there without turning back.
+    pub fn reach(&mut self, from: Point, t: f64) -> Option<Point> {
+        let mut point = from;
+        for _ in 0..STEPS {
+            let left = (t - self.place(&point)) / self.units[L::DEPENDENTS];
+            let mut length = left / self.rate(&point);
+            if length.abs() < REACHED {
+                return Some(point);
+            }
+            length = length.clamp(-LONGEST, LONGEST);
+            let mut next = self.beyond(&point, length);
+            while next.is_none() && length.abs() > SHORTEST {
+                length *= 0.5;
+                next = self.beyond(&point, length);
+            }
+            point = next.filter(|next| self.rate(next) > 0.0)?;
         }
         None
     }

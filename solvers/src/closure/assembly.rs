@@ -14,10 +14,10 @@
 //! Whatever is not certain goes the careful way of [`super::continuation`]. A group that is iterated must besides be found
 //! near where its kinematic coefficients predicted it.
 
-use super::crossing::Stand;
 use super::error::ClosureError;
 use super::newton::{Instant, Newton, Position};
 use super::problem::{Closure, GroupKind, Linkage};
+use super::stand::Stand;
 use crate::scalar::Scalar;
 
 /// Where the groups stand: an entry for each. There are no more groups than unknowns, so that a position holds them.

@@ -195,6 +195,10 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         progress.looked = (group, sine);
         if L::GROUPS[group].kind == GroupKind::General {
             progress.end = self.turn_ahead(way, progress.done).map(|at| (group, at));
+            if progress.end.is_none() {
+                way.crossings
+                    .extend(self.cross_ahead(way, progress.done, group));
+            }
         } else {
             let found = self.meet(way, progress.done, None, group);
             self.heed(way, progress, group, found);
@@ -227,16 +231,20 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             }
             let mode = crossing.map_or(self.mode(group), |crossing| crossing.mode_at(t));
             let (sine, turned) = self.close_near(group, &independents, &instant, mode);
-            let sine = match crossing {
+            let iterated = L::GROUPS[group].kind == GroupKind::General;
+            let near = crossing.filter(|crossing| crossing.surrounds(t));
+            let sine = match near {
                 Some(crossing) if crossing.is_at(t) => self.interpolate(crossing, t, &instant),
+                Some(crossing) if iterated => self.close_between(crossing, t, &instant),
                 _ => sine,
             };
+            let sure = if iterated { near } else { crossing };
             if sine.is_nan() {
                 return Verdict::Open(group);
             }
             let change = sine - before;
             let expected = self.groups.changes.as_ref()[group].to_f64() * ratio;
-            if crossing.is_none() && !is_certain(sine, before, expected, turned) {
+            if sure.is_none() && !is_certain(sine, before, expected, turned) {
                 return Verdict::Doubtful(group);
             }
             self.next.modes.as_mut()[group] = S::from_f64(mode);

@@ -6,20 +6,18 @@
 
 use super::assembly::{Assembly, Event};
 use super::continuation::{Way, scalars};
-use super::error::ClosureError;
 use super::newton::Instant;
-use super::problem::Linkage;
+use super::problem::{GroupKind, Linkage};
 use super::root::through;
+use super::stand::Stand;
 use crate::scalar::Scalar;
 
 /// Sine at which it is decided whether modes meet, miss each other or leave a gap.
 const FINEST: f64 = 1e-6;
 /// Sine at the nearest of the positions from which the change point is computed.
-const SINE: f64 = 2e-3;
-/// Part of a way on which the rate of a sine is measured that begins at zero.
-const TINY: f64 = 1e-3;
+pub(super) const SINE: f64 = 2e-3;
 /// A branch is the smooth one if it is nearer to the expectation by this factor.
-const CLEAR: f64 = 4.0;
+pub(super) const CLEAR: f64 = 4.0;
 
 /// A change point on a way.
 pub(super) struct Crossing {
@@ -59,8 +57,41 @@ impl Crossing {
 }
 
 impl Crossing {
+    /// The change point of a group whose unknowns and sines are known at places on both sides of it, along the smooth
+    /// branch. None if the sine does not change its sign between the third and the fourth, and only there.
+    pub fn between(
+        group: usize,
+        nodes: [f64; 6],
+        sines: [f64; 6],
+        values: Vec<[f64; 6]>,
+    ) -> Option<Self> {
+        let [before, after] = [sines[2], sines[3]].map(f64::signum);
+        let flips = sines[..3].iter().all(|sine| sine.signum() == before)
+            && sines[3..].iter().all(|sine| sine.signum() == after);
+        let rate = (sines[2] - sines[3]).abs() / (nodes[3] - nodes[2]);
+        (flips && before != after).then(|| Self {
+            group,
+            at: through(sines, nodes, 0.0),
+            modes: (before, after),
+            near: FINEST / rate,
+            nodes,
+            values,
+        })
+    }
+
+    /// Where it is, and at which distance from it the sine is large enough to be known well.
+    pub fn place_and_unit(&self) -> (f64, f64) {
+        let unit = self.near * (SINE / FINEST);
+        (self.at, unit.min(self.nodes[3] - self.at))
+    }
+
+    /// Whether a place is among those from which it is computed.
+    pub fn surrounds(&self, t: f64) -> bool {
+        self.nodes[0] <= t && t <= self.nodes[5]
+    }
+
     /// Slopes of the unknowns along the way.
-    fn slopes(&self) -> Vec<f64> {
+    pub fn slopes(&self) -> Vec<f64> {
         let (a, b) = (self.nodes[2], self.nodes[3]);
         let slope = |values: &[f64; 6]| (values[3] - values[2]) / (b - a);
         self.values.iter().map(slope).collect()
@@ -86,18 +117,22 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         guess: Option<f64>,
         group: usize,
     ) -> Meeting {
-        let sine = self.sine(group);
-        let step = self.ratio(&scalars::<S>(&way.at(1.0))).to_f64() / (1.0 - done);
-        let slope = self.groups.changes.as_ref()[group].to_f64() * step;
-        let at = guess.unwrap_or(done - sine / slope);
-        if !(at > done && at < done + 4.0) {
+        let Some(at) = guess.or_else(|| self.zero_ahead(way, done, group)) else {
             return Meeting::None;
-        }
+        };
         let mode = self.mode(group);
         match self.close_in(way, group, mode, (done, at)) {
             Ok((at, rate)) => self.choose(way, group, mode, at, rate),
             Err(meeting) => meeting,
         }
+    }
+
+    /// Where the sine of a group goes to zero, from its change in the last step.
+    pub(super) fn zero_ahead(&self, way: &Way, done: f64, group: usize) -> Option<f64> {
+        let steps = self.ratio(&scalars::<S>(&way.at(1.0))).to_f64() / (1.0 - done);
+        let slope = self.groups.changes.as_ref()[group].to_f64() * steps;
+        let at = done - self.sine(group) / slope;
+        (at > done && at < done + 4.0).then_some(at)
     }
 
     /// Closes in on a zero of the sine, whose modulus comes back. Gives the place and the rate of the sine.
@@ -161,7 +196,14 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     }
 
     /// Chooses the smooth continuation.
-    fn choose(&mut self, way: &Way, group: usize, mode: f64, at: f64, rate: f64) -> Meeting {
+    pub(super) fn choose(
+        &mut self,
+        way: &Way,
+        group: usize,
+        mode: f64,
+        at: f64,
+        rate: f64,
+    ) -> Meeting {
         let unit = SINE / rate;
         let nodes = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0].map(|k| at + k * unit);
         let unknowns = L::GROUPS[group].unknowns;
@@ -225,18 +267,27 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             .sine(&self.closure, group, instant, &mut self.trial)
     }
 
+    /// Closes a group that is iterated from its interpolated unknowns. Gives the sine, NaN if that fails.
+    pub(super) fn close_between(
+        &mut self,
+        crossing: &Crossing,
+        t: f64,
+        instant: &Instant<L, S>,
+    ) -> f64 {
+        self.interpolate(crossing, t, instant);
+        let group = crossing.group;
+        let closed = self
+            .newton
+            .close(&self.closure, group, instant, &mut self.trial);
+        closed.map_or(f64::NAN, |closed| closed.sine)
+    }
+
     /// Reports the change points that are passed, and remembers those that are stood on.
     pub(super) fn pass_crossings(&mut self, way: &mut Way, t: f64) {
         self.stands.clear();
         for crossing in std::mem::take(&mut way.crossings) {
             if crossing.is_at(t) {
-                let heading = way.heading();
-                let slopes = crossing.slopes();
-                self.stands.push(Stand {
-                    group: crossing.group,
-                    heading,
-                    slopes,
-                });
+                self.stands.push(Stand::new(&crossing, way));
             } else if t > crossing.at {
                 self.report(&crossing, way);
             } else {
@@ -246,67 +297,19 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     }
 
     fn report(&mut self, crossing: &Crossing, way: &Way) {
-        if self.mode(crossing.group) != crossing.modes.1 {
+        let iterated = L::GROUPS[crossing.group].kind == GroupKind::General;
+        let before = if iterated {
+            crossing.modes.0
+        } else {
+            self.mode(crossing.group)
+        };
+        if before != crossing.modes.1 {
             self.events.push(Event::ChangePoint {
                 group: crossing.group,
                 at: way.at(crossing.at),
                 mode: crossing.modes.1,
             });
         }
-    }
-
-    /// Prepares to leave the change points that are stood on along the smooth branches.
-    pub(super) fn leave_stands(&mut self, way: &mut Way) -> Result<(), ClosureError> {
-        for stand in std::mem::take(&mut self.stands) {
-            let meeting = self.leave(way, &stand);
-            self.stands.push(stand);
-            match meeting {
-                Meeting::Point(crossing) => way.crossings.push(crossing),
-                _ => return Err(self.lost_at(way, self.stands[0].group)),
-            }
-        }
-        Ok(())
-    }
-
-    fn leave(&mut self, way: &Way, stand: &Stand) -> Meeting {
-        let group = stand.group;
-        let rate = self.probe(way, TINY, group, 1.0).abs() / TINY;
-        let before = -SINE / rate;
-        let mut misses = [0.0; 2];
-        for (miss, mode) in misses.iter_mut().zip([1.0, -1.0]) {
-            self.probe(way, before, group, mode);
-            *miss = stand.miss(way, before, L::GROUPS[group].unknowns, |j| {
-                (self.trial.as_ref()[j] - self.position.as_ref()[j]).to_f64()
-            });
-        }
-        let mode = if misses[0] < misses[1] { 1.0 } else { -1.0 };
-        let clear = CLEAR * f64::min(misses[0], misses[1]) < f64::max(misses[0], misses[1]);
-        if clear {
-            self.choose(way, group, mode, 0.0, rate)
-        } else {
-            Meeting::None
-        }
-    }
-}
-
-/// A group that stands exactly at a change point.
-pub(super) struct Stand {
-    group: usize,
-    /// The way that led there.
-    heading: Vec<f64>,
-    /// Slopes of the unknowns along it.
-    slopes: Vec<f64>,
-}
-
-impl Stand {
-    /// By how much the changes of the unknowns on the way to `t` differ from what the slopes let expect.
-    fn miss(&self, way: &Way, t: f64, unknowns: &[usize], change: impl Fn(usize) -> f64) -> f64 {
-        let heading = way.heading();
-        let along: f64 = heading.iter().zip(&self.heading).map(|(a, b)| a * b).sum();
-        let square: f64 = self.heading.iter().map(|part| part * part).sum();
-        let parts = unknowns.iter().zip(&self.slopes);
-        let misses = parts.map(|(&j, slope)| (change(j) - slope * t * along / square).abs());
-        misses.fold(0.0, f64::max)
     }
 }
 

@@ -5,7 +5,7 @@
 //! | [`problem`](self) | what is asked of a linkage: [`Closure`], [`Linkage`] |
 //! | `newton`, `scaled` | one group that has no closed form |
 //! | `assembly`, `start`, `predict` | [`Assembly`]: all groups in their modes, put together and moved |
-//! | `continuation`, `crossing` | the same where a step is not certain to keep the modes |
+//! | `continuation`, `crossing`, `stand` | the same where a step is not certain to keep the modes |
 //! | `arc`, `turn` | dead points, and passing through them by the length of the curve of positions |
 //! | `sweep` | positions over a grid |
 //! | `limits`, `rates` | how far a driver can go, limit positions and strokes |
@@ -25,6 +25,7 @@ mod problem;
 mod rates;
 mod root;
 mod scaled;
+mod stand;
 mod start;
 mod sweep;
 #[cfg(test)]

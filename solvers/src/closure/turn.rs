@@ -2,9 +2,10 @@
 
 use super::arc::{Curve, Point};
 use super::assembly::{Assembly, Event};
-use super::continuation::Way;
+use super::continuation::{Way, scalars};
+use super::crossing::Crossing;
 use super::error::ClosureError;
-use super::problem::Linkage;
+use super::problem::{Closure, Linkage};
 use super::root::brent;
 use crate::scalar::Scalar;
 use std::f64::consts::TAU;
@@ -31,6 +32,47 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let begin = curve.begin(&self.coordinates(), done)?;
         let turn = find_turn(&mut curve, begin)?;
         Some(curve.place(&turn.dead))
+    }
+
+    /// The change point ahead of a group that is iterated, if the curve of positions goes smoothly through one.
+    pub(super) fn cross_ahead(&mut self, way: &Way, done: f64, group: usize) -> Option<Crossing> {
+        let at = self.zero_ahead(way, done, group)?;
+        let rough = self.cross_near(way, done, group, (at, 0.25 * (at - done)))?;
+        let fine = rough.place_and_unit();
+        self.cross_near(way, done, group, fine)
+    }
+
+    /// The same from places about where it is expected, a unit apart.
+    fn cross_near(
+        &mut self,
+        way: &Way,
+        done: f64,
+        group: usize,
+        (at, unit): (f64, f64),
+    ) -> Option<Crossing> {
+        let nodes = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0].map(|k| at + k * unit);
+        let mut curve = self.curve(way);
+        let mut point = curve.begin(&self.coordinates(), done)?;
+        let unknowns = L::GROUPS[group].unknowns;
+        let mut values = vec![[0.0; 6]; unknowns.len()];
+        let mut sines = [0.0; 6];
+        for (k, &t) in nodes.iter().enumerate() {
+            point = curve.reach(point, t)?;
+            let coordinates = curve.coordinates(&point);
+            let instant = self.closure.instant(&scalars::<S>(&way.at(t)));
+            for (entry, value) in self.trial.as_mut().iter_mut().zip(&coordinates) {
+                *entry = S::from_f64(*value);
+            }
+            for before in 0..=group {
+                sines[k] = self
+                    .newton
+                    .sine(&self.closure, before, &instant, &mut self.trial);
+            }
+            for (value, &j) in values.iter_mut().zip(unknowns) {
+                value[k] = coordinates[j];
+            }
+        }
+        Crossing::between(group, nodes, sines, values)
     }
 
     /// The dead point on the way to these independent variables: where it is, and the dependent coordinates there.

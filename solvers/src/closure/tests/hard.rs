@@ -1,6 +1,6 @@
 //! Hard cases: what must stay stable, beside the failure of the naive way.
 
-use super::linkages::{FourBar, Heald};
+use super::linkages::{FourBar, Heald, Iterated};
 use super::published::{residual, started};
 use crate::closure::{
     Assembly, AtDeadPoint, Axis, Closure, ClosureError, Event, Linkage, Newton, sweep,
@@ -27,8 +27,14 @@ fn apart(a: f64, b: f64) -> f64 {
 
 /// Follows a mode of the change-point linkage in equal steps, and checks it all the way.
 #[track_caller]
-fn check_change_points(crossed: bool, step: f64, count: usize, offset: f64) {
-    let mut assembly = started(&parallelogram(crossed));
+fn check_change_points<L: Linkage>(
+    linkage: &L,
+    crossed: bool,
+    step: f64,
+    count: usize,
+    offset: f64,
+) {
+    let mut assembly = started(linkage);
     let mut met = Vec::new();
     for k in 0..=count {
         let at = FRAC_PI_2 + offset + step * k as f64;
@@ -36,7 +42,7 @@ fn check_change_points(crossed: bool, step: f64, count: usize, offset: f64) {
             .move_to(&[at])
             .unwrap_or_else(|error| panic!("{error}"));
         met.extend(assembly.take_events());
-        let found = assembly.position()[1];
+        let found = assembly.coordinates()[1];
         assert!(apart(found, rocker(crossed, at)) < 1e-9, "{at}: {found}");
     }
     let turns = ((FRAC_PI_2 + offset + step * count as f64) / PI)
@@ -54,12 +60,66 @@ fn check_change_points(crossed: bool, step: f64, count: usize, offset: f64) {
 #[test]
 fn flattened_parallelogram_goes_on_smoothly() {
     for crossed in [false, true] {
-        check_change_points(crossed, 1f64.to_radians(), 720, 0.0);
-        check_change_points(crossed, 1f64.to_radians(), 720, 0.5f64.to_radians());
-        check_change_points(crossed, 7f64.to_radians(), 100, 0.123);
-        check_change_points(crossed, 30f64.to_radians(), 24, 0.0);
-        check_change_points(crossed, 1e-3, 4000, 0.0);
+        check_change_points(
+            &parallelogram(crossed),
+            crossed,
+            1f64.to_radians(),
+            720,
+            0.0,
+        );
+        check_change_points(
+            &parallelogram(crossed),
+            crossed,
+            1f64.to_radians(),
+            720,
+            0.5f64.to_radians(),
+        );
+        check_change_points(
+            &parallelogram(crossed),
+            crossed,
+            7f64.to_radians(),
+            100,
+            0.123,
+        );
+        check_change_points(
+            &parallelogram(crossed),
+            crossed,
+            30f64.to_radians(),
+            24,
+            0.0,
+        );
+        check_change_points(&parallelogram(crossed), crossed, 1e-3, 4000, 0.0);
     }
+}
+
+#[test]
+fn flattened_parallelogram_goes_on_smoothly_when_iterated() {
+    for crossed in [false, true] {
+        let linkage = Iterated(parallelogram(crossed));
+        check_change_points(
+            &linkage,
+            crossed,
+            1f64.to_radians(),
+            720,
+            0.5f64.to_radians(),
+        );
+        check_change_points(&linkage, crossed, 7f64.to_radians(), 100, 0.123);
+        check_change_points(&linkage, crossed, 1f64.to_radians(), 720, 0.0);
+    }
+}
+
+#[test]
+fn turning_back_at_a_change_point_is_no_crossing() {
+    let mut assembly = started(&parallelogram(false));
+    let mode = assembly.mode(0);
+    assembly.move_to(&[PI]).expect("the mode goes on");
+    assembly.move_to(&[3.0]).expect("the mode goes on");
+    assert_eq!((assembly.mode(0), assembly.take_events()), (mode, vec![]));
+    assert!(apart(assembly.position()[1], 3.0) < 1e-12);
+    assembly.move_to(&[PI]).expect("the mode goes on");
+    assembly.move_to(&[3.3]).expect("the mode goes on");
+    assert_eq!((assembly.mode(0), assembly.take_events().len()), (-mode, 1));
+    assert!(apart(assembly.position()[1], 3.3) < 1e-12);
 }
 
 /// A four-bar whose crank cannot turn: it ends where rod and rocker are in line.

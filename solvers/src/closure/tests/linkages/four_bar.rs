@@ -139,3 +139,42 @@ impl<S: Scalar> Closure<S> for Loops<S> {
         values.copy_from_slice(&z[..2]);
     }
 }
+
+/// The same, closed by iteration.
+#[derive(Clone, Default)]
+pub struct Iterated(pub FourBar);
+
+impl Linkage for Iterated {
+    type Closure<S: Scalar> = Loops<S>;
+    const INDEPENDENTS: usize = 1;
+    const DEPENDENTS: usize = 2;
+    const OUTPUTS: usize = 2;
+    const POINTS: usize = 0;
+    const CONSTANTS: usize = 4;
+    const VARIABLES: &'static [Variable] = &[];
+    const SECOND: bool = false;
+    const GROUPS: &'static [Group] = &[Group {
+        kind: GroupKind::General,
+        unknowns: &[0, 1],
+        equations: &[0, 1],
+    }];
+    const ANGLES: &'static [bool] = &[true, true];
+    fn values(&self) -> Vec<f64> {
+        self.0.values()
+    }
+    fn with_values(values: &[f64]) -> Self {
+        Self(FourBar::with_values(values))
+    }
+    fn prepare<S: Scalar>(values: &[S]) -> Loops<S> {
+        FourBar::prepare(values)
+    }
+    fn check(&self) -> Result<(), Refused> {
+        Ok(())
+    }
+    fn ranges(&self) -> Vec<Range> {
+        self.0.ranges()
+    }
+    fn start(&self) -> Vec<f64> {
+        self.0.start.to_vec()
+    }
+}

@@ -5,7 +5,7 @@ mod heald;
 mod six_bar;
 mod slider_crank;
 
-pub use four_bar::FourBar;
+pub use four_bar::{FourBar, Iterated};
 pub use heald::Heald;
 pub use six_bar::SixBar;
 pub use slider_crank::SliderCrank;
