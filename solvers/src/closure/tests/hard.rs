@@ -1,6 +1,6 @@
 //! Hard cases: what must stay stable, beside the failure of the naive way.
 
-use super::linkages::{FourBar, Heald, Iterated};
+use super::linkages::{FourBar, Heald, Iterated, SixBar};
 use super::published::{residual, started};
 use crate::closure::{
     Assembly, AtDeadPoint, Axis, Closure, ClosureError, Event, Linkage, Newton, sweep,
@@ -494,4 +494,28 @@ fn sweeps_stop_or_pass_through() {
     assert!((through.independents(2 * count - 1)[0] - 0.8).abs() < 1e-15);
     assert!((through.outputs(0)[0] - through.outputs(2 * count - 1)[0]).abs() > 0.1);
     assert!(matches!(&through.events[..], [Event::DeadPoint { .. }]));
+}
+
+#[test]
+fn two_groups_flatten_at_once() {
+    // Two parallelograms, the second on the coupler of the first: all of it swings in parallel.
+    let linkage = SixBar {
+        values: [0.04, 0.1, 0.04, 0.1, 0.05, 0.0, 0.1, 0.04, 0.15, 0.0],
+        start: [0.0, FRAC_PI_2, 0.0, FRAC_PI_2],
+    };
+    for offset in [0.0, 0.5f64.to_radians()] {
+        let mut assembly = started(&linkage);
+        for k in 0..=720 {
+            let at = FRAC_PI_2 + offset + f64::from(k).to_radians();
+            assembly
+                .move_to(&[at])
+                .unwrap_or_else(|error| panic!("{error}"));
+            let [a, b, c, d] = [0, 1, 2, 3].map(|j| assembly.position()[j]);
+            assert!(
+                apart(a, 0.0) + apart(b, at) + apart(c, 0.0) + apart(d, at) < 1e-8,
+                "{k}"
+            );
+        }
+        assert_eq!(assembly.take_events().len(), 8);
+    }
 }
