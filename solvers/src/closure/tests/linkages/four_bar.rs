@@ -147,6 +147,7 @@ pub struct Iterated(pub FourBar);
 impl Linkage for Iterated {
     type Closure<S: Scalar> = Loops<S>;
     const INDEPENDENTS: usize = 1;
+    const MOTION: usize = 0;
     const DEPENDENTS: usize = 2;
     const OUTPUTS: usize = 2;
     const POINTS: usize = 0;
@@ -171,6 +172,14 @@ impl Linkage for Iterated {
     fn check(&self) -> Result<(), Refused> {
         Ok(())
     }
+    fn span(&self) -> Span {
+        Span::Open
+    }
+
+    fn drive(&self, _: f64) -> Option<Vec<f64>> {
+        None
+    }
+
     fn ranges(&self) -> Vec<Range> {
         self.0.ranges()
     }
