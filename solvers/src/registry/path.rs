@@ -54,7 +54,11 @@ pub fn follow<L: Linkage>(linkage: &L, places: &[Vec<f64>]) -> Result<Path, Clos
     };
     for place in places {
         let (drivers, motion) = place.split_at(place.len().min(L::INDEPENDENTS));
-        let moved = assembly.move_to(drivers);
+        // Where it stands already there is no way whose direction could be kept.
+        let moved = match drivers == assembly.independents() {
+            true => Ok(()),
+            false => assembly.move_to(drivers),
+        };
         let count = path.samples.len();
         path.events.extend(
             assembly
