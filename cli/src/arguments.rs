@@ -27,6 +27,9 @@ pub enum Command {
     /// Run a scene: its results, the published values beside them, and a figure of its curves.
     #[command(after_help = RUN_EXAMPLES)]
     Run(RunArguments),
+    /// Draw a linkage at some positions, and moving.
+    #[command(after_help = DRAW_EXAMPLES)]
+    Draw(DrawArguments),
     /// Show the loops of a linkage, its degrees of freedom and the order of solution.
     #[command(
         after_help = "Examples:\n  assur structure heald_linkage\n  assur structure heald_linkage --scene straight --format json"
@@ -90,6 +93,13 @@ Of a linkage there are besides (and no settings, multipliers, conclusions):
 The figure goes to NAME-SCENE.svg in the current directory, or where --out or --plot say;
 with --format json or csv it is drawn only when one of these asks for it.";
 
+const DRAW_EXAMPLES: &str = "Examples:
+  assur draw heald_linkage
+  assur draw heald_linkage --scene straight --at phi4=90deg --at phi4=110deg --out pictures
+
+Two files are written: NAME-SCENE-positions.svg, the first position strong and the others pale, with the paths of the
+points; and NAME-SCENE-moving.svg, which any browser plays.";
+
 /// Options of `assur run`.
 #[derive(Args, Debug, Default)]
 pub struct RunArguments {
@@ -137,6 +147,28 @@ pub enum Format {
     Json,
     /// The curves over the task, one row a sample or position.
     Csv,
+}
+
+/// Options of `assur draw`.
+#[derive(Args, Debug)]
+pub struct DrawArguments {
+    /// The mechanism, as `assur list` names it.
+    pub name: Option<String>,
+    /// The scene; the first one of the file unless given.
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// A named set of values to start from.
+    #[arg(long, value_name = "PRESET")]
+    pub preset: Option<String>,
+    /// A dimension or parameter with its unit, `l4=91mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// A position of the drivers to draw, `phi4=90deg`; may be repeated. Some over the range unless given.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub at: Vec<String>,
+    /// Directory for the pictures, created if it is missing.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 /// Options of `assur structure`.

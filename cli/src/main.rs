@@ -15,6 +15,7 @@ mod check;
 mod constants;
 mod csv;
 mod curves;
+mod draw;
 mod effects;
 #[path = "../../macros/src/emit/mod.rs"]
 mod emit;
@@ -56,6 +57,7 @@ fn main() -> ExitCode {
     let outcome = match &arguments.command {
         Command::List => list::execute(),
         Command::Run(options) => run::execute(options),
+        Command::Draw(options) => draw::execute(options),
         Command::Structure(options) => structure::execute(options),
         Command::Check(options) => check::execute(options),
         Command::Expand(options) => expand::execute(options),

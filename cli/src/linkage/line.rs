@@ -63,6 +63,14 @@ impl Case {
     /// # Errors
     /// Why it cannot be put together.
     pub fn line(&self, stations: Vec<Vec<f64>>) -> Result<Line, ClosureError> {
+        self.line_along(0, stations)
+    }
+
+    /// Follows the linkage along a line on which this axis moves.
+    ///
+    /// # Errors
+    /// Why it cannot be put together.
+    pub fn line_along(&self, axis: usize, stations: Vec<Vec<f64>>) -> Result<Line, ClosureError> {
         let mut line = Line {
             samples: vec![None; stations.len()],
             stations,
@@ -71,16 +79,18 @@ impl Case {
             assumed: Vec::new(),
         };
         let count = line.stations.len();
-        let Some(hub) = self.hub(&line.stations) else {
+        let Some(hub) = self.hub(axis, &line.stations) else {
             line.go(self, None, 0..count)?;
             return Ok(line);
         };
-        let rises = line.stations[0][0] < line.stations[count - 1][0];
-        let split = line
-            .stations
-            .partition_point(|station| (station[0] < hub[0]) == rises && station[0] != hub[0]);
-        line.go(self, Some(&hub), split..count)?;
-        line.go(self, Some(&hub), (0..split).rev())?;
+        // Where it is put together it need not go first.
+        let way = Some(&hub).filter(|hub| self.place(hub) != self.standing());
+        let rises = line.stations[0][axis] < line.stations[count - 1][axis];
+        let split = line.stations.partition_point(|station| {
+            (station[axis] < hub[axis]) == rises && station[axis] != hub[axis]
+        });
+        line.go(self, way, split..count)?;
+        line.go(self, way, (0..split).rev())?;
         // Both ways begin alike.
         if line.stops.len() > 1 && line.samples.iter().all(Option::is_none) {
             line.stops.truncate(1);
@@ -88,16 +98,16 @@ impl Case {
         Ok(line)
     }
 
-    /// The station between others at which the fastest driver starts, if there is one.
-    fn hub(&self, stations: &[Vec<f64>]) -> Option<Vec<f64>> {
+    /// The station between others at which the driver that moves starts, if there is one.
+    fn hub(&self, axis: usize, stations: &[Vec<f64>]) -> Option<Vec<f64>> {
         let Task::Sweep(drivers) = &self.task else {
             return None;
         };
         let (first, last) = (stations.first()?, stations.last()?);
         let mut hub = first.clone();
-        hub[0] = self.ranges[*drivers.first()?].start;
-        let (low, high) = (first[0].min(last[0]), first[0].max(last[0]));
-        (low < hub[0] && hub[0] < high).then_some(hub)
+        hub[axis] = self.ranges[*drivers.get(axis)?].start;
+        let (low, high) = (first[axis].min(last[axis]), first[axis].max(last[axis]));
+        (low < hub[axis] && hub[axis] < high).then_some(hub)
     }
 
     /// The lines of a grid: the fastest axis in so many parts, the others in fewer.

@@ -173,7 +173,11 @@ pub fn collect(
     })
 }
 
-fn snapshot(case: &Case, place: Place) -> Result<Snapshot, Failure> {
+/// The linkage at a place that was asked for.
+///
+/// # Errors
+/// Why it does not get there.
+pub fn snapshot(case: &Case, place: Place) -> Result<Snapshot, Failure> {
     let sample = case.at(place.independents.clone()).map_err(|error| {
         let names = Names {
             entry: case.entry,

@@ -56,6 +56,29 @@ impl Svg {
         }
     }
 
+    /// A closed shape with these corners.
+    pub fn polygon(&mut self, class: &str, corners: &[(f64, f64)]) {
+        if corners
+            .iter()
+            .any(|(x, y)| !(x.is_finite() && y.is_finite()))
+        {
+            return;
+        }
+        let points = corners
+            .iter()
+            .map(|(x, y)| format!("{},{}", short(*x), short(*y)));
+        let points: Vec<_> = points.collect();
+        self.push(&format!(
+            r#"<polygon class="{class}" points="{}"/>"#,
+            points.join(" ")
+        ));
+    }
+
+    /// An element as it stands; whoever writes it escapes its texts.
+    pub fn raw(&mut self, element: &str) {
+        self.push(element);
+    }
+
     /// A rectangle from its upper left corner.
     pub fn rectangle(&mut self, class: &str, corner: (f64, f64), size: (f64, f64)) {
         let [x, y, width, height] = [corner.0, corner.1, size.0, size.1].map(short);
@@ -117,7 +140,7 @@ impl Svg {
 }
 
 /// A coordinate to a hundredth of a pixel.
-fn short(value: f64) -> String {
+pub fn short(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" {

@@ -1,0 +1,200 @@
+//! The paper of a drawing: scale, title, legend, scale bar.
+
+use super::Picture;
+use super::geometry::{Point, distance};
+use crate::number;
+use crate::plot::figure::lead;
+use crate::plot::legend::text_width;
+use crate::plot::name;
+use crate::plot::svg::{Anchor, Svg};
+use crate::text::wrap;
+
+/// Left and right of the drawing: room for names of points.
+const MARGIN: f64 = 70.0;
+/// Below the drawing: room for the symbols of the frame and the scale bar.
+const FOOT: f64 = 92.0;
+/// Largest width and height of the drawing itself.
+const LARGEST: (f64, f64) = (680.0, 520.0);
+/// Smallest width of the paper: room for the title.
+const NARROWEST: f64 = 520.0;
+/// Colours of links that can be told apart.
+const COLOURS: usize = 7;
+
+/// How everything looks.
+pub const STYLE: &str = "\
+text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif; font-size: 12px; fill: #24292f; }
+.paper { fill: #ffffff; }
+.title { font-size: 20px; font-weight: 600; }
+.lead { font-size: 13px; fill: #57606a; }
+.unit { fill: #57606a; }
+.point { font-size: 15px; font-style: italic; }
+.halo { font-size: 15px; font-style: italic; stroke: #ffffff; stroke-width: 4; stroke-linejoin: round; }
+.path { fill: none; stroke: #8c959f; stroke-width: 1.1; stroke-dasharray: 3 3; }
+.guide { stroke: #8c959f; stroke-width: 1.2; }
+.bar { stroke: #24292f; stroke-width: 1.4; }
+.frame { stroke: #57606a; stroke-width: 1.3; fill: none; }
+.ground { fill: #eaeef2; stroke: #57606a; stroke-width: 1.3; stroke-linejoin: round; }
+.link { fill: none; stroke-width: 8; stroke-linecap: round; stroke-linejoin: round; }
+.pale { fill: none; stroke-width: 3.4; stroke-linecap: round; stroke-linejoin: round; stroke-opacity: 0.3; }
+.plate { stroke: none; fill-opacity: 0.14; }
+.pivot { fill: #ffffff; stroke: #24292f; stroke-width: 1.8; }
+.dot { fill: #ffffff; stroke: #8c959f; stroke-width: 1; }
+.slide { fill: #f6f8fa; stroke: #24292f; stroke-width: 1.6; stroke-linejoin: round; }
+.c0 { stroke: #0072b2; fill: none; } .f0 { fill: #0072b2; }
+.c1 { stroke: #d55e00; fill: none; } .f1 { fill: #d55e00; }
+.c2 { stroke: #009e73; fill: none; } .f2 { fill: #009e73; }
+.c3 { stroke: #aa4499; fill: none; } .f3 { fill: #aa4499; }
+.c4 { stroke: #8a6d00; fill: none; } .f4 { fill: #8a6d00; }
+.c5 { stroke: #56b4e9; fill: none; } .f5 { fill: #56b4e9; }
+.c6 { stroke: #882255; fill: none; } .f6 { fill: #882255; }
+.k { stroke: #57606a; fill: none; }
+";
+
+/// The paper with its scale.
+pub struct Sheet {
+    /// Width and height of the paper.
+    pub size: Point,
+    /// Pixels of a metre.
+    scale: f64,
+    /// Pixel of the lower left corner of the drawing.
+    origin: Point,
+    /// The lower left corner in metres.
+    corner: Point,
+    lead: Vec<String>,
+    legend: Vec<Entry>,
+}
+
+/// A link in the legend.
+struct Entry {
+    class: String,
+    text: String,
+    at: Point,
+}
+
+impl Sheet {
+    /// Lays out the paper for a picture.
+    pub fn new(picture: &Picture<'_>, sentence: &str) -> Self {
+        let (low, high) = picture.geometry.corners;
+        let size = (high.0 - low.0, high.1 - low.1);
+        let fit = |room: f64, size: f64| {
+            if size > 0.0 {
+                room / size
+            } else {
+                f64::INFINITY
+            }
+        };
+        let scale = fit(LARGEST.0, size.0).min(fit(LARGEST.1, size.1));
+        let scale = if scale.is_finite() { scale } else { 1e3 };
+        let width = (size.0 * scale + 2.0 * MARGIN).max(NARROWEST);
+        let said = format!("{} {sentence}", lead(&picture.case.constants));
+        let lead = wrap(&said, ((width - 60.0) / 7.2) as usize);
+        let top = 56.0 + 18.0 * lead.len() as f64;
+        let legend = legend(picture, width, top + 2.0);
+        let below = legend.last().map_or(top - 8.0, |entry| entry.at.1);
+        let height = below + 44.0 + size.1 * scale + FOOT;
+        Self {
+            size: (width, height),
+            scale,
+            origin: ((width - size.0 * scale) / 2.0, height - FOOT),
+            corner: low,
+            lead,
+            legend,
+        }
+    }
+
+    /// The pixel of a place.
+    pub fn pixel(&self, point: Point) -> Point {
+        (
+            self.origin.0 + (point.0 - self.corner.0) * self.scale,
+            self.origin.1 - (point.1 - self.corner.1) * self.scale,
+        )
+    }
+
+    /// An empty picture with title, legend and scale bar.
+    pub fn begin(&self, title: &str) -> Svg {
+        let mut svg = Svg::new(self.size.0, self.size.1);
+        svg.rectangle("paper", (0.0, 0.0), self.size);
+        svg.text("title", (30.0, 34.0), Anchor::Start, title);
+        for (index, line) in self.lead.iter().enumerate() {
+            let y = 56.0 + 18.0 * index as f64;
+            svg.text("lead", (30.0, y), Anchor::Start, line);
+        }
+        for entry in &self.legend {
+            let (x, y) = entry.at;
+            svg.line(
+                &format!("link {}", entry.class),
+                (x + 4.0, y - 4.0),
+                (x + 24.0, y - 4.0),
+            );
+            svg.text("unit", (x + 34.0, y), Anchor::Start, &entry.text);
+        }
+        self.scale_bar(&mut svg);
+        svg
+    }
+
+    /// A round length of about a fifth of the width.
+    fn scale_bar(&self, svg: &mut Svg) {
+        let wanted = 0.2 * self.size.0 / self.scale;
+        let power = 10f64.powf(wanted.log10().floor());
+        let factors = [5.0, 2.0, 1.0].into_iter();
+        let factor = factors.clone().find(|factor| factor * power <= wanted);
+        let length = factor.unwrap_or(1.0) * power;
+        let (left, y) = (30.0, self.size.1 - 24.0);
+        let right = left + length * self.scale;
+        svg.line("bar", (left, y), (right, y));
+        for x in [left, right] {
+            svg.line("bar", (x, y - 4.0), (x, y + 4.0));
+        }
+        let text = format!("{} mm", number::short(number::rounded(length * 1e3, 3)));
+        svg.text("unit", (right + 9.0, y + 4.0), Anchor::Start, &text);
+    }
+
+    /// The whole file.
+    pub fn finish(&self, svg: Svg, title: &str) -> String {
+        svg.finish(title, &self.lead.join(" "), STYLE)
+    }
+
+    /// Whether two pixels are so near that their names would touch.
+    pub fn touch(a: Point, b: Point) -> bool {
+        distance(a, b) < 4.0
+    }
+}
+
+/// The class of the colour of a link; links of the frame are grey.
+pub fn colour(picture: &Picture<'_>, link: usize) -> String {
+    let links = picture.case.entry.links;
+    if picture.geometry.is_frame(links[link].points) {
+        return "k".to_owned();
+    }
+    let moving = links[..link]
+        .iter()
+        .filter(|link| !picture.geometry.is_frame(link.points));
+    format!("c{}", moving.count() % COLOURS)
+}
+
+/// Names of the links in rows.
+fn legend(picture: &Picture<'_>, width: f64, top: f64) -> Vec<Entry> {
+    let mut at = (30.0, top);
+    let mut entries = Vec::new();
+    for (index, link) in picture.case.entry.links.iter().enumerate() {
+        if link.text.is_empty() {
+            continue;
+        }
+        let needed = 34.0 + text_width(link.text) + 22.0;
+        if at.0 + needed > width && at.0 > 30.0 {
+            at = (30.0, at.1 + 19.0);
+        }
+        entries.push(Entry {
+            class: colour(picture, index),
+            text: link.text.to_owned(),
+            at,
+        });
+        at.0 += needed;
+    }
+    entries
+}
+
+/// The name of a point as a book sets it.
+pub fn point_name(picture: &Picture<'_>, index: usize) -> String {
+    name::set(picture.case.entry.points[index]).text
+}
