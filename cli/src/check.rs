@@ -66,27 +66,46 @@ fn summary(model: &Model) -> String {
         (model.name.as_str(), Align::Left),
         ("states", Align::Right),
         ("equations", Align::Right),
+        ("unknowns", Align::Right),
+        ("groups", Align::Right),
         ("operations", Align::Right),
         ("outputs", Align::Right),
         ("parameters", Align::Right),
     ]);
     for scene in &model.scenes {
-        table.row([
-            scene.name.clone(),
-            scene.states.len().to_string(),
-            scene.equations.len().to_string(),
+        let sizes = match &scene.linkage {
+            Some(linkage) => [
+                String::new(),
+                linkage.loops.len().to_string(),
+                linkage.dependents.len().to_string(),
+                linkage.groups.len().to_string(),
+            ],
+            None => [
+                scene.states.len().to_string(),
+                scene.equations.len().to_string(),
+                String::new(),
+                String::new(),
+            ],
+        };
+        let rest = [
             number::count(operations(scene)),
             scene.outputs.len().to_string(),
             scene.constants.len().to_string(),
-        ]);
+        ];
+        table.row([scene.name.clone()].into_iter().chain(sizes).chain(rest));
     }
     table.render(style::stdout())
 }
 
-/// Operations of one evaluation of the derivative with the time-only values that it and the Jacobian need.
+/// Operations of one evaluation of the derivative with the time-only values that it and the Jacobian need; of a linkage
+/// those of one position.
 fn operations(scene: &SceneModel) -> usize {
     let program = &scene.program;
     let results = &program.results;
+    if let Some(linkage) = &scene.linkage {
+        let closed = results.closing.of_position(&linkage.groups);
+        return program.count(&closed, Stage::Instant) + program.count(&closed, Stage::State);
+    }
     let slopes = results.jacobian.iter().map(|entry| entry.2);
     let evaluated: Vec<_> = results.derivative.iter().copied().chain(slopes).collect();
     program.count(&evaluated, Stage::Instant) + program.count(&results.derivative, Stage::State)

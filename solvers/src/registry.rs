@@ -210,9 +210,9 @@ pub struct Operations {
     pub prepare: usize,
     /// Once per instant.
     pub instant: usize,
-    /// Per evaluation of the derivative.
+    /// Per evaluation of the derivative; of a linkage per position, a group without closed form being iterated once.
     pub derivative: usize,
-    /// Per evaluation of the Jacobian.
+    /// Per evaluation of the Jacobian; of a linkage of the influence coefficients.
     pub jacobian: usize,
     /// Per evaluation of all outputs.
     pub outputs: usize,

@@ -13,9 +13,9 @@ pub struct Counts {
     pub prepare: usize,
     /// Once per instant.
     pub instant: usize,
-    /// Per evaluation of the derivative.
+    /// Per evaluation of the derivative; of a linkage per position, a group without closed form being iterated once.
     pub derivative: usize,
-    /// Per evaluation of the Jacobian.
+    /// Per evaluation of the Jacobian; of a linkage of the influence coefficients.
     pub jacobian: usize,
     /// Per evaluation of all outputs.
     pub outputs: usize,
@@ -33,7 +33,19 @@ pub fn of(layout: &Layout<'_>) -> Counts {
         schedule::count(program, &schedule::needed(program, wanted, &given))
     };
     let list = |values: &BTreeSet<Value>| values.iter().copied().collect::<Vec<Value>>();
-    let slopes: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
+    let (evaluated, slopes): (Vec<Value>, Vec<Value>) = match &layout.scene.linkage {
+        Some(linkage) => {
+            let closing = &results.closing;
+            (
+                closing.of_position(&linkage.groups),
+                closing.influence.clone(),
+            )
+        }
+        None => {
+            let slopes = results.jacobian.iter().map(|entry| entry.2);
+            (results.derivative.clone(), slopes.collect())
+        }
+    };
     let there = |value: Value| {
         let stage = program.operations[value.0 as usize].stage;
         (stage < Stage::Instant && !schedule::is_number(program, value))
@@ -43,7 +55,7 @@ pub fn of(layout: &Layout<'_>) -> Counts {
     Counts {
         prepare: count(&list(&layout.prepared), Stage::Constant),
         instant: count(&list(&layout.timed), Stage::Instant),
-        derivative: count(&results.derivative, Stage::State),
+        derivative: count(&evaluated, Stage::State),
         jacobian: slope_count,
         outputs: count(&results.outputs, Stage::Instant),
     }

@@ -83,8 +83,12 @@ pub fn scene(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> String 
     text += &table("State", QUANTITY, scene.states.iter().map(quantity_row));
     text += &table("Outputs", QUANTITY, scene.outputs.iter().map(quantity_row));
     let count = counts::of(layout);
+    let (evaluation, jacobian) = match &scene.linkage {
+        Some(_) => ("per position", "for all influence coefficients"),
+        None => ("per evaluation", "per Jacobian"),
+    };
     text += &format!(
-        "\nOperations: {} once per parameter set, {} per instant, {} per evaluation, {} per Jacobian.\n",
+        "\nOperations: {} once per parameter set, {} per instant, {} {evaluation}, {} {jacobian}.\n",
         count.prepare, count.instant, count.derivative, count.jacobian
     );
     if let Some(literal) = &scene.literal {

@@ -161,7 +161,8 @@ pub fn time_position<L: Linkage>(linkage: &L, moves: usize) -> f64 {
     }
     let mut outputs = vec![0.0; L::OUTPUTS];
     let clock = Instant::now();
-    let back_and_forth = places.iter().rev().chain(&places).cycle();
+    let back = places.iter().rev().skip(1);
+    let back_and_forth = back.chain(places.iter().skip(1)).cycle();
     for place in back_and_forth.take(moves) {
         if assembly.move_to(&place[..L::INDEPENDENTS]).is_err() {
             return f64::NAN;
