@@ -8,16 +8,23 @@ use crate::motion::Motion;
 use crate::number;
 use crate::style::Style;
 use crate::text::{Align, Columns};
+use crate::variables::Variable;
 
 /// Instants of a cycle at which scenes are compared.
 const INSTANTS: usize = 720;
 /// A change below this share of the amplitude is rounding and tolerance.
 const NOISE: f64 = 1e-8;
 
-/// The motion of a scene over its task, sampled.
+/// A scene over its task, sampled.
 pub struct Cycle<'a> {
-    case: &'a Case,
-    samples: Vec<Vec<f64>>,
+    /// The scene.
+    pub scene: &'static SceneEntry,
+    /// Its variables.
+    pub variables: &'a [Variable],
+    /// What is done, so far as samples of two scenes can be compared where it is the same.
+    pub task: String,
+    /// The variables at each sample, SI units.
+    pub samples: Vec<Vec<f64>>,
 }
 
 impl<'a> Cycle<'a> {
@@ -26,7 +33,9 @@ impl<'a> Cycle<'a> {
         let (from, to) = case.task.limits();
         let time = |index| from + (to - from) * index as f64 / INSTANTS as f64;
         (case.task != Span::Open).then(|| Self {
-            case,
+            scene: case.scene,
+            variables: &case.variables,
+            task: format!("{:?}", case.task),
             samples: (0..=INSTANTS)
                 .map(|index| case.sample(motion, time(index)))
                 .collect(),
@@ -34,7 +43,7 @@ impl<'a> Cycle<'a> {
     }
 
     fn column(&self, name: &str) -> Option<impl Iterator<Item = f64>> {
-        let mut variables = self.case.variables.iter();
+        let mut variables = self.variables.iter();
         let index = variables.position(|variable| variable.name == name)?;
         Some(self.samples.iter().map(move |row| row[index]))
     }
@@ -117,8 +126,8 @@ fn table(steps: &[&Step<'_>]) -> Columns {
     let Some(first) = steps.first() else {
         return table;
     };
-    let outputs = first.after.case.scene.outputs;
-    for variable in &first.after.case.variables {
+    let outputs = first.after.scene.outputs;
+    for variable in first.after.variables {
         if !outputs.iter().any(|output| output.name == variable.name) {
             continue;
         }
@@ -145,11 +154,10 @@ fn steps<'a>(cycles: &[&'a Cycle<'a>]) -> Vec<Step<'a>> {
     let mut steps = Vec::new();
     for (index, first) in cycles.iter().enumerate() {
         for second in &cycles[index + 1..] {
-            let (a, b) = (first.case, second.case);
-            if a.task != b.task {
+            if first.task != second.task {
                 continue;
             }
-            let Some((feature, swap)) = difference(a.scene, b.scene) else {
+            let Some((feature, swap)) = difference(first.scene, second.scene) else {
                 continue;
             };
             let (before, after) = if swap {
@@ -160,8 +168,8 @@ fn steps<'a>(cycles: &[&'a Cycle<'a>]) -> Vec<Step<'a>> {
             steps.push(Step {
                 feature,
                 words: [
-                    format!("{} →", before.case.scene.name),
-                    after.case.scene.name.to_owned(),
+                    format!("{} →", before.scene.name),
+                    after.scene.name.to_owned(),
                 ],
                 before,
                 after,

@@ -56,7 +56,11 @@ fn describe(scene: &assur::registry::SceneEntry) -> String {
     if let Some(line) = scene.summary.lines().next().filter(|line| !line.is_empty()) {
         return line.to_owned();
     }
-    composition(scene)
+    let drivers: Vec<_> = scene.drivers.iter().map(|driver| driver.name).collect();
+    match scene.linkage.is_some() && !drivers.is_empty() {
+        true => format!("{}, moved by {}", composition(scene), drivers.join(" and ")),
+        false => composition(scene),
+    }
 }
 
 /// Effects and choices of a scene, `torsion + bending + crank.exact`.

@@ -1,13 +1,18 @@
 //! `assur scenes`: how large the scenes of a mechanism are, what they cost, and what each effect changes.
 
+use assur::closure::ClosureError;
 use assur::problem::Span;
-use assur::registry::{Mechanism, SceneEntry, Settings};
+use assur::registry::{LinkageEntry, Mechanism, SceneEntry, Settings};
 
 use crate::arguments::ScenesArguments;
 use crate::case::Case;
 use crate::constants::Constants;
 use crate::effects::{self, Cycle};
 use crate::error::Failure;
+use crate::linkage::line::{Grid, Line};
+use crate::linkage::report::task;
+use crate::linkage::wording::{Names, tell};
+use crate::linkage::{self, group};
 use crate::list::composition;
 use crate::lookup;
 use crate::number;
@@ -37,34 +42,47 @@ pub fn execute(options: &ScenesArguments) -> Result<(), Failure> {
         method: method(None)?,
         rtol: DEFAULT_RTOL,
     };
-    let cases = mechanism
-        .scenes
-        .iter()
+    let of_kind = |linkages: bool| {
+        let scenes = mechanism.scenes.iter();
+        scenes.filter(move |scene| scene.linkage.is_some() == linkages)
+    };
+    let cases = of_kind(false)
         .map(|scene| Case::new(constants(mechanism, scene, options)?))
         .collect::<Result<Vec<_>, _>>()?;
-    let progress = Progress::start(format!("{name}, all scenes"), cases.len() as u64);
+    let linkages = of_kind(true)
+        .map(|scene| linkage::case::Case::new(constants(mechanism, scene, options)?))
+        .collect::<Result<Vec<_>, _>>()?;
+    let parts = mechanism.scenes.len() as u64;
+    let progress = Progress::start(format!("{name}, all scenes"), parts);
     let mut measured = Vec::new();
     for case in &cases {
         measured.push(Measured::of(case, settings));
         progress.advance();
     }
+    let mut moved = Vec::new();
+    for case in &linkages {
+        moved.push(Moved::of(case));
+        progress.advance();
+    }
     drop(progress);
     let style = style::stdout();
     let mut text = format!(
-        "{}\n{}",
-        style.heading(&format!("{}: scenes", mechanism.title)),
-        sizes(&cases, &measured, style)
+        "{}\n",
+        style.heading(&format!("{}: scenes", mechanism.title))
     );
-    let cycles: Vec<_> = measured
-        .iter()
-        .filter_map(|one| one.cycle.as_ref())
-        .collect();
-    text += &effects::render(mechanism, &cycles, style);
+    if !cases.is_empty() {
+        text += &sizes(&cases, &measured, style);
+    }
+    if !linkages.is_empty() {
+        text += &positions(&linkages, &moved, style);
+    }
+    let cycles = measured.iter().filter_map(|one| one.cycle.as_ref());
+    let cycles = cycles.chain(moved.iter().filter_map(|one| one.cycle.as_ref()));
+    text += &effects::render(mechanism, &cycles.collect::<Vec<_>>(), style);
     output::print(&text)?;
-    measured
-        .into_iter()
-        .find_map(|one| one.failure)
-        .map_or(Ok(()), Err)
+    let failures = measured.into_iter().filter_map(|one| one.failure);
+    let mut failures = failures.chain(moved.into_iter().filter_map(|one| one.failure));
+    failures.next().map_or(Ok(()), Err)
 }
 
 /// The values of a scene: of those given, the ones that it has.
@@ -169,4 +187,119 @@ fn sizes(cases: &[Case], measured: &[Measured<'_>], style: Style) -> String {
         "  operations and measured time of one evaluation of the derivative; measured time of following one cycle\n",
     );
     text
+}
+
+/// What was found out about one linkage.
+struct Moved<'a> {
+    /// Nanoseconds of one position.
+    position: f64,
+    cycle: Option<Cycle<'a>>,
+    failure: Option<Failure>,
+}
+
+impl<'a> Moved<'a> {
+    fn of(case: &'a linkage::case::Case) -> Self {
+        let position = (0..REPEATS)
+            .map(|_| case.run().time_position(CALLS))
+            .fold(f64::INFINITY, f64::min);
+        let names = Names {
+            entry: case.entry,
+            drivers: &case.drivers,
+        };
+        let told = |error: &ClosureError, what: &str| {
+            let failure = tell(names, error).failure(what);
+            failure.place(format!("scene {}", case.scene.name))
+        };
+        let (cycle, failure) = match case.grid(&Grid::fine(case)) {
+            Ok(lines) => {
+                let stop = lines.iter().find_map(|line| line.stops.first());
+                let what = "the linkage does not reach the whole task";
+                (cycle(case, &lines), stop.map(|error| told(error, what)))
+            }
+            Err(error) => (
+                None,
+                Some(told(&error, "the linkage cannot be put together")),
+            ),
+        };
+        Self {
+            position,
+            cycle,
+            failure,
+        }
+    }
+}
+
+/// The outputs along the task.
+fn cycle<'a>(case: &'a linkage::case::Case, lines: &[Line]) -> Option<Cycle<'a>> {
+    let samples = lines.iter().flat_map(|line| &line.samples);
+    let nothing = || vec![f64::NAN; case.variables.len()];
+    let values = samples.map(|sample| sample.as_ref().map_or_else(nothing, |one| case.values(one)));
+    let axes = case.axes();
+    let axes = axes
+        .iter()
+        .map(|axis| (axis.quantity.name, axis.from, axis.to));
+    (!lines.is_empty()).then(|| Cycle {
+        scene: case.scene,
+        variables: &case.variables,
+        task: format!("{:?}", axes.collect::<Vec<_>>()),
+        samples: values.collect(),
+    })
+}
+
+/// The table of linkages: sizes, how they are solved, and times.
+fn positions(cases: &[linkage::case::Case], moved: &[Moved<'_>], style: Style) -> String {
+    let mut table = Columns::new([
+        ("", Align::Left),
+        ("loops", Align::Right),
+        ("unknowns", Align::Right),
+        ("operations", Align::Right),
+        ("position", Align::Right),
+        ("solved as", Align::Left),
+        ("of", Align::Left),
+        ("with", Align::Left),
+    ]);
+    for (case, moved) in cases.iter().zip(moved) {
+        let operations = case.scene.operations;
+        let time = match moved.position.is_finite() {
+            true => number::duration(moved.position * 1e-9),
+            false => "-".to_owned(),
+        };
+        table.row([
+            case.scene.name.to_owned(),
+            case.entry.loops.len().to_string(),
+            case.entry.dependents.len().to_string(),
+            number::count(operations.instant + operations.derivative),
+            time,
+            kinds(case.entry),
+            task(case),
+            composition(case.scene),
+        ]);
+    }
+    let mut text = table.render(style);
+    text += &style.faint(
+        "  operations of one position, coupled equations being iterated once; measured time of one position\n",
+    );
+    text
+}
+
+/// The kinds of the groups, `2 RRR dyad + linear`.
+fn kinds(entry: &LinkageEntry) -> String {
+    let mut counted: Vec<(&str, usize)> = Vec::new();
+    for of_group in entry.groups {
+        let kind = group::kind(of_group.kind);
+        match counted.iter_mut().find(|(known, _)| *known == kind) {
+            Some((_, count)) => *count += 1,
+            None => counted.push((kind, 1)),
+        }
+    }
+    let parts = counted.into_iter().map(|(kind, count)| match count {
+        1 => kind.to_owned(),
+        _ => format!("{count} {kind}"),
+    });
+    let parts: Vec<_> = parts.collect();
+    if parts.is_empty() {
+        "formulas".to_owned()
+    } else {
+        parts.join(" + ")
+    }
 }
