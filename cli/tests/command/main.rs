@@ -2,6 +2,7 @@
 
 mod answers;
 mod equation_files;
+mod linkages;
 mod refusals;
 #[cfg(unix)]
 mod signals;

@@ -1,0 +1,323 @@
+//! What the command says about linkages.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::{answer, check_refused, entries, folder, run};
+
+const NAME: &str = "heald_linkage";
+
+fn json(arguments: &[&str], directory: &Path) -> Value {
+    let text = answer(&[arguments, &["--format", "json"]].concat(), directory);
+    serde_json::from_str(&text).expect("one JSON object")
+}
+
+#[track_caller]
+fn named<'a>(list: &'a Value, name: &str) -> &'a Value {
+    let mut list = list.as_array().expect("a list").iter();
+    list.find(|one| one["name"] == name)
+        .expect("one of this name")
+}
+
+#[track_caller]
+fn check_near(value: &Value, expected: f64, tolerance: f64) {
+    let value = value.as_f64().expect("a number");
+    assert!((value - expected).abs() <= tolerance, "{value} {expected}");
+}
+
+/// Runs a linkage that does not come out, which is exit code 1.
+#[track_caller]
+fn check_numerical(arguments: &[&str], words: &[&str], directory: &Path) {
+    let output = run(arguments, directory);
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{arguments:?}: {complaint}");
+    for word in words {
+        assert!(complaint.contains(word), "no {word:?} in\n{complaint}");
+    }
+    assert!(
+        !complaint.contains("group"),
+        "a name is missing: {complaint}"
+    );
+}
+
+#[test]
+fn a_run_prints_positions_limits_and_facts() {
+    let directory = folder("linkage_run");
+    let text = answer(&["run", NAME], &directory);
+    for word in [
+        "HealdLinkage, scene printed: positions over phi4",
+        "60 deg",
+        "120 deg",
+        "phi4, deg",
+        "-70.06145",
+        "-81.96186",
+        "Limits",
+        "Transmission angle",
+        "loop.x, loop.y, guide",
+        "diff(phi7, l5)",
+        "rad/mm",
+        "Complete: 601 positions",
+        "heald_linkage-printed.svg",
+    ] {
+        assert!(text.contains(word), "{word} is missing in\n{text}");
+    }
+    assert!(!text.contains("OUTSIDE"), "{text}");
+    assert_eq!(text.matches("within").count(), 15, "{text}");
+    let figure = directory.join("heald_linkage-printed.svg");
+    let figure = std::fs::read_to_string(figure).expect("a figure");
+    for word in ["<svg", "φ₇", "φ₄", "Angle, °"] {
+        assert!(figure.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn json_has_its_documented_fields() {
+    let directory = folder("linkage_json");
+    let at = ["run", NAME, "--at", "phi4=90deg", "--at", "phi4=200deg"];
+    let object = json(&at, &directory);
+    let names: Vec<_> = object.as_object().expect("an object").keys().collect();
+    let documented = [
+        "format",
+        "mechanism",
+        "scene",
+        "parameters",
+        "drivers",
+        "task",
+        "status",
+        "stopped",
+        "results",
+        "positions",
+        "transmission",
+        "events",
+        "at",
+        "published",
+        "statistics",
+        "figure",
+    ];
+    assert_eq!(names, documented);
+    assert_eq!(object["status"], "complete");
+    assert_eq!(object["task"]["over"][0], "phi4");
+    check_near(&named(&object["drivers"], "phi4")["start"], 90.0, 1e-12);
+    let jack = named(&object["results"], "phi7");
+    check_near(&jack["minimum"]["value"], -81.96186, 5e-6);
+    check_near(&jack["minimum"]["at"]["drivers"][0]["value"], 120.0, 1e-9);
+    // The rod is lowest where its angle does not change, at 86 degrees.
+    let rod = named(&object["results"], "phi5");
+    check_near(&rod["minimum"]["at"]["drivers"][0]["value"], 86.1764, 1e-3);
+    let [inside, outside] = object["at"].as_array().expect("places").as_slice() else {
+        panic!("two places");
+    };
+    check_near(&named(&inside["results"], "phi7")["value"], -70.06145, 5e-6);
+    let influence = inside["influence"].as_array().expect("a list");
+    let rod = influence
+        .iter()
+        .find(|one| one["by"] == "l5" && one["of"] == "phi7");
+    check_near(&rod.expect("one")["value"], 0.00454753, 5e-9);
+    assert_eq!(inside["outside"].as_array().map(Vec::len), Some(0));
+    let said = outside["outside"][0].as_str().expect("words");
+    assert!(said.contains("60 deg to 120 deg"), "{said}");
+    for published in object["published"].as_array().expect("facts") {
+        assert_eq!(published["within"], true, "{published}");
+    }
+    assert!(
+        entries(&directory).is_empty(),
+        "JSON draws no figure unasked"
+    );
+}
+
+#[test]
+fn csv_has_a_row_for_each_position() {
+    let text = answer(&["run", NAME, "--format", "csv"], &folder("linkage_csv"));
+    let mut lines = text.lines();
+    let heading: Vec<_> = lines.next().unwrap_or("").split(',').collect();
+    assert_eq!(heading[..2], ["phi4 [deg]", "phi5 [deg]"]);
+    assert_eq!(lines.clone().count(), 601);
+    for line in lines {
+        let cells: Vec<_> = line.split(',').map(str::parse::<f64>).collect();
+        assert!(cells.iter().all(Result::is_ok), "{line}");
+    }
+}
+
+#[test]
+fn dimensions_are_changed_and_facts_then_not_compared() {
+    let directory = folder("linkage_set");
+    let object = json(&["run", NAME, "--set", "l4=91mm"], &directory);
+    assert_eq!(named(&object["parameters"], "l4")["changed"], true);
+    for published in object["published"].as_array().expect("facts") {
+        assert_eq!(published["within"], Value::Null);
+    }
+}
+
+#[test]
+fn what_cannot_be_closed_says_by_how_much() {
+    let directory = folder("linkage_impossible");
+    check_numerical(
+        &["run", NAME, "--set", "l5=20mm"],
+        &[
+            "cannot be put together",
+            "phi4 = 90 deg",
+            "63.58 mm",
+            "loop.x, loop.y, guide",
+            "--set",
+        ],
+        &directory,
+    );
+    assert!(entries(&directory).is_empty(), "a figure of nothing");
+    check_numerical(
+        &["run", NAME, "--at", "phi4=230deg"],
+        &[
+            "does not get to phi4 = 230 deg",
+            "--at phi4=230deg",
+            "dead point",
+            "220.223 deg",
+        ],
+        &directory,
+    );
+    assert!(entries(&directory).is_empty(), "a figure of nothing");
+}
+
+#[test]
+fn wrong_requests_are_refused() {
+    let directory = folder("linkage_refused");
+    let cases: &[(&str, &str, &[&str])] = &[
+        (
+            "--at",
+            "phi5=10deg",
+            &["not `phi5`", "did you mean `phi4`?"],
+        ),
+        ("--at", "l4=10mm", &["not `l4`", "--set l4"]),
+        ("--at", "time=1s", &["not `time`", "phi4=90deg"]),
+        ("--at", "phi4=1kg", &["wrong unit"]),
+        ("--at", "phi4=NaN", &["finite"]),
+        ("--at", "phi4=infdeg", &["finite"]),
+        ("--at", "phi4", &["NAME=VALUE", "--at phi4=90deg"]),
+        ("--at", "phi4=", &["NAME=VALUE"]),
+        ("--at", "", &["NAME=VALUE"]),
+        ("--at", "90deg=phi4", &["not `90deg`"]),
+        (
+            "--at",
+            "phi4=70deg,phi4=80deg",
+            &["given twice", "repeat --at"],
+        ),
+        ("--set", "l4=0mm", &["`l4` cannot be 0 mm"]),
+        ("--set", "phi4=70deg", &["is driven", "--at phi4"]),
+        ("--curves", "phi8", &["did you mean `phi"]),
+        ("--rtol", "1e-9", &["takes no --rtol", "rounding"]),
+        ("--method", "tsit5", &["takes no --method"]),
+        ("--scene", "strait", &["did you mean `straight`?"]),
+    ];
+    for (option, value, words) in cases {
+        check_refused(&["run", NAME, option, value], words, &directory);
+    }
+    for command in ["structure", "draw"] {
+        let words = ["is no linkage", NAME];
+        check_refused(&[command, "batten"], &words, &directory);
+        check_refused(&[command], &["needs a mechanism"], &directory);
+        check_refused(&[command, "heald"], &["no mechanism"], &directory);
+    }
+    check_refused(
+        &["draw", NAME, "--at", "phi4=1kg"],
+        &["wrong unit"],
+        &directory,
+    );
+}
+
+#[test]
+fn the_structure_is_told_in_words_and_as_data() {
+    let directory = folder("linkage_structure");
+    let text = answer(&["structure", NAME], &directory);
+    for word in [
+        "1 degree of freedom = 3 unknowns + 1 driver - 3 loop equations",
+        "l6*cos(phi6) = s + l7*cos(phi7)",
+        "iteration",
+        "transmission angle",
+    ] {
+        assert!(text.contains(word), "{word} is missing in\n{text}");
+    }
+    let object = json(&["structure", NAME, "--scene", "straight"], &directory);
+    assert_eq!(object["format"], "assur-structure/1");
+    assert_eq!(object["degrees_of_freedom"], 1);
+    assert_eq!(named(&object["loops"], "guide")["unit"], "m");
+    check_near(&named(&object["unknowns"], "phi5")["start"], 50.91779, 5e-6);
+    assert!(object["groups"][0]["transmission_angle"].is_number());
+}
+
+#[test]
+fn drawings_show_all_points_and_move() {
+    let directory = folder("linkage_draw");
+    let text = answer(
+        &["draw", NAME, "--scene", "straight", "--out", "new"],
+        &directory,
+    );
+    assert!(text.contains("heald_linkage-straight-moving.svg"), "{text}");
+    let read = |name: &str| std::fs::read_to_string(directory.join("new").join(name)).expect(name);
+    let still = read("heald_linkage-straight-positions.svg");
+    for word in [
+        "<svg",
+        ">D<",
+        ">E<",
+        ">F<",
+        ">J<",
+        ">L<",
+        "knife arm",
+        "mm",
+        "class=\"slide\"",
+    ] {
+        assert!(still.contains(word), "{word}");
+    }
+    assert_eq!(
+        still.matches("class=\"ground\"").count(),
+        2,
+        "D and L stand"
+    );
+    let moving = read("heald_linkage-straight-moving.svg");
+    let lengths: Vec<_> = moving
+        .split("values=\"")
+        .skip(1)
+        .map(|values| values.split('"').next().unwrap_or("").split(';').count())
+        .collect();
+    assert!(
+        lengths.len() > 8 && lengths.iter().all(|one| *one == lengths[0]),
+        "{lengths:?}"
+    );
+    let chosen = [
+        "draw",
+        NAME,
+        "--at",
+        "phi4=70deg",
+        "--at",
+        "phi4=200deg",
+        "--out",
+        "new",
+    ];
+    assert!(answer(&chosen, &directory).contains("70, 200°"));
+}
+
+#[test]
+fn scenes_and_files_are_summed_up() {
+    let directory = folder("linkage_scenes");
+    let text = answer(&["scenes", NAME], &directory);
+    for word in [
+        "loops",
+        "unknowns",
+        "position",
+        "coupled",
+        "positions over phi4",
+        "guide.straight",
+    ] {
+        assert!(text.contains(word), "{word} is missing in\n{text}");
+    }
+    assert!(answer(&["list"], &directory).contains("moved by phi4"));
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../equations/src/heald_linkage.eqn"
+    );
+    let text = answer(&["check", file], &directory);
+    assert!(
+        text.contains("unknowns") && !text.contains("states"),
+        "{text}"
+    );
+    let text = answer(&["expand", NAME, "--scene", "straight"], &directory);
+    syn::parse_file(&text).expect("Rust");
+}
