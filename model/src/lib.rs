@@ -71,7 +71,7 @@ pub fn compile(tokens: &[Token]) -> Compiled {
 
 fn compile_here(tokens: &[Token]) -> Compiled {
     let mut diagnostics = Diagnostics::default();
-    let Some(file) = syntax::parser::parse(tokens, &mut diagnostics) else {
+    let Some(file) = syntax::parser::parse(tokens, 0, &mut diagnostics) else {
         return Compiled {
             name: String::new(),
             scene_names: Vec::new(),

@@ -8,13 +8,19 @@ use crate::token::{Span, Token, TokenKind};
 /// A place among the tokens.
 pub struct Cursor<'a> {
     tokens: &'a [Token],
+    /// What the first token is counted as: the files of a model are counted through.
+    first: u32,
     /// Index of the next token.
     pub at: usize,
 }
 
 impl<'a> Cursor<'a> {
-    pub fn new(tokens: &'a [Token]) -> Self {
-        Self { tokens, at: 0 }
+    pub fn new(tokens: &'a [Token], first: u32) -> Self {
+        Self {
+            tokens,
+            first,
+            at: 0,
+        }
     }
 
     /// The token so many places ahead.
@@ -31,12 +37,12 @@ impl Parser<'_> {
     /// Span of the next token; of the last one at the end.
     pub(super) fn here(&self) -> Span {
         let last = self.cursor.tokens.len().saturating_sub(1);
-        Span::token(self.cursor.at.min(last) as u32)
+        Span::token(self.cursor.first + self.cursor.at.min(last) as u32)
     }
 
     /// Span of the token before.
     pub(super) fn before(&self) -> Span {
-        Span::token(self.cursor.at.saturating_sub(1) as u32)
+        Span::token(self.cursor.first + self.cursor.at.saturating_sub(1) as u32)
     }
 
     /// From a span to the token before.
@@ -209,6 +215,16 @@ impl Parser<'_> {
         }
     }
 
+    /// A name, perhaps of a part: `phi`, `feed.phi`, `feed.lift.l_v`.
+    pub(super) fn path(&mut self, what: &str) -> Read<Name> {
+        let mut path = self.name(what)?;
+        while self.is_operator(".") && !self.is_operator("..") {
+            self.advance();
+            path = within(path, &self.name("a name after `.`")?);
+        }
+        Ok(path)
+    }
+
     /// A text in quotation marks, if one follows.
     pub(super) fn text(&mut self) -> Option<String> {
         let token = self
@@ -269,5 +285,13 @@ impl Parser<'_> {
             .unwrap_or_default();
         let words = skipped.iter().filter(|token| token.kind == TokenKind::Word);
         self.unread.extend(words.map(|token| token.text.clone()));
+    }
+}
+
+/// A name of a part as one name, `feed.phi`.
+pub(super) fn within(base: Name, name: &Name) -> Name {
+    Name {
+        text: format!("{}.{}", base.text, name.text),
+        span: base.span.to(name.span),
     }
 }

@@ -10,6 +10,16 @@ impl Parser<'_> {
     /// A name that is declared, inside a repetition perhaps with an index.
     pub(super) fn target(&mut self) -> Read<Target> {
         let name = self.name("a name")?;
+        self.with_index(name)
+    }
+
+    /// A name that is declared here or in a part, perhaps with an index.
+    pub(super) fn declared(&mut self, what: &str) -> Read<Target> {
+        let name = self.path(what)?;
+        self.with_index(name)
+    }
+
+    fn with_index(&mut self, name: Name) -> Read<Target> {
         let index = if self.is_open_ahead(0, '[') {
             Some(Box::new(self.index()?))
         } else {
@@ -203,27 +213,15 @@ impl Parser<'_> {
     /// The name of a point: `A`, `A[2]`, `feed.A`.
     fn place(&mut self) -> Read<Term> {
         let begin = self.here();
-        let name = self.name("a point")?;
-        let mut kind = TermKind::Name(name.text.clone());
-        if self.is_open_ahead(0, '[') {
-            let index = Box::new(self.index()?);
-            kind = TermKind::Index { name, index };
-        }
-        let mut term = Term {
+        let Target { name, index } = self.declared("a point")?;
+        let kind = match index {
+            Some(index) => TermKind::Index { name, index },
+            None => TermKind::Name(name.text),
+        };
+        Ok(Term {
             span: self.since(begin),
             kind,
-        };
-        while self.take_operator(".") {
-            let name = self.name("a point of the part")?;
-            term = Term {
-                span: self.since(begin),
-                kind: TermKind::Member {
-                    base: Box::new(term),
-                    name,
-                },
-            };
-        }
-        Ok(term)
+        })
     }
 
     /// `feed: SewingFeed from "sewing_feed.eqn" { phi = theta; e_v = 6 mm; }`
@@ -259,7 +257,7 @@ impl Parser<'_> {
 
     /// `e_v = 6 mm +- 0.1 mm;`, `beta ~ 180 deg;`
     fn binding(&mut self) -> Read<Binding> {
-        let target = self.target()?;
+        let target = self.declared("a quantity of the part")?;
         let (value, start) = self.value_and_start()?;
         let (tolerance, range) = self.limits()?;
         self.operator(";")?;

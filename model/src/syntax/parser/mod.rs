@@ -25,16 +25,17 @@ struct Reported;
 
 type Read<T> = Result<T, Reported>;
 
-/// Reads the tokens of a mechanism. Reports every mistake; there is no tree when not even the name can be read.
-pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Option<File> {
-    let mut parser = Parser::new(tokens, diagnostics);
+/// Reads the tokens of a mechanism, the first of which is counted as `first`. Reports every mistake; there is no tree
+/// when not even the name can be read.
+pub fn parse(tokens: &[Token], first: u32, diagnostics: &mut Diagnostics) -> Option<File> {
+    let mut parser = Parser::new(tokens, first, diagnostics);
     let file = parser.file().ok()?;
     Some(file)
 }
 
 /// Reads a unit without brackets, `N m/rad`, and nothing else.
 pub fn parse_unit(tokens: &[Token], diagnostics: &mut Diagnostics) -> Option<UnitTerm> {
-    let mut parser = Parser::new(tokens, diagnostics);
+    let mut parser = Parser::new(tokens, 0, diagnostics);
     let unit = parser.unit_factors().ok()?;
     parser.end("of the unit").ok()?;
     Some(unit)
@@ -42,7 +43,7 @@ pub fn parse_unit(tokens: &[Token], diagnostics: &mut Diagnostics) -> Option<Uni
 
 /// Reads an expression and nothing else.
 pub fn parse_term(tokens: &[Token], diagnostics: &mut Diagnostics) -> Option<Term> {
-    let mut parser = Parser::new(tokens, diagnostics);
+    let mut parser = Parser::new(tokens, 0, diagnostics);
     let term = parser.term().ok()?;
     parser.end("of the expression").ok()?;
     Some(term)
@@ -61,9 +62,9 @@ struct Parser<'a> {
 }
 
 impl<'a> Parser<'a> {
-    fn new(tokens: &'a [Token], diagnostics: &'a mut Diagnostics) -> Self {
+    fn new(tokens: &'a [Token], first: u32, diagnostics: &'a mut Diagnostics) -> Self {
         Self {
-            cursor: Cursor::new(tokens),
+            cursor: Cursor::new(tokens, first),
             diagnostics,
             depth: 0,
             indices: Vec::new(),

@@ -1,5 +1,6 @@
 //! Scenes, outputs, published facts.
 
+use super::cursor::within;
 use super::{Parser, Read};
 use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::{
@@ -44,12 +45,15 @@ impl Parser<'_> {
     }
 
     fn selection(&mut self) -> Read<Selection> {
-        let name = self.name("an effect or a choice")?;
-        let alternative = if self.take_operator(".") {
-            Some(self.name("an alternative")?)
-        } else {
-            None
-        };
+        let mut name = self.name("an effect or a choice")?;
+        let mut alternative: Option<Name> = None;
+        while self.take_operator(".") {
+            // What stands before the last `.` names the choice, perhaps that of a part.
+            if let Some(part) = &alternative {
+                name = within(name, part);
+            }
+            alternative = Some(self.name("an alternative")?);
+        }
         Ok(Selection { name, alternative })
     }
 
@@ -109,7 +113,7 @@ impl Parser<'_> {
 
     /// `phi4` or `phi4 60 deg .. 120 deg`
     fn sweep_range(&mut self) -> Read<SweepRange> {
-        let driver = self.name("a driver")?;
+        let driver = self.path("a driver")?;
         let ends = self.is_operator(",") || self.is_operator(";");
         let range = if ends { None } else { Some(self.range()?) };
         Ok(SweepRange { driver, range })
@@ -159,8 +163,10 @@ impl Parser<'_> {
             });
         }
         match target {
-            Some(target) => Ok((Some(target), Some(self.term()?))),
-            None => self.wrong_at(term.span, "a name is expected before `=`", None),
+            Some(target) if !target.name.text.contains('.') => {
+                Ok((Some(target), Some(self.term()?)))
+            }
+            _ => self.wrong_at(term.span, "a name is expected before `=`", None),
         }
     }
 
@@ -173,7 +179,7 @@ impl Parser<'_> {
         if !self.take_word("at") {
             return self.expected("`at`");
         }
-        let variable = self.name("a driver or `time`")?;
+        let variable = self.path("a driver or `time`")?;
         self.operator("=")?;
         Ok(StatementKind::Mark {
             text,
@@ -204,11 +210,11 @@ impl Parser<'_> {
                 Some("a fact holds somewhere: `expect at theta = 110 deg: x = 1 mm +- 0.1 mm;` or `expect at maximum: …`"),
             );
         }
-        let place = self.name("a driver, `time`, `maximum`, `minimum` or `amplitude`")?;
+        let place = self.path("a driver, `time`, `maximum`, `minimum` or `amplitude`")?;
         let at = if self.take_operator("=") {
             let mut places = vec![(place, self.term()?)];
             while self.take_operator(",") {
-                let place = self.name("a driver")?;
+                let place = self.path("a driver")?;
                 self.operator("=")?;
                 places.push((place, self.term()?));
             }

@@ -287,7 +287,7 @@ impl Parser<'_> {
         let mut values = Vec::new();
         while !self.is_close('}') {
             let _ = self.documentation();
-            let target = self.target()?;
+            let target = self.declared("a name")?;
             self.operator("=")?;
             values.push((target, self.term()?));
             self.operator(";")?;

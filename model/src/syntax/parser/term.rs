@@ -1,5 +1,6 @@
 //! Expressions, by precedence climbing.
 
+use super::cursor::within;
 use super::{Parser, Read};
 use crate::syntax::tree::{BinaryOperator, Name, Term, TermKind, UnaryOperator, UnitTerm};
 use crate::token::TokenKind;
@@ -211,14 +212,42 @@ impl Parser<'_> {
         })
     }
 
-    /// A name, with an index, a member or arguments.
+    /// A name, perhaps of a part, with an index or arguments.
     fn named(&mut self) -> Read<Term> {
         let name = self.name("a name")?;
+        let start = name.span;
+        let mut members = Vec::new();
+        while self.is_operator(".") && !self.is_operator("..") {
+            self.advance();
+            members.push(self.name("a name after `.`")?);
+        }
+        if members.is_empty() || self.is_open_ahead(0, '(') || self.is_indexed() {
+            let name = members.iter().fold(name, within);
+            return self.applied(name);
+        }
+        let mut term = Term {
+            span: start,
+            kind: TermKind::Name(name.text),
+        };
+        for name in members {
+            term = Term {
+                span: start.to(name.span),
+                kind: TermKind::Member {
+                    base: Box::new(term),
+                    name,
+                },
+            };
+        }
+        Ok(term)
+    }
+
+    /// A name with an index, arguments or neither.
+    fn applied(&mut self, name: Name) -> Read<Term> {
         let start = name.span;
         if self.is_open_ahead(0, '(') {
             return self.call(name);
         }
-        let kind = if self.is_open_ahead(0, '[') && (!self.in_output || self.is_index()) {
+        let kind = if self.is_indexed() {
             TermKind::Index {
                 name,
                 index: Box::new(self.index()?),
@@ -230,7 +259,7 @@ impl Parser<'_> {
             span: self.since(start),
             kind,
         };
-        if self.is_operator(".") && !self.is_operator("..") {
+        while self.is_operator(".") && !self.is_operator("..") {
             self.advance();
             let member = self.name("a name after `.`")?;
             term = Term {
@@ -242,6 +271,11 @@ impl Parser<'_> {
             };
         }
         Ok(term)
+    }
+
+    /// Whether an index follows.
+    fn is_indexed(&self) -> bool {
+        self.is_open_ahead(0, '[') && (!self.in_output || self.is_index())
     }
 
     /// Whether the bracket that follows a name holds an index: whole numbers and indices of repetitions, nothing else.

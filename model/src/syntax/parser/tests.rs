@@ -20,7 +20,7 @@ fn file(statements: &str) -> String {
 fn read(text: &str) -> (Option<File>, Vec<Diagnostic>, Lexed) {
     let lexed = lex_plain(text).unwrap();
     let mut diagnostics = Diagnostics::default();
-    let tree = parse(&lexed.tokens, &mut diagnostics);
+    let tree = parse(&lexed.tokens, 0, &mut diagnostics);
     (tree, diagnostics.into_sorted(), lexed)
 }
 
@@ -92,6 +92,10 @@ fn a_bracket_behind_an_output_is_an_index_or_a_unit() {
     check_output("x[1]", "x[1]", false);
     check_output("x[k]", "x[k]", false);
     check_output("x[k + 1] [mm]", "x[k + 1]", true);
+    check_output("feed.x", "feed.x", false);
+    check_output("feed.x [mm]", "feed.x", true);
+    check_output("feed.x[k] [mm]", "feed.x[k]", true);
+    check_output("feed.f(x)", "feed.f(x)", false);
     check_output("F [N]", "F", true);
     check_output("F [1/s]", "F", true);
     check_output("dot(x) [mm/s]", "dot(x)", true);
@@ -209,6 +213,38 @@ fn blocks_nest() {
     };
     let texts: Vec<_> = alternatives.iter().map(|one| one.text.as_deref()).collect();
     assert_eq!(texts, [Some("First."), Some("second")]);
+}
+
+#[test]
+fn names_of_parts_have_dots() {
+    let StatementKind::Scene(scene) =
+        statement("scene s = a + b.c + d.e.f { sweep d.phi 0 .. 1; }")
+    else {
+        panic!()
+    };
+    let selected: Vec<_> = scene
+        .selection
+        .iter()
+        .map(|one| {
+            (
+                one.name.text.as_str(),
+                one.alternative.as_ref().map(|name| name.text.as_str()),
+            )
+        })
+        .collect();
+    assert_eq!(
+        selected,
+        [("a", None), ("b", Some("c")), ("d.e", Some("f"))]
+    );
+    for text in [
+        "mark \"top\" at feed.phi = 1;",
+        "expect at feed.phi = 1, feed.psi = 2: feed.x = 1 +- 1;",
+        "preset p { feed.e = 1; feed.h[2] = 3; }",
+        "link feed.A - B - feed.C[2];",
+        "part feed: Feed { lift.e_v = 6 mm +- 1 mm in 1 mm .. 9 mm; beta ~ 1; }",
+    ] {
+        assert_eq!(statements(text).len(), 1, "{text}");
+    }
 }
 
 #[test]

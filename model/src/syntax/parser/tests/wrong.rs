@@ -156,7 +156,7 @@ fn brackets_that_do_not_match_end() {
         let mut tokens = tokens.clone();
         tokens.remove(missing);
         let mut diagnostics = Diagnostics::default();
-        let _ = super::parse(&tokens, &mut diagnostics);
+        let _ = super::parse(&tokens, 0, &mut diagnostics);
     }
 }
 
