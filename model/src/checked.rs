@@ -19,6 +19,19 @@ pub struct Compiled {
     pub model: Option<Model>,
     /// Errors and warnings, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
+    /// The files of parts that were read, in the order in which their tokens are counted.
+    pub parts: Vec<PartFile>,
+}
+
+/// A file of a part. Its tokens are counted on behind those of the files before.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PartFile {
+    /// Its path, relative to the folder of the main file.
+    pub path: String,
+    /// What its first token is counted as.
+    pub first: u32,
+    /// Where the main file first needs it.
+    pub place: Span,
 }
 
 /// A mechanism.

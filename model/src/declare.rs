@@ -51,9 +51,12 @@ fn written_unit(term: &Term, diagnostics: &mut Diagnostics) -> Option<Unit> {
             ..
         } => unit::resolve(written, diagnostics),
         TermKind::Unary(_, inner) => written_unit(inner, diagnostics),
-        TermKind::Binary(_, left, right) => {
-            written_unit(left, diagnostics).or_else(|| written_unit(right, diagnostics))
-        }
+        TermKind::Binary(_, left, right)
+        | TermKind::Bound {
+            value: left,
+            instead: right,
+            ..
+        } => written_unit(left, diagnostics).or_else(|| written_unit(right, diagnostics)),
         _ => None,
     }
 }
@@ -133,7 +136,7 @@ impl Lowering<'_> {
             );
             return None;
         };
-        if !self.is_made_of_numbers(value) {
+        if !value.is_made_of_numbers() {
             self.diagnostics.push(
                 Diagnostic::error(
                     value.span,
@@ -203,21 +206,6 @@ impl Lowering<'_> {
         Some((half_width, tolerance.distribution))
     }
 
-    fn is_made_of_numbers(&self, term: &Term) -> bool {
-        match &term.kind {
-            TermKind::Number { .. } => true,
-            TermKind::Name(name) => name == "pi",
-            TermKind::Unary(_, inner) => self.is_made_of_numbers(inner),
-            TermKind::Binary(_, left, right) => {
-                self.is_made_of_numbers(left) && self.is_made_of_numbers(right)
-            }
-            TermKind::Call { arguments, .. } => {
-                arguments.iter().all(|one| self.is_made_of_numbers(one))
-            }
-            _ => false,
-        }
-    }
-
     /// Kind and unit of a coordinate or state.
     pub fn unknown(&mut self, symbol: Symbol, declared: &Declared<Unknown>) -> Option<Unit> {
         let unit = unit::resolve(&declared.what.unit, self.diagnostics)?;
@@ -285,10 +273,14 @@ impl Lowering<'_> {
         let name = &driver.name.text;
         if moved != Moved::Swept {
             let message = format!("the motion of the driver `{name}` is not stated");
-            self.diagnostics.push(
-                Diagnostic::error(driver.name.span, message)
-                    .hint(format!("say how it moves, as in `driver {name} = n*time;`")),
-            );
+            let hint = match name.rsplit_once('.') {
+                Some((part, own)) => {
+                    format!("bind it where `{part}` is declared, as in `{own} = n*time;`")
+                }
+                None => format!("say how it moves, as in `driver {name} = n*time;`"),
+            };
+            self.diagnostics
+                .push(Diagnostic::error(driver.name.span, message).hint(hint));
             return None;
         }
         let bounds = driver.what.range.iter().flat_map(|(low, high)| [low, high]);

@@ -1,7 +1,7 @@
 //! The language of Assur: from the text of an equation file to a checked model with one program for each scene.
 //!
 //! ```text
-//! lex -> parse -> survey effects and scenes -> for each scene:
+//! lex -> parse -> put parts in their places -> survey effects and scenes -> for each scene:
 //!     specialise -> resolve names -> lower terms, checking units -> derive (Lagrange)
 //!     -> balance and order -> solve for the highest derivatives -> simplify and share -> program
 //! ```
@@ -20,6 +20,7 @@ mod declare;
 pub mod diagnostic;
 pub mod expression;
 mod facts;
+pub mod flatten;
 mod homogeneity;
 mod lagrange;
 pub mod lexer;
@@ -38,12 +39,15 @@ pub mod unit;
 mod unroll;
 
 use std::collections::BTreeSet;
+use std::sync::mpsc;
 
 use checked::{ChoiceInfo, Compiled, Described, Model, PresetInfo};
 use compile::{Seen, Task};
 use diagnostic::{Diagnostic, Diagnostics};
+use flatten::{Loader, Wanted};
+use lexer::Unreadable;
 use scene::{Selected, Survey};
-use syntax::tree::{File, Scene, StatementKind};
+use syntax::tree::{File, Scene, StatementKind, is_unread};
 use token::{Span, Token};
 
 /// Abbreviations may refer to each other this deep when they stand in the wrong order.
@@ -52,33 +56,65 @@ pub(crate) const MOST_NESTED: usize = 400;
 /// Stack of the thread that compiles: nesting is limited, and this holds the deepest that is allowed.
 const STACK: usize = 256 << 20;
 
-/// Compiles the tokens of a mechanism, those inside `mechanism! { … }`.
+/// Compiles the tokens of a mechanism without parts, those inside `mechanism! { … }`.
 ///
 /// Never panics and never loops: nesting, repetition and size are limited, and a limit that is met is an error.
 pub fn compile(tokens: &[Token]) -> Compiled {
-    let work = || compile_here(tokens);
-    std::thread::scope(|scope| {
+    compile_with(tokens, &mut no_file)
+}
+
+/// The loader that has no files.
+fn no_file(wanted: &Wanted) -> Result<Vec<Token>, Unreadable> {
+    Err(Unreadable {
+        range: 0..0,
+        message: format!("there is no file `{}` here", wanted.path),
+        hint: None,
+    })
+}
+
+/// Compiles the tokens of a mechanism. Files of its parts come from `loader`, which is called on this thread.
+pub fn compile_with(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
+    let (ask, asked) = mpsc::channel::<Wanted>();
+    let (give, given) = mpsc::channel();
+    let work = move || {
+        compile_here(tokens, &mut |wanted| {
+            let answer = ask
+                .send(wanted.clone())
+                .ok()
+                .and_then(|()| given.recv().ok());
+            answer.unwrap_or_else(|| no_file(wanted))
+        })
+    };
+    // `give` goes with this closure, so that the thread that asks ends even if `loader` panics.
+    std::thread::scope(move |scope| {
         let worker = std::thread::Builder::new()
             .stack_size(STACK)
             .spawn_scoped(scope, work);
-        match worker.map(|handle| handle.join()) {
-            Ok(Ok(compiled)) => compiled,
-            Ok(Err(panic)) => std::panic::resume_unwind(panic),
-            Err(_) => compile_here(tokens),
+        let Ok(worker) = worker else {
+            return compile_here(tokens, loader);
+        };
+        for wanted in asked {
+            let _ = give.send(loader(&wanted));
+        }
+        match worker.join() {
+            Ok(compiled) => compiled,
+            Err(panic) => std::panic::resume_unwind(panic),
         }
     })
 }
 
-fn compile_here(tokens: &[Token]) -> Compiled {
+fn compile_here(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
     let mut diagnostics = Diagnostics::default();
-    let Some(file) = syntax::parser::parse(tokens, 0, &mut diagnostics) else {
+    let Some(mut file) = syntax::parser::parse(tokens, 0, &mut diagnostics) else {
         return Compiled {
             name: String::new(),
             scene_names: Vec::new(),
             model: None,
             diagnostics: diagnostics.into_sorted(),
+            parts: Vec::new(),
         };
     };
+    let parts = flatten::flatten(&mut file, tokens.len(), loader, &mut diagnostics);
     let survey = Survey::of(&file, &mut diagnostics);
     let implicit = implicit_scene(&file);
     let mut scenes: Vec<(&Scene, &[String])> = survey.scenes.clone();
@@ -125,6 +161,7 @@ fn compile_here(tokens: &[Token]) -> Compiled {
             .collect(),
         model,
         diagnostics: diagnostics.into_sorted(),
+        parts,
     }
 }
 
@@ -167,7 +204,7 @@ fn check_unshown(
             .iter()
             .any(|selected| selected.effects.contains(&name.text))
         {
-            if !survey.scenes.is_empty() {
+            if !survey.scenes.is_empty() && !name.text.contains('.') {
                 diagnostics.push(
                     Diagnostic::warning(
                         name.span,
@@ -236,7 +273,7 @@ fn check_facts(file: &File, scenes: &[(&Scene, &[String])], diagnostics: &mut Di
         ];
         for (name, what, known) in wanted {
             let missing = |name: &&syntax::tree::Name| {
-                !known.contains(&name.text.as_str()) && !file.unread.contains(&name.text)
+                !known.contains(&name.text.as_str()) && !is_unread(&file.unread, &name.text)
             };
             let Some(name) = name.filter(missing) else {
                 continue;
@@ -273,10 +310,7 @@ fn presets(file: &File, seen: &Seen, diagnostics: &mut Diagnostics) -> Vec<Prese
                 continue;
             };
             let Some((kind, declared)) = seen.constants.get(&target.text) else {
-                if file
-                    .unread
-                    .contains(target.text.split('[').next().unwrap_or_default())
-                {
+                if is_unread(&file.unread, &target.text) {
                     continue;
                 }
                 let report = Diagnostic::error(
@@ -315,11 +349,13 @@ fn presets(file: &File, seen: &Seen, diagnostics: &mut Diagnostics) -> Vec<Prese
     list
 }
 
-/// Declarations that nothing refers to. Names with an index are left alone: a repetition may need only some.
+/// Declarations that nothing refers to. Names with an index and names of parts are left alone: a repetition, and a
+/// mechanism with a part, may need only some.
 fn report_unused(seen: &Seen, diagnostics: &mut Diagnostics) {
     let mut reported: BTreeSet<(&str, Span)> = BTreeSet::new();
     for (name, span) in &seen.declared {
-        if !seen.used.contains(name) && !name.contains('[') && reported.insert((name, *span)) {
+        let is_own = !name.contains(['[', '.']);
+        if !seen.used.contains(name) && is_own && reported.insert((name, *span)) {
             diagnostics.push(
                 Diagnostic::warning(*span, format!("nothing uses `{name}`"))
                     .hint("report it with `output`, or take it away"),

@@ -2,7 +2,28 @@
 
 /// The known name that differs least from `wanted`, if it differs by little: by at most a third of its letters, two of
 /// a short name. Letters that differ only in case count half.
+///
+/// What a part has in common with all its names says nothing: of `feed.lift.l1` only `l1` is compared.
 pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let Some(part) = wanted.rfind('.') else {
+        return closest(wanted, known.into_iter().map(|name| (name, name)));
+    };
+    let known: Vec<&str> = known.into_iter().collect();
+    let (part, own) = wanted.split_at(part + 1);
+    let beside = known
+        .iter()
+        .filter_map(|name| Some((name.strip_prefix(part)?, *name)));
+    closest(own, beside).or_else(|| {
+        let others = known.iter().filter(|name| !name.starts_with(part));
+        closest(wanted, others.map(|name| (*name, *name)))
+    })
+}
+
+/// Of names with what they stand for, what the name nearest to `wanted` stands for.
+fn closest<'a>(
+    wanted: &str,
+    known: impl IntoIterator<Item = (&'a str, &'a str)>,
+) -> Option<&'a str> {
     let letters = wanted.chars().count();
     // Of a single letter only its case may differ.
     let limit = if letters > 1 {
@@ -12,10 +33,10 @@ pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Op
     };
     known
         .into_iter()
-        .map(|name| (distance(wanted, name), name))
+        .map(|(name, whole)| (distance(wanted, name), whole))
         .filter(|(distance, _)| *distance <= limit)
         .min()
-        .map(|(_, name)| name)
+        .map(|(_, whole)| whole)
 }
 
 /// Twice the number of letters that have to be put in, taken away, changed or swapped.
@@ -56,6 +77,14 @@ mod tests {
         assert_eq!(nearest("torsoin", known), Some("torsion"));
         assert_eq!(nearest("dampin", known), Some("damping"));
         assert_eq!(nearest("f1", known), Some("F1"));
+    }
+
+    #[test]
+    fn names_of_a_part_are_compared_without_it() {
+        let known = ["feed.lift.l1", "feed.lift.swing", "field.x", "swing"];
+        assert_eq!(nearest("feed.lift.swign", known), Some("feed.lift.swing"));
+        assert_eq!(nearest("feed.lift.zz", known), None);
+        assert_eq!(nearest("feeld.x", known), Some("field.x"));
     }
 
     #[test]

@@ -77,6 +77,8 @@ pub enum Role {
     Let(Term),
     /// An abbreviation with arguments.
     Function(Vec<Name>, Term),
+    /// A part, by what it is.
+    Part(String),
 }
 
 /// A declaration with its full name, the index included, and its documentation.
@@ -131,6 +133,12 @@ impl Names {
             StatementKind::Coordinate(unknown) | StatementKind::State(unknown) => &unknown.target,
             StatementKind::Output(output) => {
                 self.declare_output(output, summary, diagnostics);
+                return;
+            }
+            StatementKind::Part {
+                name, mechanism, ..
+            } => {
+                self.insert(name, Role::Part(mechanism.text.clone()), diagnostics);
                 return;
             }
             _ => return,
@@ -229,7 +237,9 @@ impl Names {
     }
 
     fn insert(&mut self, name: &Name, role: Role, diagnostics: &mut Diagnostics) -> bool {
-        if FUNCTIONS.contains(&name.text.as_str()) || QUANTITIES.contains(&name.text.as_str()) {
+        // In a part as well, the file of which means what it means by itself.
+        let own = name.text.rsplit('.').next().unwrap_or_default();
+        if FUNCTIONS.contains(&own) || QUANTITIES.contains(&own) {
             diagnostics.push(
                 Diagnostic::error(
                     name.span,

@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::nearest::nearest;
 use crate::syntax::tree::{
     Alternative, BinaryOperator, Constant, Dependent, Driver, File, Name, Output, Scene, Statement,
-    StatementKind, Term, TermKind, UnaryOperator, Unknown,
+    StatementKind, Term, TermKind, UnaryOperator, Unknown, is_unread,
 };
 use crate::token::Span;
 use crate::unroll::{bounds, statement_with_index};
@@ -36,6 +36,8 @@ pub struct Survey<'a> {
     pub choices: Vec<Choice<'a>>,
     /// Scenes in the order of the file, with their documentation.
     pub scenes: Vec<(&'a Scene, &'a [String])>,
+    /// Parts, by name.
+    parts: Vec<&'a str>,
     /// For each effect and choice what it stands in.
     around: BTreeMap<&'a str, Vec<Around>>,
     /// Declared names with their places: one that is missing in a scene is declared in a block that does not hold.
@@ -105,6 +107,7 @@ impl<'a> Survey<'a> {
                 }
                 StatementKind::For { body, .. } => self.visit(body, around),
                 StatementKind::Scene(scene) => self.scenes.push((scene, &statement.documentation)),
+                StatementKind::Part { name, .. } => self.parts.push(&name.text),
                 StatementKind::Constant(Constant { target, .. })
                 | StatementKind::Let { target, .. }
                 | StatementKind::Driver(Driver { target, .. })
@@ -126,8 +129,7 @@ impl<'a> Survey<'a> {
 
     /// Whether a name that is missing may have been declared by a statement that could not be read.
     pub fn is_unread(&self, name: &str) -> bool {
-        let base = name.split('[').next().unwrap_or(name);
-        self.unread.is_some_and(|words| words.contains(base))
+        self.unread.is_some_and(|words| is_unread(words, name))
     }
 
     /// Whether a condition speaks of something that could not be read.
@@ -174,7 +176,8 @@ impl<'a> Survey<'a> {
                     None => {
                         let report =
                             Diagnostic::error(base.span, format!("there is no choice `{wanted}`"));
-                        Some(match nearest(wanted, choices()) {
+                        let known = choices().chain(self.parts.iter().copied());
+                        Some(match nearest(wanted, known) {
                             Some(near) => report.hint(format!("did you mean `{near}`?")),
                             None => report.hint(
                                 "`choice.alternative` asks which alternative of a choice holds",

@@ -101,6 +101,15 @@ pub fn with_index(term: &Term, index: &str, value: i64) -> Term {
             then: again(then),
             otherwise: again(otherwise),
         },
+        TermKind::Bound {
+            name,
+            value: given,
+            instead,
+        } => TermKind::Bound {
+            name: name.clone(),
+            value: again(given),
+            instead: again(instead),
+        },
         // An inner repetition with the same index hides the outer one.
         TermKind::Sum {
             index: own,

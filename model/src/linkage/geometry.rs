@@ -77,7 +77,7 @@ impl Geometry {
     fn find(&self, point: &Term, low: &mut Lowering<'_>) -> Option<usize> {
         let wanted = print::term(point).replace(' ', "");
         let found = self.names.iter().position(|name| *name == wanted);
-        if found.is_none() && !low.has_wrong_point(&wanted) {
+        if found.is_none() && !low.has_wrong_point(&wanted) && !low.is_unread(&wanted) {
             let report = Diagnostic::error(point.span, format!("there is no point `{wanted}`"));
             low.diagnostics.push(
                 match nearest(&wanted, self.names.iter().map(String::as_str)) {
@@ -120,11 +120,11 @@ impl Ranges {
             .flatten()
             .collect();
         for one in &swept {
-            if !names
+            let is_known = names
                 .drivers
                 .iter()
-                .any(|driver| driver.name.text == one.driver.text)
-            {
+                .any(|driver| driver.name.text == one.driver.text);
+            if !is_known && !low.is_unread(&one.driver.text) {
                 let known = || names.drivers.iter().map(|driver| driver.name.text.as_str());
                 let report = Diagnostic::error(
                     one.driver.span,

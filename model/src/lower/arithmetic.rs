@@ -102,11 +102,14 @@ impl Lowering<'_> {
             return false;
         };
         let in_parentheses = right.span.first != right.span.last;
+        // In the file of a part the quantity is written without the name of the part.
+        let full = name;
+        let name = full.rsplit('.').next().unwrap_or(full);
         if in_parentheses || !is_unit(name) {
             return false;
         }
         let compound = format!("{number} [{unit}/{name}]");
-        let declared = self.names.table.get(name).map(|entry| entry.span);
+        let declared = self.names.table.get(full).map(|entry| entry.span);
         let local = self
             .locals
             .last()

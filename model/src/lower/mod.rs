@@ -20,6 +20,7 @@ use crate::checked::LiteralInfo;
 use crate::declare::{Kinds, Moved};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Graph, Symbol};
+use crate::homogeneity::{agree, describe};
 use crate::linkage::Slopes;
 use crate::nearest::nearest;
 use crate::resolve::{FUNCTIONS, Names, QUANTITIES, Role};
@@ -156,6 +157,11 @@ impl<'a> Lowering<'a> {
                 to,
                 body,
             } => self.sum(index, (from, to), body),
+            TermKind::Bound {
+                name,
+                value,
+                instead,
+            } => self.bound(name, value, instead),
         }
     }
 
@@ -197,6 +203,11 @@ impl<'a> Lowering<'a> {
                 None
             }
         }
+    }
+
+    /// Whether a name that is missing may have been declared by a statement that could not be read.
+    pub fn is_unread(&self, name: &str) -> bool {
+        self.survey.is_unread(name)
     }
 
     /// From now on a driver without a position is a mistake that has been reported.
@@ -243,6 +254,13 @@ impl<'a> Lowering<'a> {
             Role::Coordinate(index) => Symbol::Coordinate(*index),
             Role::State(index) => Symbol::State(*index),
             Role::Let(value) => return self.abbreviation(name, value, span),
+            Role::Part(mechanism) => {
+                return self.error(
+                    Diagnostic::error(span, format!("`{name}` is a part, a `{mechanism}`"))
+                        .related(entry.span, "declared here")
+                        .hint(format!("name something of it: `{name}.…`")),
+                );
+            }
             Role::Function(arguments, _) => {
                 let shape: Vec<_> = arguments.iter().map(|one| one.text.as_str()).collect();
                 return self.error(
@@ -261,6 +279,30 @@ impl<'a> Lowering<'a> {
         let value = self.graph.symbol(symbol);
         self.graph.name(value, name);
         Typed::scalar(value, self.kind_of(symbol))
+    }
+
+    /// What a quantity of a part is given, of the kind of what it stands for.
+    fn bound(&mut self, name: &str, value: &Term, instead: &Term) -> Typed {
+        let Some((given, found)) = self.scalar(value) else {
+            return Typed::Wrong;
+        };
+        let Some((_, expected)) = self.scalar(instead) else {
+            return Typed::Wrong;
+        };
+        match agree(found, expected) {
+            Some(kind) => Typed::scalar(given, kind),
+            None => {
+                let message = format!(
+                    "`{name}` is {}, and this is {}",
+                    describe(expected.dimension()),
+                    describe(found.dimension())
+                );
+                self.error(
+                    Diagnostic::error(value.span, message)
+                        .related(instead.span, "what its file says"),
+                )
+            }
+        }
     }
 
     /// Whether the declaration of a quantity was a mistake.
@@ -306,6 +348,7 @@ impl<'a> Lowering<'a> {
             .map(String::as_str)
             .chain(QUANTITIES.iter().copied())
             .chain(locals);
+        let of_part = name.contains('.');
         if functions {
             report = report.hint(format!(
                 "`{name}` is a function: give it its argument in parentheses"
@@ -318,6 +361,8 @@ impl<'a> Lowering<'a> {
                 .hint("it is declared in a block that does not hold here: say in `else` what takes its place");
         } else if let Some(near) = nearest(name, known) {
             report = report.hint(format!("did you mean `{near}`?"));
+        } else if of_part {
+            report = report.hint("a part has the names that its file declares; what comes from outside is bound in `part … { … }`");
         } else {
             report = report.hint("declare it with `parameter`, `dimension`, `coordinate` or `let`");
         }

@@ -126,6 +126,7 @@ fn write(term: &Term, least: u8) -> String {
             ),
             9,
         ),
+        TermKind::Bound { value, .. } => return write(value, least),
         TermKind::Sum {
             index,
             from,

@@ -46,6 +46,22 @@ pub struct Statement {
     pub kind: StatementKind,
 }
 
+impl Statement {
+    /// How many statements these are with those in its blocks.
+    pub fn count(&self) -> usize {
+        let blocks = self.kind.blocks();
+        1 + blocks.into_iter().flatten().map(Self::count).sum::<usize>()
+    }
+}
+
+/// Whether a name, or the part that it belongs to, stood in a statement that could not be read.
+pub fn is_unread(unread: &std::collections::BTreeSet<String>, name: &str) -> bool {
+    let base = name.split('[').next().unwrap_or(name);
+    let ends = base.match_indices('.').map(|(at, _)| at);
+    ends.chain([base.len()])
+        .any(|end| unread.contains(&base[..end]))
+}
+
 /// What a statement says.
 #[derive(Clone, Debug, PartialEq)]
 #[expect(missing_docs, reason = "the example of each variant names its parts")]
@@ -145,6 +161,46 @@ pub enum StatementKind {
     },
     /// `expect scene S at theta = 110 deg: x = 1 mm +- 0.1 mm "remark";`
     Expect(Expect),
+}
+
+impl StatementKind {
+    /// The statements inside it, block by block.
+    pub fn blocks(&self) -> Vec<&[Statement]> {
+        match self {
+            Self::Effect {
+                body, otherwise, ..
+            }
+            | Self::If {
+                then: body,
+                otherwise,
+                ..
+            } => vec![body, otherwise],
+            Self::Choice { alternatives, .. } => {
+                alternatives.iter().map(|one| one.body.as_slice()).collect()
+            }
+            Self::For { body, .. } => vec![body],
+            _ => Vec::new(),
+        }
+    }
+
+    /// The same, to be changed.
+    pub fn blocks_mut(&mut self) -> Vec<&mut Vec<Statement>> {
+        match self {
+            Self::Effect {
+                body, otherwise, ..
+            }
+            | Self::If {
+                then: body,
+                otherwise,
+                ..
+            } => vec![body, otherwise],
+            Self::Choice { alternatives, .. } => {
+                alternatives.iter_mut().map(|one| &mut one.body).collect()
+            }
+            Self::For { body, .. } => vec![body],
+            _ => Vec::new(),
+        }
+    }
 }
 
 /// A dimension or parameter.
@@ -380,6 +436,20 @@ impl Term {
                 otherwise,
             } => vec![condition, then, otherwise],
             TermKind::Sum { from, to, body, .. } => vec![from, to, body],
+            TermKind::Bound { value, .. } => vec![value],
+        }
+    }
+
+    /// Whether it is made of numbers, `pi` and functions of them.
+    pub fn is_made_of_numbers(&self) -> bool {
+        match &self.kind {
+            TermKind::Number { .. } => true,
+            TermKind::Name(name) => name == "pi",
+            TermKind::Unary(..)
+            | TermKind::Binary(..)
+            | TermKind::Call { .. }
+            | TermKind::Bound { .. } => self.parts().into_iter().all(Self::is_made_of_numbers),
+            _ => false,
         }
     }
 }
@@ -416,6 +486,13 @@ pub enum TermKind {
         from: Box<Term>,
         to: Box<Term>,
         body: Box<Term>,
+    },
+    /// What the quantity `name` of a part is given instead of what its file says, both of one kind. It is not written
+    /// so: the binding `e_v = 6 mm;` of a part makes it.
+    Bound {
+        name: String,
+        value: Box<Term>,
+        instead: Box<Term>,
     },
 }
 

@@ -6,6 +6,7 @@ mod derivatives;
 mod fuzz;
 mod grammar;
 mod literals;
+mod parts;
 mod right;
 mod scenes;
 mod wrong;
@@ -14,6 +15,7 @@ use std::fmt::Write;
 
 use assur_model::checked::Compiled;
 use assur_model::lexer::{Lexed, lex_plain};
+use assur_model::token::Span;
 
 /// A mass on a spring: what most files here begin with.
 const SPRING: &str = "Sample; parameter m = 2 kg, c = 8 [N/m]; coordinate x: m = 0.1 m; \
@@ -30,7 +32,7 @@ fn compiled(text: &str) -> (Compiled, Lexed) {
 }
 
 /// The words that a message points at.
-fn words<'a>(text: &'a str, lexed: &Lexed, span: assur_model::token::Span) -> &'a str {
+fn words<'a>(text: &'a str, lexed: &Lexed, span: Span) -> &'a str {
     let range = |index: u32| lexed.ranges.get(index as usize).cloned().unwrap_or(0..0);
     &text[range(span.first).start..range(span.last).end]
 }
@@ -39,9 +41,20 @@ fn words<'a>(text: &'a str, lexed: &Lexed, span: assur_model::token::Span) -> &'
 #[track_caller]
 fn check(text: &str, expected: &[Expected]) {
     let (compiled, lexed) = compiled(text);
+    check_messages(text, &compiled, expected, |span| words(text, &lexed, span));
+}
+
+/// Checks the messages of a file; `words` gives what one points at.
+#[track_caller]
+fn check_messages<'a>(
+    text: &str,
+    compiled: &Compiled,
+    expected: &[Expected],
+    words: impl Fn(Span) -> &'a str,
+) {
     let mut shown = String::new();
     for one in &compiled.diagnostics {
-        let place = words(text, &lexed, one.span);
+        let place = words(one.span);
         let _ = writeln!(
             shown,
             "  {:?}: {} [{place}] {:?}",
@@ -58,7 +71,7 @@ fn check(text: &str, expected: &[Expected]) {
             found.message.contains(message),
             "no {message:?}: {text}\n{shown}"
         );
-        assert_eq!(words(text, &lexed, found.span), *place, "{text}\n{shown}");
+        assert_eq!(words(found.span), *place, "{text}\n{shown}");
         assert!(
             found.hint.as_deref().unwrap_or("").contains(hint),
             "no hint {hint:?}: {text}\n{shown}"

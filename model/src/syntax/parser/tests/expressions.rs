@@ -107,6 +107,7 @@ fn bare(term: &Term) -> String {
         TermKind::Index { name, index } => format!("(at {} {})", name.text, bare(index)),
         TermKind::Member { base, name } => format!("(member {} {})", bare(base), name.text),
         TermKind::Vector(items) => format!("(vector {})", list(items)),
+        TermKind::Bound { value, .. } => bare(value),
         TermKind::Unary(operator, inner) => format!("({operator:?} {})", bare(inner)),
         TermKind::Binary(operator, left, right) => {
             format!("({operator:?} {} {})", bare(left), bare(right))
