@@ -160,3 +160,131 @@ fn a_part_of_a_part_is_flattened() {
         Input::Driver(0)
     )));
 }
+
+/// What a part comes to is what the same statements come to when they are written out.
+#[test]
+fn a_part_is_what_it_says_written_out() {
+    let part = scene(
+        "Machine; driver theta ~ 60 deg in 0 deg .. 360 deg;
+        part bar: FourBar from \"four_bar.eqn\" { phi = 2*theta; psi ~ 25 deg; }
+        output swing = bar.swing, diff(bar.swing, bar.rod); scene go { sweep theta; }",
+        &[("four_bar.eqn", FOUR_BAR)],
+    );
+    let whole = scene(
+        "Machine; driver theta ~ 60 deg in 0 deg .. 360 deg;
+        dimension crank = 30 mm +- 0.05 mm in 10 mm .. 40 mm, rod = 90 mm, rocker = 60 mm, base = 80 mm;
+        let phi = 2*theta; dependent psi ~ 25 deg, chi ~ 80 deg;
+        closure loop: crank*dir(phi) + rod*dir(psi) = [base, 0] + rocker*dir(chi);
+        point A = [0, 0], B = crank*dir(phi), C = B + rod*dir(psi), D = [base, 0];
+        link A - B \"crank\", B - C, C - D;
+        require crank < rod \"the crank turns round\";
+        output swing = chi - 90 deg, diff(swing, rod); scene go { sweep theta; }",
+        &[],
+    );
+    let kinds = |scene: &SceneModel| {
+        let operations = scene.program.operations.iter();
+        operations.map(|one| one.kind.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(kinds(&part), kinds(&whole));
+    let (a, b) = (part.linkage.unwrap(), whole.linkage.unwrap());
+    assert_eq!(a.dependents[0].start, b.dependents[0].start);
+    assert_eq!(a.links.len(), b.links.len());
+}
+
+/// A motor with an effect and a choice, which moves by itself.
+const MOTOR: &str = "Motor;
+    parameter J = 0.1 [kg m^2], k = 2 [N m], load = 0 [N m];
+    coordinate phi: rad = 0;
+    kinetic J*dot(phi)^2/2;
+    choice characteristic { constant { let M = k; } falling { let M = k*(1 - dot(phi)/(10 [rad/s])); } }
+    effect friction \"the bearings rub\" { parameter c = 0.1 [N m s]; let R = c*dot(phi); } else { let R = 0 [N m]; }
+    force M - R - load on phi;
+    output power = M*dot(phi), stalled = if characteristic.falling && !friction { 1 } else { 0 };
+    scene alone { run time 0 s .. 1 s; }";
+
+#[test]
+fn scenes_select_effects_and_choices_of_parts() {
+    let main = "Machine; parameter r = 10 mm, m = 2 kg, g = 9.81 [m/s^2];
+        part left: Motor from \"motor.eqn\" { J = 0.2 [kg m^2]; load = m*g*r; phi ~ 1 deg; }
+        part right: Motor from \"motor.eqn\" { }
+        let both = if left.friction && right.characteristic.falling { 2 } else { 1 };
+        if right.friction { let z = 2; } else { let z = 3; }
+        output left.power, total = left.power + right.power, both, z, right.stalled;
+        preset heavy { m = 3 kg; left.J = 0.3 [kg m^2]; }
+        scene plain { run time 0 s .. 1 s; preset heavy; start right.phi = 2 deg; }
+        scene full = left.friction + right.characteristic.falling;";
+    let (compiled, _) = compiled(main, &[("motor.eqn", MOTOR)]);
+    assert!(
+        compiled.diagnostics.is_empty(),
+        "{:#?}",
+        compiled.diagnostics
+    );
+    let [plain, full] = compiled.model.unwrap().scenes.try_into().unwrap();
+    assert_eq!(
+        names(plain.constants.iter().map(|one| &one.quantity.name)),
+        [
+            "r",
+            "m",
+            "g",
+            "left.J",
+            "left.k",
+            "right.J",
+            "right.k",
+            "right.load"
+        ]
+    );
+    assert_eq!(plain.constants[3].default, 0.3);
+    assert_eq!(full.constants[3].default, 0.2);
+    assert_eq!(full.effects, ["left.friction"]);
+    let states = names(plain.states.iter().map(|one| &one.name));
+    assert_eq!(states[..2], ["left.phi", "right.phi"]);
+    let parameters: Vec<f64> = full.constants.iter().map(|one| one.default).collect();
+    let values = full
+        .program
+        .evaluate(&parameters, 0.0, &[0.0, 0.0, 4.0, 5.0]);
+    let outputs = full
+        .program
+        .results
+        .outputs
+        .iter()
+        .map(|one| values.get(*one));
+    assert_eq!(outputs.collect::<Vec<_>>(), [8.0, 13.0, 2.0, 3.0, 1.0]);
+    let start = full
+        .program
+        .results
+        .start
+        .iter()
+        .map(|one| values.get(*one));
+    assert_eq!(
+        start.collect::<Vec<_>>(),
+        [1_f64.to_radians(), 0.0, 0.0, 0.0]
+    );
+}
+
+/// A driver that is not bound stays one, and names of the language stay too.
+#[test]
+fn what_is_not_bound_stays() {
+    let scene = scene(
+        "Machine; parameter n = 3;
+        part a: Shaft { n = 2; } part b: Shaft { r = 2*n*(1 mm); }
+        output total = a.y + b.y;",
+        &[(
+            "shaft.eqn",
+            "Shaft; parameter n = 1; dimension r = 5 mm; driver phi = 2*pi*n*time/(1 s);
+            let y = sum(n in 1..3, n*r)*sin(phi), f(r) = 2*r;",
+        )],
+    );
+    assert_eq!(
+        names(scene.drivers.iter().map(|one| &one.name)),
+        ["a.phi", "b.phi"]
+    );
+    assert_eq!(
+        names(scene.constants.iter().map(|one| &one.quantity.name)),
+        ["n", "a.n", "a.r", "b.n"]
+    );
+    let parameters: Vec<f64> = scene.constants.iter().map(|one| one.default).collect();
+    let values = scene.program.evaluate(&parameters, 0.125, &[]);
+    let sum = values.get(scene.program.results.outputs[0]);
+    let expected = 0.03 + 0.036 * 0.5_f64.sqrt();
+    assert!((sum - expected).abs() < 1e-12, "{sum}");
+}
