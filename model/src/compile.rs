@@ -108,7 +108,7 @@ pub fn scene(
             ..
         } = &statement.kind
             && let Some(name) = crate::unroll::target_name(target, low.diagnostics)
-            && names.table.contains_key(&name.text)
+            && let Some(Role::Let(_)) = names.table.get(&name.text).map(|entry| &entry.role)
         {
             let used = low.used.contains(&name.text);
             let term = Term {

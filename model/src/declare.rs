@@ -272,6 +272,10 @@ impl Lowering<'_> {
     fn free(&mut self, index: u32, driver: &Declared<Driver>, moved: Moved) -> Option<Drive> {
         let name = &driver.name.text;
         if moved != Moved::Swept {
+            // What could not be read may have closed the loops that it drives.
+            if self.is_incomplete() {
+                return None;
+            }
             let message = format!("the motion of the driver `{name}` is not stated");
             let hint = match name.rsplit_once('.') {
                 Some((part, own)) => {

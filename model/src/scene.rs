@@ -132,6 +132,11 @@ impl<'a> Survey<'a> {
         self.unread.is_some_and(|words| is_unread(words, name))
     }
 
+    /// Whether any statement could not be read.
+    pub fn is_incomplete(&self) -> bool {
+        self.unread.is_some_and(|words| !words.is_empty())
+    }
+
     /// Whether a condition speaks of something that could not be read.
     pub fn speaks_of_unread(&self, condition: &Term) -> bool {
         match &condition.kind {

@@ -15,6 +15,8 @@ pub struct Whose<'a> {
     pub part: &'a str,
     /// What it is.
     pub mechanism: &'a str,
+    /// What can be bound, as its file calls it.
+    pub known: Vec<String>,
 }
 
 /// Binds a quantity, wherever the statements of the part declare it.
@@ -51,7 +53,7 @@ pub fn apply(
         }
     });
     if !found && !is_unread(unread, name) {
-        diagnostics.push(unknown(own, binding, whose, held));
+        diagnostics.push(unknown(own, binding, whose));
     }
 }
 
@@ -193,32 +195,39 @@ fn abbreviation(target: &Target, value: Term) -> StatementKind {
     }
 }
 
-fn unknown(own: &str, binding: &Binding, whose: &Whose<'_>, held: &mut [Statement]) -> Diagnostic {
-    let mut known = Vec::new();
-    let start = format!("{}.", whose.part);
+/// What can be bound of a part, as its file calls it.
+pub fn known(part: &str, held: &mut [Statement]) -> Vec<String> {
+    let mut known: Vec<String> = Vec::new();
+    let start = format!("{part}.");
     visit(held, &mut |statement| {
         if let StatementKind::Constant(Constant { target, .. })
         | StatementKind::Driver(Driver { target, .. })
-        | StatementKind::Dependent(Dependent { target, .. }) = &statement.kind
+        | StatementKind::Dependent(Dependent { target, .. })
+        | StatementKind::Coordinate(Unknown { target, .. })
+        | StatementKind::State(Unknown { target, .. }) = &statement.kind
         {
             let name = &target.name.text;
-            known.push(name.strip_prefix(&start).unwrap_or(name).to_string());
+            let own = name.strip_prefix(&start).unwrap_or(name);
+            if !known.iter().any(|one| one == own) {
+                known.push(own.to_string());
+            }
         }
     });
-    let report = Diagnostic::error(
-        binding.target.name.span,
-        format!("the part `{}` has no `{own}`", whose.part),
-    );
+    known
+}
+
+fn unknown(own: &str, binding: &Binding, whose: &Whose<'_>) -> Diagnostic {
+    let Whose {
+        part,
+        mechanism,
+        known,
+    } = whose;
+    let message = format!("the part `{part}` has no `{own}`");
+    let report = Diagnostic::error(binding.target.name.span, message);
     match nearest(own, known.iter().map(String::as_str)) {
         Some(near) => report.hint(format!("did you mean `{near}`?")),
-        None if known.is_empty() => {
-            report.hint(format!("nothing of `{}` can be bound", whose.mechanism))
-        }
-        None => report.hint(format!(
-            "`{}` declares {}",
-            whose.mechanism,
-            known.join(", ")
-        )),
+        None if known.is_empty() => report.hint(format!("nothing of `{mechanism}` can be bound")),
+        None => report.hint(format!("`{mechanism}` declares {}", known.join(", "))),
     }
 }
 

@@ -210,8 +210,10 @@ impl Flattener<'_, '_> {
                 bindings,
                 ..
             } = &mut statement.kind
-                && let Some(mut held) = parts.remove(&name.span).flatten()
             {
+                let Some(mut held) = parts.remove(&name.span).flatten() else {
+                    continue;
+                };
                 let bindings = std::mem::take(bindings);
                 self.bind(&name.text, &mechanism.text, bindings, &mut held);
                 placed.extend(held);
@@ -229,6 +231,11 @@ impl Flattener<'_, '_> {
         held: &mut [Statement],
     ) {
         let mut bound: BTreeMap<String, Span> = BTreeMap::new();
+        let whose = binding::Whose {
+            part,
+            mechanism,
+            known: binding::known(part, held),
+        };
         for binding in bindings {
             let name = format!("{part}.{}", binding.target.name.text);
             let span = binding.target.name.span;
@@ -238,7 +245,6 @@ impl Flattener<'_, '_> {
                     .push(report.related(earlier, "the first time"));
                 continue;
             }
-            let whose = binding::Whose { part, mechanism };
             binding::apply(
                 &binding,
                 &name,

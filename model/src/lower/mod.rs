@@ -210,6 +210,11 @@ impl<'a> Lowering<'a> {
         self.survey.is_unread(name)
     }
 
+    /// Whether any statement of the file could not be read.
+    pub fn is_incomplete(&self) -> bool {
+        self.survey.is_incomplete()
+    }
+
     /// From now on a driver without a position is a mistake that has been reported.
     pub fn drivers_read(&mut self) {
         self.drivers_read = true;

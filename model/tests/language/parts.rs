@@ -53,7 +53,9 @@ fn compiled<'a>(main: &'a str, files: &'a Files) -> (Compiled, Vec<(&'a str, Lex
             });
         };
         let lexed = lex_plain(text)?;
-        read.borrow_mut().push((text, lexed.clone()));
+        if !lexed.tokens.is_empty() {
+            read.borrow_mut().push((text, lexed.clone()));
+        }
         Ok(lexed.tokens)
     });
     let read = read.into_inner();
@@ -287,4 +289,150 @@ fn what_is_not_bound_stays() {
     let sum = values.get(scene.program.results.outputs[0]);
     let expected = 0.03 + 0.036 * 0.5_f64.sqrt();
     assert!((sum - expected).abs() < 1e-12, "{sum}");
+}
+
+/// What stands behind a crank that is given to a four-bar, and the messages.
+#[track_caller]
+fn check_all(cases: &[(&str, &[Expected])]) {
+    let files = [
+        ("four_bar.eqn", FOUR_BAR),
+        ("a.eqn", "A; part next: B from \"b.eqn\";"),
+        ("b.eqn", "B; part next: A from \"./a.eqn\";"),
+        ("own.eqn", "Own; part own: Own from \"own.eqn\";"),
+        (
+            "missing.eqn",
+            "Missing; part core: Lost from \"lost.eqn\"; output core.x;",
+        ),
+        (
+            "units.eqn",
+            "Units; parameter a = 1 s; dimension b = 1 m; let wrong = a + b; output good = a;",
+        ),
+        (
+            "blind.eqn",
+            "Blind; parameter gain = 1; let y = gian*theta; let z = mass;",
+        ),
+        (
+            "broken.eqn",
+            "Broken; parameter a = ; driver phi in 0 .. 1; let b = a*phi; output c = b + ;",
+        ),
+        ("sine.eqn", "Sine; let sin = 1;"),
+        ("per.eqn", "Per; parameter m = 2 kg; let p = 5 N/m;"),
+        ("list.eqn", "List; for k in 1..2 { dimension l[k] = 1 mm; }"),
+        ("empty.eqn", ""),
+        ("nothing.eqn", "%"),
+        ("plain.eqn", "Plain; parameter gain = 2;"),
+    ];
+    for (text, expected) in cases {
+        check(
+            &format!(
+                "Machine; driver theta in 0 deg .. 360 deg; dimension l = 80 mm; dependent z ~ 0; closure z = 2*theta; output z, l; {text}"
+            ),
+            &files,
+            expected,
+        );
+    }
+}
+
+#[test]
+#[rustfmt::skip]
+fn bindings() {
+    check_all(&[
+        ("part bar: FourBar { phi = theta; crnk = 3 mm; }", &[("the part `bar` has no `crnk`", "crnk", "did you mean `crank`?")]),
+        ("part bar: FourBar { phi = theta; gear = 3 mm; }", &[("the part `bar` has no `gear`", "gear", "`FourBar` declares crank, rod, rocker, base, phi, psi, chi")]),
+        ("part bar: FourBar { phi = theta; crank = 3 s; }", &[("`bar.crank` is a length (m), and this is a time (s)", "3 s", "")]),
+        ("part bar: FourBar { phi = theta; crank = theta; }", &[("`bar.crank` is a length (m), and this is a pure number", "theta", "")]),
+        ("part bar: FourBar { phi = l; }", &[("`bar.phi` is a pure number, and this is a length (m)", "l", "")]),
+        ("part bar: FourBar { phi = theta; psi ~ 1 mm; }", &[("`bar.psi` is a pure number, and this is a length (m)", "1 mm", "")]),
+        ("part bar: FourBar { phi ~ 1 mm; }", &[("`bar.phi` is a pure number, and this is a length (m)", "1 mm", "")]),
+        ("part bar: FourBar { phi = theta; crank = 30 mm +- 1 s; }", &[("the toleranced size is a length (m), and this is a time (s)", "1 s", "")]),
+        ("part bar: FourBar { phi = theta; crank = 50 mm; }", &[("the default lies outside the permitted range", "50 mm", "")]),
+        ("part bar: FourBar { phi = theta; crank = l/3 +- 1 mm; }", &[("`bar.crank` follows from other quantities, so it has no tolerance", "1 mm", "leave them out")]),
+        ("part bar: FourBar { phi = theta in 0 .. 1; }", &[("`bar.phi` is driven from outside, so it has no tolerance", "0", "leave them out")]),
+        ("part bar: FourBar { phi = theta; crank ~ 30 mm; }", &[("`bar.crank` is a constant, and `~` states where something starts", "30 mm", "`crank = …;`")]),
+        ("part bar: FourBar { phi = theta; psi = 3; }", &[("`bar.psi` cannot be given: closures determine it", "3", "`psi ~ …;`")]),
+        ("part bar: FourBar { phi = theta; swing = 3; }", &[("`bar.swing` follows from other quantities of `FourBar`", "swing", "its drivers, dimensions, parameters and start values")]),
+        ("part bar: FourBar { phi = theta; rod; }", &[("nothing is said of `bar.rod`", "rod", "`rod = …;`")]),
+        ("part bar: FourBar { phi = theta; rod = 90 mm; rod = 91 mm; }", &[("`bar.rod` is bound twice", "rod", "")]),
+        ("part bar: FourBar { phi = theta; rod = rodd; }", &[("there is no `rodd` here", "rodd", "")]),
+        ("part bar: FourBar { phi = theta; rod = bar.rod + 1 mm; }", &[("`bar.rod` is defined by itself: bar.rod -> bar.rod", "bar.rod", "")]),
+        ("part list: List from \"list.eqn\" { l = 3 mm; }", &[("a quantity with an index cannot be bound", "l", "")]),
+    ]);
+}
+
+#[test]
+#[rustfmt::skip]
+fn names_of_parts() {
+    check_all(&[
+        ("part bar: FourBar { phi = theta; } output y = bar.swign;", &[("there is no `bar.swign` here", "bar.swign", "did you mean `bar.swing`?")]),
+        ("part bar: FourBar { phi = theta; } output y = bar.gear;", &[("there is no `bar.gear` here", "bar.gear", "the names that its file declares")]),
+        ("part bar: FourBar { phi = theta; } output y = bra.swing;", &[("there is no choice `bra`", "bra", "did you mean `bar`?")]),
+        ("part bar: FourBar { phi = theta; } output y = bar;", &[("`bar` is a part, a `FourBar`", "bar", "`bar.…`")]),
+        ("part bar: FourBar { phi = theta; } output y = bar.reach(1 s);", &[("this adds or subtracts a time (s) and a length (m)", "x + crank", "")]),
+        ("part bar: FourBar { phi = theta; } output y = bar.raech(1 m);", &[("there is no function `bar.raech`", "bar.raech", "did you mean `bar.reach`?")]),
+        ("part bar: FourBar { phi = theta; } link bar.A - bar.E;", &[("there is no point `bar.E`", "bar.E", "")]),
+        ("part bar: FourBar; scene s { sweep bar.fi; }", &[("there is no driver `bar.fi`", "bar.fi", "did you mean `bar.phi`?")]),
+        ("part bar: FourBar { phi = theta; } preset p { bar.crnk = 3 mm; }", &[("there is no dimension or parameter `bar.crnk`", "bar.crnk", "did you mean `bar.crank`?")]),
+        ("part plain: Plain { } scene s = plain.friction;", &[("the scene `s` selects an unknown effect `plain.friction`", "plain.friction", "")]),
+        ("part plain: Plain { } output plain.gain = 3;", &[("a name is expected before `=`", "plain.gain", "")]),
+        ("part plain: Plain { } part plain: Plain { }", &[("there is already a part `plain`", "plain", "another name")]),
+        ("part plain: Plain { } let plain = 2;", &[("`plain` is declared twice", "plain", "")]),
+        ("for k in 1..2 { part plain: Plain { } }", &[("a part in a repetition is not available", "plain", "a `part` statement for each")]),
+        ("part bar: FourBar { phi = theta; } output y = bar.crank.x;", &[("there is no `bar.crank.x` here", "bar.crank.x", "")]),
+    ]);
+}
+
+#[test]
+#[rustfmt::skip]
+fn files_of_parts() {
+    check_all(&[
+        ("part lost: Lost from \"lost.eqn\"; output lost.x; link lost.A - lost.B; scene s = lost.e { sweep lost.phi; }", &[("there is no file `lost.eqn` beside this one", "\"lost.eqn\"", "")]),
+        ("part lost: TheLost { x = 3; } output lost.x[3], y = lost.f(3);", &[("there is no file `the_lost.eqn`", "TheLost", "")]),
+        ("part m: Missing { }", &[("there is no file `lost.eqn`", "\"lost.eqn\"", "")]),
+        ("part a: A { }", &[("the parts stand in a circle: a.eqn -> b.eqn -> a.eqn", "\"./a.eqn\"", "cannot be a part of itself")]),
+        ("part a: Own { }", &[("the parts stand in a circle: own.eqn -> own.eqn", "\"own.eqn\"", "")]),
+        ("part plain: Plane from \"plain.eqn\";", &[("`plain.eqn` holds the mechanism `Plain`, not `Plane`", "Plane", "write `part plain: Plain from …`")]),
+        ("part e: Empty { } output e.x;", &[("`empty.eqn` holds no mechanism", "Empty", "")]),
+        ("part e: Nothing { } output e.x;", &[("found `%`, expected the name of the mechanism", "%", "")]),
+    ]);
+}
+
+#[test]
+#[rustfmt::skip]
+fn mistakes_in_files_of_parts() {
+    check_all(&[
+        ("part u: Units { }", &[("this adds or subtracts a time (s) and a length (m)", "a + b", "")]),
+        ("part u: Units { } part v: Units { }", &[("this adds or subtracts a time (s) and a length (m)", "a + b", "")]),
+        // What the file around declares is not seen by the part.
+        ("parameter mass = 1 kg; output mass; part blind: Blind { }", &[
+            ("there is no `blind.gian` here", "gian", "did you mean `blind.gain`?"),
+            ("there is no `blind.theta` here", "theta", "what comes from outside is bound"),
+            ("there is no `blind.mass` here", "mass", "what comes from outside is bound"),
+        ]),
+        ("part broken: Broken { a = 3; d = 4; } output broken.b, y = broken.a, broken.c;", &[
+            ("the part `broken` has no `d`", "d", ""),
+            ("found `;`, expected an expression", ";", ""),
+            ("found `;`, expected an expression", ";", ""),
+        ]),
+        ("part sine: Sine { }", &[("`sine.sin` belongs to the language", "sin", "")]),
+        ("part per: Per { }", &[("`m` is a quantity of the file here, and a unit as well", "5 N/m", "")]),
+    ]);
+}
+
+#[test]
+fn parts_are_limited() {
+    let files: Vec<(&str, &str)> = (0..20)
+        .map(|index| {
+            let next = index + 1;
+            let text = format!("P{index}; part a: P{next} {{ }} part b: P{next} {{ }}");
+            let path = format!("p{index}.eqn");
+            (&*path.leak(), &*text.leak())
+        })
+        .collect();
+    let deep = ("parts stand in each other more than 16 deep", "P16", "");
+    let many = (
+        "the parts up to here come to more than 20000 statements",
+        "first: P0",
+        "",
+    );
+    check("Machine; part first: P0 { }", &files, &[many, deep, deep]);
 }
