@@ -83,7 +83,7 @@ mod tests {
     fn names_of_a_part_are_compared_without_it() {
         let known = ["feed.lift.l1", "feed.lift.swing", "field.x", "swing"];
         assert_eq!(nearest("feed.lift.swign", known), Some("feed.lift.swing"));
-        assert_eq!(nearest("feed.lift.zz", known), None);
+        assert_eq!(nearest("feed.lift.clearance", known), None);
         assert_eq!(nearest("feeld.x", known), Some("field.x"));
     }
 
