@@ -34,6 +34,7 @@ mod resolve;
 mod scene;
 pub mod structure;
 pub mod syntax;
+pub mod texts;
 pub mod token;
 pub mod unit;
 mod unroll;
