@@ -54,7 +54,7 @@ fn of_mechanism(mechanism: &Mechanism) -> Result<Source, Failure> {
         ))
         .remedy("name a mechanism with a file of its own, as `assur list` shows them"));
     }
-    Ok(Source::new(mechanism.file, mechanism.text))
+    Ok(Source::new(mechanism.file, mechanism.text, mechanism.parts))
 }
 
 /// The items of one scene: without the tables, the tests and the module around them all.
@@ -98,6 +98,16 @@ fn parsed(model: &Model, source: &Source, checked: &Checked<'_>) -> Result<syn::
         file: file.map_or(String::new(), |name| name.to_string_lossy().into_owned()),
         has_file: true,
         line_of: &|span| checked.line(span),
+        part_of: &|span| {
+            let place = checked.part(span)?;
+            Some((place.path.to_owned(), place.line as u32))
+        },
+        parts: checked
+            .compiled
+            .parts
+            .iter()
+            .map(|part| part.path.clone())
+            .collect(),
     };
     syn::parse2(emit::mechanism(model, &origin)).map_err(|error| {
         Failure::request("the emitted Rust cannot be laid out")

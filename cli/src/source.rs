@@ -1,14 +1,15 @@
 //! An equation file: read, compiled, and its messages with an excerpt of the places that they are about.
 
-use std::fs::File;
+use std::fs;
 use std::io::Read;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use assur_model::checked::Compiled;
 use assur_model::diagnostic::{Diagnostic, Severity};
 use assur_model::lexer::{self, Lexed, Unreadable};
+use assur_model::texts::{Place, Texts};
 use assur_model::token::Span;
 
 use crate::error::Failure;
@@ -22,7 +23,19 @@ pub struct Source {
     /// The path as it was given.
     name: String,
     text: String,
+    parts: Parts,
 }
+
+/// Where the files of parts are.
+enum Parts {
+    /// In a folder, or below it.
+    Folder(PathBuf),
+    /// At hand, path and text.
+    Texts(&'static [(&'static str, &'static str)]),
+}
+
+/// One place, of those that a message names.
+type Annotated<'a> = (Range<usize>, &'a str);
 
 impl Source {
     /// Reads a file.
@@ -51,14 +64,24 @@ impl Source {
                 .iter()
                 .fold(failure, |failure, hint| failure.remedy(hint))
         })?;
-        Ok(Self::new(name, text))
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        Ok(Self {
+            text: text.to_owned(),
+            name,
+            parts: Parts::Folder(folder),
+        })
     }
 
-    /// A text that is at hand.
-    pub fn new(name: impl Into<String>, text: &str) -> Self {
+    /// A text that is at hand, with those of the files of its parts.
+    pub fn new(
+        name: impl Into<String>,
+        text: &str,
+        parts: &'static [(&'static str, &'static str)],
+    ) -> Self {
         Self {
             name: name.into(),
             text: text.to_owned(),
+            parts: Parts::Texts(parts),
         }
     }
 
@@ -73,67 +96,100 @@ impl Source {
     /// The message, with its excerpt, about the place where the tokens of the file end being tokens.
     pub fn compile(&self, style: Style) -> Result<Checked<'_>, String> {
         let lexed = lexer::lex_file(&self.text).map_err(|error| self.unreadable(&error, style))?;
-        let compiled = assur_model::compile(&lexed.tokens);
+        let mut texts = Texts::default();
+        let compiled = assur_model::compile_with(&lexed.tokens, &mut |wanted| {
+            let path = &wanted.path;
+            match &self.parts {
+                Parts::Folder(folder) => texts.read(folder, path),
+                Parts::Texts(list) => {
+                    let found = list.iter().find(|(one, _)| one == path);
+                    texts.lex(path, found.map_or("", |(_, text)| text).as_bytes())
+                }
+            }
+        });
         Ok(Checked {
             source: self,
             lexed,
+            texts,
             compiled,
         })
     }
 
+    /// The path of the file of a part, as it would be given.
+    fn beside(&self, path: &str) -> String {
+        match &self.parts {
+            Parts::Folder(folder) => folder.join(path).display().to_string(),
+            Parts::Texts(_) => path.to_owned(),
+        }
+    }
+
     fn unreadable(&self, error: &Unreadable, style: Style) -> String {
-        self.excerpt(
+        excerpt(
             Severity::Error,
             &error.message,
-            &[(error.range.clone(), "")],
+            &[File {
+                name: self.name.clone(),
+                text: &self.text,
+                places: vec![(error.range.clone(), "")],
+            }],
             error.hint.as_deref(),
             style,
         )
     }
+}
 
-    /// A message with its places underlined, the first of them being what it is about.
-    fn excerpt(
-        &self,
-        severity: Severity,
-        message: &str,
-        places: &[(Range<usize>, &str)],
-        hint: Option<&str>,
-        style: Style,
-    ) -> String {
-        let level = match severity {
-            Severity::Error => Level::ERROR,
-            Severity::Warning => Level::WARNING,
-        };
-        let annotations = places.iter().enumerate().map(|(index, (range, words))| {
-            let kind = if index == 0 {
-                AnnotationKind::Primary
-            } else {
-                AnnotationKind::Context
-            };
-            let annotation = kind.span(range.clone());
+/// A file with the places in it that a message names.
+struct File<'a> {
+    name: String,
+    text: &'a str,
+    places: Vec<Annotated<'a>>,
+}
+
+/// A message with its places underlined, the first of them being what it is about.
+fn excerpt(
+    severity: Severity,
+    message: &str,
+    files: &[File<'_>],
+    hint: Option<&str>,
+    style: Style,
+) -> String {
+    let level = match severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+    };
+    let mut kind = AnnotationKind::Primary;
+    let snippets = files.iter().map(|file| {
+        let annotations = file.places.iter().map(|(range, words)| {
+            let annotation =
+                std::mem::replace(&mut kind, AnnotationKind::Context).span(range.clone());
             if words.is_empty() {
                 annotation
             } else {
                 annotation.label(*words)
             }
         });
-        let snippet = Snippet::source(self.text.as_str())
-            .path(self.name.as_str())
-            .annotations(annotations);
-        let help = hint.map(|hint| Level::HELP.message(hint));
-        let group = level.primary_title(message).element(snippet).elements(help);
-        let renderer = if style.is_coloured() {
-            Renderer::styled()
-        } else {
-            Renderer::plain()
-        };
-        renderer.render(&[group]) + "\n\n"
-    }
+        let annotations: Vec<_> = annotations.collect();
+        Snippet::source(file.text)
+            .path(file.name.as_str())
+            .annotations(annotations)
+    });
+    let snippets: Vec<_> = snippets.collect();
+    let help = hint.map(|hint| Level::HELP.message(hint));
+    let group = level
+        .primary_title(message)
+        .elements(snippets)
+        .elements(help);
+    let renderer = if style.is_coloured() {
+        Renderer::styled()
+    } else {
+        Renderer::plain()
+    };
+    renderer.render(&[group]) + "\n\n"
 }
 
 fn read(path: &Path) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    File::open(path)?
+    fs::File::open(path)?
         .take(lexer::LARGEST_FILE as u64 + 1)
         .read_to_end(&mut bytes)?;
     Ok(bytes)
@@ -143,6 +199,7 @@ fn read(path: &Path) -> std::io::Result<Vec<u8>> {
 pub struct Checked<'a> {
     source: &'a Source,
     lexed: Lexed,
+    texts: Texts,
     /// The model and the messages.
     pub compiled: Compiled,
 }
@@ -169,18 +226,43 @@ impl Checked<'_> {
     }
 
     fn message(&self, diagnostic: &Diagnostic, style: Style) -> String {
-        let mut places = vec![(self.range(diagnostic.span), "")];
+        let mut files = vec![self.file(diagnostic.span, "")];
         if let Some((span, words)) = &diagnostic.related {
-            places.push((self.range(*span), words));
+            let other = self.file(*span, words);
+            match files.iter_mut().find(|file| file.name == other.name) {
+                Some(file) => file.places.extend(other.places),
+                None => files.push(other),
+            }
         }
         let hint = diagnostic.hint.as_deref();
-        self.source.excerpt(
+        excerpt(
             diagnostic.severity,
             &diagnostic.message,
-            &places,
+            &files,
             hint,
             style,
         )
+    }
+
+    /// A place, with some words on it, in its file.
+    fn file<'b>(&'b self, span: Span, words: &'b str) -> File<'b> {
+        match self.part(span) {
+            Some(place) => File {
+                name: self.source.beside(place.path),
+                text: place.text,
+                places: vec![(place.range, words)],
+            },
+            None => File {
+                name: self.source.name.clone(),
+                text: &self.source.text,
+                places: vec![(self.range(span), words)],
+            },
+        }
+    }
+
+    /// Where a range of tokens stands, if in the file of a part.
+    pub fn part(&self, span: Span) -> Option<Place<'_>> {
+        self.texts.place(&self.compiled.parts, span)
     }
 
     /// Where a range of tokens stands in the text; the end of the text where there is no such token.
@@ -192,8 +274,9 @@ impl Checked<'_> {
         first.start..last.end.max(first.end)
     }
 
-    /// The line of a place, from 1.
+    /// The line of a place, from 1; of the part that is meant, if it is in the file of one.
     pub fn line(&self, span: Span) -> u32 {
+        let span = self.part(span).map_or(span, |place| place.part);
         let before = &self.source.text[..self.range(span).start];
         before.matches('\n').count() as u32 + 1
     }

@@ -9,21 +9,26 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::emit::{self, Origin};
+use crate::parts::Parts;
 use crate::report;
 use crate::tokens::{Source, refused_words};
 
 /// Expands the macro.
 pub fn mechanism(input: TokenStream) -> TokenStream {
-    let source = Source::read(input);
+    let mut source = Source::read(input);
+    let mut parts = Parts::default();
     let Compiled {
         name,
         scene_names,
         model,
         diagnostics,
-    } = assur_model::compile(&source.tokens);
+        parts: files,
+    } = assur_model::compile_with(&source.tokens, &mut |wanted| parts.load(wanted, &source));
     let mut all = Diagnostics::default();
-    all.extend(refused_words(&source.tokens));
+    all.extend(refused_words(&source.tokens, 0));
+    all.extend(parts.refused);
     all.extend(diagnostics);
+    (source.parts, source.texts) = (files, parts.texts);
     let diagnostics: Vec<Diagnostic> = all.into_sorted();
     let broken = diagnostics
         .iter()
@@ -33,16 +38,21 @@ pub fn mechanism(input: TokenStream) -> TokenStream {
         .unwrap_or_else(|| stub(&name, &scene_names));
     let (file, has_file) = file(&source);
     let line_of = |span| line(&source, span);
-    let items = emit::mechanism(
-        &model,
-        &Origin {
-            file,
-            has_file,
-            line_of: &line_of,
-        },
-    );
+    let part_of = |span| {
+        let place = source.part(span)?;
+        Some((place.path.to_owned(), place.line as u32))
+    };
+    let origin = Origin {
+        file,
+        has_file,
+        line_of: &line_of,
+        part_of: &part_of,
+        parts: source.parts.iter().map(|part| part.path.clone()).collect(),
+    };
+    let items = emit::mechanism(&model, &origin);
     let report = report::items(&diagnostics, &source);
-    quote!(#report #items)
+    let used = parts.used;
+    quote!(#report #used #items)
 }
 
 /// Name of the file that the equations stand in, and whether it is an equation file.

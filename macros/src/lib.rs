@@ -7,6 +7,7 @@
 mod emit;
 mod expand;
 mod files;
+mod parts;
 mod report;
 #[cfg(test)]
 mod tests;

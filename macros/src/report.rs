@@ -3,7 +3,10 @@
 //! rustc gives a macro one place and one text for each message. So the second place, and the hint, are part of the
 //! text. A warning is the use of a deprecated item, the only warning that a macro can cause.
 
+use std::path::PathBuf;
+
 use assur_model::diagnostic::{Diagnostic, Severity};
+use assur_model::texts::Place;
 use assur_model::token::Span;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
@@ -56,9 +59,12 @@ fn warning(place: proc_macro2::Span, text: &str) -> TokenStream {
     }
 }
 
-/// What was found and expected, the second place, the hint.
+/// What was found and expected, the place if rustc does not know it, the second place, the hint.
 fn text(diagnostic: &Diagnostic, source: &Source) -> String {
     let mut text = diagnostic.message.clone();
+    if let Some(place) = source.part(diagnostic.span) {
+        text += &format!("\n{}", in_part(&place, source));
+    }
     if let Some((span, words)) = &diagnostic.related {
         text += &match excerpt(*span, source) {
             Some(excerpt) => format!("\nnote: {words}\n{excerpt}"),
@@ -73,27 +79,49 @@ fn text(diagnostic: &Diagnostic, source: &Source) -> String {
 
 /// The place, `FILE:LINE:COLUMN`, and the line there with the place underlined. Nothing outside of rustc.
 fn excerpt(span: Span, source: &Source) -> Option<String> {
+    if let Some(place) = source.part(span) {
+        return Some(in_part(&place, source));
+    }
     if !proc_macro::is_available() {
         return None;
     }
     let (first, last) = source.places(span);
     let (first, last) = (first.unwrap(), last.unwrap());
     let (line, column) = (first.line(), first.column());
-    let place = format!("   --> {}:{line}:{column}", first.file());
     let text = first
         .local_file()
         .and_then(|path| std::fs::read_to_string(path).ok());
-    let Some(shown) = text
-        .as_deref()
-        .and_then(|text| text.lines().nth(line.checked_sub(1)?))
-    else {
-        return Some(place);
-    };
     let end = last.end();
     let width = if end.line() == line {
         end.column().saturating_sub(column)
     } else {
         0
+    };
+    let text = text.unwrap_or_default();
+    Some(underlined(&first.file(), &text, (line, column), width))
+}
+
+/// A place in the file of a part.
+fn in_part(place: &Place<'_>, source: &Source) -> String {
+    let main = match proc_macro::is_available() {
+        true => PathBuf::from(source.places(place.part).1.unwrap().file()),
+        false => PathBuf::new(),
+    };
+    let file = main.with_file_name(place.path);
+    let meant = place.text.get(place.range.clone()).unwrap_or_default();
+    let width = match meant.contains('\n') {
+        true => 0,
+        false => meant.chars().count(),
+    };
+    let file = file.display().to_string();
+    underlined(&file, place.text, (place.line, place.column), width)
+}
+
+/// A line of a text with so many characters of it underlined; only where it is when the text is not at hand.
+fn underlined(file: &str, text: &str, (line, column): (usize, usize), width: usize) -> String {
+    let place = format!("   --> {file}:{line}:{column}");
+    let Some(shown) = text.lines().nth(line.wrapping_sub(1)) else {
+        return place;
     };
     let width = width.clamp(1, shown.chars().count().max(1));
     let margin = " ".repeat(line.to_string().len());
@@ -102,7 +130,5 @@ fn excerpt(span: Span, source: &Source) -> Option<String> {
         " ".repeat(column.saturating_sub(1)),
         "^".repeat(width)
     );
-    Some(format!(
-        "{place}\n{margin} |\n{line} | {shown}\n{margin} | {under}"
-    ))
+    format!("{place}\n{margin} |\n{line} | {shown}\n{margin} | {under}")
 }

@@ -30,6 +30,8 @@ fn emitted(text: &str, file: &str, is_kept: impl Fn(&str) -> bool) -> syn::File 
         file: file.to_owned(),
         has_file: false,
         line_of: &line_of,
+        part_of: &|_| None,
+        parts: Vec::new(),
     };
     let items = emit::mechanism(&model, &origin);
     syn::parse2(items).expect("the emitted items are Rust")

@@ -1,6 +1,8 @@
 //! rustc's tokens as the language's own: a flat list, and beside it the table of their places.
 
+use assur_model::checked::PartFile;
 use assur_model::diagnostic::Diagnostic;
+use assur_model::texts::{self, Texts};
 use assur_model::token::{Span, Token, TokenKind};
 use proc_macro2::{Delimiter, Group, Literal, Spacing, TokenStream, TokenTree};
 use syn::Lit;
@@ -14,6 +16,10 @@ pub struct Source {
     /// The tokens.
     pub tokens: Vec<Token>,
     places: Vec<Place>,
+    /// The files of parts that were read.
+    pub parts: Vec<PartFile>,
+    /// Their texts.
+    pub texts: Texts,
 }
 
 impl Source {
@@ -24,8 +30,14 @@ impl Source {
         source
     }
 
-    /// The places of the first and the last token of a span.
+    /// Where a span stands, if in the file of a part: rustc knows nothing of those.
+    pub fn part(&self, span: Span) -> Option<texts::Place<'_>> {
+        self.texts.place(&self.parts, span)
+    }
+
+    /// The places of the first and the last token of a span; of the part that is meant, if it stands in its file.
     pub fn places(&self, span: Span) -> (Place, Place) {
+        let span = self.part(span).map_or(span, |place| place.part);
         let at = |index: u32| {
             let last = self.places.len().saturating_sub(1);
             self.places
@@ -141,16 +153,16 @@ fn read_literal(literal: Literal) -> (TokenKind, String) {
     }
 }
 
-/// Words that cannot be names in emitted Rust: the names that Rust keeps in every spelling, and names with an
+/// Words that cannot be names in emitted Rust, in a file whose first token is counted as `first`: the names that Rust keeps in every spelling, and names with an
 /// underscore at an end, which mark what the printer adds.
-pub fn refused_words(tokens: &[Token]) -> Vec<Diagnostic> {
+pub fn refused_words(tokens: &[Token], first: usize) -> Vec<Diagnostic> {
     let words = tokens
         .iter()
         .enumerate()
         .filter(|(_, token)| token.kind == TokenKind::Word);
     words
         .filter_map(|(index, token)| {
-            let (word, span) = (&token.text, Span::token(index as u32));
+            let (word, span) = (&token.text, Span::token((first + index) as u32));
             if matches!(word.as_str(), "self" | "Self" | "super" | "crate") {
                 let report = Diagnostic::error(
                     span,

@@ -7,6 +7,7 @@ mod emitted {
     mod first_order;
     mod implicit;
     mod names;
+    mod parts;
     mod pendulum;
     mod small;
 

@@ -29,20 +29,23 @@ fn facade(folder: &Path) -> PathBuf {
         .path()
 }
 
-/// What rustc says about a file; that it accepts it.
+/// What rustc writes.
+fn output(name: &str, extension: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.{extension}"))
+}
+
+/// What rustc says about a file; whether it accepts it.
 fn compile(name: &str) -> (String, bool) {
     let libraries = libraries();
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let output = Command::new(rustc)
         .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui"))
-        .args([
-            "--edition=2024",
-            "--crate-type=lib",
-            "--emit=metadata",
-            "--color=never",
-        ])
-        .arg("-o")
-        .arg(Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.rmeta")))
+        .args(["--edition=2024", "--crate-type=lib", "--color=never"])
+        .arg(format!(
+            "--emit=metadata={},dep-info={}",
+            output(name, "rmeta").display(),
+            output(name, "d").display()
+        ))
         .arg("--extern")
         .arg(format!("assur={}", facade(&libraries).display()))
         .arg("-L")
@@ -116,4 +119,19 @@ fn mistakes_are_underlined_in_the_equation_file() {
 #[test]
 fn what_is_not_used_is_a_warning_in_the_equation_file() {
     check_warned("unused");
+}
+
+#[test]
+fn mistakes_in_the_file_of_a_part_are_told_at_the_part() {
+    check("in_part");
+}
+
+#[test]
+fn an_edit_of_the_file_of_a_part_compiles_anew() {
+    let (found, accepted) = compile("right_part");
+    assert!(accepted, "{found}");
+    let needed = std::fs::read_to_string(output("right_part", "d")).expect("rustc writes it");
+    for file in ["pair.eqn", "spring.eqn"] {
+        assert!(needed.contains(file), "no {file} in {needed}");
+    }
 }

@@ -28,6 +28,8 @@ pub struct Mechanism {
     pub file: &'static str,
     /// Text of the equation file; empty for a mechanism written inline.
     pub text: &'static str,
+    /// Paths, relative to the equation file, and texts of the files of its parts; none for a mechanism written inline.
+    pub parts: &'static [(&'static str, &'static str)],
     /// Effects that the mechanism may show.
     pub effects: &'static [Named],
     /// Choices between descriptions, each with its alternatives.

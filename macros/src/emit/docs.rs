@@ -121,11 +121,11 @@ fn equations(layout: &Layout<'_>, origin: &Origin<'_>) -> String {
         } else {
             &equation.unit
         };
-        let line = (origin.line_of)(equation.span);
+        let (file, line) = (origin.part_of)(equation.span)
+            .unwrap_or_else(|| (origin.file.clone(), (origin.line_of)(equation.span)));
         text += &format!(
-            "{:longest$}   [{unit}]  {}:{line}\n",
+            "{:longest$}   [{unit}]  {file}:{line}\n",
             equation.text.replace('\n', " "),
-            origin.file
         );
     }
     text + "```\n"

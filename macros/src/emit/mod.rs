@@ -42,8 +42,12 @@ pub struct Origin<'a> {
     pub file: String,
     /// Whether the file is an equation file, so that its text can be carried along.
     pub has_file: bool,
-    /// The line of a place in it, from 1.
+    /// The line of a place in it, from 1; of the part that is meant, if the place is in the file of one.
     pub line_of: &'a dyn Fn(Span) -> u32,
+    /// File and line of a place in the file of a part.
+    pub part_of: &'a dyn Fn(Span) -> Option<(String, u32)>,
+    /// The files of its parts, relative to its own.
+    pub parts: Vec<String>,
 }
 
 /// The items of a mechanism. They stand in a module of their own, so that no constant of the user's can be taken for

@@ -14,9 +14,13 @@ use super::{Origin, counts, docs, names};
 pub fn table(model: &Model, layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
     let (name, title) = (names::snake(&model.name), &model.name);
     let (summary, source, file) = (&model.documentation, &model.source, &origin.file);
-    let (file, text) = match origin.has_file {
-        true => (quote!(#file), quote!(::core::include_str!(#file))),
-        false => (quote!(""), quote!("")),
+    let (file, text, parts) = match origin.has_file {
+        true => (
+            quote!(#file),
+            quote!(::core::include_str!(#file)),
+            origin.parts.as_slice(),
+        ),
+        false => (quote!(""), quote!(""), [].as_slice()),
     };
     let effects = model.effects.iter().map(|effect| {
         let (name, summary) = (&effect.name, &effect.summary);
@@ -46,6 +50,7 @@ pub fn table(model: &Model, layouts: &[Layout<'_>], origin: &Origin<'_>) -> Toke
             source: #source,
             file: #file,
             text: #text,
+            parts: &[#((#parts, ::core::include_str!(#parts))),*],
             effects: &[#(#effects),*],
             choices: &[#(#choices),*],
             presets: &[#(#presets),*],

@@ -309,6 +309,7 @@ mod pendulum_ {
         source: "any textbook",
         file: "",
         text: "",
+        parts: &[],
         effects: &[],
         choices: &[],
         presets: &[],
