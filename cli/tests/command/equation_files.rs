@@ -148,3 +148,67 @@ fn emitted_rust_is_laid_out() {
     let one = answer(&["expand", "batten", "--scene", "torsion"], &directory);
     assert!(one.contains("pub struct Torsion") && !one.contains("pub struct Elastic"));
 }
+
+/// Two springs of a file of their own.
+const PAIR: &str = "assur::mechanism! {
+    /// A mass between springs.
+    Hung;
+    parameter m = 2 kg;
+    coordinate y: m = 10 mm;
+    part first: Spring from \"parts/spring.eqn\" { x = y; }
+    part second: Spring from \"parts/spring.eqn\" { x = 2*y; k = 9 [N/m]; }
+    motion fall: m*ddot(y) = -first.force - 2*second.force;
+    output first.force;
+    scene free { run time 0 s .. 1 s; }
+}
+";
+
+const SPRING: &str = "assur::mechanism! {
+    /// A spring.
+    Spring;
+    parameter k = 8 [N/m];
+    driver x = 0 m;
+    output force = k*x;
+}
+";
+
+#[test]
+fn parts_are_read_from_beside_the_file() {
+    let directory = folder("parts");
+    std::fs::create_dir(directory.join("own")).expect("writable");
+    std::fs::create_dir(directory.join("own/parts")).expect("writable");
+    let [pair, spring] = ["own/pair.eqn", "own/parts/spring.eqn"].map(|path| directory.join(path));
+    std::fs::write(&pair, PAIR).expect("writable");
+    std::fs::write(&spring, SPRING).expect("writable");
+    let text = answer(&["check", "own/pair.eqn"], &directory);
+    assert!(text.starts_with("own/pair.eqn: no error\n"), "{text}");
+    let text = answer(&["expand", "own/pair.eqn"], &directory);
+    assert!(text.contains("pub second_k: f64"), "{text}");
+    assert!(
+        text.contains("include_str!(\"parts/spring.eqn\")"),
+        "{text}"
+    );
+
+    std::fs::write(&spring, SPRING.replace("k*x", "k*x + k")).expect("writable");
+    let words = [
+        "own/parts/spring.eqn:6:20",
+        "6 |     output force = k*x + k;",
+    ];
+    check_refused(&["check", "own/pair.eqn"], &words, &directory);
+    std::fs::write(&spring, SPRING.replace("force", "power")).expect("writable");
+    let words = ["own/pair.eqn:8:", "`first.force`"];
+    check_refused(&["check", "own/pair.eqn"], &words, &directory);
+    std::fs::write(&spring, SPRING.replace("8 [N/m]", "8 [N]")).expect("writable");
+    let words = [
+        "own/pair.eqn:7:",
+        "own/parts/spring.eqn:4:",
+        "what its file says",
+    ];
+    check_refused(&["check", "own/pair.eqn"], &words, &directory);
+    std::fs::write(&spring, SPRING.replace("k*x;", "(k*x;")).expect("writable");
+    let words = ["own/pair.eqn:6:", "parts/spring.eqn:7:1: found `}`"];
+    check_refused(&["check", "own/pair.eqn"], &words, &directory);
+    std::fs::remove_file(&spring).expect("writable");
+    let words = ["own/pair.eqn:6:", "there is no file `parts/spring.eqn`"];
+    check_refused(&["check", "own/pair.eqn"], &words, &directory);
+}
