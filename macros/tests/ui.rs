@@ -128,10 +128,12 @@ fn mistakes_in_the_file_of_a_part_are_told_at_the_part() {
 
 #[test]
 fn an_edit_of_the_file_of_a_part_compiles_anew() {
-    let (found, accepted) = compile("right_part");
-    assert!(accepted, "{found}");
-    let needed = std::fs::read_to_string(output("right_part", "d")).expect("rustc writes it");
-    for file in ["pair.eqn", "spring.eqn"] {
-        assert!(needed.contains(file), "no {file} in {needed}");
+    for name in ["right_part", "right_file"] {
+        let (found, accepted) = compile(name);
+        assert!(accepted && found.is_empty(), "{found}");
+        let needed = std::fs::read_to_string(output(name, "d")).expect("rustc writes it");
+        for file in ["pair.eqn", "spring.eqn"] {
+            assert!(needed.contains(file), "no {file} in {needed}");
+        }
     }
 }
