@@ -133,6 +133,7 @@ const OSCILLATOR: Mechanism = Mechanism {
     effects: &[],
     choices: &[],
     presets: &[],
+    parts: &[],
     scenes: &[FREE],
 };
 
