@@ -10,5 +10,6 @@ assur::equations! {
     "feed_rack.eqn",
     "feed_lift.eqn",
     "feed_stitch.eqn",
+    "sewing_feed.eqn",
     "dwell_six_bar.eqn",
 }

@@ -8,8 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::nearest::nearest;
 use crate::syntax::tree::{
-    Alternative, BinaryOperator, Constant, Dependent, Driver, File, Name, Output, Scene, Statement,
-    StatementKind, Term, TermKind, UnaryOperator, Unknown, is_unread,
+    Alternative, BinaryOperator, File, Name, Scene, Statement, StatementKind, Term, TermKind,
+    UnaryOperator, is_unread,
 };
 use crate::token::Span;
 use crate::unroll::{bounds, statement_with_index};
@@ -108,21 +108,12 @@ impl<'a> Survey<'a> {
                 StatementKind::For { body, .. } => self.visit(body, around),
                 StatementKind::Scene(scene) => self.scenes.push((scene, &statement.documentation)),
                 StatementKind::Part { name, .. } => self.parts.push(&name.text),
-                StatementKind::Constant(Constant { target, .. })
-                | StatementKind::Let { target, .. }
-                | StatementKind::Driver(Driver { target, .. })
-                | StatementKind::Dependent(Dependent { target, .. })
-                | StatementKind::Point { target, .. }
-                | StatementKind::Coordinate(Unknown { target, .. })
-                | StatementKind::State(Unknown { target, .. })
-                | StatementKind::Output(Output {
-                    name: Some(target),
-                    value: Some(_),
-                    ..
-                }) => {
-                    self.hidden.insert(&target.name.text, target.name.span);
+                kind => {
+                    self.hidden.extend(
+                        kind.declares()
+                            .map(|target| (target.name.text.as_str(), target.name.span)),
+                    );
                 }
-                _ => {}
             }
         }
     }

@@ -15,6 +15,8 @@ pub struct Scope<'a> {
     parts: BTreeSet<String>,
     /// The choices of its parts, in full.
     choices: BTreeSet<String>,
+    /// What its parts declare, in full.
+    names: BTreeSet<String>,
     /// Indices of repetitions and arguments of functions.
     locals: Vec<String>,
 }
@@ -26,6 +28,7 @@ impl<'a> Scope<'a> {
             prefix,
             parts: BTreeSet::new(),
             choices: BTreeSet::new(),
+            names: BTreeSet::new(),
             locals: Vec::new(),
         }
     }
@@ -33,16 +36,19 @@ impl<'a> Scope<'a> {
     /// Adds a part.
     pub fn add(&mut self, name: &Name, statements: &[Statement]) {
         self.parts.insert(name.text.clone());
-        self.add_choices(statements);
+        self.add_names(statements);
     }
 
-    fn add_choices(&mut self, statements: &[Statement]) {
+    fn add_names(&mut self, statements: &[Statement]) {
         for statement in statements {
             if let StatementKind::Choice { name, .. } = &statement.kind {
                 self.choices.insert(name.text.clone());
             }
+            let declared = statement.kind.declares();
+            self.names
+                .extend(declared.map(|target| target.name.text.clone()));
             for body in statement.kind.blocks() {
-                self.add_choices(body);
+                self.add_names(body);
             }
         }
     }
@@ -248,11 +254,14 @@ impl<'a> Scope<'a> {
             }
             TermKind::Member { base, name } => match dotted(base) {
                 Some(path) if self.is_of_part(&path) => {
-                    let choice = format!("{}{path}", self.prefix);
-                    if self.choices.contains(&choice) {
-                        base.kind = TermKind::Name(choice);
+                    let of_part = format!("{}{path}", self.prefix);
+                    let whole = format!("{of_part}.{}", name.text);
+                    let is_component =
+                        self.names.contains(&of_part) && !self.names.contains(&whole);
+                    if self.choices.contains(&of_part) || is_component {
+                        base.kind = TermKind::Name(of_part);
                     } else {
-                        term.kind = TermKind::Name(format!("{choice}.{}", name.text));
+                        term.kind = TermKind::Name(whole);
                     }
                 }
                 _ => self.term(base),

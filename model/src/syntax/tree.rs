@@ -164,6 +164,25 @@ pub enum StatementKind {
 }
 
 impl StatementKind {
+    /// What it declares, unless that is nothing or an effect, a choice, a scene, a preset or a part.
+    pub fn declares(&self) -> Option<&Target> {
+        match self {
+            Self::Constant(Constant { target, .. })
+            | Self::Let { target, .. }
+            | Self::Driver(Driver { target, .. })
+            | Self::Dependent(Dependent { target, .. })
+            | Self::Point { target, .. }
+            | Self::Coordinate(Unknown { target, .. })
+            | Self::State(Unknown { target, .. })
+            | Self::Output(Output {
+                name: Some(target),
+                value: Some(_),
+                ..
+            }) => Some(target),
+            _ => None,
+        }
+    }
+
     /// The statements inside it, block by block.
     pub fn blocks(&self) -> Vec<&[Statement]> {
         match self {
