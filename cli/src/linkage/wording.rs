@@ -235,3 +235,96 @@ fn degrees(sine: f64) -> String {
         false => "unknown".to_owned(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::values::TIME;
+    use assur::closure::Group;
+    use assur::registry::Loop;
+
+    const fn length(name: &'static str) -> Loop {
+        Loop {
+            name,
+            unit: "m",
+            factor: 1.0,
+            line: 1,
+        }
+    }
+
+    const ENTRY: LinkageEntry = LinkageEntry {
+        dependents: &[
+            Quantity {
+                name: "phi5",
+                ..TIME
+            },
+            Quantity {
+                name: "phi6",
+                ..TIME
+            },
+        ],
+        loops: &[length("loop.x"), length("loop.y")],
+        groups: &[Group {
+            kind: GroupKind::Rrr,
+            unknowns: &[0, 1],
+            equations: &[0, 1],
+        }],
+        variables: &[],
+        tolerances: &[],
+        points: &[],
+        links: &[],
+    };
+
+    #[track_caller]
+    fn check(error: &ClosureError, expected: &str) {
+        let driver = Quantity {
+            name: "phi4",
+            unit: "deg",
+            factor: 1f64.to_radians(),
+            ..TIME
+        };
+        let names = Names {
+            entry: &ENTRY,
+            drivers: &[driver],
+        };
+        assert_eq!(tell(names, error).reason, expected);
+    }
+
+    #[test]
+    fn a_gap_is_told_in_millimetres() {
+        let error = ClosureError::NotAssembled {
+            group: 0,
+            at: vec![90f64.to_radians()],
+            gap: 0.012_345_6,
+        };
+        check(
+            &error,
+            "at phi4 = 90 deg the links do not meet: a gap of 12.35 mm is left in loop.x, loop.y (for phi5, phi6)",
+        );
+    }
+
+    #[test]
+    fn a_dead_point_is_told_with_what_lies_beyond() {
+        let place = |degrees: f64| vec![degrees.to_radians()];
+        let dead = |gap: f64| ClosureError::DeadPoint {
+            group: 0,
+            at: place(164.957),
+            wanted: place(170.0),
+            gap,
+        };
+        let before = "dead point at phi4 = 164.957 deg: the two links are in line there for loop.x, loop.y (for phi5, \
+                      phi6), and it goes no further";
+        check(&dead(f64::NAN), before);
+        let beyond = format!("{before}; at phi4 = 170 deg a gap of 1.2 mm would be left");
+        check(&dead(0.0012), &beyond);
+    }
+
+    #[test]
+    fn what_has_no_group_of_ours_is_told_all_the_same() {
+        let error = ClosureError::NotFinite {
+            group: 7,
+            at: vec![0.0],
+        };
+        check(&error, "at phi4 = 0 deg group 8 has no finite value");
+    }
+}
