@@ -1,5 +1,9 @@
 //! The examples of GRAMMAR.md do what the text says.
 
+use assur_model::flatten::Wanted;
+use assur_model::lexer::{Unreadable, lex_file};
+use assur_model::token::Token;
+
 use super::{check, compiled};
 
 const GRAMMAR: &str = include_str!("../../GRAMMAR.md");
@@ -31,9 +35,8 @@ fn whole_files_compile() {
         .filter(|block| block.starts_with("assur::mechanism! {"))
     {
         count += 1;
-        let lexed = assur_model::lexer::lex_file(block)
-            .unwrap_or_else(|error| panic!("{error:?}: {block}"));
-        let compiled = assur_model::compile(&lexed.tokens);
+        let lexed = lex_file(block).unwrap_or_else(|error| panic!("{error:?}: {block}"));
+        let compiled = assur_model::compile_with(&lexed.tokens, &mut file);
         assert!(
             compiled.diagnostics.is_empty(),
             "{block}\n{:#?}",
@@ -41,6 +44,15 @@ fn whole_files_compile() {
         );
     }
     assert!(count >= 1, "{count} whole files");
+}
+
+/// The files of parts are examples before.
+fn file(wanted: &Wanted) -> Result<Vec<Token>, Unreadable> {
+    assert_eq!(wanted.path, "crank_rocker.eqn");
+    let text = blocks()
+        .into_iter()
+        .find(|block| block.contains("\n    CrankRocker from"));
+    lex_file(text.expect("the crank-rocker")).map(|lexed| lexed.tokens)
 }
 
 /// Blocks of statements compile behind this file; those that begin with `// not` do not.
