@@ -1,6 +1,7 @@
 //! Documentation of the emitted items: the equations as text, the quantities as tables.
 
 use assur_model::checked::{ConstantInfo, Model, QuantityInfo};
+use assur_model::token::Span;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -93,10 +94,9 @@ pub fn scene(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> String 
     );
     if let Some(literal) = &scene.literal {
         text += &format!(
-            "\nUnits: `{}` in {}:{} is no constant, so no test states the scene in other units.\n",
+            "\nUnits: `{}` in {} is no constant, so no test states the scene in other units.\n",
             literal.text,
-            origin.file,
-            (origin.line_of)(literal.span)
+            place(origin, literal.span)
         );
     }
     text
@@ -121,14 +121,21 @@ fn equations(layout: &Layout<'_>, origin: &Origin<'_>) -> String {
         } else {
             &equation.unit
         };
-        let (file, line) = (origin.part_of)(equation.span)
-            .unwrap_or_else(|| (origin.file.clone(), (origin.line_of)(equation.span)));
         text += &format!(
-            "{:longest$}   [{unit}]  {file}:{line}\n",
+            "{:longest$}   [{unit}]  {}\n",
             equation.text.replace('\n', " "),
+            place(origin, equation.span)
         );
     }
     text + "```\n"
+}
+
+/// File and line of a place.
+fn place(origin: &Origin<'_>, span: Span) -> String {
+    match (origin.part_of)(span) {
+        Some((file, line)) => format!("{file}:{line}"),
+        None => format!("{}:{}", origin.file, (origin.line_of)(span)),
+    }
 }
 
 const QUANTITY: &[&str] = &["name", "unit", ""];

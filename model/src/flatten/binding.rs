@@ -37,7 +37,11 @@ pub fn apply(
     }
     let mut found = false;
     visit(held, &mut |statement| {
-        let Some(target) = declared(&statement.kind).filter(|one| one.name.text == name) else {
+        let Some(target) = statement
+            .kind
+            .declared()
+            .filter(|one| one.name.text == name)
+        else {
             return;
         };
         found = true;
@@ -228,20 +232,6 @@ fn unknown(own: &str, binding: &Binding, whose: &Whose<'_>) -> Diagnostic {
         Some(near) => report.hint(format!("did you mean `{near}`?")),
         None if known.is_empty() => report.hint(format!("nothing of `{mechanism}` can be bound")),
         None => report.hint(format!("`{mechanism}` declares {}", known.join(", "))),
-    }
-}
-
-/// What a statement declares.
-fn declared(kind: &StatementKind) -> Option<&Target> {
-    match kind {
-        StatementKind::Constant(Constant { target, .. })
-        | StatementKind::Let { target, .. }
-        | StatementKind::Driver(Driver { target, .. })
-        | StatementKind::Dependent(Dependent { target, .. })
-        | StatementKind::Point { target, .. }
-        | StatementKind::Coordinate(Unknown { target, .. })
-        | StatementKind::State(Unknown { target, .. }) => Some(target),
-        _ => None,
     }
 }
 

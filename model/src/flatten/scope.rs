@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::lower::COMPONENTS;
 use crate::resolve::{FUNCTIONS, QUANTITIES};
 use crate::syntax::tree::{
     ExpectAt, Name, SceneItem, Statement, StatementKind, Target, Term, TermKind, Tolerance,
@@ -15,8 +16,8 @@ pub struct Scope<'a> {
     parts: BTreeSet<String>,
     /// The choices of its parts, in full.
     choices: BTreeSet<String>,
-    /// What its parts declare, in full.
-    names: BTreeSet<String>,
+    /// The quantities of its parts, in full.
+    quantities: BTreeSet<String>,
     /// Indices of repetitions and arguments of functions.
     locals: Vec<String>,
 }
@@ -28,7 +29,7 @@ impl<'a> Scope<'a> {
             prefix,
             parts: BTreeSet::new(),
             choices: BTreeSet::new(),
-            names: BTreeSet::new(),
+            quantities: BTreeSet::new(),
             locals: Vec::new(),
         }
     }
@@ -44,9 +45,8 @@ impl<'a> Scope<'a> {
             if let StatementKind::Choice { name, .. } = &statement.kind {
                 self.choices.insert(name.text.clone());
             }
-            let declared = statement.kind.declares();
-            self.names
-                .extend(declared.map(|target| target.name.text.clone()));
+            let quantity = statement.kind.declared().map(|one| one.name.text.clone());
+            self.quantities.extend(quantity);
             for body in statement.kind.blocks() {
                 self.add_names(body);
             }
@@ -254,14 +254,13 @@ impl<'a> Scope<'a> {
             }
             TermKind::Member { base, name } => match dotted(base) {
                 Some(path) if self.is_of_part(&path) => {
-                    let of_part = format!("{}{path}", self.prefix);
-                    let whole = format!("{of_part}.{}", name.text);
+                    let path = format!("{}{path}", self.prefix);
                     let is_component =
-                        self.names.contains(&of_part) && !self.names.contains(&whole);
-                    if self.choices.contains(&of_part) || is_component {
-                        base.kind = TermKind::Name(of_part);
+                        self.quantities.contains(&path) && COMPONENTS.contains(&name.text.as_str());
+                    if is_component || self.choices.contains(&path) {
+                        base.kind = TermKind::Name(path);
                     } else {
-                        term.kind = TermKind::Name(whole);
+                        term.kind = TermKind::Name(format!("{path}.{}", name.text));
                     }
                 }
                 _ => self.term(base),

@@ -14,6 +14,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 
 use typed::Key;
 pub use typed::{Kind, Typed};
+pub use vector::COMPONENTS;
 use written::Written;
 
 use crate::checked::LiteralInfo;
@@ -291,7 +292,7 @@ impl<'a> Lowering<'a> {
         let Some((given, found)) = self.scalar(value) else {
             return Typed::Wrong;
         };
-        let Some((_, expected)) = self.scalar(instead) else {
+        let Some((_, expected)) = self.aside(|low| low.scalar(instead)) else {
             return Typed::Wrong;
         };
         match agree(found, expected) {

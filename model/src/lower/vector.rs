@@ -9,7 +9,7 @@ use crate::syntax::tree::{Name, Term, TermKind};
 use crate::token::Span;
 
 /// Names of the components of a vector.
-const COMPONENTS: [&str; 3] = ["x", "y", "z"];
+pub const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
 impl Lowering<'_> {
     /// `[x, y]` or `[x, y, z]`.

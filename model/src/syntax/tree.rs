@@ -164,8 +164,8 @@ pub enum StatementKind {
 }
 
 impl StatementKind {
-    /// What it declares, unless that is nothing or an effect, a choice, a scene, a preset or a part.
-    pub fn declares(&self) -> Option<&Target> {
+    /// The quantity that it declares, an output apart.
+    pub fn declared(&self) -> Option<&Target> {
         match self {
             Self::Constant(Constant { target, .. })
             | Self::Let { target, .. }
@@ -173,12 +173,7 @@ impl StatementKind {
             | Self::Dependent(Dependent { target, .. })
             | Self::Point { target, .. }
             | Self::Coordinate(Unknown { target, .. })
-            | Self::State(Unknown { target, .. })
-            | Self::Output(Output {
-                name: Some(target),
-                value: Some(_),
-                ..
-            }) => Some(target),
+            | Self::State(Unknown { target, .. }) => Some(target),
             _ => None,
         }
     }
