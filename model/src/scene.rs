@@ -110,7 +110,7 @@ impl<'a> Survey<'a> {
                 StatementKind::Part { name, .. } => self.parts.push(&name.text),
                 kind => {
                     self.hidden.extend(
-                        kind.declares()
+                        kind.declared()
                             .map(|target| (target.name.text.as_str(), target.name.span)),
                     );
                 }

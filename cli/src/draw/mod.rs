@@ -273,9 +273,15 @@ fn standing(case: &Case) -> Vec<f64> {
 /// The positions in words, those of one driver together: `φ₄ = 60, 75, 90 °`.
 fn label(drivers: &[Quantity], positions: &[(String, Sample)]) -> String {
     let of_driver = |(index, driver): (usize, &Quantity)| {
-        let texts = positions.iter().map(|(_, sample)| {
-            let position = number::rounded(sample.independents[index] / driver.factor, 5);
-            number::short(position)
+        let values = positions
+            .iter()
+            .map(|(_, sample)| sample.independents[index] / driver.factor);
+        let largest = values
+            .clone()
+            .fold(0.0, |most, value| value.abs().max(most));
+        let texts = values.map(|value| match value.abs() < 1e-9 * largest {
+            true => number::short(0.0),
+            false => number::short(number::rounded(value, 5)),
         });
         let mut texts: Vec<_> = texts.collect();
         if texts.iter().all(|text| Some(text) == texts.first()) {

@@ -1,7 +1,7 @@
 //! The loops of a linkage prepared for a scalar type: closed forms, trial positions, derivatives.
 
 use assur_model::checked::LinkageInfo;
-use assur_model::program::Value;
+use assur_model::program::{Stage, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -10,6 +10,9 @@ use super::body::{Body, Place};
 use super::expression::size;
 use super::layout::Layout;
 use super::{docs, instant};
+
+/// Operations from which on a method is long.
+const LONG: usize = 200;
 
 /// The struct and its implementation of `Closure`.
 pub fn items(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
@@ -251,8 +254,14 @@ fn list(layout: &Layout<'_>, method: &str, target: &TokenStream, wanted: &[Value
         .collect();
     let first = (!wanted.is_empty()).then(|| super::equations::first(target.clone(), wanted.len()));
     let writes = blocks(&writes);
+    // A long method is compiled once for each scalar type, not once for each solver that calls it.
+    let is_long = layout.program().count(wanted, Stage::State) > LONG;
+    let inline = match is_long {
+        true => quote!(#[inline(never)]),
+        false => quote!(#[inline(always)]),
+    };
     quote! {
-        #[inline(always)]
+        #inline
         fn #method(&self, instant: &Self::Instant, position: &Self::Position, #target: &mut [S]) {
             #first
             #statements

@@ -173,7 +173,12 @@ impl StatementKind {
             | Self::Dependent(Dependent { target, .. })
             | Self::Point { target, .. }
             | Self::Coordinate(Unknown { target, .. })
-            | Self::State(Unknown { target, .. }) => Some(target),
+            | Self::State(Unknown { target, .. })
+            | Self::Output(Output {
+                name: Some(target),
+                value: Some(_),
+                ..
+            }) => Some(target),
             _ => None,
         }
     }
