@@ -201,6 +201,9 @@ fn is_example(line: &str) -> bool {
         "assur run ",
         "assur expand ",
         "assur scenes ",
+        "assur structure ",
+        "assur draw ",
+        "assur tolerance ",
         "list of equation files",
     ]
     .iter()
