@@ -38,7 +38,14 @@ pub(super) fn resolved<L: Linkage>(
             .values()
             .iter()
             .fold(0.0_f64, |most, one| most.max(one.abs()));
-        let step = 1e-5 * linkage.values()[*index].abs().max(1e-3 * size);
+        let value = linkage.values()[*index].abs();
+        // What is zero may be an angle among lengths: a step as small as the others would drown in rounding.
+        let step = 1e-5
+            * if value == 0.0 {
+                size
+            } else {
+                value.max(1e-3 * size)
+            };
         let moved = |change: f64| {
             let mut values = linkage.values();
             values[*index] += change;
