@@ -8,6 +8,7 @@
 //! | [`ode`] | the motion from a start: Tsitouras 5(4), Dormand–Prince 8(5,3), continuous output |
 //! | [`closure`] | the positions of a linkage: its loops closed |
 //! | [`periodic`] | the steady state: method of initial parameters, shooting, Floquet multipliers |
+//! | [`tolerance`](mod@tolerance) | errors of a linkage from tolerances, and tolerances of least cost |
 //! | [`dense`] | small linear systems |
 //! | [`check`] | what the generated tests of a mechanism ask of it |
 //! | [`scalar`], [`dispatch`] | the numbers that all of it runs on, and the choice of the instruction set |
@@ -21,3 +22,4 @@ pub mod periodic;
 pub mod problem;
 pub mod registry;
 pub mod scalar;
+pub mod tolerance;
