@@ -6,20 +6,33 @@
 //! | file | what it finds |
 //! |---|---|
 //! | `influence`, [`linear`](fn@linear) | greatest error and standard deviation to first order, what each source contributes |
-//! | `normal`, `distribution` | moments of the sources |
+//! | [`monte_carlo`](fn@monte_carlo) | linkages made at random: moments, quantiles, failures, each with its interval |
+//! | `nominal`, `made`, `lead`, `small` | how they are closed in the mode of the nominal linkage, or found not to |
+//! | `random`, `normal`, `distribution` | their dimensions |
+//! | `tally`, `estimate` | what is kept of them |
+//! | `variation` | derivatives by dual numbers |
 
 mod distribution;
 mod error;
+mod estimate;
 mod influence;
+mod lead;
 mod linear;
+mod made;
+mod monte_carlo;
+mod nominal;
 mod normal;
-#[cfg(test)]
+mod random;
 mod small;
 mod source;
+mod tally;
 #[cfg(test)]
 mod tests;
+mod variation;
 
 pub use error::ToleranceError;
+pub use estimate::{Estimate, Quantile, Sampled, Status};
 pub use influence::{Influences, influences};
 pub use linear::{Contribution, Linear, Rank, linear, ranking, worst_place};
+pub use monte_carlo::{MonteCarlo, Sampling, monte_carlo};
 pub use source::{Source, Study};

@@ -1,5 +1,8 @@
+mod brink;
+mod four_bar;
 mod heald;
 mod published;
+mod seeds;
 
 use super::{Source, Study};
 use crate::registry::Distribution;

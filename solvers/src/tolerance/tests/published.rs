@@ -1,6 +1,8 @@
 //! Numbers of the specification.
 
-use super::super::{Source, influences, linear, ranking, worst_place};
+use super::super::{
+    Sampling, Source, Status, influences, linear, monte_carlo, ranking, worst_place,
+};
 use super::{Heald, at, study};
 use crate::registry::Distribution;
 
@@ -63,4 +65,43 @@ fn play_adds_its_length_error() {
     // c/(|C| l7)
     let play = 2e-5 / (1.832_496 * 0.12);
     assert!((with.worst - without.worst - play).abs() < 1e-10);
+}
+
+#[test]
+fn samples_agree_with_the_first_order_where_tolerances_are_small() {
+    let (heald, study) = at(90.0);
+    let sampling = Sampling {
+        samples: 200_000,
+        ..Sampling::default()
+    };
+    let found = &monte_carlo(&heald, &study, &sampling, &|_| ())
+        .expect("it assembles")
+        .places[0];
+    assert_eq!(found.status, Status::Complete);
+    let deviation = found.deviation;
+    assert!(
+        deviation.low < 0.559_49e-3 && 0.559_49e-3 < deviation.high,
+        "{deviation:?}"
+    );
+    assert!(found.greatest < 2.0570e-3 && found.least > -2.0570e-3);
+    assert!(found.mean.low < 1e-6 && found.mean.high > -1e-6);
+    assert!((found.value.to_degrees() + 70.06145).abs() < 5e-6);
+}
+
+#[test]
+fn distributions_have_their_deviations() {
+    for (distribution, factor) in [
+        (Distribution::Normal, 1.0 / 3f64.sqrt()),
+        (Distribution::Truncated, 0.986_578_1 / 3f64.sqrt()),
+    ] {
+        let study = study(&[90.0], 1.0, distribution);
+        let found = monte_carlo(&Heald::default(), &study, &Sampling::default(), &|_| ());
+        let deviation = found.expect("it assembles").places[0].deviation;
+        let expected = 0.559_49e-3 * factor;
+        let room = 1.5 * (deviation.high - deviation.low);
+        assert!(
+            (deviation.value - expected).abs() < room,
+            "{deviation:?} {expected}"
+        );
+    }
 }

@@ -1,0 +1,288 @@
+//! Linkages made at random: what their errors are, and how many do not assemble.
+//!
+//! Blocks of samples go to whichever thread is free. The numbers of a sample depend on the seed and on its own number
+//! alone, and sums are joined in the order of the blocks: the answer is the same, bit for bit, for any number of threads.
+
+use super::error::ToleranceError;
+use super::estimate::{Counted, Estimate, Sampled, share};
+use super::lead::Lead;
+use super::made::Maker;
+use super::nominal::{Nominal, is_iterated};
+use super::normal;
+use super::random::Random;
+use super::source::{Source, Study};
+use super::tally::{CLASSES, Classes, Sums};
+use crate::closure::Linkage;
+use crate::dispatch::{Task, dispatch};
+use crate::scalar::Scalar;
+use std::marker::PhantomData;
+use std::num::NonZeroUsize;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Fewest samples: one has no spread.
+const LEAST: u64 = 2;
+/// Most samples: hours.
+const MOST: u64 = 100_000_000_000;
+/// Smallest block.
+const BLOCK: u64 = 4096;
+/// Largest number of blocks.
+const BLOCKS: u64 = 4096;
+/// Samples from which the classes are chosen.
+const PILOT: u64 = 1024;
+
+/// How samples are drawn and what is made of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sampling {
+    /// Number of samples.
+    pub samples: u64,
+    /// Which samples: the same seed gives the same ones.
+    pub seed: u64,
+    /// Number of threads; zero for as many as the machine has.
+    pub threads: usize,
+    /// Probability that an interval contains what it is to contain.
+    pub confidence: f64,
+    /// Shares for which quantiles are wanted.
+    pub levels: Vec<f64>,
+}
+
+impl Default for Sampling {
+    /// A hundred thousand samples, intervals of 95 %, quantiles at ±2 and ±3 standard deviations of a normal
+    /// distribution.
+    fn default() -> Self {
+        Self {
+            samples: 100_000,
+            seed: 1,
+            threads: 0,
+            confidence: 0.95,
+            levels: vec![0.001_35, 0.022_75, 0.5, 0.977_25, 0.998_65],
+        }
+    }
+}
+
+/// What the samples say along the places.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MonteCarlo {
+    /// At each place.
+    pub places: Vec<Sampled>,
+    /// Share of linkages that fail to assemble at one place or another.
+    pub failures: Estimate,
+}
+
+/// Makes linkages at random and looks at the errors of an output at every place. `progress` hears how many samples more
+/// are done.
+///
+/// # Errors
+/// [`ToleranceError`] if the question makes no sense, or if the nominal linkage does not get to a place. Samples that do
+/// not assemble are no error: they are counted.
+pub fn monte_carlo<L: Linkage>(
+    linkage: &L,
+    study: &Study,
+    sampling: &Sampling,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<MonteCarlo, ToleranceError> {
+    study.check::<L>()?;
+    sampling.check()?;
+    let nominals = Nominal::along(linkage, &study.places, &study.sources)?;
+    let mut run = Run::<L> {
+        nominals: &nominals,
+        sources: &study.sources,
+        output: study.output,
+        seed: sampling.seed,
+        classes: Vec::new(),
+        linkage: PhantomData,
+    };
+    let pilot = run.block(0, PILOT.min(sampling.samples), &mut []);
+    let classes = pilot.places.iter().map(|one| Classes::around(one.extremes));
+    run.classes = classes.collect();
+    let (blocks, counts) = run.all(sampling, progress);
+    Ok(run.judge(sampling, &blocks, &counts))
+}
+
+impl Sampling {
+    fn check(&self) -> Result<(), ToleranceError> {
+        if !(LEAST..=MOST).contains(&self.samples) {
+            return Err(ToleranceError::BadSamples {
+                samples: self.samples,
+                least: LEAST,
+                most: MOST,
+            });
+        }
+        for &level in self.levels.iter().chain([&self.confidence]) {
+            if !(level > 0.0 && level < 1.0) {
+                return Err(ToleranceError::BadLevel { level });
+            }
+        }
+        Ok(())
+    }
+
+    fn threads(&self, blocks: u64) -> u64 {
+        let machine = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+        let wanted = if self.threads == 0 {
+            machine()
+        } else {
+            self.threads
+        };
+        (wanted as u64).clamp(1, blocks.min(1024))
+    }
+}
+
+/// The samples of a block.
+#[derive(Clone, Debug)]
+struct Block {
+    places: Vec<Sums>,
+    /// Samples that assemble at all places.
+    whole: u64,
+}
+
+/// What all blocks have in common.
+struct Run<'a, L: Linkage> {
+    nominals: &'a [Nominal],
+    sources: &'a [Source],
+    output: usize,
+    seed: u64,
+    /// Of each place; none while they are not yet chosen.
+    classes: Vec<Classes>,
+    linkage: PhantomData<L>,
+}
+
+impl<L: Linkage> Run<'_, L> {
+    /// Draws all blocks. Gives them in their order, and the classes counted.
+    fn all(&self, sampling: &Sampling, progress: &(dyn Fn(u64) + Sync)) -> (Vec<Block>, Vec<u64>) {
+        let samples = sampling.samples;
+        let size = BLOCK.max(samples.div_ceil(BLOCKS));
+        let blocks = samples.div_ceil(size);
+        let next = AtomicU64::new(0);
+        let gathered = Mutex::new((Vec::new(), vec![0; CLASSES * self.nominals.len()]));
+        let work = || {
+            let mut counts = vec![0; CLASSES * self.nominals.len()];
+            let mut done = Vec::new();
+            loop {
+                let index = next.fetch_add(1, Ordering::Relaxed);
+                if index >= blocks {
+                    break;
+                }
+                let from = index * size;
+                let to = samples.min(from + size);
+                done.push((index, self.block(from, to, &mut counts)));
+                progress(to - from);
+            }
+            let mut all = gathered.lock().unwrap_or_else(|poison| poison.into_inner());
+            all.0.extend(done);
+            for (sum, count) in all.1.iter_mut().zip(counts) {
+                *sum += count;
+            }
+        };
+        std::thread::scope(|scope| {
+            for _ in 1..sampling.threads(blocks) {
+                scope.spawn(work);
+            }
+            work();
+        });
+        let (mut blocks, counts) = gathered
+            .into_inner()
+            .unwrap_or_else(|poison| poison.into_inner());
+        blocks.sort_by_key(|(index, _)| *index);
+        (blocks.into_iter().map(|(_, block)| block).collect(), counts)
+    }
+
+    /// Draws one block.
+    fn block(&self, from: u64, to: u64, counts: &mut [u64]) -> Block {
+        dispatch(Drawing {
+            run: self,
+            from,
+            to,
+            counts,
+        })
+    }
+
+    fn judge(&self, sampling: &Sampling, blocks: &[Block], counts: &[u64]) -> MonteCarlo {
+        let place = |(index, nominal): (usize, &Nominal)| {
+            let mut sums = Sums::NONE;
+            for block in blocks {
+                sums.join(&block.places[index]);
+            }
+            let counted = Counted {
+                value: nominal.outputs[self.output],
+                drawn: sampling.samples,
+                sums: &sums,
+                classes: &self.classes[index],
+                counts: &counts[index * CLASSES..(index + 1) * CLASSES],
+            };
+            counted.judge(sampling.confidence, &sampling.levels)
+        };
+        let whole: u64 = blocks.iter().map(|block| block.whole).sum();
+        let z = normal::quantile(0.5 + 0.5 * sampling.confidence);
+        MonteCarlo {
+            places: self.nominals.iter().enumerate().map(place).collect(),
+            failures: share(sampling.samples - whole, sampling.samples, z),
+        }
+    }
+}
+
+/// The drawing of one block.
+struct Drawing<'a, 'b, L: Linkage> {
+    run: &'a Run<'a, L>,
+    from: u64,
+    to: u64,
+    counts: &'b mut [u64],
+}
+
+impl<L: Linkage> Task for Drawing<'_, '_, L> {
+    type Output = Block;
+
+    #[inline(always)]
+    fn run<S: Scalar>(self) -> Block {
+        let (run, places) = (self.run, self.run.nominals.len());
+        let sources = run.sources.len();
+        let mut maker = Maker::<L, S>::new(run.nominals, run.sources, run.output);
+        let mut block = Block {
+            places: vec![Sums::NONE; places],
+            whole: 0,
+        };
+        let mut errors = vec![S::ZERO; sources];
+        let mut random = Random::new(run.seed, self.from.wrapping_mul(sources as u64));
+        for _ in self.from..self.to {
+            for (error, source) in errors.iter_mut().zip(run.sources) {
+                let deviate = source.distribution.quantile(random.uniform());
+                *error = S::from_f64(deviate * source.half_width);
+            }
+            let closure = maker.prepare(&errors);
+            let mut whole = true;
+            for place in 0..places {
+                let mut error = maker.error(&closure, place, &errors).to_f64();
+                if !error.is_finite() {
+                    error = run.lead(place, errors.iter().map(|one| one.to_f64()).collect());
+                }
+                if error.is_nan() {
+                    whole = false;
+                    continue;
+                }
+                block.places[place].add(error);
+                if let Some(classes) = run.classes.get(place) {
+                    self.counts[place * CLASSES + classes.class(error)] += 1;
+                }
+            }
+            block.whole += u64::from(whole);
+        }
+        block
+    }
+}
+
+impl<L: Linkage> Run<'_, L> {
+    /// The careful way to a made linkage; no number if there is none.
+    #[cold]
+    #[inline(never)]
+    fn lead(&self, place: usize, errors: Vec<f64>) -> f64 {
+        if !is_iterated::<L>() {
+            return f64::NAN;
+        }
+        let lead = Lead::<L> {
+            nominal: &self.nominals[place],
+            sources: self.sources,
+            output: self.output,
+            linkage: PhantomData,
+        };
+        lead.error(&errors).unwrap_or(f64::NAN)
+    }
+}

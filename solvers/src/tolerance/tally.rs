@@ -1,0 +1,157 @@
+//! What is kept of the samples at one place: sums of powers, extremes, and how many fell into each class.
+
+/// Number of classes.
+pub(super) const CLASSES: usize = 4096;
+
+/// Sums over samples. They are added up in the order of the samples, so that they do not depend on who drew them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sums {
+    /// Samples that assemble.
+    pub count: u64,
+    /// Sums of the first four powers of their errors.
+    pub powers: [f64; 4],
+    /// Least and greatest error.
+    pub extremes: (f64, f64),
+}
+
+impl Sums {
+    pub const NONE: Self = Self {
+        count: 0,
+        powers: [0.0; 4],
+        extremes: (f64::INFINITY, f64::NEG_INFINITY),
+    };
+
+    #[inline(always)]
+    pub fn add(&mut self, error: f64) {
+        let square = error * error;
+        self.count += 1;
+        self.powers[0] += error;
+        self.powers[1] += square;
+        self.powers[2] += square * error;
+        self.powers[3] += square * square;
+        self.extremes.0 = self.extremes.0.min(error);
+        self.extremes.1 = self.extremes.1.max(error);
+    }
+
+    pub fn join(&mut self, other: &Self) {
+        self.count += other.count;
+        for (sum, more) in self.powers.iter_mut().zip(other.powers) {
+            *sum += more;
+        }
+        self.extremes.0 = self.extremes.0.min(other.extremes.0);
+        self.extremes.1 = self.extremes.1.max(other.extremes.1);
+    }
+
+    /// Mean and second to fourth central moments; NaN without samples.
+    pub fn moments(&self) -> [f64; 4] {
+        let n = self.count as f64;
+        let [mean, second, third, fourth] = self.powers.map(|sum| sum / n);
+        let square = mean * mean;
+        [
+            mean,
+            if second < square {
+                0.0
+            } else {
+                second - square
+            },
+            third - 3.0 * mean * second + 2.0 * mean * square,
+            fourth - 4.0 * mean * third + 6.0 * square * second - 3.0 * square * square,
+        ]
+    }
+}
+
+/// The bounds of the classes, all alike wide.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Classes {
+    low: f64,
+    width: f64,
+}
+
+impl Classes {
+    /// Classes around errors that have been seen, with room for as much again.
+    pub fn around((low, high): (f64, f64)) -> Self {
+        let room = 0.5 * (high - low);
+        let width = (2.0 * (high - low) / CLASSES as f64).max(f64::MIN_POSITIVE);
+        match low <= high && width.is_finite() {
+            true => Self {
+                low: low - room,
+                width,
+            },
+            false => Self {
+                low: -1.0,
+                width: 2.0 / CLASSES as f64,
+            },
+        }
+    }
+
+    /// The class of an error; the first and the last also take what lies beyond them.
+    #[inline(always)]
+    pub fn class(&self, error: f64) -> usize {
+        // The conversion cuts off at zero.
+        (((error - self.low) / self.width) as usize).min(CLASSES - 1)
+    }
+
+    /// The error below which a share of the samples lies, by straight lines within the classes.
+    pub fn quantile(&self, counts: &[u64], share: f64, (least, greatest): (f64, f64)) -> f64 {
+        let all: u64 = counts.iter().sum();
+        let wanted = share.clamp(0.0, 1.0) * all as f64;
+        let mut below = 0.0;
+        for (class, count) in counts.iter().enumerate() {
+            let count = *count as f64;
+            if below + count >= wanted && count > 0.0 {
+                let from = (self.low + class as f64 * self.width).max(least);
+                let to = (self.low + (class + 1) as f64 * self.width).min(greatest);
+                let from = if class == 0 { least } else { from };
+                let to = if class + 1 == CLASSES { greatest } else { to };
+                return from + (to - from) * ((wanted - below) / count);
+            }
+            below += count;
+        }
+        f64::NAN
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moments_are_central() {
+        let mut sums = Sums::NONE;
+        let mut halves = [Sums::NONE; 2];
+        for (index, value) in [1.0, 2.0, 4.0, 9.0].into_iter().enumerate() {
+            sums.add(value);
+            halves[index / 2].add(value);
+        }
+        let [mut first, second] = halves;
+        first.join(&second);
+        for sums in [sums, first] {
+            assert_eq!(sums.moments(), [4.0, 9.5, 22.5, 180.5 + 0.0]);
+            assert_eq!(sums.extremes, (1.0, 9.0));
+        }
+        assert!(Sums::NONE.moments()[0].is_nan());
+    }
+
+    #[test]
+    fn quantiles_of_an_even_spread() {
+        let classes = Classes::around((0.0, 1.0));
+        let mut counts = vec![0; CLASSES];
+        for k in 0..100_000 {
+            counts[classes.class((f64::from(k) + 0.5) / 1e5)] += 1;
+        }
+        for share in [0.001, 0.1, 0.5, 0.9, 0.999] {
+            let found = classes.quantile(&counts, share, (0.0, 1.0));
+            assert!((found - share).abs() < 2e-5, "{share}: {found}");
+        }
+    }
+
+    #[test]
+    fn what_lies_beyond_the_classes_is_counted() {
+        let classes = Classes::around((0.0, 1.0));
+        assert_eq!(classes.class(-1e9), 0);
+        assert_eq!(classes.class(1e9), CLASSES - 1);
+        assert_eq!(Classes::around((0.5, 0.5)).class(0.5), 0);
+        let empty = Classes::around((f64::INFINITY, f64::NEG_INFINITY));
+        assert!(empty.class(0.0) > 0);
+    }
+}
