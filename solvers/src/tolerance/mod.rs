@@ -7,14 +7,18 @@
 //! |---|---|
 //! | `influence`, [`linear`](fn@linear) | greatest error and standard deviation to first order, what each source contributes |
 //! | [`monte_carlo`](fn@monte_carlo) | linkages made at random: moments, quantiles, failures, each with its interval |
-//! | `nominal`, `made`, `lead`, `small` | how they are closed in the mode of the nominal linkage, or found not to |
+//! | `second`, [`corners`](fn@corners), [`differences`](fn@differences) | the same to second order, extremes, and when it matters |
+//! | `nominal`, `made`, `lead`, `exact`, `small` | how they are closed in the mode of the nominal linkage, or found not to |
 //! | `random`, `normal`, `distribution` | their dimensions |
 //! | `tally`, `estimate` | what is kept of them |
 //! | `variation` | derivatives by dual numbers |
 
+mod corners;
+mod differences;
 mod distribution;
 mod error;
 mod estimate;
+mod exact;
 mod influence;
 mod lead;
 mod linear;
@@ -23,6 +27,7 @@ mod monte_carlo;
 mod nominal;
 mod normal;
 mod random;
+mod second;
 mod small;
 mod source;
 mod tally;
@@ -30,9 +35,12 @@ mod tally;
 mod tests;
 mod variation;
 
+pub use corners::{Corners, Extremes, corners};
+pub use differences::{Difference, Differences, differences};
 pub use error::ToleranceError;
 pub use estimate::{Estimate, Quantile, Sampled, Status};
 pub use influence::{Influences, influences};
 pub use linear::{Contribution, Linear, Rank, linear, ranking, worst_place};
 pub use monte_carlo::{MonteCarlo, Sampling, monte_carlo};
+pub use second::{Moments, Quadratic, quadratics};
 pub use source::{Source, Study};

@@ -2,6 +2,7 @@ mod brink;
 mod four_bar;
 mod heald;
 mod published;
+mod second;
 mod seeds;
 
 use super::{Source, Study};

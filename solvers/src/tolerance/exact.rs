@@ -1,0 +1,48 @@
+//! Errors of the output with the loops closed again.
+
+use super::lead::Lead;
+use super::made::Maker;
+use super::nominal::{Nominal, is_iterated};
+use super::source::Study;
+use crate::closure::Linkage;
+use std::marker::PhantomData;
+
+/// Closes made linkages at every place of a study.
+pub(super) struct Exact<'a, L: Linkage> {
+    study: &'a Study,
+    nominals: &'a [Nominal],
+    maker: Maker<L, f64>,
+}
+
+impl<'a, L: Linkage> Exact<'a, L> {
+    pub fn new(study: &'a Study, nominals: &'a [Nominal]) -> Self {
+        Self {
+            study,
+            nominals,
+            maker: Maker::new(nominals, &study.sources, study.output),
+        }
+    }
+
+    /// The errors of the output at all places for errors of the sources; no number where the linkage does not assemble in
+    /// its mode.
+    pub fn errors(&mut self, errors: &[f64], found: &mut [f64]) {
+        let closure = self.maker.prepare(errors);
+        for (place, slot) in found.iter_mut().enumerate() {
+            let error = self.maker.error(&closure, place, errors);
+            *slot = match error.is_finite() || !is_iterated::<L>() {
+                true => error,
+                false => self.lead(place, errors),
+            };
+        }
+    }
+
+    fn lead(&self, place: usize, errors: &[f64]) -> f64 {
+        let lead = Lead::<L> {
+            nominal: &self.nominals[place],
+            sources: &self.study.sources,
+            output: self.study.output,
+            linkage: PhantomData,
+        };
+        lead.error(errors).unwrap_or(f64::NAN)
+    }
+}
