@@ -8,6 +8,7 @@
 //! | `influence`, [`linear`](fn@linear) | greatest error and standard deviation to first order, what each source contributes |
 //! | [`monte_carlo`](fn@monte_carlo) | linkages made at random: moments, quantiles, failures, each with its interval |
 //! | `second`, [`corners`](fn@corners), [`differences`](fn@differences) | the same to second order, extremes, and when it matters |
+//! | [`elastic`](fn@elastic) | what a load does to links that are not rigid |
 //! | `nominal`, `made`, `lead`, `exact`, `small` | how they are closed in the mode of the nominal linkage, or found not to |
 //! | `random`, `normal`, `distribution` | their dimensions |
 //! | `tally`, `estimate` | what is kept of them |
@@ -16,6 +17,7 @@
 mod corners;
 mod differences;
 mod distribution;
+mod elastic;
 mod error;
 mod estimate;
 mod exact;
@@ -37,6 +39,7 @@ mod variation;
 
 pub use corners::{Corners, Extremes, corners};
 pub use differences::{Difference, Differences, differences};
+pub use elastic::{Bar, Loaded, elastic};
 pub use error::ToleranceError;
 pub use estimate::{Estimate, Quantile, Sampled, Status};
 pub use influence::{Influences, influences};
