@@ -8,12 +8,14 @@
 //! | `influence`, [`linear`](fn@linear) | greatest error and standard deviation to first order, what each source contributes |
 //! | [`monte_carlo`](fn@monte_carlo) | linkages made at random: moments, quantiles, failures, each with its interval |
 //! | `second`, [`corners`](fn@corners), [`differences`](fn@differences) | the same to second order, extremes, and when it matters |
+//! | [`allocate`](fn@allocate) | tolerances of least cost that keep a band over the whole way of the drivers |
 //! | [`elastic`](fn@elastic) | what a load does to links that are not rigid |
 //! | `nominal`, `made`, `lead`, `exact`, `small` | how they are closed in the mode of the nominal linkage, or found not to |
 //! | `random`, `normal`, `distribution` | their dimensions |
 //! | `tally`, `estimate` | what is kept of them |
 //! | `variation` | derivatives by dual numbers |
 
+mod allocation;
 mod corners;
 mod differences;
 mod distribution;
@@ -37,6 +39,9 @@ mod tally;
 mod tests;
 mod variation;
 
+pub use allocation::{
+    Active, Allocation, AllocationError, Candidate, Cost, Limit, Rule, allocate, allocate_along,
+};
 pub use corners::{Corners, Extremes, corners};
 pub use differences::{Difference, Differences, differences};
 pub use elastic::{Bar, Loaded, elastic};
