@@ -6,10 +6,12 @@
 mod bind;
 mod linkage;
 mod path;
+mod tolerance;
 
 pub use bind::{bind, check_values};
 pub use linkage::{Distribution, Link, LinkageEntry, Loop, RunLinkage, Subject, bind_linkage};
 pub use path::{Path, Sample};
+pub use tolerance::RunTolerance;
 
 use crate::problem::{Refused, Span};
 

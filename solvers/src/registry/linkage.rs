@@ -2,6 +2,7 @@
 
 use super::Quantity;
 use super::path::{self, Path};
+use super::tolerance::RunTolerance;
 use crate::closure::{ClosureError, Group, Linkage, Range, Variable};
 use crate::problem::{Refused, Span};
 
@@ -70,7 +71,7 @@ pub enum Subject {
 }
 
 /// A linkage whose dimensions are fixed, ready to be moved.
-pub trait RunLinkage: Send + Sync {
+pub trait RunLinkage: RunTolerance + Send + Sync {
     /// The range of each driver.
     fn ranges(&self) -> Vec<Range>;
     /// The task, where the drivers move in time.
@@ -103,8 +104,8 @@ pub fn bind_linkage<L: Linkage + 'static>(linkage: L) -> Result<Box<dyn RunLinka
 }
 
 /// A linkage with its values.
-struct Bound<L: Linkage> {
-    linkage: L,
+pub(super) struct Bound<L: Linkage> {
+    pub(super) linkage: L,
 }
 
 impl<L: Linkage + 'static> RunLinkage for Bound<L> {

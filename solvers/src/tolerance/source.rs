@@ -64,7 +64,7 @@ impl Study {
     }
 
     /// Checks the output, and that there is a place.
-    pub(super) fn check_places<L: Linkage>(&self) -> Result<(), ToleranceError> {
+    pub(crate) fn check_places<L: Linkage>(&self) -> Result<(), ToleranceError> {
         if self.output >= L::OUTPUTS {
             return Err(ToleranceError::NoOutput {
                 output: self.output,
