@@ -4,6 +4,7 @@ mod across;
 mod axis;
 mod cluster;
 mod column;
+mod contributions;
 pub mod curve;
 pub mod figure;
 mod kind;
@@ -17,6 +18,7 @@ mod scale;
 mod selection;
 pub mod svg;
 
+pub use contributions::{Band, Chart, contributions};
 pub use linkage::draw as draw_linkage;
 pub use motion::draw;
 pub use selection::Selection;
