@@ -42,6 +42,7 @@ mod structure;
 mod style;
 mod table;
 mod text;
+mod tolerance;
 mod unit;
 mod values;
 mod variables;
@@ -62,6 +63,7 @@ fn main() -> ExitCode {
         Command::Check(options) => check::execute(options),
         Command::Expand(options) => expand::execute(options),
         Command::Scenes(options) => scenes::execute(options),
+        Command::Tolerance(options) => tolerance::execute(options),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

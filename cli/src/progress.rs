@@ -53,7 +53,12 @@ impl Progress {
 
     /// One part is done.
     pub fn advance(&self) {
-        self.bar.inc(1);
+        self.advance_by(1);
+    }
+
+    /// So many parts more are done.
+    pub fn advance_by(&self, parts: u64) {
+        self.bar.inc(parts);
     }
 }
 

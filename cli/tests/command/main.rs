@@ -6,6 +6,7 @@ mod linkages;
 mod refusals;
 #[cfg(unix)]
 mod signals;
+mod tolerances;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -1,0 +1,313 @@
+//! The numbers of the answer, SI units.
+
+use std::time::Instant;
+
+use assur::tolerance::{
+    self, Allocation, AllocationError, Differences, Extremes, Linear, Moments, MonteCarlo, Rank,
+    Study, ToleranceError,
+};
+
+use super::arguments::Kind;
+use super::question::Question;
+use crate::error::Failure;
+use crate::number;
+use crate::plot::{Band, Chart};
+use crate::progress::Progress;
+
+/// Linkages over which the orders are compared.
+const COMPARED: u64 = 10_000;
+
+/// All that was found.
+pub struct Answer {
+    /// To first order, over the range.
+    pub range: Vec<Linear>,
+    /// The sources by what they contribute over the range.
+    pub ranking: Vec<Rank>,
+    /// The place that is looked at more closely: positions of the drivers.
+    pub place: Vec<f64>,
+    /// To first order there.
+    pub linear: Linear,
+    /// To second order there.
+    pub second: Option<Second>,
+    /// Made at random there.
+    pub made: Option<MonteCarlo>,
+    /// Tolerances of least cost.
+    pub allocation: Option<Allocation>,
+    /// Seconds that all of it took.
+    pub seconds: f64,
+}
+
+/// To second order.
+pub struct Second {
+    /// Mean, standard deviation, skewness.
+    pub moments: Moments,
+    /// All extremes; none where there are too many sources.
+    pub extremes: Option<Extremes>,
+    /// What the orders miss.
+    pub differences: Differences,
+}
+
+/// Finds everything.
+///
+/// # Errors
+/// Where the linkage does not get to a place, or a band cannot be kept.
+pub fn find(question: &Question) -> Result<Answer, Failure> {
+    let clock = Instant::now();
+    let said = |error| said(question, error);
+    let study = &question.study;
+    let linear = |study: &Study| {
+        let influences = question.run.influences(study)?;
+        tolerance::linear(&influences, &study.sources)
+    };
+    let range = linear(study).map_err(said)?;
+    let worst = tolerance::worst_place(&range);
+    let place = question
+        .at
+        .clone()
+        .unwrap_or_else(|| study.places[worst].clone());
+    let there = Study {
+        places: vec![place.clone()],
+        ..study.clone()
+    };
+    let at_place = linear(&there).map_err(said)?.swap_remove(0);
+    let second = match question.kind.wants(Kind::Second) {
+        true => Some(second(question, &there).map_err(said)?),
+        false => None,
+    };
+    let made = match question.kind.wants(Kind::MonteCarlo) {
+        true => Some(made(question, &there).map_err(said)?),
+        false => None,
+    };
+    Ok(Answer {
+        ranking: tolerance::ranking(&range),
+        range,
+        place,
+        linear: at_place,
+        second,
+        made,
+        allocation: allocation(question)?,
+        seconds: clock.elapsed().as_secs_f64(),
+    })
+}
+
+fn second(question: &Question, study: &Study) -> Result<Second, ToleranceError> {
+    let form = question.run.quadratics(study)?.swap_remove(0);
+    let extremes = match question.run.corners(study) {
+        Ok(all) => Some(all[0]),
+        Err(ToleranceError::TooManyCorners { .. }) => None,
+        Err(error) => return Err(error),
+    };
+    let seed = question.sampling.seed;
+    Ok(Second {
+        moments: form.moments(&study.sources),
+        extremes,
+        differences: question.run.differences(study, COMPARED, seed)?[0],
+    })
+}
+
+fn made(question: &Question, study: &Study) -> Result<MonteCarlo, ToleranceError> {
+    let what = format!("{}, linkages made at random", question.mechanism.name);
+    let bar = Progress::start(what, question.sampling.samples);
+    let progress = |more| bar.advance_by(more);
+    question
+        .run
+        .monte_carlo(study, &question.sampling, &progress)
+}
+
+fn allocation(question: &Question) -> Result<Option<Allocation>, Failure> {
+    let Some(wanted) = &question.allocation else {
+        return Ok(None);
+    };
+    let run = &question.run;
+    let found = run.allocate(
+        &question.study,
+        &wanted.candidates,
+        wanted.rule,
+        wanted.band,
+    );
+    found
+        .map(Some)
+        .map_err(|error| out_of_reach(question, error))
+}
+
+/// A failure of the solvers, with places and sources by their names.
+fn said(question: &Question, error: ToleranceError) -> Failure {
+    let source = |source: usize| {
+        question
+            .labels
+            .get(source)
+            .map_or("?", |one| one.quantity.name)
+    };
+    match error {
+        ToleranceError::BadSamples {
+            samples,
+            least,
+            most,
+        } => Failure::request(format!("{samples} linkages cannot be made"))
+            .place(format!("--samples {samples}"))
+            .remedy(format!("choose from {least} to {most}")),
+        ToleranceError::BadHalfWidth {
+            source: index,
+            half_width,
+        } => Failure::request(format!("`{}` cannot err by {half_width}", source(index))),
+        ToleranceError::Closure(error) => {
+            Failure::numerical("the linkage does not get to all places as it is drawn")
+                .reason(error.to_string())
+                .remedy("look at another place with --at, or change the values with --set")
+        }
+        ToleranceError::NotFinite { at, .. } => Failure::numerical(format!(
+            "at {} the output has no finite influence coefficients",
+            place_text(question, &at)
+        ))
+        .reason("a dead point may be there"),
+        other => Failure::request(other.to_string()),
+    }
+}
+
+fn out_of_reach(question: &Question, error: AllocationError) -> Failure {
+    let name = |candidate: usize| {
+        let own = question.labels.iter().filter(|one| !one.is_play);
+        own.map(|one| one.quantity.name)
+            .nth(candidate)
+            .unwrap_or("?")
+    };
+    let unit = Unit::of(question);
+    match error {
+        AllocationError::Tolerance(error) => said(question, error),
+        AllocationError::OutOfReach {
+            at,
+            reached,
+            band,
+            candidate,
+            share,
+        } => Failure::numerical(format!(
+            "no tolerances within their limits keep the band of {}",
+            unit.text(band)
+        ))
+        .place(format!("at {}", place_text(question, &at)))
+        .reason(format!(
+            "with all of them at their lower limits the error is {}; {:.0} % of it comes from `{}`",
+            unit.text(reached),
+            100.0 * share,
+            name(candidate)
+        ))
+        .remedy("lower that limit with --limit, or widen the band"),
+        AllocationError::Unbounded { candidate } => Failure::request(format!(
+            "`{}` has no influence on the output: nothing bounds its tolerance",
+            name(candidate)
+        ))
+        .remedy(format!(
+            "give it an upper limit, --limit {}=..1mm",
+            name(candidate)
+        )),
+        AllocationError::BadLimits { candidate, .. } => {
+            Failure::request(format!("the limits of `{}` leave nothing", name(candidate)))
+                .place("--limit")
+        }
+        AllocationError::BadCost {
+            candidate, factor, ..
+        } => Failure::request(format!(
+            "a weight of `{}` that gives a cost of {factor}/t cannot be",
+            name(candidate)
+        ))
+        .place("--cost")
+        .remedy("give a positive number"),
+        AllocationError::BadBand { .. } => {
+            Failure::request("the band must be positive").place("--allocate")
+        }
+        other => Failure::numerical(other.to_string()),
+    }
+}
+
+/// Positions of the drivers in words.
+pub fn place_text(question: &Question, place: &[f64]) -> String {
+    let drivers = question.scene.drivers.iter().zip(place);
+    let words = drivers.map(|(driver, value)| {
+        let value = number::short(value / driver.factor);
+        format!("{} = {value} {}", driver.name, driver.unit)
+            .trim_end()
+            .to_owned()
+    });
+    words.collect::<Vec<_>>().join(", ")
+}
+
+/// The unit in which errors of the output are printed: thousandths of a radian for an angle.
+#[derive(Clone, Copy)]
+pub struct Unit {
+    /// Its name.
+    pub name: &'static str,
+    /// Its value in SI units.
+    pub factor: f64,
+}
+
+impl Unit {
+    /// That of the output.
+    pub fn of(question: &Question) -> Self {
+        let output = question.output();
+        match output.unit {
+            "deg" | "rad" => Self {
+                name: "mrad",
+                factor: 1e-3,
+            },
+            name => Self {
+                name,
+                factor: output.factor,
+            },
+        }
+    }
+
+    /// A value with the unit.
+    pub fn text(self, value: f64) -> String {
+        let number = number::significant(value / self.factor, 5);
+        format!("{number} {}", self.name).trim_end().to_owned()
+    }
+}
+
+impl Answer {
+    /// What the figure shows.
+    pub fn chart(&self, question: &Question) -> Chart {
+        let unit = Unit::of(question);
+        let driver = question.scene.drivers.first();
+        let abscissa = |place: &Vec<f64>| match driver {
+            Some(driver) => place.first().copied().unwrap_or(f64::NAN) / driver.factor,
+            None => f64::NAN,
+        };
+        let band = |rank: &Rank| Band {
+            name: label(question, rank.source),
+            values: self
+                .range
+                .iter()
+                .map(|one| one.contributions[rank.source].worst / unit.factor)
+                .collect(),
+        };
+        Chart {
+            title: format!(
+                "{}, scene {}: what {} errs by",
+                question.mechanism.title,
+                question.scene.name,
+                question.output().name
+            ),
+            abscissa: match driver {
+                Some(driver) => (driver.name.to_owned(), driver.unit.to_owned()),
+                None => ("place".to_owned(), String::new()),
+            },
+            ordinate: unit.name.to_owned(),
+            places: question.study.places.iter().map(abscissa).collect(),
+            bands: self.ranking.iter().map(band).collect(),
+            deviation: self
+                .range
+                .iter()
+                .map(|one| one.deviation / unit.factor)
+                .collect(),
+        }
+    }
+}
+
+/// What a source is called.
+pub fn label(question: &Question, source: usize) -> String {
+    let label = question.labels[source];
+    match label.is_play {
+        true => format!("{} (play)", label.quantity.name),
+        false => label.quantity.name.to_owned(),
+    }
+}

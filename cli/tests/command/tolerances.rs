@@ -1,0 +1,177 @@
+//! `assur tolerance`.
+
+use super::{answer, check_refused, folder, run};
+use serde_json::Value;
+
+/// The JSON answer for the heald linkage with more arguments.
+fn heald(arguments: &[&str], directory: &std::path::Path) -> Value {
+    let all = [
+        &["tolerance", "heald_linkage", "--format", "json"],
+        arguments,
+    ]
+    .concat();
+    serde_json::from_str(&answer(&all, directory)).expect("one JSON object")
+}
+
+fn near(found: &Value, expected: f64, share: f64) -> bool {
+    let found = found.as_f64().expect("a number");
+    (found - expected).abs() <= share * expected.abs()
+}
+
+#[test]
+fn the_bands_of_the_specification() {
+    let folder = folder("tolerance_bands");
+    let found = heald(&["--at", "phi4=90deg", "--output", "phi7"], &folder);
+    let bands = &found["bands"];
+    assert!(near(&bands["worst"], 2.0570, 3e-5), "{bands}");
+    assert!(near(&bands["deviation"], 0.55949, 2e-5), "{bands}");
+    assert!(near(
+        &bands["monte_carlo"]["deviation"]["value"],
+        0.55949,
+        1e-2
+    ));
+    assert_eq!(
+        bands["monte_carlo"]["assembled"],
+        bands["monte_carlo"]["drawn"]
+    );
+    assert_eq!(found["status"], "complete");
+    assert_eq!(found["output"]["error_unit"], "mrad");
+    let shares = found["contributions"].as_array().expect("a list").iter();
+    let sum: f64 = shares.filter_map(|one| one["share"].as_f64()).sum();
+    assert!((sum - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn linkages_that_do_not_assemble_are_not_passed_over() {
+    let folder = folder("tolerance_brink");
+    let place = ["--at", "phi4=220.213deg", "--kind", "monte-carlo"];
+    let found = heald(&[&place[..], &["--samples", "4000"]].concat(), &folder);
+    assert_eq!(found["status"], "conditional");
+    let failures = found["bands"]["monte_carlo"]["failures"]["value"].as_f64();
+    assert!(failures.is_some_and(|share| share > 0.4 && share < 0.6));
+    let table = answer(
+        &[&["tolerance", "heald_linkage"], &place[..]].concat(),
+        &folder,
+    );
+    assert!(table.contains("do not assemble in this mode"), "{table}");
+}
+
+#[test]
+fn scaled_tolerances_show_what_the_sum_misses() {
+    let folder = folder("tolerance_scaled");
+    let found = heald(
+        &["--at", "phi4=90deg", "--scale", "20", "--kind", "second"],
+        &folder,
+    );
+    let second = &found["bands"]["second"];
+    assert!(near(&found["bands"]["worst"], 41.140, 1e-3));
+    assert!(
+        near(&second["extremes_closed"]["greatest"], 41.793, 1e-3),
+        "{second}"
+    );
+}
+
+#[test]
+fn tolerances_of_least_cost_keep_the_band() {
+    let folder = folder("tolerance_allocation");
+    let found = heald(
+        &["--allocate", "1mrad", "--limit", "s=0.05mm..0.2mm"],
+        &folder,
+    );
+    let chosen = &found["allocation"];
+    assert!(near(&chosen["greatest"], 1.0, 1e-6), "{chosen}");
+    let tolerances = chosen["tolerances"].as_array().expect("a list");
+    let s = tolerances
+        .iter()
+        .find(|one| one["name"] == "s")
+        .expect("it is there");
+    assert!(near(&s["half_width"], 0.05, 1e-6), "{s}");
+    let out_of_reach = [
+        "tolerance",
+        "heald_linkage",
+        "--allocate",
+        "0.1mrad",
+        "--limit",
+        "l5=0.1mm..",
+    ];
+    let output = run(&out_of_reach, &folder);
+    assert_eq!(output.status.code(), Some(1));
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    for word in ["phi4 = 60 deg", "0.50", "`l5`"] {
+        assert!(complaint.contains(word), "{complaint}");
+    }
+}
+
+#[test]
+fn figure_and_rows_over_the_range() {
+    let folder = folder("tolerance_figure");
+    let rows = answer(
+        &[
+            "tolerance",
+            "heald_linkage",
+            "--kind",
+            "worst",
+            "--format",
+            "csv",
+            "--places",
+            "7",
+            "--plot",
+            "bands.svg",
+            "--play",
+            "l5=0.02mm",
+        ],
+        &folder,
+    );
+    assert_eq!(rows.lines().count(), 8);
+    assert!(
+        rows.starts_with("phi4 [deg],phi7 [deg],worst case [mrad]"),
+        "{rows}"
+    );
+    let drawn = std::fs::read_to_string(folder.join("bands.svg")).expect("a figure");
+    assert!(drawn.contains("l5 (play)") && drawn.ends_with("</svg>\n"));
+}
+
+#[test]
+fn wrong_questions_are_refused() {
+    let folder = folder("tolerance_refused");
+    for (arguments, words) in [
+        (&["batten"][..], &["no linkage"][..]),
+        (&["heald_linkage", "--samples", "0"], &["choose from 2"]),
+        (
+            &["heald_linkage", "--samples", "1000000000000"],
+            &["choose from 2"],
+        ),
+        (
+            &["heald_linkage", "--output", "phi9"],
+            &["phi9", "did you mean"],
+        ),
+        (
+            &["heald_linkage", "--play", "l5=-1mm"],
+            &["less than nothing"],
+        ),
+        (&["heald_linkage", "--play", "l5=1kg"], &["wrong unit"]),
+        (
+            &["heald_linkage", "--tolerance", "l9=1mm"],
+            &["nothing that can err"],
+        ),
+        (&["heald_linkage", "--scale", "0"], &["--scale"]),
+        (&["heald_linkage", "--allocate", "0mrad"], &["positive"]),
+        (
+            &[
+                "heald_linkage",
+                "--allocate",
+                "1mrad",
+                "--limit",
+                "s=2mm..1mm",
+            ],
+            &["`s`", "nothing"],
+        ),
+        (
+            &["heald_linkage", "--allocate", "1mrad", "--cost", "s=-1"],
+            &["`s`"],
+        ),
+        (&["heald_linkage", "--places", "1"], &["choose from 2"]),
+    ] {
+        check_refused(&[&["tolerance"], arguments].concat(), words, &folder);
+    }
+}
