@@ -77,6 +77,8 @@ fn derive(links: usize) -> Derived {
             file: "chain.eqn".to_owned(),
             has_file: false,
             line_of: &|_| 1,
+            part_of: &|_| None,
+            parts: Vec::new(),
         };
         let items = emit::mechanism(model, &origin);
         let emitting = start.elapsed().as_secs_f64();
