@@ -159,7 +159,6 @@ fn run(objective: &[f64], rows: Rows) -> Result<(Vec<f64>, Vec<f64>), Allocation
         ..DefaultSettings::default()
     };
     let none = CscMatrix::zeros((n, n));
-    let failed = |status: String, iterations| AllocationError::NotSolved { status, iterations };
     let mut solver = DefaultSolver::new(
         &none,
         objective,
@@ -167,12 +166,14 @@ fn run(objective: &[f64], rows: Rows) -> Result<(Vec<f64>, Vec<f64>), Allocation
         &rows.right,
         &rows.cones,
         settings,
-    )
-    .map_err(|error| failed(error.to_string(), 0))?;
+    );
     solver.solve();
     let solution = solver.solution;
     match solution.status {
         SolverStatus::Solved | SolverStatus::AlmostSolved => Ok((solution.x, solution.z)),
-        status => Err(failed(format!("{status:?}"), solution.iterations)),
+        status => Err(AllocationError::NotSolved {
+            status: format!("{status:?}"),
+            iterations: solution.iterations,
+        }),
     }
 }
