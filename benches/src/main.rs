@@ -12,6 +12,7 @@ mod hand_system;
 mod peers;
 mod revolutions;
 mod table;
+mod tolerance;
 
 use std::process::ExitCode;
 
@@ -22,6 +23,7 @@ usage: assur-benches [COMMAND]
   evaluate      one evaluation of emitted and of hand-written code
   revolutions   ten revolutions and the periodic motion
   peers         other libraries on the same equations; needs `--features peers`
+  tolerance     a million heald linkages made at random
   chain         how long a chain of 30 pendulums takes to derive
   all           all of these (default)
   brief         the times of `revolutions` alone, as numbers";
@@ -34,9 +36,11 @@ fn main() -> ExitCode {
         ["revolutions"] => with_counts(&[revolutions::report]),
         ["peers"] => return run_peers(),
         ["chain"] => chain::report(),
+        ["tolerance"] => tolerance::report(),
         ["brief"] => revolutions::brief(),
         [] | ["all"] => {
             with_counts(&[evaluate::report, revolutions::report]);
+            tolerance::report();
             chain::report();
             if cfg!(feature = "peers") {
                 return run_peers();

@@ -14,6 +14,7 @@ use super::source::{Source, Study};
 use super::tally::{CLASSES, Classes, Sums};
 use crate::closure::Linkage;
 use crate::dispatch::{Task, dispatch};
+use crate::registry::Distribution;
 use crate::scalar::Scalar;
 use std::marker::PhantomData;
 use std::num::NonZeroUsize;
@@ -30,6 +31,8 @@ const BLOCK: u64 = 4096;
 const BLOCKS: u64 = 4096;
 /// Samples from which the classes are chosen.
 const PILOT: u64 = 1024;
+/// Samples whose errors are drawn at once.
+const BATCH: usize = 64;
 
 /// How samples are drawn and what is made of them.
 #[derive(Clone, Debug, PartialEq)]
@@ -240,36 +243,59 @@ impl<L: Linkage> Task for Drawing<'_, '_, L> {
             places: vec![Sums::NONE; places],
             whole: 0,
         };
-        let mut errors = vec![S::ZERO; sources];
-        let mut random = Random::new(run.seed, self.from.wrapping_mul(sources as u64));
-        for _ in self.from..self.to {
-            for (error, source) in errors.iter_mut().zip(run.sources) {
-                let deviate = source.distribution.quantile(random.uniform());
-                *error = S::from_f64(deviate * source.half_width);
+        let mut all = vec![S::ZERO; BATCH * sources];
+        for first in (self.from..self.to).step_by(BATCH) {
+            let count = BATCH.min((self.to - first) as usize);
+            run.draw(first, count, &mut all);
+            for errors in all[..count * sources].chunks_exact(sources) {
+                let closure = maker.prepare(errors);
+                let mut whole = true;
+                for place in 0..places {
+                    let mut error = maker.error(&closure, place, errors).to_f64();
+                    if !error.is_finite() {
+                        error = run.lead(place, errors.iter().map(|one| one.to_f64()).collect());
+                    }
+                    if error.is_nan() {
+                        whole = false;
+                        continue;
+                    }
+                    block.places[place].add(error);
+                    if let Some(classes) = run.classes.get(place) {
+                        self.counts[place * CLASSES + classes.class(error)] += 1;
+                    }
+                }
+                block.whole += u64::from(whole);
             }
-            let closure = maker.prepare(&errors);
-            let mut whole = true;
-            for place in 0..places {
-                let mut error = maker.error(&closure, place, &errors).to_f64();
-                if !error.is_finite() {
-                    error = run.lead(place, errors.iter().map(|one| one.to_f64()).collect());
-                }
-                if error.is_nan() {
-                    whole = false;
-                    continue;
-                }
-                block.places[place].add(error);
-                if let Some(classes) = run.classes.get(place) {
-                    self.counts[place * CLASSES + classes.class(error)] += 1;
-                }
-            }
-            block.whole += u64::from(whole);
         }
         block
     }
 }
 
 impl<L: Linkage> Run<'_, L> {
+    /// Draws the errors of some samples, source by source, so that each distribution is chosen once.
+    #[inline(always)]
+    fn draw<S: Scalar>(&self, first: u64, count: usize, errors: &mut [S]) {
+        let sources = self.sources.len();
+        let random = Random::new(self.seed, first.wrapping_mul(sources as u64));
+        for (k, source) in self.sources.iter().enumerate() {
+            let draw = |errors: &mut [S], quantile: fn(f64) -> f64| {
+                for (i, errors) in errors.chunks_exact_mut(sources).take(count).enumerate() {
+                    let share = random.ahead((i * sources + k) as u64);
+                    errors[k] = S::from_f64(quantile(share) * source.half_width);
+                }
+            };
+            match source.distribution {
+                Distribution::Uniform => {
+                    draw(errors, |share| Distribution::Uniform.quantile(share))
+                }
+                Distribution::Normal => draw(errors, |share| Distribution::Normal.quantile(share)),
+                Distribution::Truncated => {
+                    draw(errors, |share| Distribution::Truncated.quantile(share));
+                }
+            }
+        }
+    }
+
     /// The careful way to a made linkage; no number if there is none.
     #[cold]
     #[inline(never)]

@@ -24,13 +24,25 @@ impl Random {
         }
     }
 
+    /// The number `ahead` places after the next one.
+    #[inline(always)]
+    pub fn ahead(&self, ahead: u64) -> f64 {
+        let steps = ahead.wrapping_add(1);
+        fraction(self.state.wrapping_add(steps.wrapping_mul(GAMMA)))
+    }
+
     /// The next number, uniform between 0 and 1 without both ends.
     #[inline(always)]
     pub fn uniform(&mut self) -> f64 {
         self.state = self.state.wrapping_add(GAMMA);
-        let bits = mix(self.state) >> 12;
-        (bits as f64 + 0.5) * f64::EPSILON
+        fraction(self.state)
     }
+}
+
+/// A number between 0 and 1 from the state.
+#[inline(always)]
+fn fraction(state: u64) -> f64 {
+    ((mix(state) >> 12) as f64 + 0.5) * f64::EPSILON
 }
 
 /// Mixes all bits of a number.
@@ -65,6 +77,7 @@ mod tests {
         let numbers: Vec<f64> = (0..100).map(|_| all.uniform()).collect();
         for (index, number) in numbers.iter().enumerate() {
             assert_eq!(Random::new(7, index as u64).uniform(), *number);
+            assert_eq!(Random::new(7, 0).ahead(index as u64), *number);
             assert!(*number > 0.0 && *number < 1.0);
         }
         assert_ne!(Random::new(8, 0).uniform(), numbers[0]);

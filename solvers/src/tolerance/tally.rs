@@ -3,6 +3,9 @@
 /// Number of classes.
 pub(super) const CLASSES: usize = 4096;
 
+/// Least width of a class: it has a reciprocal.
+const SMALLEST: f64 = 1e-300;
+
 /// Sums over samples. They are added up in the order of the samples, so that they do not depend on who drew them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sums {
@@ -65,22 +68,23 @@ impl Sums {
 pub(super) struct Classes {
     low: f64,
     width: f64,
+    /// Reciprocal of the width.
+    scale: f64,
 }
 
 impl Classes {
     /// Classes around errors that have been seen, with room for as much again.
     pub fn around((low, high): (f64, f64)) -> Self {
         let room = 0.5 * (high - low);
-        let width = (2.0 * (high - low) / CLASSES as f64).max(f64::MIN_POSITIVE);
-        match low <= high && width.is_finite() {
-            true => Self {
-                low: low - room,
-                width,
-            },
-            false => Self {
-                low: -1.0,
-                width: 2.0 / CLASSES as f64,
-            },
+        let width = (2.0 * (high - low) / CLASSES as f64).max(SMALLEST);
+        let (low, width) = match low <= high && width.is_finite() {
+            true => (low - room, width),
+            false => (-1.0, 2.0 / CLASSES as f64),
+        };
+        Self {
+            low,
+            width,
+            scale: 1.0 / width,
         }
     }
 
@@ -88,7 +92,7 @@ impl Classes {
     #[inline(always)]
     pub fn class(&self, error: f64) -> usize {
         // The conversion cuts off at zero.
-        (((error - self.low) / self.width) as usize).min(CLASSES - 1)
+        (((error - self.low) * self.scale) as usize).min(CLASSES - 1)
     }
 
     /// The error below which a share of the samples lies, by straight lines within the classes.
