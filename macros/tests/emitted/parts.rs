@@ -47,3 +47,39 @@ fn names_of_parts_are_names_in_rust() {
     check(&hung.values(), &[1.0, 7.0, 3.0, 0.0, 9.0, 5.0, 1.0]);
     assert_eq!(MECHANISM.effects[1].name, "pair.second.damping");
 }
+
+/// Each part closes its own loop, driven from the whole.
+mod linkage {
+    assur::mechanism! {
+        /// Two rockers on one shaft, one a quarter of a turn behind the other.
+        Shaker from "made up";
+        dimension r = 20 mm;
+        driver theta ~ 90 deg in 0 deg .. 360 deg;
+        part left: CrankRocker from "parts/crank_rocker.eqn" { phi = theta; }
+        part right: CrankRocker from "parts/crank_rocker.eqn" {
+            phi = theta - 90 deg;
+            l3 = 3*r;
+            psi ~ 78 deg;
+            gamma ~ 50 deg;
+        }
+        link left.B - right.B;
+        output left.angle, right.angle, diff(left.psi, left.l1) [rad/mm], apart = left.B.x - right.B.x;
+        expect at theta = 90 deg: left.angle = 105.64517 deg +- 5e-6 deg;
+        expect at theta = 180 deg: right.angle = 105.64517 deg +- 5e-6 deg;
+        expect at theta = 90 deg: diff(left.psi, left.l1) = -6.10 [rad/m] +- 0.01 [rad/m];
+    }
+
+    #[test]
+    fn points_and_links_of_parts_are_drawn() {
+        let linkage = MECHANISM.scenes[0].linkage.expect("it closes loops");
+        assert_eq!(linkage.points.len(), 8);
+        assert_eq!(linkage.links.len(), 7);
+        assert_eq!(linkage.links[6].points, [2, 6]);
+        assert_eq!(linkage.loops[0].name, "left.loop.x");
+        let constants = Shaker::CONSTANTS.iter().map(|one| one.quantity.name);
+        let all = [
+            "r", "left.l1", "left.l2", "left.l3", "left.a", "right.l1", "right.l2", "right.a",
+        ];
+        assert_eq!(constants.collect::<Vec<_>>(), all);
+    }
+}

@@ -3,9 +3,10 @@
 use std::cell::RefCell;
 
 use assur_model::checked::{Compiled, SceneModel};
+use assur_model::diagnostic::Severity;
 use assur_model::lexer::{Lexed, Unreadable, lex_plain};
 use assur_model::program::Input;
-use assur_model::token::Span;
+use assur_model::token::{Span, Token};
 
 use super::{Expected, check_messages, words};
 
@@ -440,4 +441,47 @@ fn parts_are_limited() {
         "",
     );
     check("Machine; part first: P0 { }", &files, &[many, deep, deep]);
+}
+
+#[test]
+fn files_of_parts_that_are_cut_off_are_endured() {
+    let main = lex_plain(
+        "Machine; driver phi ~ 0 in 0 .. 1; part feed: Feed from \"feed.eqn\" { theta = phi; lift.rod = 91 mm; }
+        output feed.tooth, feed.lift.C; link feed.lift.C - feed.lift.D; scene go { sweep phi; }",
+    );
+    let main = main.unwrap().tokens;
+    let [feed, bar] = [FEED, FOUR_BAR].map(|text| lex_plain(text).unwrap().tokens);
+    let endure = |main: &[Token], feed: &[Token], bar: &[Token]| {
+        let compiled = assur_model::compile_with(main, &mut |wanted| {
+            Ok(match wanted.path.as_str() {
+                "feed.eqn" => feed.to_vec(),
+                _ => bar.to_vec(),
+            })
+        });
+        let errors = compiled.diagnostics.iter();
+        let wrong = errors.filter(|one| one.severity == Severity::Error).count();
+        assert_eq!(wrong > 0, compiled.model.is_none());
+        let count = (main.len() + feed.len() + bar.len()) as u32;
+        for one in &compiled.diagnostics {
+            assert!(
+                one.span.first <= one.span.last && one.span.last < count,
+                "{one:?}"
+            );
+        }
+    };
+    for length in 1..main.len() {
+        endure(&main[..length], &feed, &bar);
+    }
+    for length in 0..feed.len() {
+        endure(&main, &feed[..length], &bar);
+        endure(
+            &main,
+            &[&feed[..length], &feed[length + 1..]].concat(),
+            &bar,
+        );
+    }
+    for length in 0..bar.len() {
+        endure(&main, &feed, &bar[..length]);
+        endure(&main, &feed, &[&bar[..length], &bar[length + 1..]].concat());
+    }
 }
