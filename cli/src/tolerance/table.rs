@@ -378,7 +378,7 @@ impl Page<'_> {
                 number::significant(source.half_width / quantity.factor, 4),
                 number::significant(wanted.candidates[index].cost.of(tolerance), 3),
                 match found.limits[index] {
-                    Limit::Free => String::new(),
+                    Limit::None => String::new(),
                     Limit::Least => "at its lower limit".to_owned(),
                     Limit::Most => "at its upper limit".to_owned(),
                 },

@@ -65,7 +65,7 @@ pub enum Rule {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limit {
     /// Between its limits.
-    Free,
+    None,
     /// At the lower one: the band would permit less than what can be made.
     Least,
     /// At the upper one: the band would permit more.
@@ -306,7 +306,7 @@ fn finish(
         match (near(*one, candidate.most), near(*one, candidate.least)) {
             (true, _) => Limit::Most,
             (_, true) => Limit::Least,
-            _ => Limit::Free,
+            _ => Limit::None,
         }
     });
     let costs = tolerances.iter().zip(candidates);

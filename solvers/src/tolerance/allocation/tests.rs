@@ -188,7 +188,7 @@ fn limits_are_kept_and_named() {
     .expect("there is an optimum");
     assert_eq!(found.limits[..2], [Limit::Most, Limit::Least]);
     assert!(found.tolerances[0] <= 1e-5 && found.tolerances[1] >= 2e-4);
-    assert_eq!(found.limits[2..], [Limit::Free, Limit::Free]);
+    assert_eq!(found.limits[2..], [Limit::None, Limit::None]);
     // Nothing but upper limits binds in a wide band.
     candidates.iter_mut().for_each(|one| one.most = 3e-4);
     let wide = allocate_along(
