@@ -5,6 +5,7 @@ mod emitted {
     mod branches;
     mod chain;
     mod first_order;
+    mod groups;
     mod implicit;
     mod names;
     mod parts;

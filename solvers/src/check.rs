@@ -20,7 +20,7 @@ mod tests;
 pub use derivatives::jacobian;
 pub use facts::fact;
 pub use linkage::closure;
-pub use scaling::scaling;
+pub use scaling::{closure_scaling, scaling};
 
 use crate::ode;
 use crate::problem::{Equations, Scene, Storage};

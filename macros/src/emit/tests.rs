@@ -87,13 +87,20 @@ fn energy(layout: &Layout<'_>) -> Option<TokenStream> {
 fn scaling(layout: &Layout<'_>) -> Option<TokenStream> {
     let (name, scene) = (&layout.parameters, &layout.scene.name);
     let is_something = layout.states() + layout.scene.outputs.len() > 0;
-    let is_motion = layout.scene.linkage.is_none();
-    (layout.scene.literal.is_none() && is_something && is_motion).then(|| {
+    let check = match layout.scene.linkage {
+        None => quote! {
+            ::assur::check::scaling(&super::super::MECHANISM, #scene, super::super::#name::from_values)
+        },
+        Some(_) => quote! {
+            ::assur::check::closure_scaling::<super::super::#name>(&super::super::MECHANISM, #scene)
+        },
+    };
+    (layout.scene.literal.is_none() && is_something).then(|| {
         quote! {
             /// The same mechanism stated in mm, g, ms gives the same motion.
             #[test]
             fn scaling_() -> ::core::result::Result<(), ::assur::check::Failed> {
-                ::assur::check::scaling(&super::super::MECHANISM, #scene, super::super::#name::from_values)
+                #check
             }
         }
     })

@@ -14,7 +14,7 @@ const DEVIATION: f64 = 1e-10;
 /// The same of a second derivative.
 const SECOND: f64 = 1e-8;
 /// Positions that are tried.
-const PLACES: usize = 7;
+pub(super) const PLACES: usize = 7;
 
 /// Checks at several positions that the loops are closed there, that the kinematic and influence coefficients are the
 /// derivatives of positions and outputs, and that second derivatives are those of the first.
@@ -40,7 +40,7 @@ pub fn closure<L: Linkage + Default>() -> Result<(), Failed> {
 }
 
 /// A place in the range, or in the time of the task.
-fn place<L: Linkage>(linkage: &L, index: usize) -> Result<Vec<f64>, Failed> {
+pub(super) fn place<L: Linkage>(linkage: &L, index: usize) -> Result<Vec<f64>, Failed> {
     let share = (index as f64 + 0.37) / PLACES as f64;
     if L::MOTION > 0 {
         let (from, to) = linkage.span().limits();

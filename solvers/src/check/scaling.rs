@@ -18,6 +18,10 @@
 //! A scene with a number of its own (`x + 3 mm`, `250 rpm*time`, an empirical formula of `S/(1 mm)`) cannot be stated in
 //! other units by its constants. It has no such test; its documentation names the first of these numbers.
 
+mod closure;
+
+pub use closure::closure_scaling;
+
 use super::{Failed, places};
 use crate::problem::{Equations, Scene, Storage};
 use crate::registry::{Constant, Mechanism, Quantity, SceneEntry};
