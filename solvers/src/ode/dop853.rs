@@ -6,7 +6,6 @@
 
 use super::system::System;
 use super::tableau::{Method, Row, stage_times};
-use crate::registry;
 use crate::scalar::Scalar;
 
 /// Explicit Runge–Kutta method of order 8 with error estimates of order 5 and 3, and dense output of order 7.
@@ -19,7 +18,6 @@ impl Method for Dop853 {
     type ExtraNodes<T> = [T; 3];
     type Polynomial<T> = [T; 7];
 
-    const NAME: registry::Method = registry::Method::Dop853;
     const ORDER: usize = 8;
     const STAGES: usize = 12;
     const NODES: &'static [f64] = &NODES;

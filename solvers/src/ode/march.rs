@@ -3,7 +3,7 @@
 use super::dop853::Dop853;
 use super::error::OdeError;
 use super::explicit::integrate;
-use super::options::{Options, bad};
+use super::options::Options;
 use super::system::Plain;
 use super::tableau::Method;
 use super::trajectory::{Recorder, Trajectory};
@@ -105,14 +105,19 @@ pub(crate) fn state_from<S: Scalar, E: Equations<S>>(
 ) -> Result<E::State, OdeError> {
     let states = equations.states();
     if values.len() != states {
-        return bad(
-            "start",
-            format!("{} values are given for {states} states", values.len()),
-        );
+        return Err(bad_start(values.len(), states));
     }
     let mut state = E::State::zeros(states);
     for (target, value) in state.as_mut().iter_mut().zip(values) {
         *target = S::from_f64(*value);
     }
     Ok(state)
+}
+
+/// The error for so many start values.
+pub(crate) fn bad_start(values: usize, states: usize) -> OdeError {
+    OdeError::BadOption {
+        name: "start",
+        reason: format!("{values} values are given for {states} states"),
+    }
 }

@@ -25,7 +25,7 @@ mod workspace;
 pub use dop853::Dop853;
 pub use error::OdeError;
 pub use explicit::{Statistics, integrate};
-pub(crate) use march::state_from;
+pub(crate) use march::{bad_start, state_from};
 pub use march::{march, march_on};
 pub use observer::{Observer, Step};
 pub use options::{AbsoluteTolerance, Options};

@@ -1,7 +1,6 @@
 //! What distinguishes one explicit Runge–Kutta method from another: its coefficients.
 
 use super::system::System;
-use crate::registry;
 use crate::scalar::Scalar;
 
 /// A row of a tableau without its zeros: number of the slope (from 0) and its coefficient.
@@ -27,8 +26,6 @@ pub trait Method {
     /// As many as the polynomial of the dense output has coefficients beside `y₀`.
     type Polynomial<T>: AsRef<[T]> + AsMut<[T]>;
 
-    /// Its name.
-    const NAME: registry::Method;
     /// Order of the solution that is carried on.
     const ORDER: usize;
     /// Stages from which the new state is formed.

@@ -7,7 +7,6 @@
 
 use super::system::System;
 use super::tableau::{Method, Row, stage_times};
-use crate::registry;
 use crate::scalar::Scalar;
 
 /// Explicit Runge–Kutta pair of order 5(4) with dense output of order 4 that needs no further stages.
@@ -20,7 +19,6 @@ impl Method for Tsit5 {
     type ExtraNodes<T> = [T; 0];
     type Polynomial<T> = [T; 4];
 
-    const NAME: registry::Method = registry::Method::Tsit5;
     const ORDER: usize = 5;
     const STAGES: usize = 6;
     const NODES: &'static [f64] = &NODES;

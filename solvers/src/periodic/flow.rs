@@ -1,26 +1,43 @@
 //! The motion over one period, in states over their scales.
 
 use super::error::PeriodicError;
+use crate::dispatch::{Task, dispatch};
 use crate::ode::{
-    Bundle, Method, Observer, OdeError, Options, Step, Trajectory, Varied, Workspace, integrate,
-    march, state_from,
+    Bundle, Dop853, Method, Observer, OdeError, Options, Step, Trajectory, Tsit5, Varied,
+    Workspace, bad_start, integrate, march, state_from,
 };
-use crate::problem::{Equations, Scene, Storage};
-use crate::registry::Settings;
+use crate::problem::{Scene, Storage};
+use crate::registry::{self, Settings};
 use crate::scalar::Scalar;
 use nalgebra::{DMatrix, DVector};
 use std::marker::PhantomData;
 
-/// A scene with its period, ready to be integrated by a method on a scalar type.
-pub(super) struct Flow<'a, C: Scene, S: Scalar, M> {
+/// What the search for a motion that repeats asks of a scene. The search itself is compiled once for all scenes.
+pub(super) trait Flow {
+    /// Whether the equations are affine in the state.
+    fn is_linear(&self) -> bool;
+
+    /// Sizes of the states.
+    fn scales(&self) -> &'static [f64];
+
+    /// The declared start values, or zeros if there are none.
+    fn guess(&self) -> Result<DVector<f64>, PeriodicError>;
+
+    /// Integrates the motion and its variations over one period.
+    fn turn(&self, start: &DVector<f64>, rtol: f64) -> Result<Return, OdeError>;
+
+    /// Integrates the motion alone over one period.
+    fn march(&self, start: &DVector<f64>, rtol: f64) -> Result<Trajectory, OdeError>;
+}
+
+/// A scene with its period.
+pub(super) struct Period<'a, C: Scene> {
     /// The scene.
-    scene: &'a C,
-    /// Its equations.
-    equations: C::Equations<S>,
+    pub scene: &'a C,
     /// The period.
-    period: f64,
+    pub period: f64,
     /// The method.
-    method: PhantomData<M>,
+    pub method: registry::Method,
 }
 
 /// What one period makes of a start. All vectors in states over their scales.
@@ -47,46 +64,85 @@ impl Return {
     }
 }
 
-impl<'a, C: Scene, S: Scalar, M: Method> Flow<'a, C, S, M> {
-    /// A scene with its period.
-    #[inline(always)]
-    pub fn new(scene: &'a C, period: f64) -> Self {
-        Self {
-            scene,
-            equations: scene.prepare(),
-            period,
-            method: PhantomData,
+impl<C: Scene> Flow for Period<'_, C> {
+    fn is_linear(&self) -> bool {
+        C::LINEAR
+    }
+
+    fn scales(&self) -> &'static [f64] {
+        C::SCALES
+    }
+
+    fn guess(&self) -> Result<DVector<f64>, PeriodicError> {
+        let start = self.scene.start();
+        match start.len() {
+            0 => Ok(DVector::zeros(C::STATES)),
+            states if states == C::STATES => Ok(over_scales::<C, f64>(&start)),
+            states => Err(bad_start(states, C::STATES).into()),
         }
     }
 
-    /// The declared start values, or zeros if there are none.
-    pub fn guess(&self, scene: &C) -> Result<DVector<f64>, PeriodicError> {
-        let start = scene.start();
-        if start.is_empty() {
-            return Ok(DVector::zeros(C::STATES));
-        }
-        let state = state_from::<S, _>(&self.equations, &start)?;
-        Ok(over_scales::<C, S>(state.as_ref()))
+    fn turn(&self, start: &DVector<f64>, rtol: f64) -> Result<Return, OdeError> {
+        dispatch(Turn {
+            flow: self,
+            start,
+            rtol,
+        })
     }
 
-    /// Integrates the motion and its variations over one period.
+    fn march(&self, start: &DVector<f64>, rtol: f64) -> Result<Trajectory, OdeError> {
+        let settings = Settings {
+            method: self.method,
+            rtol,
+        };
+        march(
+            self.scene,
+            (0.0, self.period),
+            &unscaled::<C>(start),
+            &settings,
+        )
+    }
+}
+
+/// The task of [`Flow::turn`].
+struct Turn<'a, 'b, C: Scene> {
+    flow: &'a Period<'b, C>,
+    start: &'a DVector<f64>,
+    rtol: f64,
+}
+
+impl<C: Scene> Task for Turn<'_, '_, C> {
+    type Output = Result<Return, OdeError>;
+    const LARGE: bool = C::LARGE;
+
     #[inline(always)]
-    pub fn turn(&self, start: &DVector<f64>, rtol: f64) -> Result<Return, OdeError> {
+    fn run<S: Scalar>(self) -> Self::Output {
+        match self.flow.method {
+            registry::Method::Tsit5 => self.turn::<S, Tsit5>(),
+            registry::Method::Dop853 => self.turn::<S, Dop853>(),
+        }
+    }
+}
+
+impl<C: Scene> Turn<'_, '_, C> {
+    #[inline(always)]
+    fn turn<S: Scalar, M: Method>(&self) -> Result<Return, OdeError> {
+        let equations = self.flow.scene.prepare::<S>();
         let varied = Varied {
-            equations: &self.equations,
+            equations: &equations,
             scales: Some(C::SCALES),
         };
-        let state = self.state(start)?;
+        let state = state_from::<S, _>(&equations, &unscaled::<C>(self.start))?;
         let begin = varied.start::<S>(&state);
-        let options = Options::scaled(rtol, C::SCALES);
+        let options = Options::scaled(self.rtol, C::SCALES);
         let mut workspace = Workspace::<Bundle<_>, M>::new::<S, _>(&varied);
         let mut peak = Peak::<C, S> {
-            sizes: start.abs(),
+            sizes: self.start.abs(),
             types: PhantomData,
         };
         integrate(
             &varied,
-            (0.0, self.period),
+            (0.0, self.flow.period),
             &begin,
             &options,
             &mut workspace,
@@ -97,40 +153,18 @@ impl<'a, C: Scene, S: Scalar, M: Method> Flow<'a, C, S, M> {
             columns[column].as_ref()[row].to_f64() * (C::SCALES[column] / C::SCALES[row])
         };
         Ok(Return {
-            start: start.clone(),
+            start: self.start.clone(),
             end: over_scales::<C, S>(motion.as_ref()),
             matrix: DMatrix::from_fn(C::STATES, C::STATES, scaled),
             peak: peak.sizes,
         })
     }
+}
 
-    /// Integrates the motion alone over one period. It goes the way of every motion, through the choice of the
-    /// instruction set, so that its code is there once.
-    pub fn march(&self, start: &DVector<f64>, rtol: f64) -> Result<Trajectory, OdeError> {
-        let values: Vec<f64> = start
-            .iter()
-            .zip(C::SCALES)
-            .map(|(value, scale)| value * scale)
-            .collect();
-        let settings = Settings {
-            method: M::NAME,
-            rtol,
-        };
-        march(self.scene, (0.0, self.period), &values, &settings)
-    }
-
-    /// The state of the equations from a vector over its scales.
-    fn state(
-        &self,
-        scaled: &DVector<f64>,
-    ) -> Result<<C::Equations<S> as Equations<S>>::State, OdeError> {
-        let values: Vec<f64> = scaled
-            .iter()
-            .zip(C::SCALES)
-            .map(|(value, scale)| value * scale)
-            .collect();
-        state_from::<S, _>(&self.equations, &values)
-    }
+/// A state from a vector over its scales.
+fn unscaled<C: Scene>(scaled: &DVector<f64>) -> Vec<f64> {
+    let states = scaled.iter().zip(C::SCALES);
+    states.map(|(value, scale)| value * scale).collect()
 }
 
 /// A state over its scales.

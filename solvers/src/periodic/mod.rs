@@ -19,13 +19,11 @@ mod smallest;
 pub use error::PeriodicError;
 pub use multipliers::Multiplier;
 
-use crate::dispatch::{Task, dispatch};
-use crate::ode::{Dop853, Method, Trajectory, Tsit5};
+use crate::ode::Trajectory;
 use crate::problem::Scene;
-use crate::registry::{self, Settings};
-use crate::scalar::Scalar;
+use crate::registry::Settings;
 use closing::Closing;
-use flow::{Flow, Return};
+use flow::{Flow, Period, Return};
 use nalgebra::DVector;
 
 /// Factor between the tolerances of the two computations.
@@ -78,74 +76,34 @@ pub fn solve<C: Scene>(
     period: f64,
     settings: &Settings,
 ) -> Result<Orbit, PeriodicError> {
-    dispatch(Solving {
+    let flow = Period {
         scene,
         period,
-        settings,
-    })
-}
-
-/// The task of [`solve`].
-struct Solving<'a, C> {
-    /// The scene.
-    scene: &'a C,
-    /// The period.
-    period: f64,
-    /// The method and its accuracy.
-    settings: &'a Settings,
-}
-
-impl<C: Scene> Task for Solving<'_, C> {
-    type Output = Result<Orbit, PeriodicError>;
-    const LARGE: bool = C::LARGE;
-
-    #[inline(always)]
-    fn run<S: Scalar>(self) -> Self::Output {
-        solve_on::<C, S>(self.scene, self.period, self.settings)
-    }
-}
-
-/// The motion of a scene that repeats after a period, evaluated on a scalar type.
-///
-/// # Errors
-/// See [`PeriodicError`].
-#[inline(always)]
-pub fn solve_on<C: Scene, S: Scalar>(
-    scene: &C,
-    period: f64,
-    settings: &Settings,
-) -> Result<Orbit, PeriodicError> {
-    match settings.method {
-        registry::Method::Tsit5 => solve_with::<C, S, Tsit5>(scene, period, settings.rtol),
-        registry::Method::Dop853 => solve_with::<C, S, Dop853>(scene, period, settings.rtol),
-    }
+        method: settings.method,
+    };
+    solve_with(&flow, period, settings.rtol)
 }
 
 /// The motion that repeats, by superposition or by shooting.
-#[inline(always)]
-fn solve_with<C: Scene, S: Scalar, M: Method>(
-    scene: &C,
-    period: f64,
-    rtol: f64,
-) -> Result<Orbit, PeriodicError> {
+fn solve_with(flow: &dyn Flow, period: f64, rtol: f64) -> Result<Orbit, PeriodicError> {
     if !(period.is_finite() && period > 0.0) {
         return Err(PeriodicError::BadPeriod { period });
     }
-    let flow = Flow::<C, S, M>::new(scene, period);
+    let scales = flow.scales();
     let tolerances = [rtol, (rtol / REFINEMENT).max(SMALLEST_RTOL)];
-    let mut guess = if C::LINEAR {
-        DVector::zeros(C::STATES)
+    let mut guess = if flow.is_linear() {
+        DVector::zeros(scales.len())
     } else {
-        flow.guess(scene)?
+        flow.guess()?
     };
     let mut iterations = 0;
     let mut returns = Vec::with_capacity(tolerances.len());
     for rtol in tolerances {
-        let back = if C::LINEAR {
+        let back = if flow.is_linear() {
             iterations += 1;
             flow.turn(&guess, rtol)?
         } else {
-            shooting::shoot(&flow, &guess, rtol, &mut iterations)?
+            shooting::shoot(flow, &guess, rtol, &mut iterations)?
         };
         guess.copy_from(&back.start);
         returns.push(back);
@@ -164,8 +122,8 @@ fn solve_with<C: Scene, S: Scalar, M: Method>(
     let (first, _) = close(coarse, &Closing::new(&coarse.matrix))?;
     let (second, free) = close(fine, &closing)?;
     let mut starts = [first, second];
-    if C::LINEAR && !free.is_empty() {
-        starts = smallest::settle(&flow, starts, &free, tolerances)?;
+    if flow.is_linear() && !free.is_empty() {
+        starts = smallest::settle(flow, starts, &free, tolerances)?;
     }
     let mut motions = Vec::with_capacity(starts.len());
     for (start, rtol) in starts.iter().zip(tolerances) {
@@ -175,7 +133,7 @@ fn solve_with<C: Scene, S: Scalar, M: Method>(
         return Err(PeriodicError::BadPeriod { period });
     };
     let start = trajectory.at(0.0);
-    let changes = trajectory.end().iter().zip(&start).zip(C::SCALES);
+    let changes = trajectory.end().iter().zip(&start).zip(scales);
     Ok(Orbit {
         residual: changes
             .map(|((end, start), scale)| (end - start).abs() / scale)

@@ -3,9 +3,7 @@
 use super::closing::Closing;
 use super::error::PeriodicError;
 use super::flow::{Flow, Return};
-use crate::ode::{Method, OdeError};
-use crate::problem::Scene;
-use crate::scalar::Scalar;
+use crate::ode::OdeError;
 use nalgebra::DVector;
 
 /// Largest number of Newton steps.
@@ -18,9 +16,8 @@ const SMALLEST_PART: f64 = 1.0 / 64.0;
 /// A step is shortened until it passes the natural monotonicity test (P. Deuflhard: *Newton Methods for Nonlinear
 /// Problems*, 2004, section 3.3). If it does not, the motion itself is followed for a period, which leads a
 /// damped mechanism towards its steady state.
-#[inline(always)]
-pub(super) fn shoot<C: Scene, S: Scalar, M: Method>(
-    flow: &Flow<'_, C, S, M>,
+pub(super) fn shoot(
+    flow: &dyn Flow,
     guess: &DVector<f64>,
     rtol: f64,
     iterations: &mut usize,

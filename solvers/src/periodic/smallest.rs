@@ -3,18 +3,15 @@
 
 use super::error::PeriodicError;
 use super::flow::Flow;
-use crate::ode::{Method, Trajectory};
-use crate::problem::Scene;
-use crate::scalar::Scalar;
+use crate::ode::Trajectory;
 use nalgebra::{DMatrix, DVector};
 
 /// Samples over the period.
 const SAMPLES: usize = 512;
 
 /// Adds to the starts, one for each tolerance, what makes the mean square of the motion smallest.
-#[inline(always)]
-pub(super) fn settle<C: Scene, S: Scalar, M: Method>(
-    flow: &Flow<'_, C, S, M>,
+pub(super) fn settle(
+    flow: &dyn Flow,
     starts: [DVector<f64>; 2],
     free: &[DVector<f64>],
     tolerances: [f64; 2],
@@ -25,9 +22,9 @@ pub(super) fn settle<C: Scene, S: Scalar, M: Method>(
         let scale = start.amax().max(1.0);
         let steps: Vec<DVector<f64>> = free.iter().map(|one| one * (scale / one.amax())).collect();
         let mut motions = Vec::with_capacity(free.len() + 1);
-        motions.push(samples::<C>(&flow.march(&start, rtol)?));
+        motions.push(samples(&flow.march(&start, rtol)?, flow.scales()));
         for step in &steps {
-            motions.push(samples::<C>(&flow.march(&(&start + step), rtol)?));
+            motions.push(samples(&flow.march(&(&start + step), rtol)?, flow.scales()));
         }
         let amounts = least_squares(&motions);
         let mut start = start;
@@ -43,18 +40,13 @@ pub(super) fn settle<C: Scene, S: Scalar, M: Method>(
 }
 
 /// The states over their scales at equal times over the period, one after the other.
-fn samples<C: Scene>(motion: &Trajectory) -> DVector<f64> {
+fn samples(motion: &Trajectory, scales: &[f64]) -> DVector<f64> {
     let times = motion.times();
     let (from, to) = (times[0], times[times.len() - 1]);
-    let mut values = Vec::with_capacity(SAMPLES * C::STATES);
+    let mut values = Vec::with_capacity(SAMPLES * scales.len());
     for number in 0..SAMPLES {
         let state = motion.at(from + (to - from) * number as f64 / SAMPLES as f64);
-        values.extend(
-            state
-                .iter()
-                .zip(C::SCALES)
-                .map(|(value, scale)| value / scale),
-        );
+        values.extend(state.iter().zip(scales).map(|(value, scale)| value / scale));
     }
     DVector::from_vec(values)
 }

@@ -1,6 +1,6 @@
 //! Tests of the periodic solver against closed forms and known facts.
 
-use super::{Orbit, PeriodicError, solve, solve_on};
+use super::{Orbit, PeriodicError, solve};
 use crate::problem::{Equations, Refused, Scene, Span};
 use crate::registry::{Method, Settings};
 use crate::scalar::Scalar;
@@ -168,7 +168,7 @@ fn tsit5_finds_the_same_within_its_tolerance() {
 #[test]
 fn shooting_agrees_with_superposition() {
     let scene = Oscillator::<true>::FORCED;
-    let orbit = solve_on::<_, f64>(
+    let orbit = solve(
         &Oscillator::<false>::FORCED,
         TAU,
         &Settings {
