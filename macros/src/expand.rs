@@ -99,6 +99,8 @@ fn stub(name: &str, scenes: &[String]) -> Model {
         marks: Vec::new(),
         expectations: Vec::new(),
         linkage: None,
+        modes: Vec::new(),
+        first: 0,
         program: Program::default(),
     };
     Model {

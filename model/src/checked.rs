@@ -4,8 +4,9 @@
 
 use crate::diagnostic::Diagnostic;
 pub use crate::linkage::GroupKind;
+pub use crate::modes::EventInfo;
 use crate::program::Program;
-pub use crate::syntax::tree::Distribution;
+pub use crate::syntax::tree::{Direction, Distribution};
 use crate::token::Span;
 
 /// What the compiler made of a file.
@@ -126,6 +127,25 @@ pub struct SceneModel {
     pub expectations: Vec<ExpectInfo>,
     /// The loops, if the scene is a linkage.
     pub linkage: Option<LinkageInfo>,
+    /// The modes, if the motion has any, or events. Each has a program of its own.
+    pub modes: Vec<ModeModel>,
+    /// The mode in which the motion begins.
+    pub first: usize,
+    /// The operations.
+    pub program: Program,
+}
+
+/// A mode of a motion.
+#[derive(Clone, Debug)]
+pub struct ModeModel {
+    /// Its name; empty where a motion has events and no modes.
+    pub name: String,
+    /// What it is.
+    pub summary: String,
+    /// The equations that hold in it.
+    pub equations: Vec<EquationInfo>,
+    /// What ends it, or makes it jump; in the order of the program's `events`.
+    pub events: Vec<EventInfo>,
     /// The operations.
     pub program: Program,
 }

@@ -10,6 +10,7 @@ use crate::facts;
 use crate::lagrange::Energies;
 use crate::linkage::{Geometry, Linkage, Loops, Ranges};
 use crate::lower::{Kind, Lowering};
+use crate::modes::{self, Compiled, Phase, Phases};
 use crate::motion::{self, Equation, Solved, UnknownName};
 use crate::parts::Parts;
 use crate::program::{self, Input, Request};
@@ -54,9 +55,28 @@ pub fn scene(
     seen: &mut Seen,
     diagnostics: &mut Diagnostics,
 ) -> Option<SceneModel> {
-    let before = diagnostics.error_count();
     let statements = specialise(task.file, task.survey, task.selected, diagnostics);
-    let mut names = Names::of(&statements, diagnostics);
+    let phases = Phases::of(statements, task.scene.map(|(scene, _)| scene), diagnostics);
+    match phases.is_hybrid() {
+        true => modes::compile(task, &phases, seen, diagnostics),
+        false => Some(phase(task, &phases, 0, None, seen, diagnostics)?.scene),
+    }
+}
+
+/// Compiles a scene as if it had one mode alone; with `keep` it has these constants, else those that it depends on.
+pub fn phase(
+    task: &Task<'_>,
+    phases: &Phases,
+    here: usize,
+    keep: Option<&[usize]>,
+    seen: &mut Seen,
+    diagnostics: &mut Diagnostics,
+) -> Option<Compiled> {
+    let before = diagnostics.error_count();
+    let phase = &phases.all[here];
+    let statements = &phase.statements;
+    let mut names = Names::of(statements, diagnostics);
+    names.absent = phase.absent.clone();
     let shared_outputs = names.outputs.len();
     for item in task.scene.iter().flat_map(|(scene, _)| &scene.items) {
         if let SceneItem::Output(output) = item {
@@ -88,11 +108,14 @@ pub fn scene(
     }
     low.moved = moved(&mut low, &names, task.scene.map(|(scene, _)| scene));
     let drives = low.drivers(&names, low.moved);
-    let place = task.scene.map_or_else(
+    let mut place = task.scene.map_or_else(
         || task.selected.describe(),
         |(scene, _)| format!("in the scene `{}`", scene.name.text),
     );
-    let loops = Loops::read(&statements, &mut low);
+    if !phase.name.is_empty() {
+        place += &format!(", mode `{}`,", phase.name);
+    }
+    let loops = Loops::read(statements, &mut low);
     let loop_texts = loops.texts.clone();
     let linkage = if low.diagnostics.error_count() == before && task.file.unread.is_empty() {
         Linkage::of(loops, &names, &place, &mut low)
@@ -101,7 +124,7 @@ pub fn scene(
     };
 
     // Abbreviations in the order of the file, used or not, so that each mistake is found.
-    for statement in &statements {
+    for statement in statements {
         if let StatementKind::Let {
             target,
             arguments: None,
@@ -126,10 +149,12 @@ pub fn scene(
         texts: loop_texts,
         ..Parts::default()
     };
-    for statement in &statements {
+    for statement in statements {
         parts.read(statement, &mut low);
     }
-    let equations = parts.equations(&mut low, &names);
+    let mut equations = parts.equations(&mut low, &names);
+    modes::check_holds(&mut low, &names, phase);
+    stand_still(&mut low, &names, phase, &mut equations);
     let unknowns = unknown_names(&names);
     let given = state_symbols(&names);
     // Equations of statements that could not be read are missing in the balance.
@@ -146,6 +171,7 @@ pub fn scene(
         None
     };
 
+    let events = modes::read(&mut low, &names, phases, here);
     let outputs = facts::outputs(&mut low, &names.outputs[reported]);
     let literal = low.literal.take();
     let mut span = facts::task(&mut low, task.scene.map(|(scene, _)| scene));
@@ -153,13 +179,13 @@ pub fn scene(
         span.kind = SpanKind::Sweep;
     }
     let is_linkage = low.moved != Moved::InTime;
-    let geometry = Geometry::read(&statements, &names, &mut low);
+    let geometry = Geometry::read(statements, &names, &mut low);
     let ranges = Ranges::read(&names, task.scene.map(|(scene, _)| scene), &mut low);
     let start = facts::start(
         &mut low,
         &names,
         task.scene.map(|(scene, _)| scene),
-        span.kind == SpanKind::Run,
+        span.kind == SpanKind::Run && here == phases.first,
     );
 
     for (name, entry) in &names.table {
@@ -206,9 +232,11 @@ pub fn scene(
         span: span.kind,
         conservative: false,
         literal,
-        marks: facts::marks(&mut low, &statements),
+        marks: facts::marks(&mut low, statements),
         expectations: Vec::new(),
         linkage: None,
+        modes: Vec::new(),
+        first: 0,
         program: program::Program::default(),
     };
     model.scales = model
@@ -235,6 +263,7 @@ pub fn scene(
         span: span.values,
         start,
         states: 2 * coordinates + names.states.len(),
+        events: events.iter().map(|(event, _)| event.clone()).collect(),
         ..Request::default()
     };
     let highest: Vec<_> = (0..solved.derivatives.len() as u32)
@@ -265,7 +294,7 @@ pub fn scene(
     if is_linkage {
         request.closing = linkage.closing(&mut low, &mut request, &geometry, &drives);
     }
-    let kept = kept_constants(&low, &request);
+    let kept = keep.map_or_else(|| kept_constants(&low, &request), <[usize]>::to_vec);
     for (new, old) in kept.iter().enumerate() {
         request
             .inputs
@@ -307,7 +336,34 @@ pub fn scene(
         return None;
     }
     model.program = program::build(&mut low.graph, &request);
-    Some(model)
+    Some(Compiled {
+        scene: model,
+        kept,
+        events: events.into_iter().map(|(_, info)| info).collect(),
+    })
+}
+
+/// What a mode holds or does not have stands still; Lagrange's equation of a coordinate that is held says what holds it.
+fn stand_still(
+    low: &mut Lowering<'_>,
+    names: &Names,
+    phase: &Phase,
+    equations: &mut Vec<Equation>,
+) {
+    let held = modes::held(names, phase);
+    equations.retain(|equation| equation.lagrange.is_none_or(|one| !held.contains(&one)));
+    let all = names.coordinates.iter().chain(&names.states);
+    for (index, declared) in all.enumerate() {
+        let name = &declared.name;
+        if held.contains(&index) || phase.absent.contains_key(&name.text) {
+            equations.push(Equation {
+                residual: low.graph.symbol(Symbol::Acceleration(index as u32)),
+                name: format!("hold {}", name.text),
+                span: name.span,
+                lagrange: None,
+            });
+        }
+    }
 }
 
 /// What moves the drivers. A scene without states that closes loops, or sweeps, is a linkage.
@@ -490,6 +546,7 @@ fn kept_constants(low: &Lowering<'_>, request: &Request) -> Vec<usize> {
     }
     all.extend(request.bindings.values());
     all.extend(request.closing.all());
+    all.extend(request.events.iter().flat_map(|event| event.all()));
     let symbols = low.graph.symbols(&all);
     (0..low.names.constants.len())
         .filter(|index| symbols.contains(&Symbol::Parameter(*index as u32)))

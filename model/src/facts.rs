@@ -261,7 +261,7 @@ pub fn start(
             .map(|one| (&one.name, 0))
             .chain(names.states.iter().map(|one| (&one.name, coordinates)));
         for (index, (name, skip)) in all.enumerate() {
-            if !given[index + skip] {
+            if !given[index + skip] && !names.absent.contains_key(&name.text) {
                 low.diagnostics.push(
                     Diagnostic::error(
                         name.span,

@@ -26,6 +26,7 @@ mod lagrange;
 pub mod lexer;
 mod linkage;
 mod lower;
+mod modes;
 mod motion;
 pub mod nearest;
 mod parts;

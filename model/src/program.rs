@@ -13,6 +13,7 @@ pub(crate) use evaluate::solve_symmetric;
 pub use evaluate::{Place, Values};
 
 use crate::linkage::Closing;
+pub use crate::modes::Event;
 
 /// Index of an operation, and so of its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -196,6 +197,8 @@ pub struct Results {
     pub start: Vec<Value>,
     /// What a linkage computes.
     pub closing: Closing<Value>,
+    /// What the events of a mode compute.
+    pub events: Vec<Event<Value>>,
 }
 
 /// The straight line of operations of one scene, sorted so that operands come first and stages rise.

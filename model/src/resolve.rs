@@ -109,6 +109,8 @@ pub struct Names {
     pub coordinates: Vec<Declared<Unknown>>,
     /// First-order states.
     pub states: Vec<Declared<Unknown>>,
+    /// Coordinates that only another mode has, with the name of that mode.
+    pub absent: BTreeMap<String, String>,
     /// Reported quantities that stand outside a scene block, with their full name where they have one.
     pub outputs: Vec<Declared<Output>>,
 }

@@ -105,7 +105,9 @@ impl<'a> Survey<'a> {
                     self.visit(then, around);
                     self.visit(otherwise, around);
                 }
-                StatementKind::For { body, .. } => self.visit(body, around),
+                StatementKind::For { body, .. } | StatementKind::Mode { body, .. } => {
+                    self.visit(body, around);
+                }
                 StatementKind::Scene(scene) => self.scenes.push((scene, &statement.documentation)),
                 StatementKind::Part { name, .. } => self.parts.push(&name.text),
                 kind => {
@@ -276,7 +278,7 @@ fn report_misplaced(statement: &Statement, outside: bool, diagnostics: &mut Diag
                 .flat_map(|alternative| &alternative.body);
             return bodies.for_each(|one| report_misplaced(one, false, diagnostics));
         }
-        StatementKind::For { body, .. } => {
+        StatementKind::For { body, .. } | StatementKind::Mode { body, .. } => {
             return body
                 .iter()
                 .for_each(|one| report_misplaced(one, false, diagnostics));
@@ -526,6 +528,19 @@ impl Opener<'_, '_> {
                     if let Some((first, last)) = bounds(from, to, self.diagnostics) {
                         self.repeat(statement.span, &index.text, first..=last, body);
                     }
+                }
+                StatementKind::Mode { name, text, body } => {
+                    let outside = std::mem::take(&mut self.flat);
+                    self.open(body);
+                    let body = std::mem::replace(&mut self.flat, outside);
+                    self.flat.push(Statement {
+                        kind: StatementKind::Mode {
+                            name: name.clone(),
+                            text: text.clone(),
+                            body,
+                        },
+                        ..statement.clone()
+                    });
                 }
                 StatementKind::Scene(_)
                 | StatementKind::Preset { .. }

@@ -263,6 +263,15 @@ pub fn statement_with_index(statement: &Statement, index: &str, value: i64) -> S
                 .iter_mut()
                 .for_each(|alternative| alternative.body = list(&alternative.body));
         }
+        StatementKind::Mode { body, .. } => *body = list(body),
+        StatementKind::Hold { target } => *target = term(target),
+        StatementKind::When(event) => {
+            event.guard = term(&event.guard);
+            event.condition = event.condition.as_ref().map(term);
+            for (target, value) in &mut event.resets {
+                (*target, *value) = (term(target), term(value));
+            }
+        }
         StatementKind::Preset { .. } | StatementKind::Scene(_) | StatementKind::Expect(_) => {}
     }
     copy

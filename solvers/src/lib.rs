@@ -17,6 +17,7 @@ pub mod check;
 pub mod closure;
 pub mod dense;
 pub mod dispatch;
+pub mod hybrid;
 pub mod ode;
 pub mod periodic;
 pub mod problem;

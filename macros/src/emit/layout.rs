@@ -34,6 +34,8 @@ pub struct Layout<'a> {
     pub prepared: BTreeSet<Value>,
     /// Values that the instant stores.
     pub timed: BTreeSet<Value>,
+    /// The modes, each laid out like a scene of its own; empty where there are none.
+    pub modes: Vec<Layout<'a>>,
 }
 
 /// What an instant stores: what the derivative needs of the time, and the functions of the time that the Jacobian
@@ -59,6 +61,7 @@ fn timed(program: &Program) -> BTreeSet<Value> {
     let mut timed = schedule::frontier(program, &first, Stage::State);
     timed.retain(|value| stage(*value) == Stage::Instant);
     let mut open: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
+    open.extend(results.events.iter().flat_map(|event| event.all()));
     if !closing.cosines.is_empty() || closing != &Default::default() {
         open.extend(results.outputs.iter().copied().chain(closing.all()));
     }
@@ -99,6 +102,7 @@ impl<'a> Layout<'a> {
             .chain(rest.into_iter().flatten())
             .copied()
             .chain(results.closing.all())
+            .chain(results.events.iter().flat_map(|event| event.all()))
             .collect();
         let names = scene
             .constants
@@ -113,6 +117,21 @@ impl<'a> Layout<'a> {
             instant: format_ident!("{type_name}Instant"),
             prepared: schedule::frontier(program, &all, Stage::Instant),
             timed: timed(program),
+            modes: Vec::new(),
+        }
+    }
+
+    /// Lays out a scene with its modes.
+    pub fn with_modes(scene: &'a SceneModel, modes: &'a [SceneModel], type_name: &str) -> Self {
+        let parameters = names::identifier(type_name);
+        let own = modes.iter().zip(names::mode_types(scene));
+        let modes = own.map(|(mode, name)| Layout {
+            parameters: parameters.clone(),
+            ..Layout::new(mode, &format!("{type_name}{name}"))
+        });
+        Self {
+            modes: modes.collect(),
+            ..Self::new(scene, type_name)
         }
     }
 

@@ -18,6 +18,7 @@ mod formula;
 mod instant;
 mod layout;
 mod linkage;
+mod modes;
 pub mod names;
 mod outputs;
 mod pairs;
@@ -54,11 +55,13 @@ pub struct Origin<'a> {
 /// a quantity of the equations.
 pub fn mechanism(model: &Model, origin: &Origin<'_>) -> TokenStream {
     let types = scene::type_names(model);
+    let modes = modes::split(model);
     let layouts: Vec<Layout<'_>> = model
         .scenes
         .iter()
+        .zip(&modes)
         .zip(&types)
-        .map(|(scene, name)| Layout::new(scene, name))
+        .map(|((scene, modes), name)| Layout::with_modes(scene, modes, name))
         .collect();
     let scenes = layouts
         .iter()

@@ -126,6 +126,15 @@ pub fn distinct<'a>(names: impl IntoIterator<Item = &'a str>) -> Vec<Ident> {
         .collect()
 }
 
+/// What the types of the modes of a scene are called behind the name of the scene: `InWind`.
+pub fn mode_types(scene: &SceneModel) -> Vec<String> {
+    let modes = scene.modes.iter().map(|mode| match mode.name.as_str() {
+        "" => "InMotion".to_string(),
+        name => format!("In{}", pascal(name)),
+    });
+    distinct_types(modes)
+}
+
 /// Type names that are all different, made in the order of a list: with `Equations` and `Instant` behind them as well.
 pub fn distinct_types(names: impl IntoIterator<Item = String>) -> Vec<String> {
     let mut taken = BTreeSet::new();

@@ -8,7 +8,7 @@ use quote::quote;
 use super::body::{Body, Place};
 use super::expression::{number, size};
 use super::layout::Layout;
-use super::{Origin, docs, linkage, registry, requirements, values};
+use super::{Origin, docs, linkage, modes, registry, requirements, values};
 
 /// The parameter struct of a scene with its methods.
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
@@ -33,7 +33,7 @@ pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenSt
     let inherent = inherent(layout);
     let implementation = match &layout.scene.linkage {
         Some(loops) => linkage::implementation(layout, loops),
-        None => implementation(layout),
+        None => implementation(layout, origin),
     };
     quote! {
         #text
@@ -128,7 +128,7 @@ fn computed(
 }
 
 /// What the solvers ask of a scene.
-fn implementation(layout: &Layout<'_>) -> TokenStream {
+fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
     let (name, equations) = (&layout.parameters, &layout.equations);
     let scene = layout.scene;
     let (states, outputs, drivers) = (
@@ -140,12 +140,15 @@ fn implementation(layout: &Layout<'_>) -> TokenStream {
     let scales = scene.scales.iter().map(|value| number(*value));
     let state_names = scene.states.iter().map(|state| &state.name);
     let output_names = scene.outputs.iter().map(|output| &output.name);
-    let (prepare, check, span, start) = (
-        prepare(layout),
-        requirements::check(layout),
-        span(layout),
-        start(layout),
-    );
+    let (prepare, modes) = match layout.modes.is_empty() {
+        true => (prepare(layout), TokenStream::new()),
+        false => {
+            let (prepare, each) = modes::prepare(layout);
+            let hybrid = modes::implementation(layout, origin);
+            (prepare, quote!(#each #hybrid))
+        }
+    };
+    let (check, span, start) = (requirements::check(layout), span(layout), start(layout));
     quote! {
         impl ::assur::problem::Scene for #name {
             type Equations<S: ::assur::scalar::Scalar> = #equations<S>;
@@ -164,11 +167,25 @@ fn implementation(layout: &Layout<'_>) -> TokenStream {
             #span
             #start
         }
+
+        #modes
+    }
+}
+
+/// The method that computes what depends on the parameters alone.
+fn prepare(layout: &Layout<'_>) -> TokenStream {
+    let statements = prepared(layout);
+    let inline = layout.inline();
+    quote! {
+        #inline
+        fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
+            #statements
+        }
     }
 }
 
 /// What depends on the parameters alone, stored where later stages use it.
-fn prepare(layout: &Layout<'_>) -> TokenStream {
+pub fn prepared(layout: &Layout<'_>) -> TokenStream {
     let wanted: Vec<Value> = layout.prepared.iter().copied().collect();
     let body = Body::new(layout, Place::Parameters, &wanted, &[]);
     let (statements, fields) = (
@@ -176,14 +193,7 @@ fn prepare(layout: &Layout<'_>) -> TokenStream {
         layout.stored(&layout.prepared, &body),
     );
     let equations = &layout.equations;
-    let inline = layout.inline();
-    quote! {
-        #inline
-        fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
-            #statements
-            #equations { #fields }
-        }
-    }
+    quote!(#statements #equations { #fields })
 }
 
 /// The method that states the task.

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::layout::Layout;
-use super::{Origin, closure, equations, instant, names, outputs, parameters};
+use super::{Origin, closure, equations, instant, modes, names, outputs, parameters};
 
 /// Names of the types of the scenes: `TwoTerm` for `two_term`; the only scene of a mechanism that states none has the
 /// name of the mechanism.
@@ -37,6 +37,10 @@ pub fn exported<'a>(layouts: &'a [Layout<'_>]) -> impl Iterator<Item = TokenStre
 /// The items of a scene.
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
     let parameters = parameters::items(layout, model, origin);
+    if !layout.modes.is_empty() {
+        let modes = modes::items(layout);
+        return quote!(#parameters #modes);
+    }
     let instant = instant::items(layout);
     if let Some(linkage) = &layout.scene.linkage {
         let closure = closure::items(layout, linkage);

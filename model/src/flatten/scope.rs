@@ -140,8 +140,18 @@ impl<'a> Scope<'a> {
             StatementKind::Require { condition, .. } | StatementKind::If { condition, .. } => {
                 self.term(condition);
             }
-            StatementKind::Effect { name, .. } | StatementKind::Choice { name, .. } => {
-                self.declared(name);
+            StatementKind::Effect { name, .. }
+            | StatementKind::Choice { name, .. }
+            | StatementKind::Mode { name, .. } => self.declared(name),
+            StatementKind::Hold { target } => self.term(target),
+            StatementKind::When(event) => {
+                self.term(&mut event.guard);
+                self.some(&mut event.condition);
+                event.target.iter_mut().for_each(|one| self.declared(one));
+                for (target, value) in &mut event.resets {
+                    self.term(target);
+                    self.term(value);
+                }
             }
             StatementKind::For { from, to, .. } => {
                 self.term(from);
@@ -183,6 +193,7 @@ impl<'a> Scope<'a> {
                 }
             }
             SceneItem::Preset { .. } => {}
+            SceneItem::StartIn { mode } => self.declared(mode),
             SceneItem::Output(output) => self.some(&mut output.value),
             SceneItem::Start { values } => {
                 for (target, value) in values {

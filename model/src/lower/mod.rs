@@ -253,6 +253,10 @@ impl<'a> Lowering<'a> {
             return self.builtin(name, span);
         };
         self.used.insert(name.to_string());
+        if let Some(mode) = names.absent.get(name) {
+            let report = Diagnostic::error(span, format!("only the mode `{mode}` has `{name}`"));
+            return self.error(report.related(entry.span, "declared here"));
+        }
         let symbol = match &entry.role {
             Role::Constant(index) => Symbol::Parameter(*index),
             Role::Driver(index) => Symbol::Driver(*index),

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::emit::Emitter;
-use super::{Input, OperationKind, Program, Results, Stage, Value, collect, order};
+use super::{Event, Input, OperationKind, Program, Results, Stage, Value, collect, order};
 use crate::expression::{Expression, Graph, Symbol};
 use crate::linkage::Closing;
 
@@ -30,6 +30,8 @@ pub struct Request {
     pub start: Vec<Expression>,
     /// What a linkage computes.
     pub closing: Closing<Expression>,
+    /// What events compute.
+    pub events: Vec<Event<Expression>>,
     /// Where symbols come from.
     pub inputs: HashMap<Symbol, Input>,
     /// What the other symbols stand for.
@@ -76,6 +78,7 @@ impl Request {
             roots.extend(list);
         }
         roots.extend(self.closing.all());
+        roots.extend(self.events.iter().flat_map(Event::all));
         roots
     }
 }
@@ -110,6 +113,14 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
         closing: {
             let mut closing = take(request.closing.all().len()).into_iter();
             request.closing.map(|_| closing.next().unwrap_or(Value(0)))
+        },
+        events: {
+            let mut events = request.events.iter();
+            let mut map = |event: &Event<Expression>| {
+                let mut values = take(event.all().count()).into_iter();
+                event.map(|_| values.next().unwrap_or(Value(0)))
+            };
+            events.by_ref().map(&mut map).collect()
         },
     };
     let mut program = Program {

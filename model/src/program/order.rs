@@ -134,4 +134,10 @@ fn for_each(program: &mut Program, apply: &mut dyn FnMut(&mut Value)) {
         apply(&mut value);
         value
     });
+    for event in &mut results.events {
+        *event = event.map(|mut value| {
+            apply(&mut value);
+            value
+        });
+    }
 }

@@ -1,8 +1,8 @@
 //! Writes terms and statements as the language has them, with no more parentheses than it needs.
 
 use super::tree::{
-    BinaryOperator, EnergyKind, Statement, StatementKind, Target, Term, TermKind, UnaryOperator,
-    UnitTerm,
+    BinaryOperator, Direction, EnergyKind, Statement, StatementKind, Target, Term, TermKind,
+    UnaryOperator, UnitTerm, When,
 };
 
 /// A term as text.
@@ -41,6 +41,8 @@ pub fn statement(statement: &Statement) -> String {
         }
         StatementKind::Force { value, on } => format!("force {} on {}", term(value), term(on)),
         StatementKind::Require { condition, .. } => format!("require {}", term(condition)),
+        StatementKind::Hold { target } => format!("hold {}", term(target)),
+        StatementKind::When(event) => self::event(event),
         StatementKind::Let {
             target,
             arguments: None,
@@ -48,6 +50,30 @@ pub fn statement(statement: &Statement) -> String {
         } => format!("let {} = {}", self::target(target), term(value)),
         _ => String::new(),
     }
+}
+
+/// An event as text.
+pub fn event(event: &When) -> String {
+    let direction = match event.direction {
+        Direction::Rises => "rises",
+        Direction::Falls => "falls",
+        Direction::Crosses => "crosses",
+    };
+    let mut text = format!("when {} {direction}", term(&event.guard));
+    if let Some(condition) = &event.condition {
+        text += &format!(" if {}", term(condition));
+    }
+    if let Some(target) = &event.target {
+        text += &format!(" -> {}", target.text);
+    }
+    let resets = event.resets.iter();
+    let resets: Vec<_> = resets
+        .map(|(target, value)| format!("{} = {}", term(target), term(value)))
+        .collect();
+    if !resets.is_empty() {
+        text += &format!(" {{ set {}; }}", resets.join(", "));
+    }
+    text
 }
 
 /// A declared name as text.

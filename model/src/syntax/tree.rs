@@ -123,6 +123,18 @@ pub enum StatementKind {
         condition: Term,
         text: Option<String>,
     },
+    /// `mode wind "text" { … }`: statements that hold in a phase of the motion. What stands outside every mode holds in
+    /// all of them.
+    Mode {
+        name: Name,
+        text: Option<String>,
+        body: Vec<Statement>,
+    },
+    /// `hold phi2;`: the coordinate stays where it is while the mode lasts. Several after commas become several
+    /// statements.
+    Hold { target: Term },
+    /// `when x - l rises if dot(x) > 0 -> run { set dot(x) = 0; }`: an event.
+    When(When),
     /// `effect torsion "text" { … } else { … }`
     Effect {
         name: Name,
@@ -197,7 +209,7 @@ impl StatementKind {
             Self::Choice { alternatives, .. } => {
                 alternatives.iter().map(|one| one.body.as_slice()).collect()
             }
-            Self::For { body, .. } => vec![body],
+            Self::For { body, .. } | Self::Mode { body, .. } => vec![body],
             _ => Vec::new(),
         }
     }
@@ -216,10 +228,36 @@ impl StatementKind {
             Self::Choice { alternatives, .. } => {
                 alternatives.iter_mut().map(|one| &mut one.body).collect()
             }
-            Self::For { body, .. } => vec![body],
+            Self::For { body, .. } | Self::Mode { body, .. } => vec![body],
             _ => Vec::new(),
         }
     }
+}
+
+/// An event: where a quantity passes zero, the mode may change, and coordinates may jump.
+#[derive(Clone, Debug, PartialEq)]
+pub struct When {
+    /// The quantity that passes zero.
+    pub guard: Term,
+    /// In which direction.
+    pub direction: Direction,
+    /// What else has to hold there.
+    pub condition: Option<Term>,
+    /// The mode that follows; the same one goes on unless stated.
+    pub target: Option<Name>,
+    /// What jumps, with the value that it gets from those before the event.
+    pub resets: Vec<(Term, Term)>,
+}
+
+/// How a quantity passes zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// From below.
+    Rises,
+    /// From above.
+    Falls,
+    /// Either way.
+    Crosses,
 }
 
 /// A dimension or parameter.
@@ -376,6 +414,8 @@ pub enum SceneItem {
     Output(Output),
     /// `start phi2 = 0.1 rad, dot(phi2) = 0;`
     Start { values: Vec<(Term, Term)> },
+    /// `start run;`: the mode in which the motion begins.
+    StartIn { mode: Name },
 }
 
 /// A driver that a scene moves through a range.

@@ -6,6 +6,7 @@ mod derivatives;
 mod fuzz;
 mod grammar;
 mod literals;
+mod modes;
 mod parts;
 mod right;
 mod scenes;

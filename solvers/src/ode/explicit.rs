@@ -174,6 +174,9 @@ pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
         std::mem::swap(&mut workspace.state, &mut workspace.trial);
         workspace.slopes.as_mut().swap(0, M::STAGES);
         clock.now = to;
+        if observe.has_enough() {
+            break;
+        }
         step = (length * controller.accept(error)).clamp(-max_step, max_step);
     }
     Ok(statistics)

@@ -25,6 +25,12 @@ pub trait Observer<V> {
 
     /// Looks at a step.
     fn step(&mut self, step: &Step<'_, V>);
+
+    /// Whether the integration is to end after the step that was looked at last.
+    #[inline(always)]
+    fn has_enough(&self) -> bool {
+        false
+    }
 }
 
 /// Nobody looks.

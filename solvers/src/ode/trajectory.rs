@@ -21,6 +21,8 @@ pub struct Trajectory {
     coefficients: Vec<f64>,
     /// State at the end.
     end: Vec<f64>,
+    /// Length of the last step as it was computed: the motion may end within it.
+    last: f64,
 }
 
 impl Trajectory {
@@ -47,7 +49,7 @@ impl Trajectory {
         let Some((step, part)) = self.locate(time) else {
             return vec![0.0; self.states];
         };
-        let length = self.times[step + 1] - self.times[step];
+        let length = self.length(step);
         (0..self.states)
             .map(|index| self.change(step, index, part).1 / length)
             .collect()
@@ -81,7 +83,17 @@ impl Trajectory {
         });
         let step = passed.saturating_sub(1).min(steps.checked_sub(1)?);
         let (from, to) = (self.times[step], self.times[step + 1]);
-        Some((step, ((time - from) / (to - from)).clamp(0.0, 1.0)))
+        let length = self.length(step);
+        let end = (to - from) / length;
+        Some((step, ((time - from) / length).clamp(0.0, end)))
+    }
+
+    /// Length of a step as it was computed.
+    fn length(&self, step: usize) -> f64 {
+        match step + 2 == self.times.len() {
+            true => self.last,
+            false => self.times[step + 1] - self.times[step],
+        }
     }
 
     /// Number `row` of the coefficients of a state in a step.
@@ -128,10 +140,22 @@ impl<S: Scalar> Recorder<S> {
             times: vec![time],
             coefficients: Vec::new(),
             end,
+            last: 0.0,
         };
         Self {
             trajectory,
             scalar: PhantomData,
+        }
+    }
+
+    /// Ends the motion at a time within the last step.
+    pub fn cut<V: Storage<S>>(&mut self, time: f64, state: &V) {
+        let trajectory = &mut self.trajectory;
+        if let Some(end) = trajectory.times.last_mut() {
+            *end = time;
+        }
+        for (end, value) in trajectory.end.iter_mut().zip(state.as_ref()) {
+            *end = value.to_f64();
         }
     }
 
@@ -153,6 +177,7 @@ impl<S: Scalar, V: Storage<S>> Observer<V> for Recorder<S> {
         let trajectory = &mut self.trajectory;
         trajectory.degree = step.polynomial.len();
         trajectory.times.push(step.to);
+        trajectory.last = step.to - step.from;
         for row in std::iter::once(step.before).chain(step.polynomial) {
             trajectory
                 .coefficients

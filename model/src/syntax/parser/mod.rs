@@ -5,6 +5,7 @@
 
 mod cursor;
 mod declaration;
+mod event;
 mod scene;
 mod statement;
 mod term;

@@ -83,6 +83,11 @@ impl Parser<'_> {
                 name: self.name("the name of a preset")?,
             }],
             "output" => self.commas(|parser| Ok(SceneItem::Output(parser.output()?)))?,
+            "start" if self.is_any_word() && self.is_operator_ahead(1, ";") => {
+                vec![SceneItem::StartIn {
+                    mode: self.name("a mode")?,
+                }]
+            }
             "start" => {
                 let values = self.commas(|parser| {
                     let target = parser.term()?;

@@ -36,10 +36,13 @@ const KEYWORDS: &[&str] = &[
     "part",
     "mark",
     "expect",
+    "mode",
+    "hold",
+    "when",
 ];
 
 /// Words that will begin a statement once.
-const PLANNED: &[&str] = &["mode", "when", "set", "hold", "measure"];
+const PLANNED: &[&str] = &["measure"];
 
 impl Parser<'_> {
     /// Documentation, name, source, statements.
@@ -145,6 +148,8 @@ impl Parser<'_> {
             "for" => Some(self.repetition()?),
             "scene" => Some(self.scene()?),
             "part" => Some(self.part()?),
+            "mode" => Some(self.mode()?),
+            "when" => Some(self.event()?),
             _ => None,
         };
         if let Some(kind) = block {
@@ -170,6 +175,11 @@ impl Parser<'_> {
             "force" => self.commas(Self::force)?,
             "require" => vec![self.requirement()?],
             "output" => self.commas(|parser| Ok(StatementKind::Output(parser.output()?)))?,
+            "hold" => self.commas(|parser| {
+                Ok(StatementKind::Hold {
+                    target: parser.term()?,
+                })
+            })?,
             "mark" => vec![self.mark()?],
             "expect" => vec![StatementKind::Expect(self.expect()?)],
             other => return self.unknown_statement(other, start),
@@ -310,6 +320,14 @@ impl Parser<'_> {
             text,
             body,
             otherwise,
+        })
+    }
+
+    fn mode(&mut self) -> Read<StatementKind> {
+        Ok(StatementKind::Mode {
+            name: self.name("the name of the mode")?,
+            text: self.text(),
+            body: self.block()?,
         })
     }
 

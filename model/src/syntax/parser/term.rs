@@ -25,7 +25,19 @@ const OPERATORS: &[(&str, BinaryOperator, u8)] = &[
 const CHAIN: usize = 2000;
 
 /// Words that go on with the statement after a number, so that they are no units.
-const NOT_UNITS: &[&str] = &["in", "on", "normal", "uniform", "truncated", "over", "else"];
+const NOT_UNITS: &[&str] = &[
+    "in",
+    "on",
+    "normal",
+    "uniform",
+    "truncated",
+    "over",
+    "else",
+    "rises",
+    "falls",
+    "crosses",
+    "if",
+];
 
 impl Parser<'_> {
     /// An expression.
@@ -36,8 +48,8 @@ impl Parser<'_> {
     fn binary(&mut self, least: u8) -> Read<Term> {
         let mut left = self.unary()?;
         for _ in 0..CHAIN {
-            // `+-` begins a tolerance.
-            if self.is_operator("+-") {
+            // `+-` begins a tolerance, `->` says what follows an event.
+            if self.is_operator("+-") || self.is_operator("->") {
                 return Ok(left);
             }
             let found = OPERATORS.iter().find(|(text, ..)| self.is_operator(text));

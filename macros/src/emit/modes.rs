@@ -1,0 +1,345 @@
+//! A scene with modes: equations for each, and the equations of the scene, which are those of the mode that it is in.
+
+use assur_model::checked::{Direction, Model, SceneModel};
+use assur_model::program::{Event, Value};
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::body::{Body, Place};
+use super::equations::first;
+use super::expression::{number, size};
+use super::layout::Layout;
+use super::{Origin, docs, equations, instant, names, outputs, parameters};
+
+/// For each scene its modes as scenes of their own; none where there are none.
+pub fn split(model: &Model) -> Vec<Vec<SceneModel>> {
+    let mode = |scene: &SceneModel, index: usize| SceneModel {
+        program: scene.modes[index].program.clone(),
+        equations: scene.modes[index].equations.clone(),
+        modes: Vec::new(),
+        ..scene.clone()
+    };
+    let scenes = model.scenes.iter();
+    scenes
+        .map(|scene| {
+            (0..scene.modes.len())
+                .map(|index| mode(scene, index))
+                .collect()
+        })
+        .collect()
+}
+
+/// The items of a scene with modes, its parameters apart.
+pub fn items(layout: &Layout<'_>) -> TokenStream {
+    let modes = layout.modes.iter().map(|mode| {
+        let (equations, instant) = (equations::items(mode), instant::items(mode));
+        let (outputs, events) = (outputs::inherent(mode), events(mode));
+        quote!(#equations #instant #outputs #events)
+    });
+    let composite = composite(layout);
+    quote!(#(#modes)* #composite)
+}
+
+/// The variants of the instant, and the fields of the equations.
+fn parts(layout: &Layout<'_>) -> (Vec<Ident>, Vec<Ident>) {
+    let names = names::mode_types(layout.scene);
+    let fields = names
+        .iter()
+        .map(|name| names::identifier(&names::snake(name)));
+    (
+        names.iter().map(|name| names::identifier(name)).collect(),
+        fields.collect(),
+    )
+}
+
+fn composite(layout: &Layout<'_>) -> TokenStream {
+    let (name, instant) = (&layout.equations, &layout.instant);
+    let (variants, fields) = parts(layout);
+    let equations: Vec<&Ident> = layout.modes.iter().map(|mode| &mode.equations).collect();
+    let instants: Vec<&Ident> = layout.modes.iter().map(|mode| &mode.instant).collect();
+    let numbers: Vec<_> = (0..fields.len()).map(size).collect();
+    let states = size(layout.states());
+    let inline = layout.inline();
+    let text = docs::lines(&format!(
+        "Equations of [`{}`], prepared for a scalar type: those of the mode that it is in.",
+        layout.parameters
+    ));
+    let other = docs::lines(&format!(
+        "What the equations of [`{}`] need of one time.",
+        layout.parameters
+    ));
+    quote! {
+        #text
+        #[derive(Clone, Copy, Debug)]
+        pub struct #name<S: ::assur::scalar::Scalar> {
+            mode_: usize,
+            #(#fields: #equations<S>),*
+        }
+
+        #other
+        #[derive(Clone, Copy, Debug)]
+        pub enum #instant<S: ::assur::scalar::Scalar> {
+            #(#variants(#instants<S>)),*
+        }
+
+        impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for #name<S> {
+            type State = [S; #states];
+            type Instant = #instant<S>;
+
+            #[inline(always)]
+            fn states(&self) -> usize {
+                #states
+            }
+
+            #inline
+            fn instant(&self, time: S) -> Self::Instant {
+                match self.mode_ {
+                    #(#numbers => #instant::#variants(self.#fields.instant(time)),)*
+                    _ => ::core::unreachable!(),
+                }
+            }
+
+            #inline
+            fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
+                match self.mode_ {
+                    #(#numbers => {
+                        let instants = self.#fields.instants(times);
+                        ::core::array::from_fn(|k_| #instant::#variants(instants[k_]))
+                    })*
+                    _ => ::core::unreachable!(),
+                }
+            }
+
+            #inline
+            fn derivative(&self, instant: &Self::Instant, state: &Self::State, rate: &mut Self::State) {
+                match instant {
+                    #(#instant::#variants(instant) => self.#fields.derivative(instant, state, rate),)*
+                }
+            }
+
+            #inline
+            fn variation(
+                &self,
+                instant: &Self::Instant,
+                state: &Self::State,
+                rate: &mut Self::State,
+                columns: &[Self::State],
+                products: &mut [Self::State],
+            ) {
+                match instant {
+                    #(#instant::#variants(instant) => {
+                        self.#fields.variation(instant, state, rate, columns, products)
+                    })*
+                }
+            }
+
+            #inline
+            fn jacobian(&self, instant: &Self::Instant, state: &Self::State, columns: &mut [Self::State]) {
+                match instant {
+                    #(#instant::#variants(instant) => self.#fields.jacobian(instant, state, columns),)*
+                }
+            }
+
+            #inline
+            fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
+                match self.mode_ {
+                    #(#numbers => self.#fields.outputs(time, state, values),)*
+                    _ => ::core::unreachable!(),
+                }
+            }
+
+            #inline
+            fn drivers(&self, time: S, values: &mut [S]) {
+                match self.mode_ {
+                    #(#numbers => self.#fields.drivers(time, values),)*
+                    _ => ::core::unreachable!(),
+                }
+            }
+        }
+
+        impl<S: ::assur::scalar::Scalar> ::assur::hybrid::Modes<S> for #name<S> {
+            #[inline(always)]
+            fn mode(&self) -> usize {
+                self.mode_
+            }
+
+            #[inline(always)]
+            fn enter(&mut self, mode: usize) {
+                self.mode_ = mode;
+            }
+
+            #inline
+            fn guards(&self, instant: &Self::Instant, state: &Self::State, values: &mut [S], rates: &mut [S]) {
+                match instant {
+                    #(#instant::#variants(instant) => self.#fields.guards_(instant, state, values, rates),)*
+                }
+            }
+
+            #inline
+            fn permits(&self, event: usize, instant: &Self::Instant, state: &Self::State) -> bool {
+                match instant {
+                    #(#instant::#variants(instant) => self.#fields.permits_(event, instant, state),)*
+                }
+            }
+
+            #inline
+            fn jump(&self, event: usize, instant: &Self::Instant, state: &Self::State, after: &mut Self::State) {
+                match instant {
+                    #(#instant::#variants(instant) => self.#fields.jump_(event, instant, state, after),)*
+                }
+            }
+        }
+    }
+}
+
+/// What the solvers ask of the parameters.
+pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
+    let (name, equations) = (&layout.parameters, &layout.equations);
+    let names = layout.scene.modes.iter().map(|mode| &mode.name);
+    let start = size(layout.scene.first);
+    let tables = layout.scene.modes.iter().map(|mode| {
+        let entries = mode.events.iter().map(|event| {
+            let direction = match event.direction {
+                Direction::Rises => quote!(Rises),
+                Direction::Falls => quote!(Falls),
+                Direction::Crosses => quote!(Crosses),
+            };
+            let (text, unit, factor) = (&event.text, &event.unit, number(event.factor));
+            let (target, line) = (size(event.target), (origin.line_of)(event.span));
+            quote! {
+                ::assur::hybrid::EventEntry {
+                    text: #text,
+                    direction: ::assur::hybrid::Direction::#direction,
+                    unit: #unit,
+                    factor: #factor,
+                    target: #target,
+                    line: #line,
+                }
+            }
+        });
+        quote!(&[#(#entries),*])
+    });
+    quote! {
+        impl ::assur::hybrid::Hybrid for #name {
+            type Modal<S: ::assur::scalar::Scalar> = #equations<S>;
+
+            const EVENTS: &'static [&'static [::assur::hybrid::EventEntry]] = &[#(#tables),*];
+            const MODE_NAMES: &'static [&'static str] = &[#(#names),*];
+            const FIRST: usize = #start;
+
+            fn modal<S: ::assur::scalar::Scalar>(&self) -> Self::Modal<S> {
+                <Self as ::assur::problem::Scene>::prepare(self)
+            }
+        }
+    }
+}
+
+/// The method of `Scene` that prepares the modes, and what prepares each.
+pub fn prepare(layout: &Layout<'_>) -> (TokenStream, TokenStream) {
+    let (name, equations) = (&layout.parameters, &layout.equations);
+    let (_, fields) = parts(layout);
+    let functions: Vec<Ident> = fields
+        .iter()
+        .map(|field| format_ident!("prepare_{}_", names::bare(field)))
+        .collect();
+    let each = layout.modes.iter().zip(&functions);
+    let each = each.map(|(mode, function)| {
+        let (statements, equations) = (parameters::prepared(mode), &mode.equations);
+        let inline = layout.inline();
+        quote! {
+            #inline
+            fn #function<S: ::assur::scalar::Scalar>(&self) -> #equations<S> {
+                #statements
+            }
+        }
+    });
+    let start = size(layout.scene.first);
+    let inline = layout.inline();
+    (
+        quote! {
+            #inline
+            fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
+                #equations { mode_: #start, #(#fields: self.#functions()),* }
+            }
+        },
+        quote!(impl #name { #(#each)* }),
+    )
+}
+
+/// The methods of a mode's equations for its events.
+fn events(layout: &Layout<'_>) -> TokenStream {
+    let events = &layout.program().results.events;
+    let (name, instant) = (&layout.equations, &layout.instant);
+    let states = size(layout.states());
+    let inline = layout.inline();
+    let values: Vec<Value> = events
+        .iter()
+        .flat_map(|event| [event.guard, event.rate])
+        .collect();
+    let guards = match values.is_empty() {
+        true => TokenStream::new(),
+        false => {
+            let body = Body::new(layout, Place::Evaluation, &values, &[]);
+            let statements = body.statements(&values);
+            let (some, others) = (
+                first(quote!(values), events.len()),
+                first(quote!(rates), events.len()),
+            );
+            let writes = events.iter().enumerate().map(|(index, event)| {
+                let (index, value, rate) =
+                    (size(index), body.value(event.guard), body.value(event.rate));
+                quote!(values[#index] = #value; rates[#index] = #rate;)
+            });
+            quote!(#some #others #statements #(#writes)*)
+        }
+    };
+    let conditions = each(events, |event| {
+        let condition = event.condition?;
+        let body = Body::new(layout, Place::Evaluation, &[condition], &[]);
+        let (statements, value) = (body.statements(&[condition]), body.value(condition));
+        Some(quote!({ #statements S::holds(#value) }))
+    });
+    let jumps = each(events, |event| {
+        let body = Body::new(layout, Place::Evaluation, &event.after, &[]);
+        let statements = body.statements(&event.after);
+        let values = event.after.iter().map(|value| body.value(*value));
+        Some(quote!({ #statements *after = [#(#values),*]; }))
+    });
+    quote! {
+        impl<S: ::assur::scalar::Scalar> #name<S> {
+            #inline
+            fn guards_(&self, instant: &#instant<S>, state: &[S; #states], values: &mut [S], rates: &mut [S]) {
+                #guards
+            }
+
+            #inline
+            fn permits_(&self, event: usize, instant: &#instant<S>, state: &[S; #states]) -> bool {
+                match event {
+                    #conditions
+                    _ => true,
+                }
+            }
+
+            #inline
+            fn jump_(&self, event: usize, instant: &#instant<S>, state: &[S; #states], after: &mut [S; #states]) {
+                match event {
+                    #jumps
+                    _ => *after = *state,
+                }
+            }
+        }
+    }
+}
+
+/// An arm for each event that has something to say.
+fn each(
+    events: &[Event<Value>],
+    arm: impl Fn(&Event<Value>) -> Option<TokenStream>,
+) -> TokenStream {
+    let arms = events.iter().enumerate();
+    let arms = arms.filter_map(|(index, event)| {
+        let (index, arm) = (size(index), arm(event)?);
+        Some(quote!(#index => #arm))
+    });
+    arms.collect()
+}

@@ -1,0 +1,108 @@
+//! A scene with its modes.
+
+use std::collections::BTreeSet;
+
+use super::events::EventInfo;
+use super::phases::Phases;
+use crate::checked::{ModeModel, SceneModel};
+use crate::compile::{Seen, Task, phase};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+
+/// A mode, compiled.
+pub struct Compiled {
+    /// The scene as if it had no other mode.
+    pub scene: SceneModel,
+    /// Indices of the constants that it depends on, among all of the file.
+    pub kept: Vec<usize>,
+    /// Its events.
+    pub events: Vec<EventInfo>,
+}
+
+/// Compiles all modes of a scene, and joins them: they have one state vector, the same constants, and the same outputs.
+pub fn compile(
+    task: &Task<'_>,
+    phases: &Phases,
+    seen: &mut Seen,
+    diagnostics: &mut Diagnostics,
+) -> Option<SceneModel> {
+    let count = phases.all.len();
+    let before = diagnostics.error_count();
+    // What one mode needs, all are given.
+    let mut kept = BTreeSet::new();
+    for here in 0..count {
+        if let Some(compiled) = phase(task, phases, here, None, seen, diagnostics) {
+            kept.extend(compiled.kept);
+        }
+    }
+    if diagnostics.error_count() > before {
+        return None;
+    }
+    let kept: Vec<usize> = kept.into_iter().collect();
+    let mut all = Vec::new();
+    for here in 0..count {
+        all.push(phase(task, phases, here, Some(&kept), seen, diagnostics)?);
+    }
+    report_unreachable(phases, &all, diagnostics);
+    let mut model = all.get(phases.first)?.scene.clone();
+    model.conservative = false;
+    model.program.linear = false;
+    model.first = phases.first;
+    for (phase, compiled) in phases.all.iter().zip(all) {
+        check_outputs(&model, &compiled.scene, phase, diagnostics)?;
+        model.modes.push(ModeModel {
+            name: phase.name.clone(),
+            summary: phase.summary.clone(),
+            equations: compiled.scene.equations,
+            events: compiled.events,
+            program: compiled.scene.program,
+        });
+    }
+    Some(model)
+}
+
+/// Every mode reports the same quantities in the same units.
+fn check_outputs(
+    model: &SceneModel,
+    other: &SceneModel,
+    phase: &super::Phase,
+    diagnostics: &mut Diagnostics,
+) -> Option<()> {
+    let pairs = model.outputs.iter().zip(&other.outputs);
+    let differs = |(a, b): &(&crate::checked::QuantityInfo, &crate::checked::QuantityInfo)| {
+        a.name != b.name || a.dimension != b.dimension
+    };
+    let found = pairs.clone().find(differs);
+    if model.outputs.len() == other.outputs.len() && found.is_none() {
+        return Some(());
+    }
+    let name = found.map_or("an output", |(a, _)| a.name.as_str());
+    let message = format!("`{name}` is something else in the mode `{}`", phase.name);
+    diagnostics.push(
+        Diagnostic::error(phase.span, message)
+            .hint("every mode has to report the same quantities, of the same kind"),
+    );
+    None
+}
+
+/// Modes into which nothing leads.
+fn report_unreachable(phases: &Phases, all: &[Compiled], diagnostics: &mut Diagnostics) {
+    let mut reached = BTreeSet::from([phases.first]);
+    let mut open = vec![phases.first];
+    while let Some(here) = open.pop() {
+        for event in &all[here].events {
+            if reached.insert(event.target) {
+                open.push(event.target);
+            }
+        }
+    }
+    for (index, phase) in phases.all.iter().enumerate() {
+        if !reached.contains(&index) {
+            let message = format!("the mode `{}` is never entered", phase.name);
+            let hint = format!(
+                "lead to it by an event, `when … rises -> {0};`, or begin in it, `start {0};`",
+                phase.name
+            );
+            diagnostics.push(Diagnostic::warning(phase.span, message).hint(hint));
+        }
+    }
+}

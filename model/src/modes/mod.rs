@@ -1,0 +1,15 @@
+//! Modes of a motion and the events that lead from one to another.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `phases` | which statements hold in each mode |
+//! | `events` | what an event watches, and what it sets |
+//! | `compile` | a scene with its modes: each is compiled like a scene of its own, over one state vector |
+
+mod compile;
+mod events;
+mod phases;
+
+pub use compile::{Compiled, compile};
+pub use events::{Event, EventInfo, check_holds, held, read};
+pub use phases::{Phase, Phases};

@@ -1,0 +1,47 @@
+//! Motions that change their equations on the way: gaps close, parts lift off, friction sticks.
+//!
+//! In each mode the equations are smooth. An event is where a guard, a function of time and state, passes zero; it sets
+//! coordinates anew and leads to a mode. [`march`] carries the motion from event to event:
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `problem` | what is asked of a model: [`Modes`], [`Hybrid`] |
+//! | `crossing` | the first zero of a guard within a step |
+//! | `watch` | looks for it in every step, and ends the integration there |
+//! | `march` | from event to event, several at one instant, and the rules that end it |
+//! | `motion` | the result: pieces between events, and a record of each event |
+//!
+//! **What is found.** Within a step a guard is the cubic through its values and rates at both ends, as far as that agrees
+//! with the value in the middle; where it does not, or where the cubic may vanish, the step is halved. A pair of
+//! crossings is overlooked only if the guard, between two points that are compared, leaves its cubic by more than four
+//! times what it does in their middle. Each crossing is then narrowed down until two neighbouring numbers of the time
+//! enclose it.
+//!
+//! **What is zero.** A guard of less than [`NOISE`] roundings of the largest value that it has had counts as zero. One
+//! that is zero when a mode begins passes zero there if it leaves zero in the direction of the event, unless it is the
+//! event that has just happened: that one has to come back first.
+//!
+//! **What ends a motion.** More than [`TURNS`] events at one instant; [`CHATTER`] events in a row, each sooner after the
+//! last than the part [`SOON`] of the time to be covered; or one event twice, between which its guard has not left zero
+//! by more than its rounding. These are errors that carry the motion so far.
+
+mod crossing;
+mod error;
+mod march;
+mod motion;
+mod problem;
+mod watch;
+
+pub use error::HybridError;
+pub use march::{march, march_on};
+pub use motion::{Happened, Motion, Piece};
+pub use problem::{Direction, EventEntry, Hybrid, Modes};
+
+/// Roundings of its largest value that a guard may have where it counts as zero.
+pub const NOISE: f64 = 16.0;
+/// Largest number of events at one instant.
+pub const TURNS: usize = 64;
+/// Number of events in quick succession that are chatter.
+pub const CHATTER: usize = 200;
+/// Part of the time to be covered below which events follow each other quickly.
+pub const SOON: f64 = 1e-7;

@@ -1,0 +1,79 @@
+//! A motion through several modes.
+
+use crate::ode::{Statistics, Trajectory};
+
+/// A stretch of the motion in one mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// The mode.
+    pub mode: usize,
+    /// The motion.
+    pub trajectory: Trajectory,
+}
+
+/// An event that has happened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Happened {
+    /// When, in seconds.
+    pub time: f64,
+    /// Mode before it.
+    pub from: usize,
+    /// Which event of that mode.
+    pub event: usize,
+    /// Mode after it.
+    pub to: usize,
+    /// State before it, SI units.
+    pub before: Vec<f64>,
+    /// State after it, SI units.
+    pub after: Vec<f64>,
+    /// Value of the guard, SI units: how well the event is located.
+    pub guard: f64,
+}
+
+/// A motion through several modes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// The stretches between events. Between events at one instant there is none.
+    pub pieces: Vec<Piece>,
+    /// The events, in their order.
+    pub events: Vec<Happened>,
+    /// Mode at the end.
+    pub mode: usize,
+    /// State at the end, SI units.
+    pub end: Vec<f64>,
+    /// Time at the end.
+    pub time: f64,
+    /// What the integrations took together.
+    pub statistics: Statistics,
+}
+
+impl Motion {
+    /// The mode and the state at a time; at an event, those after it. Beyond the ends those at the nearest end.
+    pub fn at(&self, time: f64) -> (usize, Vec<f64>) {
+        let passed = self
+            .pieces
+            .partition_point(|piece| piece.trajectory.times()[0] <= time);
+        match self.pieces.get(passed.saturating_sub(1)) {
+            _ if time >= self.time => (self.mode, self.end.clone()),
+            Some(piece) => (piece.mode, piece.trajectory.at(time)),
+            None => (self.mode, self.end.clone()),
+        }
+    }
+
+    /// The last time in a piece.
+    pub fn ends(piece: &Piece) -> (f64, f64) {
+        let times = piece.trajectory.times();
+        (times[0], times[times.len() - 1])
+    }
+
+    /// Adds up what another integration took.
+    pub(super) fn count(&mut self, more: &Statistics) {
+        let all = &mut self.statistics;
+        all.steps += more.steps;
+        all.rejected += more.rejected;
+        all.evaluations += more.evaluations;
+        all.largest_step = all.largest_step.max(more.largest_step);
+        all.smallest_step = all.smallest_step.min(more.smallest_step);
+        all.estimated_error += more.estimated_error;
+    }
+}

@@ -1,0 +1,91 @@
+//! What the solvers ask of a motion with modes.
+
+use crate::problem::{Equations, Scene};
+use crate::scalar::Scalar;
+
+/// How a guard passes zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// From below.
+    Rises,
+    /// From above.
+    Falls,
+    /// Either way.
+    Crosses,
+}
+
+impl Direction {
+    /// Whether a guard that gets this sign passes zero in this direction.
+    #[inline(always)]
+    pub fn allows(self, rising: bool) -> bool {
+        match self {
+            Self::Rises => rising,
+            Self::Falls => !rising,
+            Self::Crosses => true,
+        }
+    }
+}
+
+/// An event of a mode.
+#[derive(Clone, Copy, Debug)]
+pub struct EventEntry {
+    /// The statement.
+    pub text: &'static str,
+    /// In which direction the guard passes zero.
+    pub direction: Direction,
+    /// Unit of the guard; empty for a pure number.
+    pub unit: &'static str,
+    /// SI value of one such unit.
+    pub factor: f64,
+    /// The mode that follows, by index.
+    pub target: usize,
+    /// Line in the equation file, from 1: events of several modes on one line are one statement.
+    pub line: u32,
+}
+
+/// Equations of a motion that is in one of several modes. All modes have the same state vector; what a mode does not
+/// have stands still in it.
+pub trait Modes<S: Scalar>: Equations<S> {
+    /// The mode.
+    fn mode(&self) -> usize;
+
+    /// Goes into a mode.
+    fn enter(&mut self, mode: usize);
+
+    /// Writes the guards of the events of this mode, and their time derivatives.
+    fn guards(
+        &self,
+        instant: &Self::Instant,
+        state: &Self::State,
+        values: &mut [S],
+        rates: &mut [S],
+    );
+
+    /// Whether what else an event of this mode asks for holds.
+    fn permits(&self, event: usize, instant: &Self::Instant, state: &Self::State) -> bool;
+
+    /// Writes the state after an event of this mode.
+    fn jump(
+        &self,
+        event: usize,
+        instant: &Self::Instant,
+        state: &Self::State,
+        after: &mut Self::State,
+    );
+}
+
+/// A scene whose motion has modes, or events.
+pub trait Hybrid: Scene {
+    /// The equations, prepared for a scalar type.
+    type Modal<S: Scalar>: Modes<S> + Send + Sync;
+
+    /// The events of each mode.
+    const EVENTS: &'static [&'static [EventEntry]];
+    /// Names of the modes; empty where there are events and no modes.
+    const MODE_NAMES: &'static [&'static str];
+    /// The mode in which the motion begins.
+    const FIRST: usize;
+
+    /// Computes what depends on the parameters alone.
+    fn modal<S: Scalar>(&self) -> Self::Modal<S>;
+}

@@ -1,0 +1,4 @@
+//! Motions with modes and events, against their closed forms.
+
+mod bounce;
+mod hard;

@@ -1,0 +1,206 @@
+//! Events of which the signs at the ends of steps say nothing, and events that meet.
+
+use assur::hybrid::{HybridError, Motion, march};
+use assur::prelude::*;
+
+const SETTINGS: Settings = Settings {
+    method: Method::Dop853,
+    rtol: 1e-9,
+};
+
+/// Texts of the events that happened, with their times.
+fn log<C: assur::hybrid::Hybrid>(motion: &Motion) -> Vec<(&'static str, f64)> {
+    let one =
+        |event: &assur::hybrid::Happened| (C::EVENTS[event.from][event.event].text, event.time);
+    motion.events.iter().map(one).collect()
+}
+
+mod graze {
+    assur::mechanism! {
+        /// A turning mark that just reaches a level.
+        Graze from "made up";
+        parameter level = 0.999999;
+        state phase: 1 = 0;
+        state counted: 1 = 0;
+        motion turn: dot(phase) = 1 [1/s];
+        motion count: dot(counted) = 0 [1/s];
+        output counted;
+        when sin(phase) - level crosses { set counted = counted + 1; }
+        scene once { run time 0 s .. 40 s; }
+    }
+}
+
+/// The level is passed twice in 2.8 ms; the steps are seconds long.
+#[test]
+fn pairs_of_crossings_within_a_step_are_found() {
+    let graze = graze::Once::default();
+    let motion = march(&graze, (0.0, 40.0), &[0.0, 0.0], &SETTINGS).expect("it turns");
+    assert_eq!(motion.events.len(), 2 * 7);
+    assert!(motion.statistics.largest_step > 1.0);
+    let half = 0.999999_f64.acos();
+    for (k, pair) in motion.events.chunks(2).enumerate() {
+        let top = std::f64::consts::TAU * (k as f64 + 0.25);
+        for (event, expected) in pair.iter().zip([top - half, top + half]) {
+            assert!(
+                (event.time - expected).abs() < 1e-12,
+                "{} {expected}",
+                event.time
+            );
+        }
+    }
+    // The naive way compares signs at the ends of the steps.
+    let ends = motion
+        .pieces
+        .iter()
+        .flat_map(|piece| piece.trajectory.times());
+    let seen = ends.filter(|time| time.sin() > 0.999999 + 1e-12).count();
+    assert_eq!(seen, 0);
+}
+
+mod touch {
+    assur::mechanism! {
+        /// A turning mark that touches a level and does not pass it.
+        Touch from "made up";
+        state phase: 1 = 0;
+        motion turn: dot(phase) = 1 [1/s];
+        output phase;
+        when sin(phase) - 1 crosses { set phase = phase + 100; }
+        scene once { run time 0 s .. 40 s; }
+    }
+}
+
+#[test]
+fn a_touch_changes_nothing() {
+    let motion = march(&touch::Once::default(), (0.0, 40.0), &[0.0], &SETTINGS).expect("it turns");
+    assert_eq!(motion.events.len(), 0, "{:?}", motion.events);
+    assert!((motion.end[0] - 40.0).abs() < 1e-12);
+}
+
+mod relay {
+    assur::mechanism! {
+        /// Two marks that arrive together, the second of which starts a third.
+        Relay from "made up";
+        state a: 1 = 0, b: 1 = -1, c: 1 = -1;
+        mode wait {
+            motion first: dot(a) = 1 [1/s];
+            motion second: dot(b) = 2 [1/s];
+            hold c;
+            when a - 1 rises -> half { set a = 5; }
+        }
+        mode half {
+            hold a, b, c;
+        }
+        when b - 1 rises -> full { set c = 0; }
+        mode full {
+            hold a, b;
+            motion third: dot(c) = 1 [1/s];
+            when c rises -> done { set c = c - 3; }
+        }
+        mode done {
+            hold a, b, c;
+        }
+        output a, b, c;
+        scene both { run time 0 s .. 3 s; }
+    }
+}
+
+/// One event sets what another watches: both happen at one instant, one after the other.
+#[test]
+fn events_at_one_instant_follow_each_other() {
+    let motion = march(
+        &relay::Both::default(),
+        (0.0, 3.0),
+        &[0.0, -1.0, -1.0],
+        &SETTINGS,
+    )
+    .expect("it comes to rest");
+    let log = log::<relay::Both>(&motion);
+    let texts: Vec<_> = log.iter().map(|one| one.0).collect();
+    assert_eq!(
+        texts,
+        [
+            "when a - 1 rises -> half { set a = 5; }",
+            "when b - 1 rises -> full { set c = 0; }",
+            "when c rises -> done { set c = c - 3; }",
+        ]
+    );
+    assert!(log.iter().all(|one| (one.1 - 1.0).abs() < 1e-14), "{log:?}");
+    assert_eq!((motion.end[0], motion.end[2]), (5.0, -3.0));
+    assert!((motion.end[1] - 1.0).abs() < 1e-14);
+    assert_eq!(motion.mode, 3);
+}
+
+mod circle {
+    assur::mechanism! {
+        /// Two modes that lead to each other without taking any time.
+        Circle from "made up";
+        state x: 1 = -1;
+        motion go: dot(x) = 1 [1/s];
+        mode left { when x rises -> right { set x = 0; } }
+        mode right { when 2*x rises -> left { set x = 0; } }
+        output x;
+        scene turns { run time 0 s .. 3 s; }
+    }
+}
+
+#[test]
+fn events_without_end_at_one_instant_are_reported_with_their_modes() {
+    let ended = march(&circle::Turns::default(), (0.0, 3.0), &[-1.0], &SETTINGS);
+    let Err(HybridError::Loop {
+        time,
+        modes,
+        motion,
+        ..
+    }) = ended
+    else {
+        panic!("{ended:?}");
+    };
+    assert!((time - 1.0).abs() < 1e-14, "{time}");
+    assert_eq!(modes, [0, 1, 0]);
+    assert!(motion.events.len() > 10);
+}
+
+mod start {
+    assur::mechanism! {
+        /// A mass that is pushed from the very beginning, against a stop that is not there.
+        Start from "made up";
+        parameter gap = 0 m;
+        coordinate x: m = 0, y: m = 0;
+        mode alone {
+            motion push: ddot(x) = 1 [m/s^4]*time^2;
+            hold y;
+            when x - gap rises -> together;
+        }
+        mode together {
+            motion push: ddot(x) = 1 [m/s^4]*time^2;
+            motion follow: ddot(y) = 1 [m/s^2];
+        }
+        output x, y;
+        scene pushed { run time 0 s .. 1 s; }
+    }
+}
+
+/// The guard is zero at the start, and so are its first three derivatives.
+#[test]
+fn an_event_at_the_start_takes_no_time() {
+    let motion =
+        march(&start::Pushed::default(), (0.0, 1.0), &[0.0; 4], &SETTINGS).expect("it moves");
+    assert_eq!(motion.events.len(), 1);
+    assert!(motion.events[0].time < 1e-3, "{}", motion.events[0].time);
+    let late = start::Pushed {
+        gap: 1.0 / 12.0,
+        ..start::Pushed::default()
+    };
+    let motion = march(&late, (0.0, 2.0), &[0.0; 4], &SETTINGS).expect("it moves");
+    assert!(
+        (motion.events[0].time - 1.0).abs() < 1e-9,
+        "{}",
+        motion.events[0].time
+    );
+    let never = start::Pushed {
+        gap: 1e3,
+        ..start::Pushed::default()
+    };
+    let motion = march(&never, (0.0, 2.0), &[0.0; 4], &SETTINGS).expect("it moves");
+    assert_eq!((motion.events.len(), motion.mode), (0, 0));
+}
