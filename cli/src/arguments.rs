@@ -48,6 +48,9 @@ pub enum Command {
     /// Compare the scenes of a mechanism: size, cost, and what each effect changes.
     #[command(after_help = "Example:\n  assur scenes batten")]
     Scenes(ScenesArguments),
+    /// List all assembly modes of a linkage at a position.
+    #[command(after_help = crate::modes::EXAMPLES)]
+    Modes(crate::modes::ModesArguments),
     /// Find how an output errs by the tolerances, and tolerances of least cost.
     #[command(after_help = crate::tolerance::EXAMPLES)]
     Tolerance(crate::tolerance::ToleranceArguments),

@@ -43,7 +43,8 @@ pub struct Listed {
 
 /// A linkage whose dimensions are fixed, as far as its assembly modes and limits go.
 pub trait RunLimits {
-    /// All assembly modes at a place, and which one the start values pick; see [`fn@closure::modes`].
+    /// All assembly modes at a place, and which one the start values pick; see [`fn@closure::modes`]. The place is the
+    /// positions of the drivers, and behind them how these move where that is known.
     ///
     /// # Errors
     /// [`ClosureError::BadRange`] if the place makes no sense.
@@ -62,12 +63,12 @@ pub trait RunLimits {
 
 impl<L: Linkage + 'static> RunLimits for Bound<L> {
     fn modes(&self, place: &[f64], search: &Search) -> Result<Listing, ClosureError> {
-        let drivers = &place[..place.len().min(L::INDEPENDENTS)];
+        let (drivers, motion) = place.split_at(place.len().min(L::INDEPENDENTS));
         let found = closure::modes(&self.linkage, drivers, search)?;
         let modes: Vec<_> = found
             .modes
             .into_iter()
-            .map(|mode| listed(&self.linkage, drivers, mode))
+            .map(|mode| listed(&self.linkage, (drivers, motion), mode))
             .collect();
         let (declared, stopped) = match there(&self.linkage, drivers) {
             Ok(dependents) => {
@@ -96,9 +97,16 @@ impl<L: Linkage + 'static> RunLimits for Bound<L> {
 }
 
 /// A mode with its outputs and what is left of its equations.
-fn listed<L: Linkage>(linkage: &L, place: &[f64], mode: closure::Mode) -> Listed {
+fn listed<L: Linkage>(
+    linkage: &L,
+    (drivers, motion): (&[f64], &[f64]),
+    mode: closure::Mode,
+) -> Listed {
     let closure = L::prepare::<f64>(&linkage.values());
-    let instant = closure.instant(place);
+    let instant = match motion.len() == L::MOTION {
+        true => closure.moving(drivers, motion),
+        false => closure.instant(drivers),
+    };
     let mut position = closure.zeros();
     position.as_mut()[..L::DEPENDENTS].copy_from_slice(&mode.coordinates);
     // What the position holds beside the coordinates follows from them.
