@@ -4,12 +4,13 @@
 //! |---|---|
 //! | `geometry` | which points stand, which move, which move straight |
 //! | `sheet` | the paper: scale, title, legend, scale bar |
-//! | `joints` | links, pivots, slides and names at one position |
+//! | `joints`, `names` | pivots and slides at one position, names of points |
 //! | `still`, `moving` | the two pictures |
 
 mod geometry;
 mod joints;
 mod moving;
+mod names;
 mod sheet;
 mod still;
 
