@@ -7,8 +7,10 @@ use assur::registry::Sample;
 use super::case::{Task, amount};
 use super::group;
 use super::influence::unit_of;
+use super::reach;
 use super::report::{Report, Snapshot, task};
 use super::search::Extreme;
+use super::wording::dead_point;
 use crate::number;
 use crate::style::Style;
 use crate::table::{Page, WIDTH, about, parameters, published};
@@ -20,6 +22,8 @@ use crate::variables::Variable;
 const DIGITS: i32 = 7;
 /// Beside values of the same kind this part of them is rounding.
 const NOISE: f64 = 1e-9;
+/// Digits of what is known to the last.
+const EXACT: usize = 10;
 /// A transmission angle below which a linkage transmits forces badly.
 const POOR: f64 = 30.0;
 
@@ -37,6 +41,8 @@ pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
     parameters(&mut page, &report.case.constants);
     positions(&mut page, report);
     limits(&mut page, report);
+    turns(&mut page, report);
+    reach(&mut page, report);
     transmissions(&mut page, report);
     met(&mut page, report);
     for place in &report.places {
@@ -242,6 +248,7 @@ fn limits(page: &mut Page, report: &Report) {
         (&place, align),
         ("largest", Align::Point),
         (&place, align),
+        ("stroke", Align::Point),
         ("unit", Align::Left),
         ("", Align::Left),
     ]);
@@ -261,6 +268,7 @@ fn limits(page: &mut Page, report: &Report) {
             station(report, low),
             show(high),
             station(report, high),
+            fixed(variable.in_unit(high.value - low.value), decimals),
             variable.unit.clone(),
             variable.summary.clone(),
         ]);
@@ -269,6 +277,95 @@ fn limits(page: &mut Page, report: &Report) {
         page.section("Limits", &table);
         page.line("");
     }
+}
+
+/// Where outputs turn round inside the range.
+fn turns(page: &mut Page, report: &Report) {
+    let case = &report.case;
+    let Some(driver) = reach::swept(case).map(|index| &case.drivers[index]) else {
+        return;
+    };
+    let place = format!("at {}, {}", driver.name, driver.unit);
+    let mut table = Columns::new([
+        ("", Align::Left),
+        ("", Align::Left),
+        ("value", Align::Point),
+        ("unit", Align::Left),
+        (place.trim_end_matches(", "), Align::Point),
+    ]);
+    let mut count = 0;
+    for variable in &case.variables {
+        let stroke = reach::stroke(report.strokes.as_ref(), variable);
+        let turns = stroke.map(|stroke| reach::turns(case, stroke));
+        for turn in turns.unwrap_or_default() {
+            let kind = if turn.is_largest { "highest" } else { "lowest" };
+            table.row([
+                variable.name.clone(),
+                kind.to_owned(),
+                number::significant(variable.in_unit(turn.value), EXACT),
+                variable.unit.clone(),
+                number::significant(turn.at / driver.factor, EXACT),
+            ]);
+            count += 1;
+        }
+    }
+    if count > 0 {
+        page.section("Limit positions, where an output turns round", &table);
+        page.line("");
+    }
+}
+
+/// How far the drivers go.
+fn reach(page: &mut Page, report: &Report) {
+    let case = &report.case;
+    if report.reach.is_empty() {
+        return;
+    }
+    let mut table = Columns::new([
+        ("", Align::Left),
+        ("", Align::Left),
+        ("", Align::Point),
+        ("", Align::Left),
+        ("", Align::Left),
+    ]);
+    for reach in &report.reach {
+        let driver = &case.drivers[reach.driver];
+        let name = driver.name.to_owned();
+        let found = match &reach.stretch {
+            Ok(_) if reach.turns => {
+                table.row([name, "turns all round".to_owned()]);
+                continue;
+            }
+            Ok(found) => found,
+            Err(told) => {
+                let words = format!("not known: {}", told.reason);
+                table.row([name, String::new(), String::new(), String::new(), words]);
+                continue;
+            }
+        };
+        let ends = [
+            (name, "from", &found.low),
+            (String::new(), "to", &found.high),
+        ];
+        for (name, word, end) in ends {
+            table.row([
+                name,
+                word.to_owned(),
+                number::significant(end.at / driver.factor, EXACT),
+                driver.unit.to_owned(),
+                match end.dead {
+                    Some(group) => dead_point(case.entry, group),
+                    None => "and farther".to_owned(),
+                },
+            ]);
+        }
+    }
+    let heading = match report.reach.len() {
+        1 => "Reach of the driver in this assembly mode",
+        _ => "Reach of each driver in this assembly mode, the others standing where they start",
+    };
+    page.section(heading, &table);
+    page.line("");
 }
 
 fn transmissions(page: &mut Page, report: &Report) {
