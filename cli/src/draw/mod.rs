@@ -49,7 +49,7 @@ const FRAMES: usize = 96;
 /// been drawn.
 pub fn execute(options: &DrawArguments) -> Result<(), Failure> {
     let Some(name) = &options.name else {
-        return Err(lookup::no_mechanism("draw"));
+        return Err(lookup::no_linkage("draw"));
     };
     let mechanism = lookup::mechanism(name)?;
     let scene = lookup::linkage(mechanism, options.scene.as_deref())?;

@@ -79,7 +79,7 @@ pub struct Found {
 /// A wrong request. That a linkage cannot be assembled somewhere is an answer, not an error.
 pub fn execute(options: &ModesArguments) -> Result<(), Failure> {
     let Some(name) = &options.name else {
-        return Err(lookup::no_mechanism("modes"));
+        return Err(lookup::no_linkage("modes"));
     };
     let mechanism = lookup::mechanism(name)?;
     let scene = lookup::linkage(mechanism, options.scene.as_deref())?;
