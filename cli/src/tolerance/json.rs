@@ -49,6 +49,7 @@ pub fn render(question: &Question, answer: &Answer, figure: Option<&Path>) -> St
         },
         "range": page.range(),
         "allocation": answer.allocation.as_ref().map(|one| page.allocation(one)),
+        "changed": question.changed,
         "status": page.status(),
         "seconds": answer.seconds,
         "figure": figure.map(|path| path.display().to_string()),
