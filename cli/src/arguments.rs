@@ -48,6 +48,9 @@ pub enum Command {
     /// Compare the scenes of a mechanism: size, cost, and what each effect changes.
     #[command(after_help = "Example:\n  assur scenes batten")]
     Scenes(ScenesArguments),
+    /// List all assembly modes of a linkage at a position.
+    #[command(after_help = crate::modes::EXAMPLES)]
+    Modes(crate::modes::ModesArguments),
     /// Find how an output errs by the tolerances, and tolerances of least cost.
     #[command(after_help = crate::tolerance::EXAMPLES)]
     Tolerance(crate::tolerance::ToleranceArguments),
@@ -59,6 +62,7 @@ const RUN_EXAMPLES: &str = "Examples:
   assur run batten --rtol 1e-12 --format json
   assur run batten --format csv > batten.csv
   assur run heald_linkage --at phi4=75deg --set l4=91mm
+  assur run heald_linkage --format csv --rows limits
 
 A linkage is moved through the positions of its drivers: --at names one of each, alpha=90deg,beta=180deg; a driver that
 is not named stands where it starts.
@@ -86,9 +90,11 @@ Of a linkage there are besides (and no settings, multipliers, conclusions):
   drivers      each: name, unit, from, to, start
   task         kind may be sweep, over: names of the drivers
   status       may be \"stopped\"; stopped then lists place and reason, and the exit code is 1
-  results      each: name, unit, minimum and maximum, with value and at (drivers)
+  results      each: name, unit, minimum and maximum, with value and at (drivers), stroke,
+               limit_positions (kind, value, at; of outputs over a single driver)
   positions    at round positions: drivers, time if it runs, results (null: not reached)
   transmission each: loops, unknowns, kind, smallest_angle, unit, at
+  reach        each: driver, unit, turns, low and high (at, dead_point)
   events       each: place, event
   at           besides: outside, transmission, influence (each: by, of, unit, value)
   statistics   positions, reached, seconds, seconds_with_limits, largest_gap
@@ -129,13 +135,17 @@ pub struct RunArguments {
     /// What is printed.
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,
+    /// What the rows of a linkage are with --format csv.
+    #[arg(long, value_enum, default_value_t = Rows::Positions)]
+    pub rows: Rows,
     /// File for the figure.
     #[arg(long, value_name = "FILE.svg", conflicts_with = "out")]
     pub plot: Option<PathBuf>,
     /// Directory for the figure, created if it is missing.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Curves of the figure, `phi2,dot(phi2)` or `all`; those that matter most unless given.
+    /// Curves of the figure, `phi2,dot(phi2)`, of a linkage `diff(phi7, l5)` too, or `all`; those that matter most
+    /// unless given.
     #[arg(long, value_name = "NAMES")]
     pub curves: Option<String>,
 }
@@ -150,6 +160,16 @@ pub enum Format {
     Json,
     /// The curves over the task, one row a sample or position.
     Csv,
+}
+
+/// What the rows of a linkage are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Rows {
+    /// Positions over the task.
+    #[default]
+    Positions,
+    /// Extremes, strokes, limit positions, and how far the drivers go.
+    Limits,
 }
 
 /// Options of `assur draw`.

@@ -25,20 +25,34 @@ pub fn mechanism(name: &str) -> Result<&'static Mechanism, Failure> {
 
 /// What to say when no mechanism is named.
 pub fn no_mechanism(command: &str) -> Failure {
-    let width = REGISTRY
-        .iter()
-        .map(|mechanism| mechanism.name.len())
-        .max()
-        .unwrap_or(0);
+    name_one("mechanism", command, REGISTRY.iter().collect())
+}
+
+/// The same for a command about linkages.
+pub fn no_linkage(command: &str) -> Failure {
+    name_one("linkage", command, linkages().collect())
+}
+
+/// The mechanisms with at least one scene that is a linkage.
+fn linkages() -> impl Iterator<Item = &'static Mechanism> {
+    REGISTRY.iter().filter(|mechanism| {
+        let mut scenes = mechanism.scenes.iter();
+        scenes.any(|scene| scene.linkage.is_some())
+    })
+}
+
+fn name_one(what: &str, command: &str, list: Vec<&'static Mechanism>) -> Failure {
+    let names = list.iter().map(|mechanism| mechanism.name.len());
+    let width = names.max().unwrap_or(0);
     let mut remedy = String::from("name one of these");
-    for mechanism in REGISTRY {
+    for mechanism in &list {
         let line = mechanism.summary.lines().next().unwrap_or("");
         remedy += &format!("\n  {:width$}  {line}", mechanism.name);
     }
-    if let Some(first) = REGISTRY.first() {
+    if let Some(first) = list.first() {
         remedy += &format!("\nfor example: assur {command} {}", first.name);
     }
-    Failure::request(format!("`assur {command}` needs a mechanism")).remedy(remedy)
+    Failure::request(format!("`assur {command}` needs a {what}")).remedy(remedy)
 }
 
 /// The scene of this name, the first one if none is given.
@@ -96,11 +110,7 @@ pub fn linkage(
     if let (None, Some(first)) = (name, others.first()) {
         return Err(failure.remedy(format!("choose one: --scene {first}")));
     }
-    let everywhere = REGISTRY.iter().filter(|mechanism| {
-        let mut scenes = mechanism.scenes.iter();
-        scenes.any(|scene| scene.linkage.is_some())
-    });
-    let everywhere: Vec<_> = everywhere.map(|mechanism| mechanism.name).collect();
+    let everywhere: Vec<_> = linkages().map(|mechanism| mechanism.name).collect();
     Err(
         failure.remedy(match (others.as_slice(), everywhere.as_slice()) {
             ([], []) => "no mechanism has a linkage yet".to_owned(),
@@ -150,8 +160,16 @@ pub fn with_feature(mechanism: &Mechanism, name: &str) -> Option<String> {
     ))
 }
 
-/// The nearest of the names, or all of them.
+/// The nearest of the names, or all of them. A name of a part may lack the part, or have another one.
 pub fn suggestion(wanted: &str, names: &[&str]) -> String {
+    let last = |name: &str| name.rsplit('.').next().map(str::to_owned);
+    let alike = names
+        .iter()
+        .filter(|name| name.contains('.') && last(name) == last(wanted));
+    let alike: Vec<_> = alike.map(|name| format!("`{name}`")).collect();
+    if !alike.is_empty() {
+        return format!("did you mean {}?", alike.join(" or "));
+    }
     if let Some(nearest) = nearest(wanted, names.iter().copied()) {
         return format!("did you mean `{nearest}`?");
     }
@@ -187,6 +205,14 @@ mod tests {
     fn other_words_find_nothing() {
         check_nearest("gearbox", None);
         check_nearest("theta", None);
+    }
+
+    #[test]
+    fn names_of_parts_are_found_without_their_part() {
+        let names = ["lift.e_v", "lift.O1_x", "stitch.O1_x"];
+        assert_eq!(suggestion("feed.e_v", &names), "did you mean `lift.e_v`?");
+        let both = "did you mean `lift.O1_x` or `stitch.O1_x`?";
+        assert_eq!(suggestion("O1_x", &names), both);
     }
 
     #[test]

@@ -25,6 +25,7 @@ mod json;
 mod linkage;
 mod list;
 mod lookup;
+mod modes;
 mod motion;
 mod multipliers;
 mod number;
@@ -63,6 +64,7 @@ fn main() -> ExitCode {
         Command::Check(options) => check::execute(options),
         Command::Expand(options) => expand::execute(options),
         Command::Scenes(options) => scenes::execute(options),
+        Command::Modes(options) => modes::execute(options),
         Command::Tolerance(options) => tolerance::execute(options),
     };
     match outcome {

@@ -25,7 +25,7 @@ impl Progress {
         }
         let template = if parts > 0 {
             bar.set_length(parts);
-            "{msg} {wide_bar:.cyan} {pos}/{len}, {elapsed}"
+            "{msg} {wide_bar:.cyan} {pos}/{len}, {elapsed}, {eta} left"
         } else {
             "{spinner} {msg}, {elapsed}"
         };

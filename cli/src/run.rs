@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use assur::problem::Span;
 use assur::registry::{Mechanism, SceneEntry, Settings};
 
-use crate::arguments::{Format, RunArguments};
+use crate::arguments::{Format, Rows, RunArguments};
 use crate::case::Case;
 use crate::constants::Constants;
 use crate::error::Failure;
@@ -25,6 +25,7 @@ pub fn execute(options: &RunArguments) -> Result<(), Failure> {
     };
     let mechanism = lookup::mechanism(name)?;
     let scene = lookup::scene(mechanism, options.scene.as_deref())?;
+    check_rows(options, scene)?;
     if scene.linkage.is_some() {
         return linkage::run::execute(options, mechanism, scene);
     }
@@ -70,6 +71,20 @@ pub fn execute(options: &RunArguments) -> Result<(), Failure> {
         options.format,
         drawn.as_ref().map(Destination::path),
     ))
+}
+
+/// Rows of limits are rows of a linkage.
+fn check_rows(options: &RunArguments, scene: &SceneEntry) -> Result<(), Failure> {
+    if options.rows == Rows::Positions {
+        return Ok(());
+    }
+    let refused = |what: &str| Failure::request(what).place("--rows limits");
+    match (&scene.linkage, options.format) {
+        (None, _) => Err(refused("only a linkage has rows of limits").remedy("leave it out")),
+        (Some(_), Format::Csv) => Ok(()),
+        (Some(_), _) => Err(refused("only --format csv has rows")
+            .remedy("add --format csv; the tables and json show the limits anyway")),
+    }
 }
 
 fn render(report: &Report, format: Format, figure: Option<&Path>) -> String {

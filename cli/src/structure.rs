@@ -26,7 +26,7 @@ const FORMAT: &str = "assur-structure/1";
 /// A wrong request; or a linkage that cannot be put together, after its structure is printed.
 pub fn execute(options: &StructureArguments) -> Result<(), Failure> {
     let Some(name) = &options.name else {
-        return Err(lookup::no_mechanism("structure"));
+        return Err(lookup::no_linkage("structure"));
     };
     let mechanism = lookup::mechanism(name)?;
     let scene = lookup::linkage(mechanism, options.scene.as_deref())?;

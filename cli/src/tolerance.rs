@@ -4,6 +4,7 @@ mod answer;
 mod arguments;
 mod csv;
 mod json;
+mod places;
 mod question;
 mod table;
 

@@ -4,11 +4,13 @@
 //! prints the answer, and the dimensions for [`crate::check::scaling`]. Behind `dyn` stand whole runs, never single evaluations.
 
 mod bind;
+mod limits;
 mod linkage;
 mod path;
 mod tolerance;
 
 pub use bind::{bind, check_values};
+pub use limits::{Listed, Listing, RunLimits};
 pub use linkage::{Distribution, Link, LinkageEntry, Loop, RunLinkage, Subject, bind_linkage};
 pub use path::{Path, Sample};
 pub use tolerance::RunTolerance;

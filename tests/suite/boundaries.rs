@@ -203,6 +203,7 @@ fn is_example(line: &str) -> bool {
         "assur scenes ",
         "assur structure ",
         "assur draw ",
+        "assur modes ",
         "assur tolerance ",
         "list of equation files",
     ]

@@ -4,12 +4,13 @@
 //! |---|---|
 //! | `geometry` | which points stand, which move, which move straight |
 //! | `sheet` | the paper: scale, title, legend, scale bar |
-//! | `joints` | links, pivots, slides and names at one position |
+//! | `joints`, `names` | pivots and slides at one position, names of points |
 //! | `still`, `moving` | the two pictures |
 
 mod geometry;
 mod joints;
 mod moving;
+mod names;
 mod sheet;
 mod still;
 
@@ -48,7 +49,7 @@ const FRAMES: usize = 96;
 /// been drawn.
 pub fn execute(options: &DrawArguments) -> Result<(), Failure> {
     let Some(name) = &options.name else {
-        return Err(lookup::no_mechanism("draw"));
+        return Err(lookup::no_linkage("draw"));
     };
     let mechanism = lookup::mechanism(name)?;
     let scene = lookup::linkage(mechanism, options.scene.as_deref())?;

@@ -4,6 +4,7 @@ use assur::registry::Sample;
 
 use super::geometry::{Moves, Point};
 use super::joints::{self, PIVOT};
+use super::names;
 use super::sheet::{Sheet, colour};
 use super::still::{frame, paths, pixels};
 use super::{FRAMES, Picture};
@@ -87,7 +88,7 @@ fn links(svg: &mut Svg, picture: &Picture<'_>, frames: &[Vec<Point>], clock: &Cl
 }
 
 fn pivots(svg: &mut Svg, picture: &Picture<'_>, frames: &[Vec<Point>], clock: &Clock) {
-    let named = joints::names(picture, &frames[0]);
+    let named = names::names(picture, &frames[0]);
     for index in 0..picture.case.entry.points.len() {
         let at = |frame: &Vec<Point>| frame[index];
         if let Some(along) = joints::slides(picture, index) {
@@ -110,9 +111,9 @@ fn pivots(svg: &mut Svg, picture: &Picture<'_>, frames: &[Vec<Point>], clock: &C
         ));
     }
     // The names of what stands; the others would have to dodge the links.
-    for (index, place, name) in named {
-        if picture.geometry.moves[index] == Moves::Stands {
-            joints::write(svg, place, &name);
+    for name in named {
+        if picture.geometry.moves[name.index] == Moves::Stands {
+            names::write(svg, &name);
         }
     }
 }

@@ -5,7 +5,6 @@ use super::geometry::{Point, distance};
 use crate::number;
 use crate::plot::figure::lead;
 use crate::plot::legend::text_width;
-use crate::plot::name;
 use crate::plot::svg::{Anchor, Svg};
 use crate::text::wrap;
 
@@ -18,7 +17,7 @@ const LARGEST: (f64, f64) = (680.0, 520.0);
 /// Smallest width of the paper: room for the title.
 const NARROWEST: f64 = 520.0;
 /// Colours of links that can be told apart.
-const COLOURS: usize = 7;
+const COLOURS: usize = 14;
 
 /// How everything looks.
 pub const STYLE: &str = "\
@@ -28,6 +27,7 @@ text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', san
 .lead { font-size: 13px; fill: #57606a; }
 .unit { fill: #57606a; }
 .point { font-size: 15px; font-style: italic; }
+.index { font-size: 11px; }
 .halo { font-size: 15px; font-style: italic; stroke: #ffffff; stroke-width: 4; stroke-linejoin: round; }
 .path { fill: none; stroke: #8c959f; stroke-width: 1.1; stroke-dasharray: 3 3; }
 .guide { stroke: #8c959f; stroke-width: 1.2; }
@@ -47,6 +47,13 @@ text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', san
 .c4 { stroke: #8a6d00; fill: none; } .f4 { fill: #8a6d00; }
 .c5 { stroke: #56b4e9; fill: none; } .f5 { fill: #56b4e9; }
 .c6 { stroke: #882255; fill: none; } .f6 { fill: #882255; }
+.c7 { stroke: #e69f00; fill: none; } .f7 { fill: #e69f00; }
+.c8 { stroke: #332288; fill: none; } .f8 { fill: #332288; }
+.c9 { stroke: #88a03c; fill: none; } .f9 { fill: #88a03c; }
+.c10 { stroke: #cc6677; fill: none; } .f10 { fill: #cc6677; }
+.c11 { stroke: #44aa99; fill: none; } .f11 { fill: #44aa99; }
+.c12 { stroke: #7a4f2a; fill: none; } .f12 { fill: #7a4f2a; }
+.c13 { stroke: #7c6fd0; fill: none; } .f13 { fill: #7c6fd0; }
 .k { stroke: #57606a; fill: none; }
 ";
 
@@ -172,21 +179,30 @@ pub fn colour(picture: &Picture<'_>, link: usize) -> String {
     format!("c{}", moving.count() % COLOURS)
 }
 
-/// Names of the links in rows.
+/// Names of the links in rows, those of each part of the mechanism on rows of their own.
 fn legend(picture: &Picture<'_>, width: f64, top: f64) -> Vec<Entry> {
     let mut at = (30.0, top);
-    let mut entries = Vec::new();
+    let mut entries: Vec<Entry> = Vec::new();
+    let mut before = None;
     for (index, link) in picture.case.entry.links.iter().enumerate() {
         if link.text.is_empty() {
             continue;
         }
-        let needed = 34.0 + text_width(link.text) + 22.0;
-        if at.0 + needed > width && at.0 > 30.0 {
+        let part = part(picture, link.points);
+        let begins = before != Some(part);
+        before = Some(part);
+        let text = match begins && !part.is_empty() {
+            true => format!("{part}: {}", link.text),
+            false => link.text.to_owned(),
+        };
+        let needed = 34.0 + text_width(&text) + 22.0;
+        let full = at.0 + needed > width;
+        if (full || begins) && at.0 > 30.0 {
             at = (30.0, at.1 + 19.0);
         }
         entries.push(Entry {
             class: colour(picture, index),
-            text: link.text.to_owned(),
+            text,
             at,
         });
         at.0 += needed;
@@ -194,7 +210,11 @@ fn legend(picture: &Picture<'_>, width: f64, top: f64) -> Vec<Entry> {
     entries
 }
 
-/// The name of a point as a book sets it.
-pub fn point_name(picture: &Picture<'_>, index: usize) -> String {
-    name::set(picture.case.entry.points[index]).text
+/// The part of the mechanism that a link belongs to, as its points are named; empty if to none.
+fn part(picture: &Picture<'_>, points: &[usize]) -> &'static str {
+    let name = points
+        .first()
+        .map(|&index| picture.case.entry.points[index]);
+    let part = name.and_then(|name| name.rsplit_once('.'));
+    part.map_or("", |(part, _)| part)
 }

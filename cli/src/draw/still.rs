@@ -5,6 +5,7 @@ use assur::registry::Sample;
 use super::Picture;
 use super::geometry::{Moves, Point, point};
 use super::joints::{self, PIVOT};
+use super::names;
 use super::sheet::{Sheet, colour};
 use crate::plot::curve::simplify;
 use crate::plot::svg::Svg;
@@ -100,8 +101,8 @@ fn strong_position(svg: &mut Svg, picture: &Picture<'_>, at: &[Point]) {
         }
         svg.circle("pivot", *place, PIVOT);
     }
-    for (_, place, name) in joints::names(picture, at) {
-        joints::write(svg, place, &name);
+    for name in names::names(picture, at) {
+        names::write(svg, &name);
     }
     svg.end();
 }

@@ -163,9 +163,14 @@ impl Case {
 
     /// The values of the variables, SI units.
     pub fn values(&self, sample: &Sample) -> Vec<f64> {
+        self.values_of(&sample.dependents, &sample.outputs)
+    }
+
+    /// The values of the variables where the dependent coordinates and the outputs have these, SI units.
+    pub fn values_of(&self, dependents: &[f64], outputs: &[f64]) -> Vec<f64> {
         let value = |variable: &Variable| match variable.origin {
-            Origin::State(index) => sample.dependents.get(index).copied(),
-            Origin::Output(index) => sample.outputs.get(index).copied(),
+            Origin::State(index) => dependents.get(index).copied(),
+            Origin::Output(index) => outputs.get(index).copied(),
             Origin::Rate(_) => None,
         };
         let values = self.variables.iter().map(value);

@@ -1,12 +1,14 @@
 //! The positions of a linkage as comma-separated values: one heading with names and units, one row a position, no
 //! comments. Columns: the time if it runs, the drivers, every variable, the transmission angle of each group; empty cells
-//! where the linkage does not get.
+//! where the linkage does not get. With `--rows limits` its limits instead, one number a row.
 
 use assur::registry::Sample;
 
 use super::case::Task;
 use super::group;
+use super::reach;
 use super::report::Report;
+use super::search::Extreme;
 use crate::csv::{cell, title};
 use crate::values::TIME;
 
@@ -38,6 +40,69 @@ pub fn render(report: &Report) -> String {
     if report.lines.is_empty() {
         for one in &report.places {
             text += &row(report, None, &one.place.independents, Some(&one.sample));
+        }
+    }
+    text
+}
+
+/// Extremes, strokes, limit positions and the reach of the drivers: one row for each number.
+pub fn limits(report: &Report) -> String {
+    let case = &report.case;
+    let timed = matches!(case.task, Task::Time(_));
+    let drivers = case.drivers.iter();
+    let time = timed.then(|| title(TIME.name, TIME.unit));
+    let heading = ["name", "unit", "what", "value"].map(str::to_owned);
+    let heading: Vec<_> = heading
+        .into_iter()
+        .chain(time)
+        .chain(drivers.map(|driver| title(driver.name, driver.unit)))
+        .collect();
+    let mut text = heading.join(",") + "\n";
+    let empty = || vec![String::new(); case.drivers.len() + usize::from(timed)];
+    let at = |extreme: &Extreme| {
+        let time = timed.then(|| extreme.station.first().copied()).flatten();
+        let time = time.into_iter().map(cell);
+        let drivers = case.drivers.iter().zip(&extreme.independents);
+        time.chain(drivers.map(|(driver, position)| cell(position / driver.factor)))
+            .collect()
+    };
+    let mut row = |(name, unit): (&str, &str), what: &str, value: f64, at: Vec<String>| {
+        let start = [
+            title(name, ""),
+            unit.to_owned(),
+            what.to_owned(),
+            cell(value),
+        ];
+        text += &(start.into_iter().chain(at).collect::<Vec<_>>().join(",") + "\n");
+    };
+    for (variable, limits) in case.variables.iter().zip(&report.limits) {
+        let Some((low, high)) = limits else { continue };
+        let named = (variable.name.as_str(), variable.unit.as_str());
+        row(named, "minimum", variable.in_unit(low.value), at(low));
+        row(named, "maximum", variable.in_unit(high.value), at(high));
+        let stroke = variable.in_unit(high.value - low.value);
+        row(named, "stroke", stroke, empty());
+        let stroke = reach::stroke(report.strokes.as_ref(), variable);
+        let turns = stroke.map(|stroke| reach::turns(case, stroke));
+        for turn in turns.unwrap_or_default() {
+            let what = if turn.is_largest { "highest" } else { "lowest" };
+            let place = case.place(&[turn.at]);
+            let drivers = case.drivers.iter().zip(&place);
+            let place = drivers.map(|(driver, position)| cell(position / driver.factor));
+            row(named, what, variable.in_unit(turn.value), place.collect());
+        }
+    }
+    for reach in &report.reach {
+        let driver = &case.drivers[reach.driver];
+        let Ok(found) = &reach.stretch else { continue };
+        for (word, end) in [("from", &found.low), ("to", &found.high)] {
+            let what = match (reach.turns, end.dead) {
+                (true, _) => continue,
+                (false, Some(_)) => format!("dead point {word}"),
+                (false, None) => format!("reach {word}"),
+            };
+            let value = end.at / driver.factor;
+            row((driver.name, driver.unit), &what, value, empty());
         }
     }
     text

@@ -58,7 +58,10 @@ pub fn unit(output: (&str, f64), by: (&str, f64)) -> (String, f64) {
         "deg" | "rad" if !matches!(by.0, "deg" | "rad") => ("rad".to_owned(), 1.0),
         _ => plain(output),
     };
-    let below = plain(by);
+    let below = match by.0 {
+        "deg" | "rad" if !matches!(output.0, "deg" | "rad") => ("rad".to_owned(), 1.0),
+        _ => plain(by),
+    };
     let wrapped = match below.0.contains([' ', '/', '*']) {
         true => format!("({})", below.0),
         false => below.0,
@@ -86,7 +89,7 @@ mod tests {
         let degree = ("deg", 1f64.to_radians());
         assert_eq!(unit(degree, ("mm", 1e-3)), ("rad/mm".to_owned(), 1e3));
         assert_eq!(unit(degree, degree), (String::new(), 1.0));
-        assert_eq!(unit(("mm", 1e-3), degree), ("mm".to_owned(), 1e-3));
+        assert_eq!(unit(("mm", 1e-3), degree), ("mm/rad".to_owned(), 1e-3));
         assert_eq!(unit(("mm", 1e-3), ("N/m", 1.0)).0, "mm/(N/m)");
     }
 }

@@ -7,15 +7,17 @@
 //! | `task` | `kind` (`sweep`, `periodic`, `run` or `open`); of a sweep `over`, the names of its drivers, else `from`, `to`, `unit` of the time |
 //! | `status` | `"complete"`; `"stopped"` when positions of the task are not reached (`stopped` says why, the exit code is 1); or `"incomplete"` when a value below is null because it is not a finite number |
 //! | `stopped` | each `place`, `reason` |
-//! | `results` | each `name`, `unit`, and `minimum` and `maximum` over the task, each with `value` and `at` (`drivers`; `time` if it runs) |
+//! | `results` | each `name`, `unit`, and `minimum` and `maximum` over the task, each with `value` and `at` (`drivers`; `time` if it runs), `stroke`, and `limit_positions` where it turns round inside the range of a single driver (each `kind`, `value`, `at`; null where they are not sought) |
 //! | `positions` | at round positions, each `drivers` (`name`, `unit`, `value`), `time` if it runs, `results` (`name`, `unit`, `value`; null where the linkage does not get) |
 //! | `transmission` | for each group that has one `loops`, `unknowns`, `kind`, `smallest_angle`, `unit`, `at` |
+//! | `reach` | how far each driver goes in this assembly mode: `driver`, `unit`, `turns` (all round), `low` and `high` (`at`, `dead_point`: the loops, or null), or `reason` |
 //! | `events` | each `place`, `event` in words |
 //! | `at` | for each `--at`: `place` in words, `time`, `drivers`, `outside` (drivers outside of their ranges, in words), `results`, `transmission` (`loops`, `angle`, `unit`), `influence` (each `by`, `of`, `unit`, `value`) |
 //! | `statistics` | `positions`, `reached`, `seconds`, `seconds_with_limits`, `largest_gap` (`loop`, `value`, `unit`) |
 
 use std::path::Path;
 
+use assur::closure::End;
 use assur::problem::Span;
 use assur::registry::Sample;
 use serde_json::{Map, Value, json};
@@ -23,9 +25,11 @@ use serde_json::{Map, Value, json};
 use super::case::{Case, Task};
 use super::group;
 use super::influence::unit_of;
+use super::reach;
 use super::report::{Report, Snapshot};
 use super::search::Extreme;
 use crate::json::{FORMAT, compared, mechanism, parameters, scene};
+use crate::variables::Variable;
 
 /// The object, with its last line ended.
 pub fn render(report: &Report, figure: Option<&Path>) -> String {
@@ -64,6 +68,7 @@ pub fn render(report: &Report, figure: Option<&Path>) -> String {
         "results": limits(report),
         "positions": positions,
         "transmission": transmissions(report),
+        "reach": reaches(report),
         "events": events.collect::<Vec<_>>(),
         "at": places,
         "published": report.published.iter().map(compared).collect::<Vec<_>>(),
@@ -163,7 +168,51 @@ fn limits(report: &Report) -> Value {
             "unit": variable.unit,
             "minimum": end(limits.as_ref().map(|limits| &limits.0)),
             "maximum": end(limits.as_ref().map(|limits| &limits.1)),
+            "stroke": limits.as_ref().map(|(low, high)| variable.in_unit(high.value - low.value)),
+            "limit_positions": turns(report, variable),
         })
+    });
+    one.collect()
+}
+
+/// Where a variable turns round, null unless it is an output over a single driver.
+fn turns(report: &Report, variable: &Variable) -> Value {
+    let case = &report.case;
+    let Some(stroke) = reach::stroke(report.strokes.as_ref(), variable) else {
+        return Value::Null;
+    };
+    let turns = reach::turns(case, stroke).into_iter().map(|turn| {
+        let independents = case.place(&[turn.at]);
+        json!({
+            "kind": if turn.is_largest { "highest" } else { "lowest" },
+            "value": variable.in_unit(turn.value),
+            "at": place(case, &[turn.at], &independents),
+        })
+    });
+    turns.collect()
+}
+
+fn reaches(report: &Report) -> Value {
+    let case = &report.case;
+    let one = report.reach.iter().map(|reach| {
+        let driver = &case.drivers[reach.driver];
+        let end = |end: &End| {
+            let dead = end.dead.and_then(|index| case.entry.groups.get(index));
+            json!({
+                "at": end.at / driver.factor,
+                "dead_point": dead.map(|of_group| group::equations(case.entry, of_group)),
+            })
+        };
+        let mut object =
+            json!({ "driver": driver.name, "unit": driver.unit, "turns": reach.turns });
+        match &reach.stretch {
+            Ok(found) => {
+                object["low"] = end(&found.low);
+                object["high"] = end(&found.high);
+            }
+            Err(told) => object["reason"] = json!(told.reason),
+        }
+        object
     });
     one.collect()
 }

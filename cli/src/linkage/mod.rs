@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `case` | a linkage with its values, and what its task varies |
 //! | `line`, `search` | the stations of a task, and where something is largest |
+//! | `reach` | how far the drivers go, limit positions and strokes |
 //! | `place`, `influence`, `published` | what `--at` names, influence coefficients, published values |
 //! | `report` | all of that together |
 //! | `table`, `json`, `csv` | how it is printed |
@@ -17,6 +18,7 @@ pub mod json;
 pub mod line;
 pub mod place;
 pub mod published;
+pub mod reach;
 pub mod report;
 pub mod run;
 pub mod search;

@@ -41,6 +41,20 @@ pub fn read(case: &Case, text: &str) -> Result<Place, Failure> {
         .map_err(failed)
 }
 
+/// Where the drivers start, or where they are when the task begins if they move in time.
+///
+/// # Errors
+/// When a driver has no start position.
+pub fn start(case: &Case) -> Result<Place, Failure> {
+    match &case.task {
+        Task::Time(span) => {
+            let (first, _) = span.limits();
+            in_time(case, *span, &[(None, first)])
+        }
+        _ => swept(case, &[]),
+    }
+}
+
 /// Something that `--at` names, with its value in SI units; the time has no index.
 type Position = (Option<usize>, f64);
 

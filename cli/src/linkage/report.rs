@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use assur::closure::ClosureError;
+use assur::closure::{ClosureError, Stroke};
 use assur::problem::Span;
 use assur::registry::{Mechanism, Sample};
 
@@ -12,6 +12,7 @@ use super::influence::{self, Influence};
 use super::line::{Grid, Line};
 use super::place::Place;
 use super::published;
+use super::reach::{self, Reach};
 use super::search::{Extreme, largest, smallest};
 use super::wording::{Names, Told, event, tell};
 use crate::error::Failure;
@@ -29,6 +30,10 @@ pub struct Report {
     pub rows: Vec<Line>,
     /// Smallest and largest value of each variable.
     pub limits: Vec<Option<(Extreme, Extreme)>>,
+    /// How far each driver goes in this assembly mode.
+    pub reach: Vec<Reach>,
+    /// Strokes of the outputs over the task, where a single driver is swept.
+    pub strokes: Option<Vec<Stroke>>,
     /// Where each group transmits worst, its sine being smallest.
     pub transmissions: Vec<(usize, Extreme)>,
     /// What happened on the way, place and event in words.
@@ -121,7 +126,12 @@ pub fn collect(
         .map(|place| snapshot(&case, place))
         .collect::<Result<_, _>>()?;
     let of = |index: usize| move |sample: &Sample, case: &Case| case.values(sample)[index];
+    let strokes = reach::strokes(&case);
     let limits = (0..case.variables.len()).map(|index| {
+        // A limit position is known better than the best of many positions.
+        if let Some(stroke) = reach::stroke(strokes.as_ref(), &case.variables[index]) {
+            return Some(reach::extremes(&case, stroke));
+        }
         let of = of(index);
         let low = smallest(&case, &lines, |sample| of(sample, &case))?;
         Some((low, largest(&case, &lines, |sample| of(sample, &case))?))
@@ -151,6 +161,7 @@ pub fn collect(
         }
     }
     let published = published::compare(mechanism, &case, &lines)?;
+    let reach = reach::of(&case);
     let cost = Cost {
         positions: lines.iter().map(|line| line.stations.len()).sum(),
         reached: lines.iter().map(|line| line.reached().count()).sum(),
@@ -163,6 +174,8 @@ pub fn collect(
         lines,
         rows,
         limits,
+        reach,
+        strokes,
         transmissions,
         met,
         stops,

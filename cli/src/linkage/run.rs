@@ -7,7 +7,7 @@ use assur::registry::{Mechanism, SceneEntry};
 use super::case::{Case, Task};
 use super::report::{self, Report};
 use super::{csv, json, place, table};
-use crate::arguments::{Format, RunArguments};
+use crate::arguments::{Format, Rows, RunArguments};
 use crate::constants::Constants;
 use crate::error::Failure;
 use crate::output::{self, Destination};
@@ -56,17 +56,18 @@ pub fn execute(
     };
     output::print(&render(
         &report,
-        options.format,
+        options,
         drawn.as_ref().map(Destination::path),
     ))?;
     report.outcome()
 }
 
-fn render(report: &Report, format: Format, figure: Option<&Path>) -> String {
-    match format {
-        Format::Table => table::render(report, figure, style::stdout()),
-        Format::Json => json::render(report, figure),
-        Format::Csv => csv::render(report),
+fn render(report: &Report, options: &RunArguments, figure: Option<&Path>) -> String {
+    match (options.format, options.rows) {
+        (Format::Table, _) => table::render(report, figure, style::stdout()),
+        (Format::Json, _) => json::render(report, figure),
+        (Format::Csv, Rows::Positions) => csv::render(report),
+        (Format::Csv, Rows::Limits) => csv::limits(report),
     }
 }
 

@@ -1,27 +1,25 @@
 //! The answer of `assur run` about a linkage as tables to read.
 
+mod limits;
+mod place;
+
 use std::path::Path;
 
 use assur::registry::Sample;
 
 use super::case::{Task, amount};
-use super::group;
-use super::influence::unit_of;
-use super::report::{Report, Snapshot, task};
+use super::report::{Report, task};
 use super::search::Extreme;
 use crate::number;
 use crate::style::Style;
 use crate::table::{Page, WIDTH, about, parameters, published};
 use crate::text::{Align, Columns, wrap};
-use crate::values::TIME;
 use crate::variables::Variable;
 
 /// Digits of the largest value of a column.
 const DIGITS: i32 = 7;
 /// Beside values of the same kind this part of them is rounding.
 const NOISE: f64 = 1e-9;
-/// A transmission angle below which a linkage transmits forces badly.
-const POOR: f64 = 30.0;
 
 /// All tables, with the last line ended.
 pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
@@ -36,11 +34,10 @@ pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
     drivers(&mut page, report);
     parameters(&mut page, &report.case.constants);
     positions(&mut page, report);
-    limits(&mut page, report);
-    transmissions(&mut page, report);
+    limits::sections(&mut page, report);
     met(&mut page, report);
     for place in &report.places {
-        snapshot(&mut page, report, place);
+        place::section(&mut page, report, place);
     }
     published::section(&mut page, &report.published);
     if let Some(path) = figure {
@@ -194,126 +191,6 @@ fn fixed(value: f64, decimals: Option<usize>) -> String {
     }
 }
 
-/// A place of the task, one text for each of its axes.
-fn station(report: &Report, extreme: &Extreme) -> String {
-    let axes = report.case.axes();
-    let parts = axes.iter().zip(&extreme.station).map(|(axis, value)| {
-        // An extreme is known to half of the digits only.
-        number::short(number::rounded(value / axis.quantity.factor, 6))
-    });
-    let mut parts: Vec<_> = parts.collect();
-    if let (Task::Time(_), Some(driver)) = (&report.case.task, report.case.drivers.first()) {
-        let position = extreme.independents.first().copied().unwrap_or(f64::NAN);
-        parts = vec![number::short(number::rounded(position / driver.factor, 6))];
-    }
-    parts.join(", ")
-}
-
-/// What [`station`] gives, with units.
-fn station_heading(report: &Report) -> String {
-    let case = &report.case;
-    let quantities: Vec<_> = match &case.task {
-        Task::Time(_) => vec![case.drivers.first().copied().unwrap_or(TIME)],
-        _ => case.axes().iter().map(|axis| axis.quantity).collect(),
-    };
-    let unit = quantities.first().map_or("", |first| first.unit);
-    let alike = quantities.iter().all(|one| one.unit == unit);
-    let names = quantities.iter().map(|one| match alike {
-        true => one.name.to_owned(),
-        false => format!("{} [{}]", one.name, one.unit),
-    });
-    let names = names.collect::<Vec<_>>().join(", ");
-    match alike && !unit.is_empty() {
-        true => format!("at {names}, {unit}"),
-        false => format!("at {names}"),
-    }
-}
-
-fn limits(page: &mut Page, report: &Report) {
-    let place = station_heading(report);
-    let align = if report.case.axes().len() > 1 {
-        Align::Left
-    } else {
-        Align::Point
-    };
-    let mut table = Columns::new([
-        ("", Align::Left),
-        ("smallest", Align::Point),
-        (&place, align),
-        ("largest", Align::Point),
-        (&place, align),
-        ("unit", Align::Left),
-        ("", Align::Left),
-    ]);
-    let decimals = decimals(report);
-    let rows = report
-        .case
-        .variables
-        .iter()
-        .zip(&report.limits)
-        .zip(decimals);
-    for ((variable, limits), decimals) in rows {
-        let Some((low, high)) = limits else { continue };
-        let show = |extreme: &Extreme| fixed(variable.in_unit(extreme.value), decimals);
-        table.row([
-            variable.name.clone(),
-            show(low),
-            station(report, low),
-            show(high),
-            station(report, high),
-            variable.unit.clone(),
-            variable.summary.clone(),
-        ]);
-    }
-    if report.limits.iter().any(Option::is_some) {
-        page.section("Limits", &table);
-        page.line("");
-    }
-}
-
-fn transmissions(page: &mut Page, report: &Report) {
-    if report.transmissions.is_empty() {
-        return;
-    }
-    let place = station_heading(report);
-    let align = if report.case.axes().len() > 1 {
-        Align::Left
-    } else {
-        Align::Point
-    };
-    let mut table = Columns::new([
-        ("loops", Align::Left),
-        ("for", Align::Left),
-        ("solved as", Align::Left),
-        ("smallest, deg", Align::Point),
-        (&place, align),
-        ("", Align::Left),
-    ]);
-    for (index, worst) in &report.transmissions {
-        let of_group = &report.case.entry.groups[*index];
-        let angle = group::transmission(worst.value);
-        let remark = match angle {
-            angle if angle < 1e-3 => "in line: no force is transmitted",
-            angle if angle < 10.0 => "near a dead point",
-            angle if angle < POOR => "transmits forces badly",
-            _ => "",
-        };
-        table.row([
-            group::equations(report.case.entry, of_group),
-            group::unknowns(report.case.entry, of_group),
-            group::kind(of_group.kind).to_owned(),
-            format!("{angle:.3}"),
-            station(report, worst),
-            remark.to_owned(),
-        ]);
-    }
-    page.section(
-        "Transmission angle (90 deg is best, 0 a dead point)",
-        &table,
-    );
-    page.line("");
-}
-
 fn met(page: &mut Page, report: &Report) {
     if report.met.is_empty() {
         return;
@@ -323,84 +200,6 @@ fn met(page: &mut Page, report: &Report) {
         table.row([place.clone(), event.clone()]);
     }
     page.section("On the way", &table);
-    page.line("");
-}
-
-fn snapshot(page: &mut Page, report: &Report, snapshot: &Snapshot) {
-    let case = &report.case;
-    let time = match snapshot.place.time {
-        Some(time) if !snapshot.place.label.starts_with("time") => {
-            format!(", time = {} s", number::short(time))
-        }
-        _ => String::new(),
-    };
-    let mut table = Columns::new([
-        ("", Align::Left),
-        ("value", Align::Point),
-        ("unit", Align::Left),
-        ("", Align::Left),
-    ]);
-    for (variable, value) in case.variables.iter().zip(case.values(&snapshot.sample)) {
-        let value = variable.in_unit(value);
-        table.row([
-            variable.name.clone(),
-            number::with_error(value, 1e-9 * value.abs()),
-            variable.unit.clone(),
-            variable.summary.clone(),
-        ]);
-    }
-    for (index, of_group) in case.entry.groups.iter().enumerate() {
-        if group::transmits(of_group) {
-            let angle = group::transmission(snapshot.sample.sines[index]);
-            table.row([
-                "transmission".to_owned(),
-                number::short(number::rounded(angle, 6)),
-                "deg".to_owned(),
-                group::equations(case.entry, of_group),
-            ]);
-        }
-    }
-    page.section(&format!("At {}{time}", snapshot.place.label), &table);
-    for outside in &snapshot.place.outside {
-        let line = page.style.warn(&format!("  {outside}"));
-        page.line(&line);
-    }
-    page.line("");
-    influence(page, report, snapshot);
-}
-
-/// What each driver and dimension does to the outputs.
-fn influence(page: &mut Page, report: &Report, snapshot: &Snapshot) {
-    let outputs = &report.case.variables[..report
-        .case
-        .scene
-        .outputs
-        .len()
-        .min(report.case.variables.len())];
-    let counts = |value: &f64| value.is_finite() && *value != 0.0;
-    let rows: Vec<_> = snapshot
-        .influence
-        .iter()
-        .filter(|row| row.values.iter().any(counts))
-        .collect();
-    if rows.is_empty() || outputs.is_empty() {
-        return;
-    }
-    let columns = outputs
-        .iter()
-        .flat_map(|output| [(output.name.as_str(), Align::Point), ("", Align::Left)]);
-    let mut table = Columns::new([("by", Align::Left)].into_iter().chain(columns));
-    for row in rows {
-        let mut cells = vec![row.variable.name.to_owned()];
-        for (output, value) in outputs.iter().zip(&row.values) {
-            let (unit, factor) = unit_of(output, &row.variable);
-            cells.push(number::significant(value / factor, 6));
-            cells.push(unit);
-        }
-        table.row(cells);
-    }
-    let heading = format!("Influence coefficients at {}", snapshot.place.label);
-    page.section(&heading, &table);
     page.line("");
 }
 

@@ -171,6 +171,15 @@ pub fn place_of(event: &Event) -> Option<&[f64]> {
     }
 }
 
+/// A dead point of a group in words.
+pub fn dead_point(entry: &LinkageEntry, index: usize) -> String {
+    format!(
+        "dead point of {}: {}",
+        group::both(entry, index),
+        dead(entry, index)
+    )
+}
+
 /// What is singular at the dead point of a group.
 fn dead(entry: &LinkageEntry, index: usize) -> &'static str {
     match entry.groups.get(index).map(|group| group.kind) {

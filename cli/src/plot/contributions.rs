@@ -4,11 +4,11 @@ use super::axis::Axis;
 use super::scale::Scale;
 use super::svg::{Anchor, Svg};
 
-const WIDTH: f64 = 640.0;
+const WIDTH: f64 = 720.0;
 const HEIGHT: f64 = 400.0;
 const LEFT: f64 = 64.0;
 /// Room for the names at the right.
-const RIGHT: f64 = 110.0;
+const RIGHT: f64 = 150.0;
 const TOP: f64 = 44.0;
 const BOTTOM: f64 = 52.0;
 /// Height of a name.
@@ -29,9 +29,12 @@ text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', san
 ";
 
 /// What the figure shows.
+#[derive(Clone)]
 pub struct Chart {
     /// Heading.
     pub title: String,
+    /// What else there is to say about it, in a few words.
+    pub note: String,
     /// Name and unit along.
     pub abscissa: (String, String),
     /// Unit upwards.
@@ -45,6 +48,7 @@ pub struct Chart {
 }
 
 /// One of the layers.
+#[derive(Clone)]
 pub struct Band {
     /// What it is.
     pub name: String,
@@ -54,6 +58,7 @@ pub struct Band {
 
 /// Draws the figure.
 pub fn contributions(chart: &Chart) -> String {
+    let chart = &with_rest(chart);
     let layers = stack(chart);
     let top = layers.last().map_or(&[][..], |layer| layer);
     let most = top.iter().copied().fold(0.0, f64::max);
@@ -79,6 +84,8 @@ pub fn contributions(chart: &Chart) -> String {
     let mut svg = Svg::new(WIDTH, HEIGHT);
     svg.rectangle("paper", (0.0, 0.0), (WIDTH, HEIGHT));
     svg.text("title", (LEFT, 20.0), Anchor::Start, &chart.title);
+    let note = (WIDTH - RIGHT, TOP - 8.0);
+    svg.text("label", note, Anchor::End, &chart.note);
     fill(&mut svg, chart, &layers, (&x, &y));
     axes(&mut svg, chart, (&along, &up), (&x, &y));
     let deviation = chart.places.iter().zip(&chart.deviation);
@@ -91,6 +98,23 @@ pub fn contributions(chart: &Chart) -> String {
         words.collect::<Vec<_>>().join(", ")
     );
     svg.finish(&chart.title, &description, STYLE)
+}
+
+/// The same with the smallest of many layers as one, so that each has a fill of its own.
+fn with_rest(chart: &Chart) -> Chart {
+    let mut bands = chart.bands.clone();
+    if bands.len() > FILLS {
+        let rest = bands.split_off(FILLS - 1);
+        let sum = |place: usize| rest.iter().map(|band| band.values[place]).sum();
+        bands.push(Band {
+            name: format!("{} others", rest.len()),
+            values: (0..chart.places.len()).map(sum).collect(),
+        });
+    }
+    Chart {
+        bands,
+        ..chart.clone()
+    }
 }
 
 /// The upper edges of the layers, below all of them zero.
@@ -162,12 +186,37 @@ fn names(svg: &mut Svg, chart: &Chart) {
     }
     let y = TOP + 10.0 + ROW * chart.bands.len() as f64;
     svg.path("deviation", &[(left, y - 4.0), (left + 12.0, y - 4.0)]);
-    svg.text("name", (left + 16.0, y), Anchor::Start, "std. deviation");
+    svg.text(
+        "name",
+        (left + 16.0, y),
+        Anchor::Start,
+        "standard deviation",
+    );
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_smallest_of_many_layers_are_one() {
+        let band = |index: usize| Band {
+            name: format!("l{index}"),
+            values: vec![1.0],
+        };
+        let chart = with_rest(&Chart {
+            title: String::new(),
+            note: String::new(),
+            abscissa: ("phi4".to_owned(), "deg".to_owned()),
+            ordinate: "mrad".to_owned(),
+            places: vec![60.0],
+            bands: (0..10).map(band).collect(),
+            deviation: vec![0.4],
+        });
+        assert_eq!(chart.bands.len(), FILLS);
+        assert_eq!(chart.bands[FILLS - 1].name, "3 others");
+        assert_eq!(chart.bands[FILLS - 1].values, [3.0]);
+    }
 
     #[test]
     fn layers_lie_on_each_other() {
@@ -177,6 +226,7 @@ mod tests {
         };
         let chart = Chart {
             title: "a & b".to_owned(),
+            note: String::new(),
             abscissa: ("phi4".to_owned(), "deg".to_owned()),
             ordinate: "mrad".to_owned(),
             places: vec![60.0, 120.0],

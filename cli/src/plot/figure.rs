@@ -22,6 +22,8 @@ const WIDTH_ALONE: f64 = 620.0;
 const RIGHT: f64 = 24.0;
 /// Most panels in a single column.
 const ALONE: usize = 3;
+/// The same where some have a column of their own otherwise.
+const STACKED: usize = 7;
 
 const STYLE: &str = "\
 text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif; font-size: 12px; fill: #24292f; }
@@ -64,6 +66,8 @@ pub struct Figure {
     pub positions: Vec<f64>,
     /// The panels.
     pub panels: Vec<Panel>,
+    /// Panels below these, or in a column of their own beside them if there are many.
+    pub beside: Vec<Panel>,
     /// Marked positions.
     pub marks: Vec<Mark>,
     /// How the curves were made.
@@ -73,8 +77,12 @@ pub struct Figure {
 impl Figure {
     /// Draws it.
     pub fn draw(self) -> String {
-        let has_facts = self.panels.iter().any(|panel| !panel.facts.is_empty());
-        let panels = arrange(self.panels);
+        let mut all = self.panels.iter().chain(&self.beside);
+        let has_facts = all.any(|panel| !panel.facts.is_empty());
+        let panels = match self.beside.is_empty() {
+            true => arrange(self.panels),
+            false => stack(self.panels, self.beside),
+        };
         let width = if panels.len() == 1 {
             WIDTH_ALONE
         } else {
@@ -138,6 +146,14 @@ fn arrange(panels: Vec<Panel>) -> Vec<Vec<Panel>> {
         columns[shorter].push(panel);
     }
     columns.into()
+}
+
+/// Panels one below the other, of many the second ones in a column of their own.
+fn stack(first: Vec<Panel>, second: Vec<Panel>) -> Vec<Vec<Panel>> {
+    match first.is_empty() || first.len() + second.len() <= STACKED {
+        true => vec![first.into_iter().chain(second).collect()],
+        false => vec![first, second],
+    }
 }
 
 /// What the scene is, and which values were changed.

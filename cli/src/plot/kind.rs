@@ -27,6 +27,10 @@ impl Kind {
         let exponents: [f64; 7] = variable
             .dimension
             .map(|(up, down)| f64::from(up) / f64::from(down.max(1)));
+        // A derivative by an angle has the dimension of what it is taken of.
+        if variable.unit.ends_with("/rad") {
+            return Self::Other(variable.dimension);
+        }
         if exponents[3..].iter().any(|exponent| *exponent != 0.0) {
             return Self::Other(variable.dimension);
         }

@@ -27,10 +27,16 @@ pub fn rows(panel: &Panel, width: f64) -> usize {
     let heading = (text::width(&heading(panel)) + 2) as f64 * (CHARACTER + 1.2);
     let legend: f64 = panel.curves.iter().map(entry_width).sum();
     if heading + legend <= width {
-        0
-    } else {
-        (legend / width).ceil().max(1.0) as usize
+        return 0;
     }
+    let (mut rows, mut x) = (1, 0.0);
+    for entry in panel.curves.iter().map(entry_width) {
+        if x + entry > width && x > 0.0 {
+            (rows, x) = (rows + 1, 0.0);
+        }
+        x += entry;
+    }
+    rows
 }
 
 fn heading(panel: &Panel) -> String {

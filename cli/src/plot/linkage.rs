@@ -3,6 +3,7 @@
 use assur::registry::At;
 
 use super::across::Across;
+use super::coefficients;
 use super::figure::{Figure, lead};
 use super::kind::Kind;
 use super::marks::{self, Mark};
@@ -27,15 +28,19 @@ const ALONE: usize = 4;
 pub fn draw(report: &Report, selection: &Selection) -> String {
     let axes = report.case.axes();
     let across = across(report, &axes);
-    let (positions, panels) = match axes.len() {
+    let (positions, panels, beside) = match axes.len() {
         0 | 1 => curves(report, selection, &across),
-        _ => families(report, selection, &axes),
+        _ => {
+            let (positions, panels) = families(report, selection, &axes);
+            (positions, panels, Vec::new())
+        }
     };
     Figure {
         title: format!("{}: {}", report.mechanism.title, task(&report.case)),
         lead: lead(&report.case.constants),
         marks: marks(report, &across, &positions),
         panels,
+        beside,
         made: made(report),
         positions: positions
             .into_iter()
@@ -78,36 +83,44 @@ fn abscissa(report: &Report, station: &[f64], driven: bool) -> f64 {
     place.first().copied().unwrap_or(f64::NAN)
 }
 
-/// Panels of the variables over a single axis.
-fn curves(report: &Report, selection: &Selection, across: &Across) -> (Vec<f64>, Vec<Panel>) {
+/// Panels of the variables over a single axis, and of coefficients.
+fn curves(
+    report: &Report,
+    selection: &Selection,
+    across: &Across,
+) -> (Vec<f64>, Vec<Panel>, Vec<Panel>) {
     let case = &report.case;
     let Some(line) = report.lines.first() else {
-        return (Vec::new(), Vec::new());
+        return (Vec::new(), Vec::new(), Vec::new());
     };
     let wanted = wanted(report, selection);
     let driven = is_driven(report);
-    let mut rows: Vec<(f64, Vec<f64>)> = line
-        .stations
-        .iter()
-        .zip(&line.samples)
-        .map(|(station, sample)| {
-            let values = match sample {
-                Some(sample) => case.values(sample)[..wanted].to_vec(),
-                None => vec![f64::NAN; wanted],
-            };
-            (abscissa(report, station, driven), values)
-        })
-        .collect();
+    let mut order: Vec<usize> = (0..line.stations.len()).collect();
+    let position = |index: usize| abscissa(report, &line.stations[index], driven);
     // A sweep may run backwards, an axis does not.
-    if rows.windows(2).any(|pair| pair[1].0 < pair[0].0) {
-        rows.reverse();
+    if order
+        .windows(2)
+        .any(|pair| position(pair[1]) < position(pair[0]))
+    {
+        order.reverse();
     }
-    let (positions, values): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
+    let positions: Vec<f64> = order.iter().map(|&index| position(index)).collect();
+    let values = order.iter().map(|&index| match &line.samples[index] {
+        Some(sample) => case.values(sample)[..wanted].to_vec(),
+        None => vec![f64::NAN; wanted],
+    });
+    let values: Vec<_> = values.collect();
+    let reached = |index: &usize| {
+        let sample = line.samples[*index].as_ref();
+        sample.map(|_| line.stations[*index].clone())
+    };
+    let reached: Vec<_> = order.iter().map(reached).collect();
+    let beside = coefficients::panels(report, selection, across, &reached);
     let published = published(report, across, driven);
     let variables = &case.variables[..wanted];
     if !is_apart(variables, &values) {
         let panels = choose(variables, &values, published, selection);
-        return (positions, panels);
+        return (positions, panels, beside);
     }
     let one = |index: usize| {
         let values: Vec<_> = values.iter().map(|row| vec![row[index]]).collect();
@@ -127,7 +140,7 @@ fn curves(report: &Report, selection: &Selection, across: &Across) -> (Vec<f64>,
         panels
     };
     let panels = (0..variables.len()).flat_map(one).collect();
-    (positions, panels)
+    (positions, panels, beside)
 }
 
 fn choose(

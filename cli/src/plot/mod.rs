@@ -3,6 +3,7 @@
 mod across;
 mod axis;
 mod cluster;
+mod coefficients;
 mod column;
 mod contributions;
 pub mod curve;

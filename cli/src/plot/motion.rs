@@ -44,6 +44,7 @@ pub fn draw(report: &Report, selection: &Selection) -> String {
         title: title(report),
         lead: lead(&report.case.constants),
         panels,
+        beside: Vec::new(),
         marks,
         made: made(report),
         positions,

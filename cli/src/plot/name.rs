@@ -67,7 +67,11 @@ pub fn set(name: &str) -> Name {
         });
     let Some(letter) = letter.filter(|_| index.chars().all(|character| character.is_ascii_digit()))
     else {
-        let words = inner.replace('_', " ");
+        // The name of a quantity of a part stays as the equation file has it.
+        let words = match inner.contains('.') {
+            true => inner.to_owned(),
+            false => inner.replace('_', " "),
+        };
         let text = match dots {
             0 => words,
             1 => format!("rate of {words}"),
@@ -162,6 +166,7 @@ mod tests {
         check("rod_force_1", "rod force 1", false);
         check("dot(lag)", "rate of lag", false);
         check("x[1]", "x[1]", false);
+        check("stitch.O1_x", "stitch.O1_x", false);
     }
 
     #[test]

@@ -75,6 +75,30 @@ impl Panel {
             rank: 0,
         }
     }
+
+    /// A panel of curves that are no variables, each with a name and values in its unit.
+    pub fn of(
+        title: String,
+        unit: String,
+        curves: Vec<(Name, Vec<f64>)>,
+        facts: Vec<Fact>,
+    ) -> Self {
+        let curves = curves.into_iter().enumerate();
+        let curves = curves.map(|(index, (name, values))| Line {
+            names: vec![name],
+            values,
+            colour: Some(index),
+            key: None,
+        });
+        Self {
+            kind: Kind::Other([(0, 1); 7]),
+            title,
+            unit,
+            curves: curves.collect(),
+            facts,
+            rank: 0,
+        }
+    }
 }
 
 /// What panels are made of.

@@ -1,6 +1,7 @@
 //! Which curves a figure shows: those that matter most unless others are asked for.
 
-use assur::registry::SceneEntry;
+use assur::closure::Variable as By;
+use assur::registry::{Quantity, SceneEntry};
 
 use crate::error::Failure;
 use crate::lookup::suggestion;
@@ -38,6 +39,11 @@ impl Selection {
             .iter()
             .map(|variable| variable.name.as_str())
             .collect();
+        let coefficients = coefficients(scene);
+        let known: Vec<_> = known
+            .into_iter()
+            .chain(coefficients.iter().map(String::as_str))
+            .collect();
         let named = names(text);
         if let Some(unknown) = named.iter().find(|name| !known.contains(&name.as_str())) {
             return Err(Failure::request(format!(
@@ -60,6 +66,22 @@ impl Selection {
             Self::Named(names) => names.iter().any(|wanted| wanted == name),
         }
     }
+}
+
+/// Names of the coefficients of a linkage, `diff(phi7, l5)`.
+fn coefficients(scene: &SceneEntry) -> Vec<String> {
+    let Some(entry) = &scene.linkage else {
+        return Vec::new();
+    };
+    let by = entry.variables.iter().map(|one| match one {
+        By::Constant(index) => scene.constants[*index].quantity.name,
+        By::Driver(index) => scene.drivers[*index].name,
+    });
+    let of = |output: &Quantity| {
+        let names = by.clone().map(|by| format!("diff({}, {by})", output.name));
+        names.collect::<Vec<_>>()
+    };
+    scene.outputs.iter().flat_map(of).collect()
 }
 
 /// The names between commas; those inside brackets belong to a name.

@@ -10,6 +10,8 @@ use assur::tolerance::{
 use super::arguments::Kind;
 use super::question::Question;
 use crate::error::Failure;
+use crate::linkage::case::label as label_of;
+use crate::linkage::wording::{Names, tell};
 use crate::number;
 use crate::plot::{Band, Chart};
 use crate::progress::Progress;
@@ -21,6 +23,8 @@ const COMPARED: u64 = 10_000;
 pub struct Answer {
     /// To first order, over the range.
     pub range: Vec<Linear>,
+    /// The same over the range of the first driver alone, where the range is a grid.
+    pub along: Option<Vec<Linear>>,
     /// The sources by what they contribute over the range.
     pub ranking: Vec<Rank>,
     /// The place that is looked at more closely: positions of the drivers.
@@ -60,6 +64,13 @@ pub fn find(question: &Question) -> Result<Answer, Failure> {
         tolerance::linear(&influences, &study.sources)
     };
     let range = linear(study).map_err(said)?;
+    let along = question.along.as_ref().map(|places| {
+        linear(&Study {
+            places: places.clone(),
+            ..study.clone()
+        })
+    });
+    let along = along.transpose().map_err(said)?;
     let worst = tolerance::worst_place(&range);
     let place = question
         .at
@@ -81,6 +92,7 @@ pub fn find(question: &Question) -> Result<Answer, Failure> {
     Ok(Answer {
         ranking: tolerance::ranking(&range),
         range,
+        along,
         place,
         linear: at_place,
         second,
@@ -151,8 +163,16 @@ fn said(question: &Question, error: ToleranceError) -> Failure {
             half_width,
         } => Failure::request(format!("`{}` cannot err by {half_width}", source(index))),
         ToleranceError::Closure(error) => {
-            Failure::numerical("the linkage does not get to all places as it is drawn")
-                .reason(error.to_string())
+            let names = question.scene.linkage.as_ref().map(|entry| Names {
+                entry,
+                drivers: &question.drivers,
+            });
+            let reason = match names {
+                Some(names) => tell(names, &error).reason,
+                None => error.to_string(),
+            };
+            Failure::numerical("the linkage does not get to all places")
+                .reason(reason)
                 .remedy("look at another place with --at, or change the values with --set")
         }
         ToleranceError::NotFinite { at, .. } => Failure::numerical(format!(
@@ -221,14 +241,7 @@ fn out_of_reach(question: &Question, error: AllocationError) -> Failure {
 
 /// Positions of the drivers in words.
 pub fn place_text(question: &Question, place: &[f64]) -> String {
-    let drivers = question.scene.drivers.iter().zip(place);
-    let words = drivers.map(|(driver, value)| {
-        let value = number::short(value / driver.factor);
-        format!("{} = {value} {}", driver.name, driver.unit)
-            .trim_end()
-            .to_owned()
-    });
-    words.collect::<Vec<_>>().join(", ")
+    label_of(&question.drivers, place)
 }
 
 /// The unit in which errors of the output are printed: thousandths of a radian for an angle.
@@ -256,6 +269,19 @@ impl Unit {
         }
     }
 
+    /// The unit by another one, `mrad/mm`.
+    pub fn per(self, other: &str) -> String {
+        let wrapped = |unit: &str| match unit.contains(['/', ' ', '*']) {
+            true => format!("({unit})"),
+            false => unit.to_owned(),
+        };
+        match (self.name, other) {
+            (own, "") => own.to_owned(),
+            ("", other) => format!("1/{}", wrapped(other)),
+            (own, other) => format!("{}/{}", wrapped(own), wrapped(other)),
+        }
+    }
+
     /// A value with the unit.
     pub fn text(self, value: f64) -> String {
         let number = number::significant(value / self.factor, 5);
@@ -267,35 +293,40 @@ impl Answer {
     /// What the figure shows.
     pub fn chart(&self, question: &Question) -> Chart {
         let unit = Unit::of(question);
-        let driver = question.scene.drivers.first();
+        let driver = question.drivers.first();
+        let along = self.along.as_ref().unwrap_or(&self.range);
+        let places = question.along.as_ref().unwrap_or(&question.study.places);
         let abscissa = |place: &Vec<f64>| match driver {
             Some(driver) => place.first().copied().unwrap_or(f64::NAN) / driver.factor,
             None => f64::NAN,
         };
         let band = |rank: &Rank| Band {
             name: label(question, rank.source),
-            values: self
-                .range
+            values: along
                 .iter()
                 .map(|one| one.contributions[rank.source].worst / unit.factor)
                 .collect(),
         };
+        let changed = match question.changed.as_str() {
+            "" => String::new(),
+            changed => format!("with {changed}"),
+        };
         Chart {
             title: format!(
-                "{}, scene {}: what {} errs by",
+                "{}, scene {}: what contributes to the error of {}",
                 question.mechanism.title,
                 question.scene.name,
                 question.output().name
             ),
+            note: changed,
             abscissa: match driver {
                 Some(driver) => (driver.name.to_owned(), driver.unit.to_owned()),
                 None => ("place".to_owned(), String::new()),
             },
             ordinate: unit.name.to_owned(),
-            places: question.study.places.iter().map(abscissa).collect(),
+            places: places.iter().map(abscissa).collect(),
             bands: self.ranking.iter().map(band).collect(),
-            deviation: self
-                .range
+            deviation: along
                 .iter()
                 .map(|one| one.deviation / unit.factor)
                 .collect(),

@@ -50,13 +50,28 @@ pub struct ToleranceArguments {
     #[arg(long, value_enum, default_value_t = Kind::All)]
     pub kind: Kind,
     /// Number of linkages made at random.
-    #[arg(long, value_name = "NUMBER", default_value_t = 100_000)]
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        default_value_t = 100_000,
+        allow_hyphen_values = true
+    )]
     pub samples: u64,
     /// Which of them: the same seed gives the same ones.
-    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        default_value_t = 1,
+        allow_hyphen_values = true
+    )]
     pub seed: u64,
     /// Multiplies all tolerances.
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
+    #[arg(
+        long,
+        value_name = "FACTOR",
+        default_value_t = 1.0,
+        allow_hyphen_values = true
+    )]
     pub scale: f64,
     /// Another tolerance, `l5=0.02mm`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]

@@ -2,16 +2,13 @@
 
 use super::answer::{Answer, Unit, label};
 use super::question::Question;
+use crate::csv::{cell, title};
 
 /// The whole table.
 pub fn render(question: &Question, answer: &Answer) -> String {
     let unit = Unit::of(question);
-    let drivers = question.scene.drivers;
+    let drivers = &question.drivers;
     let output = question.output();
-    let title = |name: &str, unit: &str| match unit {
-        "" => name.to_owned(),
-        unit => format!("{name} [{unit}]"),
-    };
     let mut heading: Vec<String> = drivers
         .iter()
         .map(|one| title(one.name, one.unit))
@@ -37,7 +34,7 @@ pub fn render(question: &Question, answer: &Answer) -> String {
                 .iter()
                 .map(|one| one.worst / unit.factor),
         );
-        let cells: Vec<String> = cells.iter().map(f64::to_string).collect();
+        let cells: Vec<String> = cells.into_iter().map(cell).collect();
         text += &(cells.join(",") + "\n");
     }
     text

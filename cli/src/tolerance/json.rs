@@ -10,6 +10,7 @@
 //! | `bands` | `worst`, `deviation`; `second` and `monte_carlo` where asked for |
 //! | `range` | `worst`, where (`at`), and the `ranking` of the sources |
 //! | `allocation` | `band`, `tolerances`, `cost`, `price`, `greatest`, `active`; or null |
+//! | `changed` | the values that were given with --set, in words |
 //! | `status` | `"complete"`; `"conditional"` when linkages made at random do not assemble, so that `monte_carlo` speaks of the others alone; `"empty"` when none does |
 
 use std::path::Path;
@@ -48,6 +49,7 @@ pub fn render(question: &Question, answer: &Answer, figure: Option<&Path>) -> St
         },
         "range": page.range(),
         "allocation": answer.allocation.as_ref().map(|one| page.allocation(one)),
+        "changed": question.changed,
         "status": page.status(),
         "seconds": answer.seconds,
         "figure": figure.map(|path| path.display().to_string()),
@@ -75,7 +77,7 @@ impl Page<'_> {
     }
 
     fn place(&self, place: &[f64]) -> Value {
-        let drivers = self.question.scene.drivers.iter().zip(place);
+        let drivers = self.question.drivers.iter().zip(place);
         drivers
             .map(|(driver, value)| {
                 json!({ "name": driver.name, "unit": driver.unit, "value": value / driver.factor })

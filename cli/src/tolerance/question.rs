@@ -1,14 +1,16 @@
 //! From options to a question that the solvers understand.
 
 use assur::closure::Variable;
-use assur::problem::Span;
 use assur::registry::{Distribution, LinkageEntry, Mechanism, Quantity, RunLinkage, SceneEntry};
 use assur::tolerance::{Candidate, Cost, Rule, Sampling, Source, Study};
 
 use super::arguments::{Kind, ToleranceArguments};
+use super::places::{along, range};
 use crate::constants::Constants;
 use crate::error::Failure;
+use crate::linkage::case::shown;
 use crate::lookup::{self, suggestion};
+use crate::number;
 use crate::values::{quantity, split};
 
 /// Most places over the range.
@@ -22,8 +24,14 @@ pub struct Question {
     pub scene: &'static SceneEntry,
     /// The linkage with these values.
     pub run: Box<dyn RunLinkage>,
+    /// Its drivers as they are shown, angles in degrees.
+    pub drivers: Vec<Quantity>,
+    /// What was given with --set, in words; empty if nothing.
+    pub changed: String,
     /// What errs, over the range.
     pub study: Study,
+    /// Places over the range of the first driver alone, where the study goes over a grid.
+    pub along: Option<Vec<Vec<f64>>>,
     /// What each source is called.
     pub labels: Vec<Label>,
     /// Where `--at` looks.
@@ -62,7 +70,7 @@ impl Question {
     /// A name, unit or number that is wrong, or a scene that is no linkage.
     pub fn read(options: &ToleranceArguments) -> Result<Self, Failure> {
         let Some(name) = &options.name else {
-            return Err(lookup::no_mechanism("tolerance"));
+            return Err(lookup::no_linkage("tolerance"));
         };
         let mechanism = lookup::mechanism(name)?;
         let (scene, linkage) = scene(mechanism, options.scene.as_deref())?;
@@ -97,6 +105,9 @@ impl Question {
             mechanism,
             scene,
             at: names.place(&*run, &options.at)?,
+            along: along(&*run, options.places),
+            drivers: scene.drivers.iter().map(shown).collect(),
+            changed: changed(&constants),
             run,
             study,
             labels,
@@ -116,55 +127,38 @@ impl Question {
     }
 }
 
+/// The values that were given with --set, in words.
+fn changed(constants: &Constants) -> String {
+    let all = constants.scene.constants.iter().enumerate();
+    let given = all.filter(|(index, _)| constants.is_changed(*index));
+    let words = given.map(|(index, constant)| {
+        let quantity = &constant.quantity;
+        let value = number::declared(constants.values[index] / quantity.factor);
+        format!("{} = {value} {}", quantity.name, quantity.unit)
+            .trim_end()
+            .to_owned()
+    });
+    words.collect::<Vec<_>>().join(", ")
+}
+
 /// The scene, the first linkage if none is named.
 fn scene(
     mechanism: &'static Mechanism,
     name: Option<&str>,
 ) -> Result<(&'static SceneEntry, &'static LinkageEntry), Failure> {
-    let scene = match name {
-        Some(_) => lookup::scene(mechanism, name)?,
-        None => {
-            let mut scenes = mechanism.scenes.iter();
-            match scenes.find(|scene| scene.linkage.is_some()) {
-                Some(scene) => scene,
-                None => lookup::scene(mechanism, None)?,
-            }
-        }
+    let mut scenes = mechanism.scenes.iter();
+    let first = scenes.find(|scene| scene.linkage.is_some());
+    let scene = match (name, first) {
+        (None, Some(first)) => first,
+        _ => lookup::linkage(mechanism, name)?,
     };
-    let linkage = scene.linkage.as_ref().ok_or_else(|| {
-        Failure::request(format!(
-            "scene `{}` of `{}` is no linkage",
-            scene.name, mechanism.name
-        ))
-        .reason("tolerances are followed through the loops of a linkage")
-        .remedy("`assur list` shows the mechanisms with their scenes")
-    })?;
-    Ok((scene, linkage))
-}
-
-/// Places over the range of the drivers, or over the time of the task.
-fn range(run: &dyn RunLinkage, count: usize) -> Vec<Vec<f64>> {
-    let ranges = run.ranges();
-    let share = |index: usize| index as f64 / (count - 1) as f64;
-    let (first, last) = match run.span() {
-        Span::Open => (0.0, 0.0),
-        span => span.limits(),
-    };
-    let place = |index: usize| {
-        let moving = run.drive(first + share(index) * (last - first));
-        moving.unwrap_or_else(|| {
-            let along = ranges.iter();
-            along
-                .map(
-                    |range| match range.from.is_finite() && range.to.is_finite() {
-                        true => range.from + share(index) * (range.to - range.from),
-                        false => range.start,
-                    },
-                )
-                .collect()
-        })
-    };
-    (0..count).map(place).collect()
+    match &scene.linkage {
+        Some(linkage) => Ok((scene, linkage)),
+        None => Err(Failure::request(format!(
+            "scene `{}` is no linkage",
+            scene.name
+        ))),
+    }
 }
 
 /// The names of a scene.
@@ -313,8 +307,19 @@ impl Names {
         labels: &[Label],
     ) -> Result<Wanted, Failure> {
         let output = &self.scene.outputs[study.output];
-        let place = |failure: Failure| failure.place(format!("--allocate {band}"));
-        let band = quantity(band, output).map_err(place)?;
+        let band = quantity(band, output).map_err(|_| {
+            let (unit, example) = match output.unit {
+                "deg" | "rad" => ("mrad".to_owned(), "1mrad".to_owned()),
+                unit if unit.chars().all(char::is_alphabetic) => {
+                    (unit.to_owned(), format!("0.1{unit}"))
+                }
+                unit => (unit.to_owned(), format!("'0.1 [{unit}]'")),
+            };
+            Failure::request(format!("`{band}` is no band of `{}`", output.name))
+                .place(format!("--allocate {band}"))
+                .reason(format!("expected a number with a unit like {unit}"))
+                .remedy(format!("for example: --allocate {example}"))
+        })?;
         let mut weights = vec![1.0; self.linkage.variables.len()];
         for text in &options.cost {
             let (name, weight) = split(text, "--cost", "s=2")?;

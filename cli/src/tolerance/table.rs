@@ -47,6 +47,9 @@ impl Page<'_> {
             question.output().name
         );
         self.line(&self.style.heading(&title));
+        if !question.changed.is_empty() {
+            self.line(&format!("  with {}", question.changed));
+        }
         self.line("");
         self.contributions();
         self.bands();
@@ -90,6 +93,14 @@ impl Page<'_> {
         number::significant(value / self.unit.factor, DIGITS)
     }
 
+    /// A heading with the unit of the errors.
+    fn headed(&self, name: &str) -> String {
+        match self.unit.name {
+            "" => name.to_owned(),
+            unit => format!("{name}, {unit}"),
+        }
+    }
+
     fn contributions(&mut self) {
         let (question, linear) = (self.question, &self.answer.linear);
         let mut order: Vec<usize> = (0..linear.contributions.len()).collect();
@@ -102,7 +113,7 @@ impl Page<'_> {
             ("", Align::Left),
             ("influence", Align::Point),
             ("", Align::Left),
-            (&format!("contribution, {}", self.unit.name), Align::Point),
+            (&self.headed("contribution"), Align::Point),
             ("share, %", Align::Point),
             ("of the variance, %", Align::Point),
         ]);
@@ -117,7 +128,7 @@ impl Page<'_> {
                 quantity.unit.to_owned(),
                 distribution(source.distribution).to_owned(),
                 number::significant(per_unit, 6),
-                format!("{}/{}", self.unit.name, quantity.unit),
+                self.unit.per(quantity.unit),
                 self.error(one.worst),
                 number::significant(100.0 * one.share, 3),
                 number::significant(100.0 * one.variance_share, 3),
@@ -267,9 +278,9 @@ impl Page<'_> {
         let differences = &second.differences;
         let mut table = Columns::new([
             ("", Align::Left),
-            (&format!("rms, {}", self.unit.name), Align::Point),
+            (&self.headed("rms"), Align::Point),
             ("of the error, %", Align::Point),
-            (&format!("greatest, {}", self.unit.name), Align::Point),
+            (&self.headed("greatest"), Align::Point),
         ]);
         for (name, one) in [
             ("first order", differences.linear),
@@ -284,7 +295,7 @@ impl Page<'_> {
             ]);
         }
         let heading = format!(
-            "What it misses, over {} linkages made at random",
+            "What each order misses, over {} linkages made at random",
             number::count(differences.compared as usize)
         );
         self.section(&heading, &table);
@@ -311,15 +322,22 @@ impl Page<'_> {
                 label(question, rank.source),
                 number::significant(100.0 * rank.mean, 3),
                 number::significant(100.0 * rank.largest, 3),
-                format!(
-                    "at {}",
-                    place_text(question, &question.study.places[rank.place])
-                ),
+                match rank.largest > 0.0 {
+                    true => format!(
+                        "at {}",
+                        place_text(question, &question.study.places[rank.place])
+                    ),
+                    false => String::new(),
+                },
             ]);
         }
         let worst = assur::tolerance::worst_place(&answer.range);
+        let range = match question.along {
+            Some(_) => "grid",
+            None => "range",
+        };
         let heading = format!(
-            "Over the range of {} places: worst case up to {} at {}",
+            "Over the {range} of {} places: worst case up to {} at {}",
             answer.range.len(),
             self.unit.text(answer.range[worst].worst),
             place_text(question, &question.study.places[worst])

@@ -89,6 +89,7 @@ fn json_has_its_documented_fields() {
         "results",
         "positions",
         "transmission",
+        "reach",
         "events",
         "at",
         "published",
@@ -213,7 +214,7 @@ fn wrong_requests_are_refused() {
     for command in ["structure", "draw"] {
         let words = ["is no linkage", NAME];
         check_refused(&[command, "batten"], &words, &directory);
-        check_refused(&[command], &["needs a mechanism"], &directory);
+        check_refused(&[command], &["needs a linkage"], &directory);
         check_refused(&[command, "heald"], &["no mechanism"], &directory);
     }
     check_refused(

@@ -3,6 +3,7 @@
 mod answers;
 mod equation_files;
 mod linkages;
+mod modes;
 mod refusals;
 #[cfg(unix)]
 mod signals;

@@ -132,6 +132,59 @@ fn figure_and_rows_over_the_range() {
 }
 
 #[test]
+fn what_the_paper_leaves_out_is_a_fifth() {
+    let folder = folder("tolerance_left_out");
+    let without = ["--tolerance", "l6=0mm", "--tolerance", "s=0mm"];
+    let at = ["--at", "phi4=90deg", "--kind", "worst"];
+    let found = heald(&[&at[..], &without[..]].concat(), &folder);
+    assert!(near(&found["bands"]["worst"], 1.604, 3e-4), "{found}");
+    assert_eq!(found["contributions"].as_array().map(Vec::len), Some(6));
+}
+
+#[test]
+fn parts_grids_and_motions_have_tolerances_too() {
+    let folder = folder("tolerance_parts");
+    let json = |arguments: &[&str]| -> Value {
+        let all = [&["tolerance"], arguments, &["--format", "json"]].concat();
+        serde_json::from_str(&answer(&all, &folder)).expect("one JSON object")
+    };
+    let found = json(&[
+        "sewing_feed",
+        "--set",
+        "lift.e_v=7mm",
+        "--output",
+        "tooth.y",
+    ]);
+    assert_eq!(found["changed"], "lift.e_v = 7 mm");
+    assert_eq!(found["output"]["error_unit"], "mm");
+    // A grid of both drivers, not its diagonal.
+    let found = json(&["feed_stitch", "--scene", "map", "--kind", "worst"]);
+    assert_eq!(found["range"]["places"], 64);
+    // A crank that turns in time is shown in degrees.
+    let found = json(&["selvedge_linkage", "--scene", "turning", "--kind", "rss"]);
+    assert_eq!(found["place"][0]["unit"], "deg");
+    assert!(near(&found["place"][0]["value"], 180.0, 1e-9), "{found}");
+}
+
+#[test]
+fn a_place_beyond_a_dead_point_is_told_by_name() {
+    let folder = folder("tolerance_beyond");
+    let output = run(
+        &["tolerance", "heald_linkage", "--at", "phi4=230deg"],
+        &folder,
+    );
+    assert_eq!(output.status.code(), Some(1));
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    for word in [
+        "dead point at phi4 = 220.223 deg",
+        "loop.x, loop.y, guide",
+        "mm would be left",
+    ] {
+        assert!(complaint.contains(word), "{complaint}");
+    }
+}
+
+#[test]
 fn wrong_questions_are_refused() {
     let folder = folder("tolerance_refused");
     for (arguments, words) in [
@@ -171,6 +224,18 @@ fn wrong_questions_are_refused() {
             &["`s`"],
         ),
         (&["heald_linkage", "--places", "1"], &["choose from 2"]),
+        (&["heald_linkage", "--samples", "-5"], &["-5", "--samples"]),
+        (
+            &["heald_linkage", "--tolerance", "l5=-0.1mm"],
+            &["less than nothing"],
+        ),
+        (
+            &["heald_linkage", "--allocate", "1mm"],
+            &["no band", "1mrad"],
+        ),
+        (&["sewing_feed", "--set", "feed.e_v=7mm"], &["`lift.e_v`"]),
+        (&["sewing_feed", "--tolerance", "e_v=1mm"], &["`lift.e_v`"]),
+        (&[], &["needs a linkage", "assur tolerance heald_linkage"]),
     ] {
         check_refused(&[&["tolerance"], arguments].concat(), words, &folder);
     }

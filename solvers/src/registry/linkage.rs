@@ -1,6 +1,7 @@
 //! What a scene has and does that is a linkage.
 
 use super::Quantity;
+use super::limits::RunLimits;
 use super::path::{self, Path};
 use super::tolerance::RunTolerance;
 use crate::closure::{ClosureError, Group, Linkage, Range, Variable};
@@ -71,7 +72,7 @@ pub enum Subject {
 }
 
 /// A linkage whose dimensions are fixed, ready to be moved.
-pub trait RunLinkage: RunTolerance + Send + Sync {
+pub trait RunLinkage: RunLimits + RunTolerance + Send + Sync {
     /// The range of each driver.
     fn ranges(&self) -> Vec<Range>;
     /// The task, where the drivers move in time.

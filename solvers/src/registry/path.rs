@@ -77,7 +77,7 @@ pub fn follow<L: Linkage>(linkage: &L, places: &[Vec<f64>]) -> Result<Path, Clos
 
 /// Puts a linkage together where its start values are meant: where the drivers start, or, if they move in time and no
 /// start is stated, where they are when the task begins.
-fn put_together<L: Linkage>(
+pub(super) fn put_together<L: Linkage>(
     linkage: &L,
     assembly: &mut Assembly<L, f64>,
 ) -> Result<Start, ClosureError> {

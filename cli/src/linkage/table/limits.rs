@@ -1,0 +1,237 @@
+//! Limits of a linkage: extremes, limit positions, how far the drivers go, transmission angles.
+
+use super::{decimals, fixed};
+use crate::linkage::case::Task;
+use crate::linkage::group;
+use crate::linkage::reach;
+use crate::linkage::report::Report;
+use crate::linkage::search::Extreme;
+use crate::linkage::wording::dead_point;
+use crate::number;
+use crate::table::Page;
+use crate::text::{Align, Columns};
+use crate::values::TIME;
+
+/// Digits of what is known to the last.
+const EXACT: usize = 10;
+/// A transmission angle below which a linkage transmits forces badly.
+const POOR: f64 = 30.0;
+
+/// All of them.
+pub fn sections(page: &mut Page, report: &Report) {
+    limits(page, report);
+    turns(page, report);
+    reach(page, report);
+    transmissions(page, report);
+}
+
+/// A place of the task, one text for each of its axes.
+fn station(report: &Report, extreme: &Extreme) -> String {
+    let axes = report.case.axes();
+    let parts = axes.iter().zip(&extreme.station).map(|(axis, value)| {
+        // An extreme is known to half of the digits only.
+        number::short(number::rounded(value / axis.quantity.factor, 6))
+    });
+    let mut parts: Vec<_> = parts.collect();
+    if let (Task::Time(_), Some(driver)) = (&report.case.task, report.case.drivers.first()) {
+        let position = extreme.independents.first().copied().unwrap_or(f64::NAN);
+        parts = vec![number::short(number::rounded(position / driver.factor, 6))];
+    }
+    parts.join(", ")
+}
+
+/// What [`station`] gives, with units.
+fn station_heading(report: &Report) -> String {
+    let case = &report.case;
+    let quantities: Vec<_> = match &case.task {
+        Task::Time(_) => vec![case.drivers.first().copied().unwrap_or(TIME)],
+        _ => case.axes().iter().map(|axis| axis.quantity).collect(),
+    };
+    let unit = quantities.first().map_or("", |first| first.unit);
+    let alike = quantities.iter().all(|one| one.unit == unit);
+    let names = quantities.iter().map(|one| match alike {
+        true => one.name.to_owned(),
+        false => format!("{} [{}]", one.name, one.unit),
+    });
+    let names = names.collect::<Vec<_>>().join(", ");
+    match alike && !unit.is_empty() {
+        true => format!("at {names}, {unit}"),
+        false => format!("at {names}"),
+    }
+}
+
+fn limits(page: &mut Page, report: &Report) {
+    let place = station_heading(report);
+    let align = if report.case.axes().len() > 1 {
+        Align::Left
+    } else {
+        Align::Point
+    };
+    let mut table = Columns::new([
+        ("", Align::Left),
+        ("smallest", Align::Point),
+        (&place, align),
+        ("largest", Align::Point),
+        (&place, align),
+        ("stroke", Align::Point),
+        ("unit", Align::Left),
+        ("", Align::Left),
+    ]);
+    let decimals = decimals(report);
+    let rows = report
+        .case
+        .variables
+        .iter()
+        .zip(&report.limits)
+        .zip(decimals);
+    for ((variable, limits), decimals) in rows {
+        let Some((low, high)) = limits else { continue };
+        let show = |extreme: &Extreme| fixed(variable.in_unit(extreme.value), decimals);
+        table.row([
+            variable.name.clone(),
+            show(low),
+            station(report, low),
+            show(high),
+            station(report, high),
+            fixed(variable.in_unit(high.value - low.value), decimals),
+            variable.unit.clone(),
+            variable.summary.clone(),
+        ]);
+    }
+    if report.limits.iter().any(Option::is_some) {
+        page.section("Limits", &table);
+        page.line("");
+    }
+}
+
+/// Where outputs turn round inside the range.
+fn turns(page: &mut Page, report: &Report) {
+    let case = &report.case;
+    let Some(driver) = reach::swept(case).map(|index| &case.drivers[index]) else {
+        return;
+    };
+    let place = format!("at {}, {}", driver.name, driver.unit);
+    let mut table = Columns::new([
+        ("", Align::Left),
+        ("", Align::Left),
+        ("value", Align::Point),
+        ("unit", Align::Left),
+        (place.trim_end_matches(", "), Align::Point),
+    ]);
+    let mut count = 0;
+    for variable in &case.variables {
+        let stroke = reach::stroke(report.strokes.as_ref(), variable);
+        let turns = stroke.map(|stroke| reach::turns(case, stroke));
+        for turn in turns.unwrap_or_default() {
+            let kind = if turn.is_largest { "highest" } else { "lowest" };
+            table.row([
+                variable.name.clone(),
+                kind.to_owned(),
+                number::significant(variable.in_unit(turn.value), EXACT),
+                variable.unit.clone(),
+                number::significant(turn.at / driver.factor, EXACT),
+            ]);
+            count += 1;
+        }
+    }
+    if count > 0 {
+        page.section("Limit positions, where an output turns round", &table);
+        page.line("");
+    }
+}
+
+/// How far the drivers go.
+fn reach(page: &mut Page, report: &Report) {
+    let case = &report.case;
+    if report.reach.is_empty() {
+        return;
+    }
+    let mut table = Columns::new([
+        ("", Align::Left),
+        ("", Align::Left),
+        ("", Align::Point),
+        ("", Align::Left),
+        ("", Align::Left),
+    ]);
+    for reach in &report.reach {
+        let driver = &case.drivers[reach.driver];
+        let name = driver.name.to_owned();
+        let found = match &reach.stretch {
+            Ok(_) if reach.turns => {
+                table.row([name, "turns all round".to_owned()]);
+                continue;
+            }
+            Ok(found) => found,
+            Err(told) => {
+                let words = format!("not known: {}", told.reason);
+                table.row([name, String::new(), String::new(), String::new(), words]);
+                continue;
+            }
+        };
+        let ends = [
+            (name, "from", &found.low),
+            (String::new(), "to", &found.high),
+        ];
+        for (name, word, end) in ends {
+            table.row([
+                name,
+                word.to_owned(),
+                number::significant(end.at / driver.factor, EXACT),
+                driver.unit.to_owned(),
+                match end.dead {
+                    Some(group) => dead_point(case.entry, group),
+                    None => "and farther".to_owned(),
+                },
+            ]);
+        }
+    }
+    let heading = match report.reach.len() {
+        1 => "Reach of the driver in this assembly mode",
+        _ => "Reach of each driver in this assembly mode, the others standing where they start",
+    };
+    page.section(heading, &table);
+    page.line("");
+}
+
+fn transmissions(page: &mut Page, report: &Report) {
+    if report.transmissions.is_empty() {
+        return;
+    }
+    let place = station_heading(report);
+    let align = if report.case.axes().len() > 1 {
+        Align::Left
+    } else {
+        Align::Point
+    };
+    let mut table = Columns::new([
+        ("loops", Align::Left),
+        ("for", Align::Left),
+        ("solved as", Align::Left),
+        ("smallest, deg", Align::Point),
+        (&place, align),
+        ("", Align::Left),
+    ]);
+    for (index, worst) in &report.transmissions {
+        let of_group = &report.case.entry.groups[*index];
+        let angle = group::transmission(worst.value);
+        let remark = match angle {
+            angle if angle < 1e-3 => "in line: no force is transmitted",
+            angle if angle < 10.0 => "near a dead point",
+            angle if angle < POOR => "transmits forces badly",
+            _ => "",
+        };
+        table.row([
+            group::equations(report.case.entry, of_group),
+            group::unknowns(report.case.entry, of_group),
+            group::kind(of_group.kind).to_owned(),
+            format!("{angle:.3}"),
+            station(report, worst),
+            remark.to_owned(),
+        ]);
+    }
+    page.section(
+        "Transmission angle (90 deg is best, 0 a dead point)",
+        &table,
+    );
+    page.line("");
+}

@@ -1,0 +1,151 @@
+//! `assur modes`: all ways in which a linkage can be assembled where its drivers stand.
+
+mod csv;
+mod json;
+mod table;
+
+use std::time::Instant;
+
+use assur::closure::Search;
+use assur::registry::{Listed, Listing, Mechanism};
+use clap::Args;
+
+use crate::arguments::Format;
+use crate::constants::Constants;
+use crate::error::Failure;
+use crate::linkage::case::Case;
+use crate::linkage::place::{self, Place};
+use crate::linkage::wording::{Names, Told, tell};
+use crate::{lookup, output, style};
+
+/// Examples, and what the formats contain.
+pub const EXAMPLES: &str = "Examples:
+  assur modes heald_linkage
+  assur modes heald_linkage --at phi4=200deg --at phi4=230deg
+  assur modes heald_linkage --scene straight --format json
+
+Loops in closed form have two modes each; loops that are closed together are searched completely by interval
+arithmetic, so that the list says itself whether there are others.
+
+One JSON object is printed with --format json, \"assur-modes/1\"; csv has one row a mode.";
+
+/// Options of `assur modes`.
+#[derive(Args, Debug)]
+pub struct ModesArguments {
+    /// The mechanism, as `assur list` names it.
+    pub name: Option<String>,
+    /// The scene; the first one of the file unless given.
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// A named set of values to start from.
+    #[arg(long, value_name = "PRESET")]
+    pub preset: Option<String>,
+    /// A dimension or parameter with its unit, `l4=91mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// A position of the drivers, `phi4=90deg`; may be repeated. Where they start unless given.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub at: Vec<String>,
+    /// What is printed.
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// The modes at all places.
+pub struct Answer {
+    /// The mechanism.
+    pub mechanism: &'static Mechanism,
+    /// The linkage with its values.
+    pub case: Case,
+    /// The places, each with its modes.
+    pub found: Vec<Found>,
+    /// Seconds that it took.
+    pub seconds: f64,
+}
+
+/// The modes at one place.
+pub struct Found {
+    /// The place.
+    pub place: Place,
+    /// The modes.
+    pub listing: Listing,
+    /// Why the mode of the start values does not reach the place, in words.
+    pub unreached: Option<Told>,
+}
+
+/// Lists the modes, then prints them.
+///
+/// # Errors
+/// A wrong request. That a linkage cannot be assembled somewhere is an answer, not an error.
+pub fn execute(options: &ModesArguments) -> Result<(), Failure> {
+    let Some(name) = &options.name else {
+        return Err(lookup::no_linkage("modes"));
+    };
+    let mechanism = lookup::mechanism(name)?;
+    let scene = lookup::linkage(mechanism, options.scene.as_deref())?;
+    let constants =
+        Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
+    let case = Case::new(constants)?;
+    let places = match options.at.as_slice() {
+        [] => vec![place::start(&case)?],
+        given => given
+            .iter()
+            .map(|text| place::read(&case, text))
+            .collect::<Result<_, _>>()?,
+    };
+    let clock = Instant::now();
+    let found = places.into_iter().map(|place| find(&case, place));
+    let answer = Answer {
+        mechanism,
+        found: found.collect::<Result<_, _>>()?,
+        seconds: clock.elapsed().as_secs_f64(),
+        case,
+    };
+    output::print(&match options.format {
+        Format::Table => table::render(&answer, style::stdout()),
+        Format::Json => json::render(&answer),
+        Format::Csv => csv::render(&answer),
+    })
+}
+
+fn find(case: &Case, place: Place) -> Result<Found, Failure> {
+    let names = Names {
+        entry: case.entry,
+        drivers: &case.drivers,
+    };
+    let listing = case
+        .run()
+        .modes(&place.independents, &Search::default())
+        .map_err(|error| tell(names, &error).failure("the modes cannot be listed"))?;
+    Ok(Found {
+        unreached: listing.stopped.as_ref().map(|error| tell(names, error)),
+        listing,
+        place,
+    })
+}
+
+impl Answer {
+    /// The values of the variables in a mode, each in its unit.
+    pub fn values(&self, mode: &Listed) -> Vec<f64> {
+        let values = self.case.values_of(&mode.dependents, &mode.outputs);
+        let pairs = self.case.variables.iter().zip(values);
+        pairs
+            .map(|(variable, value)| variable.in_unit(value))
+            .collect()
+    }
+
+    /// The loop equation that is left worst in a mode, and what is left of it in SI units.
+    pub fn gap(mode: &Listed) -> Option<(usize, f64)> {
+        let left = mode.residuals.iter().map(|left| left.abs()).enumerate();
+        left.max_by(|(_, a), (_, b)| a.total_cmp(b))
+    }
+}
+
+/// The sign of a determinant: the assembly mode of a group.
+pub fn sign(sine: f64) -> &'static str {
+    match sine {
+        sine if sine > 0.0 => "+",
+        sine if sine < 0.0 => "-",
+        _ => "0",
+    }
+}
