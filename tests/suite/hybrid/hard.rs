@@ -187,20 +187,14 @@ fn an_event_at_the_start_takes_no_time() {
         march(&start::Pushed::default(), (0.0, 1.0), &[0.0; 4], &SETTINGS).expect("it moves");
     assert_eq!(motion.events.len(), 1);
     assert!(motion.events[0].time < 1e-3, "{}", motion.events[0].time);
-    let late = start::Pushed {
-        gap: 1.0 / 12.0,
-        ..start::Pushed::default()
-    };
+    let late = start::Pushed { gap: 1.0 / 12.0 };
     let motion = march(&late, (0.0, 2.0), &[0.0; 4], &SETTINGS).expect("it moves");
     assert!(
         (motion.events[0].time - 1.0).abs() < 1e-9,
         "{}",
         motion.events[0].time
     );
-    let never = start::Pushed {
-        gap: 1e3,
-        ..start::Pushed::default()
-    };
+    let never = start::Pushed { gap: 1e3 };
     let motion = march(&never, (0.0, 2.0), &[0.0; 4], &SETTINGS).expect("it moves");
     assert_eq!((motion.events.len(), motion.mode), (0, 0));
 }
