@@ -62,12 +62,8 @@ pub fn march_on<C: Hybrid, S: Scalar>(
     let mut equations = scene.modal::<S>();
     equations.enter(C::FIRST);
     let mut motion = Motion {
-        pieces: Vec::new(),
-        events: Vec::new(),
         mode: C::FIRST,
-        end: start.to_vec(),
-        time: times.0,
-        statistics: Statistics::default(),
+        ..Motion::at_rest(times.0, start)
     };
     let options = Options::scaled(settings.rtol, C::SCALES);
     let begun = (|| {
