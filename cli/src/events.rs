@@ -62,7 +62,17 @@ pub fn section(page: &mut Page, report: &Report) {
     if report.case.scene.modes.is_empty() {
         return;
     }
-    let events = report.motion.events();
+    let modes = report.case.scene.modes;
+    if modes
+        .iter()
+        .all(|mode| mode.events.iter().all(|one| one.surface.is_some()))
+    {
+        return;
+    }
+    let happened = report.motion.events().iter();
+    let events: Vec<&Happened> = happened
+        .filter(|event| entry(report, event).is_some_and(|entry| entry.surface.is_none()))
+        .collect();
     let mut table = Columns::new([
         ("time, s", Align::Point),
         ("mode", Align::Left),
@@ -81,8 +91,9 @@ pub fn section(page: &mut Page, report: &Report) {
             String::new(),
         ]);
     }
-    let left_out = events.len().saturating_sub(MOST);
-    for (index, event) in events.iter().enumerate() {
+    let count = events.len();
+    let left_out = count.saturating_sub(MOST);
+    for (index, event) in events.into_iter().enumerate() {
         if left_out > 0 && (MOST / 2..MOST / 2 + left_out).contains(&index) {
             continue;
         }
@@ -100,7 +111,7 @@ pub fn section(page: &mut Page, report: &Report) {
             entry.unit.to_owned(),
         ]);
     }
-    let heading = match (events.len(), left_out) {
+    let heading = match (count, left_out) {
         (0, _) => "Events: none".to_owned(),
         (count, 0) => format!("Events: {count}"),
         (count, left_out) => {
@@ -129,6 +140,9 @@ pub fn list(report: &Report) -> Value {
     };
     let one = |event: &Happened| {
         let entry = entry(report, event)?;
+        if entry.surface.is_some() {
+            return None;
+        }
         Some(json!({
             "time": event.time,
             "from": report.case.mode(event.from),

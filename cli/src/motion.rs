@@ -94,6 +94,19 @@ impl Case {
                 ),
                 "a mode in which the parts stay together would take their place, reached `if` a speed is small enough",
             ),
+            HybridError::Held {
+                time, mode, event, ..
+            } => {
+                let modes = self.scene.modes.get(*mode);
+                let surface = modes.and_then(|mode| mode.events.get(*event));
+                (
+                    format!(
+                        "at time = {time} s the motion is driven from both sides onto the place where {}, so that it stays there",
+                        surface.map_or("a branch changes", |entry| entry.text)
+                    ),
+                    "state what holds there as a mode, with `hold`",
+                )
+            }
             HybridError::Start { reason } => (reason.clone(), "check the start values"),
         };
         Failure::numerical("the motion could not be followed to its end")

@@ -62,6 +62,21 @@ pub fn compile(
     Some(model)
 }
 
+/// A scene without modes. Where its motion meets switching surfaces it has one, without a name.
+pub fn only(compiled: Compiled) -> SceneModel {
+    let mut model = compiled.scene;
+    if !compiled.events.is_empty() {
+        model.modes.push(ModeModel {
+            name: String::new(),
+            summary: String::new(),
+            equations: model.equations.clone(),
+            events: compiled.events,
+            program: model.program.clone(),
+        });
+    }
+    model
+}
+
 /// A motion through events is run.
 fn report_periodic(task: &Task<'_>, diagnostics: &mut Diagnostics) {
     for item in task.scene.iter().flat_map(|(scene, _)| &scene.items) {
