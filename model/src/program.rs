@@ -7,6 +7,7 @@ mod count;
 mod emit;
 mod evaluate;
 mod order;
+mod product;
 
 pub use build::{Request, build};
 pub(crate) use evaluate::solve_symmetric;
