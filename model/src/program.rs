@@ -9,6 +9,7 @@ mod evaluate;
 mod order;
 mod product;
 
+pub use crate::linkage::ClosedForm;
 pub use build::{Request, build};
 pub(crate) use evaluate::solve_symmetric;
 pub use evaluate::{Place, Values};
