@@ -7,8 +7,10 @@ mod count;
 mod emit;
 mod evaluate;
 mod order;
+mod product;
 mod surfaces;
 
+pub use crate::linkage::ClosedForm;
 pub use build::{Request, build};
 pub(crate) use evaluate::solve_symmetric;
 pub use evaluate::{Place, Values};

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`problem`](self) | what is asked of a linkage: [`Closure`], [`Linkage`] |
 //! | `newton`, `scaled` | one group that has no closed form |
-//! | `assembly`, `start`, `predict` | [`Assembly`]: all groups in their modes, put together and moved |
+//! | `assembly`, `start`, `step`, `predict` | [`Assembly`]: all groups in their modes, put together and moved |
 //! | `continuation`, `crossing`, `stand` | the same where a step is not certain to keep the modes |
 //! | `arc`, `turn` | dead points, and passing through them by the length of the curve of positions |
 //! | `sweep` | positions over a grid |
@@ -27,6 +27,7 @@ mod root;
 mod scaled;
 mod stand;
 mod start;
+mod step;
 mod sweep;
 #[cfg(test)]
 mod tests;
