@@ -12,4 +12,5 @@ assur::equations! {
     "feed_stitch.eqn",
     "sewing_feed.eqn",
     "dwell_six_bar.eqn",
+    "table_drive.eqn",
 }
