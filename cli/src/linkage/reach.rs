@@ -96,9 +96,7 @@ pub fn stroke<'a>(strokes: Option<&'a Vec<Stroke>>, variable: &Variable) -> Opti
 
 /// The ends of a stroke as extremes of the task.
 pub fn extremes(case: &Case, stroke: &Stroke) -> (Extreme, Extreme) {
-    let width = swept(case).map_or(0.0, |index| {
-        (case.ranges[index].to - case.ranges[index].from).abs()
-    });
+    let width = width(case);
     let extreme = |found: Limit| {
         let at = settled(found.at, width);
         Extreme {
@@ -113,29 +111,13 @@ pub fn extremes(case: &Case, stroke: &Stroke) -> (Extreme, Extreme) {
 /// Beside the stroke, and beside the range of the driver, this part of them is rounding.
 const NOISE: f64 = 1e-12;
 
-/// The limit positions inside the range of the driver that is swept, in their order. Where an output stands still for a
-/// moment, rounding makes it turn round and back: such pairs are left out.
+/// The limit positions inside the range of the driver that is swept, in their order.
 pub fn turns(case: &Case, stroke: &Stroke) -> Vec<Turn> {
-    let ends = swept(case).map(|index| (case.ranges[index].from, case.ranges[index].to));
-    turns_within(stroke, ends.unwrap_or((f64::NEG_INFINITY, f64::INFINITY)))
+    turns_within(stroke, width(case))
 }
 
-fn turns_within(stroke: &Stroke, (from, to): (f64, f64)) -> Vec<Turn> {
-    let nothing = NOISE * stroke.length();
-    let near = NOISE * (to - from).abs();
-    let mut limits: Vec<Limit> = Vec::new();
-    for one in &stroke.limits {
-        if (one.at - from).abs() <= near || (one.at - to).abs() <= near {
-            continue;
-        }
-        let back = |last: &Limit| (last.value - one.value).abs() <= nothing;
-        match limits.last().is_some_and(back) {
-            true => {
-                limits.pop();
-            }
-            false => limits.push(*one),
-        }
-    }
+fn turns_within(stroke: &Stroke, width: f64) -> Vec<Turn> {
+    let limits = &stroke.limits;
     let turn = |(index, one): (usize, &Limit)| {
         // Largest and smallest ones take turns.
         let neighbour = index.checked_sub(1).unwrap_or(index + 1);
@@ -144,12 +126,19 @@ fn turns_within(stroke: &Stroke, (from, to): (f64, f64)) -> Vec<Turn> {
             None => one.value == stroke.greatest.value,
         };
         Turn {
-            at: settled(one.at, (to - from).abs()),
+            at: settled(one.at, width),
             value: settled(one.value, stroke.length()),
             is_largest,
         }
     };
     limits.iter().enumerate().map(turn).collect()
+}
+
+/// How far the driver goes that is swept.
+fn width(case: &Case) -> f64 {
+    swept(case).map_or(0.0, |index| {
+        (case.ranges[index].to - case.ranges[index].from).abs()
+    })
 }
 
 /// A value, zero if it is rounding beside a size.
@@ -175,7 +164,7 @@ mod tests {
             greatest: found(0.0, 3.0),
             limits,
         };
-        let turns = turns_within(&stroke, (0.0, 5.0));
+        let turns = turns_within(&stroke, 5.0);
         let largest: Vec<_> = turns.iter().map(|turn| turn.is_largest).collect();
         assert_eq!(largest, expected);
     }
@@ -185,12 +174,5 @@ mod tests {
         let all = [found(1.0, 2.0), found(2.0, -1.0), found(3.0, 0.5)];
         check(all.to_vec(), &[true, false, true]);
         check(all[1..2].to_vec(), &[false]);
-    }
-
-    #[test]
-    fn an_output_that_stands_for_a_moment_does_not_turn() {
-        let rounding = [found(1.0, 2.0), found(1.0 + 1e-7, 2.0 + 1e-15)];
-        check(rounding.to_vec(), &[]);
-        check(vec![found(0.0, 3.0), found(2.0, -1.0)], &[false]);
     }
 }
