@@ -30,6 +30,8 @@ pub struct Question {
     pub changed: String,
     /// What errs, over the range.
     pub study: Study,
+    /// Whether the output was named; else it is the last one of the scene.
+    pub is_named: bool,
     /// Places over the range of the first driver alone, where the study goes over a grid.
     pub along: Option<Vec<Vec<f64>>>,
     /// What each source is called.
@@ -111,6 +113,7 @@ impl Question {
             run,
             study,
             labels,
+            is_named: options.output.is_some(),
             kind: options.kind,
             sampling: Sampling {
                 samples: options.samples,
@@ -124,6 +127,13 @@ impl Question {
     /// The output.
     pub fn output(&self) -> &'static Quantity {
         &self.scene.outputs[self.study.output]
+    }
+
+    /// Names of the other outputs.
+    pub fn other_outputs(&self) -> Vec<&'static str> {
+        let outputs = self.scene.outputs.iter().enumerate();
+        let others = outputs.filter(|(index, _)| *index != self.study.output);
+        others.map(|(_, one)| one.name).collect()
     }
 }
 

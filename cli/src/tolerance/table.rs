@@ -50,6 +50,17 @@ impl Page<'_> {
         if !question.changed.is_empty() {
             self.line(&format!("  with {}", question.changed));
         }
+        let others = question.other_outputs();
+        let others = match others.is_empty() {
+            true => String::new(),
+            false => format!("--output {}", others.join(", --output ")),
+        };
+        if !question.is_named && !others.is_empty() {
+            let output = question.output().name;
+            self.line(&format!(
+                "  {output} is the last output of the scene; for another one: {others}"
+            ));
+        }
         self.line("");
         self.contributions();
         self.bands();
@@ -59,15 +70,8 @@ impl Page<'_> {
         if let Some(path) = figure {
             self.line(&format!("Figure: {}", path.display()));
         }
-        let outputs = question.scene.outputs.iter().map(|one| one.name);
-        let others: Vec<_> = outputs
-            .filter(|name| *name != question.output().name)
-            .collect();
-        if !others.is_empty() {
-            self.line(&format!(
-                "Other outputs: --output {}.",
-                others.join(", --output ")
-            ));
+        if question.is_named && !others.is_empty() {
+            self.line(&format!("Other outputs: {others}."));
         }
         self.line(&format!(
             "Found in {}.",

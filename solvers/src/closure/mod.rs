@@ -8,7 +8,8 @@
 //! | `continuation`, `crossing`, `stand` | the same where a step is not certain to keep the modes |
 //! | `arc`, `turn` | dead points, and passing through them by the length of the curve of positions |
 //! | `sweep` | positions over a grid |
-//! | `limits`, `rates` | how far a driver can go, limit positions and strokes |
+//! | `limits` | how far a driver can go |
+//! | `strokes`, `extremes`, `rates` | limit positions and strokes of the outputs |
 //! | `modes`, `branch` | all assembly modes at one position |
 
 mod arc;
@@ -17,6 +18,7 @@ mod branch;
 mod continuation;
 mod crossing;
 mod error;
+mod extremes;
 mod limits;
 mod modes;
 mod newton;
@@ -28,6 +30,7 @@ mod scaled;
 mod stand;
 mod start;
 mod step;
+mod strokes;
 mod sweep;
 #[cfg(test)]
 mod tests;
@@ -35,9 +38,11 @@ mod turn;
 
 pub use assembly::{Assembly, Event};
 pub use error::ClosureError;
-pub use limits::{End, Extreme, Stretch, Stroke, stretch, strokes};
+pub use extremes::Extreme;
+pub use limits::{End, Stretch, stretch};
 pub use modes::{Mode, Modes, Search, modes};
 pub use newton::{Closed, Failure, Newton, Stop};
 pub use problem::{Closure, Group, GroupKind, Linkage, Range, Variable};
 pub use start::Start;
+pub use strokes::{Stroke, strokes};
 pub use sweep::{AtDeadPoint, Axis, Positions, sweep};
