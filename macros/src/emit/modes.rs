@@ -60,6 +60,14 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
     let numbers: Vec<_> = (0..fields.len()).map(size).collect();
     let states = size(layout.states());
     let inline = layout.inline();
+    let texts = layout
+        .scene
+        .modes
+        .iter()
+        .map(|mode| match mode.name.as_str() {
+            "" => docs::lines("The only mode."),
+            name => docs::lines(&format!("In the mode `{name}`.")),
+        });
     let text = docs::lines(&format!(
         "Equations of [`{}`], prepared for a scalar type: those of the mode that it is in.",
         layout.parameters
@@ -79,7 +87,7 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
         #other
         #[derive(Clone, Copy, Debug)]
         pub enum #instant<S: ::assur::scalar::Scalar> {
-            #(#variants(#instants<S>)),*
+            #(#texts #variants(#instants<S>)),*
         }
 
         impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for #name<S> {
