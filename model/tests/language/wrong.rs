@@ -133,6 +133,7 @@ fn ranges_and_tolerances() {
     check_dimension("+- 1 m/0", ("this divides by zero", "0", ""));
     check_dimension("+- 1e999 m", ("`1e999` is too large for a number", "1e999", ""));
     check_dimension("+- 5 deg", ("the toleranced size is a length (m), and this is a pure number", "5 deg", ""));
+    check_dimension("+- 0.1*dot(x)*(1 s)", ("a fixed value is expected here, made of numbers alone", "0.1*dot(x)*(1 s)", "is a `let`"));
     check_dimension("+- 0.1*m", ("a fixed value is expected here, made of numbers alone", "0.1*m", "is a `let`"));
     let check_driver = |text: &str, expected: Expected| {
         let crank = format!("Crank; driver phi in {text}; dependent psi ~ 0; closure psi = 2*phi; output psi;");

@@ -12,11 +12,13 @@ use super::rates::Rates;
 
 /// Number of parts of a range in which limit positions are looked for.
 const PARTS: usize = 180;
+/// By this part of a stroke a sample lies clearly beyond it.
+const CLEAR: f64 = 1e-9;
 
 /// The extremes of one output over a stretch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stroke {
-    /// The smallest value, at a limit position or an end.
+    /// The smallest value, at a limit position or an end; beside a pole or a jump as far as it was looked.
     pub least: Extreme,
     /// The greatest value.
     pub greatest: Extreme,
@@ -52,7 +54,7 @@ pub fn strokes<L: Linkage>(
             at: end.at,
             value: end.outputs[output],
         });
-        Ok(over(extremes::find(&samples, look)?, ends))
+        Ok(over(extremes::find(&samples, look)?, ends, &samples))
     };
     (0..L::OUTPUTS).map(stroke).collect()
 }
@@ -68,17 +70,26 @@ fn inside(stretch: &Stretch) -> impl Iterator<Item = f64> {
     (0..PARTS).map(between).chain([last])
 }
 
-/// The stroke over limit positions and ends.
-fn over(limits: Vec<Extreme>, ends: [Extreme; 2]) -> Stroke {
-    let all = || limits.iter().chain(&ends);
-    let least = all().fold(
-        ends[0],
-        |best, next| if next.value < best.value { *next } else { best },
-    );
-    let greatest = all().fold(
-        ends[0],
-        |best, next| if next.value > best.value { *next } else { best },
-    );
+/// The stroke over limit positions and ends, and over samples that lie clearly beyond them: beside a pole or a jump.
+fn over(limits: Vec<Extreme>, ends: [Extreme; 2], samples: &[Sample]) -> Stroke {
+    let mut least = ends[0];
+    let mut greatest = ends[0];
+    let mut reach = |one: Extreme, clearance: f64| {
+        if one.value < least.value - clearance {
+            least = one;
+        }
+        if one.value > greatest.value + clearance {
+            greatest = one;
+        }
+        greatest.value - least.value
+    };
+    let mut length = 0.0;
+    for one in limits.iter().chain(&ends) {
+        length = reach(*one, 0.0);
+    }
+    for &Sample { at, value, .. } in samples {
+        reach(Extreme { at, value }, CLEAR * length);
+    }
     Stroke {
         least,
         greatest,
@@ -133,5 +144,31 @@ impl<L: Linkage> Track<L> {
         self.assembly.outputs(&mut values);
         self.rates.of(&self.assembly, self.variable, &mut rates);
         Ok(Look { at, values, rates })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn beside_a_pole_samples_count() {
+        let extreme = |at: f64, value: f64| Extreme { at, value };
+        let sample = |at: f64, value: f64| Sample {
+            at,
+            value,
+            rate: 1.0,
+        };
+        let ends = [extreme(0.0, 1.0), extreme(4.0, 2.0)];
+        let limits = vec![extreme(1.0, 0.5)];
+        let samples = [
+            sample(1.1, 0.5 - 1e-12),
+            sample(2.0, 90.0),
+            sample(3.0, -80.0),
+        ];
+        let stroke = over(limits.clone(), ends, &samples[..1]);
+        assert_eq!((stroke.least, stroke.greatest), (limits[0], ends[1]));
+        let stroke = over(limits, ends, &samples);
+        assert_eq!((stroke.least.at, stroke.greatest.at), (3.0, 2.0));
     }
 }
