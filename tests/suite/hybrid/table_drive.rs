@@ -2,6 +2,7 @@
 //! the paper.
 
 mod closed_forms;
+mod laws;
 mod stepped;
 
 use assur::hybrid::{Happened, Hybrid, Motion, march};
