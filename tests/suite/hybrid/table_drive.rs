@@ -3,6 +3,7 @@
 
 mod closed_forms;
 mod laws;
+mod published;
 mod stepped;
 
 use assur::hybrid::{Happened, Hybrid, Motion, march};
