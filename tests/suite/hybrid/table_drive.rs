@@ -2,6 +2,7 @@
 //! the paper.
 
 mod closed_forms;
+mod hard;
 mod laws;
 mod published;
 mod stepped;
