@@ -6,8 +6,10 @@ mod chain;
 mod count;
 mod evaluate;
 mod hand;
+mod hand_linkage;
 mod hand_loop;
 mod hand_system;
+mod linkage;
 #[cfg(feature = "peers")]
 mod peers;
 mod revolutions;
@@ -23,6 +25,7 @@ usage: assur-benches [COMMAND]
   evaluate      one evaluation of emitted and of hand-written code
   revolutions   ten revolutions and the periodic motion
   peers         other libraries on the same equations; needs `--features peers`
+  linkage       positions and influence coefficients of a six-bar
   tolerance     a million heald linkages made at random
   chain         how long a chain of 30 pendulums takes to derive
   all           all of these (default)
@@ -36,10 +39,11 @@ fn main() -> ExitCode {
         ["revolutions"] => with_counts(&[revolutions::report]),
         ["peers"] => return run_peers(),
         ["chain"] => chain::report(),
+        ["linkage"] => with_counts(&[linkage::report]),
         ["tolerance"] => tolerance::report(),
         ["brief"] => revolutions::brief(),
         [] | ["all"] => {
-            with_counts(&[evaluate::report, revolutions::report]);
+            with_counts(&[evaluate::report, revolutions::report, linkage::report]);
             tolerance::report();
             chain::report();
             if cfg!(feature = "peers") {
@@ -69,6 +73,7 @@ fn run_counted(group: &str, name: &str) -> ExitCode {
     let mut cases = match group {
         "evaluate" => evaluate::cases(),
         "revolutions" => revolutions::cases(),
+        "linkage" => linkage::cases(),
         _ => Vec::new(),
     };
     if count::run_counted(&mut cases, name) {

@@ -62,7 +62,8 @@ impl Case {
 
     /// All variables at a time of the task, SI units.
     pub fn sample(&self, motion: &Motion, time: f64) -> Vec<f64> {
-        variables::evaluate(&self.variables, self.run(), time, &motion.state(time))
+        let (mode, state) = motion.place(self, time);
+        variables::evaluate(&self.variables, self.run(), mode, time, &state)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The curves over the task as comma-separated values (RFC 4180): one heading with names and units, one row a sample,
-//! no comments. Columns: the time, the drivers, then every variable; numbers with all the digits of a double.
+//! no comments. Columns: the time, the mode if there are modes, the drivers, then every variable; numbers with all the
+//! digits of a double. An event has two rows, right before and after it.
 
 use crate::report::Report;
 use crate::values::TIME;
@@ -12,6 +13,10 @@ pub fn render(report: &Report) -> String {
     let scene = report.case.scene;
     let variables = &report.case.variables;
     let mut heading = vec![title(TIME.name, TIME.unit)];
+    let has_modes = scene.modes.iter().any(|mode| !mode.name.is_empty());
+    if has_modes {
+        heading.push("mode".to_owned());
+    }
     heading.extend(
         scene
             .drivers
@@ -27,6 +32,10 @@ pub fn render(report: &Report) -> String {
     let curves = &report.curves;
     let row = |time: f64, drivers: &[f64], values: &[f64]| {
         let mut cells = vec![cell(time)];
+        if has_modes {
+            let (mode, _) = report.motion.place(&report.case, time);
+            cells.push(report.case.mode(mode).to_owned());
+        }
         cells.extend(
             drivers
                 .iter()

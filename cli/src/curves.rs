@@ -49,9 +49,14 @@ pub fn sample(case: &Case, motion: &Motion) -> Curves {
     let count = (motion.effort().steps * 4)
         .clamp(SAMPLES, MOST_SAMPLES)
         .next_multiple_of(SAMPLES);
-    let times: Vec<_> = (0..=count)
+    let mut times: Vec<f64> = (0..=count)
         .map(|index| from + (to - from) * index as f64 / count as f64)
         .collect();
+    // Right before and after each event, so that a jump is one.
+    let events = motion.events().iter().map(|event| event.time);
+    times.extend(events.flat_map(|time| [time.next_down(), time]));
+    times.sort_by(f64::total_cmp);
+    times.dedup();
     Curves {
         drivers: times.iter().map(|time| case.drivers(*time)).collect(),
         values: times
@@ -89,6 +94,10 @@ pub fn estimate(
     let mut errors = vec![0.0; case.variables.len()];
     // Every third sample is enough for a largest value.
     for (time, values) in curves.times.iter().zip(&curves.values).step_by(3) {
+        // Between the times at which the two solutions have an event they differ by a jump.
+        if motion.passed(*time) != check.passed(*time) {
+            continue;
+        }
         for ((error, a), b) in errors
             .iter_mut()
             .zip(values)

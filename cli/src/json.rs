@@ -10,7 +10,9 @@
 //! | `settings` | `method`, `rtol` |
 //! | `status` | `"complete"`; `"not unique"` when free motions repeat after the same period and nothing drives them, so that any amount could be added (`conclusions` says it); or `"incomplete"` when a value below is null because it is not a finite number |
 //! | `results` | each `name`, `unit`, `value` and `estimated_error` at the beginning of the task, and `minimum` and `maximum` over it, each with `value` and `time` |
-//! | `at` | for each `--at`: `place` in words, `time`, `drivers` (`name`, `unit`, `value`), `results` as above without the extremes |
+//! | `at` | for each `--at`: `place` in words, `time`, `mode` (null where there are none), `drivers` (`name`, `unit`, `value`), `results` as above without the extremes |
+//! | `modes` | of a motion with modes or events: each `name` (empty where there are events and no modes), `summary` |
+//! | `events` | what happened, in order: each `time`, `from` and `to` (names of modes), `event` (the statement), `line` of the equation file, `guard` (its `value` there, `unit`), `before` and `after` (the state, each `name`, `unit`, `value`) |
 //! | `published` | each `name`, `unit`, `place`, `published`, `tolerance`, `computed`, `estimated_error`, `deviation`, `relative_deviation`, `within` (null when published for other values), `remark`, `line` of the equation file |
 //! | `multipliers` | each `re`, `im`, `modulus`, `angle`, `angle_unit`, `meaning`; none unless the task is periodic |
 //! | `conclusions` | what the multipliers say, a sentence each |
@@ -27,6 +29,7 @@ use assur::registry::{Mechanism, Quantity};
 use serde_json::{Value, json};
 
 use crate::constants::Constants;
+use crate::events;
 use crate::multipliers::conclusions;
 use crate::published::Comparison;
 use crate::report::{Report, Snapshot};
@@ -64,6 +67,8 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
         "status": status(complete, report.free()),
         "results": results,
         "at": places,
+        "modes": events::modes(report),
+        "events": events::list(report),
         "published": published,
         "multipliers": multipliers(report),
         "conclusions": conclusions(&report.multipliers, report.free()),
@@ -178,9 +183,16 @@ fn snapshot(report: &Report, snapshot: &Snapshot) -> Value {
     json!({
         "place": snapshot.label,
         "time": snapshot.time,
+        "mode": mode(report, snapshot.time),
         "drivers": report.case.scene.drivers.iter().zip(&snapshot.drivers).map(driver).collect::<Vec<_>>(),
         "results": readings(report, snapshot),
     })
+}
+
+/// Name of the mode at a time; null where there are no modes.
+fn mode(report: &Report, time: f64) -> Value {
+    let (mode, _) = report.motion.place(&report.case, time);
+    text(report.case.mode(mode))
 }
 
 /// A published value beside the computed one.

@@ -20,6 +20,7 @@ mod effects;
 #[path = "../../macros/src/emit/mod.rs"]
 mod emit;
 mod error;
+mod events;
 mod expand;
 mod json;
 mod linkage;

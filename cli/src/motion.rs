@@ -2,9 +2,10 @@
 //!
 //! This is the only file that talks to the solvers.
 
+use assur::hybrid::{self, HybridError};
+use assur::periodic;
 use assur::problem::Span;
 use assur::registry::Settings;
-use assur::{ode, periodic};
 
 use crate::case::Case;
 use crate::error::Failure;
@@ -25,10 +26,10 @@ impl Case {
                         .periodic(period, &settings)
                         .map_err(|error| not_periodic(&error))?,
                 ),
-                Span::Run(from, to) => Path::Trajectory(
+                Span::Run(from, to) => Path::Through(
                     self.run()
-                        .march((from, to), &self.run().start(), &settings)
-                        .map_err(|error| not_marched(&error))?,
+                        .follow((from, to), &self.run().start(), &settings)
+                        .map_err(|error| self.not_followed(&error))?,
                 ),
                 Span::Open => Path::Start(self.run().start()),
             }
@@ -46,12 +47,76 @@ impl Case {
     /// When the integration does not succeed.
     pub fn time_cycle(&self, motion: &Motion) -> Result<f64, Failure> {
         let (from, to) = self.task.limits();
-        let start = motion.state(from);
+        let (_, start) = motion.place(self, from);
         let clock = std::time::Instant::now();
         self.run()
-            .march((from, to), &start, &motion.settings)
-            .map_err(|error| not_marched(&error))?;
+            .follow((from, to), &start, &motion.settings)
+            .map_err(|error| self.not_followed(&error))?;
         Ok(clock.elapsed().as_secs_f64())
+    }
+
+    /// Name of a mode.
+    pub fn mode(&self, mode: usize) -> &'static str {
+        self.scene.modes.get(mode).map_or("", |mode| mode.name)
+    }
+
+    fn not_followed(&self, error: &HybridError) -> Failure {
+        let (reason, remedy) = match error {
+            HybridError::Ode { error, mode, .. } => {
+                let place = match self.mode(*mode) {
+                    "" => String::new(),
+                    name => format!("in mode {name}: "),
+                };
+                (
+                    format!("{place}{error}"),
+                    "check the values given with --set; else try another --method or --rtol",
+                )
+            }
+            HybridError::Loop {
+                time, modes, turns, ..
+            } => (
+                format!(
+                    "at time = {time} s events lead from mode to mode without end ({turns} were followed): {}",
+                    self.listed(modes)
+                ),
+                "let one of them ask for more with `if`, or set what keeps the others from happening at once",
+            ),
+            HybridError::Chatter {
+                time,
+                since,
+                events,
+                modes,
+                ..
+            } => (
+                format!(
+                    "{events} events between time = {since} s and {time} s, ever sooner after each other, modes {}",
+                    self.listed(modes)
+                ),
+                "a mode in which the parts stay together would take their place, reached `if` a speed is small enough",
+            ),
+            HybridError::Held {
+                time, mode, event, ..
+            } => {
+                let modes = self.scene.modes.get(*mode);
+                let surface = modes.and_then(|mode| mode.events.get(*event));
+                (
+                    format!(
+                        "at time = {time} s the motion is driven from both sides onto the place where {}, so that it stays there",
+                        surface.map_or("a branch changes", |entry| entry.text)
+                    ),
+                    "state what holds there as a mode, with `hold`",
+                )
+            }
+            HybridError::Start { reason } => (reason.clone(), "check the start values"),
+        };
+        Failure::numerical("the motion could not be followed to its end")
+            .reason(reason)
+            .remedy(remedy)
+    }
+
+    fn listed(&self, modes: &[usize]) -> String {
+        let names: Vec<&str> = modes.iter().map(|mode| self.mode(*mode)).collect();
+        names.join(" -> ")
     }
 }
 
@@ -70,7 +135,7 @@ enum Path {
     /// There is no task: the declared start.
     Start(Vec<f64>),
     Orbit(periodic::Orbit),
-    Trajectory(ode::Trajectory),
+    Through(hybrid::Motion),
 }
 
 /// Work of a solution.
@@ -85,14 +150,28 @@ pub struct Effort {
 }
 
 impl Motion {
-    /// The state at a time of the task.
-    pub fn state(&self, time: f64) -> Vec<f64> {
+    /// Mode and state at a time of the task.
+    pub fn place(&self, case: &Case, time: f64) -> (usize, Vec<f64>) {
+        let first = case.run().first_mode();
         match &self.path {
-            Path::Positions => Vec::new(),
-            Path::Start(state) => state.clone(),
-            Path::Orbit(orbit) => orbit.trajectory.at(time),
-            Path::Trajectory(trajectory) => trajectory.at(time),
+            Path::Positions => (first, Vec::new()),
+            Path::Start(state) => (first, state.clone()),
+            Path::Orbit(orbit) => (first, orbit.trajectory.at(time)),
+            Path::Through(motion) => motion.at(time),
         }
+    }
+
+    /// The events that have happened, in their order.
+    pub fn events(&self) -> &[hybrid::Happened] {
+        match &self.path {
+            Path::Through(motion) => &motion.events,
+            _ => &[],
+        }
+    }
+
+    /// Number of events up to a time.
+    pub fn passed(&self, time: f64) -> usize {
+        self.events().partition_point(|event| event.time <= time)
     }
 
     /// Floquet multipliers as real and imaginary parts; none unless the task is a steady state.
@@ -121,7 +200,7 @@ impl Motion {
         let statistics = match &self.path {
             Path::Positions | Path::Start(_) => return Effort::default(),
             Path::Orbit(orbit) => &orbit.trajectory.statistics,
-            Path::Trajectory(trajectory) => &trajectory.statistics,
+            Path::Through(motion) => &motion.statistics,
         };
         Effort {
             steps: statistics.steps,
@@ -135,10 +214,4 @@ fn not_periodic(error: &periodic::PeriodicError) -> Failure {
     Failure::numerical("no steady state was found")
         .reason(error.to_string())
         .remedy("near a resonance move the speed a little, or choose a scene with damping; else try a smaller --rtol")
-}
-
-fn not_marched(error: &ode::OdeError) -> Failure {
-    Failure::numerical("the motion could not be followed to its end")
-        .reason(error.to_string())
-        .remedy("check the values given with --set; else try another --method or --rtol")
 }

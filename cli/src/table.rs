@@ -8,6 +8,7 @@ use std::path::Path;
 use assur::problem::Span;
 
 use crate::constants::Constants;
+use crate::events;
 use crate::list::composition;
 use crate::multipliers::conclusions;
 use crate::number;
@@ -32,6 +33,7 @@ pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
             &format!("At the start, {}", report.start.label),
         );
         variables::extremes(&mut page, report);
+        events::section(&mut page, report);
     }
     for place in &report.places {
         let time = if place.label.starts_with("time") {

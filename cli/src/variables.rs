@@ -121,13 +121,19 @@ pub fn of_linkage(scene: &SceneEntry, entry: &LinkageEntry) -> Vec<Variable> {
 }
 
 /// The values of all variables at one instant, SI units.
-pub fn evaluate(variables: &[Variable], run: &dyn Run, time: f64, state: &[f64]) -> Vec<f64> {
-    let outputs = run.outputs(time, state);
+pub fn evaluate(
+    variables: &[Variable],
+    run: &dyn Run,
+    mode: usize,
+    time: f64,
+    state: &[f64],
+) -> Vec<f64> {
+    let outputs = run.outputs_in(mode, time, state);
     let rates = if variables
         .iter()
         .any(|variable| matches!(variable.origin, Origin::Rate(_)))
     {
-        run.rates(time, state)
+        run.rates_in(mode, time, state)
     } else {
         Vec::new()
     };

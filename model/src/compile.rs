@@ -10,7 +10,7 @@ use crate::facts;
 use crate::lagrange::Energies;
 use crate::linkage::{Geometry, Linkage, Loops, Ranges};
 use crate::lower::{Kind, Lowering};
-use crate::modes::{self, Compiled, Phase, Phases};
+use crate::modes::{self, Compiled, EventInfo, Phase, Phases};
 use crate::motion::{self, Equation, Solved, UnknownName};
 use crate::parts::Parts;
 use crate::program::{self, Input, Request};
@@ -59,7 +59,10 @@ pub fn scene(
     let phases = Phases::of(statements, task.scene.map(|(scene, _)| scene), diagnostics);
     match phases.is_hybrid() {
         true => modes::compile(task, &phases, seen, diagnostics),
-        false => Some(phase(task, &phases, 0, None, seen, diagnostics)?.scene),
+        false => {
+            let compiled = phase(task, &phases, 0, None, seen, diagnostics)?;
+            Some(modes::only(compiled))
+        }
     }
 }
 
@@ -263,6 +266,7 @@ pub fn phase(
         span: span.values,
         start,
         states: 2 * coordinates + names.states.len(),
+        surfaces: model.span == SpanKind::Run || phases.is_hybrid(),
         events: events.iter().map(|(event, _)| event.clone()).collect(),
         ..Request::default()
     };
@@ -336,10 +340,14 @@ pub fn phase(
         return None;
     }
     model.program = program::build(&mut low.graph, &request);
+    let surfaces = model.program.surfaces.iter().enumerate();
+    let place = scene.name.span;
+    let surfaces = surfaces.map(|(index, guard)| EventInfo::surface(index, guard, here, place));
+    let own = events.into_iter().map(|(_, info)| info);
     Some(Compiled {
+        events: own.chain(surfaces).collect(),
         scene: model,
         kept,
-        events: events.into_iter().map(|(_, info)| info).collect(),
     })
 }
 

@@ -86,8 +86,18 @@ pub struct Drive {
 impl Lowering<'_> {
     /// A fixed value: numbers, `pi` and functions of them.
     pub fn fixed(&mut self, term: &Term) -> Option<(f64, Kind)> {
-        let (value, kind) = self.scalar(term)?;
-        if self.graph.depends_on(value, |_| true) {
+        let before = self.diagnostics.error_count();
+        let lowered = self.scalar(term);
+        let depends = match lowered {
+            Some((value, _)) => self.graph.depends_on(value, |_| true),
+            // What moves has no kind yet where constants are read.
+            None => {
+                self.diagnostics.error_count() == before
+                    && !self.is_incomplete()
+                    && !term.is_made_of_numbers()
+            }
+        };
+        if depends {
             self.diagnostics.push(
                 Diagnostic::error(
                     term.span,
@@ -97,6 +107,7 @@ impl Lowering<'_> {
             );
             return None;
         }
+        let (value, kind) = lowered?;
         let number = self.graph.evaluate(&[value], &|_| f64::NAN)[0];
         if !number.is_finite() {
             self.diagnostics.push(Diagnostic::error(

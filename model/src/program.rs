@@ -7,7 +7,10 @@ mod count;
 mod emit;
 mod evaluate;
 mod order;
+mod product;
+mod surfaces;
 
+pub use crate::linkage::ClosedForm;
 pub use build::{Request, build};
 pub(crate) use evaluate::solve_symmetric;
 pub use evaluate::{Place, Values};
@@ -47,6 +50,8 @@ pub enum Input {
     Position(u32),
     /// The assembly mode of a group, 1 or −1.
     Mode(u32),
+    /// On which side of a switching surface the motion is, 1 or −1; 0 where its values say it.
+    Side(u32),
 }
 
 /// One operation.
@@ -197,7 +202,7 @@ pub struct Results {
     pub start: Vec<Value>,
     /// What a linkage computes.
     pub closing: Closing<Value>,
-    /// What the events of a mode compute.
+    /// What the events of a mode compute, the switching surfaces behind them.
     pub events: Vec<Event<Value>>,
 }
 
@@ -214,4 +219,6 @@ pub struct Program {
     pub states: usize,
     /// Whether the derivative is affine in the state.
     pub linear: bool,
+    /// The guards of the switching surfaces as text; their events are the last ones.
+    pub surfaces: Vec<String>,
 }

@@ -4,12 +4,14 @@
 //! prints the answer, and the dimensions for [`crate::check::scaling`]. Behind `dyn` stand whole runs, never single evaluations.
 
 mod bind;
+mod hybrid;
 mod limits;
 mod linkage;
 mod path;
 mod tolerance;
 
 pub use bind::{bind, check_values};
+pub use hybrid::{ModeEntry, bind_hybrid};
 pub use limits::{Listed, Listing, RunLimits};
 pub use linkage::{Distribution, Link, LinkageEntry, Loop, RunLinkage, Subject, bind_linkage};
 pub use path::{Path, Sample};
@@ -153,6 +155,8 @@ pub struct SceneEntry {
     pub bind: Bind,
     /// The loops, if the scene is a linkage.
     pub linkage: Option<LinkageEntry>,
+    /// The modes; none where the motion has neither modes nor events.
+    pub modes: &'static [ModeEntry],
 }
 
 impl SceneEntry {
@@ -304,10 +308,22 @@ pub trait Run: Send + Sync {
         self.span()
             .time_of(|time| at(time).unwrap_or(f64::NAN), position)
     }
-    /// All outputs at a time and state.
-    fn outputs(&self, time: f64, state: &[f64]) -> Vec<f64>;
-    /// Time derivative of the state.
-    fn rates(&self, time: f64, state: &[f64]) -> Vec<f64>;
+    /// The mode in which the motion begins; a scene without modes has this one.
+    fn first_mode(&self) -> usize {
+        0
+    }
+    /// All outputs in a mode at a time and state.
+    fn outputs_in(&self, mode: usize, time: f64, state: &[f64]) -> Vec<f64>;
+    /// Time derivative of the state in a mode.
+    fn rates_in(&self, mode: usize, time: f64, state: &[f64]) -> Vec<f64>;
+    /// All outputs at a time and state, in the first mode.
+    fn outputs(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        self.outputs_in(self.first_mode(), time, state)
+    }
+    /// Time derivative of the state, in the first mode.
+    fn rates(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        self.rates_in(self.first_mode(), time, state)
+    }
     /// The periodic steady state.
     ///
     /// # Errors
@@ -327,6 +343,16 @@ pub trait Run: Send + Sync {
         start: &[f64],
         settings: &Settings,
     ) -> Result<crate::ode::Trajectory, crate::ode::OdeError>;
+    /// The motion from a start, through all modes; in one piece where there are none.
+    ///
+    /// # Errors
+    /// See [`crate::hybrid::HybridError`].
+    fn follow(
+        &self,
+        times: (f64, f64),
+        start: &[f64],
+        settings: &Settings,
+    ) -> Result<crate::hybrid::Motion, crate::hybrid::HybridError>;
     /// Nanoseconds of one evaluation of the derivative with its time-only values, measured over this many calls.
     fn time_evaluation(&self, calls: usize) -> f64;
 }

@@ -3,6 +3,7 @@
 //! Equations are written once, for any [`Scalar`]. A comparison gives a mask and a branch becomes [`Scalar::select`],
 //! so that several lanes of a pack may take different sides.
 
+mod angle;
 mod bounded;
 mod dual;
 mod error_function;
@@ -96,6 +97,15 @@ pub trait Scalar:
     fn atan(self) -> Self;
     /// Angle in `[-π, π]` of the point `(x, y)`.
     fn atan2(y: Self, x: Self) -> Self;
+    /// Angles of several points, computed together: the same values as from [`Scalar::atan2`], bit for bit.
+    #[inline(always)]
+    fn atan2_all<const K: usize>(y: [Self; K], x: [Self; K]) -> [Self; K] {
+        let mut angles = y;
+        for (angle, x) in angles.iter_mut().zip(x) {
+            *angle = Self::atan2(*angle, x);
+        }
+        angles
+    }
     /// Hyperbolic sine.
     fn sinh(self) -> Self;
     /// Hyperbolic cosine.

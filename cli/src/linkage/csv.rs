@@ -86,10 +86,8 @@ pub fn limits(report: &Report) -> String {
         let turns = stroke.map(|stroke| reach::turns(case, stroke));
         for turn in turns.unwrap_or_default() {
             let what = if turn.is_largest { "highest" } else { "lowest" };
-            let place = case.place(&[turn.at]);
-            let drivers = case.drivers.iter().zip(&place);
-            let place = drivers.map(|(driver, position)| cell(position / driver.factor));
-            row(named, what, variable.in_unit(turn.value), place.collect());
+            let value = variable.in_unit(turn.place.value);
+            row(named, what, value, at(&turn.place));
         }
     }
     for reach in &report.reach {

@@ -182,11 +182,10 @@ fn turns(report: &Report, variable: &Variable) -> Value {
         return Value::Null;
     };
     let turns = reach::turns(case, stroke).into_iter().map(|turn| {
-        let independents = case.place(&[turn.at]);
         json!({
             "kind": if turn.is_largest { "highest" } else { "lowest" },
-            "value": variable.in_unit(turn.value),
-            "at": place(case, &[turn.at], &independents),
+            "value": variable.in_unit(turn.place.value),
+            "at": at(case, &turn.place),
         })
     });
     turns.collect()

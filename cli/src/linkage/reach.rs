@@ -4,7 +4,8 @@
 
 use std::f64::consts::TAU;
 
-use assur::closure::{Extreme as Limit, Stretch, Stroke};
+use assur::closure::{Extreme as Limit, Range, Stretch, Stroke};
+use assur::problem::Span;
 
 use super::case::{Case, Task};
 use super::search::Extreme;
@@ -13,6 +14,8 @@ use crate::variables::{Origin, Variable};
 
 /// A driver that does not turn is followed so many widths of its range beyond its ends.
 const BEYOND: f64 = 10.0;
+/// At so many times it is looked whether a driver moves back.
+const LOOKS: usize = 360;
 
 /// How far a driver goes, the others standing where they start.
 pub struct Reach {
@@ -26,10 +29,8 @@ pub struct Reach {
 
 /// A turning point of an output inside its range.
 pub struct Turn {
-    /// Position of the driver.
-    pub at: f64,
-    /// The output there.
-    pub value: f64,
+    /// Where it is, and the output there.
+    pub place: Extreme,
     /// Whether the output is largest there among its neighbours.
     pub is_largest: bool,
 }
@@ -70,19 +71,76 @@ fn of_driver(case: &Case, driver: usize) -> Reach {
     }
 }
 
-/// The strokes of the outputs where a single driver is swept; none otherwise.
-pub fn strokes(case: &Case) -> Option<Vec<Stroke>> {
-    let range = &case.ranges[swept(case)?];
-    let bounds = (range.from.min(range.to), range.from.max(range.to));
-    case.run().strokes(swept(case)?, bounds).ok()
+/// A driver that moves alone, and never back.
+#[derive(Clone, Copy)]
+pub struct Single {
+    /// Its index.
+    pub driver: usize,
+    /// Where it begins.
+    from: f64,
+    /// Where it ends.
+    to: f64,
 }
 
-/// The driver that is swept, if it is one alone.
-pub fn swept(case: &Case) -> Option<usize> {
-    match &case.task {
-        Task::Sweep(drivers) if drivers.len() == 1 => drivers.first().copied(),
-        _ => None,
+impl Single {
+    /// The only driver that is swept, or that moves in time.
+    pub fn of(case: &Case) -> Option<Self> {
+        match &case.task {
+            Task::Sweep(drivers) if drivers.len() == 1 => {
+                let driver = *drivers.first()?;
+                let Range { from, to, .. } = case.ranges[driver];
+                Some(Self { driver, from, to })
+            }
+            Task::Time(span) if case.drivers.len() == 1 => {
+                let (first, last) = span.limits();
+                let time = |part: usize| first + (last - first) * part as f64 / LOOKS as f64;
+                let position = |part| case.place(&[time(part)]).first().copied();
+                let positions = (0..=LOOKS).map(position).collect::<Option<Vec<_>>>()?;
+                let (from, to) = (*positions.first()?, *positions.last()?);
+                let advances = |pair: &[f64]| (pair[1] - pair[0]) * (to - from) > 0.0;
+                let is_single = positions.windows(2).all(advances);
+                is_single.then_some(Self {
+                    driver: 0,
+                    from,
+                    to,
+                })
+            }
+            _ => None,
+        }
     }
+
+    fn width(self) -> f64 {
+        (self.to - self.from).abs()
+    }
+
+    /// An extreme as one of the task.
+    fn place(self, case: &Case, found: Limit) -> Extreme {
+        let at = settled(found.at, self.width());
+        let mut independents = case.standing();
+        independents[self.driver] = at;
+        let station = match &case.task {
+            Task::Time(span) => {
+                let (from, to) = span.limits();
+                let position = |time: f64| case.place(&[time])[self.driver];
+                let time = Span::Run(from, to).time_of(position, at);
+                time.unwrap_or(f64::NAN)
+            }
+            _ => at,
+        };
+        Extreme {
+            station: vec![station],
+            independents,
+            value: found.value,
+        }
+    }
+}
+
+/// The strokes of the outputs over a driver that moves alone; none otherwise. Outputs that depend on how it moves have
+/// none.
+pub fn strokes(case: &Case) -> Option<Vec<Stroke>> {
+    let Single { driver, from, to } = Single::of(case)?;
+    let bounds = (from.min(to), from.max(to));
+    case.run().strokes(driver, bounds).ok()
 }
 
 /// The stroke of a variable, if it is an output whose stroke is known.
@@ -95,61 +153,44 @@ pub fn stroke<'a>(strokes: Option<&'a Vec<Stroke>>, variable: &Variable) -> Opti
 }
 
 /// The ends of a stroke as extremes of the task.
-pub fn extremes(case: &Case, stroke: &Stroke) -> (Extreme, Extreme) {
-    let width = swept(case).map_or(0.0, |index| {
-        (case.ranges[index].to - case.ranges[index].from).abs()
-    });
-    let extreme = |found: Limit| {
-        let at = settled(found.at, width);
-        Extreme {
-            station: vec![at],
-            independents: case.place(&[at]),
-            value: found.value,
-        }
-    };
-    (extreme(stroke.least), extreme(stroke.greatest))
+pub fn extremes(case: &Case, stroke: &Stroke) -> Option<(Extreme, Extreme)> {
+    let single = Single::of(case)?;
+    let [least, greatest] = [stroke.least, stroke.greatest].map(|one| single.place(case, one));
+    Some((least, greatest))
 }
 
 /// Beside the stroke, and beside the range of the driver, this part of them is rounding.
 const NOISE: f64 = 1e-12;
 
-/// The limit positions inside the range of the driver that is swept, in their order. Where an output stands still for a
-/// moment, rounding makes it turn round and back: such pairs are left out.
+/// The limit positions inside the range of the driver that moves alone, in the order of its positions.
 pub fn turns(case: &Case, stroke: &Stroke) -> Vec<Turn> {
-    let ends = swept(case).map(|index| (case.ranges[index].from, case.ranges[index].to));
-    turns_within(stroke, ends.unwrap_or((f64::NEG_INFINITY, f64::INFINITY)))
+    let Some(single) = Single::of(case) else {
+        return Vec::new();
+    };
+    let turn = |(one, is_largest): (&Limit, bool)| {
+        let value = settled(one.value, stroke.length());
+        let place = single.place(case, Limit { value, ..*one });
+        Turn { place, is_largest }
+    };
+    stroke
+        .limits
+        .iter()
+        .zip(are_largest(stroke))
+        .map(turn)
+        .collect()
 }
 
-fn turns_within(stroke: &Stroke, (from, to): (f64, f64)) -> Vec<Turn> {
-    let nothing = NOISE * stroke.length();
-    let near = NOISE * (to - from).abs();
-    let mut limits: Vec<Limit> = Vec::new();
-    for one in &stroke.limits {
-        if (one.at - from).abs() <= near || (one.at - to).abs() <= near {
-            continue;
-        }
-        let back = |last: &Limit| (last.value - one.value).abs() <= nothing;
-        match limits.last().is_some_and(back) {
-            true => {
-                limits.pop();
-            }
-            false => limits.push(*one),
-        }
-    }
-    let turn = |(index, one): (usize, &Limit)| {
-        // Largest and smallest ones take turns.
+/// Which limit positions are largest among their neighbours: largest and smallest ones take turns.
+fn are_largest(stroke: &Stroke) -> Vec<bool> {
+    let limits = &stroke.limits;
+    let is_largest = |(index, one): (usize, &Limit)| {
         let neighbour = index.checked_sub(1).unwrap_or(index + 1);
-        let is_largest = match limits.get(neighbour) {
+        match limits.get(neighbour) {
             Some(other) => one.value > other.value,
             None => one.value == stroke.greatest.value,
-        };
-        Turn {
-            at: settled(one.at, (to - from).abs()),
-            value: settled(one.value, stroke.length()),
-            is_largest,
         }
     };
-    limits.iter().enumerate().map(turn).collect()
+    limits.iter().enumerate().map(is_largest).collect()
 }
 
 /// A value, zero if it is rounding beside a size.
@@ -175,9 +216,7 @@ mod tests {
             greatest: found(0.0, 3.0),
             limits,
         };
-        let turns = turns_within(&stroke, (0.0, 5.0));
-        let largest: Vec<_> = turns.iter().map(|turn| turn.is_largest).collect();
-        assert_eq!(largest, expected);
+        assert_eq!(are_largest(&stroke), expected);
     }
 
     #[test]
@@ -185,12 +224,5 @@ mod tests {
         let all = [found(1.0, 2.0), found(2.0, -1.0), found(3.0, 0.5)];
         check(all.to_vec(), &[true, false, true]);
         check(all[1..2].to_vec(), &[false]);
-    }
-
-    #[test]
-    fn an_output_that_stands_for_a_moment_does_not_turn() {
-        let rounding = [found(1.0, 2.0), found(1.0 + 1e-7, 2.0 + 1e-15)];
-        check(rounding.to_vec(), &[]);
-        check(vec![found(0.0, 3.0), found(2.0, -1.0)], &[false]);
     }
 }

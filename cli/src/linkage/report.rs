@@ -32,7 +32,7 @@ pub struct Report {
     pub limits: Vec<Option<(Extreme, Extreme)>>,
     /// How far each driver goes in this assembly mode.
     pub reach: Vec<Reach>,
-    /// Strokes of the outputs over the task, where a single driver is swept.
+    /// Strokes of the outputs over the task, where a single driver moves and never back.
     pub strokes: Option<Vec<Stroke>>,
     /// Where each group transmits worst, its sine being smallest.
     pub transmissions: Vec<(usize, Extreme)>,
@@ -130,7 +130,7 @@ pub fn collect(
     let limits = (0..case.variables.len()).map(|index| {
         // A limit position is known better than the best of many positions.
         if let Some(stroke) = reach::stroke(strokes.as_ref(), &case.variables[index]) {
-            return Some(reach::extremes(&case, stroke));
+            return reach::extremes(&case, stroke);
         }
         let of = of(index);
         let low = smallest(&case, &lines, |sample| of(sample, &case))?;

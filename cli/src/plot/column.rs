@@ -1,6 +1,7 @@
 //! One column of panels above a common axis.
 
 use super::axis::Axis;
+use super::bands::{self, Band};
 use super::curve;
 use super::legend::{self, ROW};
 use super::marks::{self, Label, Mark};
@@ -23,17 +24,25 @@ pub struct Column<'a> {
     scale: Scale,
     axis: Axis,
     labels: Vec<Label<'a>>,
+    bands: &'a [Band],
 }
 
 impl<'a> Column<'a> {
     /// A column of these panels; `scale` is horizontal.
-    pub fn new(panels: &'a [Panel], scale: Scale, axis: Axis, marks: &'a [Mark]) -> Self {
+    pub fn new(
+        panels: &'a [Panel],
+        scale: Scale,
+        axis: Axis,
+        marks: &'a [Mark],
+        bands: &'a [Band],
+    ) -> Self {
         let labels = marks::labels(marks, &scale);
         Self {
             panels,
             scale,
             axis,
             labels,
+            bands,
         }
     }
 
@@ -41,6 +50,14 @@ impl<'a> Column<'a> {
     fn label_height(&self) -> f64 {
         let rows = self.labels.iter().map(|label| label.row + 1).max();
         rows.map_or(0.0, |rows| rows as f64 * ROW + 5.0)
+    }
+
+    /// Height of the strip that names the modes.
+    fn strip(&self) -> f64 {
+        match self.bands.is_empty() {
+            true => 0.0,
+            false => bands::STRIP,
+        }
     }
 
     fn heading_height(&self, panel: &Panel) -> f64 {
@@ -54,7 +71,7 @@ impl<'a> Column<'a> {
             .panels
             .iter()
             .map(|panel| self.heading_height(panel) + HEIGHT + BELOW);
-        top + self.label_height() + panels.sum::<f64>() - BELOW + FOOT
+        top + self.label_height() + panels.sum::<f64>() - BELOW + self.strip() + FOOT
     }
 
     /// Draws the column from this height downwards, `title` below its axis.
@@ -73,7 +90,8 @@ impl<'a> Column<'a> {
             svg.end();
             y += HEIGHT + BELOW;
         }
-        let foot = y - BELOW;
+        bands::strip(svg, self.bands, &self.scale, y - BELOW + 5.0);
+        let foot = y - BELOW + self.strip();
         for tick in &self.axis.ticks {
             let place = (self.scale.pixel(*tick), foot + 17.0);
             svg.text("number", place, Anchor::Middle, &self.axis.label(*tick));
@@ -102,6 +120,7 @@ impl<'a> Column<'a> {
             values: axis.ends,
             pixels: (bottom, top),
         };
+        bands::behind(svg, self.bands, &self.scale, (top, HEIGHT));
         self.grid(svg, &axis, &up);
         svg.rectangle("frame", (left, top), (right - left, HEIGHT));
         for line in &panel.curves {

@@ -1,6 +1,7 @@
 //! The figure of `assur tolerance`: what each source contributes over the range, one above the other.
 
 use super::axis::Axis;
+use super::name;
 use super::scale::Scale;
 use super::svg::{Anchor, Svg};
 
@@ -165,8 +166,8 @@ fn axes(svg: &mut Svg, chart: &Chart, (along, up): (&Axis, &Axis), (x, y): (&Sca
     }
     svg.line("axis", (LEFT, bottom), (right, bottom));
     svg.line("axis", (LEFT, TOP), (LEFT, bottom));
-    let (name, unit) = &chart.abscissa;
-    let label = format!("{name}, {unit}");
+    let (letter, unit) = &chart.abscissa;
+    let label = format!("{letter}, {}", name::unit(unit));
     let label = label.trim_end_matches(", ");
     svg.text("label", (right, HEIGHT - 14.0), Anchor::End, label);
     svg.text("label", (LEFT, TOP - 8.0), Anchor::Start, &chart.ordinate);

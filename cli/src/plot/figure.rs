@@ -1,6 +1,7 @@
 //! The layout of a figure: panels one below the other in one or two columns, with common positions marked.
 
 use super::across::Across;
+use super::bands::Band;
 use super::column::Column;
 use super::legend::CHARACTER;
 use super::marks::Mark;
@@ -36,6 +37,7 @@ text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', san
 .letter { font-style: italic; font-size: 13px; }
 .mark { font-size: 11.5px; fill: #57606a; }
 .named { font-size: 11.5px; fill: #9a3412; }
+.b0 { fill: #e8f1fa; } .b1 { fill: #fdf1e3; } .b2 { fill: #e6f4ea; } .b3 { fill: #f5e9f5; } .b4 { fill: #f6f1da; }
 .frame { fill: none; stroke: #8c959f; stroke-width: 1; }
 .grid { stroke: #e6e9ed; stroke-width: 1; }
 .zero { stroke: #8c959f; stroke-width: 1; }
@@ -68,6 +70,8 @@ pub struct Figure {
     pub panels: Vec<Panel>,
     /// Panels below these, or in a column of their own beside them if there are many.
     pub beside: Vec<Panel>,
+    /// Stretches in one mode, behind the curves.
+    pub bands: Vec<Band>,
     /// Marked positions.
     pub marks: Vec<Mark>,
     /// How the curves were made.
@@ -100,7 +104,7 @@ impl Figure {
                 pixels: (left, left + width),
             };
             let axis = self.across.axis(ends.0, ends.1, width);
-            Column::new(panels, scale, axis, &self.marks)
+            Column::new(panels, scale, axis, &self.marks, &self.bands)
         });
         let columns: Vec<_> = columns.collect();
         let bottoms = columns.iter().map(|column| column.bottom(top));

@@ -36,6 +36,7 @@ pub fn draw(report: &Report, selection: &Selection) -> String {
         }
     };
     Figure {
+        bands: Vec::new(),
         title: format!("{}: {}", report.mechanism.title, task(&report.case)),
         lead: lead(&report.case.constants),
         marks: marks(report, &across, &positions),

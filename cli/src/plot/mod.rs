@@ -2,6 +2,7 @@
 
 mod across;
 mod axis;
+mod bands;
 mod cluster;
 mod coefficients;
 mod column;

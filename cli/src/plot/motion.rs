@@ -3,10 +3,12 @@
 use assur::registry::At;
 
 use super::across::Across;
+use super::bands::Band;
 use super::figure::{Figure, lead};
 use super::marks::{self, Mark};
 use super::panels::{self, Data, Published};
 use super::selection::Selection;
+use crate::events;
 use crate::number;
 use crate::report::Report;
 use crate::settings::method_name;
@@ -40,7 +42,14 @@ pub fn draw(report: &Report, selection: &Selection) -> String {
     };
     let panels = panels::choose(&data, selection);
     let marks = marks(report, &positions, &abscissa);
+    let bands = events::bands(report).into_iter().map(|band| Band {
+        ends: (abscissa(band.from), abscissa(band.to)),
+        mode: band.mode,
+        name: band.name.to_owned(),
+    });
+    let bands = bands.collect();
     Figure {
+        bands,
         title: title(report),
         lead: lead(&report.case.constants),
         panels,

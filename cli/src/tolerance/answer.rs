@@ -8,12 +8,12 @@ use assur::tolerance::{
 };
 
 use super::arguments::Kind;
-use super::question::Question;
+use super::question::{Label, Question};
 use crate::error::Failure;
 use crate::linkage::case::label as label_of;
 use crate::linkage::wording::{Names, tell};
 use crate::number;
-use crate::plot::{Band, Chart};
+use crate::plot::{Band, Chart, name};
 use crate::progress::Progress;
 
 /// Linkages over which the orders are compared.
@@ -301,7 +301,7 @@ impl Answer {
             None => f64::NAN,
         };
         let band = |rank: &Rank| Band {
-            name: label(question, rank.source),
+            name: figure_label(question, rank.source),
             values: along
                 .iter()
                 .map(|one| one.contributions[rank.source].worst / unit.factor)
@@ -316,11 +316,11 @@ impl Answer {
                 "{}, scene {}: what contributes to the error of {}",
                 question.mechanism.title,
                 question.scene.name,
-                question.output().name
+                name::set(question.output().name).text
             ),
             note: changed,
             abscissa: match driver {
-                Some(driver) => (driver.name.to_owned(), driver.unit.to_owned()),
+                Some(driver) => (name::set(driver.name).text, driver.unit.to_owned()),
                 None => ("place".to_owned(), String::new()),
             },
             ordinate: unit.name.to_owned(),
@@ -337,8 +337,18 @@ impl Answer {
 /// What a source is called.
 pub fn label(question: &Question, source: usize) -> String {
     let label = question.labels[source];
+    with_play(label, label.quantity.name)
+}
+
+/// What a source is called in a figure.
+fn figure_label(question: &Question, source: usize) -> String {
+    let label = question.labels[source];
+    with_play(label, &name::set(label.quantity.name).text)
+}
+
+fn with_play(label: Label, name: &str) -> String {
     match label.is_play {
-        true => format!("{} (play)", label.quantity.name),
-        false => label.quantity.name.to_owned(),
+        true => format!("{name} (play)"),
+        false => name.to_owned(),
     }
 }

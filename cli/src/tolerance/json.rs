@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `format` | `"assur-tolerance/1"` |
 //! | `mechanism`, `scene` | their names |
-//! | `output` | `name`, `unit` of its value, `error_unit` of all errors |
+//! | `output` | `name`, whether it was `named` (else it is the last one of the scene), `others`, `unit` of its `value`, `error_unit` of all errors |
 //! | `place` | the drivers, each `name`, `unit`, `value` |
 //! | `contributions` | each `name`, `play`, `unit`, `half_width`, `distribution`, `influence` (error unit per unit), `worst`, `deviation`, `share`, `variance_share` |
 //! | `bands` | `worst`, `deviation`; `second` and `monte_carlo` where asked for |
@@ -35,6 +35,8 @@ pub fn render(question: &Question, answer: &Answer, figure: Option<&Path>) -> St
         "scene": question.scene.name,
         "output": {
             "name": question.output().name,
+            "named": question.is_named,
+            "others": question.other_outputs(),
             "unit": question.output().unit,
             "value": answer.linear.value / question.output().factor,
             "error_unit": page.unit.name,

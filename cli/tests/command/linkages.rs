@@ -322,3 +322,46 @@ fn scenes_and_files_are_summed_up() {
     let text = answer(&["expand", NAME, "--scene", "straight"], &directory);
     syn::parse_file(&text).expect("Rust");
 }
+
+/// Positions of the first driver where an output turns round.
+fn turns(object: &Value, name: &str) -> Vec<f64> {
+    let turns = named(&object["results"], name)["limit_positions"].as_array();
+    let at = |turn: &Value| turn["at"]["drivers"][0]["value"].as_f64();
+    turns.expect("a list").iter().filter_map(at).collect()
+}
+
+#[test]
+fn a_timed_run_knows_limit_positions_as_a_sweep_does() {
+    let directory = folder("linkage_timed_limits");
+    let run = |scene| json(&["run", "selvedge_linkage", "--scene", scene], &directory);
+    let (timed, swept) = (run("turning"), run("crank"));
+    for name in ["chi", "gamma2", "mu"] {
+        assert_eq!(turns(&timed, name), turns(&swept, name), "{name}");
+    }
+    // Crank and rod in line.
+    let stretched = (115f64.powi(2) + 100f64.powi(2) - 60f64.powi(2)) / (2.0 * 115.0 * 100.0);
+    let expected = stretched.acos().to_degrees();
+    let highest = &named(&timed["results"], "chi")["maximum"]["at"];
+    check_near(&highest["drivers"][0]["value"], expected, 1e-10);
+    check_near(&highest["time"], 0.1 * expected / 360.0, 1e-14);
+    // How fast the lever turns depends on the drive: that is not sought.
+    let fast = named(&timed["results"], "dot(chi)");
+    assert_eq!(fast["limit_positions"], Value::Null);
+}
+
+#[test]
+fn the_rod_and_the_lever_are_square_to_the_last_digit() {
+    let object = json(&["run", "selvedge_linkage"], &folder("linkage_square"));
+    check_near(
+        &named(&object["results"], "mu")["maximum"]["value"],
+        90.0,
+        1e-12,
+    );
+}
+
+#[test]
+fn an_output_that_stands_for_a_moment_does_not_turn() {
+    let object = json(&["run", "feed_rack"], &folder("linkage_inflection"));
+    assert_eq!(turns(&object, "tooth.y").len(), 0);
+    assert_eq!(turns(&object, "gamma").len(), 1);
+}

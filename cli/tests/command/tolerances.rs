@@ -128,7 +128,7 @@ fn figure_and_rows_over_the_range() {
         "{rows}"
     );
     let drawn = std::fs::read_to_string(folder.join("bands.svg")).expect("a figure");
-    assert!(drawn.contains("l5 (play)") && drawn.ends_with("</svg>\n"));
+    assert!(drawn.contains("l₅ (play)") && drawn.ends_with("</svg>\n"));
 }
 
 #[test]
@@ -239,4 +239,24 @@ fn wrong_questions_are_refused() {
     ] {
         check_refused(&[&["tolerance"], arguments].concat(), words, &folder);
     }
+}
+
+#[test]
+fn the_answer_says_which_output_it_is_about() {
+    let folder = folder("tolerance_output");
+    let short = ["--samples", "2000"];
+    let found = heald(&short, &folder);
+    assert_eq!(found["output"]["name"], "phi7");
+    assert_eq!(found["output"]["named"], false);
+    assert_eq!(found["output"]["others"][0], "phi5");
+    let table = |more: &[&str]| {
+        let all = [&["tolerance", "heald_linkage"], &short[..], more].concat();
+        answer(&all, &folder)
+    };
+    let unasked = "phi7 is the last output of the scene; for another one: --output phi5";
+    assert!(table(&[]).contains(unasked));
+    let named = table(&["--output", "phi5", "--plot", "bands.svg"]);
+    assert!(!named.contains("last output") && named.contains("Other outputs: --output phi6"));
+    let figure = std::fs::read_to_string(folder.join("bands.svg")).expect("a figure");
+    assert!(figure.contains("the error of φ₅") && !figure.contains("phi"));
 }

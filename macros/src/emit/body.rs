@@ -220,6 +220,10 @@ impl<'a> Body<'a> {
                 quote!(position[#place])
             }
             Input::Mode(_) => quote!(mode),
+            Input::Side(index) => {
+                let index = expression::size(index as usize);
+                quote!(self.sides_[#index])
+            }
             Input::State(index) => {
                 let index = expression::size(index as usize);
                 quote!(state[#index])

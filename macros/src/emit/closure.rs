@@ -1,7 +1,7 @@
 //! The loops of a linkage prepared for a scalar type: closed forms, trial positions, derivatives.
 
 use assur_model::checked::LinkageInfo;
-use assur_model::program::{Stage, Value};
+use assur_model::program::{ClosedForm, Input, OperationKind, Stage, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -9,7 +9,7 @@ use super::blocks::blocks;
 use super::body::{Body, Place};
 use super::expression::size;
 use super::layout::Layout;
-use super::{docs, instant};
+use super::{docs, instant, schedule};
 
 /// Operations from which on a method is long.
 const LONG: usize = 200;
@@ -52,6 +52,7 @@ pub fn items(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
     let methods = [
         instant::of_drivers(layout),
         close(layout),
+        close_all(layout),
         margin(layout),
         trial(layout, linkage),
         coefficients(layout, linkage),
@@ -90,27 +91,125 @@ fn by_group(arms: Vec<Option<TokenStream>>, otherwise: TokenStream) -> TokenStre
 fn close(layout: &Layout<'_>) -> TokenStream {
     let groups = &layout.program().results.closing.groups;
     let arms = groups.iter().map(|closed| {
-        let closed = closed.as_ref()?;
-        let wanted: Vec<Value> = closed
-            .values
-            .iter()
-            .map(|entry| entry.1)
-            .chain([closed.sine])
-            .collect();
-        let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
-        let statements = body.statements(&wanted);
-        let writes = closed.values.iter().map(|(place, value)| {
-            let (place, value) = (size(*place), body.value(*value));
-            quote!(position[#place] = #value;)
-        });
-        let sine = body.value(closed.sine);
-        Some(quote!(#statements #(#writes)* #sine))
+        let form = form(layout, closed.as_ref()?);
+        let angles = angles(layout, &form.angles);
+        let (statements, sine) = (form.statements, form.sine);
+        Some(quote!(#statements #angles #sine))
     });
     let arms = by_group(arms.collect(), quote!(S::from_f64(f64::NAN)));
     quote! {
         #[inline(always)]
         fn close(&self, group: usize, instant: &Self::Instant, mode: S, position: &mut Self::Position) -> S {
             #arms
+        }
+    }
+}
+
+/// All groups in one, with their angles taken together; nothing where one is iterated or reads an angle of another.
+fn close_all(layout: &Layout<'_>) -> TokenStream {
+    let groups = &layout.program().results.closing.groups;
+    let forms: Option<Vec<Form>> = groups
+        .iter()
+        .map(|closed| Some(form(layout, closed.as_ref()?)))
+        .collect();
+    let Some(forms) = forms.filter(|forms| forms.len() > 1) else {
+        return TokenStream::new();
+    };
+    let mut found = Vec::new();
+    for form in &forms {
+        if found.iter().any(|angle| form.reads.contains(angle)) {
+            return TokenStream::new();
+        }
+        found.extend(&form.angles);
+    }
+    let angles = angles(layout, &found);
+    let blocks = forms.iter().enumerate().map(|(group, form)| {
+        let (group, statements, sine) = (size(group), &form.statements, &form.sine);
+        quote!({ let mode = modes[#group]; #statements sines[#group] = #sine; })
+    });
+    let count = size(forms.len());
+    let first = super::equations::first(quote!(sines), forms.len());
+    quote! {
+        #[inline(always)]
+        fn close_all(&self, instant: &Self::Instant, modes: &[S], position: &mut Self::Position, sines: &mut [S]) {
+            #first
+            let ::core::option::Option::Some(modes) = modes.first_chunk::<#count>() else {
+                return;
+            };
+            #(#blocks)*
+            #angles
+        }
+    }
+}
+
+/// A closed form but for its angles, of which the position has the cosines and sines.
+struct Form {
+    statements: TokenStream,
+    sine: TokenStream,
+    /// The unknowns that are such angles.
+    angles: Vec<usize>,
+    /// The entries of the position that are read.
+    reads: Vec<usize>,
+}
+
+fn form(layout: &Layout<'_>, closed: &ClosedForm<Value>) -> Form {
+    let program = layout.program();
+    let has = |place: usize| closed.values.iter().any(|entry| entry.0 == place);
+    let is_angle = |place: usize| {
+        let cosine = program.results.closing.cosines.get(place).copied();
+        cosine.flatten().is_some_and(has)
+    };
+    let (angles, others): (Vec<_>, Vec<_>) = closed
+        .values
+        .iter()
+        .copied()
+        .partition(|entry| is_angle(entry.0));
+    let wanted: Vec<Value> = others
+        .iter()
+        .map(|entry| entry.1)
+        .chain([closed.sine])
+        .collect();
+    let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
+    let statements = body.statements(&wanted);
+    let writes = others.iter().map(|(place, value)| {
+        let (place, value) = (size(*place), body.value(*value));
+        quote!(position[#place] = #value;)
+    });
+    let read = schedule::needed(program, &wanted, &|_| false);
+    let reads =
+        read.into_iter()
+            .filter_map(|value| match program.operations[value.0 as usize].kind {
+                OperationKind::Input(Input::Position(place)) => Some(place as usize),
+                _ => None,
+            });
+    Form {
+        statements: quote!(#statements #(#writes)*),
+        sine: body.value(closed.sine),
+        angles: angles.iter().map(|entry| entry.0).collect(),
+        reads: reads.collect(),
+    }
+}
+
+/// Writes angles whose cosines and sines are there.
+fn angles(layout: &Layout<'_>, angles: &[usize]) -> TokenStream {
+    let cosines = &layout.program().results.closing.cosines;
+    let (mut x, mut y, mut targets) = (Vec::new(), Vec::new(), Vec::new());
+    for angle in angles {
+        if let Some(place) = cosines[*angle] {
+            x.push(size(place));
+            y.push(size(place + 1));
+            targets.push(size(*angle));
+        }
+    }
+    match targets.as_slice() {
+        [] => TokenStream::new(),
+        [target] => quote!(position[#target] = S::atan2(#(position[#y])*, #(position[#x])*);),
+        _ => {
+            let names = (0..targets.len()).map(size);
+            quote! {
+                let angles_ = S::atan2_all([#(position[#y]),*], [#(position[#x]),*]);
+                #(position[#targets] = angles_[#names];)*
+            }
         }
     }
 }

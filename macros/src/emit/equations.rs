@@ -22,6 +22,7 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
     let (name, instant) = (&layout.equations, &layout.instant);
     let states = size(layout.states());
     let fields = layout.fields(&layout.prepared);
+    let sides = sides(layout);
     let text = docs::lines(&format!(
         "Equations of [`{}`], prepared for a scalar type.",
         layout.parameters
@@ -36,7 +37,7 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
     quote! {
         #text
         #[derive(Clone, Copy, Debug)]
-        pub struct #name<S: ::assur::scalar::Scalar> { #fields }
+        pub struct #name<S: ::assur::scalar::Scalar> { #fields #sides }
 
         impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for #name<S> {
             type State = [S; #states];
@@ -50,6 +51,17 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
             #(#methods)*
         }
     }
+}
+
+/// The field for the sides of switching surfaces.
+fn sides(layout: &Layout<'_>) -> Option<TokenStream> {
+    let count = size(layout.program().surfaces.len());
+    layout.has_sides().then(|| {
+        quote!(
+            , /// On which side of each switching surface the motion is, 1 or -1; 0 where its values say it.
+            sides_: [S; #count]
+        )
+    })
 }
 
 fn derivative(layout: &Layout<'_>) -> TokenStream {

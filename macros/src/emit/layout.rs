@@ -153,6 +153,11 @@ impl<'a> Layout<'a> {
         }
     }
 
+    /// Whether it meets switching surfaces.
+    pub fn has_sides(&self) -> bool {
+        !self.program().surfaces.is_empty()
+    }
+
     /// The program of the scene.
     pub fn program(&self) -> &'a Program {
         &self.scene.program

@@ -60,6 +60,14 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
     let numbers: Vec<_> = (0..fields.len()).map(size).collect();
     let states = size(layout.states());
     let inline = layout.inline();
+    let texts = layout
+        .scene
+        .modes
+        .iter()
+        .map(|mode| match mode.name.as_str() {
+            "" => docs::lines("The only mode."),
+            name => docs::lines(&format!("In the mode `{name}`.")),
+        });
     let text = docs::lines(&format!(
         "Equations of [`{}`], prepared for a scalar type: those of the mode that it is in.",
         layout.parameters
@@ -79,7 +87,7 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
         #other
         #[derive(Clone, Copy, Debug)]
         pub enum #instant<S: ::assur::scalar::Scalar> {
-            #(#variants(#instants<S>)),*
+            #(#texts #variants(#instants<S>)),*
         }
 
         impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for #name<S> {
@@ -168,6 +176,14 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 self.mode_ = mode;
             }
 
+            #[inline(always)]
+            fn side(&mut self, surface: usize, side: S) {
+                match self.mode_ {
+                    #(#numbers => self.#fields.side_(surface, side),)*
+                    _ => ::core::unreachable!(),
+                }
+            }
+
             #inline
             fn guards(&self, instant: &Self::Instant, state: &Self::State, values: &mut [S], rates: &mut [S]) {
                 match instant {
@@ -205,7 +221,19 @@ pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
                 Direction::Crosses => quote!(Crosses),
             };
             let (text, unit, factor) = (&event.text, &event.unit, number(event.factor));
-            let (target, line) = (size(event.target), (origin.line_of)(event.span));
+            let target = size(event.target);
+            // A surface is no statement: its number, from the end, tells it from others.
+            let line = match event.surface {
+                Some(index) => u32::MAX - index as u32,
+                None => (origin.line_of)(event.span),
+            };
+            let surface = match event.surface {
+                Some(index) => {
+                    let index = size(index);
+                    quote!(::core::option::Option::Some(#index))
+                }
+                None => quote!(::core::option::Option::None),
+            };
             quote! {
                 ::assur::hybrid::EventEntry {
                     text: #text,
@@ -213,6 +241,7 @@ pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
                     unit: #unit,
                     factor: #factor,
                     target: #target,
+                    surface: #surface,
                     line: #line,
                 }
             }
@@ -300,13 +329,24 @@ fn events(layout: &Layout<'_>) -> TokenStream {
         Some(quote!({ #statements S::holds(#value) }))
     });
     let jumps = each(events, |event| {
+        if event.after.is_empty() {
+            return None;
+        }
         let body = Body::new(layout, Place::Evaluation, &event.after, &[]);
         let statements = body.statements(&event.after);
         let values = event.after.iter().map(|value| body.value(*value));
         Some(quote!({ #statements *after = [#(#values),*]; }))
     });
+    let sides = layout
+        .has_sides()
+        .then(|| quote!(self.sides_[surface] = side;));
     quote! {
         impl<S: ::assur::scalar::Scalar> #name<S> {
+            #[inline(always)]
+            fn side_(&mut self, surface: usize, side: S) {
+                #sides
+            }
+
             #inline
             fn guards_(&self, instant: &#instant<S>, state: &[S; #states], values: &mut [S], rates: &mut [S]) {
                 #guards

@@ -193,7 +193,11 @@ pub fn prepared(layout: &Layout<'_>) -> TokenStream {
         layout.stored(&layout.prepared, &body),
     );
     let equations = &layout.equations;
-    quote!(#statements #equations { #fields })
+    let count = size(layout.program().surfaces.len());
+    let sides = layout
+        .has_sides()
+        .then(|| quote!(, sides_: [S::ZERO; #count]));
+    quote!(#statements #equations { #fields #sides })
 }
 
 /// The method that states the task.

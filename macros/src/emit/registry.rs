@@ -73,6 +73,17 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
         Some(_) => quote!(::assur::registry::Bind::Linkage(#binder)),
         None => quote!(::assur::registry::Bind::Motion(#binder)),
     };
+    let modes = (0..scene.modes.len()).map(|index| {
+        let (mode, place) = (&scene.modes[index], size(index));
+        let (name, summary) = (&mode.name, &mode.summary);
+        quote! {
+            ::assur::registry::ModeEntry {
+                name: #name,
+                summary: #summary,
+                events: <#type_name as ::assur::hybrid::Hybrid>::EVENTS[#place],
+            }
+        }
+    });
     let linkage = match &scene.linkage {
         Some(loops) => linkage(layout, loops, origin),
         None => quote!(::core::option::Option::None),
@@ -123,6 +134,7 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
             expectations: &[#(#expectations),*],
             bind: #bind,
             linkage: #linkage,
+            modes: &[#(#modes),*],
         }
     }
 }
@@ -181,6 +193,7 @@ fn binder(layout: &Layout<'_>) -> TokenStream {
     let reason = format!("found {{}}, expected {expected}");
     let (run, bind) = match &layout.scene.linkage {
         Some(_) => (quote!(RunLinkage), quote!(bind_linkage)),
+        None if !layout.modes.is_empty() => (quote!(Run), quote!(bind_hybrid)),
         None => (quote!(Run), quote!(bind)),
     };
     quote! {

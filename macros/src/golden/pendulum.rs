@@ -157,7 +157,7 @@ mod pendulum_ {
                 m,
                 v11_,
                 v12_: S::from_f64(0.5) * v11_,
-                v14_: m * g * l,
+                v14_: g * m * l,
             }
         }
         fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
@@ -191,7 +191,7 @@ mod pendulum_ {
         v11_: S,
         /// `0.5*v11_`
         v12_: S,
-        /// `m*g*l`
+        /// `g*m*l`
         v14_: S,
     }
     impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S>
@@ -404,6 +404,7 @@ mod pendulum_ {
                 ],
                 bind: ::assur::registry::Bind::Motion(bind_Swing_),
                 linkage: ::core::option::Option::None,
+                modes: &[],
             },
         ],
     };

@@ -26,6 +26,8 @@ pub enum Symbol {
     Dependent(u32),
     /// The assembly mode of a group, 1 or −1.
     Mode(u32),
+    /// On which side of a switching surface the motion is, 1 or −1; 0 where its values say it.
+    Side(u32),
     /// A generalized coordinate.
     Coordinate(u32),
     /// The time derivative of a coordinate.

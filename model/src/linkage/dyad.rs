@@ -128,8 +128,8 @@ fn angle(
     }
 }
 
-/// `w₁·e^{±iφ₁} + w₂·e^{±iφ₂} = V`. The first link as a vector is `u = (q·V + σ·h·V⊥)/V²` with `q = (V² + a² − b²)/2` and
-/// `h² = a²V² − q² = ((a+b)² − V²)·(V² − (a−b)²)/4`, twice the area of the triangle of the links.
+/// `w₁·e^{±iφ₁} + w₂·e^{±iφ₂} = V`. The first link as a vector is `u = (q·V + σ·h·V⊥)/V²` with `q = (V² + a² − b²)/2`, the
+/// second `V − u`, and `h² = a²V² − q² = ((a+b)² − V²)·(V² − (a−b)²)/4`, twice the area of the triangle of the links.
 fn rrr(
     graph: &mut Graph,
     links: [(Complex, f64); 2],
@@ -149,27 +149,24 @@ fn rrr(
     // The determinant is −σ·h, and shall have the sign of the mode.
     let order = -links[0].1 * links[1].1;
     let signed = with_mode(graph, mode, order, height);
-    let along = {
-        let product = graph.mul(sum, difference);
-        let sum = graph.add(squared, product);
-        graph.scale(0.5, sum)
-    };
     let inverse = graph.powi(squared, -1);
-    let (along, across) = (graph.mul(along, inverse), graph.mul(signed, inverse));
-    let first = {
-        let (x, y) = (target[0], target[1]);
-        let terms = [
-            graph.mul(along, x),
-            graph.mul(across, y),
-            graph.mul(along, y),
-            graph.mul(across, x),
-        ];
-        [graph.sub(terms[0], terms[1]), graph.add(terms[2], terms[3])]
+    let across = graph.mul(signed, inverse);
+    // The parts of both links along V, as sums that products leave alone: 1/2 ± (a² − b²)/(2 V²).
+    let [along, beside] = {
+        let half = graph.number(0.5);
+        let product = graph.product(&[half, sum, difference, inverse]);
+        [graph.add(half, product), graph.sub(half, product)]
     };
-    let second = [
-        graph.sub(target[0], first[0]),
-        graph.sub(target[1], first[1]),
-    ];
+    let (x, y) = (target[0], target[1]);
+    let (up, aside) = (graph.mul(across, y), graph.mul(across, x));
+    let first = {
+        let terms = [graph.mul(along, x), graph.mul(along, y)];
+        [graph.sub(terms[0], up), graph.add(terms[1], aside)]
+    };
+    let second = {
+        let terms = [graph.mul(beside, x), graph.mul(beside, y)];
+        [graph.add(terms[0], up), graph.sub(terms[1], aside)]
+    };
     let mut values = Vec::new();
     for ((vector, (link, sense)), unknown) in [first, second].into_iter().zip(links).zip(unknowns) {
         let unit = over(graph, vector, link);

@@ -1,9 +1,9 @@
 //! What a linkage is asked for, and what it says of itself.
 
-use super::{ClosedForm, Closing, Geometry, Linkage, Ranges, Slot, angles, expand};
+use super::{ClosedForm, Closing, Geometry, Linkage, Ranges, Slopes, Slot, angles, expand};
 use crate::checked::{ConstantInfo, DependentInfo, GroupInfo, LinkageInfo, LoopInfo, VariableInfo};
 use crate::declare::{Drive, Moved, quantity};
-use crate::expression::{Expression, Symbol};
+use crate::expression::{Expression, Graph, Symbol};
 use crate::lower::Lowering;
 use crate::program::{Input, Request};
 use crate::resolve::Names;
@@ -143,19 +143,19 @@ impl Linkage {
                 VariableInfo::Driver(index) => Symbol::Driver(*index as u32),
             })
             .collect();
-        let directions: Vec<_> = symbols
-            .iter()
-            .map(|symbol| slopes.direction(graph, *symbol))
-            .collect();
-        let columns: Vec<Vec<Expression>> = directions
-            .iter()
-            .map(|direction| graph.tangent(&request.outputs, direction))
-            .collect();
-        for output in 0..request.outputs.len() {
-            request
-                .closing
-                .influence
-                .extend(columns.iter().map(|column| column[output]));
+        // The multipliers of an output serve all variables, the derivatives of the coordinates by a variable all outputs.
+        if request.outputs.len() <= symbols.len() {
+            for output in &request.outputs {
+                let row = slopes.influence(graph, *output, &symbols);
+                request.closing.influence.extend(row);
+            }
+        } else {
+            let directions = directions(graph, slopes, &symbols);
+            let columns = columns(graph, &request.outputs, &directions);
+            for output in 0..request.outputs.len() {
+                let row = columns.iter().map(|column| column[output]);
+                request.closing.influence.extend(row);
+            }
         }
         let derived = |output: &Expression| {
             graph
@@ -167,6 +167,8 @@ impl Linkage {
         if triangle * request.outputs.len() > MOST_SECOND || request.outputs.iter().any(derived) {
             return;
         }
+        let directions = directions(graph, slopes, &symbols);
+        let columns = columns(graph, &request.outputs, &directions);
         for output in 0..request.outputs.len() {
             for (row, column) in columns.iter().enumerate() {
                 for direction in &directions[..=row] {
@@ -244,4 +246,22 @@ impl Linkage {
             links: geometry.links,
         }
     }
+}
+
+/// What happens when one of some things given changes by one.
+type Direction = std::collections::HashMap<Symbol, Expression>;
+
+fn directions(graph: &mut Graph, slopes: &mut Slopes, symbols: &[Symbol]) -> Vec<Direction> {
+    let direction = |symbol: &Symbol| slopes.direction(graph, *symbol);
+    symbols.iter().map(direction).collect()
+}
+
+/// Derivatives of the outputs in each direction.
+fn columns(
+    graph: &mut Graph,
+    outputs: &[Expression],
+    directions: &[Direction],
+) -> Vec<Vec<Expression>> {
+    let column = |direction: &Direction| graph.tangent(outputs, direction);
+    directions.iter().map(column).collect()
 }

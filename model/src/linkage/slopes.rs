@@ -117,6 +117,42 @@ impl Slopes {
         values
     }
 
+    /// Derivatives of a quantity by several things given, the dependent coordinates following: the equations are added to
+    /// it with multipliers such that it does not depend on those, `∂f/∂z + λ·∂F/∂z = 0`. One such sum serves all that is
+    /// given, where [`Self::by`] solves the equations for each.
+    pub fn influence(
+        &self,
+        graph: &mut Graph,
+        quantity: Expression,
+        given: &[Symbol],
+    ) -> Vec<Expression> {
+        let (zero, one) = (graph.zero(), graph.one());
+        let symbols: Vec<_> = (0..self.unknowns as u32).map(Symbol::Dependent).collect();
+        let mut rest = graph.gradient(&[(quantity, one)], &symbols);
+        let mut weighted = vec![(quantity, one)];
+        for group in self.groups.iter().rev() {
+            for (index, &row) in group.equations.iter().enumerate() {
+                let unknowns = group.unknowns.iter().zip(&group.rows);
+                let terms: Vec<_> = unknowns
+                    .map(|(unknown, inverse)| graph.mul(rest[*unknown], inverse[index]))
+                    .collect();
+                let sum = graph.sum(&terms);
+                let multiplier = graph.neg(sum);
+                if multiplier == zero {
+                    continue;
+                }
+                weighted.push((self.residuals[row], multiplier));
+                for (column, slope) in &self.rows[row] {
+                    if !group.unknowns.contains(column) {
+                        let share = graph.mul(multiplier, *slope);
+                        rest[*column] = graph.add(rest[*column], share);
+                    }
+                }
+            }
+        }
+        graph.gradient(&weighted, given)
+    }
+
     /// A direction in which something given changes by one, and the dependent coordinates follow.
     pub fn direction(&mut self, graph: &mut Graph, symbol: Symbol) -> HashMap<Symbol, Expression> {
         let zero = graph.zero();

@@ -7,6 +7,7 @@ use super::phases::Phases;
 use crate::checked::{ModeModel, SceneModel};
 use crate::compile::{Seen, Task, phase};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::syntax::tree::SceneItem;
 
 /// A mode, compiled.
 pub struct Compiled {
@@ -26,6 +27,7 @@ pub fn compile(
     diagnostics: &mut Diagnostics,
 ) -> Option<SceneModel> {
     let count = phases.all.len();
+    report_periodic(task, diagnostics);
     let before = diagnostics.error_count();
     // What one mode needs, all are given.
     let mut kept = BTreeSet::new();
@@ -58,6 +60,34 @@ pub fn compile(
         });
     }
     Some(model)
+}
+
+/// A scene without modes. Where its motion meets switching surfaces it has one, without a name.
+pub fn only(compiled: Compiled) -> SceneModel {
+    let mut model = compiled.scene;
+    if !compiled.events.is_empty() {
+        model.modes.push(ModeModel {
+            name: String::new(),
+            summary: String::new(),
+            equations: model.equations.clone(),
+            events: compiled.events,
+            program: model.program.clone(),
+        });
+    }
+    model
+}
+
+/// A motion through events is run.
+fn report_periodic(task: &Task<'_>, diagnostics: &mut Diagnostics) {
+    for item in task.scene.iter().flat_map(|(scene, _)| &scene.items) {
+        if let SceneItem::Periodic { period } = item {
+            let message = "the steady state of a motion with events is not available in this version of Assur";
+            diagnostics.push(
+                Diagnostic::error(period.span, message)
+                    .hint("run it until it repeats: `run time 0 s .. 10 s;`"),
+            );
+        }
+    }
 }
 
 /// Every mode reports the same quantities in the same units.

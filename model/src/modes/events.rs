@@ -56,6 +56,8 @@ pub struct EventInfo {
     pub factor: f64,
     /// The mode that follows, by index.
     pub target: usize,
+    /// The switching surface that this is, by index; none for an event of the file.
+    pub surface: Option<usize>,
     /// Where it stands in the file.
     pub span: Span,
 }
@@ -82,6 +84,21 @@ pub fn read(
     // Of two that happen together the first in the file is first.
     events.sort_by_key(|(_, info)| info.span.first);
     events
+}
+
+impl EventInfo {
+    /// Where a branch goes over to its other side.
+    pub fn surface(index: usize, guard: &str, mode: usize, span: Span) -> Self {
+        Self {
+            text: format!("{guard} passes zero"),
+            direction: Direction::Crosses,
+            unit: String::new(),
+            factor: 1.0,
+            target: mode,
+            surface: Some(index),
+            span,
+        }
+    }
 }
 
 /// Reads one event.
@@ -140,6 +157,7 @@ impl Reader<'_> {
             factor: unit.scale(),
             unit: unit.symbol,
             target,
+            surface: None,
             span: self.span,
         };
         Some((

@@ -10,6 +10,6 @@ mod compile;
 mod events;
 mod phases;
 
-pub use compile::{Compiled, compile};
+pub use compile::{Compiled, compile, only};
 pub use events::{Event, EventInfo, check_holds, held, read};
 pub use phases::{Phase, Phases};

@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 
 use super::emit::Emitter;
-use super::{Event, Input, OperationKind, Program, Results, Stage, Value, collect, order};
+use super::{
+    Event, Input, OperationKind, Program, Results, Stage, Value, collect, order, surfaces,
+};
 use crate::expression::{Expression, Graph, Symbol};
 use crate::linkage::Closing;
 
@@ -40,6 +42,8 @@ pub struct Request {
     pub parameters: usize,
     /// Length of the state vector.
     pub states: usize,
+    /// Whether the sides of switching surfaces are inputs.
+    pub surfaces: bool,
 }
 
 impl Request {
@@ -86,7 +90,19 @@ impl Request {
 /// Builds the program: puts in what symbols stand for, simplifies, collects by stages, and writes the operations down.
 pub fn build(graph: &mut Graph, request: &Request) -> Program {
     let often = request.derivative.len() + request.jacobian.len();
-    let bound = bind(graph, &request.roots(), &request.bindings);
+    let mut bound = bind(graph, &request.roots(), &request.bindings);
+    let mut request = request.clone();
+    let mut surfaces = Vec::new();
+    if request.surfaces {
+        let derivative = bound[..request.derivative.len()].to_vec();
+        let frozen = surfaces::freeze(graph, &bound[..often], &derivative, &mut request);
+        bound[..often].copy_from_slice(&frozen.roots);
+        bound.extend(frozen.surfaces.iter().flat_map(Event::all));
+        surfaces = frozen.surfaces;
+    }
+    let texts = surfaces.iter().map(|surface| graph.display(surface.guard));
+    let texts: Vec<String> = texts.collect();
+    let request = &request;
     let simple = graph.simplify(&bound, often);
     let collected = collect::collect(graph, &simple, often, request);
     let mut emitter = Emitter::new(graph, request, &collected, often);
@@ -115,7 +131,7 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
             request.closing.map(|_| closing.next().unwrap_or(Value(0)))
         },
         events: {
-            let mut events = request.events.iter();
+            let mut events = request.events.iter().chain(&surfaces);
             let mut map = |event: &Event<Expression>| {
                 let mut values = take(event.all().count()).into_iter();
                 event.map(|_| values.next().unwrap_or(Value(0)))
@@ -129,6 +145,7 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
         parameters: request.parameters,
         states: request.states,
         linear: false,
+        surfaces: texts,
     };
     order::sort(&mut program);
     drop_zeros(&mut program);

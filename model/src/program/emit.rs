@@ -13,11 +13,16 @@ use crate::expression::{Expression, Graph, Node, Symbol};
 pub struct Emitter<'a> {
     /// The operations so far.
     pub operations: Vec<Operation>,
-    graph: &'a mut Graph,
+    pub(super) graph: &'a mut Graph,
     request: &'a Request,
-    uses: HashMap<Expression, usize>,
-    /// In how many products a factor occurs.
-    frequency: HashMap<Expression, usize>,
+    pub(super) uses: HashMap<Expression, usize>,
+    /// In how many products of three factors and more a factor occurs, and in how many of two: what long ones have in
+    /// common is worth multiplying first.
+    pub(super) frequency: HashMap<Expression, (usize, usize)>,
+    /// How many products begin with what earlier stages leave and this first factor of the last one.
+    pub(super) beginnings: HashMap<(Vec<Expression>, Expression), usize>,
+    /// How many products have these factors of their last stage.
+    pub(super) endings: HashMap<Vec<Expression>, usize>,
     known: HashMap<Key, Value>,
     done: HashMap<Expression, Value>,
 }
@@ -39,20 +44,29 @@ impl<'a> Emitter<'a> {
         let mut frequency = HashMap::new();
         for one in &reachable {
             if let Node::Product(factors) = graph.node(*one) {
-                factors
-                    .iter()
-                    .for_each(|factor| *frequency.entry(*factor).or_insert(0) += 1);
+                let is_number = |factor: &&Expression| graph.as_number(**factor).is_some();
+                let is_long = factors.len() - factors.iter().filter(is_number).count() > 2;
+                for factor in factors {
+                    let (long, short) = frequency.entry(*factor).or_insert((0, 0));
+                    *(if is_long { long } else { short }) += 1;
+                }
             }
         }
-        Self {
+        let mut emitter = Self {
             operations: Vec::new(),
             graph,
             request,
             uses,
             frequency,
+            beginnings: HashMap::new(),
+            endings: HashMap::new(),
             known: HashMap::new(),
             done: HashMap::new(),
+        };
+        for one in reachable {
+            emitter.count(one);
         }
+        emitter
     }
 
     /// The value of an expression.
@@ -153,7 +167,7 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    fn number(&mut self, value: f64) -> Value {
+    pub(super) fn number(&mut self, value: f64) -> Value {
         self.push(OperationKind::Number(value), Stage::Constant)
     }
 
@@ -162,7 +176,7 @@ impl<'a> Emitter<'a> {
     }
 
     /// Adds an operation in the latest stage of its operands.
-    fn combine(&mut self, kind: OperationKind) -> Value {
+    pub(super) fn combine(&mut self, kind: OperationKind) -> Value {
         let stage = kind
             .operands()
             .iter()
@@ -196,11 +210,11 @@ impl<'a> Emitter<'a> {
         value
     }
 
-    fn multiply(&mut self, a: Value, b: Value) -> Value {
+    pub(super) fn multiply(&mut self, a: Value, b: Value) -> Value {
         self.combine(OperationKind::Multiply(a, b))
     }
 
-    fn expression_stage(&self, expression: Expression) -> Stage {
+    pub(super) fn expression_stage(&self, expression: Expression) -> Stage {
         self.request.stage(self.graph, expression)
     }
 
@@ -242,129 +256,6 @@ impl<'a> Emitter<'a> {
             square
         } else {
             self.multiply(square, base)
-        }
-    }
-
-    /// A product as its last operation: two values to multiply, or one value.
-    fn product_parts(&mut self, factors: &[Expression]) -> (Value, Option<Value>) {
-        let mut numerators: Vec<(Stage, Expression)> = Vec::new();
-        let mut denominators: Vec<(Stage, Expression)> = Vec::new();
-        for factor in factors {
-            let stage = self.expression_stage(*factor);
-            let inverse = match self.graph.node(*factor) {
-                Node::Power(base, exponent) => match self.graph.as_number(*exponent) {
-                    // What divides once is a denominator; what divides often is inverted once.
-                    Some(number) if number < 0.0 && self.uses.get(factor) == Some(&1) => {
-                        Some((*base, -number))
-                    }
-                    _ => None,
-                },
-                _ => None,
-            };
-            match inverse {
-                Some((base, exponent)) => {
-                    let exponent = self.graph.number(exponent);
-                    denominators.push((stage, self.graph.pow(base, exponent)));
-                }
-                None => numerators.push((stage, *factor)),
-            }
-        }
-        numerators.sort_by_key(|(stage, factor)| {
-            (
-                *stage,
-                std::cmp::Reverse(self.frequency.get(factor).copied().unwrap_or(0)),
-                *factor,
-            )
-        });
-        denominators.sort();
-        // What is left of earlier stages; then what this stage multiplies, folded before it meets the rest, so that
-        // products of the same factors with other coefficients share it.
-        let mut earlier: Option<Value> = None;
-        let mut parts: Vec<Value> = Vec::new();
-        for stage in [
-            Stage::Constant,
-            Stage::Parameter,
-            Stage::Instant,
-            Stage::State,
-        ] {
-            let own: Vec<Value> = numerators
-                .iter()
-                .filter(|(own, _)| *own == stage)
-                .map(|one| one.1)
-                .collect::<Vec<_>>()
-                .into_iter()
-                .map(|one| self.value(one))
-                .collect();
-            let below: Vec<Expression> = denominators
-                .iter()
-                .filter(|(own, _)| *own == stage)
-                .map(|one| one.1)
-                .collect();
-            if own.is_empty() && below.is_empty() {
-                continue;
-            }
-            let later = numerators
-                .iter()
-                .chain(&denominators)
-                .any(|(own, _)| *own > stage);
-            parts = earlier.into_iter().collect();
-            if let Some((last, others)) = own.split_last() {
-                match (others.split_first(), parts.is_empty()) {
-                    // The first of a pair, or of many, is folded; the last operation is left to whoever adds.
-                    (Some((first, more)), true) => {
-                        parts.push(
-                            more.iter()
-                                .fold(*first, |product, one| self.multiply(product, *one)),
-                        );
-                        parts.push(*last);
-                    }
-                    (Some((first, more)), false) => {
-                        let folded = more
-                            .iter()
-                            .chain([last])
-                            .fold(*first, |product, one| self.multiply(product, *one));
-                        parts.push(folded);
-                    }
-                    (None, _) => parts.push(*last),
-                }
-            }
-            if !below.is_empty() {
-                let above = self.folded(&parts);
-                let divisor: Vec<Value> =
-                    below.into_iter().map(|factor| self.value(factor)).collect();
-                let divisor = self.folded(&divisor);
-                parts = vec![self.combine(OperationKind::Divide(above, divisor))];
-            }
-            if later {
-                parts = vec![self.folded(&parts)];
-            }
-            earlier = parts.first().copied();
-        }
-        match parts.as_slice() {
-            [a, b] => (*a, Some(*b)),
-            [one] => (*one, None),
-            _ => (self.number(1.0), None),
-        }
-    }
-
-    /// The product of some values; 1 if there are none.
-    fn folded(&mut self, values: &[Value]) -> Value {
-        match values.split_first() {
-            None => self.number(1.0),
-            Some((first, rest)) => rest
-                .iter()
-                .fold(*first, |product, one| self.multiply(product, *one)),
-        }
-    }
-
-    fn product(&mut self, factors: &[Expression]) -> Value {
-        if self.graph.as_number(factors[0]) == Some(-1.0) {
-            let positive = self.product(&factors[1..]);
-            return self.combine(OperationKind::Negate(positive));
-        }
-        match self.product_parts(factors) {
-            (a, Some(b)) => self.multiply(a, b),
-            (one, None) => one,
         }
     }
 

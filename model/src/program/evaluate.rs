@@ -65,6 +65,7 @@ impl Program {
                 OperationKind::Input(Input::Driver(index)) => given(linkage.drivers, *index),
                 OperationKind::Input(Input::Position(index)) => given(linkage.position, *index),
                 OperationKind::Input(Input::Mode(index)) => given(linkage.modes, *index),
+                OperationKind::Input(Input::Side(_)) => 0.0,
                 OperationKind::Add(a, b) => at(a) + at(b),
                 OperationKind::Subtract(a, b) => at(a) - at(b),
                 OperationKind::Multiply(a, b) => at(a) * at(b),

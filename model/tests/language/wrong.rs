@@ -120,6 +120,36 @@ fn values() {
 
 #[test]
 #[rustfmt::skip]
+fn ranges_and_tolerances() {
+    let empty = "the range is empty: its lower end is not below its upper end";
+    let check_dimension = |text: &str, expected: Expected| {
+        check(&format!("{SPRING}dimension l = 1 m {text}; output l;"), &[expected]);
+    };
+    check_dimension("in 2 m .. 0.5 m", (empty, "2 m .. 0.5 m", ""));
+    check_dimension("in 1 m .. 1 m", (empty, "1 m .. 1 m", ""));
+    check_dimension("in sqrt(-1)*(1 m) .. 2 m", ("the value of this is NaN", "sqrt(-1)*(1 m)", ""));
+    check_dimension("+- -1 mm", ("a tolerance cannot be negative", "-1 mm", ""));
+    check_dimension("+- sqrt(-1)*(1 m)", ("the value of this is NaN", "sqrt(-1)*(1 m)", ""));
+    check_dimension("+- 1 m/0", ("this divides by zero", "0", ""));
+    check_dimension("+- 1e999 m", ("`1e999` is too large for a number", "1e999", ""));
+    check_dimension("+- 5 deg", ("the toleranced size is a length (m), and this is a pure number", "5 deg", ""));
+    check_dimension("+- 0.1*dot(x)*(1 s)", ("a fixed value is expected here, made of numbers alone", "0.1*dot(x)*(1 s)", "is a `let`"));
+    check_dimension("+- 0.1*m", ("a fixed value is expected here, made of numbers alone", "0.1*m", "is a `let`"));
+    let check_driver = |text: &str, expected: Expected| {
+        let crank = format!("Crank; driver phi in {text}; dependent psi ~ 0; closure psi = 2*phi; output psi;");
+        check(&crank, &[expected]);
+    };
+    check_driver("90 deg .. 0 deg", (empty, "90 deg .. 0 deg", "a `sweep` may run backwards"));
+    check_driver("90 deg .. 90 deg", (empty, "90 deg .. 90 deg", ""));
+    check_driver("0 deg .. 90 mm", ("`phi` is a pure number, and this is a length (m)", "90 mm", ""));
+    check_driver("0 deg .. 90 deg +- -1 deg", ("a tolerance cannot be negative", "-1 deg", ""));
+    check_driver("0 deg .. 90 deg +- sqrt(-1)", ("the value of this is NaN", "sqrt(-1)", ""));
+    check_driver("0 deg .. 90 deg +- 1 mm", ("the toleranced size is a pure number, and this is a length (m)", "1 mm", ""));
+    check_driver("0 deg .. 90 deg +- 0.1*phi", ("a fixed value is expected here, made of numbers alone", "0.1*phi", "is a `let`"));
+}
+
+#[test]
+#[rustfmt::skip]
 fn definitions_in_a_circle() {
     check_all(&[
         ("let a = b; let b = 2*e; let e = a + x; output a;", &[("`a` is defined by itself: a -> b -> e -> a", "a", "")]),

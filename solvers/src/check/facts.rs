@@ -1,6 +1,7 @@
 //! Published facts against the computed motion.
 
 use super::{Failed, positions};
+use crate::hybrid;
 use crate::ode::Trajectory;
 use crate::problem::{Refused, Span};
 use crate::registry::{
@@ -85,7 +86,12 @@ struct Motion {
     run: Box<dyn Run>,
     span: Span,
     /// None where the scene has no task, or no state.
-    path: Option<Trajectory>,
+    path: Option<Path>,
+}
+
+enum Path {
+    Orbit(Trajectory),
+    Through(hybrid::Motion),
 }
 
 impl Motion {
@@ -97,11 +103,12 @@ impl Motion {
             Span::Open => None,
             Span::Periodic(period) => {
                 let orbit = run.periodic(period, &SETTINGS);
-                Some(orbit.map_err(|error| unsolved(&error))?.trajectory)
+                let orbit = orbit.map_err(|error| unsolved(&error))?;
+                Some(Path::Orbit(orbit.trajectory))
             }
             Span::Run(from, to) => {
-                let motion = run.march((from, to), &run.start(), &SETTINGS);
-                Some(motion.map_err(|error| unsolved(&error))?)
+                let motion = run.follow((from, to), &run.start(), &SETTINGS);
+                Some(Path::Through(motion.map_err(|error| unsolved(&error))?))
             }
         };
         Ok(Self { run, span, path })
@@ -126,12 +133,16 @@ impl Motion {
 
     /// A state or output at a time.
     fn at(&self, time: f64, subject: Subject) -> Option<f64> {
-        let state = match &self.path {
-            Some(path) => path.at(time),
-            None => self.run.start(),
+        let (mode, state) = match &self.path {
+            Some(Path::Orbit(orbit)) => (0, orbit.at(time)),
+            Some(Path::Through(motion)) => motion.at(time),
+            None => (self.run.first_mode(), self.run.start()),
         };
         match subject {
-            Subject::Output(index) => self.run.outputs(time, &state).get(index).copied(),
+            Subject::Output(index) => {
+                let outputs = self.run.outputs_in(mode, time, &state);
+                outputs.get(index).copied()
+            }
             Subject::State(index) => state.get(index).copied(),
             Subject::Influence(..) => None,
         }

@@ -121,6 +121,7 @@ const FREE: SceneEntry = SceneEntry {
     expectations: &[],
     bind: Bind::Motion(|_| bind(Oscillator::<RIGHT>)),
     linkage: None,
+    modes: &[],
 };
 
 const OSCILLATOR: Mechanism = Mechanism {

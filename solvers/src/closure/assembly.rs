@@ -18,6 +18,7 @@ use super::error::ClosureError;
 use super::newton::{Instant, Newton, Position};
 use super::problem::{Closure, GroupKind, Linkage};
 use super::stand::Stand;
+use super::step::Passage;
 use crate::scalar::Scalar;
 
 /// Where the groups stand: an entry for each. There are no more groups than unknowns, so that a position holds them.
@@ -123,6 +124,12 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// [`ClosureError`], with the place. The linkage then stays at the last position that was reached with certainty.
     #[inline(always)]
     pub fn move_to(&mut self, independents: &[S]) -> Result<(), ClosureError> {
+        if !Self::iterates() {
+            return match self.step(independents) {
+                true => Ok(()),
+                false => self.follow(independents),
+            };
+        }
         let instant = self.closure.instant(independents);
         let ratio = self.ratio(independents);
         if self.close(independents, &instant, ratio) {
@@ -181,35 +188,37 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
                 }
             }
         }
-        let change = sine - before;
-        let sum = (sine + before).abs();
-        let missed = (sine - expected).abs();
         self.next.sines.as_mut()[index] = sine;
-        self.next.changes.as_mut()[index] = change;
-        let two = S::from_f64(2.0);
-        let certain = S::less(two * (turned + missed + missed), sum);
-        if let GroupKind::Rrr = group.kind {
-            // The sine is that of the angle between both links, so that it cannot change by more than they turn.
-            return S::holds(certain);
-        }
-        let steady = S::less(two * change.abs(), sum);
-        S::holds(S::and(certain, steady))
+        self.next.changes.as_mut()[index] = sine - before;
+        let passage = Passage {
+            before,
+            sine,
+            expected,
+            turned,
+        };
+        passage.certainly_keeps(group.kind)
     }
 
     /// Makes the position that was tried the position.
     #[inline(always)]
     pub(super) fn accept(&mut self, independents: &[S], instant: &Instant<L, S>) {
+        self.head(independents);
+        self.accept_groups(instant);
+    }
+
+    /// Takes other independent variables, and how they have changed.
+    #[inline(always)]
+    pub(super) fn head(&mut self, independents: &[S]) {
         if L::INDEPENDENTS == 1 {
             self.heading[0] = independents[0] - self.independents[0];
             self.independents[0] = independents[0];
-            return self.accept_groups(instant);
+            return;
         }
         let known = self.independents.iter_mut().zip(&mut self.heading);
         for (value, (kept, heading)) in independents.iter().zip(known) {
             *heading = *value - *kept;
             *kept = *value;
         }
-        self.accept_groups(instant);
     }
 
     #[inline(always)]
@@ -294,6 +303,13 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     #[inline(always)]
     pub fn outputs(&self, values: &mut [S]) {
         self.closure.outputs(&self.instant, &self.position, values);
+    }
+
+    /// Writes the influence coefficients at the position: outputs by [`Linkage::VARIABLES`].
+    #[inline(always)]
+    pub fn influence(&self, values: &mut [S]) {
+        self.closure
+            .influence(&self.instant, &self.position, values);
     }
 
     /// What happened since this was asked last.

@@ -4,8 +4,9 @@
 //! of its group; where two modes meet and both go on, [`super::crossing`] takes over.
 
 use super::assembly::Assembly;
-use super::crossing::{Crossing, Meeting};
+use super::crossing::Crossing;
 use super::error::ClosureError;
+use super::meeting::Meeting;
 use super::newton::Instant;
 use super::problem::{Closure, GroupKind, Linkage};
 use super::root::brent;

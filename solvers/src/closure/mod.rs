@@ -4,11 +4,12 @@
 //! |---|---|
 //! | [`problem`](self) | what is asked of a linkage: [`Closure`], [`Linkage`] |
 //! | `newton`, `scaled` | one group that has no closed form |
-//! | `assembly`, `start`, `predict` | [`Assembly`]: all groups in their modes, put together and moved |
-//! | `continuation`, `crossing`, `stand` | the same where a step is not certain to keep the modes |
+//! | `assembly`, `start`, `step`, `predict` | [`Assembly`]: all groups in their modes, put together and moved |
+//! | `continuation`, `crossing`, `meeting`, `stand` | the same where a step is not certain to keep the modes |
 //! | `arc`, `turn` | dead points, and passing through them by the length of the curve of positions |
-//! | `sweep` | positions over a grid |
-//! | `limits`, `rates` | how far a driver can go, limit positions and strokes |
+//! | `sweep`, `positions` | positions over a grid |
+//! | `limits` | how far a driver can go |
+//! | `strokes`, `extremes`, `rates` | limit positions and strokes of the outputs |
 //! | `modes`, `branch` | all assembly modes at one position |
 
 mod arc;
@@ -17,9 +18,12 @@ mod branch;
 mod continuation;
 mod crossing;
 mod error;
+mod extremes;
 mod limits;
+mod meeting;
 mod modes;
 mod newton;
+mod positions;
 mod predict;
 mod problem;
 mod rates;
@@ -27,6 +31,8 @@ mod root;
 mod scaled;
 mod stand;
 mod start;
+mod step;
+mod strokes;
 mod sweep;
 #[cfg(test)]
 mod tests;
@@ -34,9 +40,12 @@ mod turn;
 
 pub use assembly::{Assembly, Event};
 pub use error::ClosureError;
-pub use limits::{End, Extreme, Stretch, Stroke, stretch, strokes};
+pub use extremes::Extreme;
+pub use limits::{End, Stretch, stretch};
 pub use modes::{Mode, Modes, Search, modes};
 pub use newton::{Closed, Failure, Newton, Stop};
+pub use positions::Positions;
 pub use problem::{Closure, Group, GroupKind, Linkage, Range, Variable};
 pub use start::Start;
-pub use sweep::{AtDeadPoint, Axis, Positions, sweep};
+pub use strokes::{Stroke, strokes};
+pub use sweep::{AtDeadPoint, Axis, sweep};

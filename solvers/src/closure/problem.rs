@@ -82,6 +82,21 @@ pub trait Closure<S: Scalar> {
         position: &mut Self::Position,
     ) -> S;
 
+    /// Closes all groups of a linkage of which none is iterated, with their modes, and writes the sine of each: the same
+    /// values as from [`Closure::close`], group after group. Shape of both: the number of groups.
+    #[inline(always)]
+    fn close_all(
+        &self,
+        instant: &Self::Instant,
+        modes: &[S],
+        position: &mut Self::Position,
+        sines: &mut [S],
+    ) {
+        for (group, (mode, sine)) in modes.iter().zip(sines).enumerate() {
+            *sine = self.close(group, instant, *mode, position);
+        }
+    }
+
     /// By how much a group in closed form assembles, in the unit of its equations (metres for loops of lengths):
     /// negative is the gap that is left, zero a dead point.
     fn margin(&self, group: usize, instant: &Self::Instant, position: &Self::Position) -> S;

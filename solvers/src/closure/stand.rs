@@ -5,8 +5,9 @@
 
 use super::assembly::Assembly;
 use super::continuation::{Way, scalars};
-use super::crossing::{CLEAR, Crossing, Meeting, SINE};
+use super::crossing::{Crossing, SINE};
 use super::error::ClosureError;
+use super::meeting::{CLEAR, Meeting};
 use super::problem::{Closure, GroupKind, Linkage};
 use crate::scalar::Scalar;
 

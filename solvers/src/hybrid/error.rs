@@ -40,6 +40,17 @@ pub enum HybridError {
         /// The motion so far.
         motion: Box<Motion>,
     },
+    /// The motion is driven onto a switching surface from both sides: dry friction that holds, for instance.
+    Held {
+        /// When, in seconds.
+        time: f64,
+        /// The mode.
+        mode: usize,
+        /// The surface, by the index of its event.
+        event: usize,
+        /// The motion so far.
+        motion: Box<Motion>,
+    },
     /// What the mode holds moves at the start.
     Start {
         /// What was found and what was expected.
@@ -51,9 +62,10 @@ impl HybridError {
     /// The motion so far.
     pub fn motion(&self) -> Option<&Motion> {
         match self {
-            Self::Ode { motion, .. } | Self::Loop { motion, .. } | Self::Chatter { motion, .. } => {
-                Some(motion)
-            }
+            Self::Ode { motion, .. }
+            | Self::Loop { motion, .. }
+            | Self::Held { motion, .. }
+            | Self::Chatter { motion, .. } => Some(motion),
             Self::Start { .. } => None,
         }
     }
@@ -86,6 +98,13 @@ impl fmt::Display for HybridError {
                 "{events} events between t = {since} s and {time} s, ever sooner after each other, in modes {}; a mode \
                  in which the parts stay together would take their place, reached `if` a speed is small enough",
                 listed(modes)
+            ),
+            Self::Held {
+                time, mode, event, ..
+            } => write!(
+                formatter,
+                "in mode {mode} at t = {time} s the motion is driven onto the switching surface of event {event} from both \
+                 sides, so that it stays there; state what holds on it as a mode, with `hold`"
             ),
             Self::Start { reason } => write!(formatter, "start: {reason}"),
         }

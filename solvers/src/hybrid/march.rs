@@ -4,7 +4,7 @@ use super::error::HybridError;
 use super::motion::{Happened, Motion, Piece};
 use super::problem::{EventEntry, Hybrid, Modes};
 use super::watch::{Guard, Watch};
-use super::{CHATTER, SOON, TURNS};
+use super::{CHATTER, NOISE, SOON, TURNS};
 use crate::dispatch::{Task, dispatch};
 use crate::ode::{Dop853, Method, OdeError, Options, Statistics, Tsit5, Workspace};
 use crate::ode::{Plain, integrate, state_from};
@@ -62,12 +62,8 @@ pub fn march_on<C: Hybrid, S: Scalar>(
     let mut equations = scene.modal::<S>();
     equations.enter(C::FIRST);
     let mut motion = Motion {
-        pieces: Vec::new(),
-        events: Vec::new(),
         mode: C::FIRST,
-        end: start.to_vec(),
-        time: times.0,
-        statistics: Statistics::default(),
+        ..Motion::at_rest(times.0, start)
     };
     let options = Options::scaled(settings.rtol, C::SCALES);
     let begun = (|| {
@@ -101,6 +97,7 @@ pub fn march_on<C: Hybrid, S: Scalar>(
         guards: vec![Guard::default(); most_events::<C>()],
         since: (times.0, 0),
         turns: 0,
+        sides: vec![0.0; most_events::<C>()],
         bounce: None,
     };
     let ended = match settings.method {
@@ -127,6 +124,7 @@ enum End {
     Ode(OdeError),
     Loop(Vec<usize>),
     Chatter { since: f64, events: usize },
+    Held(usize),
 }
 
 impl End {
@@ -138,6 +136,12 @@ impl End {
             Self::Ode(error) => HybridError::Ode {
                 error,
                 mode,
+                motion,
+            },
+            Self::Held(event) => HybridError::Held {
+                time,
+                mode,
+                event,
                 motion,
             },
             Self::Loop(modes) => HybridError::Loop {
@@ -172,6 +176,8 @@ struct Run<C: Hybrid, S: Scalar> {
     guards: Vec<Guard>,
     /// When events began to follow each other quickly, and how many there have been since.
     since: (f64, usize),
+    /// On which side of each switching surface the motion is.
+    sides: Vec<f64>,
     /// Events at this instant.
     turns: usize,
     /// The last event: its line, its time, and the rate of its guard after it.
@@ -185,6 +191,7 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
         let mut workspace = Workspace::<_, M>::new::<S, _>(&Plain(&self.equations));
         // The statement that has just happened, by its line.
         let mut last: Option<u32> = None;
+        self.settle(motion.time)?;
         // The statement that has happened with it and is still to be carried out.
         let mut with: Option<u32> = None;
         while motion.time < self.times.1 {
@@ -256,6 +263,10 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
             // The time is known to a rounding, and so is the guard.
             let blur = 4.0 * f64::EPSILON * (rate * time).abs();
             let is_zero = value.abs() <= guard.noise().max(blur);
+            if let Some(surface) = entry.surface {
+                (guard.sign, guard.armed) = (self.sides[surface], true);
+                continue;
+            }
             guard.armed = last != Some(entry.line);
             guard.sign = match is_zero {
                 true => 0.0,
@@ -275,6 +286,55 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
             }
         }
         due
+    }
+
+    /// Chooses the side of every switching surface where a mode begins, or where the state has jumped.
+    fn settle(&mut self, time: f64) -> Result<(), End> {
+        let events = C::EVENTS[self.equations.mode()];
+        for surface in events.iter().filter_map(|entry| entry.surface) {
+            self.put(surface, 0.0);
+        }
+        for (event, entry) in events.iter().enumerate() {
+            let Some(surface) = entry.surface else {
+                continue;
+            };
+            let (value, _) = self.guard(time, event);
+            let size = self.guards[event].size.max(value.abs());
+            let is_zero = value.abs() <= NOISE * f64::EPSILON * size;
+            let side = match is_zero {
+                false => value.signum(),
+                true => self.leaving(time, event, surface)?,
+            };
+            self.put(surface, side);
+        }
+        Ok(())
+    }
+
+    /// Puts the motion on a side of a switching surface.
+    fn put(&mut self, surface: usize, side: f64) {
+        self.sides[surface] = side;
+        self.equations.side(surface, S::from_f64(side));
+    }
+
+    /// The side to which a motion leaves a switching surface on which it is.
+    fn leaving(&mut self, time: f64, event: usize, surface: usize) -> Result<f64, End> {
+        for side in [1.0, -1.0] {
+            self.put(surface, side);
+            if self.guard(time, event).1 * side >= 0.0 {
+                return Ok(side);
+            }
+        }
+        Err(End::Held(event))
+    }
+
+    /// Value and rate of a guard here.
+    fn guard(&self, time: f64, event: usize) -> (f64, f64) {
+        let instant = self.equations.instant(S::from_f64(time));
+        let count = C::EVENTS[self.equations.mode()].len();
+        let (mut values, mut rates) = (vec![S::ZERO; count], vec![S::ZERO; count]);
+        self.equations
+            .guards(&instant, &self.state, &mut values, &mut rates);
+        (values[event].to_f64(), rates[event].to_f64())
     }
 
     /// Carries out an event.
@@ -330,7 +390,17 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
         let lost = self.bounce.is_some_and(|(line, time, rate)| {
             line == entry.line && motion.time > time && (motion.time - time) * rate.abs() <= noise
         });
-        self.bounce = same.map(|event| (entry.line, motion.time, self.rate(motion.time, event)));
+        match entry.surface {
+            Some(surface) => {
+                let side = self.leaving(motion.time, event, surface)?;
+                self.put(surface, side);
+            }
+            None => self.settle(motion.time)?,
+        }
+        self.bounce = same.map(|event| {
+            let (_, rate) = self.guard(motion.time, event);
+            (entry.line, motion.time, rate)
+        });
         if let Some(event) = same {
             self.guards[event].size = size;
         }
@@ -341,16 +411,6 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
             }),
             false => Ok(()),
         }
-    }
-
-    /// The rate of a guard here.
-    fn rate(&self, time: f64, event: usize) -> f64 {
-        let instant = self.equations.instant(S::from_f64(time));
-        let count = C::EVENTS[self.equations.mode()].len();
-        let (mut values, mut rates) = (vec![S::ZERO; count], vec![S::ZERO; count]);
-        self.equations
-            .guards(&instant, &self.state, &mut values, &mut rates);
-        rates[event].to_f64()
     }
 
     /// Counts events that follow each other without end, or ever more quickly.

@@ -48,6 +48,34 @@ pub struct Motion {
 }
 
 impl Motion {
+    /// A motion that has not begun.
+    pub fn at_rest(time: f64, start: &[f64]) -> Self {
+        Self {
+            pieces: Vec::new(),
+            events: Vec::new(),
+            mode: 0,
+            end: start.to_vec(),
+            time,
+            statistics: Statistics::default(),
+        }
+    }
+
+    /// A motion in one mode.
+    pub fn of(trajectory: Trajectory) -> Self {
+        let times = trajectory.times();
+        Self {
+            events: Vec::new(),
+            mode: 0,
+            end: trajectory.end().to_vec(),
+            time: times[times.len() - 1],
+            statistics: trajectory.statistics,
+            pieces: vec![Piece {
+                mode: 0,
+                trajectory,
+            }],
+        }
+    }
+
     /// The mode and the state at a time; at an event, those after it. Beyond the ends those at the nearest end.
     pub fn at(&self, time: f64) -> (usize, Vec<f64>) {
         let passed = self

@@ -39,6 +39,9 @@ pub struct EventEntry {
     pub factor: f64,
     /// The mode that follows, by index.
     pub target: usize,
+    /// The switching surface that this is, by index: where a branch of the equations goes over to its other side. None
+    /// for an event.
+    pub surface: Option<usize>,
     /// Line in the equation file, from 1: events of several modes on one line are one statement.
     pub line: u32,
 }
@@ -51,6 +54,9 @@ pub trait Modes<S: Scalar>: Equations<S> {
 
     /// Goes into a mode.
     fn enter(&mut self, mode: usize);
+
+    /// Puts the equations of this mode on a side of a switching surface, 1 or −1; 0 leaves it to their values.
+    fn side(&mut self, surface: usize, side: S);
 
     /// Writes the guards of the events of this mode, and their time derivatives.
     fn guards(

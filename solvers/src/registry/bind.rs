@@ -2,6 +2,7 @@
 
 use super::{Constant, Run, Settings};
 use crate::dispatch::{Task, dispatch};
+use crate::hybrid::{HybridError, Motion};
 use crate::ode::{self, OdeError, Trajectory};
 use crate::periodic::{self, Orbit, PeriodicError};
 use crate::problem::{Equations, Refused, Scene, Span, Storage};
@@ -80,14 +81,14 @@ impl<C: Scene + 'static> Run for Bound<C> {
         values
     }
 
-    fn outputs(&self, time: f64, state: &[f64]) -> Vec<f64> {
+    fn outputs_in(&self, _mode: usize, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; C::OUTPUTS];
         self.equations
             .outputs(time, &self.state(state), &mut values);
         values
     }
 
-    fn rates(&self, time: f64, state: &[f64]) -> Vec<f64> {
+    fn rates_in(&self, _mode: usize, time: f64, state: &[f64]) -> Vec<f64> {
         let mut rate = self.state(&[]);
         self.equations
             .derivative(&self.equations.instant(time), &self.state(state), &mut rate);
@@ -107,12 +108,30 @@ impl<C: Scene + 'static> Run for Bound<C> {
         ode::march(&self.scene, times, start, settings)
     }
 
-    fn time_evaluation(&self, calls: usize) -> f64 {
-        dispatch(Timing {
-            scene: &self.scene,
-            calls,
-        })
+    fn follow(
+        &self,
+        times: (f64, f64),
+        start: &[f64],
+        settings: &Settings,
+    ) -> Result<Motion, HybridError> {
+        match ode::march(&self.scene, times, start, settings) {
+            Ok(trajectory) => Ok(Motion::of(trajectory)),
+            Err(error) => Err(HybridError::Ode {
+                error,
+                mode: 0,
+                motion: Box::new(Motion::at_rest(times.0, start)),
+            }),
+        }
     }
+
+    fn time_evaluation(&self, calls: usize) -> f64 {
+        time_evaluation(&self.scene, calls)
+    }
+}
+
+/// Nanoseconds of one evaluation of the derivative, measured over this many.
+pub(super) fn time_evaluation<C: Scene>(scene: &C, calls: usize) -> f64 {
+    dispatch(Timing { scene, calls })
 }
 
 /// Measures one evaluation of the derivative.

@@ -1,6 +1,6 @@
 //! `f64` whose products and sums are fused.
 
-use super::{Scalar, error_function, sine};
+use super::{Scalar, angle, error_function, sine};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An `f64` whose [`Scalar::mul_add`] is rounded once.
@@ -87,7 +87,12 @@ impl Scalar for Fused {
     }
     #[inline(always)]
     fn atan2(y: Self, x: Self) -> Self {
-        Self(f64::atan2(y.0, x.0))
+        let [angle] = angle::atan2_all([y], [x]);
+        angle
+    }
+    #[inline(always)]
+    fn atan2_all<const K: usize>(y: [Self; K], x: [Self; K]) -> [Self; K] {
+        angle::atan2_all(y, x)
     }
     #[inline(always)]
     fn hypot(self, other: Self) -> Self {

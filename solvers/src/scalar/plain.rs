@@ -1,6 +1,6 @@
 //! Plain `f64` and `f32`: every operation is rounded by itself, on every machine.
 
-use super::{Scalar, error_function, sine};
+use super::{Scalar, angle, error_function, sine};
 
 /// What a type does by calling the function of the same name on its value.
 macro_rules! elementary {
@@ -12,9 +12,10 @@ macro_rules! elementary {
     )*};
 }
 
-/// Implements [`Scalar`] for a primitive number; the last argument is the body of `sin_cos_all`.
+/// Implements [`Scalar`] for a primitive number; the last arguments are the bodies of `sin_cos_all` and
+/// `atan2_all`.
 macro_rules! plain {
-    ($float:ident, |$angles:ident| $sine:expr) => {
+    ($float:ident, |$angles:ident| $sine:expr, |$y:ident, $x:ident| $angle:expr) => {
         impl Scalar for $float {
             type Mask = bool;
             const ZERO: Self = 0.0;
@@ -58,7 +59,12 @@ macro_rules! plain {
             }
             #[inline(always)]
             fn atan2(y: Self, x: Self) -> Self {
-                $float::atan2(y, x)
+                let [angle] = Self::atan2_all([y], [x]);
+                angle
+            }
+            #[inline(always)]
+            fn atan2_all<const K: usize>($y: [Self; K], $x: [Self; K]) -> [Self; K] {
+                $angle
             }
             #[inline(always)]
             fn hypot(self, other: Self) -> Self {
@@ -84,11 +90,20 @@ macro_rules! plain {
     };
 }
 
-plain!(f64, |angles| sine::sin_cos_all(angles));
-plain!(f32, |angles| {
-    let (sines, cosines) = sine::sin_cos_all(angles.map(f64::from));
-    (sines.map(|s| s as f32), cosines.map(|c| c as f32))
+plain!(f64, |angles| sine::sin_cos_all(angles), |y, x| {
+    angle::atan2_all(y, x)
 });
+plain!(
+    f32,
+    |angles| {
+        let (sines, cosines) = sine::sin_cos_all(angles.map(f64::from));
+        (sines.map(|s| s as f32), cosines.map(|c| c as f32))
+    },
+    |y, x| {
+        let angles = angle::atan2_all(y.map(f64::from), x.map(f64::from));
+        angles.map(|angle| angle as f32)
+    }
+);
 
 impl sine::Bits for f64 {
     #[inline(always)]

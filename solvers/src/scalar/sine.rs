@@ -155,4 +155,4 @@ fn cosine_near_zero<S: Scalar>(x: S, y: S) -> S {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

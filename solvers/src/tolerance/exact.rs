@@ -11,7 +11,8 @@ use std::marker::PhantomData;
 pub(super) struct Exact<'a, L: Linkage> {
     study: &'a Study,
     nominals: &'a [Nominal],
-    maker: Maker<L, f64>,
+    maker: Maker<L, f64, 1>,
+    lanes: Vec<[f64; 1]>,
 }
 
 impl<'a, L: Linkage> Exact<'a, L> {
@@ -20,15 +21,20 @@ impl<'a, L: Linkage> Exact<'a, L> {
             study,
             nominals,
             maker: Maker::new(nominals, &study.sources, study.output),
+            lanes: vec![[0.0]; study.sources.len()],
         }
     }
 
     /// The errors of the output at all places for errors of the sources; no number where the linkage does not assemble in
     /// its mode.
     pub fn errors(&mut self, errors: &[f64], found: &mut [f64]) {
-        let closure = self.maker.prepare(errors);
+        for (lane, error) in self.lanes.iter_mut().zip(errors) {
+            *lane = [*error];
+        }
+        self.maker.make(&self.lanes);
+        let closure = self.maker.prepare(0);
         for (place, slot) in found.iter_mut().enumerate() {
-            let error = self.maker.error(&closure, place, errors);
+            let error = self.maker.error(&closure, place, 0);
             *slot = match error.is_finite() || !is_iterated::<L>() {
                 true => error,
                 false => self.lead(place, errors),

@@ -1,7 +1,7 @@
 //! The careful way to a made linkage: its errors grow from nothing, in steps short enough that no mode can be left.
 
-use super::made::{CONTRACTION, NOTHING, Position, largest, unwrap};
 use super::nominal::Nominal;
+use super::place::{CONTRACTION, NOTHING, Position, largest, unwrap};
 use super::small;
 use super::source::Source;
 use crate::closure::{Closure, GroupKind, Linkage, Variable};

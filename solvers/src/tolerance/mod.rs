@@ -6,11 +6,11 @@
 //! | file | what it finds |
 //! |---|---|
 //! | `influence`, [`linear`](fn@linear) | greatest error and standard deviation to first order, what each source contributes |
-//! | [`monte_carlo`](fn@monte_carlo) | linkages made at random: moments, quantiles, failures, each with its interval |
+//! | `drawing`, [`monte_carlo`](fn@monte_carlo) | linkages made at random: moments, quantiles, failures, each with its interval |
 //! | `second`, [`corners`](fn@corners), [`differences`](fn@differences) | the same to second order, extremes, and when it matters |
 //! | [`allocate`](fn@allocate) | tolerances of least cost that keep a band over the whole way of the drivers |
 //! | [`elastic`](fn@elastic) | what a load does to links that are not rigid |
-//! | `nominal`, `made`, `lead`, `exact`, `small` | how they are closed in the mode of the nominal linkage, or found not to |
+//! | `nominal`, `varied`, `made`, `place`, `lead`, `exact`, `small` | how they are closed in the mode of the nominal linkage, or found not to |
 //! | `random`, `normal`, `distribution` | their dimensions |
 //! | `tally`, `estimate` | what is kept of them |
 //! | `variation` | derivatives by dual numbers |
@@ -19,6 +19,7 @@ mod allocation;
 mod corners;
 mod differences;
 mod distribution;
+mod drawing;
 mod elastic;
 mod error;
 mod estimate;
@@ -30,6 +31,7 @@ mod made;
 mod monte_carlo;
 mod nominal;
 mod normal;
+mod place;
 mod random;
 mod second;
 mod small;
@@ -38,6 +40,7 @@ mod tally;
 #[cfg(test)]
 mod tests;
 mod variation;
+mod varied;
 
 pub use allocation::{
     Active, Allocation, AllocationError, Candidate, Cost, Limit, Rule, allocate, allocate_along,

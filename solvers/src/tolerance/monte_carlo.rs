@@ -3,19 +3,15 @@
 //! Blocks of samples go to whichever thread is free. The numbers of a sample depend on the seed and on its own number
 //! alone, and sums are joined in the order of the blocks: the answer is the same, bit for bit, for any number of threads.
 
+use super::drawing::{Block, Drawing, Run};
 use super::error::ToleranceError;
 use super::estimate::{Counted, Estimate, Sampled, share};
-use super::lead::Lead;
-use super::made::Maker;
-use super::nominal::{Nominal, is_iterated};
+use super::nominal::Nominal;
 use super::normal;
-use super::random::Random;
-use super::source::{Source, Study};
+use super::source::Study;
 use super::tally::{CLASSES, Classes, Sums};
 use crate::closure::Linkage;
-use crate::dispatch::{Task, dispatch};
-use crate::registry::Distribution;
-use crate::scalar::Scalar;
+use crate::dispatch::dispatch;
 use std::marker::PhantomData;
 use std::num::NonZeroUsize;
 use std::sync::Mutex;
@@ -31,8 +27,6 @@ const BLOCK: u64 = 4096;
 const BLOCKS: u64 = 4096;
 /// Samples from which the classes are chosen.
 const PILOT: u64 = 1024;
-/// Samples whose errors are drawn at once.
-const BATCH: usize = 64;
 
 /// How samples are drawn and what is made of them.
 #[derive(Clone, Debug, PartialEq)]
@@ -130,25 +124,6 @@ impl Sampling {
     }
 }
 
-/// The samples of a block.
-#[derive(Clone, Debug)]
-struct Block {
-    places: Vec<Sums>,
-    /// Samples that assemble at all places.
-    whole: u64,
-}
-
-/// What all blocks have in common.
-struct Run<'a, L: Linkage> {
-    nominals: &'a [Nominal],
-    sources: &'a [Source],
-    output: usize,
-    seed: u64,
-    /// Of each place; none while they are not yet chosen.
-    classes: Vec<Classes>,
-    linkage: PhantomData<L>,
-}
-
 impl<L: Linkage> Run<'_, L> {
     /// Draws all blocks. Gives them in their order, and the classes counted.
     fn all(&self, sampling: &Sampling, progress: &(dyn Fn(u64) + Sync)) -> (Vec<Block>, Vec<u64>) {
@@ -220,95 +195,5 @@ impl<L: Linkage> Run<'_, L> {
             places: self.nominals.iter().enumerate().map(place).collect(),
             failures: share(sampling.samples - whole, sampling.samples, z),
         }
-    }
-}
-
-/// The drawing of one block.
-struct Drawing<'a, 'b, L: Linkage> {
-    run: &'a Run<'a, L>,
-    from: u64,
-    to: u64,
-    counts: &'b mut [u64],
-}
-
-impl<L: Linkage> Task for Drawing<'_, '_, L> {
-    type Output = Block;
-
-    #[inline(always)]
-    fn run<S: Scalar>(self) -> Block {
-        let (run, places) = (self.run, self.run.nominals.len());
-        let sources = run.sources.len();
-        let mut maker = Maker::<L, S>::new(run.nominals, run.sources, run.output);
-        let mut block = Block {
-            places: vec![Sums::NONE; places],
-            whole: 0,
-        };
-        let mut all = vec![S::ZERO; BATCH * sources];
-        for first in (self.from..self.to).step_by(BATCH) {
-            let count = BATCH.min((self.to - first) as usize);
-            run.draw(first, count, &mut all);
-            for errors in all[..count * sources].chunks_exact(sources) {
-                let closure = maker.prepare(errors);
-                let mut whole = true;
-                for place in 0..places {
-                    let mut error = maker.error(&closure, place, errors).to_f64();
-                    if !error.is_finite() {
-                        error = run.lead(place, errors.iter().map(|one| one.to_f64()).collect());
-                    }
-                    if error.is_nan() {
-                        whole = false;
-                        continue;
-                    }
-                    block.places[place].add(error);
-                    if let Some(classes) = run.classes.get(place) {
-                        self.counts[place * CLASSES + classes.class(error)] += 1;
-                    }
-                }
-                block.whole += u64::from(whole);
-            }
-        }
-        block
-    }
-}
-
-impl<L: Linkage> Run<'_, L> {
-    /// Draws the errors of some samples, source by source, so that each distribution is chosen once.
-    #[inline(always)]
-    fn draw<S: Scalar>(&self, first: u64, count: usize, errors: &mut [S]) {
-        let sources = self.sources.len();
-        let random = Random::new(self.seed, first.wrapping_mul(sources as u64));
-        for (k, source) in self.sources.iter().enumerate() {
-            let draw = |errors: &mut [S], quantile: fn(f64) -> f64| {
-                for (i, errors) in errors.chunks_exact_mut(sources).take(count).enumerate() {
-                    let share = random.ahead((i * sources + k) as u64);
-                    errors[k] = S::from_f64(quantile(share) * source.half_width);
-                }
-            };
-            match source.distribution {
-                Distribution::Uniform => {
-                    draw(errors, |share| Distribution::Uniform.quantile(share))
-                }
-                Distribution::Normal => draw(errors, |share| Distribution::Normal.quantile(share)),
-                Distribution::Truncated => {
-                    draw(errors, |share| Distribution::Truncated.quantile(share));
-                }
-            }
-        }
-    }
-
-    /// The careful way to a made linkage; no number if there is none.
-    #[cold]
-    #[inline(never)]
-    fn lead(&self, place: usize, errors: Vec<f64>) -> f64 {
-        if !is_iterated::<L>() {
-            return f64::NAN;
-        }
-        let lead = Lead::<L> {
-            nominal: &self.nominals[place],
-            sources: self.sources,
-            output: self.output,
-            linkage: PhantomData,
-        };
-        lead.error(&errors).unwrap_or(f64::NAN)
     }
 }

@@ -39,10 +39,12 @@ impl Random {
     }
 }
 
-/// A number between 0 and 1 from the state.
+/// A number between 0 and 1 from the state: `(k + 1/2)/2⁵²`, with `k` its first 52 bits, which are made the digits of a
+/// number between 1 and 2. The difference is exact.
 #[inline(always)]
 fn fraction(state: u64) -> f64 {
-    ((mix(state) >> 12) as f64 + 0.5) * f64::EPSILON
+    const ONE: u64 = 1.0f64.to_bits();
+    f64::from_bits(ONE | (mix(state) >> 12)) - (1.0 - 0.5 * f64::EPSILON)
 }
 
 /// Mixes all bits of a number.

@@ -107,9 +107,10 @@ fn limits(page: &mut Page, report: &Report) {
 /// Where outputs turn round inside the range.
 fn turns(page: &mut Page, report: &Report) {
     let case = &report.case;
-    let Some(driver) = reach::swept(case).map(|index| &case.drivers[index]) else {
+    let Some(moving) = reach::Single::of(case).map(|single| single.driver) else {
         return;
     };
+    let driver = &case.drivers[moving];
     let place = format!("at {}, {}", driver.name, driver.unit);
     let mut table = Columns::new([
         ("", Align::Left),
@@ -127,9 +128,9 @@ fn turns(page: &mut Page, report: &Report) {
             table.row([
                 variable.name.clone(),
                 kind.to_owned(),
-                number::significant(variable.in_unit(turn.value), EXACT),
+                number::significant(variable.in_unit(turn.place.value), EXACT),
                 variable.unit.clone(),
-                number::significant(turn.at / driver.factor, EXACT),
+                number::significant(turn.place.independents[moving] / driver.factor, EXACT),
             ]);
             count += 1;
         }

@@ -86,7 +86,7 @@
 /// | `v_difference` | `m/s` |  |
 /// | `F_difference` | `N` |  |
 ///
-/// Operations: 69 once per parameter set, 31 per instant, 29 per evaluation, 28 per Jacobian.
+/// Operations: 70 once per parameter set, 31 per instant, 29 per evaluation, 28 per Jacobian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elastic {
     /// Crank: `75 mm`, `in 1 mm .. 1000 mm`; stored in SI units, `mm` is 0.001.
@@ -419,10 +419,9 @@ impl ::assur::problem::Scene for Elastic {
     #[inline(always)]
     fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
         let J2 = <S as ::assur::scalar::Scalar>::from_f64(self.J2);
-        let m2 = <S as ::assur::scalar::Scalar>::from_f64(self.m2);
         let R = <S as ::assur::scalar::Scalar>::from_f64(self.R);
-        let v11_ = R * R;
-        let v12_ = m2 * v11_;
+        let v10_ = R * R;
+        let m2 = <S as ::assur::scalar::Scalar>::from_f64(self.m2);
         let n = <S as ::assur::scalar::Scalar>::from_f64(self.n);
         let l = <S as ::assur::scalar::Scalar>::from_f64(self.l);
         let v15_ = S::ONE / l;
@@ -435,9 +434,8 @@ impl ::assur::problem::Scene for Elastic {
         let lambda = <S as ::assur::scalar::Scalar>::from_f64(self.lambda);
         let v26_ = S::ONE + lambda;
         let v29_ = v23_ * d34;
-        let v30_ = v23_ * d33;
         let v31_ = n * n;
-        let v32_ = v11_ * v31_;
+        let v32_ = v10_ * v31_;
         let m3 = <S as ::assur::scalar::Scalar>::from_f64(self.m3);
         let v40_ = S::ONE / m3;
         let m4 = <S as ::assur::scalar::Scalar>::from_f64(self.m4);
@@ -448,9 +446,9 @@ impl ::assur::problem::Scene for Elastic {
         let m1 = <S as ::assur::scalar::Scalar>::from_f64(self.m1);
         ElasticEquations {
             J2,
-            m2,
             R,
-            v12_,
+            m2,
+            v12_: v10_ * m2,
             n,
             v16_,
             c,
@@ -464,20 +462,20 @@ impl ::assur::problem::Scene for Elastic {
             v27_: R * v26_,
             v28_: R * lambda,
             v29_,
-            v30_,
+            v30_: v23_ * d33,
             v31_,
             v33_: v32_ * v15_,
             v34_: R * v31_,
             v35_: S::from_f64(4.0) * v16_,
-            v37_: v11_ * n * v15_,
+            v37_: v10_ * v15_ * n,
             v38_: R * n,
             m3,
             v40_,
             m4,
             v42_,
             v43_: -c,
-            v52_: v23_ * v11_ * S::mul_add(-v26_, v48_, lambda * v46_),
-            v53_: v12_ * v31_,
+            v52_: v23_ * v10_ * S::mul_add(-v26_, v48_, lambda * v46_),
+            v53_: v32_ * m2,
             v55_: v54_ * v46_,
             v56_: v54_ * v48_,
             v58_: -S::from_f64(2.0) * (R * m2),
@@ -486,22 +484,22 @@ impl ::assur::problem::Scene for Elastic {
             slope_4_2_: v29_ * v40_,
             v66_: v54_ * v42_ * v48_,
             slope_5_1_: v29_ * v42_,
-            slope_5_2_: -(v30_ * v42_),
-            v70_: S::from_f64(0.5) * n,
-            v71_: S::from_f64(0.5) * v16_,
+            slope_5_2_: -(v23_ * v42_ * d33),
+            v71_: S::from_f64(0.5) * n,
+            v72_: S::from_f64(0.5) * v16_,
             m1,
-            v73_: lambda * m4,
-            v74_: v26_ * m3,
-            v75_: v26_ * m4,
-            v76_: lambda * m3,
-            v78_: S::from_f64(0.5) * (v32_ * m1),
-            v79_: S::from_f64(0.5) * J2,
-            v80_: S::from_f64(0.5) * m3,
-            v81_: S::from_f64(0.5) * m4,
-            v82_: S::from_f64(0.5) * m2,
-            v83_: S::from_f64(0.5) * c,
-            v84_: S::from_f64(0.5) * v23_,
-            v85_: S::from_f64(2.0) * d34,
+            v74_: lambda * m4,
+            v75_: v26_ * m3,
+            v76_: v26_ * m4,
+            v77_: lambda * m3,
+            v79_: S::from_f64(0.5) * (v32_ * m1),
+            v80_: S::from_f64(0.5) * J2,
+            v81_: S::from_f64(0.5) * m3,
+            v82_: S::from_f64(0.5) * m4,
+            v83_: S::from_f64(0.5) * m2,
+            v84_: S::from_f64(0.5) * c,
+            v85_: S::from_f64(0.5) * v23_,
+            v86_: S::from_f64(2.0) * d34,
         }
     }
     fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {

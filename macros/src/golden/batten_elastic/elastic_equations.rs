@@ -2,9 +2,9 @@
 #[derive(Clone, Copy, Debug)]
 pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     J2: S,
-    m2: S,
     R: S,
-    /// `m2*R^2`
+    m2: S,
+    /// `R^2*m2`
     v12_: S,
     n: S,
     /// `R*(1/l)`
@@ -36,7 +36,7 @@ pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     v34_: S,
     /// `4*v16_`
     v35_: S,
-    /// `R^2*n*(1/l)`
+    /// `R^2*(1/l)*n`
     v37_: S,
     /// `R*n`
     v38_: S,
@@ -50,7 +50,7 @@ pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     v43_: S,
     /// `v23_*R^2*(lambda*(-(lambda*d44 + v26_*d34)) - v26_*(lambda*d34 + v26_*d33))`
     v52_: S,
-    /// `v12_*v31_`
+    /// `R^2*v31_*m2`
     v53_: S,
     /// `R*v23_*(-(lambda*d44 + v26_*d34))`
     v55_: S,
@@ -68,37 +68,37 @@ pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     v66_: S,
     /// Jacobian, rate of `dot(w4)` by `w3`: `v29_*v42_`
     slope_5_1_: S,
-    /// Jacobian, rate of `dot(w4)` by `w4`: `-v30_*v42_`
+    /// Jacobian, rate of `dot(w4)` by `w4`: `-v23_*v42_*d33`
     slope_5_2_: S,
     /// `0.5*n`
-    v70_: S,
-    /// `0.5*v16_`
     v71_: S,
+    /// `0.5*v16_`
+    v72_: S,
     m1: S,
     /// `lambda*m4`
-    v73_: S,
-    /// `v26_*m3`
     v74_: S,
-    /// `v26_*m4`
+    /// `v26_*m3`
     v75_: S,
-    /// `lambda*m3`
+    /// `v26_*m4`
     v76_: S,
+    /// `lambda*m3`
+    v77_: S,
     /// `0.5*(R^2*v31_*m1)`
-    v78_: S,
-    /// `0.5*J2`
     v79_: S,
-    /// `0.5*m3`
+    /// `0.5*J2`
     v80_: S,
-    /// `0.5*m4`
+    /// `0.5*m3`
     v81_: S,
-    /// `0.5*m2`
+    /// `0.5*m4`
     v82_: S,
-    /// `0.5*c`
+    /// `0.5*m2`
     v83_: S,
-    /// `0.5*v23_`
+    /// `0.5*c`
     v84_: S,
-    /// `2*d34`
+    /// `0.5*v23_`
     v85_: S,
+    /// `2*d34`
+    v86_: S,
 }
 impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquations<S> {
     type State = [S; 6];
@@ -112,23 +112,23 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
     fn instant(&self, time: S) -> Self::Instant {
         let theta = self.n * time;
         let (sin_theta_, cos_theta_) = S::sin_cos(theta);
-        let v93_ = sin_theta_ * sin_theta_;
-        let v95_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-        let v100_ = v95_ * sin_theta_;
-        let v104_ = v95_ * cos_theta_;
-        let ddot_x1 = S::mul_add(self.v34_, v104_, self.v33_ * v93_);
+        let v94_ = sin_theta_ * sin_theta_;
+        let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+        let v101_ = v96_ * sin_theta_;
+        let v105_ = v96_ * cos_theta_;
+        let ddot_x1 = S::mul_add(self.v34_, v105_, self.v33_ * v94_);
         ElasticInstant {
             sin_theta_,
             cos_theta_,
-            v99_: S::ONE / S::mul_add(self.v12_, v93_ * (v95_ * v95_), self.J2),
-            v101_: self.R * v100_,
-            v102_: self.v27_ * v100_,
-            v103_: self.v28_ * v100_,
+            v100_: S::ONE / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2),
+            v102_: self.R * v101_,
+            v103_: self.v27_ * v101_,
+            v104_: self.v28_ * v101_,
             ddot_x1,
-            v109_: self.v34_ * (sin_theta_ * S::mul_add(self.v35_, cos_theta_, -S::ONE)),
-            v112_: S::from_f64(2.0) * S::mul_add(self.v38_, v104_, self.v37_ * v93_),
-            v114_: -(self.m3 * ddot_x1),
-            v116_: -(self.m4 * ddot_x1),
+            v110_: self.v34_ * (sin_theta_ * S::mul_add(self.v35_, cos_theta_, -S::ONE)),
+            v113_: S::from_f64(2.0) * S::mul_add(self.v38_, v105_, self.v37_ * v94_),
+            v115_: -(self.m3 * ddot_x1),
+            v117_: -(self.m4 * ddot_x1),
         }
     }
     #[inline(always)]
@@ -142,36 +142,36 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let mut instants = [ElasticInstant {
             sin_theta_: S::ZERO,
             cos_theta_: S::ZERO,
-            v99_: S::ZERO,
-            v101_: S::ZERO,
+            v100_: S::ZERO,
             v102_: S::ZERO,
             v103_: S::ZERO,
+            v104_: S::ZERO,
             ddot_x1: S::ZERO,
-            v109_: S::ZERO,
-            v112_: S::ZERO,
-            v114_: S::ZERO,
-            v116_: S::ZERO,
+            v110_: S::ZERO,
+            v113_: S::ZERO,
+            v115_: S::ZERO,
+            v117_: S::ZERO,
         }; K_];
         for k_ in 0..K_ {
             let time = times[k_];
-            let v93_ = sin_theta_[k_] * sin_theta_[k_];
-            let v95_ = S::mul_add(-self.v16_, cos_theta_[k_], S::ONE);
-            let v100_ = v95_ * sin_theta_[k_];
-            let v104_ = v95_ * cos_theta_[k_];
-            let ddot_x1 = S::mul_add(self.v34_, v104_, self.v33_ * v93_);
+            let v94_ = sin_theta_[k_] * sin_theta_[k_];
+            let v96_ = S::mul_add(-self.v16_, cos_theta_[k_], S::ONE);
+            let v101_ = v96_ * sin_theta_[k_];
+            let v105_ = v96_ * cos_theta_[k_];
+            let ddot_x1 = S::mul_add(self.v34_, v105_, self.v33_ * v94_);
             instants[k_] = ElasticInstant {
                 sin_theta_: sin_theta_[k_],
                 cos_theta_: cos_theta_[k_],
-                v99_: S::ONE / S::mul_add(self.v12_, v93_ * (v95_ * v95_), self.J2),
-                v101_: self.R * v100_,
-                v102_: self.v27_ * v100_,
-                v103_: self.v28_ * v100_,
+                v100_: S::ONE / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2),
+                v102_: self.R * v101_,
+                v103_: self.v27_ * v101_,
+                v104_: self.v28_ * v101_,
                 ddot_x1,
-                v109_: self.v34_
+                v110_: self.v34_
                     * (sin_theta_[k_] * S::mul_add(self.v35_, cos_theta_[k_], -S::ONE)),
-                v112_: S::from_f64(2.0) * S::mul_add(self.v38_, v104_, self.v37_ * v93_),
-                v114_: -(self.m3 * ddot_x1),
-                v116_: -(self.m4 * ddot_x1),
+                v113_: S::from_f64(2.0) * S::mul_add(self.v38_, v105_, self.v37_ * v94_),
+                v115_: -(self.m3 * ddot_x1),
+                v117_: -(self.m4 * ddot_x1),
             };
         }
         instants
@@ -190,24 +190,24 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let dot_phi2 = state[3];
         let dot_w3 = state[4];
         let dot_w4 = state[5];
-        let u4 = S::mul_add(instant.v102_, phi2, w4);
-        let u3 = S::mul_add(-instant.v103_, phi2, w3);
-        let v154_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-        let v155_ = self.v29_ * u3;
-        let v156_ = self.v30_ * u4;
-        let ddot_phi2 = instant.v99_
+        let u4 = S::mul_add(instant.v103_, phi2, w4);
+        let u3 = S::mul_add(-instant.v104_, phi2, w3);
+        let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+        let v156_ = self.v29_ * u3;
+        let v157_ = self.v30_ * u4;
+        let ddot_phi2 = instant.v100_
             * S::mul_add(
                 -self.c,
                 phi2,
-                instant.v101_
+                instant.v102_
                     * S::mul_add(
                         self.m2,
                         S::mul_add(
-                            -instant.v112_,
+                            -instant.v113_,
                             dot_phi2,
-                            S::mul_add(-instant.v109_, phi2, instant.ddot_x1),
+                            S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
                         ),
-                        S::mul_add(self.v26_, v155_ - v156_, self.v25_ * v154_),
+                        S::mul_add(self.v26_, v156_ - v157_, self.v25_ * v155_),
                     ),
             );
         *rate = [
@@ -215,8 +215,8 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             dot_w3,
             dot_w4,
             ddot_phi2,
-            self.v40_ * S::mul_add(-self.v23_, v154_, instant.v114_),
-            self.v42_ * (instant.v116_ + v155_ - v156_),
+            self.v40_ * S::mul_add(-self.v23_, v155_, instant.v115_),
+            self.v42_ * (instant.v117_ + v156_ - v157_),
         ];
     }
     #[inline(always)]
@@ -234,45 +234,45 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let dot_phi2 = state[3];
         let dot_w3 = state[4];
         let dot_w4 = state[5];
-        let v93_ = instant.sin_theta_ * instant.sin_theta_;
-        let v95_ = S::mul_add(-self.v16_, instant.cos_theta_, S::ONE);
-        let v100_ = v95_ * instant.sin_theta_;
-        let slope_3_0_ = instant.v99_
+        let v94_ = instant.sin_theta_ * instant.sin_theta_;
+        let v96_ = S::mul_add(-self.v16_, instant.cos_theta_, S::ONE);
+        let v101_ = v96_ * instant.sin_theta_;
+        let slope_3_0_ = instant.v100_
             * S::mul_add(
-                v95_ * v93_,
+                v96_ * v94_,
                 S::mul_add(
                     -self.v53_,
                     S::mul_add(self.v35_, instant.cos_theta_, -S::ONE),
-                    self.v52_ * v95_,
+                    self.v52_ * v96_,
                 ),
                 self.v43_,
             );
-        let v122_ = v100_ * instant.v99_;
-        let slope_3_1_ = -(self.v55_ * v122_);
-        let slope_3_2_ = -(self.v56_ * v122_);
+        let v123_ = v101_ * instant.v100_;
+        let slope_3_1_ = -(self.v55_ * v123_);
+        let slope_3_2_ = -(self.v56_ * v123_);
         let slope_3_3_ = self.v58_
-            * (v122_
-                * S::mul_add(self.v38_, v95_ * instant.cos_theta_, self.v37_ * v93_));
-        let slope_4_0_ = -(self.v60_ * v100_);
-        let slope_5_0_ = -(self.v66_ * v100_);
-        let u4 = S::mul_add(instant.v102_, phi2, w4);
-        let u3 = S::mul_add(-instant.v103_, phi2, w3);
-        let v154_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-        let v155_ = self.v29_ * u3;
-        let v156_ = self.v30_ * u4;
-        let ddot_phi2 = instant.v99_
+            * (v123_
+                * S::mul_add(self.v38_, v96_ * instant.cos_theta_, self.v37_ * v94_));
+        let slope_4_0_ = -(self.v60_ * v101_);
+        let slope_5_0_ = -(self.v66_ * v101_);
+        let u4 = S::mul_add(instant.v103_, phi2, w4);
+        let u3 = S::mul_add(-instant.v104_, phi2, w3);
+        let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+        let v156_ = self.v29_ * u3;
+        let v157_ = self.v30_ * u4;
+        let ddot_phi2 = instant.v100_
             * S::mul_add(
                 -self.c,
                 phi2,
-                instant.v101_
+                instant.v102_
                     * S::mul_add(
                         self.m2,
                         S::mul_add(
-                            -instant.v112_,
+                            -instant.v113_,
                             dot_phi2,
-                            S::mul_add(-instant.v109_, phi2, instant.ddot_x1),
+                            S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
                         ),
-                        S::mul_add(self.v26_, v155_ - v156_, self.v25_ * v154_),
+                        S::mul_add(self.v26_, v156_ - v157_, self.v25_ * v155_),
                     ),
             );
         *rate = [
@@ -280,8 +280,8 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             dot_w3,
             dot_w4,
             ddot_phi2,
-            self.v40_ * S::mul_add(-self.v23_, v154_, instant.v114_),
-            self.v42_ * (instant.v116_ + v155_ - v156_),
+            self.v40_ * S::mul_add(-self.v23_, v155_, instant.v115_),
+            self.v42_ * (instant.v117_ + v156_ - v157_),
         ];
         for (column_, product_) in columns.iter().zip(products) {
             product_[0] = column_[3];
@@ -320,32 +320,32 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let ::core::option::Option::Some(columns) = columns.first_chunk_mut::<6>() else {
             return
         };
-        let v93_ = instant.sin_theta_ * instant.sin_theta_;
-        let v95_ = S::mul_add(-self.v16_, instant.cos_theta_, S::ONE);
-        let v100_ = v95_ * instant.sin_theta_;
-        let v122_ = v100_ * instant.v99_;
+        let v94_ = instant.sin_theta_ * instant.sin_theta_;
+        let v96_ = S::mul_add(-self.v16_, instant.cos_theta_, S::ONE);
+        let v101_ = v96_ * instant.sin_theta_;
+        let v123_ = v101_ * instant.v100_;
         columns[0] = [
             S::ZERO,
             S::ZERO,
             S::ZERO,
-            instant.v99_
+            instant.v100_
                 * S::mul_add(
-                    v95_ * v93_,
+                    v96_ * v94_,
                     S::mul_add(
                         -self.v53_,
                         S::mul_add(self.v35_, instant.cos_theta_, -S::ONE),
-                        self.v52_ * v95_,
+                        self.v52_ * v96_,
                     ),
                     self.v43_,
                 ),
-            -(self.v60_ * v100_),
-            -(self.v66_ * v100_),
+            -(self.v60_ * v101_),
+            -(self.v66_ * v101_),
         ];
         columns[1] = [
             S::ZERO,
             S::ZERO,
             S::ZERO,
-            -(self.v55_ * v122_),
+            -(self.v55_ * v123_),
             self.slope_4_1_,
             self.slope_5_1_,
         ];
@@ -353,7 +353,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             S::ZERO,
             S::ZERO,
             S::ZERO,
-            -(self.v56_ * v122_),
+            -(self.v56_ * v123_),
             self.slope_4_2_,
             self.slope_5_2_,
         ];
@@ -362,11 +362,11 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             S::ZERO,
             S::ZERO,
             self.v58_
-                * (v122_
+                * (v123_
                     * S::mul_add(
                         self.v38_,
-                        v95_ * instant.cos_theta_,
-                        self.v37_ * v93_,
+                        v96_ * instant.cos_theta_,
+                        self.v37_ * v94_,
                     )),
             S::ZERO,
             S::ZERO,
@@ -390,74 +390,74 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let theta = self.n * time;
         let shaft = self.c * phi2;
         let v_difference = dot_w3 - dot_w4;
-        let ([sin_theta_, sin_v133_], [cos_theta_, _]) = S::sin_cos_all([
+        let ([sin_theta_, sin_v134_], [cos_theta_, _]) = S::sin_cos_all([
             theta,
-            self.v70_ * time,
+            self.v71_ * time,
         ]);
-        let v93_ = sin_theta_ * sin_theta_;
-        let v95_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-        let v99_ = S::ONE / S::mul_add(self.v12_, v93_ * (v95_ * v95_), self.J2);
-        let v100_ = v95_ * sin_theta_;
-        let v101_ = self.R * v100_;
-        let v104_ = v95_ * cos_theta_;
-        let ddot_x1 = S::mul_add(self.v34_, v104_, self.v33_ * v93_);
-        let v107_ = S::mul_add(self.v35_, cos_theta_, -S::ONE);
-        let v111_ = S::mul_add(self.v38_, v104_, self.v37_ * v93_);
-        let v112_ = S::from_f64(2.0) * v111_;
+        let v94_ = sin_theta_ * sin_theta_;
+        let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+        let v100_ = S::ONE / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2);
+        let v101_ = v96_ * sin_theta_;
+        let v102_ = self.R * v101_;
+        let v105_ = v96_ * cos_theta_;
+        let ddot_x1 = S::mul_add(self.v34_, v105_, self.v33_ * v94_);
+        let v108_ = S::mul_add(self.v35_, cos_theta_, -S::ONE);
+        let v112_ = S::mul_add(self.v38_, v105_, self.v37_ * v94_);
+        let v113_ = S::from_f64(2.0) * v112_;
         let x1 = self.R
-            * S::mul_add(-self.v71_, v93_, S::from_f64(2.0) * (sin_v133_ * sin_v133_));
-        let dot_x1 = self.v38_ * v100_;
-        let u4 = S::mul_add(self.v27_ * v100_, phi2, w4);
-        let u3 = S::mul_add(-(self.v28_ * v100_), phi2, w3);
-        let v154_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-        let v155_ = self.v29_ * u3;
-        let v156_ = self.v30_ * u4;
-        let v159_ = S::mul_add(
-            -v112_,
+            * S::mul_add(-self.v72_, v94_, S::from_f64(2.0) * (sin_v134_ * sin_v134_));
+        let dot_x1 = self.v38_ * v101_;
+        let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
+        let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
+        let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+        let v156_ = self.v29_ * u3;
+        let v157_ = self.v30_ * u4;
+        let v160_ = S::mul_add(
+            -v113_,
             dot_phi2,
-            S::mul_add(-(self.v34_ * (sin_theta_ * v107_)), phi2, ddot_x1),
+            S::mul_add(-(self.v34_ * (sin_theta_ * v108_)), phi2, ddot_x1),
         );
-        let x2 = S::mul_add(-v101_, phi2, x1);
+        let x2 = S::mul_add(-v102_, phi2, x1);
         let x3 = x1 + w3;
         let x4 = x1 + w4;
-        let v186_ = v95_ * v99_
+        let v187_ = v96_ * v100_
             * S::mul_add(
-                v101_,
+                v102_,
                 S::mul_add(
                     -self.m2,
-                    v159_,
+                    v160_,
                     self.v23_
                         * S::mul_add(
                             -self.lambda,
-                            v154_,
+                            v155_,
                             self.v26_ * S::mul_add(-self.d34, u3, self.d33 * u4),
                         ),
                 ),
                 shaft,
             );
         let ddot_x2 = S::mul_add(
-            -v112_,
+            -v113_,
             dot_phi2,
             S::mul_add(
                 self.R * sin_theta_,
-                S::mul_add(-(self.v31_ * v107_), phi2, v186_),
+                S::mul_add(-(self.v31_ * v108_), phi2, v187_),
                 ddot_x1,
             ),
         );
         let ddot_x3 = ddot_x1
-            + self.v40_ * S::mul_add(-self.v23_, v154_, -(self.m3 * ddot_x1));
-        let ddot_x4 = ddot_x1 + self.v42_ * (v155_ - (self.m4 * ddot_x1) - v156_);
+            + self.v40_ * S::mul_add(-self.v23_, v155_, -(self.m3 * ddot_x1));
+        let ddot_x4 = ddot_x1 + self.v42_ * (v156_ - (self.m4 * ddot_x1) - v157_);
         let F1 = S::mul_add(
-            -self.v73_,
+            -self.v74_,
             ddot_x4,
-            S::mul_add(self.v74_, ddot_x3, self.m1 * ddot_x1),
+            S::mul_add(self.v75_, ddot_x3, self.m1 * ddot_x1),
         );
         let F2 = S::mul_add(
-            -self.v76_,
+            -self.v77_,
             ddot_x3,
-            S::mul_add(self.m2, ddot_x2, self.v75_ * ddot_x4),
+            S::mul_add(self.m2, ddot_x2, self.v76_ * ddot_x4),
         );
-        let drive_torque = S::mul_add(v101_, F1, shaft);
+        let drive_torque = S::mul_add(v102_, F1, shaft);
         let x_difference = x3 - x4;
         let F_difference = F1 - F2;
         values[0] = x1;
@@ -465,7 +465,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         values[2] = x3;
         values[3] = x4;
         values[4] = dot_x1;
-        values[5] = S::mul_add(-v111_, phi2, S::mul_add(-v101_, dot_phi2, dot_x1));
+        values[5] = S::mul_add(-v112_, phi2, S::mul_add(-v102_, dot_phi2, dot_x1));
         values[6] = dot_x1 + dot_w3;
         values[7] = dot_x1 + dot_w4;
         values[8] = ddot_x1;
@@ -474,15 +474,15 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         values[11] = ddot_x4;
         values[12] = phi2;
         values[13] = dot_phi2;
-        values[14] = v99_
+        values[14] = v100_
             * S::mul_add(
                 -self.c,
                 phi2,
-                v101_
+                v102_
                     * S::mul_add(
                         self.m2,
-                        v159_,
-                        S::mul_add(self.v26_, v155_ - v156_, self.v25_ * v154_),
+                        v160_,
+                        S::mul_add(self.v26_, v156_ - v157_, self.v25_ * v155_),
                     ),
             );
         values[15] = F1;

@@ -5,24 +5,24 @@ pub struct ElasticInstant<S: ::assur::scalar::Scalar> {
     sin_theta_: S,
     /// `cos(n*time)`
     cos_theta_: S,
-    /// `1/(m2*R^2*(sin_theta_^2*(1 - R*(1/l)*cos_theta_)^2) + J2)`
-    v99_: S,
+    /// `1/(R^2*m2*(sin_theta_^2*(1 - R*(1/l)*cos_theta_)^2) + J2)`
+    v100_: S,
     /// `R*((1 - R*(1/l)*cos_theta_)*sin_theta_)`
-    v101_: S,
-    /// `R*(1 + lambda)*((1 - R*(1/l)*cos_theta_)*sin_theta_)`
     v102_: S,
-    /// `R*lambda*((1 - R*(1/l)*cos_theta_)*sin_theta_)`
+    /// `R*(1 + lambda)*((1 - R*(1/l)*cos_theta_)*sin_theta_)`
     v103_: S,
+    /// `R*lambda*((1 - R*(1/l)*cos_theta_)*sin_theta_)`
+    v104_: S,
     /// `R*n^2*((1 - R*(1/l)*cos_theta_)*cos_theta_) + R^2*n^2*(1/l)*sin_theta_^2`
     ddot_x1: S,
     /// `R*n^2*(sin_theta_*(4*(R*(1/l))*cos_theta_ + (-1)))`
-    v109_: S,
-    /// `2*(R*n*((1 - R*(1/l)*cos_theta_)*cos_theta_) + R^2*n*(1/l)*sin_theta_^2)`
-    v112_: S,
+    v110_: S,
+    /// `2*(R*n*((1 - R*(1/l)*cos_theta_)*cos_theta_) + R^2*(1/l)*n*sin_theta_^2)`
+    v113_: S,
     /// `-m3*ddot_x1`
-    v114_: S,
+    v115_: S,
     /// `-m4*ddot_x1`
-    v116_: S,
+    v117_: S,
 }
 impl<S: ::assur::scalar::Scalar> ElasticEquations<S> {
     /// The symmetric mass matrix, in the order of the coordinates.
@@ -30,14 +30,14 @@ impl<S: ::assur::scalar::Scalar> ElasticEquations<S> {
     pub fn mass_matrix(&self, time: S, state: &[S; 6]) -> [[S; 3]; 3] {
         let theta = self.n * time;
         let (sin_theta_, cos_theta_) = S::sin_cos(theta);
-        let v95_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-        let v98_ = S::mul_add(
+        let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+        let v99_ = S::mul_add(
             self.v12_,
-            sin_theta_ * sin_theta_ * (v95_ * v95_),
+            sin_theta_ * sin_theta_ * (v96_ * v96_),
             self.J2,
         );
         [
-            [v98_, S::ZERO, S::ZERO],
+            [v99_, S::ZERO, S::ZERO],
             [S::ZERO, self.m3, S::ZERO],
             [S::ZERO, S::ZERO, self.m4],
         ]
@@ -52,40 +52,40 @@ impl<S: ::assur::scalar::Scalar> ElasticEquations<S> {
         let dot_w3 = state[4];
         let dot_w4 = state[5];
         let theta = self.n * time;
-        let v201_ = self.n - dot_phi2;
+        let v202_ = self.n - dot_phi2;
         let (sin_theta_, cos_theta_) = S::sin_cos(theta);
-        let v93_ = sin_theta_ * sin_theta_;
-        let v95_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-        let v100_ = v95_ * sin_theta_;
-        let dot_x1 = self.v38_ * v100_;
-        let u4 = S::mul_add(self.v27_ * v100_, phi2, w4);
-        let u3 = S::mul_add(-(self.v28_ * v100_), phi2, w3);
+        let v94_ = sin_theta_ * sin_theta_;
+        let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+        let v101_ = v96_ * sin_theta_;
+        let dot_x1 = self.v38_ * v101_;
+        let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
+        let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
         let dot_x2 = S::mul_add(
-            -S::mul_add(self.v38_, v95_ * cos_theta_, self.v37_ * v93_),
+            -S::mul_add(self.v38_, v96_ * cos_theta_, self.v37_ * v94_),
             phi2,
-            S::mul_add(-(self.R * v100_), dot_phi2, dot_x1),
+            S::mul_add(-(self.R * v101_), dot_phi2, dot_x1),
         );
         let dot_x3 = dot_x1 + dot_w3;
         let dot_x4 = dot_x1 + dot_w4;
-        let v208_ = S::mul_add(
-            self.v81_,
+        let v209_ = S::mul_add(
+            self.v82_,
             dot_x4 * dot_x4,
             S::mul_add(
-                self.v80_,
+                self.v81_,
                 dot_x3 * dot_x3,
-                S::mul_add(self.v79_, v201_ * v201_, self.v78_ * (v93_ * (v95_ * v95_))),
+                S::mul_add(self.v80_, v202_ * v202_, self.v79_ * (v94_ * (v96_ * v96_))),
             ),
         );
         (
-            S::mul_add(self.v82_, dot_x2 * dot_x2, v208_),
+            S::mul_add(self.v83_, dot_x2 * dot_x2, v209_),
             S::mul_add(
-                self.v84_,
+                self.v85_,
                 S::mul_add(
                     u3,
-                    S::mul_add(-self.v85_, u4, self.d44 * u3),
+                    S::mul_add(-self.v86_, u4, self.d44 * u3),
                     self.d33 * (u4 * u4),
                 ),
-                self.v83_ * (phi2 * phi2),
+                self.v84_ * (phi2 * phi2),
             ),
         )
     }

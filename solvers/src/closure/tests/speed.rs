@@ -22,8 +22,7 @@ impl Task for ByHand {
         for k in 0..360 * self.0 {
             let at = S::from_f64(TAU * k as f64 / 360.0);
             let instant = loops.instant(&[at]);
-            loops.close(0, &instant, modes[0], &mut z);
-            loops.close(1, &instant, modes[1], &mut z);
+            loops.close_all(&instant, &modes, &mut z, &mut [S::ZERO; 2]);
             sum = sum + (z[0] + z[1] + z[2] + z[3]);
         }
         sum.to_f64()

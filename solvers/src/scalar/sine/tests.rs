@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A number as the sum of two, about 106 bits.
 #[derive(Clone, Copy)]
-struct Double(f64, f64);
+pub(in crate::scalar) struct Double(pub f64, pub f64);
 
 /// The sum of two numbers, exactly.
 fn sum(a: f64, b: f64) -> Double {
@@ -16,18 +16,18 @@ fn sum(a: f64, b: f64) -> Double {
 }
 
 /// The product of two numbers, exactly.
-fn product(a: f64, b: f64) -> Double {
+pub(in crate::scalar) fn product(a: f64, b: f64) -> Double {
     let p = a * b;
     Double(p, f64::mul_add(a, b, -p))
 }
 
 impl Double {
-    fn plus(self, other: Self) -> Self {
+    pub fn plus(self, other: Self) -> Self {
         let (high, low) = (sum(self.0, other.0), sum(self.1, other.1));
         let middle = sum(high.0, high.1 + low.0);
         sum(middle.0, middle.1 + low.1)
     }
-    fn times(self, other: Self) -> Self {
+    pub fn times(self, other: Self) -> Self {
         let p = product(self.0, other.0);
         sum(p.0, p.1 + (self.0 * other.1 + self.1 * other.0))
     }
@@ -55,7 +55,7 @@ fn series(x: Double, first: Double, start: u32) -> Double {
 }
 
 /// Sine and cosine of an angle, to about 2⁻⁸⁵ of their value for angles to 1e5.
-fn reference(angle: f64) -> (Double, Double) {
+pub(in crate::scalar) fn reference(angle: f64) -> (Double, Double) {
     let turns = (angle / FRAC_PI_2).round();
     let mut rest = Double(angle, 0.0);
     for part in [FRAC_PI_2, 6.123233995736766e-17, -1.4973849048591698e-33] {

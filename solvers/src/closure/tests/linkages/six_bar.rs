@@ -123,17 +123,32 @@ impl<S: Scalar> Closure<S> for Loops<S> {
         match group {
             0 => {
                 let (sine, [ca, sa, cb, sb]) = self.first.close(span, mode);
-                (z[0], z[1]) = (S::atan2(sa, ca), S::atan2(sb, cb));
+                [z[0], z[1]] = S::atan2_all([sa, sb], [ca, cb]);
                 (z[4], z[5], z[6], z[7]) = (ca, sa, cb, sb);
                 sine
             }
             _ => {
                 let (sine, [ca, sa, cb, sb]) = self.second.close(span, mode);
-                (z[2], z[3]) = (S::atan2(sa, ca), S::atan2(sb, cb));
+                [z[2], z[3]] = S::atan2_all([sa, sb], [ca, cb]);
                 (z[8], z[9], z[10], z[11]) = (ca, sa, cb, sb);
                 sine
             }
         }
+    }
+    #[inline(always)]
+    fn close_all(&self, instant: &[S; 2], modes: &[S], z: &mut [S; 12], sines: &mut [S]) {
+        for (group, dyad) in [self.first, self.second].into_iter().enumerate() {
+            let (sine, all) = dyad.close(self.span(group, instant, z), modes[group]);
+            sines[group] = sine;
+            [
+                z[4 + 4 * group],
+                z[5 + 4 * group],
+                z[6 + 4 * group],
+                z[7 + 4 * group],
+            ] = all;
+        }
+        [z[0], z[1], z[2], z[3]] =
+            S::atan2_all([z[5], z[7], z[9], z[11]], [z[4], z[6], z[8], z[10]]);
     }
     fn margin(&self, group: usize, instant: &[S; 2], z: &[S; 12]) -> S {
         self.dyad(group).margin(self.span(group, instant, z))

@@ -1,0 +1,158 @@
+//! The modes of a motion and the events between them, for the tables and formats of `assur run`.
+
+use assur::hybrid::{EventEntry, Happened};
+use serde_json::{Value, json};
+
+use crate::number;
+use crate::report::Report;
+use crate::table::Page;
+use crate::text::{Align, Columns};
+
+/// Most events that a table lists.
+const MOST: usize = 40;
+
+/// A stretch of the task in one mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Band {
+    /// The mode.
+    pub mode: usize,
+    /// Its name.
+    pub name: &'static str,
+    /// When it begins.
+    pub from: f64,
+    /// When it ends.
+    pub to: f64,
+}
+
+/// The modes in their order; none where the scene has none.
+pub fn bands(report: &Report) -> Vec<Band> {
+    let case = &report.case;
+    if case.scene.modes.iter().all(|mode| mode.name.is_empty()) {
+        return Vec::new();
+    }
+    let (begin, end) = case.task.limits();
+    let (mut bands, mut from, mut mode) = (Vec::new(), begin, case.run().first_mode());
+    let events = report.motion.events().iter();
+    let changes = events.filter(|event| event.to != event.from);
+    for (time, next) in changes
+        .map(|event| (event.time, event.to))
+        .chain([(end, mode)])
+    {
+        if time > from {
+            bands.push(Band {
+                mode,
+                name: case.mode(mode),
+                from,
+                to: time,
+            });
+        }
+        (from, mode) = (time, next);
+    }
+    bands
+}
+
+/// The statement of an event.
+fn entry(report: &Report, event: &Happened) -> Option<&'static EventEntry> {
+    let modes = report.case.scene.modes;
+    modes.get(event.from)?.events.get(event.event)
+}
+
+/// What happened, in order.
+pub fn section(page: &mut Page, report: &Report) {
+    if report.case.scene.modes.is_empty() {
+        return;
+    }
+    let modes = report.case.scene.modes;
+    if modes
+        .iter()
+        .all(|mode| mode.events.iter().all(|one| one.surface.is_some()))
+    {
+        return;
+    }
+    let happened = report.motion.events().iter();
+    let events: Vec<&Happened> = happened
+        .filter(|event| entry(report, event).is_some_and(|entry| entry.surface.is_none()))
+        .collect();
+    let mut table = Columns::new([
+        ("time, s", Align::Point),
+        ("mode", Align::Left),
+        ("event", Align::Left),
+        ("guard there", Align::Point),
+        ("unit", Align::Left),
+    ]);
+    let first = report.case.mode(report.case.run().first_mode());
+    let (begin, _) = report.case.task.limits();
+    if !first.is_empty() {
+        table.row([
+            number::short(begin),
+            first.to_owned(),
+            "start".to_owned(),
+            String::new(),
+            String::new(),
+        ]);
+    }
+    let count = events.len();
+    let left_out = count.saturating_sub(MOST);
+    for (index, event) in events.into_iter().enumerate() {
+        if left_out > 0 && (MOST / 2..MOST / 2 + left_out).contains(&index) {
+            continue;
+        }
+        let Some(entry) = entry(report, event) else {
+            continue;
+        };
+        table.row([
+            number::significant(event.time, 12),
+            match event.to == event.from {
+                true => String::new(),
+                false => report.case.mode(event.to).to_owned(),
+            },
+            entry.text.to_owned(),
+            number::error(event.guard / entry.factor),
+            entry.unit.to_owned(),
+        ]);
+    }
+    let heading = match (count, left_out) {
+        (0, _) => "Events: none".to_owned(),
+        (count, 0) => format!("Events: {count}"),
+        (count, left_out) => {
+            format!(
+                "Events: {count}, of which {left_out} in the middle are left out (--format json has all)"
+            )
+        }
+    };
+    page.section(&heading, &table);
+    page.line("");
+}
+
+/// Names of the modes.
+pub fn modes(report: &Report) -> Value {
+    let modes = report.case.scene.modes.iter();
+    let modes = modes.map(|mode| json!({ "name": mode.name, "summary": mode.summary }));
+    modes.collect()
+}
+
+/// All events.
+pub fn list(report: &Report) -> Value {
+    let states = |values: &[f64]| -> Value {
+        let states = report.case.scene.states.iter().zip(values);
+        let one = |(state, value): (&assur::registry::Quantity, &f64)| json!({ "name": state.name, "unit": state.unit, "value": value / state.factor });
+        states.map(one).collect()
+    };
+    let one = |event: &Happened| {
+        let entry = entry(report, event)?;
+        if entry.surface.is_some() {
+            return None;
+        }
+        Some(json!({
+            "time": event.time,
+            "from": report.case.mode(event.from),
+            "to": report.case.mode(event.to),
+            "event": entry.text,
+            "line": entry.line,
+            "guard": { "value": event.guard / entry.factor, "unit": entry.unit },
+            "before": states(&event.before),
+            "after": states(&event.after),
+        }))
+    };
+    report.motion.events().iter().filter_map(one).collect()
+}

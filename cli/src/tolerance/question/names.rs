@@ -1,0 +1,156 @@
+//! What the names in options mean: what errs, the output, the place.
+
+use assur::closure::Variable;
+use assur::registry::{Distribution, LinkageEntry, Quantity, RunLinkage, SceneEntry};
+use assur::tolerance::Source;
+
+use super::Label;
+use crate::error::Failure;
+use crate::lookup::suggestion;
+use crate::tolerance::arguments::ToleranceArguments;
+use crate::values::{self, Place, quantity, split};
+
+/// The names of a scene.
+pub(super) struct Names {
+    pub scene: &'static SceneEntry,
+    pub linkage: &'static LinkageEntry,
+}
+
+impl Names {
+    /// The quantity of a variable, its tolerance and how it is distributed.
+    pub fn variable(&self, index: usize) -> (&'static Quantity, f64, Distribution) {
+        match self.linkage.variables[index] {
+            Variable::Constant(index) => {
+                let one = &self.scene.constants[index];
+                (&one.quantity, one.tolerance, one.distribution)
+            }
+            Variable::Driver(index) => {
+                let (tolerance, distribution) = self.linkage.tolerances[index];
+                (&self.scene.drivers[index], tolerance, distribution)
+            }
+        }
+    }
+
+    /// The index of a variable.
+    pub fn find(&self, name: &str, option: &str) -> Result<usize, Failure> {
+        let count = self.linkage.variables.len();
+        let names: Vec<_> = (0..count).map(|one| self.variable(one).0.name).collect();
+        names.iter().position(|one| *one == name).ok_or_else(|| {
+            Failure::request(format!("nothing that can err is called `{name}`"))
+                .place(format!("{option} {name}=…"))
+                .remedy(suggestion(name, &names))
+        })
+    }
+
+    /// Reads `NAME=VALUE` with the unit of the variable.
+    fn read(&self, text: &str, option: &str) -> Result<(usize, f64), Failure> {
+        let (name, value) = split(text, option, "l5=0.02mm")?;
+        let index = self.find(name, option)?;
+        let value = quantity(value, self.variable(index).0)
+            .map_err(|failure| failure.place(format!("{option} {text}")))?;
+        match value >= 0.0 {
+            true => Ok((index, value)),
+            false => Err(
+                Failure::request(format!("`{name}` cannot err by less than nothing"))
+                    .place(format!("{option} {text}"))
+                    .remedy("give a half-width of zero or more"),
+            ),
+        }
+    }
+
+    /// What errs.
+    pub fn sources(
+        &self,
+        options: &ToleranceArguments,
+    ) -> Result<(Vec<Source>, Vec<Label>), Failure> {
+        if !(options.scale > 0.0 && options.scale.is_finite()) {
+            return Err(
+                Failure::request(format!("--scale {} cannot be", options.scale))
+                    .remedy("give a positive number"),
+            );
+        }
+        let variables = 0..self.linkage.variables.len();
+        let mut tolerances: Vec<f64> = variables.map(|one| self.variable(one).1).collect();
+        for text in &options.tolerance {
+            let (index, value) = self.read(text, "--tolerance")?;
+            tolerances[index] = value;
+        }
+        let mut sources = Vec::new();
+        let mut labels = Vec::new();
+        for (variable, tolerance) in tolerances.into_iter().enumerate() {
+            let (quantity, _, distribution) = self.variable(variable);
+            if tolerance > 0.0 {
+                sources.push(Source {
+                    variable,
+                    half_width: tolerance * options.scale,
+                    distribution,
+                });
+                labels.push(Label {
+                    quantity,
+                    is_play: false,
+                });
+            }
+        }
+        for text in &options.play {
+            let (variable, radial) = self.read(text, "--play")?;
+            sources.push(Source::play(variable, radial));
+            labels.push(Label {
+                quantity: self.variable(variable).0,
+                is_play: true,
+            });
+        }
+        match sources.is_empty() {
+            false => Ok((sources, labels)),
+            true => Err(Failure::request("nothing has a tolerance in this scene")
+                .remedy("state one in the file, `dimension l4 = 90 mm +- 0.05 mm;`, or with --tolerance NAME=VALUE")),
+        }
+    }
+
+    /// The index of the output.
+    pub fn output(&self, name: Option<&str>) -> Result<usize, Failure> {
+        let names: Vec<_> = self.scene.outputs.iter().map(|one| one.name).collect();
+        let Some(name) = name else {
+            return names.len().checked_sub(1).ok_or_else(|| {
+                Failure::request(format!("scene `{}` has no output", self.scene.name))
+            });
+        };
+        names.iter().position(|one| *one == name).ok_or_else(|| {
+            Failure::request(format!(
+                "scene `{}` has no output `{name}`",
+                self.scene.name
+            ))
+            .place(format!("--output {name}"))
+            .remedy(suggestion(name, &names))
+        })
+    }
+
+    /// Where `--at` looks.
+    pub fn place(
+        &self,
+        run: &dyn RunLinkage,
+        options: &[String],
+    ) -> Result<Option<Vec<f64>>, Failure> {
+        if options.is_empty() {
+            return Ok(None);
+        }
+        let mut place: Vec<f64> = run.ranges().iter().map(|range| range.start).collect();
+        let mut time = None;
+        for text in options.iter().flat_map(|text| text.split(',')) {
+            match values::place(self.scene, text)? {
+                Place::Time(at) => time = Some(at),
+                Place::Driver(index, value) => {
+                    place[index] = value;
+                    let at = |time| {
+                        let drive = run.drive(time);
+                        drive
+                            .and_then(|all| all.get(index).copied())
+                            .unwrap_or(f64::NAN)
+                    };
+                    time = time.or(run.span().time_of(at, value).ok());
+                }
+            }
+        }
+        let moving = time.and_then(|time| run.drive(time));
+        Ok(Some(moving.unwrap_or(place)))
+    }
+}

@@ -1,0 +1,143 @@
+//! Switching surfaces: where a branch, `abs`, `sign`, `max` or `min` goes over to its other side.
+//!
+//! A step of an integration must not straddle one, and where it begins on one, rounding must not choose the side. So the
+//! side is an input, 1 or −1, that whoever integrates holds fixed until the surface is reached; 0 leaves it to the
+//! values, which is what everyone else wants.
+
+use std::collections::HashMap;
+
+use super::build::Request;
+use super::{Event, Function, Input, Relation, Stage};
+use crate::expression::{Expression, Graph, Node, Symbol};
+
+/// Roots in which every branch asks for its side, and the surfaces with their rates.
+pub struct Frozen {
+    /// The roots.
+    pub roots: Vec<Expression>,
+    /// For each side the guard that passes zero where it changes: it is positive on side 1.
+    pub surfaces: Vec<Event<Expression>>,
+}
+
+/// Makes the sides of all branches inputs. `derivative` are the rates of the state, everything bound.
+pub fn freeze(
+    graph: &mut Graph,
+    roots: &[Expression],
+    derivative: &[Expression],
+    request: &mut Request,
+) -> Frozen {
+    let mut freezer = Freezer {
+        guards: Vec::new(),
+        new: HashMap::new(),
+    };
+    for old in graph.reachable(roots) {
+        let node = graph.node(old).clone();
+        let value = match request.stage(graph, old) {
+            Stage::Constant | Stage::Parameter => old,
+            _ => freezer.rebuild(graph, &node),
+        };
+        graph.carry(old, value);
+        freezer.new.insert(old, value);
+    }
+    let renew = |list: &[Expression]| -> Vec<Expression> {
+        let new = |one: &Expression| freezer.new.get(one).copied().unwrap_or(*one);
+        list.iter().map(new).collect()
+    };
+    let roots = renew(roots);
+    let mut direction = HashMap::from([(Symbol::Time, graph.one())]);
+    let rates = renew(derivative);
+    for (symbol, input) in &request.inputs {
+        if let Input::State(index) = input {
+            direction.insert(*symbol, rates[*index as usize]);
+        }
+    }
+    let slopes = graph.tangent(&freezer.guards, &direction);
+    for index in 0..freezer.guards.len() as u32 {
+        request
+            .inputs
+            .insert(Symbol::Side(index), Input::Side(index));
+    }
+    let pairs = freezer.guards.iter().zip(slopes);
+    let surfaces = pairs.map(|(guard, rate)| Event {
+        guard: *guard,
+        rate,
+        condition: None,
+        after: Vec::new(),
+    });
+    Frozen {
+        roots,
+        surfaces: surfaces.collect(),
+    }
+}
+
+struct Freezer {
+    guards: Vec<Expression>,
+    new: HashMap<Expression, Expression>,
+}
+
+impl Freezer {
+    fn rebuild(&mut self, graph: &mut Graph, node: &Node) -> Expression {
+        let at = |new: &HashMap<Expression, Expression>, one: &Expression| {
+            new.get(one).copied().unwrap_or(*one)
+        };
+        match node {
+            Node::Compare(relation @ (Relation::Less | Relation::LessEqual), a, b) => {
+                let (a, b) = (at(&self.new, a), at(&self.new, b));
+                let guard = graph.sub(b, a);
+                let free = graph.compare(*relation, a, b);
+                self.condition(graph, guard, free)
+            }
+            Node::Call(function @ (Function::Abs | Function::Sign), arguments) => {
+                let x = at(&self.new, &arguments[0]);
+                let (zero, one) = (graph.zero(), graph.one());
+                let free = graph.compare(Relation::Less, zero, x);
+                let is_positive = self.condition(graph, x, free);
+                let (above, below) = match function {
+                    Function::Abs => (x, graph.neg(x)),
+                    _ => (one, graph.number(-1.0)),
+                };
+                graph.select(is_positive, above, below)
+            }
+            Node::Call(function @ (Function::Max | Function::Min), arguments) => {
+                let (a, b) = (at(&self.new, &arguments[0]), at(&self.new, &arguments[1]));
+                let guard = graph.sub(a, b);
+                let free = graph.compare(Relation::Less, b, a);
+                let is_first_larger = self.condition(graph, guard, free);
+                match function {
+                    Function::Max => graph.select(is_first_larger, a, b),
+                    _ => graph.select(is_first_larger, b, a),
+                }
+            }
+            _ => graph.rebuild_with(node, &self.new),
+        }
+    }
+
+    /// Whether a guard is positive: as its side says, or as its values say where no side is given.
+    fn condition(&mut self, graph: &mut Graph, guard: Expression, free: Expression) -> Expression {
+        if graph.as_number(guard).is_some() {
+            return free;
+        }
+        // A guard and its negative are one surface.
+        let turned = graph.neg(guard);
+        let (kept, sign) = match turned < guard {
+            true => (turned, -1.0),
+            false => (guard, 1.0),
+        };
+        let index = match self.guards.iter().position(|one| *one == kept) {
+            Some(index) => index,
+            None => {
+                self.guards.push(kept);
+                self.guards.len() - 1
+            }
+        };
+        let side = graph.symbol(Symbol::Side(index as u32));
+        let (zero, one) = (graph.zero(), graph.number(sign));
+        let other = graph.neg(one);
+        let is_free = graph.compare(Relation::Equal, side, zero);
+        let by_values = graph.select(free, one, other);
+        let effective = graph.select(is_free, by_values, side);
+        match sign > 0.0 {
+            true => graph.compare(Relation::Less, zero, effective),
+            false => graph.compare(Relation::Less, effective, zero),
+        }
+    }
+}

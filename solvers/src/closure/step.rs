@@ -1,0 +1,98 @@
+//! One step of a linkage of which no group is iterated.
+//!
+//! It is what [`Assembly::move_to`] spends its time with. Position and sines stand in local variables until the step is
+//! accepted, so that the compiler keeps them in registers and writes them once.
+
+use super::assembly::Assembly;
+use super::newton::Position;
+use super::problem::{Closure, GroupKind, Linkage};
+use crate::scalar::Scalar;
+
+/// A group before and after a step: its sine, what was expected of it, and the turns of its links.
+pub(super) struct Passage<S> {
+    pub before: S,
+    pub sine: S,
+    pub expected: S,
+    pub turned: S,
+}
+
+impl<S: Scalar> Passage<S> {
+    /// Whether the group has certainly kept its mode: see [`super::assembly`].
+    #[inline(always)]
+    pub fn certainly_keeps(self, kind: GroupKind) -> bool {
+        let sum = (self.sine + self.before).abs();
+        let missed = (self.sine - self.expected).abs();
+        let two = S::from_f64(2.0);
+        let certain = S::less(two * two.mul_add(missed, self.turned), sum);
+        if let GroupKind::Rrr = kind {
+            // The sine is that of the angle between both links, so that it cannot change by more than they turn.
+            return S::holds(certain);
+        }
+        let change = (self.sine - self.before).abs();
+        S::holds(S::and(certain, S::less(two * change, sum)))
+    }
+}
+
+impl<L: Linkage, S: Scalar> Assembly<L, S> {
+    /// Closes all groups, and goes there if they have certainly kept their modes.
+    #[inline(always)]
+    pub(super) fn step(&mut self, independents: &[S]) -> bool {
+        /// Written out for the first groups, so that what is known of each is known to the compiler.
+        macro_rules! written_out {
+            ($sines:ident $position:ident $ratio:ident: $($index:literal)*) => {{
+                let mut certain = true;
+                $(if L::GROUPS.len() > $index {
+                    certain &= self.keeps($index, $sines.as_ref()[$index], $ratio, &mut $position);
+                })*
+                certain
+            }};
+        }
+        let groups = L::GROUPS.len();
+        let instant = self.closure.instant(independents);
+        let ratio = self.ratio(independents);
+        let (mut position, mut sines) = (self.closure.zeros(), self.closure.zeros());
+        let modes = &self.groups.modes.as_ref()[..groups];
+        let found = &mut sines.as_mut()[..groups];
+        self.closure
+            .close_all(&instant, modes, &mut position, found);
+        let mut certain = written_out!(sines position ratio: 0 1 2 3 4 5);
+        for index in 6..groups {
+            certain &= self.keeps(index, sines.as_ref()[index], ratio, &mut position);
+        }
+        if certain {
+            self.position = position;
+            for index in 0..groups {
+                let (sine, known) = (sines.as_ref()[index], &mut self.groups);
+                known.changes.as_mut()[index] = sine - known.sines.as_ref()[index];
+                known.sines.as_mut()[index] = sine;
+            }
+            self.head(independents);
+            self.instant = instant;
+        }
+        certain
+    }
+
+    /// Continues the angles of a group over whole turns, and says whether it has certainly kept its mode.
+    #[inline(always)]
+    fn keeps(&self, index: usize, sine: S, ratio: S, position: &mut Position<L, S>) -> bool {
+        let group = &L::GROUPS[index];
+        let before = self.groups.sines.as_ref()[index];
+        let mut turned = S::ZERO;
+        if group.kind.has_modes() {
+            let (position, last) = (position.as_mut(), self.position.as_ref());
+            for &j in group.unknowns {
+                if L::ANGLES[j] {
+                    position[j] = position[j] + self.turns.as_ref()[j];
+                    turned = turned + (position[j] - last[j]).abs();
+                }
+            }
+        }
+        let passage = Passage {
+            before,
+            sine,
+            expected: self.groups.changes.as_ref()[index].mul_add(ratio, before),
+            turned,
+        };
+        passage.certainly_keeps(group.kind)
+    }
+}

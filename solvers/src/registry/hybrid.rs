@@ -1,0 +1,117 @@
+//! A scene with modes and its values behind [`Run`].
+
+use super::{Run, Settings};
+use crate::hybrid::{self, EventEntry, Hybrid, HybridError, Modes, Motion};
+use crate::ode::{OdeError, Trajectory};
+use crate::periodic::{Orbit, PeriodicError};
+use crate::problem::{Equations, Refused, Span, Storage};
+
+/// A mode as data.
+#[derive(Clone, Copy, Debug)]
+pub struct ModeEntry {
+    /// Name of the mode; empty where a motion has events and no modes.
+    pub name: &'static str,
+    /// What it is.
+    pub summary: &'static str,
+    /// What ends it, or makes it jump.
+    pub events: &'static [EventEntry],
+}
+
+/// Checks the values of a scene with modes and prepares it.
+///
+/// # Errors
+/// The first value or condition that the mechanism does not accept.
+pub fn bind_hybrid<C: Hybrid + 'static>(scene: C) -> Result<Box<dyn Run>, Refused> {
+    scene.check()?;
+    let modes = (0..C::EVENTS.len()).map(|mode| {
+        let mut equations = scene.modal::<f64>();
+        equations.enter(mode);
+        equations
+    });
+    let modes = modes.collect();
+    Ok(Box::new(Bound { scene, modes }))
+}
+
+/// A scene with modes and its values.
+struct Bound<C: Hybrid> {
+    scene: C,
+    /// The equations in each mode.
+    modes: Vec<C::Modal<f64>>,
+}
+
+impl<C: Hybrid> Bound<C> {
+    fn state(values: &[f64]) -> <C::Modal<f64> as Equations<f64>>::State {
+        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
+        for (slot, value) in state.as_mut().iter_mut().zip(values) {
+            *slot = *value;
+        }
+        state
+    }
+}
+
+impl<C: Hybrid + 'static> Run for Bound<C> {
+    fn span(&self) -> Span {
+        self.scene.span()
+    }
+
+    fn start(&self) -> Vec<f64> {
+        self.scene.start()
+    }
+
+    fn first_mode(&self) -> usize {
+        C::FIRST
+    }
+
+    fn drivers(&self, time: f64) -> Vec<f64> {
+        let mut values = vec![0.0; C::DRIVERS];
+        self.modes[C::FIRST].drivers(time, &mut values);
+        values
+    }
+
+    fn outputs_in(&self, mode: usize, time: f64, state: &[f64]) -> Vec<f64> {
+        let mut values = vec![0.0; C::OUTPUTS];
+        self.modes[mode].outputs(time, &Self::state(state), &mut values);
+        values
+    }
+
+    fn rates_in(&self, mode: usize, time: f64, state: &[f64]) -> Vec<f64> {
+        let equations = &self.modes[mode];
+        let mut rate = Self::state(&[]);
+        equations.derivative(&equations.instant(time), &Self::state(state), &mut rate);
+        rate.as_ref().to_vec()
+    }
+
+    fn periodic(&self, _period: f64, _settings: &Settings) -> Result<Orbit, PeriodicError> {
+        Err(PeriodicError::Ode(has_modes()))
+    }
+
+    fn march(
+        &self,
+        _times: (f64, f64),
+        _start: &[f64],
+        _settings: &Settings,
+    ) -> Result<Trajectory, OdeError> {
+        Err(has_modes())
+    }
+
+    fn follow(
+        &self,
+        times: (f64, f64),
+        start: &[f64],
+        settings: &Settings,
+    ) -> Result<Motion, HybridError> {
+        hybrid::march(&self.scene, times, start, settings)
+    }
+
+    fn time_evaluation(&self, calls: usize) -> f64 {
+        super::bind::time_evaluation(&self.scene, calls)
+    }
+}
+
+/// The motion of a scene with modes is no single trajectory.
+fn has_modes() -> OdeError {
+    OdeError::BadOption {
+        name: "scene",
+        reason: "it has modes, so its motion has to be followed from event to event".to_string(),
+    }
+}

@@ -1,0 +1,131 @@
+//! The drawing of one block of samples.
+//!
+//! Errors are drawn and their first order is added up for a batch of samples at once, which the compiler packs; the
+//! linkages are then closed one by one, and what they give is tallied for the whole batch.
+
+use super::lead::Lead;
+use super::made::Maker;
+use super::nominal::{Nominal, is_iterated};
+use super::random::Random;
+use super::source::Source;
+use super::tally::{CLASSES, Classes, Sums};
+use crate::closure::Linkage;
+use crate::dispatch::Task;
+use crate::registry::Distribution;
+use crate::scalar::Scalar;
+use std::marker::PhantomData;
+
+/// Samples in a batch.
+const BATCH: usize = 64;
+
+/// The samples of a block.
+#[derive(Clone, Debug)]
+pub(super) struct Block {
+    pub places: Vec<Sums>,
+    /// Samples that assemble at all places.
+    pub whole: u64,
+}
+
+/// What all blocks have in common.
+pub(super) struct Run<'a, L: Linkage> {
+    pub nominals: &'a [Nominal],
+    pub sources: &'a [Source],
+    pub output: usize,
+    pub seed: u64,
+    /// Of each place; none while they are not yet chosen.
+    pub classes: Vec<Classes>,
+    pub linkage: PhantomData<L>,
+}
+
+/// The drawing of one block.
+pub(super) struct Drawing<'a, 'b, L: Linkage> {
+    pub run: &'a Run<'a, L>,
+    pub from: u64,
+    pub to: u64,
+    pub counts: &'b mut [u64],
+}
+
+impl<L: Linkage> Task for Drawing<'_, '_, L> {
+    type Output = Block;
+
+    #[inline(always)]
+    fn run<S: Scalar>(self) -> Block {
+        let run = self.run;
+        let mut maker = Maker::<L, S, BATCH>::new(run.nominals, run.sources, run.output);
+        let mut block = Block {
+            places: vec![Sums::NONE; run.nominals.len()],
+            whole: 0,
+        };
+        let mut errors = vec![[S::ZERO; BATCH]; run.sources.len()];
+        let mut found = vec![[f64::NAN; BATCH]; run.nominals.len()];
+        for first in (self.from..self.to).step_by(BATCH) {
+            let count = BATCH.min((self.to - first) as usize);
+            run.draw(first, &mut errors);
+            maker.make(&errors);
+            for sample in 0..count {
+                let closure = maker.prepare(sample);
+                let mut whole = true;
+                for (place, found) in found.iter_mut().enumerate() {
+                    let mut error = maker.error(&closure, place, sample).to_f64();
+                    if !error.is_finite() {
+                        error = run.lead(place, &errors, sample);
+                        whole &= !error.is_nan();
+                    }
+                    found[sample] = error;
+                }
+                block.whole += u64::from(whole);
+            }
+            for (place, found) in found.iter().enumerate() {
+                let found = &found[..count];
+                block.places[place].add_all(found);
+                if let Some(classes) = run.classes.get(place) {
+                    classes.count(found, &mut self.counts[place * CLASSES..][..CLASSES]);
+                }
+            }
+        }
+        block
+    }
+}
+
+impl<L: Linkage> Run<'_, L> {
+    /// Draws the errors of the samples of a batch, source by source, so that each distribution is chosen once.
+    #[inline(always)]
+    fn draw<S: Scalar>(&self, first: u64, errors: &mut [[S; BATCH]]) {
+        let stride = self.sources.len() as u64;
+        let random = Random::new(self.seed, first.wrapping_mul(stride));
+        for (k, (source, errors)) in self.sources.iter().zip(errors).enumerate() {
+            /// Written out, so that what is known of the distribution is known to the compiler.
+            macro_rules! draw {
+                ($distribution:expr) => {
+                    for (sample, error) in errors.iter_mut().enumerate() {
+                        let share = random.ahead(sample as u64 * stride + k as u64);
+                        let quantile = $distribution.quantile(share);
+                        *error = S::from_f64(quantile * source.half_width);
+                    }
+                };
+            }
+            match source.distribution {
+                Distribution::Uniform => draw!(Distribution::Uniform),
+                Distribution::Normal => draw!(Distribution::Normal),
+                Distribution::Truncated => draw!(Distribution::Truncated),
+            }
+        }
+    }
+
+    /// The careful way to a made linkage; no number if there is none.
+    #[cold]
+    #[inline(never)]
+    fn lead<S: Scalar>(&self, place: usize, errors: &[[S; BATCH]], sample: usize) -> f64 {
+        if !is_iterated::<L>() {
+            return f64::NAN;
+        }
+        let errors: Vec<f64> = errors.iter().map(|one| one[sample].to_f64()).collect();
+        let lead = Lead::<L> {
+            nominal: &self.nominals[place],
+            sources: self.sources,
+            output: self.output,
+            linkage: PhantomData,
+        };
+        lead.error(&errors).unwrap_or(f64::NAN)
+    }
+}

@@ -1,0 +1,254 @@
+//! One place of a made linkage: closed with other dimensions, in the mode of the nominal one and near it.
+//!
+//! A group in closed form keeps its mode by itself. A group that is iterated starts where its derivatives by the sources
+//! predict it. Newton's corrections must then shrink to a quarter at least from one to the next, the first against the
+//! predicted move: the answer is then the one that belongs to the start (P. Deuflhard: *Newton methods for nonlinear
+//! problems*, 2004, section 5.1), and the determinant of the Jacobian has kept its sign. What fails this test is led
+//! there from the nominal linkage in smaller steps ([`super::lead`]).
+
+use super::made::numbers;
+use super::nominal::Nominal;
+use super::small;
+use super::source::Source;
+use super::varied::{self, Lanes, Varied};
+use crate::closure::{Closure, GroupKind, Linkage};
+use crate::problem::Storage;
+use crate::scalar::Scalar;
+use std::f64::consts::TAU;
+
+/// Largest ratio of successive corrections.
+pub(super) const CONTRACTION: f64 = 0.25;
+/// Error that is left, as a part of the predicted move: far below what any number of samples resolves.
+const ACCURACY: f64 = 1e-8;
+/// Move that counts as none, in radians.
+pub(super) const NOTHING: f64 = 1e-11;
+/// Largest number of corrections.
+const ITERATIONS: usize = 6;
+
+/// Position of a linkage.
+pub(super) type Position<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Position;
+/// What depends on the independent variables of a linkage alone.
+pub(super) type Instant<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Instant;
+
+/// The nominal linkage at one place, ready for `W` samples of a type of number.
+pub(super) struct Place<L: Linkage, S: Scalar, const W: usize> {
+    independents: Vec<S>,
+    motion: Vec<S>,
+    /// The positions of the drivers that err.
+    drivers: Vec<Varied<S, W>>,
+    position: Position<L, S>,
+    /// Of each group; there are no more groups than unknowns, so that a position holds them.
+    modes: Position<L, S>,
+    /// Determinants of the Jacobians count by their sign alone, that of the sine.
+    signs: Position<L, S>,
+    /// Reciprocals of the units of the dependent coordinates.
+    scales: Position<L, S>,
+    /// Derivatives of the dependent coordinates by the sources; empty if no group is iterated.
+    tangents: Vec<S>,
+    /// The moves of the dependent coordinates that those predict.
+    moved: Vec<Lanes<S, W>>,
+    /// The output that is looked at.
+    pub nominal: S,
+}
+
+impl<L: Linkage, S: Scalar, const W: usize> Place<L, S, W> {
+    /// The nominal linkage with its position; `zeros` is one with nothing in it.
+    pub fn new(
+        nominal: &Nominal,
+        zeros: &Position<L, S>,
+        sources: &[Source],
+        output: usize,
+    ) -> Self {
+        let all = |list: &[f64]| {
+            let mut all = zeros.clone();
+            all.as_mut()[..list.len()].copy_from_slice(&numbers::<S>(list));
+            all
+        };
+        let scales: Vec<f64> = nominal.units.iter().map(|unit| 1.0 / unit).collect();
+        let independents = numbers(&nominal.independents);
+        Self {
+            drivers: Varied::drivers::<L>(sources, &independents),
+            independents,
+            motion: numbers(&nominal.motion),
+            position: all(&nominal.position),
+            modes: all(&nominal.modes),
+            signs: all(&nominal.sines),
+            scales: all(&scales),
+            tangents: numbers(&nominal.tangents),
+            moved: vec![[S::ZERO; W]; L::DEPENDENTS],
+            nominal: S::from_f64(nominal.outputs[output]),
+        }
+    }
+
+    /// Takes the errors of the sources.
+    #[inline(always)]
+    pub fn make(&mut self, errors: &[Lanes<S, W>]) {
+        for driver in &mut self.drivers {
+            driver.make(errors);
+        }
+        let rows = self.tangents.chunks_exact(errors.len().max(1));
+        for (moved, row) in self.moved.iter_mut().zip(rows) {
+            *moved = [S::ZERO; W];
+            for (slope, errors) in row.iter().zip(errors) {
+                varied::add(*slope, errors, moved);
+            }
+        }
+    }
+
+    /// Closes a sample, if it has certainly kept its modes, and writes its outputs.
+    #[inline(always)]
+    pub fn close(
+        &self,
+        closure: &L::Closure<S>,
+        sample: usize,
+        independents: &mut [S],
+        outputs: &mut [S],
+    ) -> bool {
+        independents.copy_from_slice(&self.independents[..L::INDEPENDENTS]);
+        for driver in &self.drivers {
+            independents[driver.index] = driver.made[sample];
+        }
+        let instant = match self.motion.is_empty() {
+            true => closure.instant(independents),
+            false => closure.moving(independents, &self.motion),
+        };
+        let mut position = self.position.clone();
+        let is_closed = self.close_all(closure, &instant, sample, &mut position);
+        if is_closed {
+            closure.outputs(&instant, &position, outputs);
+        }
+        is_closed
+    }
+
+    /// Closes all groups and says whether they have certainly kept their modes.
+    #[inline(always)]
+    fn close_all(
+        &self,
+        closure: &L::Closure<S>,
+        instant: &Instant<L, S>,
+        sample: usize,
+        position: &mut Position<L, S>,
+    ) -> bool {
+        /// Written out for the first groups, so that what is known of each is known to the compiler.
+        macro_rules! written_out {
+            ($($index:literal)*) => {{
+                $(if L::GROUPS.len() > $index
+                    && !self.close_one($index, closure, instant, sample, position) {
+                    return false;
+                })*
+            }};
+        }
+        written_out!(0 1 2 3 4 5);
+        for index in 6..L::GROUPS.len() {
+            if !self.close_one(index, closure, instant, sample, position) {
+                return false;
+            }
+        }
+        true
+    }
+
+    #[inline(always)]
+    fn close_one(
+        &self,
+        index: usize,
+        closure: &L::Closure<S>,
+        instant: &Instant<L, S>,
+        sample: usize,
+        position: &mut Position<L, S>,
+    ) -> bool {
+        if let GroupKind::General = L::GROUPS[index].kind {
+            return self.iterate(index, closure, instant, sample, position);
+        }
+        let mode = self.modes.as_ref()[index];
+        let sine = closure.close(index, instant, mode, position);
+        if L::GROUPS[index].kind.has_modes() {
+            unwrap::<L, S>(index, position, self.position.as_ref());
+        }
+        S::holds(S::equal(sine, sine))
+    }
+
+    /// Closes a group by Newton's method from where it is predicted.
+    #[inline(always)]
+    fn iterate(
+        &self,
+        index: usize,
+        closure: &L::Closure<S>,
+        instant: &Instant<L, S>,
+        sample: usize,
+        position: &mut Position<L, S>,
+    ) -> bool {
+        let unknowns = L::GROUPS[index].unknowns;
+        let n = unknowns.len();
+        let mut before = S::ZERO;
+        let (moves, scales) = (&self.moved[..L::DEPENDENTS], self.scales.as_ref());
+        for &j in unknowns {
+            let moved = moves[j][sample];
+            position.as_mut()[j] = self.position.as_ref()[j] + moved;
+            before = larger(before, (moved * scales[j]).abs());
+        }
+        let (nothing, contraction) = (S::from_f64(NOTHING), S::from_f64(CONTRACTION));
+        let enough = S::from_f64(ACCURACY) * before + nothing;
+        let mut residual = <L::Closure<S> as Closure<S>>::Row::zeros(largest::<L>());
+        let mut jacobian = <L::Closure<S> as Closure<S>>::Matrix::zeros(largest::<L>().pow(2));
+        for _ in 0..ITERATIONS {
+            closure.trial(index, instant, position, &mut residual, &mut jacobian);
+            let determinant = small::solve(n, jacobian.as_mut(), residual.as_mut());
+            let mut length = S::ZERO;
+            for (k, &j) in unknowns.iter().enumerate() {
+                let step = residual.as_ref()[k];
+                position.as_mut()[j] = position.as_ref()[j] - step;
+                length = larger(length, (step * scales[j]).abs());
+            }
+            let certain = S::and(
+                S::less_equal(length, contraction.mul_add(before, nothing)),
+                S::less(S::ZERO, determinant * self.signs.as_ref()[index]),
+            );
+            if !S::holds(certain) {
+                return false;
+            }
+            // The next correction would be the square of this one over its own square root before.
+            let left = length * length * length;
+            if S::holds(S::less_equal(left, enough * (before * before)))
+                || S::holds(S::less_equal(length, nothing))
+            {
+                // Completes what is kept beside the unknowns.
+                closure.trial(index, instant, position, &mut residual, &mut jacobian);
+                return true;
+            }
+            before = length;
+        }
+        false
+    }
+}
+
+/// Puts the angles of a group within half a turn of others.
+#[inline(always)]
+pub(super) fn unwrap<L: Linkage, S: Scalar>(
+    group: usize,
+    position: &mut Position<L, S>,
+    near: &[S],
+) {
+    let (turn, half) = (S::from_f64(TAU), S::from_f64(0.5));
+    for &j in L::GROUPS[group].unknowns {
+        if L::ANGLES[j] {
+            let angle = position.as_ref()[j];
+            let turns = ((near[j] - angle) / turn + half).floor();
+            position.as_mut()[j] = turns.mul_add(turn, angle);
+        }
+    }
+}
+
+/// Size of the largest group.
+#[inline(always)]
+pub(super) fn largest<L: Linkage>() -> usize {
+    let mut most = 0;
+    for group in L::GROUPS {
+        most = most.max(group.unknowns.len());
+    }
+    most
+}
+
+#[inline(always)]
+fn larger<S: Scalar>(a: S, b: S) -> S {
+    S::select(S::less(a, b), b, a)
+}
