@@ -2,3 +2,4 @@
 
 mod bounce;
 mod hard;
+mod table_drive;
