@@ -32,6 +32,15 @@ pub struct Expression {
     pub weight: usize,
     /// The text of the same without its sign, which holds together like a whole, if it is `-…`.
     pub opposite: Option<TokenStream>,
+    /// The texts of both factors, if it is a product that is written where it is read.
+    pub factors: Option<[Factor; 2]>,
+}
+
+/// The text of a factor, and how it is written after a minus.
+#[derive(Clone)]
+pub struct Factor {
+    text: TokenStream,
+    negated: TokenStream,
 }
 
 impl Expression {
@@ -43,6 +52,18 @@ impl Expression {
             reads: BTreeSet::new(),
             weight: 0,
             opposite: None,
+            factors: None,
+        }
+    }
+
+    /// The text with a minus, as an argument.
+    fn negated(&self) -> TokenStream {
+        match &self.opposite {
+            Some(positive) => positive.clone(),
+            None => {
+                let text = self.at_least(Binding::Whole);
+                quote!(-#text)
+            }
         }
     }
 
@@ -115,6 +136,9 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
         Kind::Number(value) => return scalar(*value),
         // Inputs are given by whoever calls.
         Kind::Input(_) => (TokenStream::new(), Whole),
+        Kind::Add(..) | Kind::Subtract(..) if all.iter().any(|one| one.factors.is_some()) => {
+            (fused(matches!(kind, Kind::Add(..)), &all), Whole)
+        }
         Kind::Add(..) | Kind::Subtract(..) => {
             let (a, b) = (at(0, Sum), at(1, Product));
             let adds = matches!(kind, Kind::Add(..));
@@ -144,18 +168,12 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
         },
         Kind::MultiplyAdd(..) => (quote!(S::mul_add(#(#text),*)), Whole),
         Kind::MultiplySubtract(..) => {
-            let (a, b, c) = (text[0], text[1], at(2, Whole));
-            match &all[2].opposite {
-                Some(c) => (quote!(S::mul_add(#a, #b, #c)), Whole),
-                None => (quote!(S::mul_add(#a, #b, -#c)), Whole),
-            }
+            let (a, b, c) = (text[0], text[1], all[2].negated());
+            (quote!(S::mul_add(#a, #b, #c)), Whole)
         }
         Kind::NegateMultiplyAdd(..) => {
-            let (a, b, c) = (at(0, Whole), text[1], text[2]);
-            match &all[0].opposite {
-                Some(a) => (quote!(S::mul_add(#a, #b, #c)), Whole),
-                None => (quote!(S::mul_add(-#a, #b, #c)), Whole),
-            }
+            let (a, b, c) = (all[0].negated(), text[1], text[2]);
+            (quote!(S::mul_add(#a, #b, #c)), Whole)
         }
         Kind::Call(function, _) => (call(*function, &text), Whole),
         Kind::Compare(Relation::Less, ..) => (quote!(S::less(#(#text),*)), Whole),
@@ -181,12 +199,36 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
         .collect();
     let weight = 1 + all.iter().map(|one| one.weight).sum::<usize>();
     let opposite = (binding == Sign).then(|| at(0, Whole));
+    let factors = matches!(kind, Kind::Multiply(..)).then(|| {
+        [0, 1].map(|index| Factor {
+            text: all[index].tokens.clone(),
+            negated: all[index].negated(),
+        })
+    });
     Expression {
         tokens,
         binding,
         reads,
         weight,
         opposite,
+        factors,
+    }
+}
+
+/// A sum or difference of two values of which one is a product that nothing else reads.
+fn fused(adds: bool, all: &[Expression]) -> TokenStream {
+    match (&all[0].factors, &all[1].factors) {
+        (_, Some([first, second])) => {
+            let factor = if adds { &first.text } else { &first.negated };
+            let (second, term) = (&second.text, &all[0].tokens);
+            quote!(S::mul_add(#factor, #second, #term))
+        }
+        (Some([first, second]), None) => {
+            let (first, second, term) = (&first.text, &second.text, &all[1].tokens);
+            let term = if adds { term.clone() } else { all[1].negated() };
+            quote!(S::mul_add(#first, #second, #term))
+        }
+        (None, None) => TokenStream::new(),
     }
 }
 

@@ -447,9 +447,12 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                 ddot_x1,
             ),
         );
-        let ddot_x3 = ddot_x1
-            + self.v40_ * S::mul_add(-self.v23_, v155_, -(self.m3 * ddot_x1));
-        let ddot_x4 = ddot_x1 + self.v42_ * (-(self.m4 * ddot_x1) - v159_);
+        let ddot_x3 = S::mul_add(
+            self.v40_,
+            S::mul_add(-self.v23_, v155_, -(self.m3 * ddot_x1)),
+            ddot_x1,
+        );
+        let ddot_x4 = S::mul_add(self.v42_, -(self.m4 * ddot_x1) - v159_, ddot_x1);
         let F1 = S::mul_add(
             -self.v75_,
             ddot_x4,
