@@ -8,6 +8,7 @@ mod emit;
 mod evaluate;
 mod order;
 mod product;
+mod share;
 mod surfaces;
 
 pub use crate::linkage::ClosedForm;

@@ -36,6 +36,8 @@ pub struct Layout<'a> {
     pub timed: BTreeSet<Value>,
     /// The modes, each laid out like a scene of its own; empty where there are none.
     pub modes: Vec<Layout<'a>>,
+    /// Whether this is a mode.
+    pub is_mode: bool,
 }
 
 /// What an instant stores: what the derivative needs of the time, and the functions of the time that the Jacobian
@@ -118,6 +120,7 @@ impl<'a> Layout<'a> {
             prepared: schedule::frontier(program, &all, Stage::Instant),
             timed: timed(program),
             modes: Vec::new(),
+            is_mode: false,
         }
     }
 
@@ -127,6 +130,7 @@ impl<'a> Layout<'a> {
         let own = modes.iter().zip(names::mode_types(scene));
         let modes = own.map(|(mode, name)| Layout {
             parameters: parameters.clone(),
+            is_mode: true,
             ..Layout::new(mode, &format!("{type_name}{name}"))
         });
         Self {
@@ -136,7 +140,12 @@ impl<'a> Layout<'a> {
     }
 
     /// Whether the functions are too long to be compiled into every solver: rustc would take minutes.
+    ///
+    /// So are those of a scene with modes, each of which has all of them.
     pub fn is_large(&self) -> bool {
+        if !self.scene.modes.is_empty() || self.is_mode {
+            return true;
+        }
         let results = &self.program().results;
         let slopes = results.jacobian.iter().map(|entry| entry.2);
         let all: Vec<Value> = results.derivative.iter().copied().chain(slopes).collect();

@@ -122,6 +122,29 @@ impl<T> Closing<T> {
         list
     }
 
+    /// For each of all values the function that computes it, numbered from the first on: the closed form of each group,
+    /// its margin with the other margins, residuals and slopes, and each other list.
+    pub fn functions(&self, first: usize) -> Vec<usize> {
+        let lists = [
+            self.residuals.len() + self.slopes.len(),
+            self.coefficients.len(),
+            self.influence.len(),
+            self.second.len(),
+            self.points.len(),
+            self.rates.len(),
+        ];
+        let margins = first + lists.len();
+        let mut functions = Vec::new();
+        for (index, closed) in self.groups.iter().flatten().enumerate() {
+            functions.extend(vec![margins + 1 + index; closed.values.len() + 1]);
+            functions.push(margins);
+        }
+        for (index, count) in lists.into_iter().enumerate() {
+            functions.extend(vec![first + index; count]);
+        }
+        functions
+    }
+
     /// Length of a position: the dependent coordinates, then cosine and sine of each angle.
     pub fn position(&self) -> usize {
         self.cosines.len() + 2 * self.cosines.iter().flatten().count()

@@ -4,10 +4,13 @@ use std::collections::HashMap;
 
 use super::emit::Emitter;
 use super::{
-    Event, Input, OperationKind, Program, Results, Stage, Value, collect, order, surfaces,
+    Event, Input, OperationKind, Program, Results, Stage, Value, collect, order, share, surfaces,
 };
 use crate::expression::{Expression, Graph, Symbol};
 use crate::linkage::Closing;
+
+/// The function that computes events, by number.
+const EVENTS: usize = 9;
 
 /// What a program is to compute.
 #[derive(Clone, Debug, Default)]
@@ -85,6 +88,27 @@ impl Request {
         roots.extend(self.events.iter().flat_map(Event::all));
         roots
     }
+
+    /// For each of all expressions but those of events the function that computes it, as a number.
+    fn functions(&self) -> Vec<usize> {
+        let lists = [
+            self.derivative.len(),
+            self.jacobian.len(),
+            self.outputs.len(),
+            self.drivers.len(),
+            self.mass.len(),
+            self.energy.len(),
+            self.requirements.len(),
+            self.span.len(),
+            self.start.len(),
+        ];
+        let lists = lists.into_iter().enumerate();
+        let mut functions: Vec<usize> = lists
+            .flat_map(|(function, count)| std::iter::repeat_n(function, count))
+            .collect();
+        functions.extend(self.closing.functions(EVENTS + 1));
+        functions
+    }
 }
 
 /// Builds the program: puts in what symbols stand for, simplifies, collects by stages, and writes the operations down.
@@ -105,6 +129,9 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
     let request = &request;
     let simple = graph.simplify(&bound, often);
     let collected = collect::collect(graph, &simple, often, request);
+    let mut functions = request.functions();
+    functions.resize(collected.len(), EVENTS);
+    let collected = share::share(graph, &collected, &functions, request);
     let mut emitter = Emitter::new(graph, request, &collected, often);
     let values: Vec<Value> = collected.iter().map(|root| emitter.value(*root)).collect();
     let mut rest = values.into_iter();

@@ -86,7 +86,7 @@
 /// | `v_difference` | `m/s` |  |
 /// | `F_difference` | `N` |  |
 ///
-/// Operations: 70 once per parameter set, 31 per instant, 29 per evaluation, 28 per Jacobian.
+/// Operations: 70 once per parameter set, 31 per instant, 28 per evaluation, 28 per Jacobian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elastic {
     /// Crank: `75 mm`, `in 1 mm .. 1000 mm`; stored in SI units, `mm` is 0.001.
@@ -433,9 +433,9 @@ impl ::assur::problem::Scene for Elastic {
         let v23_ = S::ONE / S::mul_add(d33, d44, -(d34 * d34));
         let lambda = <S as ::assur::scalar::Scalar>::from_f64(self.lambda);
         let v26_ = S::ONE + lambda;
-        let v29_ = v23_ * d34;
-        let v31_ = n * n;
-        let v32_ = v10_ * v31_;
+        let v29_ = n * n;
+        let v30_ = v10_ * v29_;
+        let v38_ = v23_ * d34;
         let m3 = <S as ::assur::scalar::Scalar>::from_f64(self.m3);
         let v40_ = S::ONE / m3;
         let m4 = <S as ::assur::scalar::Scalar>::from_f64(self.m4);
@@ -462,37 +462,37 @@ impl ::assur::problem::Scene for Elastic {
             v27_: R * v26_,
             v28_: R * lambda,
             v29_,
-            v30_: v23_ * d33,
-            v31_,
-            v33_: v32_ * v15_,
-            v34_: R * v31_,
-            v35_: S::from_f64(4.0) * v16_,
-            v37_: v10_ * v15_ * n,
-            v38_: R * n,
+            v31_: v30_ * v15_,
+            v32_: R * v29_,
+            v33_: S::from_f64(4.0) * v16_,
+            v35_: v10_ * v15_ * n,
+            v36_: R * n,
+            v37_: v23_ * d33,
+            v38_,
             m3,
             v40_,
             m4,
             v42_,
             v43_: -c,
             v52_: v23_ * v10_ * S::mul_add(-v26_, v48_, lambda * v46_),
-            v53_: v32_ * m2,
+            v53_: v30_ * m2,
             v55_: v54_ * v46_,
             v56_: v54_ * v48_,
             v58_: -S::from_f64(2.0) * (R * m2),
             v60_: v54_ * v40_ * v46_,
             slope_4_1_: -(v23_ * v40_ * d44),
-            slope_4_2_: v29_ * v40_,
+            slope_4_2_: v38_ * v40_,
             v66_: v54_ * v42_ * v48_,
-            slope_5_1_: v29_ * v42_,
+            slope_5_1_: v38_ * v42_,
             slope_5_2_: -(v23_ * v42_ * d33),
             v71_: S::from_f64(0.5) * n,
             v72_: S::from_f64(0.5) * v16_,
             m1,
-            v74_: lambda * m4,
-            v75_: v26_ * m3,
-            v76_: v26_ * m4,
-            v77_: lambda * m3,
-            v79_: S::from_f64(0.5) * (v32_ * m1),
+            v74_: v26_ * m3,
+            v75_: lambda * m4,
+            v76_: lambda * m3,
+            v77_: v26_ * m4,
+            v79_: S::from_f64(0.5) * (v30_ * m1),
             v80_: S::from_f64(0.5) * J2,
             v81_: S::from_f64(0.5) * m3,
             v82_: S::from_f64(0.5) * m4,

@@ -24,21 +24,21 @@ pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     v27_: S,
     /// `R*lambda`
     v28_: S,
-    /// `v23_*d34`
-    v29_: S,
-    /// `v23_*d33`
-    v30_: S,
     /// `n^2`
+    v29_: S,
+    /// `R^2*v29_*(1/l)`
     v31_: S,
-    /// `R^2*v31_*(1/l)`
-    v33_: S,
-    /// `R*v31_`
-    v34_: S,
+    /// `R*v29_`
+    v32_: S,
     /// `4*v16_`
-    v35_: S,
+    v33_: S,
     /// `R^2*(1/l)*n`
-    v37_: S,
+    v35_: S,
     /// `R*n`
+    v36_: S,
+    /// `v23_*d33`
+    v37_: S,
+    /// `v23_*d34`
     v38_: S,
     m3: S,
     /// `1/m3`
@@ -50,7 +50,7 @@ pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     v43_: S,
     /// `v23_*R^2*(lambda*(-(lambda*d44 + v26_*d34)) - v26_*(lambda*d34 + v26_*d33))`
     v52_: S,
-    /// `R^2*v31_*m2`
+    /// `R^2*v29_*m2`
     v53_: S,
     /// `R*v23_*(-(lambda*d44 + v26_*d34))`
     v55_: S,
@@ -62,11 +62,11 @@ pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     v60_: S,
     /// Jacobian, rate of `dot(w3)` by `w3`: `-v23_*v40_*d44`
     slope_4_1_: S,
-    /// Jacobian, rate of `dot(w3)` by `w4`: `v29_*v40_`
+    /// Jacobian, rate of `dot(w3)` by `w4`: `v38_*v40_`
     slope_4_2_: S,
     /// `R*v23_*v42_*(lambda*d34 + v26_*d33)`
     v66_: S,
-    /// Jacobian, rate of `dot(w4)` by `w3`: `v29_*v42_`
+    /// Jacobian, rate of `dot(w4)` by `w3`: `v38_*v42_`
     slope_5_1_: S,
     /// Jacobian, rate of `dot(w4)` by `w4`: `-v23_*v42_*d33`
     slope_5_2_: S,
@@ -75,15 +75,15 @@ pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     /// `0.5*v16_`
     v72_: S,
     m1: S,
-    /// `lambda*m4`
-    v74_: S,
     /// `v26_*m3`
+    v74_: S,
+    /// `lambda*m4`
     v75_: S,
-    /// `v26_*m4`
-    v76_: S,
     /// `lambda*m3`
+    v76_: S,
+    /// `v26_*m4`
     v77_: S,
-    /// `0.5*(R^2*v31_*m1)`
+    /// `0.5*(R^2*v29_*m1)`
     v79_: S,
     /// `0.5*J2`
     v80_: S,
@@ -116,7 +116,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
         let v101_ = v96_ * sin_theta_;
         let v105_ = v96_ * cos_theta_;
-        let ddot_x1 = S::mul_add(self.v34_, v105_, self.v33_ * v94_);
+        let ddot_x1 = S::mul_add(self.v32_, v105_, self.v31_ * v94_);
         ElasticInstant {
             sin_theta_,
             cos_theta_,
@@ -125,8 +125,8 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             v103_: self.v27_ * v101_,
             v104_: self.v28_ * v101_,
             ddot_x1,
-            v110_: self.v34_ * (sin_theta_ * S::mul_add(self.v35_, cos_theta_, -S::ONE)),
-            v113_: S::from_f64(2.0) * S::mul_add(self.v38_, v105_, self.v37_ * v94_),
+            v110_: self.v32_ * (sin_theta_ * S::mul_add(self.v33_, cos_theta_, -S::ONE)),
+            v113_: S::from_f64(2.0) * S::mul_add(self.v36_, v105_, self.v35_ * v94_),
             v115_: -(self.m3 * ddot_x1),
             v117_: -(self.m4 * ddot_x1),
         }
@@ -158,7 +158,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             let v96_ = S::mul_add(-self.v16_, cos_theta_[k_], S::ONE);
             let v101_ = v96_ * sin_theta_[k_];
             let v105_ = v96_ * cos_theta_[k_];
-            let ddot_x1 = S::mul_add(self.v34_, v105_, self.v33_ * v94_);
+            let ddot_x1 = S::mul_add(self.v32_, v105_, self.v31_ * v94_);
             instants[k_] = ElasticInstant {
                 sin_theta_: sin_theta_[k_],
                 cos_theta_: cos_theta_[k_],
@@ -167,16 +167,16 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                 v103_: self.v27_ * v101_,
                 v104_: self.v28_ * v101_,
                 ddot_x1,
-                v110_: self.v34_
-                    * (sin_theta_[k_] * S::mul_add(self.v35_, cos_theta_[k_], -S::ONE)),
-                v113_: S::from_f64(2.0) * S::mul_add(self.v38_, v105_, self.v37_ * v94_),
+                v110_: self.v32_
+                    * (sin_theta_[k_] * S::mul_add(self.v33_, cos_theta_[k_], -S::ONE)),
+                v113_: S::from_f64(2.0) * S::mul_add(self.v36_, v105_, self.v35_ * v94_),
                 v115_: -(self.m3 * ddot_x1),
                 v117_: -(self.m4 * ddot_x1),
             };
         }
         instants
     }
-    /// 29 operations.
+    /// 28 operations.
     #[inline(always)]
     fn derivative(
         &self,
@@ -193,30 +193,32 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let u4 = S::mul_add(instant.v103_, phi2, w4);
         let u3 = S::mul_add(-instant.v104_, phi2, w3);
         let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-        let v156_ = self.v29_ * u3;
-        let v157_ = self.v30_ * u4;
-        let ddot_phi2 = instant.v100_
-            * S::mul_add(
-                -self.c,
-                phi2,
-                instant.v102_
-                    * S::mul_add(
-                        self.m2,
-                        S::mul_add(
-                            -instant.v113_,
-                            dot_phi2,
-                            S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
-                        ),
-                        S::mul_add(self.v26_, v156_ - v157_, self.v25_ * v155_),
-                    ),
-            );
+        let v159_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
         *rate = [
             dot_phi2,
             dot_w3,
             dot_w4,
-            ddot_phi2,
+            instant.v100_
+                * S::mul_add(
+                    -self.c,
+                    phi2,
+                    instant.v102_
+                        * S::mul_add(
+                            -self.v26_,
+                            v159_,
+                            S::mul_add(
+                                self.m2,
+                                S::mul_add(
+                                    -instant.v113_,
+                                    dot_phi2,
+                                    S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
+                                ),
+                                self.v25_ * v155_,
+                            ),
+                        ),
+                ),
             self.v40_ * S::mul_add(-self.v23_, v155_, instant.v115_),
-            self.v42_ * (instant.v117_ + v156_ - v157_),
+            self.v42_ * (instant.v117_ - v159_),
         ];
     }
     #[inline(always)]
@@ -242,7 +244,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                 v96_ * v94_,
                 S::mul_add(
                     -self.v53_,
-                    S::mul_add(self.v35_, instant.cos_theta_, -S::ONE),
+                    S::mul_add(self.v33_, instant.cos_theta_, -S::ONE),
                     self.v52_ * v96_,
                 ),
                 self.v43_,
@@ -252,36 +254,38 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let slope_3_2_ = -(self.v56_ * v123_);
         let slope_3_3_ = self.v58_
             * (v123_
-                * S::mul_add(self.v38_, v96_ * instant.cos_theta_, self.v37_ * v94_));
+                * S::mul_add(self.v36_, v96_ * instant.cos_theta_, self.v35_ * v94_));
         let slope_4_0_ = -(self.v60_ * v101_);
         let slope_5_0_ = -(self.v66_ * v101_);
         let u4 = S::mul_add(instant.v103_, phi2, w4);
         let u3 = S::mul_add(-instant.v104_, phi2, w3);
         let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-        let v156_ = self.v29_ * u3;
-        let v157_ = self.v30_ * u4;
-        let ddot_phi2 = instant.v100_
-            * S::mul_add(
-                -self.c,
-                phi2,
-                instant.v102_
-                    * S::mul_add(
-                        self.m2,
-                        S::mul_add(
-                            -instant.v113_,
-                            dot_phi2,
-                            S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
-                        ),
-                        S::mul_add(self.v26_, v156_ - v157_, self.v25_ * v155_),
-                    ),
-            );
+        let v159_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
         *rate = [
             dot_phi2,
             dot_w3,
             dot_w4,
-            ddot_phi2,
+            instant.v100_
+                * S::mul_add(
+                    -self.c,
+                    phi2,
+                    instant.v102_
+                        * S::mul_add(
+                            -self.v26_,
+                            v159_,
+                            S::mul_add(
+                                self.m2,
+                                S::mul_add(
+                                    -instant.v113_,
+                                    dot_phi2,
+                                    S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
+                                ),
+                                self.v25_ * v155_,
+                            ),
+                        ),
+                ),
             self.v40_ * S::mul_add(-self.v23_, v155_, instant.v115_),
-            self.v42_ * (instant.v117_ + v156_ - v157_),
+            self.v42_ * (instant.v117_ - v159_),
         ];
         for (column_, product_) in columns.iter().zip(products) {
             product_[0] = column_[3];
@@ -333,7 +337,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                     v96_ * v94_,
                     S::mul_add(
                         -self.v53_,
-                        S::mul_add(self.v35_, instant.cos_theta_, -S::ONE),
+                        S::mul_add(self.v33_, instant.cos_theta_, -S::ONE),
                         self.v52_ * v96_,
                     ),
                     self.v43_,
@@ -364,9 +368,9 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             self.v58_
                 * (v123_
                     * S::mul_add(
-                        self.v38_,
+                        self.v36_,
                         v96_ * instant.cos_theta_,
-                        self.v37_ * v94_,
+                        self.v35_ * v94_,
                     )),
             S::ZERO,
             S::ZERO,
@@ -374,7 +378,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         columns[4] = [S::ZERO, S::ONE, S::ZERO, S::ZERO, S::ZERO, S::ZERO];
         columns[5] = [S::ZERO, S::ZERO, S::ONE, S::ZERO, S::ZERO, S::ZERO];
     }
-    /// 117 operations.
+    /// 116 operations.
     #[inline(always)]
     fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
         ::core::debug_assert!(values.len() >= 22);
@@ -400,32 +404,31 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let v101_ = v96_ * sin_theta_;
         let v102_ = self.R * v101_;
         let v105_ = v96_ * cos_theta_;
-        let ddot_x1 = S::mul_add(self.v34_, v105_, self.v33_ * v94_);
-        let v108_ = S::mul_add(self.v35_, cos_theta_, -S::ONE);
-        let v112_ = S::mul_add(self.v38_, v105_, self.v37_ * v94_);
+        let ddot_x1 = S::mul_add(self.v32_, v105_, self.v31_ * v94_);
+        let v108_ = S::mul_add(self.v33_, cos_theta_, -S::ONE);
+        let v112_ = S::mul_add(self.v36_, v105_, self.v35_ * v94_);
         let v113_ = S::from_f64(2.0) * v112_;
         let x1 = self.R
             * S::mul_add(-self.v72_, v94_, S::from_f64(2.0) * (sin_v134_ * sin_v134_));
-        let dot_x1 = self.v38_ * v101_;
+        let dot_x1 = self.v36_ * v101_;
         let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
         let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
         let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-        let v156_ = self.v29_ * u3;
-        let v157_ = self.v30_ * u4;
-        let v160_ = S::mul_add(
+        let v157_ = S::mul_add(
             -v113_,
             dot_phi2,
-            S::mul_add(-(self.v34_ * (sin_theta_ * v108_)), phi2, ddot_x1),
+            S::mul_add(-(self.v32_ * (sin_theta_ * v108_)), phi2, ddot_x1),
         );
+        let v159_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
         let x2 = S::mul_add(-v102_, phi2, x1);
         let x3 = x1 + w3;
         let x4 = x1 + w4;
-        let v187_ = v96_ * v100_
+        let v185_ = v96_ * v100_
             * S::mul_add(
                 v102_,
                 S::mul_add(
                     -self.m2,
-                    v160_,
+                    v157_,
                     self.v23_
                         * S::mul_add(
                             -self.lambda,
@@ -440,22 +443,22 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             dot_phi2,
             S::mul_add(
                 self.R * sin_theta_,
-                S::mul_add(-(self.v31_ * v108_), phi2, v187_),
+                S::mul_add(-(self.v29_ * v108_), phi2, v185_),
                 ddot_x1,
             ),
         );
         let ddot_x3 = ddot_x1
             + self.v40_ * S::mul_add(-self.v23_, v155_, -(self.m3 * ddot_x1));
-        let ddot_x4 = ddot_x1 + self.v42_ * (v156_ - (self.m4 * ddot_x1) - v157_);
+        let ddot_x4 = ddot_x1 + self.v42_ * (-(self.m4 * ddot_x1) - v159_);
         let F1 = S::mul_add(
-            -self.v74_,
+            -self.v75_,
             ddot_x4,
-            S::mul_add(self.v75_, ddot_x3, self.m1 * ddot_x1),
+            S::mul_add(self.v74_, ddot_x3, self.m1 * ddot_x1),
         );
         let F2 = S::mul_add(
-            -self.v77_,
+            -self.v76_,
             ddot_x3,
-            S::mul_add(self.m2, ddot_x2, self.v76_ * ddot_x4),
+            S::mul_add(self.v77_, ddot_x4, self.m2 * ddot_x2),
         );
         let drive_torque = S::mul_add(v102_, F1, shaft);
         let x_difference = x3 - x4;
@@ -480,9 +483,9 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                 phi2,
                 v102_
                     * S::mul_add(
-                        self.m2,
-                        v160_,
-                        S::mul_add(self.v26_, v156_ - v157_, self.v25_ * v155_),
+                        -self.v26_,
+                        v159_,
+                        S::mul_add(self.m2, v157_, self.v25_ * v155_),
                     ),
             );
         values[15] = F1;

@@ -52,32 +52,32 @@ impl<S: ::assur::scalar::Scalar> ElasticEquations<S> {
         let dot_w3 = state[4];
         let dot_w4 = state[5];
         let theta = self.n * time;
-        let v202_ = self.n - dot_phi2;
+        let v200_ = self.n - dot_phi2;
         let (sin_theta_, cos_theta_) = S::sin_cos(theta);
         let v94_ = sin_theta_ * sin_theta_;
         let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
         let v101_ = v96_ * sin_theta_;
-        let dot_x1 = self.v38_ * v101_;
+        let dot_x1 = self.v36_ * v101_;
         let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
         let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
         let dot_x2 = S::mul_add(
-            -S::mul_add(self.v38_, v96_ * cos_theta_, self.v37_ * v94_),
+            -S::mul_add(self.v36_, v96_ * cos_theta_, self.v35_ * v94_),
             phi2,
             S::mul_add(-(self.R * v101_), dot_phi2, dot_x1),
         );
         let dot_x3 = dot_x1 + dot_w3;
         let dot_x4 = dot_x1 + dot_w4;
-        let v209_ = S::mul_add(
+        let v207_ = S::mul_add(
             self.v82_,
             dot_x4 * dot_x4,
             S::mul_add(
                 self.v81_,
                 dot_x3 * dot_x3,
-                S::mul_add(self.v80_, v202_ * v202_, self.v79_ * (v94_ * (v96_ * v96_))),
+                S::mul_add(self.v80_, v200_ * v200_, self.v79_ * (v94_ * (v96_ * v96_))),
             ),
         );
         (
-            S::mul_add(self.v83_, dot_x2 * dot_x2, v209_),
+            S::mul_add(self.v83_, dot_x2 * dot_x2, v207_),
             S::mul_add(
                 self.v85_,
                 S::mul_add(
