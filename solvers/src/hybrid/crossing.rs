@@ -45,23 +45,28 @@ impl Search<'_> {
         self.between(from, to, 0)
     }
 
+    /// Whether a cubic through two samples stays away from zero by more than it changes.
+    pub fn is_far(&self, from: &Sample, to: &Sample) -> bool {
+        let (low, high) = range(&hull(from, to));
+        self.has_kept(from, to) && f64::max(low, -high) > high - low
+    }
+
+    /// Whether both samples have the sign so far.
+    fn has_kept(&self, from: &Sample, to: &Sample) -> bool {
+        let signs = [from, to].map(|sample| self.sign_of(sample.value));
+        self.sign != 0.0 && signs == [self.sign; 2]
+    }
+
     fn between(&mut self, from: Sample, to: Sample, depth: u32) -> Option<Crossing> {
-        let width = to.part - from.part;
-        let hull = [
-            from.value,
-            from.value + width * from.slope / 3.0,
-            to.value - width * to.slope / 3.0,
-            to.value,
-        ];
-        let low = hull.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = hull.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let sign = self.sign_of(to.value);
-        let unchanged =
-            self.sign != 0.0 && self.sign_of(from.value) == self.sign && sign == self.sign;
-        let distance = f64::max(low, -high);
-        if unchanged && distance > high - low {
+        if self.is_far(&from, &to) {
             return None;
         }
+        let width = to.part - from.part;
+        let hull = hull(&from, &to);
+        let (low, high) = range(&hull);
+        let sign = self.sign_of(to.value);
+        let unchanged = self.has_kept(&from, &to);
+        let distance = f64::max(low, -high);
         let middle = (self.sample)(from.part + 0.5 * width);
         let cubic = (hull[0] + 3.0 * (hull[1] + hull[2]) + hull[3]) / 8.0;
         let deviation = TRUST * (middle.value - cubic).abs();
@@ -154,6 +159,25 @@ impl Search<'_> {
     }
 }
 
+/// The coefficients of the cubic through two samples, between which it lies.
+fn hull(from: &Sample, to: &Sample) -> [f64; 4] {
+    let width = to.part - from.part;
+    [
+        from.value,
+        from.value + width * from.slope / 3.0,
+        to.value - width * to.slope / 3.0,
+        to.value,
+    ]
+}
+
+/// The smallest and the largest of some values.
+fn range(values: &[f64; 4]) -> (f64, f64) {
+    let values = values.iter().copied();
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+        (low.min(value), high.max(value))
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -189,7 +213,7 @@ mod tests {
             root.rising && (root.part - 2.0f64.ln()).abs() < 4e-16,
             "{root:?}"
         );
-        assert!(root.part.exp() >= 2.0 && root.part.next_down().next_down().exp() < 2.0);
+        assert!(root.part.exp() > 2.0 && root.part.next_down().exp() <= 2.0);
         assert_eq!(
             crossing(Direction::Falls, -1.0, true, |x| x.exp() - 2.0, f64::exp),
             None

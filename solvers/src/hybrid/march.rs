@@ -3,6 +3,7 @@
 use super::error::HybridError;
 use super::motion::{Happened, Motion, Piece};
 use super::problem::{EventEntry, Hybrid, Modes};
+use super::rounding::terms;
 use super::watch::{Guard, Watch};
 use super::{CHATTER, NOISE, SOON, TURNS};
 use crate::dispatch::{Task, dispatch};
@@ -256,10 +257,13 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
         self.equations
             .guards(&instant, &self.state, &mut values, &mut rates);
         let mut due = None;
+        let terms = terms(&self.equations, time, &self.state, events.len());
         for (event, entry) in events.iter().enumerate() {
             let (value, rate) = (values[event].to_f64(), rates[event].to_f64());
+            // A rate that is no more than its rounding does not say where the guard goes.
+            let is_still = rate.abs() <= NOISE * f64::EPSILON * terms[event].rate;
             let guard = &mut self.guards[event];
-            guard.size = guard.size.max(value.abs());
+            guard.size = guard.size.max(value.abs()).max(terms[event].value);
             // The time is known to a rounding, and so is the guard.
             let blur = 4.0 * f64::EPSILON * (rate * time).abs();
             let is_zero = value.abs() <= guard.noise().max(blur);
@@ -272,7 +276,7 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
                 true => 0.0,
                 false => value.signum(),
             };
-            let passes = is_zero && rate != 0.0 && entry.direction.allows(rate > 0.0)
+            let passes = is_zero && !is_still && entry.direction.allows(rate > 0.0)
                 || with == Some(entry.line);
             if passes
                 && guard.armed
@@ -281,7 +285,8 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
             {
                 due = Some(event);
             }
-            if is_zero && rate != 0.0 && !guard.armed {
+            guard.still = (time, if is_still { terms[event].rate } else { 0.0 });
+            if is_zero && !is_still && !guard.armed {
                 guard.sign = rate.signum();
             }
         }

@@ -7,6 +7,7 @@
 //! |---|---|
 //! | `problem` | what is asked of a model: [`Modes`], [`Hybrid`] |
 //! | `crossing` | the first zero of a guard within a step |
+//! | `rounding` | how large the terms are of which a guard is made |
 //! | `watch` | looks for it in every step, and ends the integration there |
 //! | `march` | from event to event, several at one instant, and the rules that end it |
 //! | `motion` | the result: pieces between events, and a record of each event |
@@ -17,9 +18,10 @@
 //! times what it does in their middle. Each crossing is then narrowed down until two neighbouring numbers of the time
 //! enclose it.
 //!
-//! **What is zero.** A guard of less than [`NOISE`] roundings of the largest value that it has had counts as zero. One
-//! that is zero when a mode begins passes zero there if it leaves zero in the direction of the event, unless it is the
-//! event that has just happened: that one has to come back first.
+//! **What is zero.** A guard of less than [`NOISE`] roundings of its terms, or of the largest value that it has had,
+//! counts as zero: what is left where a difference vanishes says nothing. One that is zero when a mode begins passes zero
+//! there if it leaves zero in the direction of the event, unless it is the event that has just happened: that one has to
+//! come back first. It leaves zero by its rate, or where that is no more than rounding, by where it is found next.
 //!
 //! **What ends a motion.** More than [`TURNS`] events at one instant; [`CHATTER`] events in a row, each sooner after the
 //! last than the part [`SOON`] of the time to be covered; or one event twice, between which its guard has not left zero
@@ -30,6 +32,7 @@ mod error;
 mod march;
 mod motion;
 mod problem;
+mod rounding;
 mod watch;
 
 pub use error::HybridError;
@@ -37,7 +40,7 @@ pub use march::{march, march_on};
 pub use motion::{Happened, Motion, Piece};
 pub use problem::{Direction, EventEntry, Hybrid, Modes};
 
-/// Roundings of its largest value that a guard may have where it counts as zero.
+/// Roundings of its terms that a guard may have where it counts as zero.
 pub const NOISE: f64 = 16.0;
 /// Largest number of events at one instant.
 pub const TURNS: usize = 64;

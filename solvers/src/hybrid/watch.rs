@@ -3,6 +3,7 @@
 use super::NOISE;
 use super::crossing::{Crossing, Sample, Search};
 use super::problem::{EventEntry, Modes};
+use super::rounding::terms;
 use crate::ode::{Observer, Recorder, Step};
 use crate::problem::Storage;
 use crate::scalar::Scalar;
@@ -17,14 +18,26 @@ pub(super) struct Guard {
     pub sign: f64,
     /// Whether leaving zero counts as passing it.
     pub armed: bool,
-    /// Its largest value.
+    /// The largest of its values and terms.
     pub size: f64,
+    /// The time at which the mode began, and the terms of the rate there if the rate was no more than their rounding: as
+    /// long as the guard has been zero, that rounding times the time since then is zero too.
+    pub still: (f64, f64),
 }
 
 impl Guard {
     /// Values up to this count as zero.
     pub fn noise(&self) -> f64 {
         NOISE * f64::EPSILON * self.size
+    }
+
+    /// Values up to this at a time count as zero.
+    pub fn noise_at(&self, time: f64) -> f64 {
+        let (since, rate) = self.still;
+        match self.sign == 0.0 {
+            true => self.noise() + NOISE * f64::EPSILON * rate * (time - since),
+            false => self.noise(),
+        }
     }
 }
 
@@ -97,6 +110,7 @@ impl<'a, S: Scalar, E: Modes<S>> Watch<'a, S, E> {
         self.equations.guards(&instant, step.after, values, rates);
         let mut first: Option<(Crossing, usize)> = None;
         let mut second = first;
+        let mut sizes = None;
         for (event, entry) in self.events.iter().enumerate() {
             let from = Sample {
                 part: 0.0,
@@ -124,11 +138,18 @@ impl<'a, S: Scalar, E: Modes<S>> Watch<'a, S, E> {
             };
             let mut search = Search {
                 direction: entry.direction,
-                noise: guard.noise(),
+                noise: guard.noise_at(step.to),
                 sign: guard.sign,
                 armed: guard.armed,
                 sample: &mut sample,
             };
+            if search.is_far(&from, &to) {
+                continue;
+            }
+            let sizes = sizes
+                .get_or_insert_with(|| terms(equations, step.to, step.after, self.events.len()));
+            guard.size = guard.size.max(sizes[event].value);
+            search.noise = guard.noise_at(step.to);
             let mut begin = from;
             // A crossing at which something else that is asked for does not hold is passed over.
             let found = loop {

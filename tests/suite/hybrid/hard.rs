@@ -279,3 +279,40 @@ fn kinks_of_what_drives_are_stepped_on() {
         state[1]
     );
 }
+
+mod drag {
+    assur::mechanism! {
+        /// A block on a table, dragged by a spring whose other end is pushed just as hard as the block rubs.
+        Drag from "made up";
+        parameter J = 10 kg, m = 1 kg, c = 1e6 [N/m], d = 1100 [kg/s], F = 17 N;
+        coordinate x: m = 0, y: m = 0;
+        let T = c*(x - y);
+        motion push: J*ddot(x) = F - d*dot(x) - T;
+        mode rest {
+            hold y;
+            when T - F rises -> slip;
+        }
+        mode slip {
+            motion rub: m*ddot(y) = T - F;
+            when dot(y) falls -> rest { set dot(y) = 0; }
+        }
+        output T;
+        scene dragged { run time 0 s .. 1 s; }
+    }
+}
+
+/// Slip after slip the swing comes nearer to the friction, until they differ by the rounding of both. Seen as a number of
+/// its own size that difference has a zero between any two others, and a search for the first has no end; nor do the
+/// events, if a block whose acceleration is such a difference is taken to turn round.
+#[test]
+fn a_swing_that_ends_at_a_threshold() {
+    let settings = Settings {
+        rtol: 1e-13,
+        ..SETTINGS
+    };
+    let drag = drag::Dragged::default();
+    let motion = march(&drag, (0.0, 1.0), &[0.0; 4], &settings).expect("it comes to rest");
+    assert!((60..200).contains(&motion.events.len()));
+    assert!(motion.events.last().unwrap().time < 0.6);
+    assert!(motion.statistics.evaluations < 30_000);
+}

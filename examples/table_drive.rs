@@ -1,0 +1,333 @@
+//! The table of a machine tool is run up by a motor through an elastic link. How far does the table lag behind, which
+//! torque does the link bear, and how long does it take? What the paper says of it, and what comes out:
+//!
+//! | the paper | here |
+//! |---|---|
+//! | twist, torque and time grow with the inertia of the table | they do |
+//! | a softer link bears less | it does: half the torque for a sixteenth of the stiffness |
+//! | a softer link twists less | it twists more; the time hardly changes |
+//! | more resistance takes longer and goes further | to one and the same speed; to its own last speed, which falls, the table takes 2 % longer at most, and goes half as far |
+//! | the largest torque is that of the first stage, 4 to 6 times the starting torque | of a table that cannot move, if nothing is lost: `4/(1 - r^2)`, twice with the damping; a table that can move starts at the resistance, and the largest torque comes after |
+//!
+//! And the motor decides: a characteristic with a largest torque, as real motors have it, twists the link less than a fifth
+//! as far as the straight one drawn through to standstill.
+//!
+//! Published by H. D. Mustafayev, Bulletin of NTU "KhPI", 2013, No. 40, pp. 79-87.
+//!
+//!     cargo run --example table_drive
+
+use assur::hybrid::{Hybrid, Modes, Motion, march};
+use assur::prelude::*;
+use assur::problem::Storage;
+use assur_equations::table_drive::*;
+
+/// What a run-up comes to.
+struct RunUp {
+    /// Largest twist in rad, and when, in s.
+    twist: f64,
+    time: f64,
+    /// Twist at the end.
+    rest: f64,
+    /// Largest torque of the stiffness and of the whole link, in N m.
+    elastic: f64,
+    link: f64,
+    /// Largest torque of the stiffness before the table moves.
+    before: f64,
+    /// Time in s and path of the table in rad to 95, 98 and 99 % of the last speed.
+    reached: [(f64, f64); 3],
+    /// Time in s and path of the table in rad to 80 rad/s.
+    to_80: (f64, f64),
+    /// Speed of the motor where the clearance is taken up, in rad/s.
+    impact: f64,
+}
+
+fn main() {
+    heading();
+    let table_1 = Table1::default();
+    let base = line("table 1", &table_1);
+    line("table 2", &Table2::default());
+    line("table 2 as it is headed", &Printed::default());
+    inertia(&table_1);
+    stiffness(&table_1);
+    resistance(&table_1);
+    clearance(&base);
+    motor(&base);
+    first_stage();
+}
+
+fn inertia(table_1: &Table1) {
+    println!("inertia of the table");
+    let runs = [0.25, 0.5, 1.0, 2.0, 4.0].map(|ratio| {
+        let drive = Table1 {
+            J2: ratio * table_1.J1,
+            ..*table_1
+        };
+        line(&format!("  J2/J1 = {ratio}"), &drive)
+    });
+    for pair in runs.windows(2) {
+        assert!(pair[1].twist > pair[0].twist && pair[1].elastic > pair[0].elastic);
+        assert!(pair[1].reached[1].0 > pair[0].reached[1].0);
+    }
+}
+
+fn stiffness(table_1: &Table1) {
+    println!("stiffness of the link");
+    let runs = [177.5, 355.0, 710.0, 1420.0, 2840.0]
+        .map(|c| line(&format!("  c = {c} N m/rad"), &Table1 { c, ..*table_1 }));
+    for pair in runs.windows(2) {
+        assert!(
+            pair[1].elastic > pair[0].elastic,
+            "a stiffer link bears more"
+        );
+        assert!(pair[1].twist < pair[0].twist, "and twists less");
+        assert!((pair[1].reached[1].0 / pair[0].reached[1].0 - 1.0).abs() < 0.02);
+    }
+}
+
+fn resistance(table_1: &Table1) {
+    println!("resistance");
+    let torques = [0.0, 0.2, 1.0, 2.0, 4.0, 8.0];
+    let runs = torques.map(|torque| {
+        line(
+            &format!("  Mc = {torque} N m"),
+            &Table1 {
+                Mc: torque,
+                ..*table_1
+            },
+        )
+    });
+    for (run, torque) in runs.iter().zip(torques) {
+        assert!(
+            (run.rest - torque / table_1.c).abs() < 1e-8,
+            "what winds the link at rest"
+        );
+    }
+    for pair in runs.windows(2) {
+        assert!(pair[1].twist > pair[0].twist && pair[1].elastic > pair[0].elastic);
+        assert!(pair[1].to_80.0 > pair[0].to_80.0 && pair[1].to_80.1 > pair[0].to_80.1);
+        let [one, other] = [&pair[0], &pair[1]].map(|run| run.reached[1]);
+        assert!(other.0 > one.0 && other.1 < one.1);
+    }
+    let [first, .., last] = runs.each_ref().map(|run| run.reached[1]);
+    assert!(last.0 / first.0 < 1.02 && last.1 / first.1 < 0.55);
+}
+
+fn clearance(base: &RunUp) {
+    println!("clearance");
+    let gaps = [0.0, 0.002, 0.005, 0.01, 0.02];
+    let runs = gaps.map(|g| {
+        let drive = Loose {
+            g,
+            ..Loose::default()
+        };
+        let run = run(&drive);
+        print_line(
+            &format!("  g = {} mrad, {:.1} rad/s", g * 1e3, run.impact),
+            &run,
+        );
+        run
+    });
+    assert!((runs[0].elastic / base.elastic - 1.0).abs() < 1e-6);
+    for pair in runs.windows(2) {
+        assert!(pair[1].impact > pair[0].impact);
+        assert!(pair[1].link > pair[0].link && pair[1].elastic > pair[0].elastic);
+    }
+    assert!(
+        runs[4].link > 3.5 * base.link && runs[4].elastic < 1.2 * base.elastic,
+        "damping bears the impact"
+    );
+}
+
+fn motor(base: &RunUp) {
+    println!("motor");
+    let kloss = line("  with a largest torque", &Kloss::default());
+    let switched = line("  transient, then straight", &Switched::default());
+    let full = line("  straight, full torque starts", &Full::default());
+    assert!(kloss.twist < 0.2 * base.twist && kloss.reached[1].0 > 3.0 * base.reached[1].0);
+    for other in [switched, full] {
+        assert!((other.twist / base.twist - 1.0).abs() < 0.01);
+    }
+}
+
+fn first_stage() {
+    println!("\nlargest elastic torque in starting torques");
+    let still = Blocked::default();
+    let kept = Blocked {
+        beta: 0.0,
+        lambda1: 0.0,
+        lambda2: 0.0,
+        ..still
+    };
+    // r = omega/k = 1/sqrt(3).
+    let soft = Blocked {
+        c: 3.0 * still.omega.powi(2) * still.J1,
+        ..kept
+    };
+    let ratio = |drive: &Blocked| run(drive).elastic / drive.Mst;
+    let free = Transient::default();
+    let moving = run(&free);
+    for (name, found, expected) in [
+        ("the table cannot move", ratio(&still), 2.149),
+        (
+            "and nothing is lost",
+            ratio(&kept),
+            4.0 / (1.0 - still.omega.powi(2) * still.J1 / still.c),
+        ),
+        ("and the link is soft", ratio(&soft), 6.0),
+        (
+            "the table can move: before it does",
+            moving.before / free.Mst,
+            free.Mc / free.Mst,
+        ),
+        ("afterwards", moving.elastic / free.Mst, 1.080),
+    ] {
+        println!("  {name:36} {found:7.3}");
+        assert!(
+            (found / expected - 1.0).abs() < 2e-3,
+            "{name}: {found}, expected {expected}"
+        );
+    }
+}
+
+fn heading() {
+    let units = [
+        "mrad", "ms", "mrad", "N m", "N m", "ms", "ms", "ms", "rad", "ms", "rad",
+    ];
+    let names = [
+        "twist", "at", "at rest", "elastic", "link", "95 %", "98 %", "99 %", "path", "80 rad/s",
+        "path",
+    ];
+    for titles in [names, units] {
+        let titles = titles.map(|title| format!("{title:>9}"));
+        println!("{:32}{}", "", titles.concat());
+    }
+}
+
+fn print_line(name: &str, run: &RunUp) {
+    let [first, second, third] = run.reached;
+    let milli = 1e3;
+    let numbers = [
+        milli * run.twist,
+        milli * run.time,
+        milli * run.rest,
+        run.elastic,
+        run.link,
+        milli * first.0,
+        milli * second.0,
+        milli * third.0,
+        second.1,
+        milli * run.to_80.0,
+        run.to_80.1,
+    ];
+    println!(
+        "{name:32}{}",
+        numbers.map(|number| format!("{number:9.3}")).concat()
+    );
+}
+
+/// Runs a scene and prints what it comes to.
+fn line<C: Hybrid>(name: &str, drive: &C) -> RunUp {
+    let run = run(drive);
+    print_line(name, &run);
+    run
+}
+
+fn run<C: Hybrid>(drive: &C) -> RunUp {
+    let settings = Settings {
+        method: Method::Dop853,
+        rtol: 1e-10,
+    };
+    let motion = march(drive, (0.0, 0.4), &drive.start(), &settings).unwrap();
+    let read = Reader {
+        drive,
+        motion: &motion,
+    };
+    let (time, twist) = read.peak("twist", None);
+    let last = read.output("dot(phi2)", 0.4);
+    let reach = |speed: f64| {
+        let time = read.first("dot(phi2)", speed);
+        (time, read.output("phi2", time))
+    };
+    let started = motion
+        .events
+        .iter()
+        .find(|event| C::MODE_NAMES[event.to] == "run");
+    let contact = motion
+        .events
+        .iter()
+        .find(|event| C::MODE_NAMES[event.from] == "gap");
+    RunUp {
+        twist,
+        time,
+        rest: read.output("twist", 0.4),
+        elastic: read.peak("elastic_torque", None).1,
+        link: read.peak("link_torque", None).1,
+        before: read
+            .peak("elastic_torque", started.map(|event| event.time))
+            .1,
+        reached: [0.95, 0.98, 0.99].map(|part| reach(part * last)),
+        to_80: reach(80.0),
+        impact: contact.map_or(0.0, |event| event.before[2]),
+    }
+}
+
+/// Reads outputs of a motion.
+struct Reader<'a, C> {
+    drive: &'a C,
+    motion: &'a Motion,
+}
+
+impl<C: Hybrid> Reader<'_, C> {
+    fn output(&self, name: &str, time: f64) -> f64 {
+        let (mode, values) = self.motion.at(time);
+        let mut equations = self.drive.modal::<f64>();
+        equations.enter(mode);
+        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
+        state.as_mut().copy_from_slice(&values);
+        let mut outputs = vec![0.0; C::OUTPUTS];
+        equations.outputs(time, &state, &mut outputs);
+        outputs[C::OUTPUT_NAMES.iter().position(|one| *one == name).unwrap()]
+    }
+
+    /// Times in every stretch between events, closely.
+    fn times(&self) -> impl Iterator<Item = f64> {
+        let pieces = self.motion.pieces.iter().map(Motion::ends);
+        pieces.flat_map(|(from, to)| {
+            (0..4000).map(move |k| from + (to - from) * (f64::from(k) / 4000.0).powi(2))
+        })
+    }
+
+    /// When an output is largest, and how large; up to a time perhaps.
+    fn peak(&self, name: &str, until: Option<f64>) -> (f64, f64) {
+        let times = self
+            .times()
+            .filter(|time| until.is_none_or(|until| *time < until));
+        times
+            .map(|time| (time, self.output(name, time)))
+            .fold(
+                (0.0, 0.0),
+                |best, one| if one.1 > best.1 { one } else { best },
+            )
+    }
+
+    /// When an output first reaches a value.
+    fn first(&self, name: &str, value: f64) -> f64 {
+        let mut below = 0.0;
+        let mut above = f64::NAN;
+        for time in self.times() {
+            if self.output(name, time) >= value {
+                above = time;
+                break;
+            }
+            below = time;
+        }
+        for _ in 0..50 {
+            let middle = (below + above) / 2.0;
+            match self.output(name, middle) >= value {
+                true => above = middle,
+                false => below = middle,
+            }
+        }
+        above
+    }
+}
