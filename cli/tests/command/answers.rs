@@ -66,6 +66,24 @@ fn the_default_run_prints_tables_and_draws_its_figure() {
     }
 }
 
+/// A motion with modes says when it goes from one to another.
+#[test]
+fn events_are_listed() {
+    let directory = folder("events");
+    let object = json(&["run", "table_drive", "--at", "time=1ms"], &directory);
+    assert_eq!(object["modes"][0]["name"], "wind");
+    let [event] = object["events"].as_array().expect("events").as_slice() else {
+        panic!("{}", object["events"]);
+    };
+    assert_eq!(event["from"], "wind");
+    assert_eq!(event["to"], "run");
+    let guard = event["guard"]["value"].as_f64().expect("a number");
+    assert!(guard.abs() < 1e-12, "{guard}");
+    let before = result(&event["before"], "twist");
+    assert_eq!(before["value"], result(&event["after"], "twist")["value"]);
+    assert_eq!(object["at"][0]["mode"], "run");
+}
+
 #[test]
 fn json_has_its_documented_fields() {
     let directory = folder("json");
@@ -84,6 +102,8 @@ fn json_has_its_documented_fields() {
         "status",
         "results",
         "at",
+        "modes",
+        "events",
         "published",
         "multipliers",
         "conclusions",
