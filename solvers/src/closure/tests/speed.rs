@@ -66,9 +66,10 @@ fn sweeps_over_a_revolution() {
     assert!((dispatch(ByHand(1)) - dispatch(Kept(1))).abs() < 1e-9);
 }
 
-/// Run under callgrind with ASSUR_SPEED one of hand, kept, hand_plain, kept_plain.
+/// `ASSUR_SPEED=kept cargo test --release -p assur-solvers --lib -- --ignored --nocapture speed::measure`, or `hand`,
+/// `hand_plain`, `kept_plain`; for instructions the test program under `valgrind --tool=callgrind`.
 #[test]
-#[ignore = "a measurement"]
+#[ignore = "a measurement that judges nothing; run it with --ignored and ASSUR_SPEED, see above"]
 fn measure() {
     let turns = 2000;
     let clock = std::time::Instant::now();
