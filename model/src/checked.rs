@@ -146,6 +146,8 @@ pub struct ModeModel {
     pub equations: Vec<EquationInfo>,
     /// What ends it, or makes it jump; in the order of the program's `events`.
     pub events: Vec<EventInfo>,
+    /// Speeds that are zero in it, by their places in the state vector: those of coordinates that it holds or lacks.
+    pub held: Vec<usize>,
     /// The operations.
     pub program: Program,
 }

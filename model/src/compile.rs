@@ -249,9 +249,13 @@ pub fn phase(
         .collect();
     model.conservative = conservative(&mut low, &parts.energies, &equations);
 
+    let still = modes::still(&names, phase);
     let mut request = Request {
-        derivative: (0..coordinates as u32)
-            .map(|index| low.graph.symbol(Symbol::Speed(index)))
+        derivative: (0..coordinates)
+            .map(|index| match still.contains(&index) {
+                true => low.graph.zero(),
+                false => low.graph.symbol(Symbol::Speed(index as u32)),
+            })
             .collect(),
         outputs: outputs.values,
         drivers: match low.moved {
@@ -274,7 +278,7 @@ pub fn phase(
         .map(|index| low.graph.symbol(Symbol::Acceleration(index)))
         .collect();
     request.derivative.extend(highest);
-    request.jacobian = jacobian(&mut low, coordinates, &solved);
+    request.jacobian = jacobian(&mut low, coordinates, &still, &solved);
     for (index, value) in solved.derivatives.iter().enumerate() {
         request
             .bindings
@@ -344,7 +348,9 @@ pub fn phase(
     let place = scene.name.span;
     let surfaces = surfaces.map(|(index, guard)| EventInfo::surface(index, guard, here, place));
     let own = events.into_iter().map(|(_, info)| info);
+    let speeds = still.iter().filter(|index| **index < coordinates);
     Some(Compiled {
+        held: speeds.map(|index| coordinates + index).collect(),
         events: own.chain(surfaces).collect(),
         scene: model,
         kept,
@@ -358,19 +364,17 @@ fn stand_still(
     phase: &Phase,
     equations: &mut Vec<Equation>,
 ) {
-    let held = modes::held(names, phase);
-    equations.retain(|equation| equation.lagrange.is_none_or(|one| !held.contains(&one)));
-    let all = names.coordinates.iter().chain(&names.states);
-    for (index, declared) in all.enumerate() {
-        let name = &declared.name;
-        if held.contains(&index) || phase.absent.contains_key(&name.text) {
-            equations.push(Equation {
-                residual: low.graph.symbol(Symbol::Acceleration(index as u32)),
-                name: format!("hold {}", name.text),
-                span: name.span,
-                lagrange: None,
-            });
-        }
+    let still = modes::still(names, phase);
+    equations.retain(|equation| equation.lagrange.is_none_or(|one| !still.contains(&one)));
+    let all: Vec<_> = names.coordinates.iter().chain(&names.states).collect();
+    for index in still {
+        let name = &all[index].name;
+        equations.push(Equation {
+            residual: low.graph.symbol(Symbol::Acceleration(index as u32)),
+            name: format!("hold {}", name.text),
+            span: name.span,
+            lagrange: None,
+        });
     }
 }
 
@@ -496,10 +500,12 @@ fn state_quantities(names: &Names, units: &[Option<Unit>]) -> Vec<QuantityInfo> 
 fn jacobian(
     low: &mut Lowering<'_>,
     coordinates: usize,
+    still: &[usize],
     solved: &Solved,
 ) -> Vec<(u32, u32, Expression)> {
     let one = low.graph.one();
     let mut entries: Vec<_> = (0..coordinates)
+        .filter(|index| !still.contains(index))
         .map(|index| (index as u32, (coordinates + index) as u32, one))
         .collect();
     entries.extend(

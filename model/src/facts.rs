@@ -254,6 +254,12 @@ pub fn start(
             given[coordinates + slot] = true;
         }
     }
+    // What only another mode has begins with that mode.
+    for (index, declared) in names.coordinates.iter().enumerate() {
+        if names.absent.contains_key(&declared.name.text) {
+            (start[index], start[coordinates + index]) = (zero, zero);
+        }
+    }
     if needed {
         let all = names
             .coordinates

@@ -212,6 +212,10 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
 pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
     let (name, equations) = (&layout.parameters, &layout.equations);
     let names = layout.scene.modes.iter().map(|mode| &mode.name);
+    let held = layout.scene.modes.iter().map(|mode| {
+        let places = mode.held.iter().map(|place| size(*place));
+        quote!(&[#(#places),*])
+    });
     let start = size(layout.scene.first);
     let tables = layout.scene.modes.iter().map(|mode| {
         let entries = mode.events.iter().map(|event| {
@@ -255,6 +259,7 @@ pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
             const EVENTS: &'static [&'static [::assur::hybrid::EventEntry]] = &[#(#tables),*];
             const MODE_NAMES: &'static [&'static str] = &[#(#names),*];
             const FIRST: usize = #start;
+            const HELD: &'static [&'static [usize]] = &[#(#held),*];
 
             fn modal<S: ::assur::scalar::Scalar>(&self) -> Self::Modal<S> {
                 <Self as ::assur::problem::Scene>::prepare(self)

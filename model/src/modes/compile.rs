@@ -17,6 +17,8 @@ pub struct Compiled {
     pub kept: Vec<usize>,
     /// Its events.
     pub events: Vec<EventInfo>,
+    /// Speeds that are zero in it, by their places in the state vector.
+    pub held: Vec<usize>,
 }
 
 /// Compiles all modes of a scene, and joins them: they have one state vector, the same constants, and the same outputs.
@@ -56,6 +58,7 @@ pub fn compile(
             summary: phase.summary.clone(),
             equations: compiled.scene.equations,
             events: compiled.events,
+            held: compiled.held,
             program: compiled.scene.program,
         });
     }
@@ -71,6 +74,7 @@ pub fn only(compiled: Compiled) -> SceneModel {
             summary: String::new(),
             equations: model.equations.clone(),
             events: compiled.events,
+            held: Vec::new(),
             program: model.program.clone(),
         });
     }

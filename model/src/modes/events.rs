@@ -331,10 +331,21 @@ fn named(term: &Term) -> Option<String> {
 }
 
 /// The coordinates and states that a mode holds, states counted behind the coordinates.
-pub fn held(names: &Names, phase: &Phase) -> Vec<usize> {
+fn held(names: &Names, phase: &Phase) -> Vec<usize> {
     let holds = holds(phase);
     holds
         .filter_map(|target| held_index(names, target))
+        .collect()
+}
+
+/// The coordinates and states that stand still in a mode: it holds them, or does not have them.
+pub fn still(names: &Names, phase: &Phase) -> Vec<usize> {
+    let held = held(names, phase);
+    let all = names.coordinates.iter().chain(&names.states).enumerate();
+    let stands = |(index, name): (usize, &str)| {
+        (held.contains(&index) || phase.absent.contains_key(name)).then_some(index)
+    };
+    all.filter_map(|(index, one)| stands((index, &one.name.text)))
         .collect()
 }
 

@@ -11,5 +11,5 @@ mod events;
 mod phases;
 
 pub use compile::{Compiled, compile, only};
-pub use events::{Event, EventInfo, check_holds, held, read};
+pub use events::{Event, EventInfo, check_holds, read, still};
 pub use phases::{Phase, Phases};

@@ -90,6 +90,15 @@ pub fn march_on<C: Hybrid, S: Scalar>(
             });
         }
     };
+    let moving = C::HELD[C::FIRST].iter().find(|place| start[**place] != 0.0);
+    if let Some(place) = moving {
+        let (name, value) = (C::STATE_NAMES[*place], start[*place]);
+        return Err(HybridError::Start {
+            reason: format!(
+                "{name} is {value} in SI units, and the mode in which the motion begins holds it at zero"
+            ),
+        });
+    }
     let mut run = Run::<C, S> {
         equations,
         state,

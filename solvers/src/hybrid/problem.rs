@@ -91,6 +91,8 @@ pub trait Hybrid: Scene {
     const MODE_NAMES: &'static [&'static str];
     /// The mode in which the motion begins.
     const FIRST: usize;
+    /// For each mode the speeds that are zero in it, by their places in the state vector.
+    const HELD: &'static [&'static [usize]];
 
     /// Computes what depends on the parameters alone.
     fn modal<S: Scalar>(&self) -> Self::Modal<S>;

@@ -316,3 +316,38 @@ fn a_swing_that_ends_at_a_threshold() {
     assert!(motion.events.last().unwrap().time < 0.6);
     assert!(motion.statistics.evaluations < 30_000);
 }
+
+mod held {
+    assur::mechanism! {
+        /// A mass that a latch holds until a clock opens it.
+        Latch from "made up";
+        coordinate x: m = 2 m;
+        mode latched {
+            hold x;
+            when time - 1 s rises -> free;
+        }
+        mode free {
+            motion push: ddot(x) = 1 [m/s^2];
+        }
+        output x;
+        scene opened { run time 0 s .. 3 s; }
+    }
+}
+
+#[test]
+fn what_is_held_stands_still() {
+    let scene = held::Opened::default();
+    let motion = march(&scene, (0.0, 3.0), &[2.0, 0.0], &SETTINGS).expect("it opens");
+    assert_eq!(motion.at(0.5), (0, vec![2.0, 0.0]));
+    assert!((motion.end[0] - 4.0).abs() < 1e-12, "{:?}", motion.end);
+}
+
+#[test]
+fn a_start_that_moves_what_is_held_is_refused() {
+    let ended = march(&held::Opened::default(), (0.0, 3.0), &[2.0, 0.5], &SETTINGS);
+    let Err(error @ HybridError::Start { .. }) = ended else {
+        panic!("{ended:?}");
+    };
+    let expected = "start: dot(x) is 0.5 in SI units, and the mode in which the motion begins holds it at zero";
+    assert_eq!(error.to_string(), expected);
+}
