@@ -1,0 +1,140 @@
+//! Expressions, and the units in them.
+
+use super::Name;
+use crate::token::Span;
+
+/// An expression.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Term {
+    /// From its first token to its last.
+    pub span: Span,
+    /// What it is.
+    pub kind: TermKind,
+}
+
+impl Term {
+    /// The terms that it is made of, in the order of the file.
+    pub fn parts(&self) -> Vec<&Term> {
+        match &self.kind {
+            TermKind::Number { .. } | TermKind::Name(_) => Vec::new(),
+            TermKind::Index { index: inner, .. }
+            | TermKind::Member { base: inner, .. }
+            | TermKind::Unary(_, inner) => vec![inner],
+            TermKind::Binary(_, left, right) => vec![left, right],
+            TermKind::Vector(items) => items.iter().collect(),
+            TermKind::Call { arguments, .. } => arguments.iter().collect(),
+            TermKind::If {
+                condition,
+                then,
+                otherwise,
+            } => vec![condition, then, otherwise],
+            TermKind::Sum { from, to, body, .. } => vec![from, to, body],
+            TermKind::Bound { value, .. } => vec![value],
+        }
+    }
+
+    /// Whether it is made of numbers, `pi` and functions of them.
+    pub fn is_made_of_numbers(&self) -> bool {
+        match &self.kind {
+            TermKind::Number { .. } => true,
+            TermKind::Name(name) => name == "pi",
+            TermKind::Unary(..)
+            | TermKind::Binary(..)
+            | TermKind::Call { .. }
+            | TermKind::Bound { .. } => self.parts().into_iter().all(Self::is_made_of_numbers),
+            _ => false,
+        }
+    }
+}
+
+/// What an expression is.
+#[derive(Clone, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the example of each variant names its parts")]
+pub enum TermKind {
+    /// `75`, `75 mm`, `0.1 [kg m^2]`
+    Number { value: f64, unit: Option<UnitTerm> },
+    /// `x`
+    Name(String),
+    /// `x[k + 1]`
+    Index { name: Name, index: Box<Term> },
+    /// `crank.exact`, `feed.tooth`
+    Member { base: Box<Term>, name: Name },
+    /// `[x, y]`, `[x, y, z]`
+    Vector(Vec<Term>),
+    /// `-x`, `!c`
+    Unary(UnaryOperator, Box<Term>),
+    /// `x + y`
+    Binary(BinaryOperator, Box<Term>, Box<Term>),
+    /// `sin(x)`
+    Call { name: Name, arguments: Vec<Term> },
+    /// `if c { x } else { y }`
+    If {
+        condition: Box<Term>,
+        then: Box<Term>,
+        otherwise: Box<Term>,
+    },
+    /// `sum(k in 1..5, x[k])`, both ends included.
+    Sum {
+        index: Name,
+        from: Box<Term>,
+        to: Box<Term>,
+        body: Box<Term>,
+    },
+    /// What the quantity `name` of a part is given instead of what its file says, both of one kind. It is not written
+    /// so: the binding `e_v = 6 mm;` of a part makes it.
+    Bound {
+        name: String,
+        value: Box<Term>,
+        instead: Box<Term>,
+    },
+}
+
+/// An operator before its operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnaryOperator {
+    /// `-`
+    Negate,
+    /// `!`
+    Not,
+}
+
+/// An operator between its operands, loosest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BinaryOperator {
+    /// `||`
+    Or,
+    /// `&&`
+    And,
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterEqual,
+    /// `==`
+    Equal,
+    /// `!=`
+    NotEqual,
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+    /// `^`, to the right, tighter than a sign before it: `-x^2` is `-(x^2)`
+    Power,
+}
+
+/// A unit as it is written: `mm`, `[kg m^2/s]`, `[1/s^2]`. After `/` only the next name is below the line
+/// (`N m/rad` is N·m/rad, `J/kg K` is an error that asks for `J/(kg K)`).
+#[derive(Clone, Debug, PartialEq)]
+pub struct UnitTerm {
+    /// Where it stands.
+    pub span: Span,
+    /// Names with their exponents (numerator, denominator), `/` applied.
+    pub factors: Vec<(Name, (i8, i8))>,
+}
