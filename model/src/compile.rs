@@ -1,4 +1,4 @@
-//! One scene from statements to program: declare, lower, derive, solve, report.
+//! One mode of a scene from statements to program: declare, lower, derive, solve, report.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -10,12 +10,12 @@ use crate::facts;
 use crate::lagrange::Energies;
 use crate::linkage::{Geometry, Linkage, Loops, Ranges};
 use crate::lower::{Kind, Lowering};
-use crate::modes::{self, Compiled, EventInfo, Phase, Phases};
+use crate::modes::{self, EventInfo, Phase, Phases};
 use crate::motion::{self, Equation, Solved, UnknownName};
 use crate::parts::Parts;
 use crate::program::{self, Input, Request};
 use crate::resolve::{Names, Role};
-use crate::scene::{Selected, Survey, specialise};
+use crate::scene::{Selected, Survey};
 use crate::syntax::tree::{File, Scene, SceneItem, StatementKind, Term};
 use crate::token::Span;
 use crate::unit::Unit;
@@ -49,21 +49,16 @@ pub struct Seen {
     pub constants: HashMap<String, (Kind, Span)>,
 }
 
-/// Compiles one scene. Mistakes go to `diagnostics`, and then there is no model.
-pub fn scene(
-    task: &Task<'_>,
-    seen: &mut Seen,
-    diagnostics: &mut Diagnostics,
-) -> Option<SceneModel> {
-    let statements = specialise(task.file, task.survey, task.selected, diagnostics);
-    let phases = Phases::of(statements, task.scene.map(|(scene, _)| scene), diagnostics);
-    match phases.is_hybrid() {
-        true => modes::compile(task, &phases, seen, diagnostics),
-        false => {
-            let compiled = phase(task, &phases, 0, None, seen, diagnostics)?;
-            Some(modes::only(compiled))
-        }
-    }
+/// A mode, compiled.
+pub struct Compiled {
+    /// The scene as if it had no other mode.
+    pub scene: SceneModel,
+    /// Indices of the constants that it depends on, among all of the file.
+    pub kept: Vec<usize>,
+    /// Its events.
+    pub events: Vec<EventInfo>,
+    /// Speeds that are zero in it, by their places in the state vector.
+    pub held: Vec<usize>,
 }
 
 /// Compiles a scene as if it had one mode alone; with `keep` it has these constants, else those that it depends on.

@@ -22,6 +22,7 @@ pub mod expression;
 mod facts;
 pub mod flatten;
 mod homogeneity;
+mod joined;
 mod lagrange;
 pub mod lexer;
 mod linkage;
@@ -137,7 +138,7 @@ fn compile_here(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
             scene: Some((scene, documentation)),
             is_first: index == 0,
         };
-        models.extend(compile::scene(&task, &mut seen, &mut diagnostics));
+        models.extend(joined::scene(&task, &mut seen, &mut diagnostics));
         shown.insert(selected);
     }
     check_unshown(&file, &survey, &shown, &mut seen, &mut diagnostics);
@@ -198,7 +199,7 @@ fn check_unshown(
                 scene: None,
                 is_first: false,
             };
-            compile::scene(&task, seen, diagnostics);
+            joined::scene(&task, seen, diagnostics);
         }
     };
     for (name, ..) in &survey.effects {

@@ -1,28 +1,30 @@
-//! A scene with its modes.
+//! A scene: what one mode is compiled to, or several of them joined.
 
 use std::collections::BTreeSet;
 
-use super::events::EventInfo;
-use super::phases::Phases;
-use crate::checked::{ModeModel, SceneModel};
-use crate::compile::{Seen, Task, phase};
+use crate::checked::{ModeModel, QuantityInfo, SceneModel};
+use crate::compile::{Compiled, Seen, Task, phase};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::modes::{Phase, Phases};
+use crate::scene::specialise;
 use crate::syntax::tree::SceneItem;
 
-/// A mode, compiled.
-pub struct Compiled {
-    /// The scene as if it had no other mode.
-    pub scene: SceneModel,
-    /// Indices of the constants that it depends on, among all of the file.
-    pub kept: Vec<usize>,
-    /// Its events.
-    pub events: Vec<EventInfo>,
-    /// Speeds that are zero in it, by their places in the state vector.
-    pub held: Vec<usize>,
+/// Compiles one scene. Mistakes go to `diagnostics`, and then there is no model.
+pub fn scene(
+    task: &Task<'_>,
+    seen: &mut Seen,
+    diagnostics: &mut Diagnostics,
+) -> Option<SceneModel> {
+    let statements = specialise(task.file, task.survey, task.selected, diagnostics);
+    let phases = Phases::of(statements, task.scene.map(|(scene, _)| scene), diagnostics);
+    match phases.is_hybrid() {
+        true => join(task, &phases, seen, diagnostics),
+        false => Some(only(phase(task, &phases, 0, None, seen, diagnostics)?)),
+    }
 }
 
 /// Compiles all modes of a scene, and joins them: they have one state vector, the same constants, and the same outputs.
-pub fn compile(
+fn join(
     task: &Task<'_>,
     phases: &Phases,
     seen: &mut Seen,
@@ -66,7 +68,7 @@ pub fn compile(
 }
 
 /// A scene without modes. Where its motion meets switching surfaces it has one, without a name.
-pub fn only(compiled: Compiled) -> SceneModel {
+fn only(compiled: Compiled) -> SceneModel {
     let mut model = compiled.scene;
     if !compiled.events.is_empty() {
         model.modes.push(ModeModel {
@@ -98,13 +100,12 @@ fn report_periodic(task: &Task<'_>, diagnostics: &mut Diagnostics) {
 fn check_outputs(
     model: &SceneModel,
     other: &SceneModel,
-    phase: &super::Phase,
+    phase: &Phase,
     diagnostics: &mut Diagnostics,
 ) -> Option<()> {
     let pairs = model.outputs.iter().zip(&other.outputs);
-    let differs = |(a, b): &(&crate::checked::QuantityInfo, &crate::checked::QuantityInfo)| {
-        a.name != b.name || a.dimension != b.dimension
-    };
+    let differs =
+        |(a, b): &(&QuantityInfo, &QuantityInfo)| a.name != b.name || a.dimension != b.dimension;
     let found = pairs.clone().find(differs);
     if model.outputs.len() == other.outputs.len() && found.is_none() {
         return Some(());
