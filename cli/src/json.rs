@@ -13,6 +13,7 @@
 //! | `at` | for each `--at`: `place` in words, `time`, `mode` (null where there are none), `drivers` (`name`, `unit`, `value`), `results` as above without the extremes |
 //! | `modes` | of a motion with modes or events: each `name` (empty where there are events and no modes), `summary` |
 //! | `events` | what happened, in order: each `time`, `from` and `to` (names of modes), `event` (the statement), `line` of the equation file, `guard` (its `value` there, `unit`), `before` and `after` (the state, each `name`, `unit`, `value`) |
+//! | `measures` | numbers of the whole task, each `name`, `unit`, `value` and `estimated_error`, or a `value` of null and why it is `missing` |
 //! | `published` | each `name`, `unit`, `place`, `published`, `tolerance`, `computed`, `estimated_error`, `deviation`, `relative_deviation`, `within` (null when published for other values), `remark`, `line` of the equation file |
 //! | `multipliers` | each `re`, `im`, `modulus`, `angle`, `angle_unit`, `meaning`; none unless the task is periodic |
 //! | `conclusions` | what the multipliers say, a sentence each |
@@ -30,6 +31,7 @@ use serde_json::{Value, json};
 
 use crate::constants::Constants;
 use crate::events;
+use crate::measures;
 use crate::multipliers::conclusions;
 use crate::published::Comparison;
 use crate::report::{Report, Snapshot};
@@ -69,6 +71,7 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
         "at": places,
         "modes": events::modes(report),
         "events": events::list(report),
+        "measures": measures::list(report),
         "published": published,
         "multipliers": multipliers(report),
         "conclusions": conclusions(&report.multipliers, report.free()),

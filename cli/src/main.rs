@@ -26,6 +26,7 @@ mod json;
 mod linkage;
 mod list;
 mod lookup;
+mod measures;
 mod modes;
 mod motion;
 mod multipliers;

@@ -9,6 +9,7 @@ use assur::registry::Settings;
 
 use crate::case::Case;
 use crate::error::Failure;
+use crate::measures::Measured;
 
 impl Case {
     /// Finds the motion.
@@ -167,6 +168,25 @@ impl Motion {
             Path::Through(motion) => &motion.events,
             _ => &[],
         }
+    }
+
+    /// The measures of the run.
+    pub fn measures(&self, case: &Case) -> Vec<Measured> {
+        let found = match &self.path {
+            Path::Orbit(orbit) => {
+                let motion = hybrid::Motion::of(orbit.trajectory.clone());
+                case.run().measure(&motion)
+            }
+            Path::Through(motion) => case.run().measure(motion),
+            Path::Positions | Path::Start(_) => Vec::new(),
+        };
+        let measures = case.scene.measures.iter().zip(found);
+        let measures = measures.map(|(quantity, value)| Measured {
+            quantity,
+            value,
+            error: f64::NAN,
+        });
+        measures.collect()
     }
 
     /// Number of events up to a time.

@@ -10,6 +10,7 @@ use assur::problem::Span;
 use crate::constants::Constants;
 use crate::events;
 use crate::list::composition;
+use crate::measures;
 use crate::multipliers::conclusions;
 use crate::number;
 use crate::report::Report;
@@ -34,6 +35,7 @@ pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
         );
         variables::extremes(&mut page, report);
         events::section(&mut page, report);
+        measures::section(&mut page, report);
     }
     for place in &report.places {
         let time = if place.label.starts_with("time") {

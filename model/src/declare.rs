@@ -419,6 +419,9 @@ impl Lowering<'_> {
                     ("ddot", [inner]) => kind_times_second(kind)
                         .and_then(kind_times_second)
                         .and_then(|kind| per_second(&per_second(&self.natural_unit(inner, kind))?)),
+                    ("peak" | "lowest" | "mean" | "rms" | "value" | "amplitude", [inner, ..]) => {
+                        Some(self.natural_unit(inner, kind))
+                    }
                     _ => None,
                 }
             }

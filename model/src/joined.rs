@@ -53,8 +53,9 @@ fn join(
     model.conservative = false;
     model.program.linear = false;
     model.first = phases.first;
+    take_kinds(&mut model, &all);
     for (phase, compiled) in phases.all.iter().zip(all) {
-        check_outputs(&model, &compiled.scene, phase, diagnostics)?;
+        check_outputs(&model, &compiled, phase, diagnostics)?;
         model.modes.push(ModeModel {
             name: phase.name.clone(),
             summary: phase.summary.clone(),
@@ -96,21 +97,47 @@ fn report_periodic(task: &Task<'_>, diagnostics: &mut Diagnostics) {
     }
 }
 
+/// What is zero in the first mode has the unit that it has elsewhere.
+fn take_kinds(model: &mut SceneModel, all: &[Compiled]) {
+    let of_kind = |list: usize, index: usize| {
+        let mut modes = all.iter();
+        modes.find(|mode| !mode.free[list].get(index).copied().unwrap_or(true))
+    };
+    for (index, output) in model.outputs.iter_mut().enumerate() {
+        if let Some(mode) = of_kind(0, index) {
+            *output = mode.scene.outputs[index].clone();
+        }
+    }
+    for (index, measure) in model.measures.iter_mut().enumerate() {
+        if let Some(mode) = of_kind(1, index) {
+            measure.quantity = mode.scene.measures[index].quantity.clone();
+        }
+    }
+}
+
 /// Every mode reports the same quantities in the same units.
 fn check_outputs(
     model: &SceneModel,
-    other: &SceneModel,
+    other: &Compiled,
     phase: &Phase,
     diagnostics: &mut Diagnostics,
 ) -> Option<()> {
-    let pairs = model.outputs.iter().zip(&other.outputs);
-    let differs =
-        |(a, b): &(&QuantityInfo, &QuantityInfo)| a.name != b.name || a.dimension != b.dimension;
-    let found = pairs.clone().find(differs);
-    if model.outputs.len() == other.outputs.len() && found.is_none() {
+    let differs = |a: &QuantityInfo, b: &QuantityInfo, free: bool| {
+        a.name != b.name || (!free && a.dimension != b.dimension)
+    };
+    let outputs = model.outputs.iter().zip(&other.scene.outputs);
+    let outputs = outputs.zip(&other.free[0]);
+    let outputs = outputs.map(|((a, b), free)| (a, b, *free));
+    let measures = model.measures.iter().zip(&other.scene.measures);
+    let measures = measures.zip(&other.free[1]);
+    let measures = measures.map(|((a, b), free)| (&a.quantity, &b.quantity, *free));
+    let found = outputs
+        .chain(measures)
+        .find(|(a, b, free)| differs(a, b, *free));
+    if model.outputs.len() == other.scene.outputs.len() && found.is_none() {
         return Some(());
     }
-    let name = found.map_or("an output", |(a, _)| a.name.as_str());
+    let name = found.map_or("an output", |(a, ..)| a.name.as_str());
     let message = format!("`{name}` is something else in the mode `{}`", phase.name);
     diagnostics.push(
         Diagnostic::error(phase.span, message)

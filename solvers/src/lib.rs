@@ -8,6 +8,8 @@
 //! | [`ode`] | the motion from a start: Tsitouras 5(4), Dormand–Prince 8(5,3), continuous output |
 //! | [`closure`] | the positions of a linkage: its loops closed |
 //! | [`periodic`] | the steady state: method of initial parameters, shooting, Floquet multipliers |
+//! | [`hybrid`] | the motion from event to event |
+//! | [`mod@measure`] | numbers of a whole run |
 //! | [`tolerance`](mod@tolerance) | errors of a linkage from tolerances, and tolerances of least cost |
 //! | [`dense`] | small linear systems |
 //! | [`check`] | what the generated tests of a mechanism ask of it |
@@ -18,6 +20,7 @@ pub mod closure;
 pub mod dense;
 pub mod dispatch;
 pub mod hybrid;
+pub mod measure;
 pub mod ode;
 pub mod periodic;
 pub mod problem;

@@ -17,6 +17,7 @@ pub use linkage::{Distribution, Link, LinkageEntry, Loop, RunLinkage, Subject, b
 pub use path::{Path, Sample};
 pub use tolerance::RunTolerance;
 
+use crate::measure::Missing;
 use crate::problem::{Refused, Span};
 
 /// One equation file.
@@ -143,6 +144,8 @@ pub struct SceneEntry {
     pub states: &'static [Quantity],
     /// What the scene reports.
     pub outputs: &'static [Quantity],
+    /// Numbers of a whole run.
+    pub measures: &'static [Quantity],
     /// The equations as text.
     pub equations: &'static [EquationText],
     /// Operations of one call of each emitted function.
@@ -166,6 +169,7 @@ impl SceneEntry {
             (Subject::Output(index) | Subject::Influence(index, _), _) => self.outputs.get(index),
             (Subject::State(index), Some(linkage)) => linkage.dependents.get(index),
             (Subject::State(index), None) => self.states.get(index),
+            (Subject::Measure(index), _) => self.measures.get(index),
         }
     }
 }
@@ -271,6 +275,8 @@ pub enum At {
     Minimum,
     /// The largest absolute value over the task.
     Amplitude,
+    /// The whole run, of which it is a measure.
+    Run,
 }
 
 /// Which method integrates, and how accurately.
@@ -353,6 +359,8 @@ pub trait Run: Send + Sync {
         start: &[f64],
         settings: &Settings,
     ) -> Result<crate::hybrid::Motion, crate::hybrid::HybridError>;
+    /// The measures of a run.
+    fn measure(&self, motion: &crate::hybrid::Motion) -> Vec<Result<f64, Missing>>;
     /// Nanoseconds of one evaluation of the derivative with its time-only values, measured over this many calls.
     fn time_evaluation(&self, calls: usize) -> f64;
 }

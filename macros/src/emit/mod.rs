@@ -18,6 +18,7 @@ mod formula;
 mod instant;
 mod layout;
 mod linkage;
+mod measures;
 mod modes;
 pub mod names;
 mod outputs;

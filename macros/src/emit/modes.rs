@@ -13,11 +13,18 @@ use super::{Origin, docs, equations, instant, names, outputs, parameters};
 
 /// For each scene its modes as scenes of their own; none where there are none.
 pub fn split(model: &Model) -> Vec<Vec<SceneModel>> {
-    let mode = |scene: &SceneModel, index: usize| SceneModel {
-        program: scene.modes[index].program.clone(),
-        equations: scene.modes[index].equations.clone(),
-        modes: Vec::new(),
-        ..scene.clone()
+    let mode = |scene: &SceneModel, index: usize| {
+        let mut program = scene.modes[index].program.clone();
+        // What is made of a whole run is no matter of modes: the first one computes it.
+        if index != scene.first {
+            program.results.measures.clear();
+        }
+        SceneModel {
+            program,
+            equations: scene.modes[index].equations.clone(),
+            modes: Vec::new(),
+            ..scene.clone()
+        }
     };
     let scenes = model.scenes.iter();
     scenes
@@ -60,6 +67,23 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
     let numbers: Vec<_> = (0..fields.len()).map(size).collect();
     let states = size(layout.states());
     let inline = layout.inline();
+    let measures = (!layout.scene.measures.is_empty()).then(|| {
+        let first = &fields[layout.scene.first];
+        quote! {
+            #[inline(never)]
+            fn measured(&self, time: S, state: &Self::State, values: &mut [S]) {
+                match self.mode_ {
+                    #(#numbers => self.#fields.measured(time, state, values),)*
+                    _ => ::core::unreachable!(),
+                }
+            }
+
+            #[inline(never)]
+            fn measures(&self, found: &[S], values: &mut [S]) {
+                self.#first.measures(found, values);
+            }
+        }
+    });
     let texts = layout
         .scene
         .modes
@@ -163,6 +187,8 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                     _ => ::core::unreachable!(),
                 }
             }
+
+            #measures
         }
 
         impl<S: ::assur::scalar::Scalar> ::assur::hybrid::Modes<S> for #name<S> {

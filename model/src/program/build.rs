@@ -10,7 +10,7 @@ use crate::expression::{Expression, Graph, Symbol};
 use crate::linkage::Closing;
 
 /// The function that computes events, by number.
-const EVENTS: usize = 9;
+const EVENTS: usize = 11;
 
 /// What a program is to compute.
 #[derive(Clone, Debug, Default)]
@@ -33,6 +33,10 @@ pub struct Request {
     pub span: Vec<Expression>,
     /// Start values.
     pub start: Vec<Expression>,
+    /// What measures look at.
+    pub measured: Vec<Expression>,
+    /// The measures, from what has been found of a run.
+    pub measures: Vec<Expression>,
     /// What a linkage computes.
     pub closing: Closing<Expression>,
     /// What events compute.
@@ -81,6 +85,8 @@ impl Request {
             &self.requirements,
             &self.span,
             &self.start,
+            &self.measured,
+            &self.measures,
         ] {
             roots.extend(list);
         }
@@ -101,6 +107,8 @@ impl Request {
             self.requirements.len(),
             self.span.len(),
             self.start.len(),
+            self.measured.len(),
+            self.measures.len(),
         ];
         let lists = lists.into_iter().enumerate();
         let mut functions: Vec<usize> = lists
@@ -153,6 +161,8 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
         requirements: take(request.requirements.len()),
         span: take(request.span.len()),
         start: take(request.start.len()),
+        measured: take(request.measured.len()),
+        measures: take(request.measures.len()),
         closing: {
             let mut closing = take(request.closing.all().len()).into_iter();
             request.closing.map(|_| closing.next().unwrap_or(Value(0)))

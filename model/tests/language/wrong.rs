@@ -263,7 +263,6 @@ fn files_that_are_no_mechanism() {
         ("%", ("found `%`, expected the name of the mechanism", "%", "")),
         ("Sample; %", ("found `%`, expected a statement", "%", "")),
         ("Sample; 'a; output y = 1;", ("found `'`, expected a statement", "'", "")),
-        ("Sample; measure a = peak(x);", ("`measure` is not available", "measure", "")),
     ] {
         check(text, &[expected]);
     }

@@ -2,6 +2,7 @@
 
 use super::{Run, Settings};
 use crate::hybrid::{self, EventEntry, Hybrid, HybridError, Modes, Motion};
+use crate::measure::{self, Missing, Wanted};
 use crate::ode::{OdeError, Trajectory};
 use crate::periodic::{Orbit, PeriodicError};
 use crate::problem::{Equations, Refused, Span, Storage};
@@ -101,6 +102,15 @@ impl<C: Hybrid + 'static> Run for Bound<C> {
         settings: &Settings,
     ) -> Result<Motion, HybridError> {
         hybrid::march(&self.scene, times, start, settings)
+    }
+
+    fn measure(&self, motion: &Motion) -> Vec<Result<f64, Missing>> {
+        let sample = |mode: usize, time: f64, state: &[f64], values: &mut [f64]| {
+            self.modes[mode].measured(time, &Self::state(state), values);
+        };
+        let measures =
+            |found: &[f64], values: &mut [f64]| self.modes[C::FIRST].measures(found, values);
+        measure::all(motion, &Wanted::of::<C>(), &sample, &measures)
     }
 
     fn time_evaluation(&self, calls: usize) -> f64 {
