@@ -14,7 +14,8 @@ extern crate self as assur;
 
 pub use assur_macros::{equations, mechanism};
 pub use assur_solvers::{
-    check, closure, dense, dispatch, hybrid, ode, periodic, problem, registry, scalar, tolerance,
+    check, closure, dense, dispatch, hybrid, ode, periodic, problem, registry, scalar, stiff,
+    tolerance,
 };
 
 /// What most programs need: `use assur::prelude::*;`.

@@ -6,6 +6,7 @@
 //! | module | what it finds |
 //! |---|---|
 //! | [`ode`] | the motion from a start: Tsitouras 5(4), Dormand–Prince 8(5,3), continuous output |
+//! | [`stiff`] | the same for stiff motions: Radau IIA 5, Rodas5P, and the choice on the way |
 //! | [`closure`] | the positions of a linkage: its loops closed |
 //! | [`periodic`] | the steady state: method of initial parameters, shooting, Floquet multipliers |
 //! | [`tolerance`](mod@tolerance) | errors of a linkage from tolerances, and tolerances of least cost |
@@ -23,4 +24,5 @@ pub mod periodic;
 pub mod problem;
 pub mod registry;
 pub mod scalar;
+pub mod stiff;
 pub mod tolerance;
