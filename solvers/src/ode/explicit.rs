@@ -194,7 +194,7 @@ pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
         }
         statistics.evaluations += workspace.finish(system, &instants, (clock.now, length), dense);
         if gauged {
-            observe.stiffness(length.abs() * workspace.fastest_rate(system, options));
+            observe.stiffness(length, workspace.fastest_rate(system, options));
         }
         observe.step(&Step {
             from: clock.now,

@@ -32,10 +32,10 @@ pub trait Observer<V> {
         false
     }
 
-    /// Looks at `h|λ|` of the next step to be looked at: its length times the fastest rate of change that the equations
+    /// Looks at the length of the next step to be looked at, and at `|λ|`, the fastest rate of change that the equations
     /// show in it.
     #[inline(always)]
-    fn stiffness(&mut self, _product: f64) {}
+    fn stiffness(&mut self, _length: f64, _rate: f64) {}
 
     /// Whether the integration is to end after the step that was looked at last.
     #[inline(always)]

@@ -2,24 +2,35 @@
 //!
 //! The motion begins with the explicit method of order 8. Each of its steps measures `h|λ|`, the step in terms of the
 //! fastest change that the equations know, from the last two stages, which both lie at its end (Hairer, Wanner II,
-//! section IV.2, (2.25) and program DOP853). Where only accuracy counts it stays below 3; where stability keeps the steps
-//! short it hovers at the border of stability, about 6 in every direction of the left half plane. When that persists and
-//! the Jacobian agrees, Radau takes over. It hands back once its own steps have long been such that the explicit method
-//! could take them, by the spectral radius of the Jacobian.
+//! section IV.2, (2.25) and program DOP853). At the border of stability it is about 6; but beside a stiff part an explicit
+//! method of high order loses its accuracy long before, and hovers anywhere from 0.4 (at `rtol = 1e-9`) up. A resolved
+//! oscillation gives the same figures. So the measure only says where a stiff method might be worth trying. Whether it
+//! is, is found by trying: if after a few steps its steps are no longer than those of the explicit method were, the
+//! explicit one goes on, and it takes twice as long until the next trial. Otherwise the stiff method stays, for as long as
+//! its steps are longer, by the spectral radius of the Jacobian, than those of the explicit method would be.
+//!
+//! The stiff method is Radau for loose tolerances, and Rodas5P, whose error estimate and continuous solution are one
+//! order higher, for tight ones.
 
 use super::here::Here;
 use super::radau::Radau;
 use super::rates::{Erased, Rates};
+use super::rosenbrock::Rosenbrock;
 use super::spectrum::Calm;
 use super::stepper::drive;
 use crate::ode::{self, Dop853, Observer, OdeError, Options, Statistics, Step};
 use std::cell::RefCell;
 
-/// `h|λ|` of a step that stability holds back.
-const STIFF: f64 = 5.0;
-/// So many such steps, not interrupted by [`CALM`] others, are stiffness (program DOP853).
-const STEPS: usize = 15;
+/// `h|λ|` below which a motion is not suspected to be stiff.
+const STIFF: f64 = 0.3;
+/// Suspicious steps, not interrupted by [`CALM`] others (program DOP853), that lead to the first trial and, at most, to a
+/// later one.
+const STEPS: (usize, usize) = (15, 1000);
 const CALM: usize = 6;
+/// Steps up to which the stiff method is on trial.
+const TRIAL: usize = 40;
+/// Relative tolerance above which Radau is the stiff method, below Rodas5P.
+const LOOSE: f64 = 1e-5;
 
 /// Where the method changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,19 +41,34 @@ pub struct Switch {
     pub stiff: bool,
 }
 
-/// The memory of both methods.
+/// The memory of the methods.
 pub(super) struct Automatic {
     explicit: ode::Workspace<Vec<f64>, Dop853>,
     radau: Radau,
+    rosenbrock: Rosenbrock,
     calm: Calm,
-    /// Which one it is now. Kept from one integration to the next: events do not change how stiff a mechanism is.
-    is_stiff: bool,
+    suspicion: Suspicion,
+    /// What goes on now. Kept from one integration to the next: events do not change how stiff a mechanism is.
+    phase: Phase,
     /// The changes of the last integration.
     pub switches: Vec<Switch>,
 }
 
+/// Which method goes on.
+#[derive(Clone, Copy, Debug)]
+enum Phase {
+    Explicit,
+    /// The stiff one on trial, since a time and for so many steps; the explicit one had steps of a length.
+    Trial {
+        since: f64,
+        steps: usize,
+        step: f64,
+    },
+    Stiff,
+}
+
 impl Automatic {
-    /// Coefficients of the continuous solution: those of the explicit method, of which a Radau step leaves the last zero.
+    /// Coefficients of the continuous solution: those of the explicit method, of which a stiff step leaves the last zero.
     pub const DEGREE: usize = 7;
 
     /// Room for the states of a system.
@@ -51,9 +77,11 @@ impl Automatic {
         Self {
             explicit: ode::Workspace::new(&Erased(RefCell::new(rates))),
             radau: Radau::new(states),
+            rosenbrock: Rosenbrock::new(states),
             calm: Calm::new(states),
-            is_stiff: false,
-            switches: Vec::new(),
+            suspicion: Suspicion::new(),
+            phase: Phase::Explicit,
+            switches: Vec::with_capacity(64),
         }
     }
 
@@ -72,63 +100,63 @@ impl Automatic {
         let allowed = options.max_steps;
         here.time = times.0;
         let done = loop {
-            let mut gauge = Gauge::new(observe, here.time);
+            here.statistics = Statistics::default();
             let stretch = (here.time, times.1);
-            let done = match self.is_stiff {
-                true => self.stiffly(rates, here, stretch, &options, &mut gauge),
-                false => self.explicitly(rates, here, stretch, &options, &mut gauge),
+            let (done, time, step) = match self.phase {
+                Phase::Explicit => self.explicitly(rates, here, stretch, &options, observe),
+                _ => self.stiffly(rates, here, stretch, &options, observe),
             };
-            let (time, step, has_enough) = (gauge.time, gauge.step, gauge.inner.has_enough());
-            let suspects = gauge.suspects();
             total.add(&here.statistics);
             here.time = time;
-            if done.is_err() || has_enough || time == times.1 {
+            if done.is_err() || time == times.1 || observe.has_enough() {
                 break done;
             }
             options.max_steps = allowed.saturating_sub(total.steps + total.rejected);
             options.first_step = Some(step.abs());
-            // Where the explicit method suspects stiffness, the Jacobian decides.
-            if suspects {
-                if let Err(error) = here.differentiate(rates) {
-                    break Err(error);
+            match self.phase {
+                Phase::Explicit => {
+                    if let Err(error) = self.consider(rates, here) {
+                        break Err(error);
+                    }
+                    total.jacobians += 1;
                 }
-                total.jacobians += 1;
-                let radius = self.calm.spectral_radius(&here.jacobian, here.state.len());
-                if step.abs() * radius < STIFF {
-                    continue;
+                Phase::Trial { step, .. } => {
+                    self.suspicion.was_wrong();
+                    self.phase = Phase::Explicit;
+                    options.first_step = Some(step);
+                }
+                Phase::Stiff => {
+                    self.phase = Phase::Explicit;
+                    let stiff = false;
+                    self.switches.push(Switch { time, stiff });
                 }
             }
-            self.is_stiff = !self.is_stiff;
-            let stiff = self.is_stiff;
-            self.switches.push(Switch { time, stiff });
         };
         here.statistics = total;
         done
     }
 
-    /// Goes on with the explicit method.
+    /// Goes on with the explicit method. Gives the time that was reached, and the last step.
     fn explicitly(
         &mut self,
         rates: &mut dyn Rates,
         here: &mut Here,
         times: (f64, f64),
         options: &Options,
-        gauge: &mut Gauge<'_>,
-    ) -> Result<(), OdeError> {
-        gauge.is_explicit = true;
+        observe: &mut dyn Observer<Vec<f64>>,
+    ) -> (Result<(), OdeError>, f64, f64) {
+        let mut gauge = Gauge {
+            inner: observe,
+            suspicion: Some(&mut self.suspicion),
+            last: (times.0, 0.0),
+        };
         let system = Erased(RefCell::new(rates));
-        here.statistics = Statistics::default();
-        let done = ode::integrate(
-            &system,
-            times,
-            &here.state,
-            options,
-            &mut self.explicit,
-            gauge,
-        );
+        let explicit = &mut self.explicit;
+        let done = ode::integrate(&system, times, &here.state, options, explicit, &mut gauge);
+        let (time, step) = gauge.last;
         here.state.copy_from_slice(self.explicit.state());
-        here.statistics = done?;
-        Ok(())
+        let done = done.map(|statistics| here.statistics = statistics);
+        (done, time, step)
     }
 
     /// Goes on with the stiff one.
@@ -138,44 +166,124 @@ impl Automatic {
         here: &mut Here,
         times: (f64, f64),
         options: &Options,
-        gauge: &mut Gauge<'_>,
-    ) -> Result<(), OdeError> {
+        observe: &mut dyn Observer<Vec<f64>>,
+    ) -> (Result<(), OdeError>, f64, f64) {
+        let mut gauge = Gauge {
+            inner: observe,
+            suspicion: None,
+            last: (times.0, 0.0),
+        };
         // The rows of higher degree stay zero.
         here.polynomial.iter_mut().for_each(|row| row.fill(0.0));
-        self.calm.restart();
         let calm = Some(&mut self.calm);
-        drive(&mut self.radau, rates, here, times, options, gauge, calm)
+        let done = match options.rtol > LOOSE {
+            true => drive(
+                &mut self.radau,
+                rates,
+                here,
+                times,
+                options,
+                &mut gauge,
+                calm,
+            ),
+            false => drive(
+                &mut self.rosenbrock,
+                rates,
+                here,
+                times,
+                options,
+                &mut gauge,
+                calm,
+            ),
+        };
+        let (time, step) = gauge.last;
+        if let Phase::Trial { since, steps, .. } = &mut self.phase {
+            *steps += here.statistics.steps;
+            if *steps > TRIAL {
+                let (time, stiff) = (*since, true);
+                self.switches.push(Switch { time, stiff });
+                self.phase = Phase::Stiff;
+                self.suspicion = Suspicion::new();
+            }
+        }
+        (done, time, step)
+    }
+
+    /// Tries the stiff method where the Jacobian agrees that it may be worth it.
+    fn consider(&mut self, rates: &mut dyn Rates, here: &mut Here) -> Result<(), OdeError> {
+        let step = self.suspicion.step();
+        if self.calm.begin(rates, here, step)? < STIFF {
+            self.suspicion.was_wrong();
+            return Ok(());
+        }
+        self.suspicion.clear();
+        let (since, steps) = (here.time, 0);
+        self.phase = Phase::Trial { since, steps, step };
+        Ok(())
     }
 }
 
-/// An observer that measures the stiffness on the way.
-struct Gauge<'a> {
-    inner: &'a mut dyn Observer<Vec<f64>>,
-    is_explicit: bool,
-    /// End and length of the last step.
-    time: f64,
-    step: f64,
-    /// Steps that stability holds back, and others since the last of them.
-    stiff: usize,
+/// What the explicit steps say about the stiffness.
+struct Suspicion {
+    /// Suspicious steps and the sum of their lengths, and others since the last of them.
+    steps: usize,
+    lengths: f64,
     calm: usize,
+    /// So many are to be explained.
+    limit: usize,
 }
 
-impl<'a> Gauge<'a> {
-    fn new(inner: &'a mut dyn Observer<Vec<f64>>, time: f64) -> Self {
+impl Suspicion {
+    fn new() -> Self {
         Self {
-            inner,
-            is_explicit: false,
-            time,
-            step: 0.0,
-            stiff: 0,
+            steps: 0,
+            lengths: 0.0,
             calm: 0,
+            limit: STEPS.0,
         }
     }
 
-    /// Whether the motion looks stiff.
-    fn suspects(&self) -> bool {
-        self.stiff >= STEPS
+    /// Begins to count.
+    fn clear(&mut self) {
+        (self.steps, self.lengths, self.calm) = (0, 0.0, 0);
     }
+
+    /// It will take longer until the next trial.
+    fn was_wrong(&mut self) {
+        self.clear();
+        self.limit = (2 * self.limit).min(STEPS.1);
+    }
+
+    /// Mean length of the steps.
+    fn step(&self) -> f64 {
+        self.lengths / self.steps as f64
+    }
+
+    fn is_enough(&self) -> bool {
+        self.steps >= self.limit
+    }
+
+    /// Counts a step.
+    fn count(&mut self, length: f64, product: f64) {
+        if product > STIFF {
+            self.steps += 1;
+            self.lengths += length;
+            self.calm = 0;
+            return;
+        }
+        self.calm += 1;
+        if self.calm >= CALM {
+            self.clear();
+        }
+    }
+}
+
+/// An observer that notes where the motion is, and measures the stiffness on the way.
+struct Gauge<'a> {
+    inner: &'a mut dyn Observer<Vec<f64>>,
+    suspicion: Option<&'a mut Suspicion>,
+    /// End and length of the last step.
+    last: (f64, f64),
 }
 
 impl Observer<Vec<f64>> for Gauge<'_> {
@@ -184,26 +292,21 @@ impl Observer<Vec<f64>> for Gauge<'_> {
     }
 
     fn wants_stiffness(&self) -> bool {
-        self.is_explicit
+        self.suspicion.is_some()
     }
 
-    fn stiffness(&mut self, product: f64) {
-        if product > STIFF {
-            (self.stiff, self.calm) = (self.stiff + 1, 0);
-            return;
-        }
-        self.calm += 1;
-        if self.calm >= CALM {
-            self.stiff = 0;
+    fn stiffness(&mut self, length: f64, rate: f64) {
+        if let Some(suspicion) = &mut self.suspicion {
+            suspicion.count(length.abs(), length.abs() * rate);
         }
     }
 
     fn step(&mut self, step: &Step<'_, Vec<f64>>) {
-        (self.time, self.step) = (step.to, step.to - step.from);
+        self.last = (step.to, step.to - step.from);
         self.inner.step(step);
     }
 
     fn has_enough(&self) -> bool {
-        self.suspects() || self.inner.has_enough()
+        self.suspicion.as_ref().is_some_and(|one| one.is_enough()) || self.inner.has_enough()
     }
 }

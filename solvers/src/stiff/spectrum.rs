@@ -1,22 +1,23 @@
 //! When a stiff method is no longer needed.
 
 use super::here::Here;
+use super::rates::Rates;
+use crate::ode::OdeError;
 
 /// Squarings of the Jacobian. Of its power 2⁶ the 64th root of the norm is left, so that a badly scaled Jacobian
 /// (of a mass and a spring: entries 1 and `ω²`, eigenvalues `±iω`) is measured by its eigenvalues.
 const SQUARINGS: u32 = 6;
-/// `h ρ(J)` below which the explicit method could take the step of the stiff one. Its border of stability is about
-/// three times as far away, so that the two do not take turns at every step.
-const CALM: f64 = 2.0;
 /// Steps in a row after which it is believed.
 const STEPS: usize = 20;
 
-/// Counts steps that an explicit method could take as well.
+/// Counts steps that are no longer than those of the explicit method would be.
 #[derive(Clone, Debug)]
 pub(super) struct Calm {
     /// Spectral radius of the Jacobian, 1/s.
     radius: f64,
-    /// Jacobians evaluated when it was measured.
+    /// `h ρ(J)` of the explicit method.
+    product: f64,
+    /// Jacobians evaluated when the radius was measured.
     jacobians: usize,
     /// Steps in a row.
     steps: usize,
@@ -30,6 +31,7 @@ impl Calm {
     pub fn new(states: usize) -> Self {
         Self {
             radius: 0.0,
+            product: 0.0,
             jacobians: 0,
             steps: 0,
             power: vec![0.0; states * states],
@@ -37,18 +39,27 @@ impl Calm {
         }
     }
 
-    /// Begins to count.
-    pub fn restart(&mut self) {
-        (self.jacobians, self.steps) = (0, 0);
+    /// Measures `h ρ(J)` of the explicit method, whose steps have a length, and begins to count.
+    pub fn begin(
+        &mut self,
+        rates: &mut dyn Rates,
+        here: &mut Here,
+        length: f64,
+    ) -> Result<f64, OdeError> {
+        here.differentiate(rates)?;
+        self.radius = self.spectral_radius(&here.jacobian, here.state.len());
+        self.product = length * self.radius;
+        self.steps = 0;
+        Ok(self.product)
     }
 
-    /// Whether the explicit method has long been able to take steps like the last one.
+    /// Counts a step; whether there were enough that are no longer than those of the explicit method would be.
     pub fn is_enough(&mut self, here: &Here, length: f64) -> bool {
         if self.jacobians != here.statistics.jacobians {
             self.jacobians = here.statistics.jacobians;
             self.radius = self.spectral_radius(&here.jacobian, here.state.len());
         }
-        match length.abs() * self.radius < CALM {
+        match length.abs() * self.radius < self.product {
             true => self.steps += 1,
             false => self.steps = 0,
         }
@@ -56,7 +67,7 @@ impl Calm {
     }
 
     /// An upper bound of the spectral radius by I. Gelfand's formula `ρ(J) = lim ‖Jᵏ‖^(1/k)`.
-    pub fn spectral_radius(&mut self, jacobian: &[f64], n: usize) -> f64 {
+    fn spectral_radius(&mut self, jacobian: &[f64], n: usize) -> f64 {
         self.power.copy_from_slice(jacobian);
         let (mut logarithm, mut root) = (0.0, 1.0);
         for turn in 0..=SQUARINGS {

@@ -16,7 +16,9 @@ fn an_oscillator_stays_explicit() {
             .march(Method::Automatic, (0.0, 300.0), [1.0, 0.0], &options)
             .unwrap();
         assert!(motion.switches.is_empty(), "{rtol:e} {:?}", motion.switches);
-        assert_eq!(motion.statistics.stiff_steps, 0);
+        // Trials are rare.
+        let took = motion.statistics;
+        assert!(took.stiff_steps * 4 < took.steps, "{rtol:e} {took:?}");
     }
 }
 

@@ -10,6 +10,7 @@ fn check<const N: usize>(
     (rtol, atol): (f64, f64),
     expected: [f64; N],
     permitted: f64,
+    evaluations: usize,
 ) {
     for method in STIFF.into_iter().chain([Method::Automatic]) {
         let motion = problem
@@ -21,7 +22,8 @@ fn check<const N: usize>(
             motion.statistics, motion.switches
         );
         assert!(error < permitted, "{method:?} {error:e}");
-        assert!(motion.statistics.evaluations < 60_000, "{method:?}");
+        let took = motion.statistics.evaluations;
+        assert!(took <= evaluations, "{method:?} {took}");
     }
 }
 
@@ -29,8 +31,8 @@ fn check<const N: usize>(
 fn van_der_pol() {
     let expected = [1.706167732170483, -0.8928097010247975];
     let motion = ([2.0, 0.0], 2.0);
-    check(VAN_DER_POL, motion, (1e-7, 1e-7), expected, 1e-5);
-    check(VAN_DER_POL, motion, (1e-10, 1e-10), expected, 1e-8);
+    check(VAN_DER_POL, motion, (1e-7, 1e-7), expected, 1e-5, 14_000);
+    check(VAN_DER_POL, motion, (1e-10, 1e-10), expected, 1e-8, 75_000);
 }
 
 #[test]
@@ -41,7 +43,7 @@ fn robertson() {
         0.999999979166505,
     ];
     let motion = ([1.0, 0.0, 0.0], 1e11);
-    check(ROBERTSON, motion, (1e-8, 1e-18), expected, 1e-5);
+    check(ROBERTSON, motion, (1e-8, 1e-18), expected, 1e-5, 14_000);
 }
 
 #[test]
@@ -57,5 +59,12 @@ fn hires() {
         2.850001604814231e-3,
     ];
     let start = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0057];
-    check(HIRES, (start, 321.8122), (1e-8, 1e-10), expected, 1e-5);
+    check(
+        HIRES,
+        (start, 321.8122),
+        (1e-8, 1e-10),
+        expected,
+        1e-5,
+        5_000,
+    );
 }
