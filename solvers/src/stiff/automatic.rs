@@ -29,6 +29,8 @@ const STEPS: (usize, usize) = (15, 1000);
 const CALM: usize = 6;
 /// Steps up to which the stiff method is on trial.
 const TRIAL: usize = 40;
+/// A last step so many times longer than those of the explicit method ends the trial too.
+const PROOF: f64 = 4.0;
 /// Relative tolerance above which Radau is the stiff method, below Rodas5P.
 const LOOSE: f64 = 1e-5;
 
@@ -197,9 +199,14 @@ impl Automatic {
             ),
         };
         let (time, step) = gauge.last;
-        if let Phase::Trial { since, steps, .. } = &mut self.phase {
+        if let Phase::Trial {
+            since,
+            steps,
+            step: explicit,
+        } = &mut self.phase
+        {
             *steps += here.statistics.steps;
-            if *steps > TRIAL {
+            if *steps > TRIAL || step.abs() > PROOF * *explicit {
                 let (time, stiff) = (*since, true);
                 self.switches.push(Switch { time, stiff });
                 self.phase = Phase::Stiff;

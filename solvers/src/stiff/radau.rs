@@ -54,9 +54,6 @@ pub(super) struct Radau {
     previous: Option<(f64, f64)>,
     /// Whether the last attempt was rejected.
     rejected: bool,
-    /// Room for `(1/h) Σ eᵢ Zᵢ`, and for a state.
-    defect: Vec<f64>,
-    shifted: Vec<f64>,
 }
 
 impl Radau {
@@ -74,8 +71,6 @@ impl Radau {
             before: None,
             previous: None,
             rejected: false,
-            defect: vec![0.0; states],
-            shifted: vec![0.0; states],
         }
     }
 
@@ -156,34 +151,15 @@ impl Radau {
         }
     }
 
-    /// The error estimate (8.19): `((γ/h) I - J)⁻¹ (f(t, y₀) + (1/h) Σ eᵢ Zᵢ)`; where it is too large at the first step or
-    /// after a rejection, (8.20), which takes the stiff components out of it.
-    fn estimate(
-        &mut self,
-        rates: &mut dyn Rates,
-        here: &mut Here,
-        options: &Options,
-        length: f64,
-    ) -> f64 {
+    /// The error estimate (8.19): `((γ/h) I - J)⁻¹ (f(t, y₀) + (1/h) Σ eᵢ Zᵢ)`. RADAU5 puts (8.20) in its place at the first
+    /// step and after a rejection, which forgives a start beside the slow motion. Here such a start is an impact, and how
+    /// it goes on is asked for.
+    fn estimate(&self, here: &mut Here, options: &Options, length: f64) -> f64 {
         let n = here.state.len();
         for index in 0..n {
             let stages = [0, 1, 2].map(|stage: usize| self.newton.stages[stage * n + index]);
             let sum = E[0] * stages[0] + E[1] * stages[1] + E[2] * stages[2];
-            self.defect[index] = sum / length;
-            here.error[index] = here.rate[index] + self.defect[index];
-        }
-        Lu::substitute(&self.real.0, &self.real.1, &mut here.error);
-        let size = here.scaled_error(options);
-        if size <= 1.0 || !(self.rejected || self.previous.is_none()) {
-            return size;
-        }
-        for (index, shifted) in self.shifted.iter_mut().enumerate() {
-            *shifted = here.state[index] + here.error[index];
-        }
-        rates.rate(here.time, &self.shifted, &mut here.error);
-        here.statistics.evaluations += 1;
-        for (error, defect) in here.error.iter_mut().zip(&self.defect) {
-            *error += defect;
+            here.error[index] = here.rate[index] + sum / length;
         }
         Lu::substitute(&self.real.0, &self.real.1, &mut here.error);
         here.scaled_error(options)
@@ -234,7 +210,7 @@ impl Stepper for Radau {
         }
         Ok(Attempt::Done(match options.fixed_step {
             Some(_) => 0.0,
-            None => self.estimate(rates, here, options, length),
+            None => self.estimate(here, options, length),
         }))
     }
 

@@ -127,8 +127,9 @@ fn has_rate(rates: &mut dyn Rates, here: &mut Here, to: f64, error: f64) -> bool
     here.bad.is_none()
 }
 
-/// The rate at the start, and the length of a first step unless one is given (Hairer, Nørsett, Wanner, *Solving Ordinary
-/// Differential Equations I*, II.4, "Starting step size").
+/// The rate at the start, and the length of a first step (Hairer, Nørsett, Wanner, *Solving Ordinary Differential
+/// Equations I*, II.4, "Starting step size"). One that is given is an upper bound: stiff methods are so stable that a step
+/// much too long passes over what begins at an event, and nothing of the error shows.
 fn first_step(
     rates: &mut dyn Rates,
     here: &mut Here,
@@ -146,9 +147,10 @@ fn first_step(
     let limit = (to - from)
         .abs()
         .min(options.max_step.unwrap_or(f64::INFINITY));
-    if let Some(step) = options.first_step.or(options.fixed_step) {
+    if let Some(step) = options.fixed_step {
         return Ok(direction * step.min(limit));
     }
+    let limit = limit.min(options.first_step.unwrap_or(f64::INFINITY));
     let ends =
         |here: &Here, values: &[f64]| scaled_size(options, (&here.state, &here.state), values);
     let (size, rate) = (ends(here, &here.state), ends(here, &here.rate));

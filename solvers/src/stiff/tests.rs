@@ -1,6 +1,7 @@
 //! Tests of the stiff methods: orders, published solutions, and the choice on the way.
 
 mod automatic;
+mod bounce;
 mod failures;
 mod orders;
 mod problems;

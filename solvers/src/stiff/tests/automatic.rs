@@ -16,9 +16,10 @@ fn an_oscillator_stays_explicit() {
             .march(Method::Automatic, (0.0, 300.0), [1.0, 0.0], &options)
             .unwrap();
         assert!(motion.switches.is_empty(), "{rtol:e} {:?}", motion.switches);
-        // Trials are rare.
+        // Its steps look like those beside a stiff part. Trials cost little, and become rare.
         let took = motion.statistics;
-        assert!(took.stiff_steps * 4 < took.steps, "{rtol:e} {took:?}");
+        let permitted = 45 + took.steps / 8;
+        assert!(took.stiff_steps <= permitted, "{rtol:e} {took:?}");
     }
 }
 
