@@ -74,8 +74,8 @@ impl fmt::Display for OdeError {
             ),
             Self::TooManySteps { time, steps } => write!(
                 formatter,
-                "{steps} steps were used up at t = {time} s; the equations may be stiff, otherwise permit more steps, \
-                 take a larger rtol or a shorter time"
+                "{steps} steps were used up at t = {time} s; the equations may be stiff, for which there are the methods radau, \
+                 rosenbrock and auto; otherwise permit more steps, take a larger rtol or a shorter time"
             ),
             Self::BadOption { name, reason } => write!(formatter, "{name}: {reason}"),
         }

@@ -36,13 +36,30 @@ const CONTRACTION: f64 = 1e-3;
 /// Relative change of the step that the factors of the matrices bear.
 const SAME_STEP: f64 = 1e-5;
 
+/// A matrix that is factored.
+#[derive(Clone, Debug)]
+struct Factors<T> {
+    entries: Vec<T>,
+    pivots: Vec<usize>,
+}
+
+impl<T: Clone> Factors<T> {
+    /// Room for a square matrix.
+    fn new(size: usize, zero: T) -> Self {
+        Self {
+            entries: vec![zero; size * size],
+            pivots: vec![0; size],
+        }
+    }
+}
+
 /// The memory of the method.
 #[derive(Clone, Debug)]
 pub(super) struct Radau {
-    /// `(γ/h) I - J`, factored, and its pivots.
-    real: (Vec<f64>, Vec<usize>),
-    /// `((α + iβ)/h) I - J`, factored, and its pivots.
-    complex: (Vec<Complex>, Vec<usize>),
+    /// `(γ/h) I - J`, factored.
+    real: Factors<f64>,
+    /// `((α + iβ)/h) I - J`, factored.
+    complex: Factors<Complex>,
     /// The step for which they are factored.
     factored: Option<f64>,
     /// Whether there is a Jacobian, and whether it is that of this state.
@@ -63,8 +80,8 @@ impl Radau {
     /// Room for so many states.
     pub fn new(states: usize) -> Self {
         Self {
-            real: (vec![0.0; states * states], vec![0; states]),
-            complex: (vec![[0.0; 2]; states * states], vec![0; states]),
+            real: Factors::new(states, 0.0),
+            complex: Factors::new(states, [0.0; 2]),
             factored: None,
             jacobian: None,
             newton: Newton::new(states),
@@ -92,13 +109,13 @@ impl Radau {
                     real += GAMMA / length;
                     complex = [entry + ALPHA / length, BETA / length];
                 }
-                self.real.0[row * n + column] = real;
-                self.complex.0[row * n + column] = complex;
+                self.real.entries[row * n + column] = real;
+                self.complex.entries[row * n + column] = complex;
             }
         }
         here.statistics.factorizations += 1;
-        let is_done = Lu::factor(&mut self.real.0, n, &mut self.real.1).is_ok()
-            && factor_complex(&mut self.complex.0, n, &mut self.complex.1).is_ok();
+        let is_done = Lu::factor(&mut self.real.entries, n, &mut self.real.pivots).is_ok()
+            && factor_complex(&mut self.complex.entries, n, &mut self.complex.pivots).is_ok();
         if is_done {
             self.factored = Some(length);
         }
@@ -161,7 +178,7 @@ impl Radau {
             let sum = E[0] * stages[0] + E[1] * stages[1] + E[2] * stages[2];
             here.error[index] = here.rate[index] + sum / length;
         }
-        Lu::substitute(&self.real.0, &self.real.1, &mut here.error);
+        Lu::substitute(&self.real.entries, &self.real.pivots, &mut here.error);
         here.scaled_error(options)
     }
 

@@ -5,12 +5,12 @@
 
 use super::super::here::{Here, first_bad};
 use super::super::rates::Rates;
-use super::{C, change};
+use super::{C, Factors, change};
 use crate::dense::{Complex, Lu, substitute_complex};
 use crate::ode::Options;
 
 /// The real eigenvalue of `A⁻¹`: `3 + ∛9 - ∛3` (section IV.8).
-pub(super) const GAMMA: f64 = 3.6378342527444957;
+pub(super) const GAMMA: f64 = 3.637834252744496;
 /// The real part of the complex ones: `3 + (∛3 - ∛9) / 2`.
 pub(super) const ALPHA: f64 = 2.6810828736277523;
 /// Their imaginary part, negative for the half of the pair that goes with `T`: `-(3^(5/6) + 3^(7/6)) / 2`.
@@ -22,7 +22,7 @@ pub(super) const ITERATIONS: usize = 7;
 const T: [[f64; 3]; 3] = [
     [
         0.09443876248897524,
-        -0.14125529502095421,
+        -0.1412552950209542,
         0.03002919410514742,
     ],
     [0.2502131229653333, 0.2041293522937999, -0.3829421127572619],
@@ -78,7 +78,7 @@ impl Newton {
         here: &mut Here,
         options: &Options,
         length: f64,
-        (real, complex): (&(Vec<f64>, Vec<usize>), &(Vec<Complex>, Vec<usize>)),
+        (real, complex): (&Factors<f64>, &Factors<Complex>),
     ) -> bool {
         let n = here.state.len();
         // The error of the iteration is to be small beside that of the step, and not below rounding (IV.8, (8.10)).
@@ -142,12 +142,7 @@ impl Newton {
     }
 
     /// The changes of `W` by the two linear systems.
-    fn improve(
-        &mut self,
-        length: f64,
-        real: &(Vec<f64>, Vec<usize>),
-        complex: &(Vec<Complex>, Vec<usize>),
-    ) {
+    fn improve(&mut self, length: f64, real: &Factors<f64>, complex: &Factors<Complex>) {
         let n = self.state.len();
         let [gamma, alpha, beta] = [GAMMA, ALPHA, BETA].map(|value| value / length);
         multiply(&INVERSE, &self.rates, &mut self.changes, n);
@@ -161,8 +156,8 @@ impl Newton {
                 third[index] - (alpha * w3 + beta * w2),
             ];
         }
-        Lu::substitute(&real.0, &real.1, first);
-        substitute_complex(&complex.0, &complex.1, &mut self.right);
+        Lu::substitute(&real.entries, &real.pivots, first);
+        substitute_complex(&complex.entries, &complex.pivots, &mut self.right);
         for (index, [real, imaginary]) in self.right.iter().enumerate() {
             (second[index], third[index]) = (*real, *imaginary);
         }
