@@ -293,7 +293,7 @@ pub enum Method {
     Radau,
     /// Rosenbrock method of order 5 for stiff motions, Rodas5P.
     Rosenbrock,
-    /// The method of Dormand and Prince, and Radau IIA where the motion turns out to be stiff.
+    /// The method of Dormand and Prince, and a stiff one where the motion turns out to be stiff.
     Auto,
 }
 

@@ -12,21 +12,18 @@
 //! The stiff method is Radau for loose tolerances, and Rodas5P, whose error estimate and continuous solution are one
 //! order higher, for tight ones.
 
+mod gauge;
+
 use super::here::Here;
 use super::radau::Radau;
 use super::rates::{Erased, Rates};
 use super::rosenbrock::Rosenbrock;
 use super::spectrum::Calm;
 use super::stepper::drive;
-use crate::ode::{self, Dop853, Observer, OdeError, Options, Statistics, Step};
+use crate::ode::{self, Dop853, Observer, OdeError, Options, Statistics};
+use gauge::{Gauge, STIFF, Suspicion};
 use std::cell::RefCell;
 
-/// `h|λ|` below which a motion is not suspected to be stiff.
-const STIFF: f64 = 0.3;
-/// Suspicious steps, not interrupted by [`CALM`] others (program DOP853), that lead to the first trial and, at most, to a
-/// later one.
-const STEPS: (usize, usize) = (15, 1000);
-const CALM: usize = 6;
 /// Steps up to which the stiff method is on trial.
 const TRIAL: usize = 40;
 /// A last step so many times longer than those of the explicit method ends the trial too.
@@ -110,18 +107,19 @@ impl Automatic {
             };
             total.add(&here.statistics);
             here.time = time;
-            if done.is_err() || time == times.1 || observe.has_enough() {
+            let ends = matches!(done, Err(OdeError::TooManySteps { .. }))
+                || done.is_err() && matches!(self.phase, Phase::Explicit);
+            if ends || time == times.1 || observe.has_enough() {
                 break done;
             }
             options.max_steps = allowed.saturating_sub(total.steps + total.rejected);
-            options.first_step = Some(step.abs());
+            options.first_step = (step != 0.0).then_some(step.abs());
             match self.phase {
                 Phase::Explicit => {
-                    if let Err(error) = self.consider(rates, here) {
-                        break Err(error);
-                    }
+                    self.consider(rates, here);
                     total.jacobians += 1;
                 }
+                // Where the stiff method fails, the explicit one has the last word.
                 Phase::Trial { step, .. } => {
                     self.suspicion.was_wrong();
                     self.phase = Phase::Explicit;
@@ -177,6 +175,7 @@ impl Automatic {
         };
         // The rows of higher degree stay zero.
         here.polynomial.iter_mut().for_each(|row| row.fill(0.0));
+        self.calm.restart();
         let calm = Some(&mut self.calm);
         let done = match options.rtol > LOOSE {
             true => drive(
@@ -217,103 +216,16 @@ impl Automatic {
     }
 
     /// Tries the stiff method where the Jacobian agrees that it may be worth it.
-    fn consider(&mut self, rates: &mut dyn Rates, here: &mut Here) -> Result<(), OdeError> {
+    fn consider(&mut self, rates: &mut dyn Rates, here: &mut Here) {
         let step = self.suspicion.step();
-        if self.calm.begin(rates, here, step)? < STIFF {
+        let product = self.calm.begin(rates, here, step);
+        // One that does not exist says nothing.
+        if !product.is_ok_and(|product| product >= STIFF) {
             self.suspicion.was_wrong();
-            return Ok(());
+            return;
         }
         self.suspicion.clear();
         let (since, steps) = (here.time, 0);
         self.phase = Phase::Trial { since, steps, step };
-        Ok(())
-    }
-}
-
-/// What the explicit steps say about the stiffness.
-struct Suspicion {
-    /// Suspicious steps and the sum of their lengths, and others since the last of them.
-    steps: usize,
-    lengths: f64,
-    calm: usize,
-    /// So many are to be explained.
-    limit: usize,
-}
-
-impl Suspicion {
-    fn new() -> Self {
-        Self {
-            steps: 0,
-            lengths: 0.0,
-            calm: 0,
-            limit: STEPS.0,
-        }
-    }
-
-    /// Begins to count.
-    fn clear(&mut self) {
-        (self.steps, self.lengths, self.calm) = (0, 0.0, 0);
-    }
-
-    /// It will take longer until the next trial.
-    fn was_wrong(&mut self) {
-        self.clear();
-        self.limit = (2 * self.limit).min(STEPS.1);
-    }
-
-    /// Mean length of the steps.
-    fn step(&self) -> f64 {
-        self.lengths / self.steps as f64
-    }
-
-    fn is_enough(&self) -> bool {
-        self.steps >= self.limit
-    }
-
-    /// Counts a step.
-    fn count(&mut self, length: f64, product: f64) {
-        if product > STIFF {
-            self.steps += 1;
-            self.lengths += length;
-            self.calm = 0;
-            return;
-        }
-        self.calm += 1;
-        if self.calm >= CALM {
-            self.clear();
-        }
-    }
-}
-
-/// An observer that notes where the motion is, and measures the stiffness on the way.
-struct Gauge<'a> {
-    inner: &'a mut dyn Observer<Vec<f64>>,
-    suspicion: Option<&'a mut Suspicion>,
-    /// End and length of the last step.
-    last: (f64, f64),
-}
-
-impl Observer<Vec<f64>> for Gauge<'_> {
-    fn wants_dense(&mut self, from: f64, to: f64) -> bool {
-        self.inner.wants_dense(from, to)
-    }
-
-    fn wants_stiffness(&self) -> bool {
-        self.suspicion.is_some()
-    }
-
-    fn stiffness(&mut self, length: f64, rate: f64) {
-        if let Some(suspicion) = &mut self.suspicion {
-            suspicion.count(length.abs(), length.abs() * rate);
-        }
-    }
-
-    fn step(&mut self, step: &Step<'_, Vec<f64>>) {
-        self.last = (step.to, step.to - step.from);
-        self.inner.step(step);
-    }
-
-    fn has_enough(&self) -> bool {
-        self.suspicion.as_ref().is_some_and(|one| one.is_enough()) || self.inner.has_enough()
     }
 }

@@ -53,6 +53,11 @@ impl Calm {
         Ok(self.product)
     }
 
+    /// The Jacobians are counted from zero again.
+    pub fn restart(&mut self) {
+        self.jacobians = 0;
+    }
+
     /// Counts a step; whether there were enough that are no longer than those of the explicit method would be.
     pub fn is_enough(&mut self, here: &Here, length: f64) -> bool {
         if self.jacobians != here.statistics.jacobians {

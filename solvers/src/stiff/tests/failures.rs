@@ -64,6 +64,22 @@ fn a_derivative_that_does_not_exist_is_reported() {
     }
 }
 
+/// A stiff part whose derivative does not exist where the motion is, and a rate that does.
+const KINK: Problem<2> = Problem {
+    rate: |time, state, rate| (rate[0], rate[1]) = (-1e3 * (state[0] - time.cos()), 1.0),
+    rows: |_, _| [[-1e3, f64::NAN], [0.0, 0.0]],
+};
+
+#[test]
+fn without_a_jacobian_the_choice_is_the_explicit_method() {
+    let options = tolerances(1e-6, 1e-6);
+    let motion = KINK
+        .march(Method::Automatic, (0.0, 3.0), [1.0, 0.0], &options)
+        .unwrap();
+    assert!((motion.end()[0] - 3.0_f64.cos()).abs() < 1e-3);
+    assert_eq!(motion.statistics.stiff_steps, 0);
+}
+
 /// Free motion under a force: the Jacobian has no inverse, and steps need none.
 const FREE: Problem<2> = Problem {
     rate: |time, state, rate| (rate[0], rate[1]) = (state[1], 6.0 * time),
