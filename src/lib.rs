@@ -14,8 +14,8 @@ extern crate self as assur;
 
 pub use assur_macros::{equations, mechanism};
 pub use assur_solvers::{
-    check, closure, dense, dispatch, hybrid, ode, periodic, problem, registry, scalar, stiff,
-    tolerance,
+    check, closure, dense, dispatch, hybrid, measure, ode, periodic, problem, registry, scalar,
+    stiff, study, tolerance,
 };
 
 /// What most programs need: `use assur::prelude::*;`.

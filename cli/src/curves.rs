@@ -5,6 +5,7 @@ use assur::registry::Settings;
 
 use crate::case::Case;
 use crate::error::Failure;
+use crate::measures::Measured;
 use crate::motion::Motion;
 use crate::settings::RTOL;
 
@@ -67,7 +68,17 @@ pub fn sample(case: &Case, motion: &Motion) -> Curves {
     }
 }
 
-/// The global error of each variable by solving again with another tolerance, and the work of ten times more accuracy.
+/// How accurate a solution is.
+pub struct Estimate {
+    /// Global error of each variable.
+    pub errors: Vec<f64>,
+    /// Global error of each measure; NaN where one of the two solutions does not have it.
+    pub measures: Vec<f64>,
+    /// How many times the work of the printed solution ten times more accuracy takes.
+    pub tenfold: Option<f64>,
+}
+
+/// The global error of each variable and measure by solving again with another tolerance, and the work of ten times more accuracy.
 ///
 /// The error is proportional to the tolerance, so a solution with a tenth of it differs from the printed one by nine
 /// tenths of the printed one's error. Where double precision leaves no room for a tenth, ten times the tolerance gives
@@ -79,7 +90,8 @@ pub fn estimate(
     case: &Case,
     motion: &Motion,
     curves: &Curves,
-) -> Result<(Vec<f64>, Option<f64>), Failure> {
+    measures: &[Measured],
+) -> Result<Estimate, Failure> {
     let rtol = motion.settings.rtol;
     let finer = rtol / 10.0 >= RTOL.0;
     let (other, share) = if finer {
@@ -108,7 +120,17 @@ pub fn estimate(
     }
     let work = motion.effort().evaluations;
     let tenfold = (finer && work > 0).then(|| check.effort().evaluations as f64 / work as f64);
-    Ok((errors, tenfold))
+    let others = check.measures(case);
+    let measures = measures.iter().zip(others);
+    let measures = measures.map(|(printed, other)| match (printed.value, other.value) {
+        (Ok(a), Ok(b)) => ((a - b).abs() * share).max(4.0 * f64::EPSILON * a.abs()),
+        _ => f64::NAN,
+    });
+    Ok(Estimate {
+        measures: measures.collect(),
+        errors,
+        tenfold,
+    })
 }
 
 /// Smallest and largest value of each variable, refined between the samples.

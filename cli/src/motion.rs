@@ -2,13 +2,14 @@
 //!
 //! This is the only file that talks to the solvers.
 
-use assur::hybrid::{self, HybridError};
+use assur::hybrid::{self, CycleError, HybridError};
 use assur::periodic;
 use assur::problem::Span;
 use assur::registry::Settings;
 
 use crate::case::Case;
 use crate::error::Failure;
+use crate::measures::Measured;
 
 impl Case {
     /// Finds the motion.
@@ -20,7 +21,12 @@ impl Case {
         let path = if self.scene.states.is_empty() {
             Path::Positions
         } else {
-            match self.task {
+            match self.run().span() {
+                Span::Periodic(period) if !self.scene.modes.is_empty() => Path::Cycle(
+                    self.run()
+                        .cycle(period, &settings)
+                        .map_err(|error| self.no_cycle(&error))?,
+                ),
                 Span::Periodic(period) => Path::Orbit(
                     self.run()
                         .periodic(period, &settings)
@@ -47,10 +53,10 @@ impl Case {
     /// When the integration does not succeed.
     pub fn time_cycle(&self, motion: &Motion) -> Result<f64, Failure> {
         let (from, to) = self.task.limits();
-        let (_, start) = motion.place(self, from);
+        let (mode, start) = motion.place(self, from);
         let clock = std::time::Instant::now();
         self.run()
-            .follow((from, to), &start, &motion.settings)
+            .follow_in(mode, (from, to), &start, &motion.settings)
             .map_err(|error| self.not_followed(&error))?;
         Ok(clock.elapsed().as_secs_f64())
     }
@@ -114,6 +120,21 @@ impl Case {
             .remedy(remedy)
     }
 
+    fn no_cycle(&self, error: &CycleError) -> Failure {
+        let CycleError::Motion(inner) = error else {
+            let remedy = match error {
+                CycleError::NoneStable { .. } => {
+                    "look at the motion itself with a scene that says `run`, or change a value in small steps from where it repeats"
+                }
+                _ => "change a value with --set a little; else try another --rtol",
+            };
+            return Failure::numerical("no motion that repeats was found")
+                .reason(error.to_string())
+                .remedy(remedy);
+        };
+        self.not_followed(inner)
+    }
+
     fn listed(&self, modes: &[usize]) -> String {
         let names: Vec<&str> = modes.iter().map(|mode| self.mode(*mode)).collect();
         names.join(" -> ")
@@ -136,6 +157,7 @@ enum Path {
     Start(Vec<f64>),
     Orbit(periodic::Orbit),
     Through(hybrid::Motion),
+    Cycle(hybrid::Cycle),
 }
 
 /// Work of a solution.
@@ -162,6 +184,7 @@ impl Motion {
             Path::Start(state) => (first, state.clone()),
             Path::Orbit(orbit) => (first, orbit.trajectory.at(time)),
             Path::Through(motion) => motion.at(time),
+            Path::Cycle(cycle) => cycle.motion.at(time),
         }
     }
 
@@ -169,8 +192,29 @@ impl Motion {
     pub fn events(&self) -> &[hybrid::Happened] {
         match &self.path {
             Path::Through(motion) => &motion.events,
+            Path::Cycle(cycle) => &cycle.motion.events,
             _ => &[],
         }
+    }
+
+    /// The measures of the run.
+    pub fn measures(&self, case: &Case) -> Vec<Measured> {
+        let found = match &self.path {
+            Path::Orbit(orbit) => {
+                let motion = hybrid::Motion::of(orbit.trajectory.clone());
+                case.run().measure(&motion)
+            }
+            Path::Through(motion) => case.run().measure(motion),
+            Path::Cycle(cycle) => case.run().measure(&cycle.motion),
+            Path::Positions | Path::Start(_) => Vec::new(),
+        };
+        let measures = case.scene.measures.iter().zip(found);
+        let measures = measures.map(|(quantity, value)| Measured {
+            quantity,
+            value,
+            error: f64::NAN,
+        });
+        measures.collect()
     }
 
     /// Number of events up to a time.
@@ -181,12 +225,25 @@ impl Motion {
     /// Floquet multipliers as real and imaginary parts; none unless the task is a steady state.
     pub fn multipliers(&self) -> Vec<(f64, f64)> {
         match &self.path {
-            Path::Orbit(orbit) => orbit
-                .multipliers
-                .iter()
-                .map(|value| (value.re, value.im))
-                .collect(),
+            Path::Orbit(orbit) => pairs(&orbit.multipliers),
+            Path::Cycle(cycle) => pairs(&cycle.multipliers),
             _ => Vec::new(),
+        }
+    }
+
+    /// Periods after which the motion repeats.
+    pub fn multiple(&self) -> usize {
+        match &self.path {
+            Path::Cycle(cycle) => cycle.multiple,
+            _ => 1,
+        }
+    }
+
+    /// The mode at the begin.
+    pub fn first_mode(&self, case: &Case) -> usize {
+        match &self.path {
+            Path::Cycle(cycle) => cycle.motion.mode,
+            _ => case.run().first_mode(),
         }
     }
 
@@ -195,6 +252,7 @@ impl Motion {
     pub fn closing(&self) -> Option<(f64, f64, usize)> {
         match &self.path {
             Path::Orbit(orbit) => Some((orbit.condition, orbit.residual, orbit.free)),
+            Path::Cycle(cycle) => Some((cycle.condition, cycle.residual, 0)),
             _ => None,
         }
     }
@@ -216,6 +274,7 @@ impl Motion {
             Path::Positions | Path::Start(_) => return Effort::default(),
             Path::Orbit(orbit) => &orbit.trajectory.statistics,
             Path::Through(motion) => &motion.statistics,
+            Path::Cycle(cycle) => &cycle.motion.statistics,
         };
         Effort {
             steps: statistics.steps,
@@ -225,6 +284,13 @@ impl Motion {
             stiff_steps: statistics.stiff_steps,
         }
     }
+}
+
+fn pairs(multipliers: &[periodic::Multiplier]) -> Vec<(f64, f64)> {
+    multipliers
+        .iter()
+        .map(|value| (value.re, value.im))
+        .collect()
 }
 
 fn not_periodic(error: &periodic::PeriodicError) -> Failure {

@@ -1,6 +1,6 @@
 //! Published values beside the computed ones.
 
-use assur::registry::{At, Expectation, Mechanism};
+use assur::registry::{At, Expectation, Mechanism, Subject};
 
 use crate::case::Case;
 use crate::constants::{Constants, find_preset};
@@ -97,8 +97,9 @@ pub fn compare(
             {
                 let mut constants = Constants::declared(case.scene);
                 constants.apply(find_preset(mechanism, preset)?);
-                let case = Case::new(constants)?;
+                let mut case = Case::new(constants)?;
                 let motion = case.solve(motion.settings)?;
+                case.repeat(motion.multiple());
                 let curves = curves::sample(&case, &motion);
                 let extremes = curves::extremes(&case, &motion, &curves);
                 others.push((preset, case, motion, extremes));
@@ -137,7 +138,28 @@ pub fn compare(
 
 fn one(fact: &'static Expectation, solved: &Solved<'_>, comparable: bool) -> Option<Comparison> {
     let case = solved.case;
-    let name = case.scene.quantity(fact.subject)?.name;
+    let quantity = case.scene.quantity(fact.subject)?;
+    let own_preset = |place: &str| match solved.preset == case.scene.preset {
+        true => place.to_owned(),
+        false => format!("{place}, preset {}", solved.preset),
+    };
+    if let Subject::Measure(index) = fact.subject {
+        let measures = solved.motion.measures(case);
+        let computed = measures.get(index)?.value.unwrap_or(f64::NAN);
+        return Some(Comparison {
+            fact,
+            name: quantity.name.to_owned(),
+            unit: quantity.unit.to_owned(),
+            factor: quantity.factor,
+            variable: None,
+            place: own_preset("whole run"),
+            time: None,
+            computed,
+            error: 0.0,
+            comparable,
+        });
+    }
+    let name = quantity.name;
     let variable = case
         .variables
         .iter()
@@ -157,14 +179,10 @@ fn one(fact: &'static Expectation, solved: &Solved<'_>, comparable: bool) -> Opt
         At::Maximum => ("maximum".to_owned(), None, extreme.maximum.1),
         At::Minimum => ("minimum".to_owned(), None, extreme.minimum.1),
         At::Amplitude => ("amplitude".to_owned(), None, extreme.amplitude()),
-        At::Position(_) => return None,
+        At::Position(_) | At::Run => return None,
     };
     let computed = time.map_or(extreme, |time| case.sample(solved.motion, time)[variable]);
-    let place = if solved.preset == case.scene.preset {
-        place
-    } else {
-        format!("{place}, preset {}", solved.preset)
-    };
+    let place = own_preset(&place);
     let printed = &case.variables[variable];
     Some(Comparison {
         fact,

@@ -8,6 +8,7 @@ use assur::registry::{Mechanism, Settings};
 use crate::case::Case;
 use crate::curves::{self, Curves, Extreme};
 use crate::error::Failure;
+use crate::measures::Measured;
 use crate::motion::Motion;
 use crate::multipliers::{self, Multiplier};
 use crate::number;
@@ -30,6 +31,8 @@ pub struct Report {
     pub start: Snapshot,
     /// Smallest and largest value of each variable over the task.
     pub extremes: Vec<Extreme>,
+    /// Numbers of the whole task.
+    pub measures: Vec<Measured>,
     /// Everything at the places that were asked for.
     pub places: Vec<Snapshot>,
     /// Published values beside the computed ones.
@@ -85,18 +88,24 @@ pub struct Cost {
 /// When the solvers do not succeed or a place is not reached.
 pub fn collect(
     mechanism: &'static Mechanism,
-    case: Case,
+    mut case: Case,
     settings: Settings,
     places: &[Place],
 ) -> Result<Report, Failure> {
     let clock = Instant::now();
+    let motion = case.solve(settings)?;
+    case.repeat(motion.multiple());
     let times: Vec<_> = places
         .iter()
         .map(|place| locate(&case, *place))
         .collect::<Result<_, _>>()?;
-    let motion = case.solve(settings)?;
     let curves = curves::sample(&case, &motion);
-    let (errors, tenfold) = curves::estimate(&case, &motion, &curves)?;
+    let mut measures = motion.measures(&case);
+    let estimate = curves::estimate(&case, &motion, &curves, &measures)?;
+    for (measure, error) in measures.iter_mut().zip(&estimate.measures) {
+        measure.error = *error;
+    }
+    let errors = estimate.errors;
     let extremes = curves::extremes(&case, &motion, &curves);
     let (from, _) = case.task.limits();
     let start = snapshot(&case, &motion, from, place_label(&case, from));
@@ -115,7 +124,7 @@ pub fn collect(
         solve: motion.seconds,
         total: clock.elapsed().as_secs_f64(),
         worst,
-        tenfold,
+        tenfold: estimate.tenfold,
     };
     Ok(Report {
         mechanism,
@@ -125,6 +134,7 @@ pub fn collect(
         errors,
         start,
         extremes,
+        measures,
         places,
         published,
         multipliers,

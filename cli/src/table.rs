@@ -11,6 +11,7 @@ use assur::registry::Method;
 use crate::constants::Constants;
 use crate::events;
 use crate::list::composition;
+use crate::measures;
 use crate::multipliers::conclusions;
 use crate::number;
 use crate::report::Report;
@@ -35,6 +36,7 @@ pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
         );
         variables::extremes(&mut page, report);
         events::section(&mut page, report);
+        measures::section(&mut page, report);
     }
     for place in &report.places {
         let time = if place.label.starts_with("time") {
@@ -92,6 +94,11 @@ impl Page {
 fn head(page: &mut Page, report: &Report) {
     let scene = report.case.scene;
     let task = match report.case.task {
+        Span::Periodic(all) if report.case.repeats > 1 => format!(
+            "steady state that repeats after {} periods of {} s",
+            report.case.repeats,
+            number::short(all / report.case.repeats as f64)
+        ),
         Span::Periodic(period) => format!(
             "steady state over one period of {} s",
             number::short(period)

@@ -89,6 +89,8 @@ fn stub(name: &str, scenes: &[String]) -> Model {
         drivers: Vec::new(),
         states: Vec::new(),
         outputs: Vec::new(),
+        measures: Vec::new(),
+        primitives: Vec::new(),
         coordinates: 0,
         scales: Vec::new(),
         equations: Vec::new(),

@@ -4,6 +4,7 @@
 
 use crate::diagnostic::Diagnostic;
 pub use crate::linkage::GroupKind;
+pub use crate::lower::{Moment, Primitive, PrimitiveKind};
 pub use crate::modes::EventInfo;
 use crate::program::Program;
 pub use crate::syntax::tree::{Direction, Distribution};
@@ -106,6 +107,10 @@ pub struct SceneModel {
     pub states: Vec<QuantityInfo>,
     /// What it reports.
     pub outputs: Vec<QuantityInfo>,
+    /// Numbers of a whole run.
+    pub measures: Vec<MeasureInfo>,
+    /// What is found of the run for them.
+    pub primitives: Vec<Primitive>,
     /// Number of coordinates.
     pub coordinates: usize,
     /// Absolute tolerance of each state per unit of relative tolerance, SI units.
@@ -133,6 +138,15 @@ pub struct SceneModel {
     pub first: usize,
     /// The operations.
     pub program: Program,
+}
+
+/// A number of a whole run.
+#[derive(Clone, Debug)]
+pub struct MeasureInfo {
+    /// Name and unit.
+    pub quantity: QuantityInfo,
+    /// The primitives that it is made of, by index.
+    pub uses: Vec<usize>,
 }
 
 /// A mode of a motion.
@@ -354,6 +368,8 @@ pub enum Subject {
     Output(usize),
     /// The influence of a variable of a linkage on an output: output, variable.
     Influence(usize, usize),
+    /// A measure.
+    Measure(usize),
 }
 
 /// A place in a motion.
@@ -371,4 +387,6 @@ pub enum ExpectPlace {
     Minimum,
     /// Largest absolute value over the task.
     Amplitude,
+    /// The whole run.
+    Run,
 }

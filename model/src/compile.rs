@@ -10,6 +10,7 @@ use crate::facts;
 use crate::lagrange::Energies;
 use crate::linkage::{Geometry, Linkage, Loops, Ranges};
 use crate::lower::{Kind, Lowering};
+use crate::measures::{self, Measures};
 use crate::modes::{self, EventInfo, Phase, Phases};
 use crate::motion::{self, Equation, Solved, UnknownName};
 use crate::parts::Parts;
@@ -38,6 +39,14 @@ pub struct Task<'a> {
     pub is_first: bool,
 }
 
+impl Task<'_> {
+    /// Whether the scene is a motion over a stretch of time, of which there are measures.
+    fn runs(&self) -> bool {
+        let mut items = self.scene.iter().flat_map(|(scene, _)| &scene.items);
+        items.any(|item| matches!(item, SceneItem::Run { .. } | SceneItem::Periodic { .. }))
+    }
+}
+
 /// What compiling a scene tells about the file.
 #[derive(Default)]
 pub struct Seen {
@@ -59,6 +68,8 @@ pub struct Compiled {
     pub events: Vec<EventInfo>,
     /// Speeds that are zero in it, by their places in the state vector.
     pub held: Vec<usize>,
+    /// Which of its outputs, and measures, are zero here, and so of any kind.
+    pub free: [Vec<bool>; 2],
 }
 
 /// Compiles a scene as if it had one mode alone; with `keep` it has these constants, else those that it depends on.
@@ -172,10 +183,18 @@ pub fn phase(
     let events = modes::read(&mut low, &names, phases, here);
     let outputs = facts::outputs(&mut low, &names.outputs[reported]);
     let literal = low.literal.take();
+    let measures = match task.runs() {
+        true => {
+            let modes = phases.all.iter().map(|phase| phase.name.clone());
+            measures::read(&mut low, &names, modes.collect())
+        }
+        false => Measures::default(),
+    };
     let mut span = facts::task(&mut low, task.scene.map(|(scene, _)| scene));
     if low.moved == Moved::Swept {
         span.kind = SpanKind::Sweep;
     }
+    let free = [outputs.free, measures.free()];
     let is_linkage = low.moved != Moved::InTime;
     let geometry = Geometry::read(statements, &names, &mut low);
     let ranges = Ranges::read(&names, task.scene.map(|(scene, _)| scene), &mut low);
@@ -223,6 +242,8 @@ pub fn phase(
         drivers: driver_quantities(&low, &names),
         states: state_quantities(&names, &units),
         outputs: outputs.quantities,
+        measures: measures.info(),
+        primitives: measures.primitives,
         coordinates,
         scales: Vec::new(),
         equations: parts.texts,
@@ -253,6 +274,8 @@ pub fn phase(
             })
             .collect(),
         outputs: outputs.values,
+        measured: measures.looked_at,
+        measures: measures.values,
         drivers: match low.moved {
             Moved::Swept => (0..names.drivers.len() as u32)
                 .map(|index| low.graph.symbol(Symbol::Driver(index)))
@@ -266,6 +289,7 @@ pub fn phase(
         start,
         states: 2 * coordinates + names.states.len(),
         surfaces: model.span == SpanKind::Run || phases.is_hybrid(),
+        cycle: model.span == SpanKind::Periodic && phases.is_hybrid(),
         events: events.iter().map(|(event, _)| event.clone()).collect(),
         ..Request::default()
     };
@@ -294,6 +318,10 @@ pub fn phase(
         request.inputs.insert(*symbol, Input::State(index as u32));
     }
     request.inputs.insert(Symbol::Time, Input::Time);
+    for index in 0..model.primitives.len() as u32 {
+        let found = (Symbol::Measured(index), Input::Measured(index));
+        request.inputs.extend([found]);
+    }
     if is_linkage {
         request.closing = linkage.closing(&mut low, &mut request, &geometry, &drives);
     }
@@ -334,7 +362,7 @@ pub fn phase(
             variables,
         ));
     }
-    model.expectations = facts::expectations(&mut low, task, &model);
+    model.expectations = facts::expectations(&mut low, task, &model, &measures.kinds);
     if low.diagnostics.error_count() > before {
         return None;
     }
@@ -345,6 +373,7 @@ pub fn phase(
     let own = events.into_iter().map(|(_, info)| info);
     let speeds = still.iter().filter(|index| **index < coordinates);
     Some(Compiled {
+        free,
         held: speeds.map(|index| coordinates + index).collect(),
         events: own.chain(surfaces).collect(),
         scene: model,
@@ -550,6 +579,8 @@ fn kept_constants(low: &Lowering<'_>, request: &Request) -> Vec<usize> {
         &request.requirements,
         &request.span,
         &request.start,
+        &request.measured,
+        &request.measures,
     ] {
         all.extend(list);
     }

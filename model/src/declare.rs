@@ -200,6 +200,19 @@ impl Lowering<'_> {
                 );
                 return None;
             }
+            let made = (default - info.tolerance, default + info.tolerance);
+            if let Some(tolerance) = &constant.tolerance
+                && !(low_value <= made.0 && made.1 <= high_value)
+            {
+                self.diagnostics.push(
+                    Diagnostic::error(
+                        tolerance.half_width.span,
+                        "sizes within this tolerance leave the permitted range",
+                    )
+                    .related(low.span.to(high.span), "the range"),
+                );
+                return None;
+            }
         }
         Some(info)
     }
@@ -419,6 +432,9 @@ impl Lowering<'_> {
                     ("ddot", [inner]) => kind_times_second(kind)
                         .and_then(kind_times_second)
                         .and_then(|kind| per_second(&per_second(&self.natural_unit(inner, kind))?)),
+                    ("peak" | "lowest" | "mean" | "rms" | "value" | "amplitude", [inner, ..]) => {
+                        Some(self.natural_unit(inner, kind))
+                    }
                     _ => None,
                 }
             }

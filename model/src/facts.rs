@@ -25,6 +25,8 @@ pub struct Outputs {
     pub quantities: Vec<QuantityInfo>,
     /// Values, in the same order.
     pub values: Vec<Expression>,
+    /// Which of them are zero, and so of any kind.
+    pub free: Vec<bool>,
 }
 
 /// Lowers the reported quantities; a vector becomes its components.
@@ -92,6 +94,9 @@ pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs
                 .quantities
                 .push(quantity(&label, &output.summary, &unit.dimension, &unit));
             outputs.values.push(*value);
+            outputs
+                .free
+                .push(kind == Kind::Any && output.what.unit.is_none());
         }
     }
     outputs
@@ -336,6 +341,7 @@ pub fn expectations(
     low: &mut Lowering<'_>,
     task: &Task<'_>,
     model: &SceneModel,
+    measures: &[Kind],
 ) -> Vec<ExpectInfo> {
     let mut list = Vec::new();
     for statement in &task.file.statements {
@@ -347,7 +353,7 @@ pub fn expectations(
             None => task.is_first,
         };
         if concerns {
-            list.extend(expectation(low, expect, statement.span, model));
+            list.extend(expectation(low, expect, statement.span, model, measures));
         }
     }
     list
@@ -358,6 +364,7 @@ fn expectation(
     expect: &Expect,
     span: crate::token::Span,
     model: &SceneModel,
+    measures: &[Kind],
 ) -> Option<ExpectInfo> {
     let wanted = print::term(&expect.quantity);
     let quantity = match subject(&expect.quantity, &wanted, model) {
@@ -368,6 +375,7 @@ fn expectation(
                     .outputs
                     .iter()
                     .chain(&model.states)
+                    .chain(model.measures.iter().map(|one| &one.quantity))
                     .map(|one| one.name.as_str())
             };
             let report = Diagnostic::error(
@@ -381,9 +389,12 @@ fn expectation(
             return None;
         }
     };
-    let found = low.scalar(&expect.quantity)?;
-    let value = low.fixed_of(&expect.value, found.1, "the quantity")?;
-    let tolerance = low.fixed_of(&expect.tolerance, found.1, "the quantity")?;
+    let kind = match quantity {
+        Subject::Measure(index) => measures[index],
+        _ => low.scalar(&expect.quantity)?.1,
+    };
+    let value = low.fixed_of(&expect.value, kind, "the quantity")?;
+    let tolerance = low.fixed_of(&expect.tolerance, kind, "the quantity")?;
     if tolerance < 0.0 {
         low.diagnostics.push(Diagnostic::error(
             expect.tolerance.span,
@@ -407,13 +418,14 @@ fn expectation(
                 "maximum" => ExpectPlace::Maximum,
                 "minimum" => ExpectPlace::Minimum,
                 "amplitude" => ExpectPlace::Amplitude,
+                "run" => ExpectPlace::Run,
                 _ => {
                     low.diagnostics.push(
                         Diagnostic::error(
                             word.span,
                             format!("`{}` is no place in a motion", word.text),
                         )
-                        .hint("write `maximum`, `minimum`, `amplitude`, or `theta = …`"),
+                        .hint("write `maximum`, `minimum`, `amplitude`, `theta = …`, or `run` for a measure"),
                     );
                     return None;
                 }
@@ -421,6 +433,21 @@ fn expectation(
             (place, format!(", {}", word.text))
         }
     };
+    if matches!(quantity, Subject::Measure(_)) != (at == ExpectPlace::Run) {
+        let (message, hint) = match at {
+            ExpectPlace::Run => (
+                format!("`{wanted}` is no measure, and has a value at each time of the run"),
+                "write where: `at time = …`, `at maximum`",
+            ),
+            _ => (
+                format!("`{wanted}` is a measure, a number of the whole run"),
+                "write `at run`",
+            ),
+        };
+        low.diagnostics
+            .push(Diagnostic::error(expect.quantity.span, message).hint(hint));
+        return None;
+    }
     Some(ExpectInfo {
         at,
         quantity,
@@ -444,6 +471,10 @@ fn subject(term: &Term, wanted: &str, model: &SceneModel) -> Option<Subject> {
     }
     if let Some(index) = model.states.iter().position(|one| one.name == wanted) {
         return Some(Subject::State(index));
+    }
+    let mut measures = model.measures.iter();
+    if let Some(index) = measures.position(|one| one.quantity.name == wanted) {
+        return Some(Subject::Measure(index));
     }
     let linkage = model.linkage.as_ref()?;
     let dependents = &linkage.dependents;

@@ -7,7 +7,6 @@ use crate::compile::{Compiled, Seen, Task, phase};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::modes::{Phase, Phases};
 use crate::scene::specialise;
-use crate::syntax::tree::SceneItem;
 
 /// Compiles one scene. Mistakes go to `diagnostics`, and then there is no model.
 pub fn scene(
@@ -31,7 +30,6 @@ fn join(
     diagnostics: &mut Diagnostics,
 ) -> Option<SceneModel> {
     let count = phases.all.len();
-    report_periodic(task, diagnostics);
     let before = diagnostics.error_count();
     // What one mode needs, all are given.
     let mut kept = BTreeSet::new();
@@ -53,8 +51,9 @@ fn join(
     model.conservative = false;
     model.program.linear = false;
     model.first = phases.first;
+    take_kinds(&mut model, &all);
     for (phase, compiled) in phases.all.iter().zip(all) {
-        check_outputs(&model, &compiled.scene, phase, diagnostics)?;
+        check_outputs(&model, &compiled, phase, diagnostics)?;
         model.modes.push(ModeModel {
             name: phase.name.clone(),
             summary: phase.summary.clone(),
@@ -83,15 +82,20 @@ fn only(compiled: Compiled) -> SceneModel {
     model
 }
 
-/// A motion through events is run.
-fn report_periodic(task: &Task<'_>, diagnostics: &mut Diagnostics) {
-    for item in task.scene.iter().flat_map(|(scene, _)| &scene.items) {
-        if let SceneItem::Periodic { period } = item {
-            let message = "the steady state of a motion with events is not available in this version of Assur";
-            diagnostics.push(
-                Diagnostic::error(period.span, message)
-                    .hint("run it until it repeats: `run time 0 s .. 10 s;`"),
-            );
+/// What is zero in the first mode has the unit that it has elsewhere.
+fn take_kinds(model: &mut SceneModel, all: &[Compiled]) {
+    let of_kind = |list: usize, index: usize| {
+        let mut modes = all.iter();
+        modes.find(|mode| !mode.free[list].get(index).copied().unwrap_or(true))
+    };
+    for (index, output) in model.outputs.iter_mut().enumerate() {
+        if let Some(mode) = of_kind(0, index) {
+            *output = mode.scene.outputs[index].clone();
+        }
+    }
+    for (index, measure) in model.measures.iter_mut().enumerate() {
+        if let Some(mode) = of_kind(1, index) {
+            measure.quantity = mode.scene.measures[index].quantity.clone();
         }
     }
 }
@@ -99,18 +103,26 @@ fn report_periodic(task: &Task<'_>, diagnostics: &mut Diagnostics) {
 /// Every mode reports the same quantities in the same units.
 fn check_outputs(
     model: &SceneModel,
-    other: &SceneModel,
+    other: &Compiled,
     phase: &Phase,
     diagnostics: &mut Diagnostics,
 ) -> Option<()> {
-    let pairs = model.outputs.iter().zip(&other.outputs);
-    let differs =
-        |(a, b): &(&QuantityInfo, &QuantityInfo)| a.name != b.name || a.dimension != b.dimension;
-    let found = pairs.clone().find(differs);
-    if model.outputs.len() == other.outputs.len() && found.is_none() {
+    let differs = |a: &QuantityInfo, b: &QuantityInfo, free: bool| {
+        a.name != b.name || (!free && a.dimension != b.dimension)
+    };
+    let outputs = model.outputs.iter().zip(&other.scene.outputs);
+    let outputs = outputs.zip(&other.free[0]);
+    let outputs = outputs.map(|((a, b), free)| (a, b, *free));
+    let measures = model.measures.iter().zip(&other.scene.measures);
+    let measures = measures.zip(&other.free[1]);
+    let measures = measures.map(|((a, b), free)| (&a.quantity, &b.quantity, *free));
+    let found = outputs
+        .chain(measures)
+        .find(|(a, b, free)| differs(a, b, *free));
+    if model.outputs.len() == other.scene.outputs.len() && found.is_none() {
         return Some(());
     }
-    let name = found.map_or("an output", |(a, _)| a.name.as_str());
+    let name = found.map_or("an output", |(a, ..)| a.name.as_str());
     let message = format!("`{name}` is something else in the mode `{}`", phase.name);
     diagnostics.push(
         Diagnostic::error(phase.span, message)

@@ -27,6 +27,7 @@ mod lagrange;
 pub mod lexer;
 mod linkage;
 mod lower;
+mod measures;
 mod modes;
 mod motion;
 pub mod nearest;

@@ -8,6 +8,7 @@ mod emit;
 mod evaluate;
 mod order;
 mod product;
+mod sensitivity;
 mod share;
 mod surfaces;
 
@@ -17,7 +18,7 @@ pub(crate) use evaluate::solve_symmetric;
 pub use evaluate::{Place, Values};
 
 use crate::linkage::Closing;
-pub use crate::modes::Event;
+pub use crate::modes::{Event, Slopes};
 
 /// Index of an operation, and so of its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -53,6 +54,8 @@ pub enum Input {
     Mode(u32),
     /// On which side of a switching surface the motion is, 1 or −1; 0 where its values say it.
     Side(u32),
+    /// What has been found of a run for a measure.
+    Measured(u32),
 }
 
 /// One operation.
@@ -203,6 +206,10 @@ pub struct Results {
     pub start: Vec<Value>,
     /// What a linkage computes.
     pub closing: Closing<Value>,
+    /// What measures look at.
+    pub measured: Vec<Value>,
+    /// The measures, from what has been found of a run.
+    pub measures: Vec<Value>,
     /// What the events of a mode compute, the switching surfaces behind them.
     pub events: Vec<Event<Value>>,
 }

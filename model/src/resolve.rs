@@ -77,6 +77,8 @@ pub enum Role {
     Let(Term),
     /// An abbreviation with arguments.
     Function(Vec<Name>, Term),
+    /// A number of a whole run.
+    Measure(Term),
     /// A part, by what it is.
     Part(String),
 }
@@ -113,6 +115,8 @@ pub struct Names {
     pub absent: BTreeMap<String, String>,
     /// Reported quantities that stand outside a scene block, with their full name where they have one.
     pub outputs: Vec<Declared<Output>>,
+    /// Numbers of a whole run.
+    pub measures: Vec<Declared<Output>>,
 }
 
 impl Names {
@@ -135,6 +139,10 @@ impl Names {
             StatementKind::Coordinate(unknown) | StatementKind::State(unknown) => &unknown.target,
             StatementKind::Output(output) => {
                 self.declare_output(output, summary, diagnostics);
+                return;
+            }
+            StatementKind::Measure { what, text } => {
+                self.declare_measure(what, text.as_ref().unwrap_or(&summary), diagnostics);
                 return;
             }
             StatementKind::Part {
@@ -236,6 +244,22 @@ impl Names {
             summary,
             what: output.clone(),
         });
+    }
+
+    fn declare_measure(&mut self, what: &Output, summary: &str, diagnostics: &mut Diagnostics) {
+        let (Some(target), Some(value)) = (&what.name, &what.value) else {
+            return;
+        };
+        let Some(name) = target_name(target, diagnostics) else {
+            return;
+        };
+        if self.insert(&name, Role::Measure(value.clone()), diagnostics) {
+            self.measures.push(Declared {
+                name,
+                summary: summary.to_string(),
+                what: what.clone(),
+            });
+        }
     }
 
     fn insert(&mut self, name: &Name, role: Role, diagnostics: &mut Diagnostics) -> bool {

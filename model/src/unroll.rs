@@ -232,7 +232,7 @@ pub fn statement_with_index(statement: &Statement, index: &str, value: i64) -> S
         StatementKind::Force { value: force, on } => (*force, *on) = (term(force), term(on)),
         StatementKind::Require { condition, .. } => *condition = term(condition),
         StatementKind::Mark { value: place, .. } => *place = term(place),
-        StatementKind::Output(output) => {
+        StatementKind::Output(output) | StatementKind::Measure { what: output, .. } => {
             output.name = output.name.as_ref().map(target);
             output.value = output.value.as_ref().map(term);
         }

@@ -9,6 +9,9 @@
 //! | [`stiff`] | the same for stiff motions: Radau IIA 5, Rodas5P, and the choice on the way |
 //! | [`closure`] | the positions of a linkage: its loops closed |
 //! | [`periodic`] | the steady state: method of initial parameters, shooting, Floquet multipliers |
+//! | [`hybrid`] | the motion from event to event |
+//! | [`mod@measure`] | numbers of a whole run |
+//! | [`study`] | many runs with different values |
 //! | [`tolerance`](mod@tolerance) | errors of a linkage from tolerances, and tolerances of least cost |
 //! | [`dense`] | small linear systems |
 //! | [`check`] | what the generated tests of a mechanism ask of it |
@@ -19,10 +22,12 @@ pub mod closure;
 pub mod dense;
 pub mod dispatch;
 pub mod hybrid;
+pub mod measure;
 pub mod ode;
 pub mod periodic;
 pub mod problem;
 pub mod registry;
 pub mod scalar;
 pub mod stiff;
+pub mod study;
 pub mod tolerance;

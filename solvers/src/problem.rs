@@ -7,6 +7,7 @@ mod span;
 
 pub use span::Span;
 
+use crate::measure::Primitive;
 use crate::scalar::Scalar;
 
 /// A vector of scalars, of fixed or of run-time length: one text of each algorithm serves both.
@@ -69,6 +70,12 @@ pub trait Equations<S: Scalar> {
 
     /// Writes the positions of the drivers at a time, in their declared order.
     fn drivers(&self, time: S, values: &mut [S]);
+
+    /// Writes what the measures of the scene look at. Shape: `Scene::MEASURED`.
+    fn measured(&self, _time: S, _state: &Self::State, _values: &mut [S]) {}
+
+    /// Writes the measures, from what has been found for `Scene::PRIMITIVES`. Shape: `Scene::MEASURES`.
+    fn measures(&self, _found: &[S], _values: &mut [S]) {}
 }
 
 /// A scene of a mechanism with its parameter values: the type that a user fills in and hands to a solver.
@@ -94,6 +101,12 @@ pub trait Scene: Clone + Send + Sync {
     const STATE_NAMES: &'static [&'static str];
     /// Names of the outputs; length `OUTPUTS`.
     const OUTPUT_NAMES: &'static [&'static str];
+    /// Number of quantities that measures look at.
+    const MEASURED: usize = 0;
+    /// What measures find of them in a run.
+    const PRIMITIVES: &'static [Primitive] = &[];
+    /// For each measure the primitives that it is made of.
+    const MEASURES: &'static [&'static [usize]] = &[];
 
     /// Computes what depends on the parameters alone.
     fn prepare<S: Scalar>(&self) -> Self::Equations<S>;

@@ -13,4 +13,5 @@ mod boundaries;
 mod hard;
 mod hybrid;
 mod linkages;
+mod measures;
 mod solved;

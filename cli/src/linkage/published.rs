@@ -86,6 +86,7 @@ fn one(
         At::Maximum => ("maximum".to_owned(), None, high()),
         At::Minimum => ("minimum".to_owned(), None, low()),
         At::Amplitude => ("amplitude".to_owned(), None, low().abs().max(high().abs())),
+        At::Run => return None,
         At::Position(positions) => {
             let mut place = case.standing();
             for (index, position) in positions {

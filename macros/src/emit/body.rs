@@ -224,6 +224,10 @@ impl<'a> Body<'a> {
                 let index = expression::size(index as usize);
                 quote!(self.sides_[#index])
             }
+            Input::Measured(index) => {
+                let index = expression::size(index as usize);
+                quote!(found[#index])
+            }
             Input::State(index) => {
                 let index = expression::size(index as usize);
                 quote!(state[#index])

@@ -54,7 +54,11 @@ impl Printer<'_> {
                 constant.map(|constant| &constant.quantity)
             }
             Input::State(index) => scene.states.get(index as usize),
-            Input::Driver(_) | Input::Position(_) | Input::Mode(_) | Input::Side(_) => {
+            Input::Driver(_)
+            | Input::Position(_)
+            | Input::Mode(_)
+            | Input::Side(_)
+            | Input::Measured(_) => {
                 return super::names::given(scene, input).unwrap_or_default();
             }
         };

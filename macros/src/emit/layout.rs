@@ -98,6 +98,8 @@ impl<'a> Layout<'a> {
             &results.drivers,
             &results.mass,
             &results.energy,
+            &results.measured,
+            &results.measures,
         ];
         let all: Vec<Value> = evaluated
             .iter()

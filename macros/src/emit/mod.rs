@@ -18,6 +18,7 @@ mod formula;
 mod instant;
 mod layout;
 mod linkage;
+mod measures;
 mod modes;
 pub mod names;
 mod outputs;
@@ -27,6 +28,7 @@ mod registry;
 mod requirements;
 mod scene;
 mod schedule;
+mod slopes;
 mod tests;
 mod values;
 

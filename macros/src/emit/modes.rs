@@ -9,15 +9,22 @@ use super::body::{Body, Place};
 use super::equations::first;
 use super::expression::{number, size};
 use super::layout::Layout;
-use super::{Origin, docs, equations, instant, names, outputs, parameters};
+use super::{Origin, docs, equations, instant, names, outputs, parameters, slopes};
 
 /// For each scene its modes as scenes of their own; none where there are none.
 pub fn split(model: &Model) -> Vec<Vec<SceneModel>> {
-    let mode = |scene: &SceneModel, index: usize| SceneModel {
-        program: scene.modes[index].program.clone(),
-        equations: scene.modes[index].equations.clone(),
-        modes: Vec::new(),
-        ..scene.clone()
+    let mode = |scene: &SceneModel, index: usize| {
+        let mut program = scene.modes[index].program.clone();
+        // What is made of a whole run is no matter of modes: the first one computes it.
+        if index != scene.first {
+            program.results.measures.clear();
+        }
+        SceneModel {
+            program,
+            equations: scene.modes[index].equations.clone(),
+            modes: Vec::new(),
+            ..scene.clone()
+        }
     };
     let scenes = model.scenes.iter();
     scenes
@@ -34,10 +41,12 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
     let modes = layout.modes.iter().map(|mode| {
         let (equations, instant) = (equations::items(mode), instant::items(mode));
         let (outputs, events) = (outputs::inherent(mode), events(mode));
-        quote!(#equations #instant #outputs #events)
+        let slopes = slopes::of_mode(mode);
+        quote!(#equations #instant #outputs #events #slopes)
     });
     let composite = composite(layout);
-    quote!(#(#modes)* #composite)
+    let slopes = slopes::of_scene(layout, &parts(layout));
+    quote!(#(#modes)* #composite #slopes)
 }
 
 /// The variants of the instant, and the fields of the equations.
@@ -60,6 +69,23 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
     let numbers: Vec<_> = (0..fields.len()).map(size).collect();
     let states = size(layout.states());
     let inline = layout.inline();
+    let measures = (!layout.scene.measures.is_empty()).then(|| {
+        let first = &fields[layout.scene.first];
+        quote! {
+            #[inline(never)]
+            fn measured(&self, time: S, state: &Self::State, values: &mut [S]) {
+                match self.mode_ {
+                    #(#numbers => self.#fields.measured(time, state, values),)*
+                    _ => ::core::unreachable!(),
+                }
+            }
+
+            #[inline(never)]
+            fn measures(&self, found: &[S], values: &mut [S]) {
+                self.#first.measures(found, values);
+            }
+        }
+    });
     let texts = layout
         .scene
         .modes
@@ -163,6 +189,8 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                     _ => ::core::unreachable!(),
                 }
             }
+
+            #measures
         }
 
         impl<S: ::assur::scalar::Scalar> ::assur::hybrid::Modes<S> for #name<S> {
@@ -377,7 +405,7 @@ fn events(layout: &Layout<'_>) -> TokenStream {
 }
 
 /// An arm for each event that has something to say.
-fn each(
+pub fn each(
     events: &[Event<Value>],
     arm: impl Fn(&Event<Value>) -> Option<TokenStream>,
 ) -> TokenStream {

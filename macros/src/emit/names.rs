@@ -213,6 +213,7 @@ fn input_name(scene: &SceneModel, input: Input) -> Option<String> {
         Input::Driver(index) => return driver_name(scene, index as usize),
         Input::Position(place) => return position_name(scene, place as usize),
         Input::Mode(group) => return Some(format!("mode_{group}_")),
+        Input::Measured(index) => return Some(format!("found_{index}_")),
         Input::Side(surface) => return Some(format!("side_{surface}_")),
     };
     quantity.map(|quantity| plain(&quantity.name))

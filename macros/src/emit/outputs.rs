@@ -18,6 +18,7 @@ pub fn methods(layout: &Layout<'_>) -> TokenStream {
     let drivers = writes(layout, &results.drivers);
     let text = docs::operations(counts::of(layout).outputs);
     let inline = layout.inline();
+    let measures = measures(layout);
     quote! {
         #text
         #inline
@@ -29,7 +30,29 @@ pub fn methods(layout: &Layout<'_>) -> TokenStream {
         fn drivers(&self, time: S, values: &mut [S]) {
             #drivers
         }
+
+        #measures
     }
+}
+
+/// The methods of `Equations` for measures, where the scene has any.
+fn measures(layout: &Layout<'_>) -> Option<TokenStream> {
+    let results = &layout.program().results;
+    let measured = writes(layout, &results.measured);
+    let measures = writes(layout, &results.measures);
+    (!layout.scene.measures.is_empty()).then(|| {
+        quote! {
+            #[inline(never)]
+            fn measured(&self, time: S, state: &Self::State, values: &mut [S]) {
+                #measured
+            }
+
+            #[inline(never)]
+            fn measures(&self, found: &[S], values: &mut [S]) {
+                #measures
+            }
+        }
+    })
 }
 
 fn writes(layout: &Layout<'_>, wanted: &[Value]) -> TokenStream {

@@ -148,6 +148,7 @@ fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
             (prepare, quote!(#each #hybrid))
         }
     };
+    let measures = super::measures::constants(layout.scene);
     let (check, span, start) = (requirements::check(layout), span(layout), start(layout));
     quote! {
         impl ::assur::problem::Scene for #name {
@@ -161,6 +162,7 @@ fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
             const SCALES: &'static [f64] = &[#(#scales),*];
             const STATE_NAMES: &'static [&'static str] = &[#(#state_names),*];
             const OUTPUT_NAMES: &'static [&'static str] = &[#(#output_names),*];
+            #measures
 
             #prepare
             #check

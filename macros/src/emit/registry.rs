@@ -90,6 +90,7 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
     };
     let [drivers, states, outputs] = [&scene.drivers, &scene.states, &scene.outputs]
         .map(|list| list.iter().map(quantity).collect::<Vec<_>>());
+    let measures = scene.measures.iter().map(|one| quantity(&one.quantity));
     let equations = scene.equations.iter().map(|equation| {
         let (text, unit, line) = (&equation.text, &equation.unit, line(origin, equation.span));
         quote!(::assur::registry::EquationText { text: #text, unit: #unit, line: #line })
@@ -122,6 +123,7 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
             drivers: &[#(#drivers),*],
             states: &[#(#states),*],
             outputs: &[#(#outputs),*],
+            measures: &[#(#measures),*],
             equations: &[#(#equations),*],
             operations: ::assur::registry::Operations {
                 prepare: #prepare,
@@ -193,6 +195,9 @@ fn binder(layout: &Layout<'_>) -> TokenStream {
     let reason = format!("found {{}}, expected {expected}");
     let (run, bind) = match &layout.scene.linkage {
         Some(_) => (quote!(RunLinkage), quote!(bind_linkage)),
+        None if !layout.modes.is_empty() && super::slopes::has(layout) => {
+            (quote!(Run), quote!(bind_cycle))
+        }
         None if !layout.modes.is_empty() => (quote!(Run), quote!(bind_hybrid)),
         None => (quote!(Run), quote!(bind)),
     };
@@ -289,6 +294,7 @@ fn place(place: &ExpectPlace) -> TokenStream {
         ExpectPlace::Maximum => quote!(Maximum),
         ExpectPlace::Minimum => quote!(Minimum),
         ExpectPlace::Amplitude => quote!(Amplitude),
+        ExpectPlace::Run => quote!(Run),
     };
     quote!(::assur::registry::At::#at)
 }
@@ -307,6 +313,10 @@ fn expectation(expected: &ExpectInfo, origin: &Origin<'_>) -> TokenStream {
         Subject::Influence(output, variable) => {
             let (output, variable) = (size(output), size(variable));
             quote!(Influence(#output, #variable))
+        }
+        Subject::Measure(index) => {
+            let index = size(index);
+            quote!(Measure(#index))
         }
     };
     let (value, tolerance) = (number(expected.value), number(expected.tolerance));

@@ -129,6 +129,7 @@ fn plain(symbol: Symbol) -> String {
         Symbol::DriverAcceleration(index) => format!("ddot(driver{index})"),
         Symbol::Dependent(index) => format!("dependent{index}"),
         Symbol::Mode(index) => format!("mode{index}"),
+        Symbol::Measured(index) => format!("measured{index}"),
         Symbol::Side(index) => format!("side{index}"),
         Symbol::Coordinate(index) => format!("q{index}"),
         Symbol::Speed(index) => format!("u{index}"),

@@ -28,6 +28,8 @@ pub enum Symbol {
     Mode(u32),
     /// On which side of a switching surface the motion is, 1 or −1; 0 where its values say it.
     Side(u32),
+    /// What has been found of a run for a measure.
+    Measured(u32),
     /// A generalized coordinate.
     Coordinate(u32),
     /// The time derivative of a coordinate.

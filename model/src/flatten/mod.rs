@@ -276,7 +276,7 @@ fn is_kept(kind: &mut StatementKind) -> bool {
             };
             true
         }
-        StatementKind::Output(_) => false,
+        StatementKind::Output(_) | StatementKind::Measure { .. } => false,
         _ => true,
     }
 }

@@ -163,7 +163,7 @@ impl<'a> Scope<'a> {
                 }
                 scene.items.iter_mut().for_each(|item| self.item(item));
             }
-            StatementKind::Output(output) => {
+            StatementKind::Output(output) | StatementKind::Measure { what: output, .. } => {
                 output.name.iter_mut().for_each(|one| self.target(one));
                 self.some(&mut output.value);
             }

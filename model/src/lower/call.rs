@@ -81,6 +81,9 @@ impl Lowering<'_> {
         if name.text == "mod" {
             return self.modulo(name, arguments, span);
         }
+        if let Some(found) = self.measuring(name, arguments, span) {
+            return found;
+        }
         let Some((_, function, expected, rule)) = TABLE.iter().find(|row| row.0 == name.text)
         else {
             if self.survey.is_unread(&name.text) {

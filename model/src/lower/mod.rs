@@ -6,12 +6,14 @@ mod breaks;
 mod call;
 mod derivative;
 mod literal;
+mod measure;
 mod typed;
 mod vector;
 mod written;
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
+pub use measure::{Measuring, Moment, Primitive, PrimitiveKind};
 use typed::Key;
 pub use typed::{Kind, Typed};
 pub use vector::COMPONENTS;
@@ -67,6 +69,8 @@ pub struct Lowering<'a> {
     pub moved: Moved,
     /// The first number with a length, mass or time in its unit in what has been lowered, abbreviations included.
     pub literal: Option<LiteralInfo>,
+    /// What measures have asked for.
+    pub measured: Measuring,
     survey: &'a Survey<'a>,
     selected: &'a Selected,
     kinds: Kinds,
@@ -99,6 +103,7 @@ impl<'a> Lowering<'a> {
             slopes: None,
             moved: Moved::InTime,
             literal: None,
+            measured: Measuring::default(),
             survey,
             selected,
             kinds: Kinds::new(),
@@ -264,6 +269,18 @@ impl<'a> Lowering<'a> {
             Role::Coordinate(index) => Symbol::Coordinate(*index),
             Role::State(index) => Symbol::State(*index),
             Role::Let(value) => return self.abbreviation(name, value, span),
+            Role::Measure(value) if self.measured.is_open => {
+                return self.abbreviation(name, value, span);
+            }
+            Role::Measure(_) => {
+                return self.error(
+                    Diagnostic::error(
+                        span,
+                        format!("`{name}` is a number of a whole run, and this holds at one time"),
+                    )
+                    .related(entry.span, "declared here"),
+                );
+            }
             Role::Part(mechanism) => {
                 return self.error(
                     Diagnostic::error(span, format!("`{name}` is a part, a `{mechanism}`"))
@@ -438,7 +455,9 @@ impl<'a> Lowering<'a> {
             name.text.clone(),
             arguments.iter().map(Typed::key).collect::<Vec<_>>(),
         );
-        if let Some((done, literal)) = self.calls.get(&key).cloned() {
+        // In a measure each call looks for numbers of its own, see `look_at`.
+        let known = self.calls.get(&key).filter(|_| !self.measured.is_open);
+        if let Some((done, literal)) = known.cloned() {
             self.note(literal);
             return done;
         }

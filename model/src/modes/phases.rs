@@ -197,6 +197,7 @@ fn report_misplaced(statement: &Statement, diagnostics: &mut Diagnostics) {
     let what = match &statement.kind {
         StatementKind::Mode { .. } => "a mode",
         StatementKind::Output(_) => "an output",
+        StatementKind::Measure { .. } => "a measure",
         StatementKind::Mark { .. } => "a mark",
         StatementKind::Part { .. } => "a part",
         StatementKind::Dependent(_) | StatementKind::Closure { .. } => "a loop",
@@ -205,7 +206,7 @@ fn report_misplaced(statement: &Statement, diagnostics: &mut Diagnostics) {
     };
     let report = Diagnostic::error(statement.span, format!("{what} stands outside every mode"));
     diagnostics.push(match statement.kind {
-        StatementKind::Output(_) => {
+        StatementKind::Output(_) | StatementKind::Measure { .. } => {
             report.hint("report the name of an abbreviation that each mode defines in its own way")
         }
         _ => report.hint("move it out of the braces"),

@@ -4,13 +4,14 @@ use std::collections::HashMap;
 
 use super::emit::Emitter;
 use super::{
-    Event, Input, OperationKind, Program, Results, Stage, Value, collect, order, share, surfaces,
+    Event, Input, OperationKind, Program, Results, Stage, Value, collect, order, sensitivity,
+    share, surfaces,
 };
 use crate::expression::{Expression, Graph, Symbol};
 use crate::linkage::Closing;
 
 /// The function that computes events, by number.
-const EVENTS: usize = 9;
+const EVENTS: usize = 11;
 
 /// What a program is to compute.
 #[derive(Clone, Debug, Default)]
@@ -33,6 +34,10 @@ pub struct Request {
     pub span: Vec<Expression>,
     /// Start values.
     pub start: Vec<Expression>,
+    /// What measures look at.
+    pub measured: Vec<Expression>,
+    /// The measures, from what has been found of a run.
+    pub measures: Vec<Expression>,
     /// What a linkage computes.
     pub closing: Closing<Expression>,
     /// What events compute.
@@ -47,6 +52,8 @@ pub struct Request {
     pub states: usize,
     /// Whether the sides of switching surfaces are inputs.
     pub surfaces: bool,
+    /// Whether variations of the motion pass through its events.
+    pub cycle: bool,
 }
 
 impl Request {
@@ -81,6 +88,8 @@ impl Request {
             &self.requirements,
             &self.span,
             &self.start,
+            &self.measured,
+            &self.measures,
         ] {
             roots.extend(list);
         }
@@ -101,6 +110,8 @@ impl Request {
             self.requirements.len(),
             self.span.len(),
             self.start.len(),
+            self.measured.len(),
+            self.measures.len(),
         ];
         let lists = lists.into_iter().enumerate();
         let mut functions: Vec<usize> = lists
@@ -114,12 +125,27 @@ impl Request {
 /// Builds the program: puts in what symbols stand for, simplifies, collects by stages, and writes the operations down.
 pub fn build(graph: &mut Graph, request: &Request) -> Program {
     let often = request.derivative.len() + request.jacobian.len();
-    let mut bound = bind(graph, &request.roots(), &request.bindings);
     let mut request = request.clone();
+    if request.cycle {
+        let rates = bind(graph, &request.derivative, &request.bindings);
+        let mut events = std::mem::take(&mut request.events);
+        for event in &mut events {
+            let all: Vec<Expression> = event.all().collect();
+            let mut bound = bind(graph, &all, &request.bindings).into_iter();
+            *event = event.map(|old| bound.next().unwrap_or(old));
+        }
+        sensitivity::add(graph, &mut events, &rates, &request);
+        request.events = events;
+    }
+    let mut bound = bind(graph, &request.roots(), &request.bindings);
     let mut surfaces = Vec::new();
     if request.surfaces {
         let derivative = bound[..request.derivative.len()].to_vec();
-        let frozen = surfaces::freeze(graph, &bound[..often], &derivative, &mut request);
+        let mut frozen = surfaces::freeze(graph, &bound[..often], &derivative, &mut request);
+        if request.cycle {
+            let rates = frozen.roots[..derivative.len()].to_vec();
+            sensitivity::add(graph, &mut frozen.surfaces, &rates, &request);
+        }
         bound[..often].copy_from_slice(&frozen.roots);
         bound.extend(frozen.surfaces.iter().flat_map(Event::all));
         surfaces = frozen.surfaces;
@@ -153,6 +179,8 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
         requirements: take(request.requirements.len()),
         span: take(request.span.len()),
         start: take(request.start.len()),
+        measured: take(request.measured.len()),
+        measures: take(request.measures.len()),
         closing: {
             let mut closing = take(request.closing.all().len()).into_iter();
             request.closing.map(|_| closing.next().unwrap_or(Value(0)))

@@ -126,6 +126,8 @@ fn for_each(program: &mut Program, apply: &mut dyn FnMut(&mut Value)) {
         &mut results.requirements,
         &mut results.span,
         &mut results.start,
+        &mut results.measured,
+        &mut results.measures,
     ] {
         list.iter_mut().for_each(&mut *apply);
     }

@@ -171,6 +171,9 @@ pub enum StatementKind {
     Scene(Scene),
     /// `output x;`, `output F1 = … [kN];`. Several after commas become several statements.
     Output(Output),
+    /// `measure F_max = peak(F) [kN] "largest force";`: a number of a whole run. Several after commas become several
+    /// statements.
+    Measure { what: Output, text: Option<String> },
     /// `mark "beat-up" at theta = 180 deg;`: a place that plots show.
     Mark {
         text: String,
@@ -196,7 +199,13 @@ impl StatementKind {
                 name: Some(target),
                 value: Some(_),
                 ..
-            }) => Some(target),
+            })
+            | Self::Measure {
+                what: Output {
+                    name: Some(target), ..
+                },
+                ..
+            } => Some(target),
             _ => None,
         }
     }

@@ -6,6 +6,7 @@ mod derivatives;
 mod fuzz;
 mod grammar;
 mod literals;
+mod measures;
 mod modes;
 mod parts;
 mod right;

@@ -101,6 +101,11 @@ impl Motion {
         let path = match span {
             _ if run.start().is_empty() => None,
             Span::Open => None,
+            Span::Periodic(period) if run.mode_count() > 0 => {
+                let cycle = run.cycle(period, &SETTINGS);
+                let cycle = cycle.map_err(|error| unsolved(&error))?;
+                Some(Path::Through(cycle.motion))
+            }
             Span::Periodic(period) => {
                 let orbit = run.periodic(period, &SETTINGS);
                 let orbit = orbit.map_err(|error| unsolved(&error))?;
@@ -127,8 +132,21 @@ impl Motion {
                 .largest(fact.subject, |value| -value)
                 .map(|value| -value),
             At::Amplitude => self.largest(fact.subject, f64::abs),
+            At::Run => self.measured(fact.subject),
             At::Position(_) => None,
         }
+    }
+
+    /// A measure of the run.
+    fn measured(&self, subject: Subject) -> Option<f64> {
+        let Subject::Measure(index) = subject else {
+            return None;
+        };
+        let measures = match self.path.as_ref()? {
+            Path::Orbit(orbit) => self.run.measure(&hybrid::Motion::of(orbit.clone())),
+            Path::Through(motion) => self.run.measure(motion),
+        };
+        measures.get(index)?.ok()
     }
 
     /// A state or output at a time.
@@ -144,7 +162,7 @@ impl Motion {
                 outputs.get(index).copied()
             }
             Subject::State(index) => state.get(index).copied(),
-            Subject::Influence(..) => None,
+            Subject::Influence(..) | Subject::Measure(_) => None,
         }
     }
 

@@ -30,7 +30,7 @@ pub(super) fn value(
             let place = run.drive(time).ok_or_else(|| nowhere(fact))?;
             at(scene, run, fact, place)
         }
-        At::Driver(..) => Err(nowhere(fact)),
+        At::Driver(..) | At::Run => Err(nowhere(fact)),
     }
 }
 
@@ -74,7 +74,7 @@ fn along(
     let value = |sample: &Sample| match fact.subject {
         Subject::Output(index) => sample.outputs.get(index).copied(),
         Subject::State(index) => sample.dependents.get(index).copied(),
-        Subject::Influence(..) => None,
+        Subject::Influence(..) | Subject::Measure(_) => None,
     };
     let values: Option<Vec<f64>> = path.samples.iter().map(value).collect();
     values.ok_or_else(|| nowhere(fact))

@@ -108,6 +108,7 @@ const FREE: SceneEntry = SceneEntry {
     constants: &[],
     drivers: &[LENGTH],
     states: &[LENGTH, LENGTH],
+    measures: &[],
     outputs: &[],
     equations: &[],
     operations: Operations {

@@ -3,6 +3,7 @@
 use super::{Constant, Run, Settings};
 use crate::dispatch::{Task, dispatch};
 use crate::hybrid::{HybridError, Motion};
+use crate::measure::{self, Missing, Wanted};
 use crate::ode::{self, OdeError, Trajectory};
 use crate::periodic::{self, Orbit, PeriodicError};
 use crate::problem::{Equations, Refused, Scene, Span, Storage};
@@ -122,6 +123,14 @@ impl<C: Scene + 'static> Run for Bound<C> {
                 motion: Box::new(Motion::at_rest(times.0, start)),
             }),
         }
+    }
+
+    fn measure(&self, motion: &Motion) -> Vec<Result<f64, Missing>> {
+        let sample = |_mode: usize, time: f64, state: &[f64], values: &mut [f64]| {
+            self.equations.measured(time, &self.state(state), values);
+        };
+        let measures = |found: &[f64], values: &mut [f64]| self.equations.measures(found, values);
+        measure::all(motion, &Wanted::of::<C>(), &sample, &measures)
     }
 
     fn time_evaluation(&self, calls: usize) -> f64 {

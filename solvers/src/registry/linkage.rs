@@ -69,6 +69,8 @@ pub enum Subject {
     Output(usize),
     /// The influence of a variable of a linkage on an output: output, variable.
     Influence(usize, usize),
+    /// A measure of the whole run.
+    Measure(usize),
 }
 
 /// A linkage whose dimensions are fixed, ready to be moved.

@@ -101,11 +101,11 @@ impl Parser<'_> {
                 vec![SceneItem::Sweep { drivers }]
             }
             "measure" => {
-                let message = format!(
-                    "`{}` is not available in this version of Assur",
-                    keyword.text
+                return self.wrong_at(
+                    keyword.span,
+                    "a measure stands outside the scenes",
+                    Some("move it out of the braces: every scene that runs has it"),
                 );
-                return self.wrong_at(keyword.span, message, None);
             }
             other => {
                 let message = format!("`{other}` is nothing that a scene does");
@@ -142,6 +142,20 @@ impl Parser<'_> {
             unit,
             span: self.since(start),
         })
+    }
+
+    /// `F_max = peak(F) [kN] "largest force"`
+    pub(super) fn measure(&mut self) -> Read<StatementKind> {
+        let what = self.output()?;
+        if what.name.is_none() || what.value.is_none() {
+            return self.wrong_at(
+                what.span,
+                "a measure has a name and a value",
+                Some("write `measure F_max = peak(F);`"),
+            );
+        }
+        let text = self.text();
+        Ok(StatementKind::Measure { what, text })
     }
 
     fn output_value(&mut self) -> Read<(Option<Target>, Option<Term>)> {

@@ -31,6 +31,7 @@ const KEYWORDS: &[&str] = &[
     "for",
     "scene",
     "output",
+    "measure",
     "point",
     "link",
     "part",
@@ -40,9 +41,6 @@ const KEYWORDS: &[&str] = &[
     "hold",
     "when",
 ];
-
-/// Words that will begin a statement once.
-const PLANNED: &[&str] = &["measure"];
 
 impl Parser<'_> {
     /// Documentation, name, source, statements.
@@ -175,6 +173,7 @@ impl Parser<'_> {
             "force" => self.commas(Self::force)?,
             "require" => vec![self.requirement()?],
             "output" => self.commas(|parser| Ok(StatementKind::Output(parser.output()?)))?,
+            "measure" => self.commas(Self::measure)?,
             "hold" => self.commas(|parser| {
                 Ok(StatementKind::Hold {
                     target: parser.term()?,
@@ -209,13 +208,6 @@ impl Parser<'_> {
     }
 
     fn unknown_statement<T>(&mut self, keyword: &str, start: Span) -> Read<T> {
-        if PLANNED.contains(&keyword) {
-            return self.wrong_at(
-                start,
-                format!("`{keyword}` is not available in this version of Assur"),
-                None,
-            );
-        }
         let near = nearest(keyword, KEYWORDS.iter().copied())
             .map(|near| format!("did you mean `{near}`?"));
         let hint = match near {

@@ -50,7 +50,7 @@ const WRONG: &[Case] = &[
     ("scene s { period over 1 s; }", "`period` is nothing that a scene does", "period", "periodic over"),
     ("scene s { periodic 1 s; }", "found `1`, expected `over`", "1", "periodic over 2*pi/n"),
     ("scene s { run time 0 s; }", "found `;`, expected `..`", ";", ""),
-    ("scene s { measure a = peak(x); }", "`measure` is not available in this version", "measure", ""),
+    ("scene s { measure a = peak(x); }", "a measure stands outside the scenes", "measure", "move it out"),
     ("scene s { sweep theta 1 deg; }", "found `;`, expected `..`", ";", ""),
     ("dependent phi = 10 deg;", "a dependent coordinate is not set", "=", "dependent phi ~"),
     ("link A;", "a link joins at least two points", "A", "link A - B;"),

@@ -1,0 +1,92 @@
+//! Numbers of the whole task, for the tables and formats of `assur run`.
+
+use assur::measure::Missing;
+use assur::registry::Quantity;
+use serde_json::{Value, json};
+
+use crate::number;
+use crate::report::Report;
+use crate::table::Page;
+use crate::text::{Align, Columns};
+
+/// A number of the whole task.
+#[derive(Clone, Copy, Debug)]
+pub struct Measured {
+    /// Name and unit.
+    pub quantity: &'static Quantity,
+    /// Its value, SI units, or why there is none.
+    pub value: Result<f64, Missing>,
+    /// Its estimated error, SI units; NaN where there is none.
+    pub error: f64,
+}
+
+fn modes(report: &Report) -> Vec<&'static str> {
+    let modes = report.case.scene.modes.iter();
+    modes.map(|mode| mode.name).collect()
+}
+
+/// The table of all measures.
+pub fn section(page: &mut Page, report: &Report) {
+    if report.measures.is_empty() {
+        return;
+    }
+    let mut table = Columns::new([
+        ("measure", Align::Left),
+        ("value", Align::Point),
+        ("unit", Align::Left),
+        ("estimated error", Align::Point),
+        ("", Align::Left),
+    ]);
+    let modes = modes(report);
+    for measure in &report.measures {
+        let quantity = measure.quantity;
+        let (value, error, text) = match measure.value {
+            Ok(value) => (
+                number::significant(value / quantity.factor, 9),
+                number::error(measure.error / quantity.factor),
+                first_line(quantity.summary).to_owned(),
+            ),
+            Err(missing) => (
+                "none".to_owned(),
+                String::new(),
+                format!("since {}", missing.text(&modes)),
+            ),
+        };
+        table.row([
+            quantity.name.to_owned(),
+            value,
+            quantity.unit.to_owned(),
+            error,
+            text,
+        ]);
+    }
+    page.section("Measures of the whole task", &table);
+    page.line("");
+}
+
+fn first_line(text: &str) -> &str {
+    text.lines().next().unwrap_or_default()
+}
+
+/// All measures.
+pub fn list(report: &Report) -> Value {
+    let modes = modes(report);
+    let one = |measure: &Measured| {
+        let quantity = measure.quantity;
+        match measure.value {
+            Ok(value) => json!({
+                "name": quantity.name,
+                "unit": quantity.unit,
+                "value": value / quantity.factor,
+                "estimated_error": measure.error / quantity.factor,
+            }),
+            Err(missing) => json!({
+                "name": quantity.name,
+                "unit": quantity.unit,
+                "value": null,
+                "missing": missing.text(&modes),
+            }),
+        }
+    };
+    report.measures.iter().map(one).collect()
+}

@@ -1,0 +1,92 @@
+//! The measures of a scene as constants of its type.
+
+use assur_model::checked::{Moment, Primitive, PrimitiveKind, SceneModel};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::expression::size;
+
+/// The constants of `Scene` for measures, where the scene has any.
+pub fn constants(scene: &SceneModel) -> Option<TokenStream> {
+    if scene.measures.is_empty() {
+        return None;
+    }
+    let program = scene.modes.get(scene.first).map(|mode| &mode.program);
+    let count = size(program.unwrap_or(&scene.program).results.measured.len());
+    let primitives = scene.primitives.iter().map(primitive);
+    let uses = scene.measures.iter().map(|measure| {
+        let uses = measure.uses.iter().map(|index| size(*index));
+        quote!(&[#(#uses),*])
+    });
+    Some(quote! {
+        const MEASURED: usize = #count;
+        const PRIMITIVES: &'static [::assur::measure::Primitive] = &[#(#primitives),*];
+        const MEASURES: &'static [&'static [usize]] = &[#(#uses),*];
+    })
+}
+
+fn primitive(primitive: &Primitive) -> TokenStream {
+    let argument = size(primitive.argument);
+    let window = match primitive.window {
+        Some(index) => {
+            let index = size(index);
+            quote!(::core::option::Option::Some(#index))
+        }
+        None => quote!(::core::option::Option::None),
+    };
+    let harmonic = |angle: usize, rate: usize, order: u32| {
+        let (angle, rate, order) = (size(angle), size(rate), size(order as usize));
+        quote!({ angle: (#angle, #rate), order: #order })
+    };
+    let kind = match primitive.kind {
+        PrimitiveKind::Peak => quote!(Peak),
+        PrimitiveKind::Lowest => quote!(Lowest),
+        PrimitiveKind::Mean => quote!(Mean),
+        PrimitiveKind::Rms => quote!(Rms),
+        PrimitiveKind::Integral => quote!(Integral),
+        PrimitiveKind::Duration => quote!(Duration),
+        PrimitiveKind::Value(when) => {
+            let moment = moment(when);
+            quote!(Value(#moment))
+        }
+        PrimitiveKind::Count(when) => {
+            let moment = moment(when);
+            quote!(Count(#moment))
+        }
+        PrimitiveKind::Cosine(angle, rate, order) => {
+            let fields = harmonic(angle, rate, order);
+            quote!(Cosine #fields)
+        }
+        PrimitiveKind::Sine(angle, rate, order) => {
+            let fields = harmonic(angle, rate, order);
+            quote!(Sine #fields)
+        }
+    };
+    quote! {
+        ::assur::measure::Primitive {
+            kind: ::assur::measure::Kind::#kind,
+            argument: #argument,
+            window: #window,
+        }
+    }
+}
+
+fn moment(moment: Moment) -> TokenStream {
+    let of = |mode: usize, last: bool| {
+        let mode = size(mode);
+        quote!({ mode: #mode, last: #last })
+    };
+    let moment = match moment {
+        Moment::Start => quote!(Start),
+        Moment::End => quote!(End),
+        Moment::Enter(mode, last) => {
+            let fields = of(mode, last);
+            quote!(Enter #fields)
+        }
+        Moment::Leave(mode, last) => {
+            let fields = of(mode, last);
+            quote!(Leave #fields)
+        }
+    };
+    quote!(::assur::measure::Moment::#moment)
+}

@@ -1,0 +1,345 @@
+//! Numbers of a whole run: what a measure looks at, and what it is made of.
+
+use super::{Kind, Lowering, Typed};
+use crate::diagnostic::Diagnostic;
+use crate::expression::{Expression, Node, Symbol};
+use crate::homogeneity::{agree, describe, times};
+use crate::lower::second;
+use crate::nearest::nearest;
+use crate::program::Relation;
+use crate::syntax::tree::{Name, Term, TermKind};
+use crate::token::Span;
+
+/// Functions that only a measure knows.
+pub const FUNCTIONS: &[&str] = &[
+    "peak",
+    "lowest",
+    "mean",
+    "rms",
+    "total",
+    "duration",
+    "value",
+    "count",
+    "cosine",
+    "sine",
+    "amplitude",
+];
+
+/// Most harmonics that a measure may ask for.
+const HARMONICS: u32 = 1000;
+
+/// A number of a run that is found by looking at it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Primitive {
+    /// What is found.
+    pub kind: PrimitiveKind,
+    /// The quantity concerned, by its place among those that measures look at.
+    pub argument: usize,
+    /// Only where this quantity is positive.
+    pub window: Option<usize>,
+}
+
+/// What is found of a quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PrimitiveKind {
+    /// The largest value.
+    Peak,
+    /// The smallest value.
+    Lowest,
+    /// The mean over the time.
+    Mean,
+    /// The square root of the mean of the square.
+    Rms,
+    /// The integral over the time.
+    Integral,
+    /// How long the quantity is positive.
+    Duration,
+    /// The value at a moment.
+    Value(Moment),
+    /// How often a moment comes.
+    Count(Moment),
+    /// The coefficient of `cos kα` over the turns of an angle: places of the angle and of its rate, and `k`.
+    Cosine(usize, usize, u32),
+    /// The coefficient of `sin kα`.
+    Sine(usize, usize, u32),
+}
+
+/// A moment of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moment {
+    /// Its begin.
+    Start,
+    /// Its end.
+    End,
+    /// Just after a mode is entered; the last time, or the first.
+    Enter(usize, bool),
+    /// Just before a mode is left; the last time, or the first.
+    Leave(usize, bool),
+}
+
+/// What the measures of a scene have asked for so far.
+#[derive(Default)]
+pub struct Measuring {
+    /// Whether a measure is being read.
+    pub is_open: bool,
+    /// Names of the modes.
+    pub modes: Vec<String>,
+    /// The quantities that measures look at.
+    pub looked_at: Vec<Expression>,
+    /// What is found of them.
+    pub primitives: Vec<Primitive>,
+}
+
+impl Lowering<'_> {
+    /// A function that only a measure knows; none if there is no such function, or a scene that has no run.
+    pub(super) fn measuring(
+        &mut self,
+        name: &Name,
+        arguments: &[Term],
+        span: Span,
+    ) -> Option<Typed> {
+        if !FUNCTIONS.contains(&name.text.as_str()) {
+            return None;
+        }
+        if !self.measured.is_open {
+            let report = Diagnostic::error(
+                span,
+                format!(
+                    "`{}` is a number of a whole run, and this holds at one time",
+                    name.text
+                ),
+            );
+            return Some(self.error(report.hint("such numbers belong in a `measure`")));
+        }
+        // What it looks at is a quantity of one time.
+        self.measured.is_open = false;
+        let typed = self.found(name, arguments, span).unwrap_or(Typed::Wrong);
+        self.measured.is_open = true;
+        Some(typed)
+    }
+
+    fn found(&mut self, name: &Name, arguments: &[Term], span: Span) -> Option<Typed> {
+        use PrimitiveKind as Is;
+        let word = name.text.as_str();
+        let counts: &[usize] = match word {
+            "duration" | "count" => &[1],
+            "value" => &[2],
+            "cosine" | "sine" | "amplitude" => &[3],
+            _ => &[1, 2],
+        };
+        if !counts.contains(&arguments.len()) {
+            let shape = match word {
+                "duration" => "duration(x > y)",
+                "count" => "count(enter(mode))",
+                "value" => "value(x, enter(mode))",
+                "cosine" | "sine" | "amplitude" => "amplitude(x, angle, 1)",
+                _ => "peak(x), or peak(x, y > z) where only a part of the run counts",
+            };
+            let message = format!("`{word}` does not take {} arguments", arguments.len());
+            let report = Diagnostic::error(span, message);
+            self.error(report.hint(format!("its form is `{shape}`")));
+            return None;
+        }
+        let first = &arguments[0];
+        match word {
+            "duration" => {
+                let index = self.margin(first)?;
+                let value = self.primitive(Is::Duration, index, None);
+                return Some(Typed::scalar(value, Kind::Of(second())));
+            }
+            "count" => {
+                let moment = self.moment(first)?;
+                let value = self.primitive(Is::Count(moment), 0, None);
+                return Some(Typed::number(value));
+            }
+            _ => {}
+        }
+        let (quantity, kind) = self.scalar(first)?;
+        let place = self.look_at(quantity);
+        let simple = match word {
+            "value" => {
+                let moment = self.moment(&arguments[1])?;
+                let value = self.primitive(Is::Value(moment), place, None);
+                return Some(Typed::scalar(value, kind));
+            }
+            "cosine" | "sine" | "amplitude" => {
+                let value = self.harmonic(word, place, &arguments[1], &arguments[2])?;
+                return Some(Typed::scalar(value, kind));
+            }
+            "peak" => Is::Peak,
+            "lowest" => Is::Lowest,
+            "mean" => Is::Mean,
+            "rms" => Is::Rms,
+            _ => Is::Integral,
+        };
+        let window = match arguments.get(1) {
+            Some(condition) => Some(self.margin(condition)?),
+            None => None,
+        };
+        let kind = match simple {
+            Is::Integral => times(kind, Kind::Of(second()))?,
+            _ => kind,
+        };
+        let value = self.primitive(simple, place, window);
+        Some(Typed::scalar(value, kind))
+    }
+
+    /// A quantity that measures look at, by its place. Each has a place of its own: two that are the same in one mode
+    /// may differ in another, and a place means the same in all of them.
+    fn look_at(&mut self, quantity: Expression) -> usize {
+        self.measured.looked_at.push(quantity);
+        self.measured.looked_at.len() - 1
+    }
+
+    /// What stands in a measure for something that is found.
+    fn primitive(
+        &mut self,
+        kind: PrimitiveKind,
+        argument: usize,
+        window: Option<usize>,
+    ) -> Expression {
+        let index = self.measured.primitives.len();
+        self.measured.primitives.push(Primitive {
+            kind,
+            argument,
+            window,
+        });
+        self.graph.symbol(Symbol::Measured(index as u32))
+    }
+
+    fn harmonic(
+        &mut self,
+        word: &str,
+        place: usize,
+        angle: &Term,
+        order: &Term,
+    ) -> Option<Expression> {
+        let (turned, kind) = self.scalar(angle)?;
+        if agree(kind, Kind::NUMBER).is_none() {
+            let message = format!(
+                "an angle is expected here, and this is {}",
+                describe(kind.dimension())
+            );
+            self.diagnostics
+                .push(Diagnostic::error(angle.span, message));
+            return None;
+        }
+        let order = match order.kind {
+            TermKind::Number { value, unit: None }
+                if value.fract() == 0.0 && (0.0..=f64::from(HARMONICS)).contains(&value) =>
+            {
+                value as u32
+            }
+            _ => {
+                let message = format!("a harmonic has a whole number from 0 to {HARMONICS}");
+                self.diagnostics
+                    .push(Diagnostic::error(order.span, message));
+                return None;
+            }
+        };
+        let direction = self.direction()?;
+        let rate = self.graph.tangent(&[turned], &direction)[0];
+        let (turned, rate) = (self.look_at(turned), self.look_at(rate));
+        let cosine = PrimitiveKind::Cosine(turned, rate, order);
+        let sine = PrimitiveKind::Sine(turned, rate, order);
+        Some(match word {
+            "cosine" => self.primitive(cosine, place, None),
+            "sine" => self.primitive(sine, place, None),
+            _ => {
+                let parts = [cosine, sine].map(|kind| self.primitive(kind, place, None));
+                self.graph.call(crate::program::Function::Hypot, &parts)
+            }
+        })
+    }
+
+    /// `enter(mode)`, `leave(mode)`, `last(enter(mode))`, `start` or `end`.
+    fn moment(&mut self, term: &Term) -> Option<Moment> {
+        match &term.kind {
+            TermKind::Name(word) if word == "start" => return Some(Moment::Start),
+            TermKind::Name(word) if word == "end" => return Some(Moment::End),
+            TermKind::Call { name, arguments } => {
+                match (name.text.as_str(), arguments.as_slice()) {
+                    ("last", [inner]) => match self.moment(inner)? {
+                        Moment::Enter(mode, _) => return Some(Moment::Enter(mode, true)),
+                        Moment::Leave(mode, _) => return Some(Moment::Leave(mode, true)),
+                        _ => {}
+                    },
+                    (word @ ("enter" | "leave"), [mode]) => {
+                        let mode = self.mode_index(mode)?;
+                        return Some(match word {
+                            "enter" => Moment::Enter(mode, false),
+                            _ => Moment::Leave(mode, false),
+                        });
+                    }
+                    _ => {}
+                }
+            }
+            _ => {}
+        }
+        let report = Diagnostic::error(term.span, "a moment of the run is expected here");
+        self.diagnostics.push(report.hint(
+            "write `start`, `end`, `enter(mode)`, `leave(mode)`, or `last(enter(mode))` for the last time",
+        ));
+        None
+    }
+
+    fn mode_index(&mut self, term: &Term) -> Option<usize> {
+        let wanted = match &term.kind {
+            TermKind::Name(name) => name.clone(),
+            _ => String::new(),
+        };
+        let modes = &self.measured.modes;
+        if let Some(index) = modes
+            .iter()
+            .position(|one| *one == wanted && !one.is_empty())
+        {
+            return Some(index);
+        }
+        let report = Diagnostic::error(term.span, "a mode of this scene is expected here");
+        let near = nearest(&wanted, modes.iter().map(String::as_str));
+        let hint = match near {
+            Some(near) if !near.is_empty() => format!("did you mean `{near}`?"),
+            _ if modes.iter().all(String::is_empty) => "this scene has no modes".to_string(),
+            _ => format!("its modes are {}", modes.join(", ")),
+        };
+        self.diagnostics.push(report.hint(hint));
+        None
+    }
+
+    /// A quantity that is positive where a condition holds, by its place.
+    fn margin(&mut self, term: &Term) -> Option<usize> {
+        let condition = self.condition(term)?;
+        match self.margin_of(condition) {
+            Some(margin) => Some(self.look_at(margin)),
+            None => {
+                let report = Diagnostic::error(
+                    term.span,
+                    "how long two quantities are exactly equal cannot be measured",
+                );
+                self.diagnostics
+                    .push(report.hint("compare them with `<` or `>`"));
+                None
+            }
+        }
+    }
+
+    fn margin_of(&mut self, condition: Expression) -> Option<Expression> {
+        use crate::program::Function::{Max, Min};
+        match self.graph.node(condition).clone() {
+            Node::Compare(Relation::Less | Relation::LessEqual, a, b) => Some(self.graph.sub(b, a)),
+            Node::And(a, b) => {
+                let parts = [self.margin_of(a)?, self.margin_of(b)?];
+                Some(self.graph.call(Min, &parts))
+            }
+            Node::Or(a, b) => {
+                let parts = [self.margin_of(a)?, self.margin_of(b)?];
+                Some(self.graph.call(Max, &parts))
+            }
+            Node::Not(a) => {
+                let margin = self.margin_of(a)?;
+                Some(self.graph.neg(margin))
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! The measures of a scene: numbers of a whole run, made of what is found by looking at it.
+
+use crate::checked::{MeasureInfo, QuantityInfo};
+use crate::declare::quantity;
+use crate::diagnostic::Diagnostic;
+use crate::expression::{Expression, Symbol};
+use crate::homogeneity::{agree, describe};
+use crate::lower::{Kind, Lowering, Measuring, Primitive, Typed};
+use crate::resolve::Names;
+use crate::syntax::tree::{Term, TermKind};
+use crate::unit::{self, Unit};
+
+/// The measures of a scene with what they need.
+#[derive(Default)]
+pub struct Measures {
+    /// Names and units.
+    pub quantities: Vec<QuantityInfo>,
+    /// Kinds, in the same order.
+    pub kinds: Vec<Kind>,
+    /// Values, from what is found of the run.
+    pub values: Vec<Expression>,
+    /// For each the primitives that it is made of.
+    pub uses: Vec<Vec<usize>>,
+    /// What is found.
+    pub primitives: Vec<Primitive>,
+    /// The quantities that are looked at.
+    pub looked_at: Vec<Expression>,
+}
+
+impl Measures {
+    /// Which of them are zero, and so of any kind.
+    pub fn free(&self) -> Vec<bool> {
+        self.kinds.iter().map(|kind| *kind == Kind::Any).collect()
+    }
+
+    /// What the tables say of them.
+    pub fn info(&self) -> Vec<MeasureInfo> {
+        let all = self.quantities.iter().zip(&self.uses);
+        all.map(|(quantity, uses)| MeasureInfo {
+            quantity: quantity.clone(),
+            uses: uses.clone(),
+        })
+        .collect()
+    }
+}
+
+/// Lowers the measures of a scene that runs through these modes.
+pub fn read(low: &mut Lowering<'_>, names: &Names, modes: Vec<String>) -> Measures {
+    let mut measures = Measures::default();
+    low.measured = Measuring {
+        modes,
+        ..Measuring::default()
+    };
+    for measure in &names.measures {
+        let Some(term) = &measure.what.value else {
+            continue;
+        };
+        low.measured.is_open = true;
+        // A number in it is none of the motion, which can still be stated in other units.
+        // By its name, so that another measure that speaks of it looks for nothing twice.
+        let own_name = Term {
+            span: measure.name.span,
+            kind: TermKind::Name(measure.name.text.clone()),
+        };
+        let typed = low.aside(|low| low.term(&own_name));
+        low.measured.is_open = false;
+        let (value, kind) = match typed {
+            Typed::Scalar { value, kind, .. } => (value, kind),
+            Typed::Wrong => continue,
+            other => {
+                let message = format!("a measure is a number, and this is {}", other.describe());
+                low.diagnostics.push(Diagnostic::error(term.span, message));
+                continue;
+            }
+        };
+        let Some(unit) = printed(low, &measure.what.unit, term, kind, &measure.name.text) else {
+            continue;
+        };
+        if !is_fixed(low, value, term) {
+            continue;
+        }
+        let name = &measure.name.text;
+        let described = quantity(name, &measure.summary, &unit.dimension, &unit);
+        let symbols = low.graph.symbols_of(value).to_vec();
+        let uses = symbols.into_iter().filter_map(|symbol| match symbol {
+            Symbol::Measured(index) => Some(index as usize),
+            _ => None,
+        });
+        measures.uses.push(uses.collect());
+        measures.quantities.push(described);
+        measures.kinds.push(kind);
+        measures.values.push(value);
+    }
+    let found = std::mem::take(&mut low.measured);
+    measures.primitives = found.primitives;
+    measures.looked_at = found.looked_at;
+    measures
+}
+
+/// The unit in which a measure is printed.
+fn printed(
+    low: &mut Lowering<'_>,
+    written: &Option<crate::syntax::tree::UnitTerm>,
+    term: &Term,
+    kind: Kind,
+    name: &str,
+) -> Option<Unit> {
+    let Some(written) = written else {
+        return Some(low.natural_unit(term, kind));
+    };
+    let unit = unit::resolve(written, low.diagnostics)?;
+    if agree(Kind::Of(unit.dimension), kind).is_some() {
+        return Some(unit);
+    }
+    let message = format!(
+        "`{name}` is {}, which cannot be printed in {}",
+        describe(kind.dimension()),
+        unit.symbol
+    );
+    low.diagnostics
+        .push(Diagnostic::error(written.span, message));
+    None
+}
+
+/// Whether a measure is a number of the whole run; what changes during the run is reported.
+fn is_fixed(low: &mut Lowering<'_>, value: Expression, term: &Term) -> bool {
+    let changes = |symbol: Symbol| !matches!(symbol, Symbol::Parameter(_) | Symbol::Measured(_));
+    if !low.graph.depends_on(value, changes) {
+        return true;
+    }
+    low.diagnostics.push(
+        Diagnostic::error(term.span, "this changes during the run")
+            .hint("say which number of it is meant, as in `peak(x)`, `mean(x)` or `value(x, end)`"),
+    );
+    false
+}

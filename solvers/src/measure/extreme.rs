@@ -1,0 +1,89 @@
+//! Extremes of a quantity.
+
+use super::grid::{Grid, Sampler};
+
+/// Which extreme is meant.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Sense {
+    Largest,
+    Smallest,
+}
+
+impl Sense {
+    /// Whether the first value is further out. No value is better than one that is not a number, so that it shows.
+    pub(super) fn better(self, a: f64, b: f64) -> bool {
+        match self {
+            _ if a.is_nan() => !b.is_nan(),
+            Self::Largest => a > b,
+            Self::Smallest => a < b,
+        }
+    }
+}
+
+/// The extreme of a quantity in a part of a step, or what was the best before.
+pub(super) fn of(
+    index: usize,
+    sense: Sense,
+    (from, to): (f64, f64),
+    best: Option<f64>,
+    grid: &Grid<'_>,
+    sampler: &mut Sampler<'_>,
+) -> f64 {
+    let ends = [from, to].map(|time| (time, sampler.at(grid.piece, time)[index]));
+    let inner = grid.times.into_iter().zip(grid.column(index));
+    let inner = inner.filter(|(time, _)| *time > from && *time < to);
+    let mut points = vec![ends[0]];
+    points.extend(inner);
+    points.push(ends[1]);
+    let further = |a: f64, b: f64| if sense.better(a, b) { a } else { b };
+    let start = best.unwrap_or(ends[0].1);
+    let mut found = points.iter().fold(start, |best, one| further(one.1, best));
+    for window in points.windows(3) {
+        let [before, here, after] = [window[0], window[1], window[2]];
+        if sense.better(before.1, here.1) || sense.better(after.1, here.1) {
+            continue;
+        }
+        // A parabola says how far out the extreme may lie; twice as far is looked for.
+        let rise = (here.1 - before.1).abs().max((here.1 - after.1).abs());
+        let reach = match sense {
+            Sense::Largest => here.1 + rise,
+            Sense::Smallest => here.1 - rise,
+        };
+        if sense.better(reach, found) {
+            let (_, value) = refine(index, sense, (before.0, after.0), grid, sampler);
+            found = further(value, found);
+        }
+    }
+    found
+}
+
+/// The extreme between two times by golden sections, with its time. Near it a quantity is flat, so its value is right to
+/// the last digits as soon as its time is to half of them.
+pub(super) fn refine(
+    index: usize,
+    sense: Sense,
+    (mut from, mut to): (f64, f64),
+    grid: &Grid<'_>,
+    sampler: &mut Sampler<'_>,
+) -> (f64, f64) {
+    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let mut at = |time: f64| sampler.at(grid.piece, time)[index];
+    let (mut low, mut high) = (to - golden * (to - from), from + golden * (to - from));
+    let (mut below, mut above) = (at(low), at(high));
+    // 0.618^44 = 6e-10: below the square root of the rounding of a number.
+    for _ in 0..44 {
+        if sense.better(below, above) {
+            (to, high, above) = (high, low, below);
+            low = to - golden * (to - from);
+            below = at(low);
+        } else {
+            (from, low, below) = (low, high, above);
+            high = from + golden * (to - from);
+            above = at(high);
+        }
+    }
+    match sense.better(below, above) {
+        true => (low, below),
+        false => (high, above),
+    }
+}

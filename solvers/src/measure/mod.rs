@@ -1,0 +1,126 @@
+//! Numbers of a whole run: peaks, means, durations, values at events, harmonics.
+//!
+//! A measure looks at the continuous solution between the steps, not at samples of it: extremes are refined to the
+//! last digits that their flatness leaves, integrals are taken by a Gauss–Kronrod rule on every step and halved until
+//! both its orders agree, and where a condition begins and ends to hold is bisected to neighbouring numbers. Every
+//! stretch between events is looked at in its own mode up to its very ends, so that a force that jumps at an event has
+//! both its values.
+//!
+//! What lies between two of the [`GRID`] points of a step is found as long as it shows there: as a change of sign or
+//! as a point that its neighbours surround. The steps of an integration are short against whatever the motion does.
+
+mod extreme;
+mod grid;
+mod harmonic;
+mod moment;
+mod primitive;
+mod quadrature;
+mod window;
+
+pub use primitive::{Kind, Missing, Moment, Primitive};
+
+use crate::hybrid::{Hybrid, Motion, in_each_mode};
+use crate::problem::{Equations, Scene, Storage};
+use grid::{Sample, Sampler};
+
+/// Parts of a step at whose ends quantities are looked at.
+const GRID: usize = 8;
+
+/// Finds numbers of a run.
+///
+/// `sample` gives the quantities that the primitives speak of (by index) in a mode at a time and state; `count` is
+/// their number. The results are in the order of the primitives, SI units.
+pub fn find(
+    motion: &Motion,
+    primitives: &[Primitive],
+    count: usize,
+    sample: &Sample<'_>,
+) -> Vec<Result<f64, Missing>> {
+    let mut sampler = Sampler::new(motion, count, sample);
+    let mut tallies: Vec<primitive::Tally> = vec![primitive::Tally::default(); primitives.len()];
+    for piece in &motion.pieces {
+        for step in piece.trajectory.times().windows(2) {
+            let grid = sampler.grid(piece, (step[0], step[1]));
+            for (primitive, tally) in primitives.iter().zip(&mut tallies) {
+                tally.add(primitive, &grid, &mut sampler);
+            }
+        }
+    }
+    let found = primitives.iter().zip(tallies);
+    found
+        .map(|(primitive, tally)| {
+            let value = match primitive.kind {
+                Kind::Value(moment) => moment::value(moment, primitive.argument, &mut sampler)?,
+                Kind::Count(moment) => moment::count(moment, motion),
+                _ => tally.result(primitive, &mut sampler)?,
+            };
+            match value.is_finite() {
+                true => Ok(value),
+                false => Err(Missing::NotFinite),
+            }
+        })
+        .collect()
+}
+
+/// What a scene wants to have measured.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted {
+    /// Number of quantities that the primitives speak of.
+    pub count: usize,
+    /// What is found of them.
+    pub primitives: &'static [Primitive],
+    /// For each measure the primitives that it is made of.
+    pub measures: &'static [&'static [usize]],
+}
+
+impl Wanted {
+    /// That of a scene.
+    pub fn of<C: Scene>() -> Self {
+        Self {
+            count: C::MEASURED,
+            primitives: C::PRIMITIVES,
+            measures: C::MEASURES,
+        }
+    }
+}
+
+/// The measures of a run: what `measures` makes of the primitives that are found. A measure that needs one which the
+/// run does not have says why it is missing.
+pub fn all(
+    motion: &Motion,
+    wanted: &Wanted,
+    sample: &Sample<'_>,
+    measures: &dyn Fn(&[f64], &mut [f64]),
+) -> Vec<Result<f64, Missing>> {
+    let found = find(motion, wanted.primitives, wanted.count, sample);
+    let numbers: Vec<f64> = found.iter().map(|one| one.unwrap_or(f64::NAN)).collect();
+    let mut values = vec![0.0; wanted.measures.len()];
+    measures(&numbers, &mut values);
+    let measures = wanted.measures.iter().zip(values);
+    measures
+        .map(|(uses, value)| {
+            if let Some(missing) = uses.iter().find_map(|index| found[*index].err()) {
+                return Err(missing);
+            }
+            match value.is_finite() {
+                true => Ok(value),
+                false => Err(Missing::NotFinite),
+            }
+        })
+        .collect()
+}
+
+/// The measures of a run of a scene, in the order of its file, SI units.
+pub fn of<C: Hybrid>(scene: &C, motion: &Motion) -> Vec<Result<f64, Missing>> {
+    let modes = in_each_mode(scene);
+    let sample = |mode: usize, time: f64, values: &[f64], measured: &mut [f64]| {
+        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
+        state.as_mut().copy_from_slice(values);
+        modes[mode].measured(time, &state, measured);
+    };
+    let measures = |found: &[f64], values: &mut [f64]| modes[C::FIRST].measures(found, values);
+    all(motion, &Wanted::of::<C>(), &sample, &measures)
+}
+
+#[cfg(test)]
+mod tests;

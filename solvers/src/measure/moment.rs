@@ -1,0 +1,56 @@
+//! Values at moments.
+
+use super::grid::Sampler;
+use super::primitive::{Missing, Moment};
+use crate::hybrid::{Happened, Motion};
+
+/// A quantity at a moment.
+pub(super) fn value(
+    moment: Moment,
+    index: usize,
+    sampler: &mut Sampler<'_>,
+) -> Result<f64, Missing> {
+    let motion = sampler.motion;
+    match moment {
+        Moment::Start => {
+            let piece = motion.pieces.first().ok_or(Missing::Empty)?;
+            Ok(sampler.at(piece, piece.trajectory.times()[0])[index])
+        }
+        Moment::End => Ok(sampler.of(motion.mode, motion.time, &motion.end)[index]),
+        Moment::Enter { mode, last } => {
+            let event = pick(events(moment, motion), last).ok_or(Missing::NeverEntered(mode))?;
+            Ok(sampler.of(event.to, event.time, &event.after)[index])
+        }
+        Moment::Leave { mode, last } => {
+            let event = pick(events(moment, motion), last).ok_or(Missing::NeverLeft(mode))?;
+            Ok(sampler.of(event.from, event.time, &event.before)[index])
+        }
+    }
+}
+
+/// How often a moment comes.
+pub(super) fn count(moment: Moment, motion: &Motion) -> f64 {
+    match moment {
+        Moment::Start | Moment::End => 1.0,
+        _ => events(moment, motion).count() as f64,
+    }
+}
+
+fn pick<'a>(mut events: impl Iterator<Item = &'a Happened>, last: bool) -> Option<&'a Happened> {
+    match last {
+        true => events.last(),
+        false => events.next(),
+    }
+}
+
+/// The events that enter or leave a mode. One that leads back into its own mode does neither.
+fn events(moment: Moment, motion: &Motion) -> impl Iterator<Item = &Happened> {
+    motion.events.iter().filter(move |event| {
+        event.from != event.to
+            && match moment {
+                Moment::Enter { mode, .. } => event.to == mode,
+                Moment::Leave { mode, .. } => event.from == mode,
+                Moment::Start | Moment::End => false,
+            }
+    })
+}

@@ -1,0 +1,201 @@
+//! What is asked of a run, and what has been found of it so far.
+
+use super::extreme::{self, Sense};
+use super::grid::{Grid, Sampler};
+use super::harmonic;
+use super::quadrature::integral;
+use super::window::windows;
+
+/// A number of a run that is found by looking at it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Primitive {
+    /// What is found.
+    pub kind: Kind,
+    /// The quantity concerned, by index.
+    pub argument: usize,
+    /// Only where this quantity, by index, is positive.
+    pub window: Option<usize>,
+}
+
+/// What is found of a quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// The largest value.
+    Peak,
+    /// The smallest value.
+    Lowest,
+    /// The mean over the time.
+    Mean,
+    /// The square root of the mean of the square over the time.
+    Rms,
+    /// The integral over the time.
+    Integral,
+    /// How long the quantity is positive.
+    Duration,
+    /// The value at a moment.
+    Value(Moment),
+    /// How often a moment comes.
+    Count(Moment),
+    /// `1/π ∫ x cos kα dα` over the turns of an angle, per turn; for `k = 0` the mean over the angle.
+    Cosine {
+        /// The angle and its time derivative, by index.
+        angle: (usize, usize),
+        /// The number of the harmonic.
+        order: u32,
+    },
+    /// `1/π ∫ x sin kα dα` over the turns of an angle, per turn.
+    Sine {
+        /// The angle and its time derivative, by index.
+        angle: (usize, usize),
+        /// The number of the harmonic.
+        order: u32,
+    },
+}
+
+/// A moment of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moment {
+    /// Its begin.
+    Start,
+    /// Its end.
+    End,
+    /// Just after a mode is entered, the first or the last time. A run that begins in the mode does not enter it there.
+    Enter {
+        /// The mode, by index.
+        mode: usize,
+        /// The last time.
+        last: bool,
+    },
+    /// Just before a mode is left, the first or the last time.
+    Leave {
+        /// The mode, by index.
+        mode: usize,
+        /// The last time.
+        last: bool,
+    },
+}
+
+/// Why a run has no such number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Missing {
+    /// The mode is never entered.
+    NeverEntered(usize),
+    /// The mode is never left.
+    NeverLeft(usize),
+    /// The condition holds at no time.
+    NeverHolds,
+    /// The run has no length.
+    Empty,
+    /// The angle makes so many turns, which is not a whole number of them.
+    NotWhole(f64),
+    /// The quantity is not a finite number somewhere.
+    NotFinite,
+}
+
+impl Missing {
+    /// The reason in words, with the names of the modes.
+    pub fn text(&self, modes: &[&str]) -> String {
+        let name = |mode: &usize| modes.get(*mode).copied().unwrap_or("?");
+        match self {
+            Self::NeverEntered(mode) => format!("the mode `{}` is never entered", name(mode)),
+            Self::NeverLeft(mode) => format!("the mode `{}` is never left", name(mode)),
+            Self::NeverHolds => "its condition never holds".to_string(),
+            Self::Empty => "the run has no length".to_string(),
+            Self::NotWhole(turns) => format!(
+                "the angle makes {turns:.6} turns, and harmonics need a whole number of them"
+            ),
+            Self::NotFinite => "it is not a finite number".to_string(),
+        }
+    }
+}
+
+/// What has been found so far.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Tally {
+    /// The extreme, or the integral.
+    value: f64,
+    /// The time that has been looked at.
+    time: f64,
+    /// The size of what was added up: sums are as exact as this allows.
+    size: f64,
+    /// Whether anything has been found.
+    some: bool,
+}
+
+impl Tally {
+    /// Looks at a step.
+    pub(super) fn add(
+        &mut self,
+        primitive: &Primitive,
+        grid: &Grid<'_>,
+        sampler: &mut Sampler<'_>,
+    ) {
+        let index = primitive.argument;
+        let window = match primitive.kind {
+            Kind::Value(_) | Kind::Count(_) => return,
+            Kind::Duration => Some(index),
+            _ => primitive.window,
+        };
+        for (from, to) in windows(window, grid, sampler) {
+            self.time += to - from;
+            let times = (from, to);
+            let sum = match primitive.kind {
+                Kind::Peak | Kind::Lowest => {
+                    let sense = match primitive.kind {
+                        Kind::Peak => Sense::Largest,
+                        _ => Sense::Smallest,
+                    };
+                    let best = self.some.then_some(self.value);
+                    self.value = extreme::of(index, sense, times, best, grid, sampler);
+                    self.some = true;
+                    continue;
+                }
+                Kind::Mean | Kind::Integral => {
+                    integral(times, grid, sampler, self.size, &|values| values[index])
+                }
+                Kind::Rms => integral(times, grid, sampler, self.size, &|values| {
+                    values[index] * values[index]
+                }),
+                Kind::Cosine { angle, order } => {
+                    integral(times, grid, sampler, self.size, &|values| {
+                        values[index] * (f64::from(order) * values[angle.0]).cos() * values[angle.1]
+                    })
+                }
+                Kind::Sine { angle, order } => {
+                    integral(times, grid, sampler, self.size, &|values| {
+                        values[index] * (f64::from(order) * values[angle.0]).sin() * values[angle.1]
+                    })
+                }
+                Kind::Duration | Kind::Value(_) | Kind::Count(_) => (0.0, 0.0),
+            };
+            self.value += sum.0;
+            self.size += sum.1;
+            self.some = true;
+        }
+    }
+
+    /// The number, once all steps have been looked at.
+    pub(super) fn result(
+        &self,
+        primitive: &Primitive,
+        sampler: &mut Sampler<'_>,
+    ) -> Result<f64, Missing> {
+        let nothing = match primitive.window {
+            Some(_) => Missing::NeverHolds,
+            None => Missing::Empty,
+        };
+        match primitive.kind {
+            Kind::Duration => Ok(self.time),
+            Kind::Integral => Ok(self.value),
+            Kind::Peak | Kind::Lowest if self.some => Ok(self.value),
+            Kind::Mean if self.time > 0.0 => Ok(self.value / self.time),
+            Kind::Rms if self.time > 0.0 => Ok((self.value / self.time).sqrt()),
+            Kind::Cosine { angle, order } | Kind::Sine { angle, order } => Ok(harmonic::scaled(
+                self.value,
+                order,
+                harmonic::turns(angle.0, sampler)?,
+            )),
+            _ => Err(nothing),
+        }
+    }
+}

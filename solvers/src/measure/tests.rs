@@ -1,0 +1,238 @@
+//! Numbers of runs against closed forms.
+
+use super::*;
+use crate::hybrid::Happened;
+use crate::hybrid::Piece;
+use crate::ode::{Observer, Recorder, Step};
+use std::f64::consts::PI;
+
+/// A run through steps of this length, in which nothing moves: quantities are functions of the time.
+fn run(from: f64, to: f64, steps: usize) -> Motion {
+    let mut recorder = Recorder::<f64>::new(from, &[0.0; 1]);
+    let time = |index: usize| from + (to - from) * index as f64 / steps as f64;
+    for index in 0..steps {
+        recorder.step(&Step {
+            from: time(index),
+            to: time(index + 1),
+            before: &[0.0; 1],
+            after: &[0.0; 1],
+            polynomial: &[[0.0; 1]],
+        });
+    }
+    Motion::of(recorder.finish(Default::default()))
+}
+
+/// What is found of functions of the time.
+fn found(
+    motion: &Motion,
+    primitive: Primitive,
+    of: &[&dyn Fn(f64) -> f64],
+) -> Result<f64, Missing> {
+    let sample = |_: usize, time: f64, _: &[f64], values: &mut [f64]| {
+        for (value, of) in values.iter_mut().zip(of) {
+            *value = of(time);
+        }
+    };
+    find(motion, &[primitive], of.len(), &sample)[0]
+}
+
+fn of(kind: Kind) -> Primitive {
+    Primitive {
+        kind,
+        argument: 0,
+        window: None,
+    }
+}
+
+#[track_caller]
+fn is(found: Result<f64, Missing>, expected: f64, error: f64) {
+    let found = found.unwrap();
+    assert!(
+        (found - expected).abs() <= error,
+        "{found} against {expected}, off by {:e}",
+        found - expected
+    );
+}
+
+#[test]
+fn a_peak_between_the_steps_is_found_where_samples_miss_it() {
+    let motion = run(0.0, 3.0, 2);
+    let hill = |time: f64| 1.0 - 50.0 * (time - 1.234_567).powi(2);
+    is(found(&motion, of(Kind::Peak), &[&hill]), 1.0, 1e-15);
+    // The naive way: the largest at the ends of the steps.
+    let naive = [0.0, 1.5, 3.0]
+        .map(hill)
+        .into_iter()
+        .fold(f64::MIN, f64::max);
+    assert!(naive < -2.0, "{naive}");
+    is(found(&motion, of(Kind::Lowest), &[&hill]), hill(3.0), 0.0);
+}
+
+#[test]
+fn means_are_integrals_and_not_means_of_samples() {
+    let motion = run(0.0, 2.0 * PI, 7);
+    let wave = |time: f64| (3.0 * time).sin().exp();
+    // The modified Bessel function I0(1), and I0(2) for the square.
+    is(
+        found(&motion, of(Kind::Mean), &[&wave]),
+        1.266_065_877_752_008_4,
+        1e-14,
+    );
+    let rms = 2.279_585_302_336_067_4_f64.sqrt();
+    is(found(&motion, of(Kind::Rms), &[&wave]), rms, 1e-14);
+    is(
+        found(&motion, of(Kind::Integral), &[&wave]),
+        2.0 * PI * 1.266_065_877_752_008_4,
+        1e-13,
+    );
+}
+
+#[test]
+fn a_kink_inside_a_step_is_integrated_as_well() {
+    let motion = run(0.0, 1.0, 1);
+    let kink = |time: f64| (time - 0.3).abs();
+    is(
+        found(&motion, of(Kind::Mean), &[&kink]),
+        0.045 + 0.245,
+        1e-13,
+    );
+}
+
+#[test]
+fn a_condition_that_holds_twice_within_a_step_is_timed_to_the_last_digits() {
+    let motion = run(0.0, 1.0, 1);
+    let wave = |time: f64| (4.0 * PI * time).sin() - 0.5;
+    is(
+        found(&motion, of(Kind::Duration), &[&wave]),
+        1.0 / 3.0,
+        4e-16,
+    );
+    // A grazing touch between two points of the grid.
+    let touch = |time: f64| 1e-6 - (time - 0.312_345).powi(2);
+    is(found(&motion, of(Kind::Duration), &[&touch]), 2e-3, 1e-12);
+    let gap = |time: f64| -touch(time);
+    is(
+        found(&motion, of(Kind::Duration), &[&gap]),
+        1.0 - 2e-3,
+        1e-12,
+    );
+}
+
+#[test]
+fn a_window_bounds_where_a_quantity_is_looked_at() {
+    let motion = run(0.0, 1.0, 3);
+    let (slope, early) = (|time: f64| time, |time: f64| 0.4 - time);
+    let windowed = |kind| Primitive {
+        kind,
+        argument: 0,
+        window: Some(1),
+    };
+    is(
+        found(&motion, windowed(Kind::Peak), &[&slope, &early]),
+        0.4,
+        1e-15,
+    );
+    is(
+        found(&motion, windowed(Kind::Mean), &[&slope, &early]),
+        0.2,
+        1e-15,
+    );
+    let never = |_: f64| -1.0;
+    let missing = found(&motion, windowed(Kind::Mean), &[&slope, &never]);
+    assert_eq!(missing, Err(Missing::NeverHolds));
+}
+
+#[test]
+fn harmonics_over_an_angle_are_those_of_the_angle_and_not_of_the_time() {
+    // The angle does not turn evenly.
+    let angle = |time: f64| 2.0 * PI * time + 0.3 * (2.0 * PI * time).sin();
+    let rate = |time: f64| 2.0 * PI * (1.0 + 0.3 * (2.0 * PI * time).cos());
+    let force =
+        |time: f64| 2.0 + 0.7 * (2.0 * angle(time)).cos() - 0.25 * (5.0 * angle(time)).sin();
+    let motion = run(0.0, 3.0, 40);
+    let functions: [&dyn Fn(f64) -> f64; 3] = [&force, &angle, &rate];
+    let cosine = |order| {
+        of(Kind::Cosine {
+            angle: (1, 2),
+            order,
+        })
+    };
+    let sine = |order| {
+        of(Kind::Sine {
+            angle: (1, 2),
+            order,
+        })
+    };
+    is(found(&motion, cosine(0), &functions), 2.0, 1e-13);
+    is(found(&motion, cosine(2), &functions), 0.7, 1e-13);
+    is(found(&motion, sine(5), &functions), -0.25, 1e-13);
+    is(found(&motion, cosine(1), &functions), 0.0, 1e-13);
+    let part = run(0.0, 2.5, 40);
+    let missing = found(&part, cosine(1), &functions);
+    assert!(matches!(missing, Err(Missing::NotWhole(turns)) if (turns - 2.5).abs() < 1e-12));
+}
+
+#[test]
+fn values_at_events_are_those_before_and_after_them() {
+    let (first, second) = (run(0.0, 1.0, 2), run(1.0, 3.0, 2));
+    let piece = |mode: usize, motion: Motion| Piece {
+        mode,
+        sides: Vec::new(),
+        trajectory: motion.pieces[0].trajectory.clone(),
+    };
+    let event = Happened {
+        time: 1.0,
+        from: 0,
+        event: 0,
+        to: 1,
+        before: vec![2.0],
+        after: vec![-3.0],
+        guard: 0.0,
+    };
+    let motion = Motion {
+        pieces: vec![piece(0, first), piece(1, second)],
+        events: vec![event],
+        mode: 1,
+        end: vec![7.0],
+        time: 3.0,
+        statistics: Default::default(),
+    };
+    let sample = |mode: usize, _: f64, state: &[f64], values: &mut [f64]| {
+        values[0] = state[0] + 100.0 * mode as f64;
+    };
+    let (enter, leave) = (
+        |mode| Moment::Enter { mode, last: false },
+        |mode| Moment::Leave { mode, last: true },
+    );
+    let primitives = [
+        Kind::Value(enter(1)),
+        Kind::Value(leave(0)),
+        Kind::Value(Moment::End),
+        Kind::Value(Moment::Start),
+        Kind::Count(enter(1)),
+        Kind::Value(leave(1)),
+        Kind::Count(leave(1)),
+    ]
+    .map(of);
+    let found = find(&motion, &primitives, 1, &sample);
+    let expected = [97.0, 2.0, 107.0, 0.0, 1.0].map(Ok);
+    assert_eq!(found[..5], expected);
+    assert_eq!(found[5..], [Err(Missing::NeverLeft(1)), Ok(0.0)]);
+}
+
+#[test]
+fn a_value_that_is_no_number_is_missing_and_not_zero() {
+    let motion = run(0.0, 1.0, 2);
+    let root = |time: f64| (0.5 - time).sqrt();
+    for kind in [Kind::Peak, Kind::Mean, Kind::Rms] {
+        assert_eq!(found(&motion, of(kind), &[&root]), Err(Missing::NotFinite));
+    }
+    let nothing = Motion {
+        pieces: Vec::new(),
+        ..run(0.0, 1.0, 1)
+    };
+    assert_eq!(
+        found(&nothing, of(Kind::Mean), &[&root]),
+        Err(Missing::Empty)
+    );
+}

@@ -1,0 +1,92 @@
+//! Numbers of a whole run, of a ball that falls and stays, against closed forms.
+
+use approx::assert_relative_eq;
+use assur::measure::{self, Missing};
+use assur::prelude::*;
+
+assur::mechanism! {
+    Ball from "free fall";
+    parameter g = 9.81 [m/s^2], h = 1 m;
+    driver phi = 2*pi*time/(1 s);
+    coordinate y: m = h;
+    mode flight {
+        // A plain zero has the unit that the force has in the other mode.
+        let N = 0;
+        motion ddot(y) = -g;
+        when y falls -> rest { set dot(y) = 0; }
+    }
+    mode rest {
+        let N = g;
+        hold y;
+    }
+    output y, N;
+    measure highest = peak(y);
+    measure impact = -value(dot(y), leave(flight)), fall = value(time, enter(rest)) [ms];
+    measure kept = impact^2/2/(g*h) "energy at the impact over that at the start";
+    measure resting = duration(N > 0);
+    measure load = mean(N), late_load = mean(N, time > 1 s), too_late = mean(N, time > 3 s);
+    measure hits = count(enter(rest));
+    measure drop = total(-dot(y));
+    measure first = amplitude(cos(phi), phi, 1), second = amplitude(cos(phi), phi, 2);
+    scene fall { run time 0 s .. 2 s; }
+    expect at run: hits = 1 +- 0;
+    expect at run: drop = 1 m +- 1e-12 m;
+}
+
+const FINE: Settings = Settings {
+    method: Method::Dop853,
+    rtol: 1e-11,
+};
+
+#[test]
+fn measures_of_a_run_with_modes_are_those_of_the_closed_form() {
+    let scene = Fall::default();
+    let motion = assur::hybrid::march(&scene, (0.0, 2.0), &scene.start(), &FINE).unwrap();
+    let found = measure::of(&scene, &motion);
+    let (g, t) = (9.81, (2.0f64 / 9.81).sqrt());
+    let expected = [
+        1.0,
+        g * t,
+        t,
+        1.0,
+        2.0 - t,
+        g * (2.0 - t) / 2.0,
+        g,
+        f64::NAN,
+        1.0,
+        1.0,
+        1.0,
+        0.0,
+    ];
+    assert_eq!(found.len(), expected.len());
+    for (index, (found, expected)) in found.iter().zip(expected).enumerate() {
+        match found {
+            Ok(value) => assert_relative_eq!(*value, expected, epsilon = 1e-12),
+            Err(missing) => assert_eq!((index, *missing), (7, Missing::NeverHolds)),
+        }
+    }
+}
+
+#[test]
+fn the_tables_name_them_with_their_units() {
+    let entry = MECHANISM.scenes[0];
+    let names: Vec<_> = entry
+        .measures
+        .iter()
+        .map(|one| (one.name, one.unit))
+        .collect();
+    assert_eq!(
+        names[..4],
+        [
+            ("highest", "m"),
+            ("impact", "m/s"),
+            ("fall", "ms"),
+            ("kept", "")
+        ]
+    );
+    assert_eq!(entry.measures[5].unit, "m/s^2");
+    assert_eq!(
+        entry.measures[3].summary,
+        "energy at the impact over that at the start"
+    );
+}
