@@ -1,5 +1,6 @@
 //! The motion from event to event.
 
+use super::carry::{Carry, Explicit, Stiff};
 use super::error::HybridError;
 use super::motion::{Happened, Motion, Piece};
 use super::problem::{EventEntry, Hybrid, Modes};
@@ -7,8 +8,7 @@ use super::rounding::terms;
 use super::watch::{Guard, Watch};
 use super::{CHATTER, NOISE, SOON, TURNS};
 use crate::dispatch::{Task, dispatch};
-use crate::ode::{Dop853, Method, OdeError, Options, Statistics, Tsit5, Workspace};
-use crate::ode::{Plain, integrate, state_from};
+use crate::ode::{Dop853, OdeError, Options, Statistics, Tsit5, state_from};
 use crate::problem::Equations;
 use crate::registry::{self, Settings};
 use crate::scalar::Scalar;
@@ -77,6 +77,38 @@ pub fn march_on<C: Hybrid, S: Scalar>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
+    match settings.method {
+        registry::Method::Tsit5 => {
+            march_by::<C, S, Explicit<_, Tsit5>>(scene, mode, times, start, settings)
+        }
+        registry::Method::Dop853 => {
+            march_by::<C, S, Explicit<_, Dop853>>(scene, mode, times, start, settings)
+        }
+        _ => march_stiff(scene, mode, times, start, settings),
+    }
+}
+
+/// The motion by a method that runs on `f64`, whatever the numbers that the others run on.
+#[inline(never)]
+fn march_stiff<C: Hybrid>(
+    scene: &C,
+    mode: usize,
+    times: (f64, f64),
+    start: &[f64],
+    settings: &Settings,
+) -> Result<Motion, HybridError> {
+    march_by::<C, f64, Stiff>(scene, mode, times, start, settings)
+}
+
+/// The motion by a method.
+#[inline(always)]
+fn march_by<C: Hybrid, S: Scalar, M: Carry<S, C::Modal<S>>>(
+    scene: &C,
+    mode: usize,
+    times: (f64, f64),
+    start: &[f64],
+    settings: &Settings,
+) -> Result<Motion, HybridError> {
     let mut equations = scene.modal::<S>();
     if mode >= C::EVENTS.len() {
         return Err(HybridError::Start {
@@ -135,11 +167,8 @@ pub fn march_on<C: Hybrid, S: Scalar>(
         sides: vec![0.0; most_events::<C>()],
         bounce: None,
     };
-    let ended = match settings.method {
-        registry::Method::Tsit5 => run.through::<Tsit5>(&mut motion),
-        registry::Method::Dop853 => run.through::<Dop853>(&mut motion),
-    };
-    match ended {
+    let mut method = M::new(&run.equations, settings.method);
+    match run.through(&mut motion, &mut method) {
         Ok(()) => Ok(motion),
         Err(end) => Err(end.with(motion)),
     }
@@ -222,8 +251,11 @@ struct Run<C: Hybrid, S: Scalar> {
 impl<C: Hybrid, S: Scalar> Run<C, S> {
     /// From event to event up to the end.
     #[inline(always)]
-    fn through<M: Method>(&mut self, motion: &mut Motion) -> Result<(), End> {
-        let mut workspace = Workspace::<_, M>::new::<S, _>(&Plain(&self.equations));
+    fn through<M: Carry<S, C::Modal<S>>>(
+        &mut self,
+        motion: &mut Motion,
+        method: &mut M,
+    ) -> Result<(), End> {
         // The statement that has just happened, by its line.
         let mut last: Option<u32> = None;
         self.settle(motion.time)?;
@@ -242,21 +274,20 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
                 &self.state,
                 &mut self.guards,
             );
-            let done = integrate(
-                &Plain(&self.equations),
+            let done = method.carry(
                 (motion.time, self.times.1),
                 &self.state,
                 &self.options,
-                &mut workspace,
                 &mut watch,
             );
             let (due, step) = (watch.due, watch.step);
             self.state.clone_from(&watch.state);
             let statistics = *done.as_ref().unwrap_or(&Statistics::default());
-            let trajectory = watch.recorder.finish(statistics);
+            let mut trajectory = watch.recorder.finish(statistics);
+            trajectory.switches = method.switches().to_vec();
             motion.time = trajectory.times()[trajectory.times().len() - 1];
             motion.end.copy_from_slice(trajectory.end());
-            motion.count(&statistics);
+            motion.statistics.add(&statistics);
             if motion.time > trajectory.times()[0] {
                 motion.pieces.push(Piece {
                     mode: self.equations.mode(),

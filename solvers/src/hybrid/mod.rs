@@ -9,6 +9,7 @@
 //! | `crossing` | the first zero of a guard within a step |
 //! | `rounding` | how large the terms are of which a guard is made |
 //! | `watch` | looks for it in every step, and ends the integration there |
+//! | `carry` | the method that integrates between events |
 //! | `march` | from event to event, several at one instant, and the rules that end it |
 //! | `cycle` | motions that repeat: [`cycle()`] |
 //! | `motion` | the result: pieces between events, and a record of each event |
@@ -28,6 +29,7 @@
 //! last than the part [`SOON`] of the time to be covered; or one event twice, between which its guard has not left zero
 //! by more than its rounding. These are errors that carry the motion so far.
 
+mod carry;
 mod crossing;
 mod cycle;
 mod error;
