@@ -13,4 +13,5 @@ assur::equations! {
     "sewing_feed.eqn",
     "dwell_six_bar.eqn",
     "table_drive.eqn",
+    "needle_impact.eqn",
 }

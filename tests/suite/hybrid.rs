@@ -2,4 +2,5 @@
 
 mod bounce;
 mod hard;
+mod needle_impact;
 mod table_drive;
