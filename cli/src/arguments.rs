@@ -51,6 +51,9 @@ pub enum Command {
     /// List all assembly modes of a linkage at a position.
     #[command(after_help = crate::modes::EXAMPLES)]
     Modes(crate::modes::ModesArguments),
+    /// Measure many runs: over a range of values, over two of them, or with values made at random.
+    #[command(after_help = crate::study::EXAMPLES)]
+    Study(crate::study::StudyArguments),
     /// Find how an output errs by the tolerances, and tolerances of least cost.
     #[command(after_help = crate::tolerance::EXAMPLES)]
     Tolerance(crate::tolerance::ToleranceArguments),

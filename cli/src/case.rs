@@ -16,8 +16,10 @@ pub struct Case {
     pub constants: Constants,
     /// What is reported.
     pub variables: Vec<Variable>,
-    /// What it does.
+    /// What it does; over all periods until the motion repeats.
     pub task: Span,
+    /// Periods after which the motion repeats.
+    pub repeats: usize,
     run: Box<dyn Run>,
 }
 
@@ -46,6 +48,7 @@ impl Case {
             variables: variables::of_scene(scene),
             constants,
             task,
+            repeats: 1,
             run,
         })
     }
@@ -53,6 +56,14 @@ impl Case {
     /// The scene as the solvers see it.
     pub fn run(&self) -> &dyn Run {
         self.run.as_ref()
+    }
+
+    /// Takes into account that the motion repeats after several periods: all of them are shown.
+    pub fn repeat(&mut self, periods: usize) {
+        if let Span::Periodic(period) = self.run.span() {
+            self.repeats = periods;
+            self.task = Span::Periodic(period * periods as f64);
+        }
     }
 
     /// Positions of the drivers at a time, SI units.

@@ -172,7 +172,7 @@ fn unknown_constant(
 
 /// Whether a constant may take a value: its declared range, and masses, lengths and speeds stay above zero where the
 /// file has them above zero.
-fn permitted(constant: &Constant, value: f64) -> Result<(), Failure> {
+pub fn permitted(constant: &Constant, value: f64) -> Result<(), Failure> {
     let quantity = &constant.quantity;
     let show = |value: f64| {
         format!(

@@ -31,7 +31,7 @@ pub fn bands(report: &Report) -> Vec<Band> {
         return Vec::new();
     }
     let (begin, end) = case.task.limits();
-    let (mut bands, mut from, mut mode) = (Vec::new(), begin, case.run().first_mode());
+    let (mut bands, mut from, mut mode) = (Vec::new(), begin, report.motion.first_mode(case));
     let events = report.motion.events().iter();
     let changes = events.filter(|event| event.to != event.from);
     for (time, next) in changes
@@ -80,7 +80,7 @@ pub fn section(page: &mut Page, report: &Report) {
         ("guard there", Align::Point),
         ("unit", Align::Left),
     ]);
-    let first = report.case.mode(report.case.run().first_mode());
+    let first = report.case.mode(report.motion.first_mode(&report.case));
     let (begin, _) = report.case.task.limits();
     if !first.is_empty() {
         table.row([

@@ -6,7 +6,7 @@
 //! | `mechanism` | `name`, `title`, `source` |
 //! | `scene` | `name`, `effects`, `choices` (name: alternative), `preset` (null for the declared values) |
 //! | `parameters` | each `name`, `kind` (`dimension` or `parameter`), `unit`, `value`, `default`, `changed` |
-//! | `task` | `kind` (`periodic`, `run` or `open`), `from`, `to`, `unit` |
+//! | `task` | `kind` (`periodic`, `run` or `open`), `from`, `to`, `unit`, `periods` (after how many it repeats) |
 //! | `settings` | `method`, `rtol` |
 //! | `status` | `"complete"`; `"not unique"` when free motions repeat after the same period and nothing drives them, so that any amount could be added (`conclusions` says it); or `"incomplete"` when a value below is null because it is not a finite number |
 //! | `results` | each `name`, `unit`, `value` and `estimated_error` at the beginning of the task, and `minimum` and `maximum` over it, each with `value` and `time` |
@@ -29,6 +29,7 @@ use assur::problem::Span;
 use assur::registry::{Mechanism, Quantity};
 use serde_json::{Value, json};
 
+use crate::case::Case;
 use crate::constants::Constants;
 use crate::events;
 use crate::measures;
@@ -61,7 +62,7 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
         "mechanism": mechanism(report.mechanism),
         "scene": scene(&report.case.constants),
         "parameters": parameters(&report.case.constants),
-        "task": task(report.case.task),
+        "task": task(&report.case),
         "settings": {
             "method": method_name(report.motion.settings.method),
             "rtol": report.motion.settings.rtol,
@@ -135,14 +136,15 @@ pub fn parameters(constants: &Constants) -> Value {
     (0..constants.values.len()).map(one).collect()
 }
 
-fn task(task: Span) -> Value {
+fn task(case: &Case) -> Value {
+    let task = case.task;
     let (kind, (from, to)) = match task {
         Span::Periodic(_) => ("periodic", task.limits()),
         Span::Run(..) => ("run", task.limits()),
         // It lasts no time; the limits of an open span are those of a search.
         Span::Open => ("open", (0.0, 0.0)),
     };
-    json!({ "kind": kind, "from": from, "to": to, "unit": "s" })
+    json!({ "kind": kind, "from": from, "to": to, "unit": "s", "periods": case.repeats })
 }
 
 /// Every variable at the beginning of the task, with its extremes over the task.

@@ -42,6 +42,7 @@ mod scenes;
 mod settings;
 mod source;
 mod structure;
+mod study;
 mod style;
 mod table;
 mod text;
@@ -67,6 +68,7 @@ fn main() -> ExitCode {
         Command::Expand(options) => expand::execute(options),
         Command::Scenes(options) => scenes::execute(options),
         Command::Modes(options) => modes::execute(options),
+        Command::Study(options) => study::execute(options),
         Command::Tolerance(options) => tolerance::execute(options),
     };
     match outcome {

@@ -2,7 +2,7 @@
 //!
 //! This is the only file that talks to the solvers.
 
-use assur::hybrid::{self, HybridError};
+use assur::hybrid::{self, CycleError, HybridError};
 use assur::periodic;
 use assur::problem::Span;
 use assur::registry::Settings;
@@ -21,7 +21,12 @@ impl Case {
         let path = if self.scene.states.is_empty() {
             Path::Positions
         } else {
-            match self.task {
+            match self.run().span() {
+                Span::Periodic(period) if !self.scene.modes.is_empty() => Path::Cycle(
+                    self.run()
+                        .cycle(period, &settings)
+                        .map_err(|error| self.no_cycle(&error))?,
+                ),
                 Span::Periodic(period) => Path::Orbit(
                     self.run()
                         .periodic(period, &settings)
@@ -48,10 +53,10 @@ impl Case {
     /// When the integration does not succeed.
     pub fn time_cycle(&self, motion: &Motion) -> Result<f64, Failure> {
         let (from, to) = self.task.limits();
-        let (_, start) = motion.place(self, from);
+        let (mode, start) = motion.place(self, from);
         let clock = std::time::Instant::now();
         self.run()
-            .follow((from, to), &start, &motion.settings)
+            .follow_in(mode, (from, to), &start, &motion.settings)
             .map_err(|error| self.not_followed(&error))?;
         Ok(clock.elapsed().as_secs_f64())
     }
@@ -115,6 +120,21 @@ impl Case {
             .remedy(remedy)
     }
 
+    fn no_cycle(&self, error: &CycleError) -> Failure {
+        let CycleError::Motion(inner) = error else {
+            let remedy = match error {
+                CycleError::NoneStable { .. } => {
+                    "look at the motion itself with a scene that says `run`, or change a value in small steps from where it repeats"
+                }
+                _ => "change a value with --set a little; else try another --rtol",
+            };
+            return Failure::numerical("no motion that repeats was found")
+                .reason(error.to_string())
+                .remedy(remedy);
+        };
+        self.not_followed(inner)
+    }
+
     fn listed(&self, modes: &[usize]) -> String {
         let names: Vec<&str> = modes.iter().map(|mode| self.mode(*mode)).collect();
         names.join(" -> ")
@@ -137,6 +157,7 @@ enum Path {
     Start(Vec<f64>),
     Orbit(periodic::Orbit),
     Through(hybrid::Motion),
+    Cycle(hybrid::Cycle),
 }
 
 /// Work of a solution.
@@ -159,6 +180,7 @@ impl Motion {
             Path::Start(state) => (first, state.clone()),
             Path::Orbit(orbit) => (first, orbit.trajectory.at(time)),
             Path::Through(motion) => motion.at(time),
+            Path::Cycle(cycle) => cycle.motion.at(time),
         }
     }
 
@@ -166,6 +188,7 @@ impl Motion {
     pub fn events(&self) -> &[hybrid::Happened] {
         match &self.path {
             Path::Through(motion) => &motion.events,
+            Path::Cycle(cycle) => &cycle.motion.events,
             _ => &[],
         }
     }
@@ -178,6 +201,7 @@ impl Motion {
                 case.run().measure(&motion)
             }
             Path::Through(motion) => case.run().measure(motion),
+            Path::Cycle(cycle) => case.run().measure(&cycle.motion),
             Path::Positions | Path::Start(_) => Vec::new(),
         };
         let measures = case.scene.measures.iter().zip(found);
@@ -197,12 +221,25 @@ impl Motion {
     /// Floquet multipliers as real and imaginary parts; none unless the task is a steady state.
     pub fn multipliers(&self) -> Vec<(f64, f64)> {
         match &self.path {
-            Path::Orbit(orbit) => orbit
-                .multipliers
-                .iter()
-                .map(|value| (value.re, value.im))
-                .collect(),
+            Path::Orbit(orbit) => pairs(&orbit.multipliers),
+            Path::Cycle(cycle) => pairs(&cycle.multipliers),
             _ => Vec::new(),
+        }
+    }
+
+    /// Periods after which the motion repeats.
+    pub fn multiple(&self) -> usize {
+        match &self.path {
+            Path::Cycle(cycle) => cycle.multiple,
+            _ => 1,
+        }
+    }
+
+    /// The mode at the begin.
+    pub fn first_mode(&self, case: &Case) -> usize {
+        match &self.path {
+            Path::Cycle(cycle) => cycle.motion.mode,
+            _ => case.run().first_mode(),
         }
     }
 
@@ -211,6 +248,7 @@ impl Motion {
     pub fn closing(&self) -> Option<(f64, f64, usize)> {
         match &self.path {
             Path::Orbit(orbit) => Some((orbit.condition, orbit.residual, orbit.free)),
+            Path::Cycle(cycle) => Some((cycle.condition, cycle.residual, 0)),
             _ => None,
         }
     }
@@ -221,6 +259,7 @@ impl Motion {
             Path::Positions | Path::Start(_) => return Effort::default(),
             Path::Orbit(orbit) => &orbit.trajectory.statistics,
             Path::Through(motion) => &motion.statistics,
+            Path::Cycle(cycle) => &cycle.motion.statistics,
         };
         Effort {
             steps: statistics.steps,
@@ -228,6 +267,13 @@ impl Motion {
             evaluations: statistics.evaluations,
         }
     }
+}
+
+fn pairs(multipliers: &[periodic::Multiplier]) -> Vec<(f64, f64)> {
+    multipliers
+        .iter()
+        .map(|value| (value.re, value.im))
+        .collect()
 }
 
 fn not_periodic(error: &periodic::PeriodicError) -> Failure {

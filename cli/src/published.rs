@@ -97,8 +97,9 @@ pub fn compare(
             {
                 let mut constants = Constants::declared(case.scene);
                 constants.apply(find_preset(mechanism, preset)?);
-                let case = Case::new(constants)?;
+                let mut case = Case::new(constants)?;
                 let motion = case.solve(motion.settings)?;
+                case.repeat(motion.multiple());
                 let curves = curves::sample(&case, &motion);
                 let extremes = curves::extremes(&case, &motion, &curves);
                 others.push((preset, case, motion, extremes));

@@ -88,16 +88,17 @@ pub struct Cost {
 /// When the solvers do not succeed or a place is not reached.
 pub fn collect(
     mechanism: &'static Mechanism,
-    case: Case,
+    mut case: Case,
     settings: Settings,
     places: &[Place],
 ) -> Result<Report, Failure> {
     let clock = Instant::now();
+    let motion = case.solve(settings)?;
+    case.repeat(motion.multiple());
     let times: Vec<_> = places
         .iter()
         .map(|place| locate(&case, *place))
         .collect::<Result<_, _>>()?;
-    let motion = case.solve(settings)?;
     let curves = curves::sample(&case, &motion);
     let mut measures = motion.measures(&case);
     let estimate = curves::estimate(&case, &motion, &curves, &measures)?;

@@ -93,6 +93,11 @@ impl Page {
 fn head(page: &mut Page, report: &Report) {
     let scene = report.case.scene;
     let task = match report.case.task {
+        Span::Periodic(all) if report.case.repeats > 1 => format!(
+            "steady state that repeats after {} periods of {} s",
+            report.case.repeats,
+            number::short(all / report.case.repeats as f64)
+        ),
         Span::Periodic(period) => format!(
             "steady state over one period of {} s",
             number::short(period)

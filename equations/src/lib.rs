@@ -13,5 +13,6 @@ assur::equations! {
     "sewing_feed.eqn",
     "dwell_six_bar.eqn",
     "table_drive.eqn",
+    "presser_foot.eqn",
     "needle_impact.eqn",
 }

@@ -289,6 +289,7 @@ pub fn phase(
         start,
         states: 2 * coordinates + names.states.len(),
         surfaces: model.span == SpanKind::Run || phases.is_hybrid(),
+        cycle: model.span == SpanKind::Periodic && phases.is_hybrid(),
         events: events.iter().map(|(event, _)| event.clone()).collect(),
         ..Request::default()
     };

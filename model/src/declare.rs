@@ -200,6 +200,19 @@ impl Lowering<'_> {
                 );
                 return None;
             }
+            let made = (default - info.tolerance, default + info.tolerance);
+            if let Some(tolerance) = &constant.tolerance
+                && !(low_value <= made.0 && made.1 <= high_value)
+            {
+                self.diagnostics.push(
+                    Diagnostic::error(
+                        tolerance.half_width.span,
+                        "sizes within this tolerance leave the permitted range",
+                    )
+                    .related(low.span.to(high.span), "the range"),
+                );
+                return None;
+            }
         }
         Some(info)
     }

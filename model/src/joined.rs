@@ -7,7 +7,6 @@ use crate::compile::{Compiled, Seen, Task, phase};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::modes::{Phase, Phases};
 use crate::scene::specialise;
-use crate::syntax::tree::SceneItem;
 
 /// Compiles one scene. Mistakes go to `diagnostics`, and then there is no model.
 pub fn scene(
@@ -31,7 +30,6 @@ fn join(
     diagnostics: &mut Diagnostics,
 ) -> Option<SceneModel> {
     let count = phases.all.len();
-    report_periodic(task, diagnostics);
     let before = diagnostics.error_count();
     // What one mode needs, all are given.
     let mut kept = BTreeSet::new();
@@ -82,19 +80,6 @@ fn only(compiled: Compiled) -> SceneModel {
         });
     }
     model
-}
-
-/// A motion through events is run.
-fn report_periodic(task: &Task<'_>, diagnostics: &mut Diagnostics) {
-    for item in task.scene.iter().flat_map(|(scene, _)| &scene.items) {
-        if let SceneItem::Periodic { period } = item {
-            let message = "the steady state of a motion with events is not available in this version of Assur";
-            diagnostics.push(
-                Diagnostic::error(period.span, message)
-                    .hint("run it until it repeats: `run time 0 s .. 10 s;`"),
-            );
-        }
-    }
 }
 
 /// What is zero in the first mode has the unit that it has elsewhere.

@@ -8,6 +8,7 @@ mod emit;
 mod evaluate;
 mod order;
 mod product;
+mod sensitivity;
 mod share;
 mod surfaces;
 
@@ -17,7 +18,7 @@ pub(crate) use evaluate::solve_symmetric;
 pub use evaluate::{Place, Values};
 
 use crate::linkage::Closing;
-pub use crate::modes::Event;
+pub use crate::modes::{Event, Slopes};
 
 /// Index of an operation, and so of its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

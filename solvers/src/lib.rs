@@ -10,6 +10,7 @@
 //! | [`periodic`] | the steady state: method of initial parameters, shooting, Floquet multipliers |
 //! | [`hybrid`] | the motion from event to event |
 //! | [`mod@measure`] | numbers of a whole run |
+//! | [`study`] | many runs with different values |
 //! | [`tolerance`](mod@tolerance) | errors of a linkage from tolerances, and tolerances of least cost |
 //! | [`dense`] | small linear systems |
 //! | [`check`] | what the generated tests of a mechanism ask of it |
@@ -26,4 +27,5 @@ pub mod periodic;
 pub mod problem;
 pub mod registry;
 pub mod scalar;
+pub mod study;
 pub mod tolerance;

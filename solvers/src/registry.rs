@@ -11,12 +11,13 @@ mod path;
 mod tolerance;
 
 pub use bind::{bind, check_values};
-pub use hybrid::{ModeEntry, bind_hybrid};
+pub use hybrid::{ModeEntry, bind_cycle, bind_hybrid};
 pub use limits::{Listed, Listing, RunLimits};
 pub use linkage::{Distribution, Link, LinkageEntry, Loop, RunLinkage, Subject, bind_linkage};
 pub use path::{Path, Sample};
 pub use tolerance::RunTolerance;
 
+use crate::hybrid::{Cycle, CycleError};
 use crate::measure::Missing;
 use crate::problem::{Refused, Span};
 
@@ -318,6 +319,10 @@ pub trait Run: Send + Sync {
     fn first_mode(&self) -> usize {
         0
     }
+    /// Number of modes; 0 where the motion has neither modes nor events.
+    fn mode_count(&self) -> usize {
+        0
+    }
     /// All outputs in a mode at a time and state.
     fn outputs_in(&self, mode: usize, time: f64, state: &[f64]) -> Vec<f64>;
     /// Time derivative of the state in a mode.
@@ -339,6 +344,13 @@ pub trait Run: Send + Sync {
         period: f64,
         settings: &Settings,
     ) -> Result<crate::periodic::Orbit, crate::periodic::PeriodicError>;
+    /// The motion through events that repeats, of a scene whose task that is.
+    ///
+    /// # Errors
+    /// See [`CycleError`].
+    fn cycle(&self, _period: f64, _settings: &Settings) -> Result<Cycle, CycleError> {
+        Err(CycleError::NoTask)
+    }
     /// The motion from a start.
     ///
     /// # Errors
@@ -359,6 +371,19 @@ pub trait Run: Send + Sync {
         start: &[f64],
         settings: &Settings,
     ) -> Result<crate::hybrid::Motion, crate::hybrid::HybridError>;
+    /// The same from a start in another mode than the first.
+    ///
+    /// # Errors
+    /// See [`crate::hybrid::HybridError`].
+    fn follow_in(
+        &self,
+        _mode: usize,
+        times: (f64, f64),
+        start: &[f64],
+        settings: &Settings,
+    ) -> Result<crate::hybrid::Motion, crate::hybrid::HybridError> {
+        self.follow(times, start, settings)
+    }
     /// The measures of a run.
     fn measure(&self, motion: &crate::hybrid::Motion) -> Vec<Result<f64, Missing>>;
     /// Nanoseconds of one evaluation of the derivative with its time-only values, measured over this many calls.

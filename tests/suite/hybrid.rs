@@ -1,6 +1,7 @@
 //! Motions with modes and events, against their closed forms.
 
 mod bounce;
+mod cycles;
 mod hard;
 mod needle_impact;
 mod table_drive;

@@ -18,9 +18,11 @@ pub mod name;
 mod panels;
 mod scale;
 mod selection;
+mod study;
 pub mod svg;
 
 pub use contributions::{Band, Chart, contributions};
 pub use linkage::draw as draw_linkage;
 pub use motion::draw;
 pub use selection::Selection;
+pub use study::{Layer, Map, Sheet, sheets};

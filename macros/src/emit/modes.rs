@@ -9,7 +9,7 @@ use super::body::{Body, Place};
 use super::equations::first;
 use super::expression::{number, size};
 use super::layout::Layout;
-use super::{Origin, docs, equations, instant, names, outputs, parameters};
+use super::{Origin, docs, equations, instant, names, outputs, parameters, slopes};
 
 /// For each scene its modes as scenes of their own; none where there are none.
 pub fn split(model: &Model) -> Vec<Vec<SceneModel>> {
@@ -41,10 +41,12 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
     let modes = layout.modes.iter().map(|mode| {
         let (equations, instant) = (equations::items(mode), instant::items(mode));
         let (outputs, events) = (outputs::inherent(mode), events(mode));
-        quote!(#equations #instant #outputs #events)
+        let slopes = slopes::of_mode(mode);
+        quote!(#equations #instant #outputs #events #slopes)
     });
     let composite = composite(layout);
-    quote!(#(#modes)* #composite)
+    let slopes = slopes::of_scene(layout, &parts(layout));
+    quote!(#(#modes)* #composite #slopes)
 }
 
 /// The variants of the instant, and the fields of the equations.
@@ -403,7 +405,7 @@ fn events(layout: &Layout<'_>) -> TokenStream {
 }
 
 /// An arm for each event that has something to say.
-fn each(
+pub fn each(
     events: &[Event<Value>],
     arm: impl Fn(&Event<Value>) -> Option<TokenStream>,
 ) -> TokenStream {

@@ -195,6 +195,9 @@ fn binder(layout: &Layout<'_>) -> TokenStream {
     let reason = format!("found {{}}, expected {expected}");
     let (run, bind) = match &layout.scene.linkage {
         Some(_) => (quote!(RunLinkage), quote!(bind_linkage)),
+        None if !layout.modes.is_empty() && super::slopes::has(layout) => {
+            (quote!(Run), quote!(bind_cycle))
+        }
         None if !layout.modes.is_empty() => (quote!(Run), quote!(bind_hybrid)),
         None => (quote!(Run), quote!(bind)),
     };

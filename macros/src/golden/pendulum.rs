@@ -371,6 +371,7 @@ mod pendulum_ {
                         ],
                     },
                 ],
+                measures: &[],
                 equations: &[
                     ::assur::registry::EquationText {
                         text: "kinetic m*(l*dot(phi))^2/2",

@@ -194,6 +194,16 @@ impl Lowering<'_> {
             Some(term) => self.fixed_of(term, kind, &what)?,
             None => (declared.0 + declared.1) / 2.0,
         };
+        if let (Some(term), Some((low, high))) = (&driver.what.start, &driver.what.range)
+            && !(declared.0..=declared.1).contains(&start)
+        {
+            self.diagnostics.push(
+                Diagnostic::error(term.span, format!("{what} starts outside its range"))
+                    .related(low.span.to(high.span), "the range")
+                    .hint("what stands after `~` is where the start values of the dependent coordinates are meant"),
+            );
+            return None;
+        }
         // A driver that the scene does not name stands where it starts.
         if others && swept.is_none() {
             (from, to) = (start, start);

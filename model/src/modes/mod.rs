@@ -8,5 +8,5 @@
 mod events;
 mod phases;
 
-pub use events::{Event, EventInfo, check_holds, read, still};
+pub use events::{Event, EventInfo, Slopes, check_holds, read, still};
 pub use phases::{Phase, Phases};

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use super::emit::Emitter;
 use super::{
-    Event, Input, OperationKind, Program, Results, Stage, Value, collect, order, share, surfaces,
+    Event, Input, OperationKind, Program, Results, Stage, Value, collect, order, sensitivity,
+    share, surfaces,
 };
 use crate::expression::{Expression, Graph, Symbol};
 use crate::linkage::Closing;
@@ -51,6 +52,8 @@ pub struct Request {
     pub states: usize,
     /// Whether the sides of switching surfaces are inputs.
     pub surfaces: bool,
+    /// Whether variations of the motion pass through its events.
+    pub cycle: bool,
 }
 
 impl Request {
@@ -122,12 +125,27 @@ impl Request {
 /// Builds the program: puts in what symbols stand for, simplifies, collects by stages, and writes the operations down.
 pub fn build(graph: &mut Graph, request: &Request) -> Program {
     let often = request.derivative.len() + request.jacobian.len();
-    let mut bound = bind(graph, &request.roots(), &request.bindings);
     let mut request = request.clone();
+    if request.cycle {
+        let rates = bind(graph, &request.derivative, &request.bindings);
+        let mut events = std::mem::take(&mut request.events);
+        for event in &mut events {
+            let all: Vec<Expression> = event.all().collect();
+            let mut bound = bind(graph, &all, &request.bindings).into_iter();
+            *event = event.map(|old| bound.next().unwrap_or(old));
+        }
+        sensitivity::add(graph, &mut events, &rates, &request);
+        request.events = events;
+    }
+    let mut bound = bind(graph, &request.roots(), &request.bindings);
     let mut surfaces = Vec::new();
     if request.surfaces {
         let derivative = bound[..request.derivative.len()].to_vec();
-        let frozen = surfaces::freeze(graph, &bound[..often], &derivative, &mut request);
+        let mut frozen = surfaces::freeze(graph, &bound[..often], &derivative, &mut request);
+        if request.cycle {
+            let rates = frozen.roots[..derivative.len()].to_vec();
+            sensitivity::add(graph, &mut frozen.surfaces, &rates, &request);
+        }
         bound[..often].copy_from_slice(&frozen.roots);
         bound.extend(frozen.surfaces.iter().flat_map(Event::all));
         surfaces = frozen.surfaces;

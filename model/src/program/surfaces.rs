@@ -62,6 +62,7 @@ pub fn freeze(
         rate,
         condition: None,
         after: Vec::new(),
+        slopes: Default::default(),
     });
     Frozen {
         roots,

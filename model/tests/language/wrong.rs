@@ -135,6 +135,9 @@ fn ranges_and_tolerances() {
     check_dimension("+- 5 deg", ("the toleranced size is a length (m), and this is a pure number", "5 deg", ""));
     check_dimension("+- 0.1*dot(x)*(1 s)", ("a fixed value is expected here, made of numbers alone", "0.1*dot(x)*(1 s)", "is a `let`"));
     check_dimension("+- 0.1*m", ("a fixed value is expected here, made of numbers alone", "0.1*m", "is a `let`"));
+    check_dimension("+- 0.6 m in 0.5 m .. 2 m", ("sizes within this tolerance leave the permitted range", "0.6 m", ""));
+    let outside = "Crank; driver phi ~ 95 deg in 0 deg .. 90 deg; dependent psi ~ 0; closure psi = 2*phi; output psi;";
+    check(outside, &[("`phi` starts outside its range", "95 deg", "what stands after `~`")]);
     let check_driver = |text: &str, expected: Expected| {
         let crank = format!("Crank; driver phi in {text}; dependent psi ~ 0; closure psi = 2*phi; output psi;");
         check(&crank, &[expected]);

@@ -101,6 +101,11 @@ impl Motion {
         let path = match span {
             _ if run.start().is_empty() => None,
             Span::Open => None,
+            Span::Periodic(period) if run.mode_count() > 0 => {
+                let cycle = run.cycle(period, &SETTINGS);
+                let cycle = cycle.map_err(|error| unsolved(&error))?;
+                Some(Path::Through(cycle.motion))
+            }
             Span::Periodic(period) => {
                 let orbit = run.periodic(period, &SETTINGS);
                 let orbit = orbit.map_err(|error| unsolved(&error))?;

@@ -23,8 +23,23 @@ pub fn march<C: Hybrid>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
+    march_in(scene, C::FIRST, times, start, settings)
+}
+
+/// The same from a start in any mode.
+///
+/// # Errors
+/// [`HybridError`], with the motion so far.
+pub fn march_in<C: Hybrid>(
+    scene: &C,
+    mode: usize,
+    times: (f64, f64),
+    start: &[f64],
+    settings: &Settings,
+) -> Result<Motion, HybridError> {
     dispatch(Marching {
         scene,
+        mode,
         times,
         start,
         settings,
@@ -34,6 +49,7 @@ pub fn march<C: Hybrid>(
 /// The task of [`march`].
 struct Marching<'a, C> {
     scene: &'a C,
+    mode: usize,
     times: (f64, f64),
     start: &'a [f64],
     settings: &'a Settings,
@@ -45,25 +61,34 @@ impl<C: Hybrid> Task for Marching<'_, C> {
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> Self::Output {
-        march_on::<C, S>(self.scene, self.times, self.start, self.settings)
+        march_on::<C, S>(self.scene, self.mode, self.times, self.start, self.settings)
     }
 }
 
-/// The motion of a scene with modes from a start, evaluated on a scalar type.
+/// The motion of a scene with modes from a start in a mode, evaluated on a scalar type.
 ///
 /// # Errors
 /// [`HybridError`], with the motion so far.
 #[inline(always)]
 pub fn march_on<C: Hybrid, S: Scalar>(
     scene: &C,
+    mode: usize,
     times: (f64, f64),
     start: &[f64],
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
     let mut equations = scene.modal::<S>();
-    equations.enter(C::FIRST);
+    if mode >= C::EVENTS.len() {
+        return Err(HybridError::Start {
+            reason: format!(
+                "there are {} modes, and it is to begin in number {mode}",
+                C::EVENTS.len()
+            ),
+        });
+    }
+    equations.enter(mode);
     let mut motion = Motion {
-        mode: C::FIRST,
+        mode,
         ..Motion::at_rest(times.0, start)
     };
     let options = Options::scaled(settings.rtol, C::SCALES);
@@ -85,12 +110,12 @@ pub fn march_on<C: Hybrid, S: Scalar>(
         Err(error) => {
             return Err(HybridError::Ode {
                 error,
-                mode: C::FIRST,
+                mode,
                 motion: Box::new(motion),
             });
         }
     };
-    let moving = C::HELD[C::FIRST].iter().find(|place| start[**place] != 0.0);
+    let moving = C::HELD[mode].iter().find(|place| start[**place] != 0.0);
     if let Some(place) = moving {
         let (name, value) = (C::STATE_NAMES[*place], start[*place]);
         return Err(HybridError::Start {
@@ -235,6 +260,7 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
             if motion.time > trajectory.times()[0] {
                 motion.pieces.push(Piece {
                     mode: self.equations.mode(),
+                    sides: self.sides_here(events),
                     trajectory,
                 });
             }
@@ -322,6 +348,12 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
             self.put(surface, side);
         }
         Ok(())
+    }
+
+    /// The sides of the switching surfaces of this mode.
+    fn sides_here(&self, events: &[EventEntry]) -> Vec<f64> {
+        let surfaces = events.iter().filter(|entry| entry.surface.is_some());
+        self.sides[..surfaces.count()].to_vec()
     }
 
     /// Puts the motion on a side of a switching surface.

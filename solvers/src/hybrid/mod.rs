@@ -10,6 +10,7 @@
 //! | `rounding` | how large the terms are of which a guard is made |
 //! | `watch` | looks for it in every step, and ends the integration there |
 //! | `march` | from event to event, several at one instant, and the rules that end it |
+//! | `cycle` | motions that repeat: [`cycle()`] |
 //! | `motion` | the result: pieces between events, and a record of each event |
 //!
 //! **What is found.** Within a step a guard is the cubic through its values and rates at both ends, as far as that agrees
@@ -28,6 +29,7 @@
 //! by more than its rounding. These are errors that carry the motion so far.
 
 mod crossing;
+mod cycle;
 mod error;
 mod march;
 mod motion;
@@ -35,10 +37,12 @@ mod problem;
 mod rounding;
 mod watch;
 
+pub use cycle::{Cycle, CycleError, cycle, cycle_from};
 pub use error::HybridError;
-pub use march::{march, march_on};
+pub use march::{march, march_in, march_on};
 pub use motion::{Happened, Motion, Piece};
-pub use problem::{Direction, EventEntry, Hybrid, Modes};
+pub(crate) use problem::in_each_mode;
+pub use problem::{Direction, EventEntry, Hybrid, Modes, Sensitive};
 
 /// Roundings of its terms that a guard may have where it counts as zero.
 pub const NOISE: f64 = 16.0;

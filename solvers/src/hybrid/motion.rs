@@ -9,6 +9,8 @@ pub struct Piece {
     pub mode: usize,
     /// The motion.
     pub trajectory: Trajectory,
+    /// On which side of each switching surface of the mode it is, 1 or −1.
+    pub sides: Vec<f64>,
 }
 
 /// An event that has happened.
@@ -72,6 +74,7 @@ impl Motion {
             pieces: vec![Piece {
                 mode: 0,
                 trajectory,
+                sides: Vec::new(),
             }],
         }
     }

@@ -80,6 +80,29 @@ pub trait Modes<S: Scalar>: Equations<S> {
     );
 }
 
+/// Equations whose variations pass through their events.
+pub trait Sensitive<S: Scalar>: Modes<S> {
+    /// Writes the derivatives of the guard of an event of this mode by the state.
+    fn guard_slopes(
+        &self,
+        event: usize,
+        instant: &Self::Instant,
+        state: &Self::State,
+        slopes: &mut Self::State,
+    );
+
+    /// Writes the derivatives of the state after an event of this mode by the state before it, column by column, and its
+    /// total time derivative along the motion in this mode. False, and nothing is written, where the event sets nothing.
+    fn jump_slopes(
+        &self,
+        event: usize,
+        instant: &Self::Instant,
+        state: &Self::State,
+        columns: &mut [Self::State],
+        rate: &mut Self::State,
+    ) -> bool;
+}
+
 /// A scene whose motion has modes, or events.
 pub trait Hybrid: Scene {
     /// The equations, prepared for a scalar type.
@@ -96,4 +119,14 @@ pub trait Hybrid: Scene {
 
     /// Computes what depends on the parameters alone.
     fn modal<S: Scalar>(&self) -> Self::Modal<S>;
+}
+
+/// The equations of a scene in each of its modes.
+pub(crate) fn in_each_mode<C: Hybrid>(scene: &C) -> Vec<C::Modal<f64>> {
+    let modes = (0..C::EVENTS.len()).map(|mode| {
+        let mut equations = scene.modal::<f64>();
+        equations.enter(mode);
+        equations
+    });
+    modes.collect()
 }

@@ -19,7 +19,7 @@ mod window;
 
 pub use primitive::{Kind, Missing, Moment, Primitive};
 
-use crate::hybrid::{Hybrid, Modes, Motion};
+use crate::hybrid::{Hybrid, Motion, in_each_mode};
 use crate::problem::{Equations, Scene, Storage};
 use grid::{Sample, Sampler};
 
@@ -112,12 +112,7 @@ pub fn all(
 
 /// The measures of a run of a scene, in the order of its file, SI units.
 pub fn of<C: Hybrid>(scene: &C, motion: &Motion) -> Vec<Result<f64, Missing>> {
-    let modes = (0..C::EVENTS.len()).map(|mode| {
-        let mut equations = scene.modal::<f64>();
-        equations.enter(mode);
-        equations
-    });
-    let modes: Vec<C::Modal<f64>> = modes.collect();
+    let modes = in_each_mode(scene);
     let sample = |mode: usize, time: f64, values: &[f64], measured: &mut [f64]| {
         let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
         state.as_mut().copy_from_slice(values);

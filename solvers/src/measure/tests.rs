@@ -190,6 +190,7 @@ fn values_at_events_are_those_before_and_after_them() {
     let (first, second) = (run(0.0, 1.0, 2), run(1.0, 3.0, 2));
     let piece = |mode: usize, motion: Motion| Piece {
         mode,
+        sides: Vec::new(),
         trajectory: motion.pieces[0].trajectory.clone(),
     };
     let event = Happened {

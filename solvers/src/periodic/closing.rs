@@ -17,7 +17,7 @@ const REFINEMENTS: usize = 2;
 const FAR: f64 = 0.1;
 
 /// The matrix `I - Φ` with its decompositions, balanced.
-pub(super) struct Closing {
+pub(crate) struct Closing {
     /// Sizes of the states; the matrix is `D⁻¹ (I - Φ) D`.
     sizes: DVector<f64>,
     /// The balanced matrix.
@@ -31,7 +31,7 @@ pub(super) struct Closing {
 }
 
 /// A solution.
-pub(super) struct Closed {
+pub(crate) struct Closed {
     /// `δ`.
     pub change: DVector<f64>,
     /// Directions that it leaves open: free motions which repeat after the period and are not driven.

@@ -9,10 +9,10 @@
 //! first is the error estimate, and the difference of the two `Φ` says how well `I - Φ` is known. Where that is not well
 //! enough for the solution, near a resonance, the solver says so instead of returning numbers.
 
-mod closing;
+pub(crate) mod closing;
 mod error;
 mod flow;
-mod multipliers;
+pub(crate) mod multipliers;
 mod shooting;
 mod smallest;
 

@@ -31,7 +31,7 @@ impl fmt::Display for Multiplier {
 }
 
 /// The eigenvalues of a matrix, the largest modulus first.
-pub(super) fn of(matrix: &DMatrix<f64>) -> Vec<Multiplier> {
+pub(crate) fn of(matrix: &DMatrix<f64>) -> Vec<Multiplier> {
     if matrix.is_empty() {
         return Vec::new();
     }

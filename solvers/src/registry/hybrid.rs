@@ -1,7 +1,9 @@
 //! A scene with modes and its values behind [`Run`].
 
 use super::{Run, Settings};
-use crate::hybrid::{self, EventEntry, Hybrid, HybridError, Modes, Motion};
+use crate::hybrid::{
+    self, Cycle, CycleError, EventEntry, Hybrid, HybridError, Motion, Sensitive, in_each_mode,
+};
 use crate::measure::{self, Missing, Wanted};
 use crate::ode::{OdeError, Trajectory};
 use crate::periodic::{Orbit, PeriodicError};
@@ -24,20 +26,43 @@ pub struct ModeEntry {
 /// The first value or condition that the mechanism does not accept.
 pub fn bind_hybrid<C: Hybrid + 'static>(scene: C) -> Result<Box<dyn Run>, Refused> {
     scene.check()?;
-    let modes = (0..C::EVENTS.len()).map(|mode| {
-        let mut equations = scene.modal::<f64>();
-        equations.enter(mode);
-        equations
-    });
-    let modes = modes.collect();
-    Ok(Box::new(Bound { scene, modes }))
+    let modes = in_each_mode(&scene);
+    Ok(Box::new(Bound {
+        scene,
+        modes,
+        cycle: None,
+    }))
 }
+
+/// The same for a scene whose task is a motion that repeats.
+///
+/// # Errors
+/// The first value or condition that the mechanism does not accept.
+pub fn bind_cycle<C: Hybrid + 'static>(scene: C) -> Result<Box<dyn Run>, Refused>
+where
+    C::Modal<f64>: Sensitive<f64>,
+{
+    scene.check()?;
+    let modes = in_each_mode(&scene);
+    let cycle: Finder<C> = |scene, period, settings| hybrid::cycle(scene, period, settings);
+    let cycle = Some(cycle);
+    Ok(Box::new(Bound {
+        scene,
+        modes,
+        cycle,
+    }))
+}
+
+/// Finds a motion that repeats.
+type Finder<C> = fn(&C, f64, &Settings) -> Result<Cycle, CycleError>;
 
 /// A scene with modes and its values.
 struct Bound<C: Hybrid> {
     scene: C,
     /// The equations in each mode.
     modes: Vec<C::Modal<f64>>,
+    /// What finds a motion that repeats, where that is the task.
+    cycle: Option<Finder<C>>,
 }
 
 impl<C: Hybrid> Bound<C> {
@@ -63,6 +88,10 @@ impl<C: Hybrid + 'static> Run for Bound<C> {
         C::FIRST
     }
 
+    fn mode_count(&self) -> usize {
+        C::EVENTS.len()
+    }
+
     fn drivers(&self, time: f64) -> Vec<f64> {
         let mut values = vec![0.0; C::DRIVERS];
         self.modes[C::FIRST].drivers(time, &mut values);
@@ -86,6 +115,13 @@ impl<C: Hybrid + 'static> Run for Bound<C> {
         Err(PeriodicError::Ode(has_modes()))
     }
 
+    fn cycle(&self, period: f64, settings: &Settings) -> Result<Cycle, CycleError> {
+        match self.cycle {
+            Some(find) => find(&self.scene, period, settings),
+            None => Err(CycleError::NoTask),
+        }
+    }
+
     fn march(
         &self,
         _times: (f64, f64),
@@ -102,6 +138,16 @@ impl<C: Hybrid + 'static> Run for Bound<C> {
         settings: &Settings,
     ) -> Result<Motion, HybridError> {
         hybrid::march(&self.scene, times, start, settings)
+    }
+
+    fn follow_in(
+        &self,
+        mode: usize,
+        times: (f64, f64),
+        start: &[f64],
+        settings: &Settings,
+    ) -> Result<Motion, HybridError> {
+        hybrid::march_in(&self.scene, mode, times, start, settings)
     }
 
     fn measure(&self, motion: &Motion) -> Vec<Result<f64, Missing>> {

@@ -1,0 +1,221 @@
+//! Figures of studies: curves of points, and maps in colour.
+
+use super::axis::Axis;
+use super::curve::simplify;
+use super::scale::Scale;
+use super::svg::{Anchor, Svg};
+
+const WIDTH: f64 = 720.0;
+const LEFT: f64 = 76.0;
+/// Room for the scale of colours at the right.
+const RIGHT: f64 = 110.0;
+const TOP: f64 = 40.0;
+/// Height of a panel, its axis apart.
+const PANEL: f64 = 220.0;
+/// Height of the axis and its name below a panel.
+const BELOW: f64 = 56.0;
+/// Steps of the scale of colours.
+const SHADES: usize = 9;
+
+const STYLE: &str = "\
+text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif; font-size: 12px; fill: #24292f; }
+.paper { fill: #ffffff; }
+.title { font-size: 15px; font-weight: 600; }
+.tick, .label { fill: #57606a; }
+.grid { stroke: #e6e9ed; }
+.frame { fill: none; stroke: #8c959f; }
+.curve { fill: none; stroke: #0072b2; stroke-width: 1.8; stroke-linejoin: round; }
+.none { fill: #f6f8fa; }
+.s0 { fill: #440154; } .s1 { fill: #472d7b; } .s2 { fill: #3b528b; } .s3 { fill: #2c728e; } .s4 { fill: #21918c; }
+.s5 { fill: #28ae80; } .s6 { fill: #5ec962; } .s7 { fill: #addc30; } .s8 { fill: #fde725; }
+";
+
+/// One panel.
+pub enum Layer {
+    /// Points joined.
+    Curve(Sheet),
+    /// Values over two others.
+    Map(Map),
+}
+
+/// Points joined by a line; one that is not a number is a gap.
+pub struct Sheet {
+    /// Name and unit along.
+    pub along: String,
+    /// Name and unit upwards.
+    pub up: String,
+    /// The points.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// Values over two others.
+pub struct Map {
+    /// Name and unit along.
+    pub along: String,
+    /// Name and unit upwards.
+    pub up: String,
+    /// Name and unit of what is shown.
+    pub name: String,
+    /// Values along.
+    pub columns: Vec<f64>,
+    /// Values upwards.
+    pub rows: Vec<f64>,
+    /// What is shown, row by row; not a number where there is none.
+    pub values: Vec<f64>,
+}
+
+/// Draws panels one below the other.
+pub fn sheets(title: &str, layers: &[Layer]) -> String {
+    let height = TOP + layers.len() as f64 * (PANEL + BELOW);
+    let mut svg = Svg::new(WIDTH, height);
+    svg.rectangle("paper", (0.0, 0.0), (WIDTH, height));
+    svg.text("title", (LEFT, 20.0), Anchor::Start, title);
+    let mut names = Vec::new();
+    for (index, layer) in layers.iter().enumerate() {
+        let top = TOP + index as f64 * (PANEL + BELOW);
+        match layer {
+            Layer::Curve(sheet) => {
+                names.push(format!("{} over {}", sheet.up, sheet.along));
+                curve(&mut svg, sheet, top);
+            }
+            Layer::Map(map) => {
+                names.push(format!("{} over {} and {}", map.name, map.along, map.up));
+                shades(&mut svg, map, top);
+            }
+        }
+    }
+    svg.finish(title, &names.join("; "), STYLE)
+}
+
+fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let finite = values.filter(|value| value.is_finite());
+    finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+        (low.min(value), high.max(value))
+    })
+}
+
+/// The axes of a panel.
+fn axes(
+    svg: &mut Svg,
+    (along, up): (&Axis, &Axis),
+    names: (&str, &str),
+    top: f64,
+    grid: bool,
+) -> (Scale, Scale) {
+    let x = Scale {
+        values: along.ends,
+        pixels: (LEFT, WIDTH - RIGHT),
+    };
+    let y = Scale {
+        values: up.ends,
+        pixels: (top + PANEL, top + 14.0),
+    };
+    for tick in &up.ticks {
+        let at = y.pixel(*tick);
+        if grid {
+            svg.line("grid", (LEFT, at), (WIDTH - RIGHT, at));
+        }
+        svg.text(
+            "tick",
+            (LEFT - 6.0, at + 4.0),
+            Anchor::End,
+            &up.label(*tick),
+        );
+    }
+    for tick in &along.ticks {
+        let at = x.pixel(*tick);
+        if grid {
+            svg.line("grid", (at, y.pixels.1), (at, y.pixels.0));
+        }
+        svg.text(
+            "tick",
+            (at, y.pixels.0 + 16.0),
+            Anchor::Middle,
+            &along.label(*tick),
+        );
+    }
+    let below = (WIDTH - RIGHT, y.pixels.0 + 34.0);
+    svg.text("label", below, Anchor::End, names.0);
+    svg.text("label", (LEFT, y.pixels.1 - 5.0), Anchor::Start, names.1);
+    (x, y)
+}
+
+fn frame(svg: &mut Svg, (x, y): (&Scale, &Scale)) {
+    let size = (x.pixels.1 - x.pixels.0, y.pixels.0 - y.pixels.1);
+    svg.rectangle("frame", (x.pixels.0, y.pixels.1), size);
+}
+
+fn curve(svg: &mut Svg, sheet: &Sheet, top: f64) {
+    let (left, right) = ends(sheet.points.iter().map(|point| point.0));
+    let (low, high) = ends(sheet.points.iter().map(|point| point.1));
+    if low > high {
+        svg.text(
+            "label",
+            (LEFT, top + 30.0),
+            Anchor::Start,
+            &format!("{}: none", sheet.up),
+        );
+        return;
+    }
+    let (along, up) = (Axis::between(left, right, 7), Axis::around(low, high, 5));
+    let (x, y) = axes(svg, (&along, &up), (&sheet.along, &sheet.up), top, true);
+    let points = sheet.points.iter();
+    let points: Vec<_> = points.map(|(a, b)| (x.pixel(*a), y.pixel(*b))).collect();
+    svg.path("curve", &simplify(&points));
+    frame(svg, (&x, &y));
+}
+
+fn shades(svg: &mut Svg, map: &Map, top: f64) {
+    let (low, high) = ends(map.values.iter().copied());
+    let half =
+        |values: &[f64]| (values[values.len() - 1] - values[0]) / (values.len() - 1) as f64 / 2.0;
+    let (wide, tall) = (half(&map.columns), half(&map.rows));
+    let span = |values: &[f64], half: f64| {
+        let (first, last) = (values[0] - half, values[values.len() - 1] + half);
+        (first.min(last), first.max(last))
+    };
+    let ((left, right), (bottom, ceiling)) = (span(&map.columns, wide), span(&map.rows, tall));
+    let along = Axis::between(left, right, 7);
+    let up = Axis::between(bottom, ceiling, 5);
+    let title = format!("{} (up), {} in colour", map.up, map.name);
+    let (x, y) = axes(svg, (&along, &up), (&map.along, &title), top, false);
+    let shade = |value: f64| {
+        let share = if high > low {
+            (value - low) / (high - low)
+        } else {
+            0.0
+        };
+        ((share * SHADES as f64) as usize).min(SHADES - 1)
+    };
+    for (row, b) in map.rows.iter().enumerate() {
+        for (column, a) in map.columns.iter().enumerate() {
+            let value = map.values[row * map.columns.len() + column];
+            let class = match value.is_finite() {
+                true => format!("s{}", shade(value)),
+                false => "none".to_owned(),
+            };
+            let (from, to) = (x.pixel(a - wide), x.pixel(a + wide));
+            let (below, above) = (y.pixel(b - tall), y.pixel(b + tall));
+            // A little larger, so that no paper shines through between neighbours.
+            let size = ((to - from).abs() + 0.4, (below - above).abs() + 0.4);
+            svg.rectangle(&class, (from.min(to), above.min(below)), size);
+        }
+    }
+    frame(svg, (&x, &y));
+    if low > high {
+        return;
+    }
+    let step = (y.pixels.0 - y.pixels.1) / SHADES as f64;
+    for index in 0..SHADES {
+        let at = y.pixels.0 - (index + 1) as f64 * step;
+        svg.rectangle(
+            &format!("s{index}"),
+            (WIDTH - RIGHT + 14.0, at),
+            (14.0, step + 0.4),
+        );
+    }
+    for (value, at) in [(low, y.pixels.0), (high, y.pixels.1 + 10.0)] {
+        let text = crate::number::significant(value, 3);
+        svg.text("tick", (WIDTH - RIGHT + 34.0, at), Anchor::Start, &text);
+    }
+}

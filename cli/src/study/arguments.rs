@@ -1,0 +1,70 @@
+//! What can be asked of `assur study`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::arguments::Format;
+
+/// Examples, and what the formats contain.
+pub const EXAMPLES: &str = "Examples:
+  assur study presser_foot --over omega=150..420:55 --measure free,F_smallest --plot lift_off.svg
+  assur study presser_foot --over omega=200..420:23 --over F10=10N..80N:15 --measure free --plot map.svg
+  assur study table_drive --samples 1000 --tolerance J2=10% --tolerance c=20% --seed 7
+
+--over runs through values from one end to the other, so many of them: one for curves, two for a map.
+--samples makes values at random: those with a tolerance in the file, and those that --tolerance gives one (normally
+distributed, the tolerance being three standard deviations).
+
+Formats: json prints one object, \"assur-study/1\"; csv one row a run.";
+
+/// Options of `assur study`.
+#[derive(Args, Debug, Default)]
+pub struct StudyArguments {
+    /// The mechanism, as `assur list` names it.
+    pub name: Option<String>,
+    /// The scene; the first one that has measures unless given.
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// A named set of values to start from.
+    #[arg(long, value_name = "PRESET")]
+    pub preset: Option<String>,
+    /// A dimension or parameter with its unit, `c=700[N m/rad]`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// A value that is gone through, `omega=200..400:41`; once or twice.
+    #[arg(long, value_name = "NAME=FROM..TO:COUNT")]
+    pub over: Vec<String>,
+    /// Number of runs with values made at random.
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        conflicts_with = "over",
+        allow_hyphen_values = true
+    )]
+    pub samples: Option<String>,
+    /// A tolerance, `J2=10%` or `J2=5e-5[kg m^2]`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE", requires = "samples")]
+    pub tolerance: Vec<String>,
+    /// Which values are made: the same seed gives the same ones.
+    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    pub seed: u64,
+    /// The measures, `F_largest,free`; all unless given.
+    #[arg(long, value_name = "NAMES")]
+    pub measure: Option<String>,
+    /// Number of threads; as many as the machine has unless given.
+    #[arg(long, value_name = "NUMBER", default_value_t = 0)]
+    pub threads: usize,
+    /// Relative tolerance of the integration, from 1e-14 to 1e-2.
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    pub rtol: Option<String>,
+    /// Integration method, as for `assur run`.
+    #[arg(long, value_name = "METHOD")]
+    pub method: Option<String>,
+    /// What is printed.
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+    /// File for the figure.
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<PathBuf>,
+}

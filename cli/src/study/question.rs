@@ -1,0 +1,210 @@
+//! The request, read and checked.
+
+use assur::registry::{Constant, Distribution, Mechanism, SceneEntry, Settings};
+use assur::study;
+
+use super::arguments::StudyArguments;
+use super::range::{self, Range};
+use crate::constants::Constants;
+use crate::error::Failure;
+use crate::lookup::{self, suggestion};
+use crate::settings;
+use crate::values::{quantity, split};
+
+/// Most runs of a study.
+const MOST: usize = 10_000_000;
+
+/// What is asked.
+pub struct Question {
+    /// The mechanism.
+    pub mechanism: &'static Mechanism,
+    /// The scene.
+    pub scene: &'static SceneEntry,
+    /// The values that all runs have in common.
+    pub constants: Constants,
+    /// What differs.
+    pub way: Way,
+    /// The measures, by index.
+    pub measures: Vec<usize>,
+    /// The method and its accuracy.
+    pub settings: Settings,
+    /// Number of threads.
+    pub threads: usize,
+}
+
+/// How the runs differ.
+pub enum Way {
+    /// Over one range, or two.
+    Grid(Vec<Range>),
+    /// With values made at random: the constants with their tolerances, the number of runs, the seed.
+    Random(Vec<Constant>, usize, u64),
+}
+
+impl Question {
+    /// Reads it.
+    ///
+    /// # Errors
+    /// Whatever is unknown, cannot be, or does not go together.
+    pub fn read(options: &StudyArguments) -> Result<Self, Failure> {
+        let Some(name) = &options.name else {
+            return Err(lookup::no_mechanism("study"));
+        };
+        let mechanism = lookup::mechanism(name)?;
+        let scene = scene(mechanism, options.scene.as_deref())?;
+        let constants =
+            Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
+        let way = match &options.samples {
+            Some(samples) => random(options, scene, &constants, samples)?,
+            None => grid(options, scene)?,
+        };
+        Ok(Self {
+            mechanism,
+            scene,
+            constants,
+            way,
+            measures: measures(scene, options.measure.as_deref())?,
+            settings: Settings {
+                method: settings::method(options.method.as_deref())?,
+                rtol: settings::rtol(options.rtol.as_deref())?,
+            },
+            threads: options.threads,
+        })
+    }
+
+    /// Number of runs.
+    pub fn count(&self) -> usize {
+        match &self.way {
+            Way::Grid(ranges) => ranges.iter().map(|range| range.values.len()).product(),
+            Way::Random(_, samples, _) => *samples,
+        }
+    }
+
+    /// The values of a run, SI units. Of two ranges the first changes fastest.
+    pub fn values(&self, index: usize) -> Vec<f64> {
+        let mut values = self.constants.values.clone();
+        match &self.way {
+            Way::Grid(ranges) => {
+                let mut rest = index;
+                for range in ranges {
+                    values[range.constant] = range.values[rest % range.values.len()];
+                    rest /= range.values.len();
+                }
+                values
+            }
+            Way::Random(constants, _, seed) => study::drawn(constants, &values, *seed, index),
+        }
+    }
+}
+
+/// The scene that is asked for, or the first that has measures.
+fn scene(
+    mechanism: &'static Mechanism,
+    name: Option<&str>,
+) -> Result<&'static SceneEntry, Failure> {
+    let measured = |scene: &&SceneEntry| !scene.measures.is_empty();
+    let scene = match name {
+        Some(_) => lookup::scene(mechanism, name)?,
+        None => match mechanism.scenes.iter().find(measured) {
+            Some(scene) => scene,
+            None => lookup::scene(mechanism, None)?,
+        },
+    };
+    match measured(&scene) {
+        true => Ok(scene),
+        false => Err(Failure::request(format!(
+            "scene `{}` of `{}` has no measures",
+            scene.name, mechanism.name
+        ))
+        .remedy("a measure is stated in the equation file, `measure x_max = peak(x);`, and holds for scenes that run")),
+    }
+}
+
+fn grid(options: &StudyArguments, scene: &SceneEntry) -> Result<Way, Failure> {
+    let ranges = options.over.iter().map(|text| range::read(scene, text));
+    let ranges: Vec<Range> = ranges.collect::<Result<_, _>>()?;
+    if ranges.is_empty() || ranges.len() > 2 {
+        return Err(Failure::request(
+            "a study goes through one range or two, or makes values at random",
+        )
+        .remedy("add --over NAME=FROM..TO:COUNT once or twice, or --samples 1000"));
+    }
+    if ranges.len() == 2 && ranges[0].constant == ranges[1].constant {
+        return Err(Failure::request("both ranges are of the same value")
+            .place(format!("--over {}", options.over[1]))
+            .remedy("name another one"));
+    }
+    let count: usize = ranges.iter().map(|range| range.values.len()).product();
+    if count > MOST {
+        return Err(Failure::request(format!("{count} runs are too many"))
+            .remedy(format!("a study has {MOST} at most")));
+    }
+    Ok(Way::Grid(ranges))
+}
+
+fn random(
+    options: &StudyArguments,
+    scene: &SceneEntry,
+    values: &Constants,
+    samples: &str,
+) -> Result<Way, Failure> {
+    let count = samples.trim().parse().ok();
+    let count = count
+        .filter(|count| (2..=MOST).contains(count))
+        .ok_or_else(|| {
+            Failure::request(format!("`{samples}` is no number of samples"))
+                .place(format!("--samples {samples}"))
+                .remedy(format!("give a whole number from 2 to {MOST}"))
+        })?;
+    let mut constants = scene.constants.to_vec();
+    for text in &options.tolerance {
+        let place = format!("--tolerance {text}");
+        let (name, width) = split(text, "--tolerance", "J2=10%")?;
+        let index = range::constant(scene, name, &place)?;
+        let nominal = values.values[index];
+        let tolerance = match width.strip_suffix('%') {
+            Some(share) => share
+                .trim()
+                .parse::<f64>()
+                .ok()
+                .map(|share| share / 100.0 * nominal.abs()),
+            None => Some(
+                quantity(width, &constants[index].quantity)
+                    .map_err(|failure| failure.place(place.clone()))?,
+            ),
+        };
+        let tolerance = tolerance.filter(|one| one.is_finite() && *one > 0.0);
+        constants[index].tolerance = tolerance.ok_or_else(|| {
+            Failure::request(format!("`{width}` is no tolerance of `{name}`"))
+                .place(place)
+                .remedy("give a part, `10%`, or a value with its unit, above zero")
+        })?;
+        constants[index].distribution = Distribution::Normal;
+    }
+    if constants.iter().all(|one| one.tolerance == 0.0) {
+        return Err(Failure::request(format!(
+            "nothing in scene `{}` has a tolerance, so all runs would be the same",
+            scene.name
+        ))
+        .place(format!("--samples {samples}"))
+        .remedy("give one: --tolerance NAME=10%"));
+    }
+    Ok(Way::Random(constants, count, options.seed))
+}
+
+/// The measures that are asked for, by index.
+fn measures(scene: &SceneEntry, names: Option<&str>) -> Result<Vec<usize>, Failure> {
+    let known: Vec<&str> = scene.measures.iter().map(|one| one.name).collect();
+    let Some(names) = names else {
+        return Ok((0..known.len()).collect());
+    };
+    let wanted = names.split(',').map(str::trim);
+    wanted
+        .map(|name| {
+            known.iter().position(|one| *one == name).ok_or_else(|| {
+                Failure::request(format!("scene `{}` has no measure `{name}`", scene.name))
+                    .place(format!("--measure {names}"))
+                    .remedy(suggestion(name, &known))
+            })
+        })
+        .collect()
+}

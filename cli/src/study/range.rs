@@ -1,0 +1,92 @@
+//! What stands behind `--over`.
+
+use assur::registry::SceneEntry;
+
+use crate::constants;
+use crate::error::Failure;
+use crate::lookup::suggestion;
+use crate::values::{quantity, split};
+
+/// Most values along one range.
+const MOST: usize = 100_000;
+
+/// Values that are gone through.
+#[derive(Clone, Debug)]
+pub struct Range {
+    /// The constant, by index.
+    pub constant: usize,
+    /// The values, SI units.
+    pub values: Vec<f64>,
+}
+
+/// The constant of a name, by index.
+///
+/// # Errors
+/// When the scene has none; the nearest name is offered.
+pub fn constant(scene: &SceneEntry, name: &str, option: &str) -> Result<usize, Failure> {
+    let names: Vec<&str> = scene
+        .constants
+        .iter()
+        .map(|one| one.quantity.name)
+        .collect();
+    names.iter().position(|one| *one == name).ok_or_else(|| {
+        Failure::request(format!(
+            "scene `{}` has no dimension or parameter `{name}`",
+            scene.name
+        ))
+        .place(option.to_owned())
+        .remedy(suggestion(name, &names))
+    })
+}
+
+/// Reads an `--over`.
+///
+/// # Errors
+/// An unknown name, a wrong unit or number, a value out of its range.
+pub fn read(scene: &SceneEntry, text: &str) -> Result<Range, Failure> {
+    const EXAMPLE: &str = "omega=200..400:41";
+    let place = format!("--over {text}");
+    let (name, rest) = split(text, "--over", EXAMPLE)?;
+    let index = constant(scene, name, &place)?;
+    let entry = &scene.constants[index];
+    let parts = rest.rsplit_once(':').and_then(|(range, count)| {
+        let (from, to) = range.split_once("..")?;
+        Some((from.trim(), to.trim(), count.trim()))
+    });
+    let Some((from, to, count)) = parts else {
+        return Err(Failure::request("--over takes NAME=FROM..TO:COUNT")
+            .place(place)
+            .remedy(format!("for example: --over {EXAMPLE}")));
+    };
+    let count: usize = count
+        .parse()
+        .ok()
+        .filter(|count| (2..=MOST).contains(count))
+        .ok_or_else(|| {
+            Failure::request(format!("`{count}` is no number of values"))
+                .place(place.clone())
+                .remedy(format!(
+                    "give a whole number from 2 to {MOST} after the colon"
+                ))
+        })?;
+    let mut ends = [0.0; 2];
+    for (end, text) in ends.iter_mut().zip([from, to]) {
+        *end = quantity(text, &entry.quantity).map_err(|failure| failure.place(place.clone()))?;
+        constants::permitted(entry, *end).map_err(|failure| failure.place(place.clone()))?;
+    }
+    let [from, to] = ends;
+    if from == to {
+        return Err(Failure::request("the range has no length")
+            .place(place)
+            .remedy("give two different ends, or use --set"));
+    }
+    let last = (count - 1) as f64;
+    let value = |number: usize| match number as f64 == last {
+        true => to,
+        false => from + (to - from) * (number as f64 / last),
+    };
+    Ok(Range {
+        constant: index,
+        values: (0..count).map(value).collect(),
+    })
+}

@@ -1,0 +1,107 @@
+//! How the events of a cycle depend on the state.
+
+use assur_model::checked::SpanKind;
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::body::{Body, Place};
+use super::expression::size;
+use super::layout::Layout;
+use super::modes::each;
+
+/// Whether variations of the motion pass through its events.
+pub fn has(layout: &Layout<'_>) -> bool {
+    layout.scene.span == SpanKind::Periodic
+}
+
+/// The methods of a mode's equations.
+pub fn of_mode(layout: &Layout<'_>) -> Option<TokenStream> {
+    if !has(layout) {
+        return None;
+    }
+    let events = &layout.program().results.events;
+    let (name, instant) = (&layout.equations, &layout.instant);
+    let count = layout.states();
+    let states = size(count);
+    let guards = each(events, |event| {
+        let wanted = &event.slopes.guard;
+        let body = Body::new(layout, Place::Evaluation, wanted, &[]);
+        let statements = body.statements(wanted);
+        let values = wanted.iter().map(|value| body.value(*value));
+        Some(quote!({ #statements *slopes = [#(#values),*]; }))
+    });
+    let jumps = each(events, |event| {
+        let (after, rate) = (&event.slopes.after, &event.slopes.rate);
+        if after.is_empty() {
+            return None;
+        }
+        let wanted: Vec<_> = after.iter().chain(rate).copied().collect();
+        let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
+        let statements = body.statements(&wanted);
+        let columns = (0..count).map(|column| {
+            let values = after[column * count..][..count].iter();
+            let (values, at) = (values.map(|value| body.value(*value)), size(column));
+            quote!(columns[#at] = [#(#values),*];)
+        });
+        let rates = rate.iter().map(|value| body.value(*value));
+        Some(quote!({ #statements #(#columns)* *rate = [#(#rates),*]; true }))
+    });
+    Some(quote! {
+        impl<S: ::assur::scalar::Scalar> #name<S> {
+            #[inline(never)]
+            fn guard_slopes_(&self, event: usize, instant: &#instant<S>, state: &[S; #states], slopes: &mut [S; #states]) {
+                match event {
+                    #guards
+                    _ => {}
+                }
+            }
+
+            #[inline(never)]
+            fn jump_slopes_(
+                &self,
+                event: usize,
+                instant: &#instant<S>,
+                state: &[S; #states],
+                columns: &mut [[S; #states]],
+                rate: &mut [S; #states],
+            ) -> bool {
+                match event {
+                    #jumps
+                    _ => false,
+                }
+            }
+        }
+    })
+}
+
+/// The trait of the equations of a scene.
+pub fn of_scene(
+    layout: &Layout<'_>,
+    (variants, fields): &(Vec<Ident>, Vec<Ident>),
+) -> Option<TokenStream> {
+    let (name, instant) = (&layout.equations, &layout.instant);
+    has(layout).then(|| {
+        quote! {
+            impl<S: ::assur::scalar::Scalar> ::assur::hybrid::Sensitive<S> for #name<S> {
+                fn guard_slopes(&self, event: usize, instant: &Self::Instant, state: &Self::State, slopes: &mut Self::State) {
+                    match instant {
+                        #(#instant::#variants(instant) => self.#fields.guard_slopes_(event, instant, state, slopes),)*
+                    }
+                }
+
+                fn jump_slopes(
+                    &self,
+                    event: usize,
+                    instant: &Self::Instant,
+                    state: &Self::State,
+                    columns: &mut [Self::State],
+                    rate: &mut Self::State,
+                ) -> bool {
+                    match instant {
+                        #(#instant::#variants(instant) => self.#fields.jump_slopes_(event, instant, state, columns, rate),)*
+                    }
+                }
+            }
+        }
+    })
+}

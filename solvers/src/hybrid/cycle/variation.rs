@@ -1,0 +1,207 @@
+//! How a motion through events depends on where it begins.
+//!
+//! Between events the variations obey `C' = (∂f/∂y) C` along the motion. At an event with the guard `g(t, y)` and the
+//! jump `R(t, y)`, from rates `f⁻` to rates `f⁺`, a disturbed motion meets the guard earlier or later, and
+//!
+//! `C⁺ = (R_y + (f⁺ - R_y f⁻ - R_t) g_yᵀ / ġ) C⁻`,
+//!
+//! the saltation matrix (M. di Bernardo, C. J. Budd, A. R. Champneys, P. Kowalczyk: *Piecewise-smooth Dynamical Systems*,
+//! 2008, section 2.5). Events at one instant, where one sets off the next, are one: the first one's guard, and all jumps
+//! one after the other.
+
+use std::cell::RefCell;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::super::{Happened, Motion, Piece};
+use super::error::CycleError;
+use super::flow::{Flow, Local};
+use crate::ode::{AbsoluteTolerance, Dop853, Options, System, Workspace, integrate};
+use crate::registry::Settings;
+
+/// The matrix of derivatives of the end of a motion by its begin, SI units.
+pub(super) fn of(
+    flow: &dyn Flow,
+    motion: &Motion,
+    settings: &Settings,
+) -> Result<DMatrix<f64>, CycleError> {
+    let states = flow.scales().len();
+    let mut matrix = DMatrix::identity(states, states);
+    let mut events = motion.events.as_slice();
+    let mut before: &[f64] = &[];
+    for piece in &motion.pieces {
+        let begin = piece.trajectory.times()[0];
+        let due = events.partition_point(|event| event.time <= begin);
+        if due > 0 {
+            let after = flow.local(piece.mode, &piece.sides);
+            matrix = jump(flow, &events[..due], before, after.as_ref())? * matrix;
+            events = &events[due..];
+        }
+        let local = flow.local(piece.mode, &piece.sides);
+        matrix = along(local.as_ref(), piece, flow.scales(), matrix, settings)?;
+        before = &piece.sides;
+    }
+    if !events.is_empty() {
+        let after = flow.local(motion.mode, &[]);
+        matrix = jump(flow, events, before, after.as_ref())? * matrix;
+    }
+    Ok(matrix)
+}
+
+/// The matrix of events at one instant, of which each sets off the next.
+fn jump(
+    flow: &dyn Flow,
+    events: &[Happened],
+    sides: &[f64],
+    after: &dyn Local,
+) -> Result<DMatrix<f64>, CycleError> {
+    let states = flow.scales().len();
+    let (first, last) = (&events[0], &events[events.len() - 1]);
+    let mut slopes = DVector::zeros(states);
+    let local = flow.local(first.from, sides);
+    let passing = local.guard(
+        first.event,
+        first.time,
+        &first.before,
+        slopes.as_mut_slice(),
+    );
+    let mut rate = DVector::zeros(states);
+    local.rate(first.time, &first.before, rate.as_mut_slice());
+    let mut jumps = DMatrix::identity(states, states);
+    for (index, event) in events.iter().enumerate() {
+        let local = flow.local(event.from, if index == 0 { sides } else { &[] });
+        let mut columns = DMatrix::zeros(states, states);
+        let mut total = DVector::zeros(states);
+        let sets = local.jump(
+            event.event,
+            event.time,
+            &event.before,
+            columns.as_mut_slice(),
+            total.as_mut_slice(),
+        );
+        if !sets {
+            continue;
+        }
+        // `total` is along the motion of the mode that the event leaves, which is not that before all of them.
+        let mut own = DVector::zeros(states);
+        local.rate(event.time, &event.before, own.as_mut_slice());
+        rate = total + &columns * (rate - own);
+        jumps = columns * jumps;
+    }
+    let mut next = DVector::zeros(states);
+    after.rate(last.time, &last.after, next.as_mut_slice());
+    // A guard of the time alone is met by all motions together.
+    if slopes.iter().all(|slope| *slope == 0.0) {
+        return Ok(jumps);
+    }
+    let matrix = jumps + (next - rate) * slopes.transpose() / passing;
+    match matrix.iter().all(|entry| entry.is_finite()) {
+        true => Ok(matrix),
+        false => Err(CycleError::Grazing {
+            time: first.time,
+            mode: first.from,
+            event: first.event,
+        }),
+    }
+}
+
+/// Carries the columns of a matrix along a piece of the motion.
+fn along(
+    local: &dyn Local,
+    piece: &Piece,
+    scales: &[f64],
+    start: DMatrix<f64>,
+    settings: &Settings,
+) -> Result<DMatrix<f64>, CycleError> {
+    let times = piece.trajectory.times();
+    let (from, to) = (times[0], times[times.len() - 1]);
+    if to - from <= 4.0 * f64::EPSILON * from.abs() {
+        return Ok(start);
+    }
+    let states = scales.len();
+    let columns = Columns {
+        local,
+        piece,
+        scales,
+        room: RefCell::new((vec![0.0; states], vec![0.0; states * states])),
+    };
+    // In states over their scales: entry `i` of column `j` is a change of `scales[i]` per `scales[j]`.
+    let scaled = |matrix: &DMatrix<f64>, up: bool| {
+        DMatrix::from_fn(states, states, |i, j| {
+            let factor = scales[j] / scales[i];
+            matrix[(i, j)] * if up { factor } else { 1.0 / factor }
+        })
+    };
+    let start: Vec<f64> = scaled(&start, true).as_slice().to_vec();
+    let tolerance = settings.rtol.max(1e-12);
+    let options = Options {
+        rtol: tolerance,
+        atol: AbsoluteTolerance::Same(tolerance),
+        first_step: Some(times[1] - times[0]),
+        ..Options::default()
+    };
+    let mut workspace = Workspace::<Vec<f64>, Dop853>::new::<f64, _>(&columns);
+    integrate(
+        &columns,
+        (from, to),
+        &start,
+        &options,
+        &mut workspace,
+        &mut (),
+    )
+    .map_err(CycleError::Variation)?;
+    let end = DMatrix::from_column_slice(states, states, workspace.state());
+    Ok(scaled(&end, false))
+}
+
+/// The variational equations along a piece of a motion.
+struct Columns<'a> {
+    local: &'a dyn Local,
+    piece: &'a Piece,
+    scales: &'a [f64],
+    /// Room for a state and a matrix.
+    room: RefCell<(Vec<f64>, Vec<f64>)>,
+}
+
+impl System<f64> for Columns<'_> {
+    type State = Vec<f64>;
+    type Instant = f64;
+
+    fn zeros(&self) -> Vec<f64> {
+        vec![0.0; self.scales.len() * self.scales.len()]
+    }
+
+    fn instants<const K: usize>(&self, times: [f64; K]) -> [f64; K] {
+        times
+    }
+
+    fn rate(&self, time: &f64, columns: &Vec<f64>, rates: &mut Vec<f64>) {
+        let states = self.scales.len();
+        let mut room = self.room.borrow_mut();
+        let (state, matrix) = &mut *room;
+        self.piece.trajectory.at_into(*time, state);
+        self.local.jacobian(*time, state, matrix);
+        rates.fill(0.0);
+        for (column, rate) in columns.chunks(states).zip(rates.chunks_mut(states)) {
+            for (inner, value) in column.iter().enumerate() {
+                let value = value * self.scales[inner];
+                let slopes = &matrix[inner * states..][..states];
+                for ((rate, slope), scale) in rate.iter_mut().zip(slopes).zip(self.scales) {
+                    *rate += slope * value / scale;
+                }
+            }
+        }
+    }
+
+    fn parts(_state: &Vec<f64>) -> usize {
+        1
+    }
+
+    fn part(state: &Vec<f64>, _number: usize) -> &[f64] {
+        state
+    }
+
+    fn part_mut(state: &mut Vec<f64>, _number: usize) -> &mut [f64] {
+        state
+    }
+}

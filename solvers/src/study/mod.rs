@@ -1,0 +1,106 @@
+//! Many runs of one scene with different values: over a grid, or with values made at random.
+//!
+//! Runs know nothing of each other, so they go to whichever thread is free. What a run says depends on its number
+//! alone: the answer is the same, bit for bit, for any number of threads.
+
+mod draw;
+mod spread;
+
+pub use draw::drawn;
+pub use spread::{Spread, share, spread};
+
+use std::num::NonZeroUsize;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use crate::hybrid::Motion;
+use crate::measure::Missing;
+use crate::problem::Span;
+use crate::registry::{Bind, Run, Settings};
+
+/// What a run came to: its measures, each with its value or why there is none; or why there is no motion.
+pub type Outcome = Result<Vec<Result<f64, Missing>>, String>;
+
+/// Runs a scene `count` times, with the values (SI units) that `values` gives for each number. `progress` hears how many
+/// runs more are done; `threads` is zero for as many as the machine has.
+pub fn runs(
+    bind: &Bind,
+    count: usize,
+    values: &(dyn Fn(usize) -> Vec<f64> + Sync),
+    settings: &Settings,
+    threads: usize,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Vec<Outcome> {
+    each(count, threads, progress, &|index| {
+        let run = bind.motion(&values(index));
+        let run = run.map_err(|refused| refused.to_string())?;
+        let motion = motion(run.as_ref(), settings)?;
+        Ok(run.measure(&motion))
+    })
+}
+
+/// The motion of a scene over its task.
+///
+/// # Errors
+/// Why there is none, in words.
+pub fn motion(run: &dyn Run, settings: &Settings) -> Result<Motion, String> {
+    match run.span() {
+        Span::Periodic(period) if run.mode_count() > 0 => {
+            let cycle = run.cycle(period, settings);
+            cycle
+                .map(|cycle| cycle.motion)
+                .map_err(|error| error.to_string())
+        }
+        Span::Periodic(period) => {
+            let orbit = run.periodic(period, settings);
+            orbit
+                .map(|orbit| Motion::of(orbit.trajectory))
+                .map_err(|error| error.to_string())
+        }
+        Span::Run(from, to) => {
+            let motion = run.follow((from, to), &run.start(), settings);
+            motion.map_err(|error| error.to_string())
+        }
+        Span::Open => Err("the scene has no task".to_string()),
+    }
+}
+
+/// Does work for each number below `count`, on several threads, and gives the results in their order.
+pub fn each<T: Send>(
+    count: usize,
+    threads: usize,
+    progress: &(dyn Fn(u64) + Sync),
+    work: &(dyn Fn(usize) -> T + Sync),
+) -> Vec<T> {
+    let machine = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let threads = if threads == 0 { machine() } else { threads };
+    let next = AtomicUsize::new(0);
+    let gathered = Mutex::new(Vec::with_capacity(count));
+    let part = || {
+        let mut done = Vec::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= count {
+                break;
+            }
+            done.push((index, work(index)));
+            progress(1);
+        }
+        let mut all = gathered.lock().unwrap_or_else(|poison| poison.into_inner());
+        all.extend(done);
+    };
+    std::thread::scope(|scope| {
+        for _ in 1..threads.clamp(1, count.clamp(1, 1024)) {
+            scope.spawn(part);
+        }
+        part();
+    });
+    let mut all = gathered
+        .into_inner()
+        .unwrap_or_else(|poison| poison.into_inner());
+    all.sort_unstable_by_key(|(index, _)| *index);
+    all.into_iter().map(|(_, one)| one).collect()
+}
+
+#[cfg(test)]
+mod tests;

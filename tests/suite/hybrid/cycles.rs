@@ -1,0 +1,209 @@
+//! Motions through events that repeat: a ball on a shaken table, a mass that is shaken against a stop.
+
+use std::f64::consts::PI;
+
+use assur::hybrid::{self, Cycle, CycleError};
+use assur::prelude::*;
+
+const FINE: Settings = Settings {
+    method: Method::Dop853,
+    rtol: 1e-12,
+};
+
+mod ball {
+    assur::mechanism! {
+        /// A ball that bounces on a table which moves up and down.
+        Ball from "P. J. Holmes, J. Sound Vib. 84 (1982) 173";
+        parameter g = 9.80665 [m/s^2], a = 1 mm, omega = 200 [1/s], e = 0.8 in 0 .. 1;
+        let table = a*cos(omega*time);
+        coordinate y: m = 1 mm, rate = 0.15 [m/s];
+        motion ddot(y) = -g;
+        when y - table falls { set y = table, dot(y) = dot(table) + e*(dot(table) - dot(y)); }
+        output y, table;
+        measure height = peak(y - table) [mm];
+        scene bounce { periodic over 2*pi/omega; }
+    }
+}
+
+mod stop {
+    assur::mechanism! {
+        /// A mass on a spring and a damper, shaken, and a second spring that it meets.
+        Stop from "a piecewise linear oscillator";
+        parameter m = 1 kg, c = 100 [N/m], d = 1 [N s/m], stiff = 1e5 [N/m], damping = 20 [N s/m];
+        parameter F = 8 N, omega = 12 [1/s], gap = 5 mm;
+        coordinate x: m = 0;
+        let pull = F*cos(omega*time) - c*x - d*dot(x);
+        let push = stiff*(x - gap) + damping*dot(x);
+        mode free {
+            let N = 0;
+            motion m*ddot(x) = pull;
+            when x - gap rises -> pressed;
+        }
+        mode pressed {
+            let N = push;
+            motion m*ddot(x) = pull - push;
+            when push falls -> apart;
+        }
+        mode apart "The stop stays behind: its spring is not yet relaxed." {
+            let N = 0;
+            motion m*ddot(x) = pull;
+            when x - gap falls -> free;
+            when push rises -> pressed;
+        }
+        output x, dot(x), N;
+        measure N_max = peak(N), contact = duration(N > 0);
+        scene shaken { periodic over 2*pi/omega; }
+    }
+}
+
+/// The scene at which the ball bounces once a period, with this amplitude in terms of gravity.
+fn bounce(amplitude: f64) -> ball::Bounce {
+    let scene = ball::Bounce::default();
+    ball::Bounce {
+        a: amplitude * scene.g / scene.omega.powi(2),
+        ..scene
+    }
+}
+
+/// Looks for it near the motion of the closed form.
+fn cycle(scene: &ball::Bounce) -> Result<Cycle, CycleError> {
+    let period = 2.0 * PI / scene.omega;
+    let (speed, impact) = closed_form(scene);
+    let (place, flown) = (scene.a * impact.cos(), period - impact / scene.omega);
+    let y = place + speed * flown - scene.g * flown * flown / 2.0;
+    let start = [y, 1.0001 * (speed - scene.g * flown)];
+    hybrid::cycle_from(scene, (0, &start), period, &FINE)
+}
+
+/// Speed after the impact and the angle at which it happens, where the ball bounces once a period: it leaves and comes
+/// back at half the speed that gravity changes in a period, and the table makes up for the loss.
+fn closed_form(scene: &ball::Bounce) -> (f64, f64) {
+    let speed = scene.g * PI / scene.omega;
+    let table = speed * (1.0 - scene.e) / (1.0 + scene.e);
+    (speed, 2.0 * PI - (table / (scene.a * scene.omega)).asin())
+}
+
+/// The largest amplitude at which bouncing once a period is stable: there its multiplier is -1.
+fn limit(e: f64) -> f64 {
+    let lost = PI * (1.0 - e) / (1.0 + e);
+    lost.hypot(2.0 * (1.0 + e * e) / (1.0 + e).powi(2))
+}
+
+#[test]
+fn a_ball_bounces_once_a_period_at_the_phase_of_the_closed_form() {
+    let scene = bounce(0.9);
+    let found = cycle(&scene).unwrap();
+    assert_eq!((found.multiple, found.motion.events.len()), (1, 1));
+    let (speed, angle) = closed_form(&scene);
+    let event = &found.motion.events[0];
+    assert!((event.before[1] + speed).abs() < 1e-11 * speed, "{event:?}");
+    assert!((event.after[1] - speed).abs() < 1e-11 * speed, "{event:?}");
+    assert!(
+        (scene.omega * event.time - angle).abs() < 1e-10,
+        "{}",
+        scene.omega * event.time
+    );
+    // One impact loses the area e^2 in the plane of phase and speed.
+    let product: f64 = found.multipliers.iter().map(|one| one.modulus()).product();
+    assert!((product - scene.e.powi(2)).abs() < 1e-9, "{product}");
+}
+
+#[test]
+fn the_multiplier_is_minus_one_where_the_closed_form_says_that_the_motion_doubles_its_period() {
+    let e = ball::Bounce::default().e;
+    let below = cycle(&bounce(limit(e) * 0.9999)).unwrap();
+    assert_eq!(below.multiple, 1);
+    let largest = below.multipliers[0];
+    assert!(
+        largest.re < -0.99 && largest.re > -1.0 && largest.im == 0.0,
+        "{largest}"
+    );
+    let above = cycle(&bounce(limit(e) * 1.01)).unwrap();
+    assert_eq!(above.multiple, 2);
+    assert!(above.is_stable());
+    assert_eq!(above.motion.events.len(), 2);
+}
+
+#[test]
+fn where_nothing_that_repeats_is_stable_the_evidence_is_given() {
+    let error = cycle(&bounce(1.25)).unwrap_err();
+    let CycleError::NoneStable {
+        followed,
+        growth,
+        unstable,
+        ..
+    } = &error
+    else {
+        panic!("not expected: {error}");
+    };
+    assert!(*followed > 400 && *growth > 1.01, "{error}");
+    assert!(
+        unstable
+            .as_ref()
+            .is_some_and(|cycle| cycle.multipliers[0].modulus() > 1.0),
+        "{error}"
+    );
+    // The naive way, a long simulation, returns numbers all the same.
+    let scene = bounce(1.25);
+    let period = 2.0 * PI / scene.omega;
+    let naive = hybrid::march(&scene, (0.0, 100.0 * period), &scene.start(), &FINE).unwrap();
+    assert!(naive.end.iter().all(|one| one.is_finite()));
+}
+
+#[test]
+fn the_multipliers_are_those_of_differences() {
+    let scene = stop::Shaken::default();
+    let period = 2.0 * PI / scene.omega;
+    let found = hybrid::cycle(&scene, period, &FINE).unwrap();
+    assert!(
+        found.motion.events.len() >= 2,
+        "{:?}",
+        found.motion.events.len()
+    );
+    let time = period * found.multiple as f64;
+    let piece = &found.motion.pieces[0];
+    let start = piece.trajectory.at(0.0);
+    let end = |change: [f64; 2]| {
+        let start = [start[0] + change[0], start[1] + change[1]];
+        hybrid::march_in(&scene, piece.mode, (0.0, time), &start, &FINE)
+            .unwrap()
+            .end
+    };
+    let column = |change: [f64; 2], size: f64| {
+        let (after, before) = (end(change), end([-change[0], -change[1]]));
+        [0, 1].map(|row| (after[row] - before[row]) / (2.0 * size))
+    };
+    let (first, second) = (column([1e-8, 0.0], 1e-8), column([0.0, 1e-7], 1e-7));
+    let (trace, determinant) = (
+        first[0] + second[1],
+        first[0] * second[1] - first[1] * second[0],
+    );
+    let [a, b] = [found.multipliers[0], found.multipliers[1]];
+    assert!(
+        (a.re + b.re - trace).abs() < 1e-6,
+        "{} against {trace}",
+        a.re + b.re
+    );
+    let product = a.re * b.re - a.im * b.im;
+    assert!(
+        (product - determinant).abs() < 1e-6,
+        "{product} against {determinant}"
+    );
+    // Without the jump of the variations at events they are others: the smooth part alone.
+    let smooth = (-scene.d / scene.m * time).exp();
+    assert!((product - smooth).abs() > 1e-3, "{product} {smooth}");
+}
+
+#[test]
+fn a_long_simulation_comes_to_the_same_motion() {
+    let scene = stop::Shaken::default();
+    let period = 2.0 * PI / scene.omega;
+    let found = hybrid::cycle(&scene, period, &FINE).unwrap();
+    assert!(found.is_stable());
+    let turns = 400.0 * found.multiple as f64;
+    let long = hybrid::march(&scene, (0.0, turns * period), &scene.start(), &FINE).unwrap();
+    let closed = found.motion.pieces[0].trajectory.at(0.0);
+    for (a, b) in long.end.iter().zip(&closed) {
+        assert!((a - b).abs() < 1e-9, "{a} against {b}");
+    }
+}
