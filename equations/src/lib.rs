@@ -14,4 +14,5 @@ assur::equations! {
     "dwell_six_bar.eqn",
     "table_drive.eqn",
     "presser_foot.eqn",
+    "needle_impact.eqn",
 }

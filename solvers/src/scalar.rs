@@ -35,6 +35,8 @@ pub trait Scalar:
 {
     /// Result of a comparison; [`Scalar::and`], [`Scalar::or`] and [`Scalar::not`] are its operators.
     type Mask: Copy
+        + Send
+        + Sync
         + std::fmt::Debug
         + std::ops::BitAnd<Output = Self::Mask>
         + std::ops::BitOr<Output = Self::Mask>

@@ -3,4 +3,5 @@
 mod bounce;
 mod cycles;
 mod hard;
+mod needle_impact;
 mod table_drive;

@@ -145,7 +145,11 @@ impl<L: Linkage> Position<L> {
                             .fold(0.0, f64::max)
                     };
                     let mean = (largest(row, row) * largest(column, column)).sqrt();
-                    let scale = largest(row, column).max(mean);
+                    // One that is zero is found as the rounding of the slope that does not change.
+                    let slope = slopes[row].outputs[output].abs();
+                    let size = self.size(L::VARIABLES[column]);
+                    let flat = if size > 0.0 { slope / size } else { 0.0 };
+                    let scale = largest(row, column).max(mean).max(flat);
                     if is_off(found, wanted, SECOND * scale) {
                         let (p, q) = (L::VARIABLES[row], L::VARIABLES[column]);
                         return Err(Failed(format!(
@@ -157,6 +161,14 @@ impl<L: Linkage> Position<L> {
             }
         }
         Ok(())
+    }
+
+    /// The absolute value of a variable.
+    fn size(&self, variable: Variable) -> f64 {
+        match variable {
+            Variable::Constant(index) => self.values[index].abs(),
+            Variable::Driver(index) => self.independents[index].abs(),
+        }
     }
 
     /// How everything changes with one variable, by dual numbers: the loops are closed again in their derivatives.

@@ -38,13 +38,22 @@ pub(super) fn of(
     let further = |a: f64, b: f64| if sense.better(a, b) { a } else { b };
     let start = best.unwrap_or(ends[0].1);
     let mut found = points.iter().fold(start, |best, one| further(one.1, best));
-    for window in points.windows(3) {
-        let [before, here, after] = [window[0], window[1], window[2]];
+    let last = points.len() - 1;
+    for (place, here) in points.iter().enumerate() {
+        // At an end of the step too: the next step does not see what lies beside it.
+        let (before, after) = (points[place.saturating_sub(1)], points[last.min(place + 1)]);
         if sense.better(before.1, here.1) || sense.better(after.1, here.1) {
             continue;
         }
-        // A parabola says how far out the extreme may lie; twice as far is looked for.
-        let rise = (here.1 - before.1).abs().max((here.1 - after.1).abs());
+        // A parabola says how far out the extreme may lie; twice as far is looked for. Beside an end it takes two more
+        // points to draw one.
+        let near = match place == 0 || place == last {
+            true => &points[place.saturating_sub(2)..=last.min(place + 2)],
+            false => &points[place - 1..=place + 1],
+        };
+        let rise = near
+            .iter()
+            .fold(0.0_f64, |most, one| most.max((here.1 - one.1).abs()));
         let reach = match sense {
             Sense::Largest => here.1 + rise,
             Sense::Smallest => here.1 - rise,

@@ -68,6 +68,19 @@ fn a_peak_between_the_steps_is_found_where_samples_miss_it() {
     is(found(&motion, of(Kind::Lowest), &[&hill]), hill(3.0), 0.0);
 }
 
+/// In every place of a step, beside its ends as well, where all other points of the grid lie on one side.
+#[test]
+fn a_peak_is_found_wherever_it_lies_in_a_step() {
+    let motion = run(0.0, 3.0, 3);
+    for place in 0..=300 {
+        let top = f64::from(place) / 100.0;
+        let hill = |time: f64| 1.0 - 50.0 * (time - top).powi(2);
+        is(found(&motion, of(Kind::Peak), &[&hill]), 1.0, 1e-15);
+        let valley = |time: f64| -hill(time);
+        is(found(&motion, of(Kind::Lowest), &[&valley]), -1.0, 1e-15);
+    }
+}
+
 #[test]
 fn means_are_integrals_and_not_means_of_samples() {
     let motion = run(0.0, 2.0 * PI, 7);

@@ -130,6 +130,29 @@ fn events_at_one_instant_follow_each_other() {
     assert_eq!(motion.mode, 3);
 }
 
+mod geared {
+    assur::mechanism! {
+        /// A mark that goes at one of two speeds: half of the condition depends on a constant alone.
+        Geared from "made up";
+        parameter gear = 3, slow = 1 [1/s];
+        state x: 1 = 0;
+        motion go: dot(x) = if gear > 2 && x < 2 { 2*slow } else { slow };
+        when x - 3 rises { set x = 0; }
+        output x;
+        scene once { run time 0 s .. 3 s; }
+    }
+}
+
+/// What is known of a condition before the run is kept beside the numbers, and goes with them to other threads.
+#[test]
+fn conditions_on_constants_are_kept() {
+    for (gear, end) in [(3.0, 2.5), (1.0, 0.5)] {
+        let geared = geared::Once { gear, slow: 1.0 };
+        let motion = march(&geared, (0.0, 3.5), &[0.0], &SETTINGS).expect("it goes");
+        assert!((motion.end[0] - end).abs() < 1e-12, "{:?}", motion.end);
+    }
+}
+
 mod circle {
     assur::mechanism! {
         /// Two modes that lead to each other without taking any time.
