@@ -107,9 +107,12 @@ impl Automatic {
             };
             total.add(&here.statistics);
             here.time = time;
-            let ends = matches!(done, Err(OdeError::TooManySteps { .. }))
-                || done.is_err() && matches!(self.phase, Phase::Explicit);
-            if ends || time == times.1 || observe.has_enough() {
+            if let Err(OdeError::TooManySteps { time, .. }) = done {
+                let steps = allowed;
+                break Err(OdeError::TooManySteps { time, steps });
+            }
+            let has_failed = done.is_err() && matches!(self.phase, Phase::Explicit);
+            if has_failed || time == times.1 || observe.has_enough() {
                 break done;
             }
             options.max_steps = allowed.saturating_sub(total.steps + total.rejected);

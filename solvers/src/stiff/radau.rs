@@ -36,6 +36,17 @@ const CONTRACTION: f64 = 1e-3;
 /// Relative change of the step that the factors of the matrices bear.
 const SAME_STEP: f64 = 1e-5;
 
+/// The Jacobian that there is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Jacobian {
+    /// None, or one that is no longer good enough.
+    Missing,
+    /// That of an earlier state.
+    Earlier,
+    /// That of this state.
+    Fresh,
+}
+
 /// A matrix that is factored.
 #[derive(Clone, Debug)]
 struct Factors<T> {
@@ -62,8 +73,7 @@ pub(super) struct Radau {
     complex: Factors<Complex>,
     /// The step for which they are factored.
     factored: Option<f64>,
-    /// Whether there is a Jacobian, and whether it is that of this state.
-    jacobian: Option<bool>,
+    jacobian: Jacobian,
     newton: Newton,
     /// Length of the last step, whose continuous solution predicts the stages.
     before: Option<f64>,
@@ -83,7 +93,7 @@ impl Radau {
             real: Factors::new(states, 0.0),
             complex: Factors::new(states, [0.0; 2]),
             factored: None,
-            jacobian: None,
+            jacobian: Jacobian::Missing,
             newton: Newton::new(states),
             before: None,
             previous: None,
@@ -149,9 +159,9 @@ impl Radau {
         length: f64,
     ) -> Result<bool, OdeError> {
         loop {
-            if self.jacobian.is_none() {
+            if self.jacobian == Jacobian::Missing {
                 here.differentiate(rates)?;
-                self.jacobian = Some(true);
+                self.jacobian = Jacobian::Fresh;
                 self.factored = None;
             }
             if self.factor(here, length) {
@@ -161,10 +171,10 @@ impl Radau {
                     return Ok(true);
                 }
             }
-            if self.jacobian == Some(true) {
+            if self.jacobian == Jacobian::Fresh {
                 return Ok(false);
             }
-            self.jacobian = None;
+            self.jacobian = Jacobian::Missing;
         }
     }
 
@@ -204,7 +214,7 @@ impl Stepper for Radau {
 
     fn restart(&mut self) {
         self.factored = None;
-        self.jacobian = None;
+        self.jacobian = Jacobian::Missing;
         self.before = None;
         self.previous = None;
         self.rejected = false;
@@ -253,10 +263,10 @@ impl Stepper for Radau {
         self.rejected = false;
         // The Jacobian is now one of an earlier state, good enough if the iteration converged well with it.
         self.jacobian = match self.newton.contraction <= CONTRACTION {
-            true => Some(false),
-            false => None,
+            true => Jacobian::Earlier,
+            false => Jacobian::Missing,
         };
-        match self.jacobian.is_some() && (1.0..=WORTH).contains(&factor) {
+        match self.jacobian == Jacobian::Earlier && (1.0..=WORTH).contains(&factor) {
             true => 1.0,
             false => factor,
         }

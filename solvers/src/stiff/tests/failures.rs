@@ -125,6 +125,16 @@ fn options_that_make_no_sense_are_refused() {
             matches!(few, Err(OdeError::TooManySteps { steps: 3, .. })),
             "{few:?}"
         );
+        let few = crate::ode::Options {
+            max_steps: 30,
+            ..tolerances(1e-6, 1e-6)
+        };
+        let start = [2.0, 0.0];
+        let ended = super::problems::VAN_DER_POL.march(method, (0.0, 2.0), start, &few);
+        assert!(
+            matches!(ended, Err(OdeError::TooManySteps { steps: 30, .. })),
+            "{ended:?}"
+        );
         let none = FREE.march(method, (1.0, 1.0), [1.0, 1.0], &tolerances(1e-9, 1e-9));
         assert_eq!(none.unwrap().end(), [1.0, 1.0]);
     }
