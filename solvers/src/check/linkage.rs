@@ -134,6 +134,7 @@ impl<L: Linkage> Position<L> {
         let expected = |output: usize, row: usize, column: usize| {
             slopes[column].influence[output * count + row]
         };
+        let slope = |output: usize, row: usize| slopes[row].outputs[output].abs();
         for output in 0..L::OUTPUTS {
             for row in 0..count {
                 for column in 0..=row {
@@ -146,7 +147,7 @@ impl<L: Linkage> Position<L> {
                     };
                     let mean = (largest(row, row) * largest(column, column)).sqrt();
                     // One that is zero is found as the rounding of the slope that does not change.
-                    let slope = slopes[row].outputs[output].abs();
+                    let slope = slope(output, row);
                     let size = self.size(L::VARIABLES[column]);
                     let flat = if size > 0.0 { slope / size } else { 0.0 };
                     let scale = largest(row, column).max(mean).max(flat);
