@@ -70,7 +70,7 @@ fn monte_carlo_agrees_with_the_integral() {
             Delta: gap,
             // All stresses are above this limit; what the damage is at another one follows from the slope.
             s_R: nominal.s_R * 1e-3,
-            ..nominal.clone()
+            ..nominal
         };
         let mut assembly = Assembly::<StruckFitted, f64>::new(&needle);
         assembly.start_at(&[speed], &[]).unwrap();
