@@ -85,8 +85,8 @@ One JSON object is printed with --format json. Its fields:
                deviation, relative_deviation, within (null when not comparable), remark, line
   multipliers  each: re, im, modulus, angle, angle_unit, meaning
   conclusions  what the multipliers say, in words
-  statistics   steps, rejected, evaluations, condition, residual, seconds,
-               seconds_with_error_estimate,
+  statistics   steps, rejected, evaluations, jacobians, stiff_steps, switches (time, to),
+               condition, residual, seconds, seconds_with_error_estimate,
                largest_estimated_error, work_for_ten_times_more_accuracy
   figure       path of the figure, or null
 Of a linkage there are besides (and no settings, multipliers, conclusions):
@@ -132,7 +132,7 @@ pub struct RunArguments {
     /// Relative tolerance of the integration, from 1e-14 to 1e-2.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub rtol: Option<String>,
-    /// Integration method: tsit5 or dop853.
+    /// Integration method: dop853 or tsit5, for stiff motions radau or rosenbrock, or auto, which finds out.
     #[arg(long, value_name = "METHOD")]
     pub method: Option<String>,
     /// What is printed.

@@ -17,7 +17,7 @@
 //! | `published` | each `name`, `unit`, `place`, `published`, `tolerance`, `computed`, `estimated_error`, `deviation`, `relative_deviation`, `within` (null when published for other values), `remark`, `line` of the equation file |
 //! | `multipliers` | each `re`, `im`, `modulus`, `angle`, `angle_unit`, `meaning`; none unless the task is periodic |
 //! | `conclusions` | what the multipliers say, a sentence each |
-//! | `statistics` | `steps`, `rejected`, `evaluations`, `condition` (number of the steady state), `residual` (after a period, over the scales), `seconds`, `seconds_with_error_estimate`, `largest_estimated_error` (`name`, `relative_to_amplitude`), `work_for_ten_times_more_accuracy` |
+//! | `statistics` | `steps`, `rejected`, `evaluations`, `jacobians`, `stiff_steps` (by a stiff method), `switches` (of `auto`, each `time`, `to`), `condition` (number of the steady state), `residual` (after a period, over the scales), `seconds`, `seconds_with_error_estimate`, `largest_estimated_error` (`name`, `relative_to_amplitude`), `work_for_ten_times_more_accuracy` |
 //! | `figure` | path of the figure, or null |
 //!
 //! Values stand in the unit beside them, times in seconds. A run that does not come out prints no object: the message
@@ -253,10 +253,21 @@ fn statistics(report: &Report) -> Value {
     let worst = report.cost.worst.map(|(index, share)| {
         json!({ "name": report.case.variables[index].name, "relative_to_amplitude": share })
     });
+    let switches: Vec<Value> = report
+        .motion
+        .switches()
+        .into_iter()
+        .map(
+            |(time, stiff)| json!({ "time": time, "to": if stiff { "stiff" } else { "explicit" } }),
+        )
+        .collect();
     json!({
         "steps": effort.steps,
         "rejected": effort.rejected,
         "evaluations": effort.evaluations,
+        "jacobians": effort.jacobians,
+        "stiff_steps": effort.stiff_steps,
+        "switches": switches,
         "condition": report.motion.closing().map(|closing| closing.0),
         "residual": report.motion.closing().map(|closing| closing.1),
         "seconds": report.cost.solve,

@@ -169,6 +169,10 @@ pub struct Effort {
     pub rejected: usize,
     /// Evaluations of the derivative.
     pub evaluations: usize,
+    /// Evaluations of the Jacobian.
+    pub jacobians: usize,
+    /// Steps taken by a stiff method.
+    pub stiff_steps: usize,
 }
 
 impl Motion {
@@ -253,6 +257,17 @@ impl Motion {
         }
     }
 
+    /// Where `auto` changed the method: the times, and whether to the stiff one.
+    pub fn switches(&self) -> Vec<(f64, bool)> {
+        match &self.path {
+            Path::Through(motion) => motion
+                .switches()
+                .map(|switch| (switch.time, switch.stiff))
+                .collect(),
+            _ => Vec::new(),
+        }
+    }
+
     /// The work that was done.
     pub fn effort(&self) -> Effort {
         let statistics = match &self.path {
@@ -265,6 +280,8 @@ impl Motion {
             steps: statistics.steps,
             rejected: statistics.rejected,
             evaluations: statistics.evaluations,
+            jacobians: statistics.jacobians,
+            stiff_steps: statistics.stiff_steps,
         }
     }
 }

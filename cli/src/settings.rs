@@ -10,7 +10,13 @@ pub const RTOL: (f64, f64) = (1e-14, 1e-2);
 /// The tolerance unless one is given.
 pub const DEFAULT_RTOL: f64 = 1e-10;
 /// The methods by name, the default one first.
-const METHODS: [(&str, Method); 2] = [("dop853", Method::Dop853), ("tsit5", Method::Tsit5)];
+const METHODS: [(&str, Method); 5] = [
+    ("dop853", Method::Dop853),
+    ("tsit5", Method::Tsit5),
+    ("radau", Method::Radau),
+    ("rosenbrock", Method::Rosenbrock),
+    ("auto", Method::Auto),
+];
 
 /// Reads the relative tolerance.
 ///
@@ -90,6 +96,8 @@ mod tests {
     #[test]
     fn methods_are_found_and_offered() {
         assert_eq!(method(Some("tsit5")), Ok(Method::Tsit5));
+        assert_eq!(method(Some("auto")), Ok(Method::Auto));
+        assert_eq!(method_name(Method::Rosenbrock), "rosenbrock");
         let failure = method(Some("tsit")).expect_err("no such method");
         assert!(
             failure

@@ -6,6 +6,7 @@ mod variables;
 use std::path::Path;
 
 use assur::problem::Span;
+use assur::registry::Method;
 
 use crate::constants::Constants;
 use crate::events;
@@ -220,11 +221,12 @@ fn last_line(report: &Report) -> String {
     let effort = report.motion.effort();
     let work = if effort.evaluations > 0 {
         format!(
-            "solved in {} by {} with rtol {:e} ({} steps, {} evaluations)",
+            "solved in {} by {} with rtol {:e} ({} steps{}, {} evaluations)",
             number::duration(cost.solve),
             method_name(report.motion.settings.method),
             report.motion.settings.rtol,
             number::count(effort.steps),
+            stiff_part(report),
             number::count(effort.evaluations)
         )
     } else {
@@ -238,4 +240,16 @@ fn last_line(report: &Report) -> String {
         None => String::new(),
     };
     format!("{error}; {work}{more}.")
+}
+
+/// How many of the steps were stiff ones, where `auto` chose.
+fn stiff_part(report: &Report) -> String {
+    if report.motion.settings.method != Method::Auto {
+        return String::new();
+    }
+    let stiff = number::count(report.motion.effort().stiff_steps);
+    match report.motion.switches().first() {
+        Some((time, _)) => format!(", {stiff} of them stiff, from t = {time:.3e} s on"),
+        None => format!(", {stiff} of them stiff"),
+    }
 }

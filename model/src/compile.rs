@@ -314,6 +314,20 @@ pub fn phase(
                 .extend(position.map(|value| (driver, value)));
         }
     }
+    if !is_linkage {
+        let values = names
+            .constants
+            .iter()
+            .zip(&constants)
+            .map(|(declared, info)| {
+                let chosen = preset.iter().flat_map(|(_, values)| values);
+                let mut chosen = chosen.filter(|(name, _)| *name == declared.name.text);
+                let default = info.as_ref().map_or(f64::NAN, |info| info.default);
+                chosen.next().map_or(default, |(_, value)| *value)
+            });
+        let values: Vec<f64> = values.collect();
+        linkage.carry(&mut low, &names, &drives, &values, &mut request)?;
+    }
     for (index, symbol) in given.iter().enumerate() {
         request.inputs.insert(*symbol, Input::State(index as u32));
     }
@@ -410,21 +424,14 @@ fn moved(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>) -> Moved 
         items().any(|item| matches!(item, SceneItem::Run { .. } | SceneItem::Periodic { .. }));
     let state = names.coordinates.iter().chain(&names.states).next();
     match (state, names.dependents.first()) {
-        (Some(_), None) if !sweeps => Moved::InTime,
+        (Some(_), _) if !sweeps => Moved::InTime,
         (None, None) if !sweeps => Moved::InTime,
         (None, _) if sweeps || !timed => Moved::Swept,
         (None, _) => Moved::Given,
-        (Some(state), dependent) => {
-            let (message, place) = match dependent {
-                Some(dependent) => (
-                    "a scene with coordinates or states cannot close loops in this version of Assur",
-                    dependent.name.span,
-                ),
-                None => (
-                    "a scene with coordinates or states moves in time and has nothing to sweep",
-                    scene.map_or(state.name.span, |scene| scene.name.span),
-                ),
-            };
+        (Some(state), _) => {
+            let message =
+                "a scene with coordinates or states moves in time and has nothing to sweep";
+            let place = scene.map_or(state.name.span, |scene| scene.name.span);
             low.diagnostics.push(
                 Diagnostic::error(place, message).related(state.name.span, "this moves by itself"),
             );

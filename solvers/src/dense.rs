@@ -1,8 +1,10 @@
 //! Linear systems: small symmetric ones of fixed size inside equations, general ones of run-time size in solvers.
 
+mod complex;
 mod lu;
 
 use crate::scalar::Scalar;
+pub use complex::{Complex, factor_complex, substitute_complex};
 pub use lu::{Lu, Singular};
 
 /// A symmetric positive definite matrix, factored as `L D Lᵀ` without square roots.

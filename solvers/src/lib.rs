@@ -6,6 +6,7 @@
 //! | module | what it finds |
 //! |---|---|
 //! | [`ode`] | the motion from a start: Tsitouras 5(4), Dormand–Prince 8(5,3), continuous output |
+//! | [`stiff`] | the same for stiff motions: Radau IIA 5, Rodas5P, and the choice on the way |
 //! | [`closure`] | the positions of a linkage: its loops closed |
 //! | [`periodic`] | the steady state: method of initial parameters, shooting, Floquet multipliers |
 //! | [`hybrid`] | the motion from event to event |
@@ -27,5 +28,6 @@ pub mod periodic;
 pub mod problem;
 pub mod registry;
 pub mod scalar;
+pub mod stiff;
 pub mod study;
 pub mod tolerance;

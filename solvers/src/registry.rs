@@ -296,6 +296,24 @@ pub enum Method {
     Tsit5,
     /// Explicit Runge–Kutta method of order 8 with errors of order 5 and 3, Dormand and Prince.
     Dop853,
+    /// Implicit Runge–Kutta method of order 5 for stiff motions, Radau IIA.
+    Radau,
+    /// Rosenbrock method of order 5 for stiff motions, Rodas5P.
+    Rosenbrock,
+    /// The method of Dormand and Prince, and a stiff one where the motion turns out to be stiff.
+    Auto,
+}
+
+impl Method {
+    /// The method among those that solve stiff motions; none if it is explicit.
+    pub fn stiff(self) -> Option<crate::stiff::Method> {
+        match self {
+            Self::Tsit5 | Self::Dop853 => None,
+            Self::Radau => Some(crate::stiff::Method::Radau),
+            Self::Rosenbrock => Some(crate::stiff::Method::Rosenbrock),
+            Self::Auto => Some(crate::stiff::Method::Automatic),
+        }
+    }
 }
 
 /// A scene whose parameter values are fixed, ready to run.

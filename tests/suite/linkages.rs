@@ -1,4 +1,5 @@
 //! Linkages: loops closed, their derivatives, their assembly modes.
 
+mod carried;
 mod misprints;
 mod reference;

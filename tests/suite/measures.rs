@@ -90,3 +90,34 @@ fn the_tables_name_them_with_their_units() {
         "energy at the impact over that at the start"
     );
 }
+
+mod swing {
+    assur::mechanism! {
+        /// A mass on a spring, with a stop that it does not come to.
+        Swing from "any textbook";
+        parameter m = 1 kg, c = 100 [N/m], T = 1 s;
+        coordinate x: m = 1 mm;
+        motion m*ddot(x) = -c*x;
+        when x - 1 m rises { set dot(x) = 0; }
+        measure highest = peak(x), deepest = lowest(x), late = peak(x, time > T);
+        scene swing { run time 0 s .. 2 s; start x = 1 mm; }
+    }
+}
+
+/// Wherever in a step an extreme lies, beside its end for instance.
+#[test]
+fn an_extreme_beside_the_end_of_a_step_is_found() {
+    for turn in 0..200 {
+        let angle = f64::from(turn) * 0.01;
+        let scene = swing::Swing {
+            T: 0.9,
+            ..swing::Swing::default()
+        };
+        let start = [1e-3 * angle.cos(), 1e-2 * angle.sin()];
+        let motion = assur::hybrid::march(&scene, (0.0, 2.0), &start, &FINE).unwrap();
+        for (index, expected) in [1e-3, -1e-3, 1e-3].into_iter().enumerate() {
+            let found = *measure::of(&scene, &motion)[index].as_ref().unwrap();
+            assert_relative_eq!(found, expected, max_relative = 1e-10);
+        }
+    }
+}

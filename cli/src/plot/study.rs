@@ -177,7 +177,13 @@ fn shades(svg: &mut Svg, map: &Map, top: f64) {
     let ((left, right), (bottom, ceiling)) = (span(&map.columns, wide), span(&map.rows, tall));
     let along = Axis::between(left, right, 7);
     let up = Axis::between(bottom, ceiling, 5);
-    let title = format!("{} (up), {} in colour", map.up, map.name);
+    let lacks = map.values.iter().any(|value| !value.is_finite());
+    let white = if lacks {
+        "; pale where there is none"
+    } else {
+        ""
+    };
+    let title = format!("{} (up), {} in colour{white}", map.up, map.name);
     let (x, y) = axes(svg, (&along, &up), (&map.along, &title), top, false);
     let shade = |value: f64| {
         let share = if high > low {

@@ -8,8 +8,8 @@ use crate::arguments::Format;
 
 /// Examples, and what the formats contain.
 pub const EXAMPLES: &str = "Examples:
-  assur study presser_foot --over omega=150..420:55 --measure free,F_smallest --plot lift_off.svg
-  assur study presser_foot --over omega=200..420:23 --over F10=10N..80N:15 --measure free --plot map.svg
+  assur study presser_foot --over 'omega=150..420[1/s]:55' --measure free,F_smallest --plot lift_off.svg
+  assur study presser_foot --over 'omega=200..420[1/s]:23' --over F10=10..80N:15 --measure free --plot map.svg
   assur study table_drive --samples 1000 --tolerance J2=10% --tolerance c=20% --seed 7
 
 --over runs through values from one end to the other, so many of them: one for curves, two for a map.
@@ -32,7 +32,7 @@ pub struct StudyArguments {
     /// A dimension or parameter with its unit, `c=700[N m/rad]`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// A value that is gone through, `omega=200..400:41`; once or twice.
+    /// A value that is gone through, `omega=200..400[1/s]:41`; once or twice.
     #[arg(long, value_name = "NAME=FROM..TO:COUNT")]
     pub over: Vec<String>,
     /// Number of runs with values made at random.

@@ -44,7 +44,7 @@ pub fn constant(scene: &SceneEntry, name: &str, option: &str) -> Result<usize, F
 /// # Errors
 /// An unknown name, a wrong unit or number, a value out of its range.
 pub fn read(scene: &SceneEntry, text: &str) -> Result<Range, Failure> {
-    const EXAMPLE: &str = "omega=200..400:41";
+    const EXAMPLE: &str = "'omega=200..400[1/s]:41'";
     let place = format!("--over {text}");
     let (name, rest) = split(text, "--over", EXAMPLE)?;
     let index = constant(scene, name, &place)?;
@@ -69,8 +69,15 @@ pub fn read(scene: &SceneEntry, text: &str) -> Result<Range, Failure> {
                     "give a whole number from 2 to {MOST} after the colon"
                 ))
         })?;
+    // `10..80N` means newtons on both sides.
+    let is_number = |one: char| one.is_ascii_digit() || "+-.eE ".contains(one);
+    let unit = to.trim_start_matches(is_number);
+    let from = match from.ends_with(is_number) && !unit.is_empty() {
+        true => format!("{from}{unit}"),
+        false => from.to_owned(),
+    };
     let mut ends = [0.0; 2];
-    for (end, text) in ends.iter_mut().zip([from, to]) {
+    for (end, text) in ends.iter_mut().zip([from.as_str(), to]) {
         *end = quantity(text, &entry.quantity).map_err(|failure| failure.place(place.clone()))?;
         constants::permitted(entry, *end).map_err(|failure| failure.place(place.clone()))?;
     }

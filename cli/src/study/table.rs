@@ -50,6 +50,10 @@ pub fn headed(quantity: &Quantity) -> String {
     }
 }
 
+fn percent(share: f64) -> String {
+    format!("{} %", number::short((1e3 * share).round() / 10.0))
+}
+
 fn shown(value: f64, quantity: &Quantity) -> String {
     match value.is_finite() {
         true => number::significant(value / quantity.factor, 6),
@@ -181,10 +185,10 @@ fn failures(page: &mut Page, question: &Question, answer: &Answer) {
         Way::Random(..) => vec![format!("run {first}")],
     };
     page.line(&format!(
-        "{failed} of {count} runs did not come out ({}, {} to {}). The first, {}: {reason}",
-        number::percent(share.value),
-        number::percent(share.low),
-        number::percent(share.high),
+        "{failed} of {count} runs did not come out ({}, with 95 % between {} and {}). The first, {}: {reason}",
+        percent(share.value),
+        percent(share.low),
+        percent(share.high),
         given.join(", ")
     ));
 }

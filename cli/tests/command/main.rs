@@ -7,6 +7,7 @@ mod modes;
 mod refusals;
 #[cfg(unix)]
 mod signals;
+mod studies;
 mod tolerances;
 
 use std::path::{Path, PathBuf};

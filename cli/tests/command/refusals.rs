@@ -59,7 +59,10 @@ fn wrong_names() {
             &["run", "batten", "--method", "dop583"],
             &["--method dop583", "did you mean `dop853`?"],
         ),
-        (&["run", "batten", "--method", "euler"], &["dop853, tsit5"]),
+        (
+            &["run", "batten", "--method", "euler"],
+            &["dop853, tsit5, radau, rosenbrock, auto"],
+        ),
         (
             &["run", "batten_table", "--preset", "idenity"],
             &["did you mean `identity`?"],

@@ -6,6 +6,7 @@
 //! whichever way the loops are closed.
 
 mod angles;
+mod carried;
 mod closing;
 mod dyad;
 mod geometry;

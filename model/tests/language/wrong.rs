@@ -1,6 +1,6 @@
 //! Files that are wrong behind the spring of [`SPRING`](super::SPRING): what is said, and about which words.
 
-use super::{Expected, SPRING, check};
+use super::{Expected, SPRING, check, compiled};
 
 /// What stands behind the spring, and the messages.
 type Case = (&'static str, &'static [Expected]);
@@ -269,4 +269,22 @@ fn files_that_are_no_mechanism() {
     ] {
         check(text, &[expected]);
     }
+}
+
+/// Loops beside coordinates that move by themselves.
+#[test]
+#[rustfmt::skip]
+fn loops_that_a_motion_cannot_carry() {
+    let carried = |start: &str, loops: &str| format!(
+        "Shaker; dimension r = 20 mm, l = 60 mm; parameter n = 1 [1/s], m = 1 kg, c = 1 [N/m]; driver theta = n*time {start}; \
+         {loops} coordinate x: m = 0; motion m*ddot(x) = c*(s - x); output x; scene go {{ run time 0 s .. 1 s; }}");
+    let crank = "dependent psi ~ 0 deg, s ~ 80 mm; closure crank: r*dir(theta) + l*dir(psi) = [s, 0 m];";
+    let right = compiled(&carried("~ 0 deg", crank)).0;
+    assert!(right.diagnostics.is_empty(), "{:#?}", right.diagnostics);
+    check(&carried("", &crank.replace("psi ~ 0 deg, s ~ 80 mm", "psi ~ 0 deg, s: m")),
+        &[("nothing says where `s` starts", "s", "write roughly where")]);
+    check(&carried("", &crank.replace("r*dir(theta)", "5*r*dir(theta) + [0 m, 7*r]")),
+        &[("the loop `crank.y` does not close where the drivers start", "closure crank: 5*r*dir(theta) + [0 m, 7*r] + l*dir(psi) = [s, 0 m];", "say with `~` where the drivers start")]);
+    check(&carried("", "dependent psi ~ 0 deg, s ~ 80 mm; closure crank: r*dir(theta)*cos(psi) + l*dir(psi) = [s, s*psi];"),
+        &[("is closed by iteration", "closure crank: r*dir(theta)*cos(psi) + l*dir(psi) = [s, s*psi];", "links of two")]);
 }

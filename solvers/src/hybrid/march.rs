@@ -1,19 +1,18 @@
 //! The motion from event to event.
 
+use super::carry::{Carry, Explicit, Stiff};
+use super::erased::{Erased, Model, Own, Table};
 use super::error::HybridError;
 use super::motion::{Happened, Motion, Piece};
 use super::problem::{EventEntry, Hybrid, Modes};
 use super::rounding::terms;
 use super::watch::{Guard, Watch};
 use super::{CHATTER, NOISE, SOON, TURNS};
-use crate::dispatch::{Task, dispatch};
-use crate::ode::{Dop853, Method, OdeError, Options, Statistics, Tsit5, Workspace};
-use crate::ode::{Plain, integrate, state_from};
-use crate::problem::Equations;
+use crate::ode::{Dop853, OdeError, Options, Statistics, Tsit5, state_from};
+use crate::problem::{Equations, Storage};
 use crate::registry::{self, Settings};
-use crate::scalar::Scalar;
 
-/// The motion of a scene with modes from a start, on the scalar type that is fastest on the machine at hand.
+/// The motion of a scene with modes from a start.
 ///
 /// # Errors
 /// [`HybridError`], with the motion so far.
@@ -37,52 +36,62 @@ pub fn march_in<C: Hybrid>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
-    dispatch(Marching {
-        scene,
-        mode,
-        times,
-        start,
-        settings,
-    })
+    let mut model = Own::new(scene.modal::<f64>());
+    follow(&mut model, &Table::of::<C>(), mode, times, start, settings)
 }
 
-/// The task of [`march`].
-struct Marching<'a, C> {
-    scene: &'a C,
-    mode: usize,
-    times: (f64, f64),
-    start: &'a [f64],
-    settings: &'a Settings,
-}
-
-impl<C: Hybrid> Task for Marching<'_, C> {
-    type Output = Result<Motion, HybridError>;
-    const LARGE: bool = C::LARGE;
-
-    #[inline(always)]
-    fn run<S: Scalar>(self) -> Self::Output {
-        march_on::<C, S>(self.scene, self.mode, self.times, self.start, self.settings)
-    }
-}
-
-/// The motion of a scene with modes from a start in a mode, evaluated on a scalar type.
-///
-/// # Errors
-/// [`HybridError`], with the motion so far.
-#[inline(always)]
-pub fn march_on<C: Hybrid, S: Scalar>(
-    scene: &C,
+/// The motion of any equations: with states of the length that they have, as far as that is a usual one.
+#[inline(never)]
+fn follow(
+    model: &mut dyn Model,
+    table: &Table,
     mode: usize,
     times: (f64, f64),
     start: &[f64],
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
-    let mut equations = scene.modal::<S>();
-    if mode >= C::EVENTS.len() {
+    let by = match model.states() {
+        1 => by_method::<[f64; 1]>,
+        2 => by_method::<[f64; 2]>,
+        3 => by_method::<[f64; 3]>,
+        4 => by_method::<[f64; 4]>,
+        5 => by_method::<[f64; 5]>,
+        6 => by_method::<[f64; 6]>,
+        7 => by_method::<[f64; 7]>,
+        8 => by_method::<[f64; 8]>,
+        _ => by_method::<Vec<f64>>,
+    };
+    by(model, table, mode, times, start, settings)
+}
+
+fn by_method<V: Storage<f64>>(
+    model: &mut dyn Model,
+    table: &Table,
+    mode: usize,
+    times: (f64, f64),
+    start: &[f64],
+    settings: &Settings,
+) -> Result<Motion, HybridError> {
+    let way = (mode, times, start, settings);
+    match settings.method {
+        registry::Method::Tsit5 => march_by::<V, Explicit<V, Tsit5>>(model, table, way),
+        registry::Method::Dop853 => march_by::<V, Explicit<V, Dop853>>(model, table, way),
+        _ => march_by::<V, Stiff>(model, table, way),
+    }
+}
+
+/// The motion by a method.
+fn march_by<'a, V: Storage<f64>, M: Carry<f64, Erased<'a, V>>>(
+    model: &'a mut dyn Model,
+    table: &Table,
+    (mode, times, start, settings): (usize, (f64, f64), &[f64], &Settings),
+) -> Result<Motion, HybridError> {
+    let mut equations = Erased::<V>::new(model);
+    if mode >= table.events.len() {
         return Err(HybridError::Start {
             reason: format!(
                 "there are {} modes, and it is to begin in number {mode}",
-                C::EVENTS.len()
+                table.events.len()
             ),
         });
     }
@@ -91,9 +100,9 @@ pub fn march_on<C: Hybrid, S: Scalar>(
         mode,
         ..Motion::at_rest(times.0, start)
     };
-    let options = Options::scaled(settings.rtol, C::SCALES);
+    let options = Options::scaled(settings.rtol, table.scales);
     let begun = (|| {
-        options.check(times, C::STATES)?;
+        options.check(times, table.scales.len())?;
         if times.1 < times.0 {
             return Err(OdeError::BadOption {
                 name: "times",
@@ -103,7 +112,7 @@ pub fn march_on<C: Hybrid, S: Scalar>(
                 ),
             });
         }
-        state_from::<S, _>(&equations, start)
+        state_from::<f64, _>(&equations, start)
     })();
     let state = match begun {
         Ok(state) => state,
@@ -115,39 +124,38 @@ pub fn march_on<C: Hybrid, S: Scalar>(
             });
         }
     };
-    let moving = C::HELD[mode].iter().find(|place| start[**place] != 0.0);
+    let moving = table.held[mode].iter().find(|place| start[**place] != 0.0);
     if let Some(place) = moving {
-        let (name, value) = (C::STATE_NAMES[*place], start[*place]);
+        let (name, value) = (table.names[*place], start[*place]);
         return Err(HybridError::Start {
             reason: format!(
                 "{name} is {value} in SI units, and the mode in which the motion begins holds it at zero"
             ),
         });
     }
-    let mut run = Run::<C, S> {
+    let mut run = Run {
         equations,
+        table,
         state,
         options,
         times,
-        guards: vec![Guard::default(); most_events::<C>()],
+        guards: vec![Guard::default(); most_events(table)],
         since: (times.0, 0),
         turns: 0,
-        sides: vec![0.0; most_events::<C>()],
+        sides: vec![0.0; most_events(table)],
         bounce: None,
     };
-    let ended = match settings.method {
-        registry::Method::Tsit5 => run.through::<Tsit5>(&mut motion),
-        registry::Method::Dop853 => run.through::<Dop853>(&mut motion),
-    };
-    match ended {
+    let mut method = M::new(&run.equations, settings.method);
+    match run.through(&mut motion, &mut method) {
         Ok(()) => Ok(motion),
         Err(end) => Err(end.with(motion)),
     }
 }
 
 /// The largest number of events of a mode.
-fn most_events<C: Hybrid>() -> usize {
-    C::EVENTS
+fn most_events(table: &Table) -> usize {
+    table
+        .events
         .iter()
         .map(|events| events.len())
         .max()
@@ -203,9 +211,10 @@ impl End {
 }
 
 /// A motion under way.
-struct Run<C: Hybrid, S: Scalar> {
-    equations: C::Modal<S>,
-    state: <C::Modal<S> as Equations<S>>::State,
+struct Run<'a, 'b, V> {
+    equations: Erased<'a, V>,
+    table: &'b Table,
+    state: V,
     options: Options,
     times: (f64, f64),
     guards: Vec<Guard>,
@@ -219,18 +228,21 @@ struct Run<C: Hybrid, S: Scalar> {
     bounce: Option<(u32, f64, f64)>,
 }
 
-impl<C: Hybrid, S: Scalar> Run<C, S> {
+impl<'a, V: Storage<f64>> Run<'a, '_, V> {
     /// From event to event up to the end.
     #[inline(always)]
-    fn through<M: Method>(&mut self, motion: &mut Motion) -> Result<(), End> {
-        let mut workspace = Workspace::<_, M>::new::<S, _>(&Plain(&self.equations));
+    fn through<M: Carry<f64, Erased<'a, V>>>(
+        &mut self,
+        motion: &mut Motion,
+        method: &mut M,
+    ) -> Result<(), End> {
         // The statement that has just happened, by its line.
         let mut last: Option<u32> = None;
         self.settle(motion.time)?;
         // The statement that has happened with it and is still to be carried out.
         let mut with: Option<u32> = None;
         while motion.time < self.times.1 {
-            let events = C::EVENTS[self.equations.mode()];
+            let events = self.table.events[self.equations.mode()];
             if let Some(event) = self.begin(motion.time, events, last, with.take()) {
                 self.happen(motion, event, &mut last)?;
                 continue;
@@ -242,21 +254,20 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
                 &self.state,
                 &mut self.guards,
             );
-            let done = integrate(
-                &Plain(&self.equations),
+            let done = method.carry(
                 (motion.time, self.times.1),
                 &self.state,
                 &self.options,
-                &mut workspace,
                 &mut watch,
             );
             let (due, step) = (watch.due, watch.step);
             self.state.clone_from(&watch.state);
             let statistics = *done.as_ref().unwrap_or(&Statistics::default());
-            let trajectory = watch.recorder.finish(statistics);
+            let mut trajectory = watch.recorder.finish(statistics);
+            trajectory.switches = method.switches().to_vec();
             motion.time = trajectory.times()[trajectory.times().len() - 1];
             motion.end.copy_from_slice(trajectory.end());
-            motion.count(&statistics);
+            motion.statistics.add(&statistics);
             if motion.time > trajectory.times()[0] {
                 motion.pieces.push(Piece {
                     mode: self.equations.mode(),
@@ -286,15 +297,15 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
         last: Option<u32>,
         with: Option<u32>,
     ) -> Option<usize> {
-        let instant = self.equations.instant(S::from_f64(time));
-        let mut values = vec![S::ZERO; events.len()];
+        let instant = self.equations.instant(time);
+        let mut values = vec![0.0; events.len()];
         let mut rates = values.clone();
         self.equations
             .guards(&instant, &self.state, &mut values, &mut rates);
         let mut due = None;
         let terms = terms(&self.equations, time, &self.state, events.len());
         for (event, entry) in events.iter().enumerate() {
-            let (value, rate) = (values[event].to_f64(), rates[event].to_f64());
+            let (value, rate) = (values[event], rates[event]);
             // A rate that is no more than its rounding does not say where the guard goes.
             let is_still = rate.abs() <= NOISE * f64::EPSILON * terms[event].rate;
             let guard = &mut self.guards[event];
@@ -330,7 +341,7 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
 
     /// Chooses the side of every switching surface where a mode begins, or where the state has jumped.
     fn settle(&mut self, time: f64) -> Result<(), End> {
-        let events = C::EVENTS[self.equations.mode()];
+        let events = self.table.events[self.equations.mode()];
         for surface in events.iter().filter_map(|entry| entry.surface) {
             self.put(surface, 0.0);
         }
@@ -359,7 +370,7 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
     /// Puts the motion on a side of a switching surface.
     fn put(&mut self, surface: usize, side: f64) {
         self.sides[surface] = side;
-        self.equations.side(surface, S::from_f64(side));
+        self.equations.side(surface, side);
     }
 
     /// The side to which a motion leaves a switching surface on which it is.
@@ -375,12 +386,12 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
 
     /// Value and rate of a guard here.
     fn guard(&self, time: f64, event: usize) -> (f64, f64) {
-        let instant = self.equations.instant(S::from_f64(time));
-        let count = C::EVENTS[self.equations.mode()].len();
-        let (mut values, mut rates) = (vec![S::ZERO; count], vec![S::ZERO; count]);
+        let instant = self.equations.instant(time);
+        let count = self.table.events[self.equations.mode()].len();
+        let (mut values, mut rates) = (vec![0.0; count], vec![0.0; count]);
         self.equations
             .guards(&instant, &self.state, &mut values, &mut rates);
-        (values[event].to_f64(), rates[event].to_f64())
+        (values[event], rates[event])
     }
 
     /// Carries out an event.
@@ -391,22 +402,16 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
         last: &mut Option<u32>,
     ) -> Result<(), End> {
         let from = self.equations.mode();
-        let entry = &C::EVENTS[from][event];
-        let instant = self.equations.instant(S::from_f64(motion.time));
-        let count = C::EVENTS[from].len();
-        let (mut values, mut rates) = (vec![S::ZERO; count], vec![S::ZERO; count]);
+        let entry = &self.table.events[from][event];
+        let instant = self.equations.instant(motion.time);
+        let count = self.table.events[from].len();
+        let (mut values, mut rates) = (vec![0.0; count], vec![0.0; count]);
         self.equations
             .guards(&instant, &self.state, &mut values, &mut rates);
         let mut after = self.state.clone();
         self.equations
             .jump(event, &instant, &self.state, &mut after);
-        let plain = |state: &<C::Modal<S> as Equations<S>>::State| {
-            state
-                .as_ref()
-                .iter()
-                .map(|one| one.to_f64())
-                .collect::<Vec<f64>>()
-        };
+        let plain = |state: &V| state.as_ref().to_vec();
         let before = motion.events.last().map(|one| one.time);
         let happened = Happened {
             time: motion.time,
@@ -415,7 +420,7 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
             to: entry.target,
             before: plain(&self.state),
             after: plain(&after),
-            guard: values[event].to_f64(),
+            guard: values[event],
         };
         motion.end.copy_from_slice(&happened.after);
         motion.mode = entry.target;
@@ -430,7 +435,7 @@ impl<C: Hybrid, S: Scalar> Run<C, S> {
         *last = Some(entry.line);
         self.count(motion, before)?;
         // Between this event and the last of the same kind the guard rose above zero by less than it can be told from.
-        let same = C::EVENTS[entry.target]
+        let same = self.table.events[entry.target]
             .iter()
             .position(|one| one.line == entry.line);
         let lost = self.bounce.is_some_and(|(line, time, rate)| {

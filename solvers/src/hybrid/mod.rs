@@ -9,6 +9,8 @@
 //! | `crossing` | the first zero of a guard within a step |
 //! | `rounding` | how large the terms are of which a guard is made |
 //! | `watch` | looks for it in every step, and ends the integration there |
+//! | `erased` | equations without their type, so that all of this is compiled once |
+//! | `carry` | the method that integrates between events |
 //! | `march` | from event to event, several at one instant, and the rules that end it |
 //! | `cycle` | motions that repeat: [`cycle()`] |
 //! | `motion` | the result: pieces between events, and a record of each event |
@@ -28,8 +30,10 @@
 //! last than the part [`SOON`] of the time to be covered; or one event twice, between which its guard has not left zero
 //! by more than its rounding. These are errors that carry the motion so far.
 
+mod carry;
 mod crossing;
 mod cycle;
+mod erased;
 mod error;
 mod march;
 mod motion;
@@ -39,7 +43,7 @@ mod watch;
 
 pub use cycle::{Cycle, CycleError, cycle, cycle_from};
 pub use error::HybridError;
-pub use march::{march, march_in, march_on};
+pub use march::{march, march_in};
 pub use motion::{Happened, Motion, Piece};
 pub(crate) use problem::in_each_mode;
 pub use problem::{Direction, EventEntry, Hybrid, Modes, Sensitive};

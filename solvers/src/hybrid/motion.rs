@@ -1,6 +1,7 @@
 //! A motion through several modes.
 
 use crate::ode::{Statistics, Trajectory};
+use crate::stiff::Switch;
 
 /// A stretch of the motion in one mode.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,14 +98,9 @@ impl Motion {
         (times[0], times[times.len() - 1])
     }
 
-    /// Adds up what another integration took.
-    pub(super) fn count(&mut self, more: &Statistics) {
-        let all = &mut self.statistics;
-        all.steps += more.steps;
-        all.rejected += more.rejected;
-        all.evaluations += more.evaluations;
-        all.largest_step = all.largest_step.max(more.largest_step);
-        all.smallest_step = all.smallest_step.min(more.smallest_step);
-        all.estimated_error += more.estimated_error;
+    /// Where an automatic choice changed between the explicit and the stiff method.
+    pub fn switches(&self) -> impl Iterator<Item = Switch> {
+        let pieces = self.pieces.iter();
+        pieces.flat_map(|piece| piece.trajectory.switches.iter().copied())
     }
 }

@@ -63,7 +63,46 @@ pub(super) fn of(
             found = further(value, found);
         }
     }
+    // An extreme beside an end has no point on its other side that would show it.
+    let last = points.len() - 1;
+    let beyond = |place: usize| points[place.min(last)];
+    let sides = [
+        [beyond(0), beyond(1), beyond(2)],
+        [
+            points[last],
+            beyond(last - 1),
+            beyond(last.saturating_sub(2)),
+        ],
+    ];
+    for [end, next, third] in sides {
+        let rise = (end.1 - next.1).abs().max((next.1 - third.1).abs());
+        let reach = match sense {
+            Sense::Largest => end.1 + rise,
+            Sense::Smallest => end.1 - rise,
+        };
+        if sense.better(end.1, next.1)
+            && sense.better(reach, found)
+            && turns_beside(end, next, third)
+        {
+            let window = (end.0.min(next.0), end.0.max(next.0));
+            let (_, value) = refine(index, sense, window, grid, sampler);
+            found = further(value, found);
+        }
+    }
     found
+}
+
+/// Whether a parabola through three points, of which the first is further out than the second, turns between these two,
+/// or so little before the first that the quantity itself may turn between them.
+fn turns_beside(end: (f64, f64), next: (f64, f64), third: (f64, f64)) -> bool {
+    if third.0 == next.0 {
+        return true;
+    }
+    let chord = |a: (f64, f64), b: (f64, f64)| (b.1 - a.1) / (b.0 - a.0);
+    let bend = (chord(next, third) - chord(end, next)) / (third.0 - end.0);
+    let slope = chord(end, next) - bend * (next.0 - end.0);
+    let turn = -slope / (2.0 * bend * (next.0 - end.0));
+    turn > -0.5 && turn < 1.0
 }
 
 /// The extreme between two times by golden sections, with its time. Near it a quantity is flat, so its value is right to

@@ -10,7 +10,7 @@ const SMALLEST_ERROR: f64 = 1e-4;
 
 /// Control of the step size from the scaled errors of the steps.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Controller {
+pub(crate) struct Controller {
     /// Exponent of the error.
     alpha: f64,
     /// Exponent of the previous error.

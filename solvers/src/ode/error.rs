@@ -12,6 +12,15 @@ pub enum OdeError {
         /// Index of the state concerned.
         component: usize,
     },
+    /// A stiff method needs a derivative of the rates that is not a finite number.
+    NotDifferentiable {
+        /// Time that was reached, in seconds.
+        time: f64,
+        /// Index of the state whose rate it is.
+        component: usize,
+        /// Index of the state by which it is differentiated.
+        by: usize,
+    },
     /// The tolerance asks for steps that the time can no longer tell apart.
     StepTooSmall {
         /// Time that was reached, in seconds.
@@ -45,6 +54,15 @@ impl fmt::Display for OdeError {
                 "the rate of state {component} is not a finite number after t = {time} s; \
                  check whether a square root, a division or a logarithm leaves its range there"
             ),
+            Self::NotDifferentiable {
+                time,
+                component,
+                by,
+            } => write!(
+                formatter,
+                "the derivative of the rate of state {component} with respect to state {by} is not a finite number at \
+                 t = {time} s, and a stiff method needs it; an explicit method does not"
+            ),
             Self::StepTooSmall {
                 time,
                 step,
@@ -56,8 +74,8 @@ impl fmt::Display for OdeError {
             ),
             Self::TooManySteps { time, steps } => write!(
                 formatter,
-                "{steps} steps were used up at t = {time} s; the equations may be stiff, otherwise permit more steps, \
-                 take a larger rtol or a shorter time"
+                "{steps} steps were used up at t = {time} s; the equations may be stiff, for which there are the methods radau, \
+                 rosenbrock and auto; otherwise permit more steps, take a larger rtol or a shorter time"
             ),
             Self::BadOption { name, reason } => write!(formatter, "{name}: {reason}"),
         }

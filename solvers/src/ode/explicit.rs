@@ -19,6 +19,12 @@ pub struct Statistics {
     pub rejected: usize,
     /// Evaluations of the derivative, or of the derivative with its variations.
     pub evaluations: usize,
+    /// Evaluations of the Jacobian; none by an explicit method.
+    pub jacobians: usize,
+    /// Times that the matrices of a stiff method were factored.
+    pub factorizations: usize,
+    /// Those of the accepted steps that a stiff method took.
+    pub stiff_steps: usize,
     /// Length of the longest step, in seconds.
     pub largest_step: f64,
     /// Length of the shortest step but the last one, in seconds.
@@ -34,6 +40,9 @@ impl Default for Statistics {
             steps: 0,
             rejected: 0,
             evaluations: 0,
+            jacobians: 0,
+            factorizations: 0,
+            stiff_steps: 0,
             largest_step: 0.0,
             smallest_step: f64::INFINITY,
             estimated_error: 0.0,
@@ -41,19 +50,45 @@ impl Default for Statistics {
     }
 }
 
+impl Statistics {
+    /// Counts an accepted step, with its error in tolerances.
+    #[inline(always)]
+    pub(crate) fn count(&mut self, length: f64, error: f64, is_last: bool) {
+        self.steps += 1;
+        self.estimated_error += error;
+        self.largest_step = self.largest_step.max(length.abs());
+        if !is_last || self.steps == 1 {
+            self.smallest_step = self.smallest_step.min(length.abs());
+        }
+    }
+
+    /// Adds what another integration took.
+    pub(crate) fn add(&mut self, more: &Self) {
+        self.steps += more.steps;
+        self.rejected += more.rejected;
+        self.evaluations += more.evaluations;
+        self.jacobians += more.jacobians;
+        self.factorizations += more.factorizations;
+        self.stiff_steps += more.stiff_steps;
+        self.largest_step = self.largest_step.max(more.largest_step);
+        self.smallest_step = self.smallest_step.min(more.smallest_step);
+        self.estimated_error += more.estimated_error;
+    }
+}
+
 /// Where an integration stands.
-struct Clock {
+pub(crate) struct Clock {
     /// Begin and end.
     times: (f64, f64),
     /// The time.
-    now: f64,
+    pub now: f64,
     /// Number of equal steps, if the steps are fixed.
-    fixed: Option<f64>,
+    pub fixed: Option<f64>,
 }
 
 impl Clock {
     /// At the begin of a stretch.
-    fn new(times: (f64, f64), options: &Options) -> Self {
+    pub fn new(times: (f64, f64), options: &Options) -> Self {
         let span = (times.1 - times.0).abs();
         let fixed = options
             .fixed_step
@@ -67,7 +102,7 @@ impl Clock {
 
     /// Where a step of this length leads, after a number of steps. The last step lands exactly on the end.
     #[inline(always)]
-    fn target(&self, step: f64, steps: usize) -> f64 {
+    pub fn target(&self, step: f64, steps: usize) -> f64 {
         let (from, to) = self.times;
         if let Some(count) = self.fixed {
             let number = (steps + 1) as f64;
@@ -87,7 +122,7 @@ impl Clock {
 
     /// Whether a step is too short to advance the time.
     #[inline(always)]
-    fn is_lost(&self, step: f64) -> bool {
+    pub fn is_lost(&self, step: f64) -> bool {
         let span = (self.times.1 - self.times.0).abs();
         step.abs() <= 10.0 * f64::EPSILON * self.now.abs() + 1e-30 * span
     }
@@ -153,7 +188,14 @@ pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
             continue;
         }
         let dense = observe.wants_dense(clock.now, to);
+        let gauged = observe.wants_stiffness();
+        if gauged {
+            workspace.keep_last_stage();
+        }
         statistics.evaluations += workspace.finish(system, &instants, (clock.now, length), dense);
+        if gauged {
+            observe.stiffness(length, workspace.fastest_rate(system, options));
+        }
         observe.step(&Step {
             from: clock.now,
             to,
@@ -165,12 +207,7 @@ pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
                 &[]
             },
         });
-        statistics.steps += 1;
-        statistics.estimated_error += error;
-        statistics.largest_step = statistics.largest_step.max(length.abs());
-        if to != times.1 || statistics.steps == 1 {
-            statistics.smallest_step = statistics.smallest_step.min(length.abs());
-        }
+        statistics.count(length, error, to == times.1);
         std::mem::swap(&mut workspace.state, &mut workspace.trial);
         workspace.slopes.as_mut().swap(0, M::STAGES);
         clock.now = to;

@@ -13,6 +13,7 @@ use crate::dispatch::{Task, dispatch};
 use crate::problem::{Equations, Scene, Storage};
 use crate::registry::{self, Settings};
 use crate::scalar::Scalar;
+use crate::stiff;
 
 /// The motion of a scene from a start, on the scalar type that is fastest on the machine at hand. The absolute tolerances
 /// are `rtol * Scene::SCALES`.
@@ -67,12 +68,15 @@ pub fn march_on<C: Scene, S: Scalar>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Trajectory, OdeError> {
+    if let Some(method) = settings.method.stiff() {
+        return stiff::march(scene, times, start, settings.rtol, method);
+    }
     let equations = scene.prepare::<S>();
     let options = Options::scaled(settings.rtol, C::SCALES);
     let start = state_from::<S, _>(&equations, start)?;
     match settings.method {
         registry::Method::Tsit5 => march_with::<S, _, Tsit5>(&equations, times, &start, &options),
-        registry::Method::Dop853 => march_with::<S, _, Dop853>(&equations, times, &start, &options),
+        _ => march_with::<S, _, Dop853>(&equations, times, &start, &options),
     }
 }
 

@@ -22,8 +22,10 @@ mod trajectory;
 mod tsit5;
 mod workspace;
 
+pub(crate) use controller::Controller;
 pub use dop853::Dop853;
 pub use error::OdeError;
+pub(crate) use explicit::Clock;
 pub use explicit::{Statistics, integrate};
 pub(crate) use march::{bad_start, state_from};
 pub use march::{march, march_on};

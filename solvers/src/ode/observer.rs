@@ -26,6 +26,17 @@ pub trait Observer<V> {
     /// Looks at a step.
     fn step(&mut self, step: &Step<'_, V>);
 
+    /// Whether [`Observer::stiffness`] is wanted.
+    #[inline(always)]
+    fn wants_stiffness(&self) -> bool {
+        false
+    }
+
+    /// Looks at the length of the next step to be looked at, and at `|λ|`, the fastest rate of change that the equations
+    /// show in it.
+    #[inline(always)]
+    fn stiffness(&mut self, _length: f64, _rate: f64) {}
+
     /// Whether the integration is to end after the step that was looked at last.
     #[inline(always)]
     fn has_enough(&self) -> bool {

@@ -4,6 +4,7 @@ use super::explicit::Statistics;
 use super::observer::{Observer, Step};
 use crate::problem::Storage;
 use crate::scalar::Scalar;
+use crate::stiff::Switch;
 use std::marker::PhantomData;
 
 /// A motion that was computed: a polynomial for each step.
@@ -11,6 +12,8 @@ use std::marker::PhantomData;
 pub struct Trajectory {
     /// What the integration took.
     pub statistics: Statistics,
+    /// Where an automatic choice changed between the explicit and the stiff method.
+    pub switches: Vec<Switch>,
     /// Number of states.
     states: usize,
     /// Number of coefficients of each polynomial beside the state at its begin.
@@ -135,6 +138,7 @@ impl<S: Scalar> Recorder<S> {
         let end: Vec<f64> = start.as_ref().iter().map(|value| value.to_f64()).collect();
         let trajectory = Trajectory {
             statistics: Statistics::default(),
+            switches: Vec::new(),
             states: end.len(),
             degree: 0,
             times: vec![time],

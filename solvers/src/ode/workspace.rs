@@ -181,6 +181,40 @@ impl<V: Clone, M: Method> Workspace<V, M> {
         )
     }
 
+    /// Keeps the state of the last inner stage, which the stages of the dense output would overwrite.
+    #[inline(always)]
+    pub(super) fn keep_last_stage(&mut self) {
+        std::mem::swap(&mut self.stage, &mut self.second);
+    }
+
+    /// `|λ|` of the fastest change that the equations show in a step that is finished: the rates of its end and of the last
+    /// inner stage, which lies at its end too, over what these two states differ by (Hairer, Wanner II, section IV.2,
+    /// (2.25)). Needs [`Workspace::keep_last_stage`].
+    #[inline(always)]
+    pub(super) fn fastest_rate<S: Scalar, Y: System<S, State = V>>(
+        &mut self,
+        system: &Y,
+        options: &Options,
+    ) -> f64 {
+        let ends = (&self.state, &self.trial);
+        let slopes = self.slopes.as_ref();
+        for part in 0..Y::parts(&self.trial) {
+            for index in 0..Y::part(&self.trial, part).len() {
+                let end = Y::part(&slopes[M::STAGES], part)[index];
+                let last = Y::part(&slopes[M::STAGES - 1], part)[index];
+                Y::part_mut(&mut self.error, part)[index] = end - last;
+                let state = Y::part(&self.trial, part)[index];
+                let stage = &mut Y::part_mut(&mut self.second, part)[index];
+                *stage = state - *stage;
+            }
+        }
+        let change = scaled_size(system, options, ends, &self.second, None);
+        match change > 0.0 {
+            true => scaled_size(system, options, ends, &self.error, None) / change,
+            false => 0.0,
+        }
+    }
+
     /// Evaluates what is still missing of an accepted step: the slope at its end and, if asked for, the stages and
     /// coefficients of the continuous solution. Gives the number of evaluations.
     #[inline(always)]

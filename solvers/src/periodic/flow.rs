@@ -119,7 +119,14 @@ impl<C: Scene> Task for Turn<'_, '_, C> {
     fn run<S: Scalar>(self) -> Self::Output {
         match self.flow.method {
             registry::Method::Tsit5 => self.turn::<S, Tsit5>(),
-            registry::Method::Dop853 => self.turn::<S, Dop853>(),
+            // A steady state shows no transient that an automatic choice would have to look out for.
+            registry::Method::Dop853 | registry::Method::Auto => self.turn::<S, Dop853>(),
+            registry::Method::Radau | registry::Method::Rosenbrock => Err(OdeError::BadOption {
+                name: "method",
+                reason: "a steady state is sought together with its variations, which only the explicit methods \
+                         integrate; take dop853 or tsit5, or follow the motion from a start"
+                    .to_string(),
+            }),
         }
     }
 }

@@ -166,6 +166,27 @@ fn tsit5_finds_the_same_within_its_tolerance() {
 }
 
 #[test]
+fn stiff_methods_are_refused_and_the_choice_is_an_explicit_one() {
+    let scene = Oscillator::<true>::FORCED;
+    let solved = |method| {
+        solve(
+            &scene,
+            TAU,
+            &Settings {
+                method,
+                rtol: 1e-10,
+            },
+        )
+    };
+    for method in [Method::Radau, Method::Rosenbrock] {
+        let message = solved(method).unwrap_err().to_string();
+        assert!(message.contains("only the explicit methods"), "{message}");
+    }
+    let orbit = solved(Method::Auto).unwrap();
+    assert!(error(&scene, &orbit) < 1e-8);
+}
+
+#[test]
 fn shooting_agrees_with_superposition() {
     let scene = Oscillator::<true>::FORCED;
     let orbit = solve(

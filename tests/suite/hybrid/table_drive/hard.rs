@@ -304,7 +304,27 @@ fn a_light_table_is_stiff() {
     };
     let (usual, light) = (evaluations(5e-4), evaluations(5e-10));
     assert!(usual < 3000 && light > 1_000_000, "{usual} {light}");
+    let slow = Moved::at(Table1::with(&[("J2", 5e-10)]), 0.02, &FINE_AND_STIFF);
+    for method in [Method::Radau, Method::Rosenbrock, Method::Auto] {
+        let settings = Settings { method, rtol: 1e-6 };
+        let ours = Moved::at(Table1::with(&[("J2", 5e-10)]), 0.02, &settings);
+        let work = ours.motion.statistics.evaluations;
+        assert!(work < 3000, "{method:?} {work}");
+        for time in [1e-3, 5e-3, 0.02] {
+            let pair = [&ours, &slow].map(|one| one.output("dot(phi2)", time));
+            assert!(
+                (pair[0] / pair[1] - 1.0).abs() < 1e-4,
+                "{method:?} {pair:?}"
+            );
+        }
+    }
 }
+
+/// As accurately as a stiff method does without many steps.
+const FINE_AND_STIFF: Settings = Settings {
+    method: Method::Rosenbrock,
+    rtol: 1e-10,
+};
 
 /// Values that make no machine are refused, or are the error of the run that says where.
 #[test]

@@ -1,0 +1,276 @@
+//! Measures of runs, motions that repeat, and studies of many runs.
+
+use serde_json::Value;
+
+use super::{answer, check_refused, folder};
+
+fn object(arguments: &[&str]) -> Value {
+    let name = arguments.join("-").replace(['/', '=', '[', ']'], "-");
+    let text = answer(arguments, &folder(&name));
+    serde_json::from_str(&text).expect("one JSON object")
+}
+
+fn named<'a>(list: &'a Value, name: &str) -> &'a Value {
+    let mut all = list.as_array().expect("a list").iter();
+    all.find(|one| one["name"] == name)
+        .unwrap_or_else(|| panic!("no {name} in {list}"))
+}
+
+#[test]
+fn a_motion_through_events_that_repeats_is_shown_over_all_its_periods() {
+    let once = object(&[
+        "run",
+        "presser_foot",
+        "--set",
+        "omega=300[1/s]",
+        "--format",
+        "json",
+    ]);
+    let twice = object(&[
+        "run",
+        "presser_foot",
+        "--set",
+        "omega=400[1/s]",
+        "--format",
+        "json",
+    ]);
+    for (run, periods, omega) in [(&once, 1.0, 300.0), (&twice, 2.0, 400.0)] {
+        assert_eq!(run["task"]["periods"], periods);
+        let to = run["task"]["to"].as_f64().unwrap();
+        assert!((to * omega / std::f64::consts::TAU - periods).abs() < 1e-12);
+        let turns = named(&run["measures"], "turns")["value"].as_f64().unwrap();
+        assert!((turns - periods).abs() < 1e-12);
+        let leaves = run["events"].as_array().unwrap().iter();
+        let leaves = leaves.filter(|event| event["to"] == "flight").count() as f64;
+        assert_eq!(named(&run["measures"], "flights")["value"], leaves);
+        let moduli = run["multipliers"].as_array().unwrap().iter();
+        assert!(
+            moduli
+                .map(|one| one["modulus"].as_f64().unwrap())
+                .all(|one| one < 1.0)
+        );
+    }
+}
+
+#[test]
+fn measures_have_an_estimated_error_or_say_why_there_are_none() {
+    let run = object(&[
+        "run",
+        "table_drive",
+        "--scene",
+        "table_1",
+        "--format",
+        "json",
+    ]);
+    let twist = named(&run["measures"], "largest_twist");
+    assert_eq!(twist["unit"], "mrad");
+    let (value, error) = (
+        twist["value"].as_f64().unwrap(),
+        twist["estimated_error"].as_f64().unwrap(),
+    );
+    assert!(
+        value > 0.0 && error > 0.0 && error < 1e-6 * value,
+        "{twist}"
+    );
+    // The largest sample of the curve is no larger, and not much smaller.
+    let sampled = named(&run["results"], "twist");
+    let largest = sampled["maximum"]["value"].as_f64().unwrap() * 1e3;
+    assert!((largest - value).abs() < 1e-9 * value, "{largest} {value}");
+    let blocked = object(&[
+        "run",
+        "table_drive",
+        "--scene",
+        "blocked",
+        "--format",
+        "json",
+    ]);
+    let never = named(&blocked["measures"], "start_of_table");
+    assert!(never["value"].is_null());
+    assert_eq!(never["missing"], "the mode `run` is never entered");
+    let table = answer(
+        &["run", "table_drive", "--scene", "blocked"],
+        &folder("blocked_table"),
+    );
+    assert!(
+        table.contains("Measures of the whole task") && table.contains("never entered"),
+        "{table}"
+    );
+}
+
+const GRID: &[&str] = &[
+    "study",
+    "presser_foot",
+    "--over",
+    "omega=200..300[1/s]:3",
+    "--over",
+    "F10=20..60N:2",
+    "--measure",
+    "free,F_largest",
+];
+
+fn with<'a>(more: &[&'a str], words: &[&'a str]) -> Vec<&'a str> {
+    more.iter().chain(words).copied().collect()
+}
+
+#[test]
+fn a_grid_has_a_run_for_each_pair_of_values_whatever_the_number_of_threads() {
+    let json = with(GRID, &["--format", "json", "--threads", "1"]);
+    let study = object(&json);
+    let free = named(&study["measures"], "free")["values"]
+        .as_array()
+        .unwrap();
+    assert_eq!(free.len(), 6);
+    // The first range changes fastest: run 4 is omega = 250 with F10 = 60 N.
+    let single = object(&[
+        "run",
+        "presser_foot",
+        "--set",
+        "omega=250[1/s]",
+        "--set",
+        "F10=60N",
+        "--format",
+        "json",
+    ]);
+    assert_eq!(named(&single["measures"], "free")["value"], free[4]);
+    let two = object(&with(GRID, &["--format", "json", "--threads", "2"]));
+    assert_eq!(two["measures"], study["measures"]);
+    let csv = answer(&with(GRID, &["--format", "csv"]), &folder("study_csv"));
+    assert_eq!(csv.lines().count(), 7, "{csv}");
+    assert!(
+        csv.starts_with("\"omega, 1/s\",\"F10, N\",\"free\",\"F_largest, N\",\"failure\"\n"),
+        "{csv}"
+    );
+    let directory = folder("study_map");
+    let table = answer(&with(GRID, &["--plot", "map.svg"]), &directory);
+    assert!(
+        table.contains("F10, N \\ omega, 1/s") && table.contains("Figure: map.svg"),
+        "{table}"
+    );
+    let drawn = std::fs::read_to_string(directory.join("map.svg")).unwrap();
+    assert!(
+        drawn.starts_with("<svg") && drawn.contains("free"),
+        "{drawn}"
+    );
+}
+
+#[test]
+fn values_made_at_random_are_the_same_for_the_same_seed() {
+    let runs = [
+        "study",
+        "table_drive",
+        "--scene",
+        "table_1",
+        "--samples",
+        "40",
+        "--tolerance",
+        "J2=10%",
+        "--format",
+        "json",
+    ];
+    let (one, same) = (object(&runs), object(&with(&runs, &["--threads", "1"])));
+    assert_eq!(one["measures"], same["measures"]);
+    let other = object(&with(&runs, &["--seed", "2"]));
+    assert_ne!(one["measures"], other["measures"]);
+    let peak = named(&one["measures"], "peak_torque");
+    let (least, mean, greatest) = (&peak["least"], &peak["mean"]["value"], &peak["greatest"]);
+    assert!(least.as_f64() < mean.as_f64() && mean.as_f64() < greatest.as_f64());
+    assert_eq!(peak["values"].as_array().unwrap().len(), 40);
+}
+
+#[test]
+fn wrong_studies_are_refused() {
+    let directory = folder("wrong_studies");
+    let cases: &[(&[&str], &[&str])] = &[
+        (
+            &["study", "batten"],
+            &["has no measures", "measure x_max = peak(x);"],
+        ),
+        (&["study", "presser_foot"], &["--over NAME=FROM..TO:COUNT"]),
+        (
+            &["study", "presser_foot", "--over", "omga=1..2:3"],
+            &["`omga`", "omega"],
+        ),
+        (
+            &["study", "presser_foot", "--over", "omega=200..300"],
+            &["NAME=FROM..TO:COUNT"],
+        ),
+        (
+            &["study", "presser_foot", "--over", "omega=200..300[1/s]:1"],
+            &["from 2 to"],
+        ),
+        (
+            &["study", "presser_foot", "--over", "omega=200..200[1/s]:5"],
+            &["no length"],
+        ),
+        (
+            &["study", "presser_foot", "--over", "omega=200mm..300mm:5"],
+            &["wrong unit"],
+        ),
+        (
+            &["study", "presser_foot", "--over", "omega=-5..300[1/s]:5"],
+            &["--over omega=-5..300[1/s]:5"],
+        ),
+        (
+            &[
+                "study",
+                "presser_foot",
+                "--over",
+                "omega=200..300[1/s]:5000",
+                "--over",
+                "F10=1..2N:5000",
+            ],
+            &["too many"],
+        ),
+        (
+            &["study", "presser_foot", "--samples", "100"],
+            &["has a tolerance", "--tolerance NAME=10%"],
+        ),
+        (
+            &[
+                "study",
+                "presser_foot",
+                "--samples",
+                "0",
+                "--tolerance",
+                "m=1%",
+            ],
+            &["no number of samples"],
+        ),
+        (
+            &[
+                "study",
+                "presser_foot",
+                "--samples",
+                "1e12",
+                "--tolerance",
+                "m=1%",
+            ],
+            &["no number of samples"],
+        ),
+        (
+            &[
+                "study",
+                "presser_foot",
+                "--samples",
+                "10",
+                "--tolerance",
+                "m=-1%",
+            ],
+            &["above zero"],
+        ),
+        (
+            &[
+                "study",
+                "presser_foot",
+                "--over",
+                "omega=200..300[1/s]:3",
+                "--measure",
+                "fre",
+            ],
+            &["did you mean `free`?"],
+        ),
+    ];
+    for (arguments, words) in cases {
+        check_refused(arguments, words, &directory);
+    }
+}

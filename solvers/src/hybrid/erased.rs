@@ -1,0 +1,226 @@
+//! The equations of a motion with modes without their type: so what follows a motion is compiled once, for each length of
+//! the state vector, and not for each scene.
+
+use std::cell::RefCell;
+use std::marker::PhantomData;
+
+use super::problem::{EventEntry, Hybrid, Modes};
+use crate::problem::{Equations, Storage};
+
+/// What is asked of equations along a motion, in slices.
+pub(super) trait Model {
+    /// Length of the state vector.
+    fn states(&self) -> usize;
+    /// The mode.
+    fn mode(&self) -> usize;
+    /// Goes into a mode.
+    fn enter(&mut self, mode: usize);
+    /// Puts the equations on a side of a switching surface.
+    fn side(&mut self, surface: usize, side: f64);
+    /// Writes the rates of the state.
+    fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]);
+    /// Writes the derivatives of the rates by the state, column by column.
+    fn jacobian(&self, time: f64, state: &[f64], columns: &mut [f64]);
+    /// Writes the guards and their rates.
+    fn guards(&self, time: f64, state: &[f64], values: &mut [f64], rates: &mut [f64]);
+    /// Whether what else an event asks for holds.
+    fn permits(&self, event: usize, time: f64, state: &[f64]) -> bool;
+    /// Writes the state after an event.
+    fn jump(&self, event: usize, time: f64, state: &[f64], after: &mut [f64]);
+}
+
+/// A state of some equations.
+fn state<E: Equations<f64>>(equations: &E, values: &[f64]) -> E::State {
+    let mut state = E::State::zeros(equations.states());
+    state.as_mut().copy_from_slice(values);
+    state
+}
+
+/// Equations with room for the columns of their Jacobian.
+pub(super) struct Own<E: Modes<f64>> {
+    equations: E,
+    columns: RefCell<Vec<E::State>>,
+}
+
+impl<E: Modes<f64>> Own<E> {
+    pub(super) fn new(equations: E) -> Self {
+        let states = equations.states();
+        Self {
+            columns: RefCell::new(vec![E::State::zeros(states); states]),
+            equations,
+        }
+    }
+}
+
+impl<E: Modes<f64>> Model for Own<E> {
+    fn states(&self) -> usize {
+        self.equations.states()
+    }
+
+    fn mode(&self) -> usize {
+        self.equations.mode()
+    }
+
+    fn enter(&mut self, mode: usize) {
+        self.equations.enter(mode);
+    }
+
+    fn side(&mut self, surface: usize, side: f64) {
+        self.equations.side(surface, side);
+    }
+
+    fn rate(&self, time: f64, values: &[f64], rate: &mut [f64]) {
+        let one = &self.equations;
+        let mut rates = E::State::zeros(rate.len());
+        one.derivative(&one.instant(time), &state(one, values), &mut rates);
+        rate.copy_from_slice(rates.as_ref());
+    }
+
+    fn jacobian(&self, time: f64, values: &[f64], columns: &mut [f64]) {
+        let one = &self.equations;
+        let mut all = self.columns.borrow_mut();
+        one.jacobian(&one.instant(time), &state(one, values), &mut all);
+        let targets = columns.chunks_mut(values.len().max(1));
+        for (target, column) in targets.zip(all.iter()) {
+            target.copy_from_slice(column.as_ref());
+        }
+    }
+
+    fn guards(&self, time: f64, at: &[f64], values: &mut [f64], rates: &mut [f64]) {
+        let one = &self.equations;
+        one.guards(&one.instant(time), &state(one, at), values, rates);
+    }
+
+    fn permits(&self, event: usize, time: f64, values: &[f64]) -> bool {
+        let one = &self.equations;
+        one.permits(event, &one.instant(time), &state(one, values))
+    }
+
+    fn jump(&self, event: usize, time: f64, values: &[f64], after: &mut [f64]) {
+        let one = &self.equations;
+        let mut next = E::State::zeros(values.len());
+        one.jump(event, &one.instant(time), &state(one, values), &mut next);
+        after.copy_from_slice(next.as_ref());
+    }
+}
+
+/// The tables of a scene.
+#[derive(Clone, Copy)]
+pub(super) struct Table {
+    /// The events of each mode.
+    pub(super) events: &'static [&'static [EventEntry]],
+    /// For each mode the speeds that are zero in it.
+    pub(super) held: &'static [&'static [usize]],
+    /// Absolute tolerances per unit of `rtol`.
+    pub(super) scales: &'static [f64],
+    /// Names of the states.
+    pub(super) names: &'static [&'static str],
+}
+
+impl Table {
+    pub(super) fn of<C: Hybrid>() -> Self {
+        Self {
+            events: C::EVENTS,
+            held: C::HELD,
+            scales: C::SCALES,
+            names: C::STATE_NAMES,
+        }
+    }
+}
+
+/// Equations without their type, with states of a type of our own.
+pub(super) struct Erased<'a, V> {
+    model: &'a mut dyn Model,
+    /// Room for a Jacobian.
+    slopes: RefCell<Vec<f64>>,
+    state: PhantomData<V>,
+}
+
+impl<'a, V> Erased<'a, V> {
+    pub(super) fn new(model: &'a mut dyn Model) -> Self {
+        let states = model.states();
+        Self {
+            model,
+            slopes: RefCell::new(vec![0.0; states * states]),
+            state: PhantomData,
+        }
+    }
+}
+
+impl<V: Storage<f64>> Equations<f64> for Erased<'_, V> {
+    type State = V;
+    type Instant = f64;
+
+    fn states(&self) -> usize {
+        self.model.states()
+    }
+
+    fn instant(&self, time: f64) -> f64 {
+        time
+    }
+
+    fn instants<const K: usize>(&self, times: [f64; K]) -> [f64; K] {
+        times
+    }
+
+    #[inline(always)]
+    fn derivative(&self, time: &f64, state: &V, rate: &mut V) {
+        self.model.rate(*time, state.as_ref(), rate.as_mut());
+    }
+
+    fn variation(&self, time: &f64, state: &V, rate: &mut V, columns: &[V], products: &mut [V]) {
+        self.derivative(time, state, rate);
+        let states = self.states();
+        let mut slopes = self.slopes.borrow_mut();
+        self.model.jacobian(*time, state.as_ref(), &mut slopes);
+        for (column, product) in columns.iter().zip(products) {
+            for (row, entry) in product.as_mut().iter_mut().enumerate() {
+                let terms = column.as_ref().iter().enumerate();
+                *entry = terms
+                    .map(|(j, value)| slopes[j * states + row] * value)
+                    .sum();
+            }
+        }
+    }
+
+    fn jacobian(&self, time: &f64, state: &V, columns: &mut [V]) {
+        let states = self.states();
+        let mut slopes = self.slopes.borrow_mut();
+        self.model.jacobian(*time, state.as_ref(), &mut slopes);
+        for (column, slopes) in columns.iter_mut().zip(slopes.chunks(states.max(1))) {
+            column.as_mut().copy_from_slice(slopes);
+        }
+    }
+
+    fn outputs(&self, _time: f64, _state: &V, _values: &mut [f64]) {}
+
+    fn drivers(&self, _time: f64, _values: &mut [f64]) {}
+}
+
+impl<V: Storage<f64>> Modes<f64> for Erased<'_, V> {
+    fn mode(&self) -> usize {
+        self.model.mode()
+    }
+
+    fn enter(&mut self, mode: usize) {
+        self.model.enter(mode);
+    }
+
+    fn side(&mut self, surface: usize, side: f64) {
+        self.model.side(surface, side);
+    }
+
+    #[inline(always)]
+    fn guards(&self, time: &f64, state: &V, values: &mut [f64], rates: &mut [f64]) {
+        self.model.guards(*time, state.as_ref(), values, rates);
+    }
+
+    fn permits(&self, event: usize, time: &f64, state: &V) -> bool {
+        self.model.permits(event, *time, state.as_ref())
+    }
+
+    fn jump(&self, event: usize, time: &f64, state: &V, after: &mut V) {
+        self.model
+            .jump(event, *time, state.as_ref(), after.as_mut());
+    }
+}

@@ -1,0 +1,234 @@
+//! The choice between an explicit and a stiff method while the motion goes on.
+//!
+//! The motion begins with the explicit method of order 8. Each of its steps measures `h|λ|`, the step in terms of the
+//! fastest change that the equations know, from the last two stages, which both lie at its end (Hairer, Wanner II,
+//! section IV.2, (2.25) and program DOP853). At the border of stability it is about 6; but beside a stiff part an explicit
+//! method of high order loses its accuracy long before, and hovers anywhere from 0.4 (at `rtol = 1e-9`) up. A resolved
+//! oscillation gives the same figures. So the measure only says where a stiff method might be worth trying. Whether it
+//! is, is found by trying: if after a few steps its steps are no longer than those of the explicit method were, the
+//! explicit one goes on, and it takes twice as long until the next trial. Otherwise the stiff method stays, for as long as
+//! its steps are longer, by the spectral radius of the Jacobian, than those of the explicit method would be.
+//!
+//! The stiff method is Radau for loose tolerances, and Rodas5P, whose error estimate and continuous solution are one
+//! order higher, for tight ones.
+
+mod gauge;
+
+use super::here::Here;
+use super::radau::Radau;
+use super::rates::{Erased, Rates};
+use super::rosenbrock::Rosenbrock;
+use super::spectrum::Calm;
+use super::stepper::drive;
+use crate::ode::{self, Dop853, Observer, OdeError, Options, Statistics};
+use gauge::{Gauge, STIFF, Suspicion};
+use std::cell::RefCell;
+
+/// Steps up to which the stiff method is on trial.
+const TRIAL: usize = 40;
+/// A last step so many times longer than those of the explicit method ends the trial too.
+const PROOF: f64 = 4.0;
+/// Relative tolerance above which Radau is the stiff method, below Rodas5P.
+const LOOSE: f64 = 1e-5;
+
+/// Where the method changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Switch {
+    /// When, in seconds.
+    pub time: f64,
+    /// Whether it was to the stiff method; otherwise it was back to the explicit one.
+    pub stiff: bool,
+}
+
+/// The memory of the methods.
+pub(super) struct Automatic {
+    explicit: ode::Workspace<Vec<f64>, Dop853>,
+    radau: Radau,
+    rosenbrock: Rosenbrock,
+    calm: Calm,
+    suspicion: Suspicion,
+    /// What goes on now. Kept from one integration to the next: events do not change how stiff a mechanism is.
+    phase: Phase,
+    /// The changes of the last integration.
+    pub switches: Vec<Switch>,
+}
+
+/// Which method goes on.
+#[derive(Clone, Copy, Debug)]
+enum Phase {
+    Explicit,
+    /// The stiff one on trial, since a time and for so many steps; the explicit one had steps of a length.
+    Trial {
+        since: f64,
+        steps: usize,
+        step: f64,
+    },
+    Stiff,
+}
+
+impl Automatic {
+    /// Coefficients of the continuous solution: those of the explicit method, of which a stiff step leaves the last zero.
+    pub const DEGREE: usize = 7;
+
+    /// Room for the states of a system.
+    pub fn new(rates: &mut dyn Rates) -> Self {
+        let states = rates.states();
+        Self {
+            explicit: ode::Workspace::new(&Erased(RefCell::new(rates))),
+            radau: Radau::new(states),
+            rosenbrock: Rosenbrock::new(states),
+            calm: Calm::new(states),
+            suspicion: Suspicion::new(),
+            phase: Phase::Explicit,
+            switches: Vec::with_capacity(64),
+        }
+    }
+
+    /// Integrates from [`Here::state`]. What it took is in [`Here::statistics`], failed or not.
+    pub fn integrate(
+        &mut self,
+        rates: &mut dyn Rates,
+        here: &mut Here,
+        times: (f64, f64),
+        options: &Options,
+        observe: &mut dyn Observer<Vec<f64>>,
+    ) -> Result<(), OdeError> {
+        self.switches.clear();
+        let mut total = Statistics::default();
+        let mut options = options.clone();
+        let allowed = options.max_steps;
+        here.time = times.0;
+        let done = loop {
+            here.statistics = Statistics::default();
+            let stretch = (here.time, times.1);
+            let (done, time, step) = match self.phase {
+                Phase::Explicit => self.explicitly(rates, here, stretch, &options, observe),
+                _ => self.stiffly(rates, here, stretch, &options, observe),
+            };
+            total.add(&here.statistics);
+            here.time = time;
+            if let Err(OdeError::TooManySteps { time, .. }) = done {
+                let steps = allowed;
+                break Err(OdeError::TooManySteps { time, steps });
+            }
+            let has_failed = done.is_err() && matches!(self.phase, Phase::Explicit);
+            if has_failed || time == times.1 || observe.has_enough() {
+                break done;
+            }
+            options.max_steps = allowed.saturating_sub(total.steps + total.rejected);
+            options.first_step = (step != 0.0).then_some(step.abs());
+            match self.phase {
+                Phase::Explicit => {
+                    self.consider(rates, here);
+                    total.jacobians += 1;
+                }
+                // Where the stiff method fails, the explicit one has the last word.
+                Phase::Trial { step, .. } => {
+                    self.suspicion.was_wrong();
+                    self.phase = Phase::Explicit;
+                    options.first_step = Some(step);
+                }
+                Phase::Stiff => {
+                    self.phase = Phase::Explicit;
+                    let stiff = false;
+                    self.switches.push(Switch { time, stiff });
+                }
+            }
+        };
+        here.statistics = total;
+        done
+    }
+
+    /// Goes on with the explicit method. Gives the time that was reached, and the last step.
+    fn explicitly(
+        &mut self,
+        rates: &mut dyn Rates,
+        here: &mut Here,
+        times: (f64, f64),
+        options: &Options,
+        observe: &mut dyn Observer<Vec<f64>>,
+    ) -> (Result<(), OdeError>, f64, f64) {
+        let mut gauge = Gauge {
+            inner: observe,
+            suspicion: Some(&mut self.suspicion),
+            last: (times.0, 0.0),
+        };
+        let system = Erased(RefCell::new(rates));
+        let explicit = &mut self.explicit;
+        let done = ode::integrate(&system, times, &here.state, options, explicit, &mut gauge);
+        let (time, step) = gauge.last;
+        here.state.copy_from_slice(self.explicit.state());
+        let done = done.map(|statistics| here.statistics = statistics);
+        (done, time, step)
+    }
+
+    /// Goes on with the stiff one.
+    fn stiffly(
+        &mut self,
+        rates: &mut dyn Rates,
+        here: &mut Here,
+        times: (f64, f64),
+        options: &Options,
+        observe: &mut dyn Observer<Vec<f64>>,
+    ) -> (Result<(), OdeError>, f64, f64) {
+        let mut gauge = Gauge {
+            inner: observe,
+            suspicion: None,
+            last: (times.0, 0.0),
+        };
+        // The rows of higher degree stay zero.
+        here.polynomial.iter_mut().for_each(|row| row.fill(0.0));
+        self.calm.restart();
+        let calm = Some(&mut self.calm);
+        let done = match options.rtol > LOOSE {
+            true => drive(
+                &mut self.radau,
+                rates,
+                here,
+                times,
+                options,
+                &mut gauge,
+                calm,
+            ),
+            false => drive(
+                &mut self.rosenbrock,
+                rates,
+                here,
+                times,
+                options,
+                &mut gauge,
+                calm,
+            ),
+        };
+        let (time, step) = gauge.last;
+        if let Phase::Trial {
+            since,
+            steps,
+            step: explicit,
+        } = &mut self.phase
+        {
+            *steps += here.statistics.steps;
+            if *steps > TRIAL || step.abs() > PROOF * *explicit {
+                let (time, stiff) = (*since, true);
+                self.switches.push(Switch { time, stiff });
+                self.phase = Phase::Stiff;
+                self.suspicion = Suspicion::new();
+            }
+        }
+        (done, time, step)
+    }
+
+    /// Tries the stiff method where the Jacobian agrees that it may be worth it.
+    fn consider(&mut self, rates: &mut dyn Rates, here: &mut Here) {
+        let step = self.suspicion.step();
+        let product = self.calm.begin(rates, here, step);
+        // One that does not exist says nothing.
+        if !product.is_ok_and(|product| product >= STIFF) {
+            self.suspicion.was_wrong();
+            return;
+        }
+        self.suspicion.clear();
+        let (since, steps) = (here.time, 0);
+        self.phase = Phase::Trial { since, steps, step };
+    }
+}

@@ -1,0 +1,147 @@
+//! Methods for stiff motions: parts that are much stiffer, or lighter, than the motion of interest asks for.
+//!
+//! An explicit method follows the fastest oscillation or decay that the equations know even where nothing of it is left:
+//! its steps stay below a few `1/|λ|`. The methods here solve linear systems with the emitted Jacobian in every step, and
+//! their steps follow the accuracy alone.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `rates` | what is integrated, behind a pointer: everything else is compiled once for all scenes |
+//! | `stepper` | the loop over the steps |
+//! | `radau` | Radau IIA of order 5 with simplified Newton iteration |
+//! | `rosenbrock` | Rodas5P of order 5, without iteration |
+//! | `automatic`, `spectrum` | the choice between the explicit method and a stiff one, while the motion goes on |
+//! | `march` | the motion of a scene |
+//!
+//! They drive the same [`Observer`] as the explicit methods and give the continuous solution in the same basis, so that
+//! trajectories and events do not know which method it was. They run on `f64`.
+//!
+//! **Which one.** Rodas5P needs fewer steps, the more the tighter the tolerance: its error estimate and continuous solution
+//! are of order 4, those of Radau of order 3. Radau is for loose tolerances, and where the Jacobian is costly, hardly
+//! changes or is only approximate. The automatic choice costs little where nothing is stiff.
+//!
+//! **What stiffness is not.** A fast oscillation whose amplitude exceeds the tolerance is motion: every method has to
+//! follow it, and the explicit one does so best. One below the tolerance is damped by both stiff methods.
+//!
+//! **What stiffness costs.** Where `h λ` is large, the order falls: on the problem of Prothero and Robinson both methods
+//! have order 3 in `h`, beside the small factor `1/λ` (`tests/orders.rs` measures it).
+
+mod automatic;
+mod here;
+mod march;
+mod radau;
+mod rates;
+mod rosenbrock;
+mod spectrum;
+mod stepper;
+
+pub use automatic::Switch;
+pub(crate) use march::march;
+pub use rates::{Emitted, Rates};
+
+use crate::ode::{Observer, OdeError, Options, Statistics, bad_start};
+use automatic::Automatic;
+use here::{Here, first_bad};
+use radau::Radau;
+use rosenbrock::Rosenbrock;
+use stepper::drive;
+
+/// A method that runs behind [`Rates`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Radau IIA of order 5.
+    Radau,
+    /// The Rosenbrock method Rodas5P of order 5.
+    Rosenbrock,
+    /// Dormand–Prince 8(5,3), or one of the others where the motion is stiff.
+    Automatic,
+}
+
+/// The memory of an integration. Nothing but it is allocated.
+pub struct Workspace {
+    here: Here,
+    method: Chosen,
+}
+
+/// The memory of a method.
+enum Chosen {
+    Radau(Radau),
+    Rosenbrock(Rosenbrock),
+    Automatic(Box<Automatic>),
+}
+
+impl Workspace {
+    /// Room for the states of a system.
+    pub fn new(method: Method, rates: &mut dyn Rates) -> Self {
+        let states = rates.states();
+        let (method, degree) = match method {
+            Method::Radau => (Chosen::Radau(Radau::new(states)), Radau::DEGREE),
+            Method::Rosenbrock => (
+                Chosen::Rosenbrock(Rosenbrock::new(states)),
+                Rosenbrock::DEGREE,
+            ),
+            Method::Automatic => (
+                Chosen::Automatic(Box::new(Automatic::new(rates))),
+                Automatic::DEGREE,
+            ),
+        };
+        let here = Here::new(states, degree);
+        Self { here, method }
+    }
+
+    /// The state where the last integration ended.
+    pub fn state(&self) -> &[f64] {
+        &self.here.state
+    }
+
+    /// What the last integration took, whether it ended well or not.
+    pub fn statistics(&self) -> &Statistics {
+        &self.here.statistics
+    }
+
+    /// Where the last integration changed between the explicit and the stiff method.
+    pub fn switches(&self) -> &[Switch] {
+        match &self.method {
+            Chosen::Automatic(automatic) => &automatic.switches,
+            Chosen::Radau(_) | Chosen::Rosenbrock(_) => &[],
+        }
+    }
+}
+
+/// Integrates from one time to another, forwards or backwards. The end state is [`Workspace::state`].
+///
+/// # Errors
+/// [`OdeError`], with the time that was reached.
+pub fn integrate(
+    rates: &mut dyn Rates,
+    times: (f64, f64),
+    start: &[f64],
+    options: &Options,
+    workspace: &mut Workspace,
+    observe: &mut dyn Observer<Vec<f64>>,
+) -> Result<Statistics, OdeError> {
+    let Workspace { here, method } = workspace;
+    let states = here.state.len();
+    options.check(times, states)?;
+    if start.len() != states || rates.states() != states {
+        return Err(bad_start(start.len(), states));
+    }
+    if let Some(component) = first_bad(start) {
+        return Err(OdeError::BadOption {
+            name: "start",
+            reason: format!("state {component} is not a finite number"),
+        });
+    }
+    here.state.copy_from_slice(start);
+    match method {
+        Chosen::Radau(radau) => drive(radau, rates, here, times, options, observe, None)?,
+        Chosen::Rosenbrock(method) => drive(method, rates, here, times, options, observe, None)?,
+        Chosen::Automatic(automatic) => {
+            automatic.integrate(rates, here, times, options, observe)?;
+        }
+    }
+    Ok(here.statistics)
+}
+
+#[cfg(test)]
+mod tests;
