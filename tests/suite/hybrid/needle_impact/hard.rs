@@ -258,7 +258,7 @@ fn a_needle_that_stays_pressed() {
 fn a_step_in_the_integrand() {
     for one in closed("chances") {
         let changes = changes(&one["values"]);
-        let steep = changes.iter().any(|one| *one == ("s_ln", 0.001));
+        let steep = changes.contains(&("s_ln", 0.001));
         if !steep {
             continue;
         }

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Times to 1e-12 s, positions to 1e-15 m, speeds to nine digits of 2 m/s, peaks to nine digits.
+/// Times to 1e-12 s, positions to 1e-14 m, speeds to 1e-9 m/s, peaks to 1e-9 N.
 #[track_caller]
 fn agrees(name: &str) -> Moved {
     let case = &REFERENCE["stepped"][name];
@@ -19,16 +19,16 @@ fn agrees(name: &str) -> Moved {
     assert_eq!(moved.modes(), modes, "{name}");
     for (event, one) in moved.motion.events.iter().zip(expected) {
         let off = (event.time - number(&one["time"])).abs();
-        assert!(off < 1e-11, "{name}, to {}: off by {off:e} s", one["to"]);
+        assert!(off < 1e-12, "{name}, to {}: off by {off:e} s", one["to"]);
         let off = (event.after[1] - number(&one["speed"])).abs();
-        assert!(off < 1e-8, "{name}, to {}: off by {off:e} m/s", one["to"]);
+        assert!(off < 1e-9, "{name}, to {}: off by {off:e} m/s", one["to"]);
     }
     for one in case["samples"].as_array().unwrap() {
         let time = number(&one["time"]);
         let off = (moved.output("y", time) - number(&one["y"])).abs();
-        assert!(off < 1e-12, "{name} at {time} s: off by {off:e} m");
+        assert!(off < 1e-14, "{name} at {time} s: off by {off:e} m");
         let off = (moved.output("dot(y)", time) - number(&one["speed"])).abs();
-        assert!(off < 1e-8, "{name} at {time} s: off by {off:e} m/s");
+        assert!(off < 1e-9, "{name} at {time} s: off by {off:e} m/s");
     }
     for (measure, key) in [("F_wedge_max", "F_wedge"), ("F_cam_max", "F_cam")] {
         let off = (moved.measure(measure) - number(&case[key])).abs();

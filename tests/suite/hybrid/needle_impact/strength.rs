@@ -70,7 +70,7 @@ fn monte_carlo_agrees_with_the_integral() {
             Delta: gap,
             // All stresses are above this limit; what the damage is at another one follows from the slope.
             s_R: nominal.s_R * 1e-3,
-            ..nominal.clone()
+            ..nominal
         };
         let mut assembly = Assembly::<StruckFitted, f64>::new(&needle);
         assembly.start_at(&[speed], &[]).unwrap();
@@ -84,6 +84,38 @@ fn monte_carlo_agrees_with_the_integral() {
         (0.05..0.95).contains(&expected),
         "{expected} decides nothing"
     );
+    assert!(
+        (share - expected).abs() < 4.0 * spread,
+        "{share}, expected {expected} within {spread}"
+    );
+}
+
+/// The same by runs of whole motions, each of its own needle: the gap and the fatigue limit are drawn from what the file says.
+#[test]
+fn monte_carlo_of_runs_agrees_with_the_integral() {
+    use assur::study::{drawn, runs};
+    let (changes, count) = ([("V_c", 2.8)], 3000);
+    let expected = Moved::of("chance", &changes, 1.0).output("P_cam", 1.0);
+    let scene = entry("needle_impact", "made");
+    let nominal = values(scene, &changes);
+    let made = |index: usize| {
+        let mut one = drawn(scene.constants, &nominal, 11, index);
+        let gap = scene
+            .constants
+            .iter()
+            .position(|it| it.quantity.name == "Delta");
+        one[gap.unwrap()] = one[gap.unwrap()].max(0.0);
+        one
+    };
+    let settings = Settings { rtol: 1e-8, ..FINE };
+    let found = runs(&scene.bind, count, &made, &settings, 0, &|_| {});
+    let breaks = place(scene.measures, "breaks");
+    let broken: f64 = found
+        .into_iter()
+        .map(|one| one.unwrap()[breaks].unwrap())
+        .sum();
+    let share = broken / count as f64;
+    let spread = (expected * (1.0 - expected) / count as f64).sqrt();
     assert!(
         (share - expected).abs() < 4.0 * spread,
         "{share}, expected {expected} within {spread}"
