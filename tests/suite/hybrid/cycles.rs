@@ -56,6 +56,32 @@ mod stop {
     }
 }
 
+mod relay {
+    assur::mechanism! {
+        /// A relay that switches a lag: at given angles, or where the lag comes to a limit, once more by a quantity that
+        /// jumps there.
+        Relay from "made up";
+        parameter T = 1 s, P = 2.2 s, push = 1/2, limit = 1/2;
+        driver phi = 2*pi*time/P;
+        state x: 1 = 0;
+        let shaken = push*sin(phi);
+        choice switch "what the relay switches by" {
+            clock { let high = if sin(phi) > 0 { 10 + x } else { x - 10 }; let low = high; }
+            level { let high = x - limit; let low = x + limit; }
+            jump {
+                let high = if x > limit { 3 + x } else { x - 3 };
+                let low = if x < -limit { x - 3 } else { 3 + x };
+            }
+        }
+        mode up { motion T*dot(x) + x = 1 + shaken; when high rises -> down; }
+        mode down { motion T*dot(x) + x = -1 + shaken; when low falls -> up; }
+        output x;
+        scene clocked { periodic over P; }
+        scene limited = switch.level { periodic over P; }
+        scene jumping = switch.jump { periodic over P; }
+    }
+}
+
 /// The scene at which the ball bounces once a period, with this amplitude in terms of gravity.
 fn bounce(amplitude: f64) -> ball::Bounce {
     let scene = ball::Bounce::default();
@@ -206,4 +232,30 @@ fn a_long_simulation_comes_to_the_same_motion() {
     for (a, b) in long.end.iter().zip(&closed) {
         assert!((a - b).abs() < 1e-9, "{a} against {b}");
     }
+}
+
+/// What it jumps by is a function of time alone: all motions switch together, and only the lag forgets.
+#[test]
+fn a_guard_that_jumps_at_a_given_time_does_not_depend_on_the_state() {
+    let scene = relay::Clocked::default();
+    let found = hybrid::cycle(&scene, scene.P, &FINE).unwrap();
+    assert_eq!((found.multiple, found.motion.events.len()), (1, 2));
+    let expected = (-scene.P / scene.T).exp();
+    let multiplier = found.multipliers[0];
+    assert!(
+        (multiplier.re - expected).abs() < 1e-11,
+        "{multiplier} against {expected}"
+    );
+}
+
+#[test]
+fn a_guard_that_jumps_where_another_passes_zero_is_that_other() {
+    let (limited, jumping) = (relay::Limited::default(), relay::Jumping::default());
+    let one = hybrid::cycle(&limited, limited.P, &FINE).unwrap();
+    let other = hybrid::cycle(&jumping, jumping.P, &FINE).unwrap();
+    assert_eq!((one.multiple, other.multiple), (1, 1));
+    let [a, b] = [one, other].map(|cycle| cycle.multipliers[0].re);
+    assert!((a - b).abs() < 1e-8, "{a} against {b}");
+    let smooth = (-limited.P / limited.T).exp();
+    assert!((a - smooth).abs() > 0.01, "{a}");
 }

@@ -35,6 +35,9 @@ pub(super) trait Local {
     /// Writes the derivatives of the guard of an event by the state, and gives its rate.
     fn guard(&self, event: usize, time: f64, state: &[f64], slopes: &mut [f64]) -> f64;
 
+    /// The guard of an event.
+    fn value(&self, event: usize, time: f64, state: &[f64]) -> f64;
+
     /// Writes the derivatives of the state after an event by that before it, column by column, and its total time
     /// derivative. False where the event sets nothing.
     fn jump(
@@ -106,10 +109,20 @@ struct In<'a, C: Hybrid> {
 }
 
 type State<C> = <<C as Hybrid>::Modal<f64> as Equations<f64>>::State;
+type Instant<C> = <<C as Hybrid>::Modal<f64> as Equations<f64>>::Instant;
 
 impl<C: Hybrid> In<'_, C> {
     fn equations(&self) -> &C::Modal<f64> {
         self.own.as_ref().unwrap_or(self.mode)
+    }
+
+    /// Values and rates of the guards.
+    fn guards(&self, instant: &Instant<C>, state: &State<C>) -> (Vec<f64>, Vec<f64>) {
+        let equations = self.equations();
+        let count = C::EVENTS[equations.mode()].len();
+        let (mut values, mut rates) = (vec![0.0; count], vec![0.0; count]);
+        equations.guards(instant, state, &mut values, &mut rates);
+        (values, rates)
     }
 
     fn state(values: &[f64]) -> State<C> {
@@ -154,10 +167,12 @@ where
         let mut all = State::<C>::zeros(C::STATES);
         equations.guard_slopes(event, &instant, &state, &mut all);
         slopes.copy_from_slice(all.as_ref());
-        let count = C::EVENTS[equations.mode()].len();
-        let (mut values, mut rates) = (vec![0.0; count], vec![0.0; count]);
-        equations.guards(&instant, &state, &mut values, &mut rates);
-        rates[event]
+        self.guards(&instant, &state).1[event]
+    }
+
+    fn value(&self, event: usize, time: f64, state: &[f64]) -> f64 {
+        let instant = self.equations().instant(time);
+        self.guards(&instant, &Self::state(state)).0[event]
     }
 
     fn jump(

@@ -34,7 +34,7 @@ pub(super) fn of(
         let due = events.partition_point(|event| event.time <= begin);
         if due > 0 {
             let after = flow.local(piece.mode, &piece.sides);
-            matrix = jump(flow, &events[..due], before, after.as_ref())? * matrix;
+            matrix = jump(flow, &events[..due], motion.time, before, after.as_ref())? * matrix;
             events = &events[due..];
         }
         let local = flow.local(piece.mode, &piece.sides);
@@ -43,15 +43,16 @@ pub(super) fn of(
     }
     if !events.is_empty() {
         let after = flow.local(motion.mode, &[]);
-        matrix = jump(flow, events, before, after.as_ref())? * matrix;
+        matrix = jump(flow, events, motion.time, before, after.as_ref())? * matrix;
     }
     Ok(matrix)
 }
 
-/// The matrix of events at one instant, of which each sets off the next.
+/// The matrix of events at one instant, of which each sets off the next, in a motion of some length.
 fn jump(
     flow: &dyn Flow,
     events: &[Happened],
+    span: f64,
     sides: &[f64],
     after: &dyn Local,
 ) -> Result<DMatrix<f64>, CycleError> {
@@ -67,6 +68,7 @@ fn jump(
     );
     let mut rate = DVector::zeros(states);
     local.rate(first.time, &first.before, rate.as_mut_slice());
+    let rate_before = rate.clone();
     let mut jumps = DMatrix::identity(states, states);
     for (index, event) in events.iter().enumerate() {
         let local = flow.local(event.from, if index == 0 { sides } else { &[] });
@@ -94,7 +96,18 @@ fn jump(
     if slopes.iter().all(|slope| *slope == 0.0) {
         return Ok(jumps);
     }
-    let matrix = jumps + (next - rate) * slopes.transpose() / passing;
+    let passage = Passage {
+        local: local.as_ref(),
+        event: first,
+        rate: rate_before,
+        // Times are known to a few roundings of this.
+        time: span.max(first.time.abs()),
+    };
+    let earlier = match passage.steps_over(&slopes, passing) {
+        false => slopes / passing,
+        true => passage.earlier(&slopes, flow.scales())?,
+    };
+    let matrix = jumps + (next - rate) * earlier.transpose();
     match matrix.iter().all(|entry| entry.is_finite()) {
         true => Ok(matrix),
         false => Err(CycleError::Grazing {
@@ -102,6 +115,85 @@ fn jump(
             mode: first.from,
             event: first.event,
         }),
+    }
+}
+
+/// An event whose instant is looked at.
+struct Passage<'a> {
+    local: &'a dyn Local,
+    event: &'a Happened,
+    /// Rates of the state before it.
+    rate: DVector<f64>,
+    /// How long the times are that are compared.
+    time: f64,
+}
+
+impl Passage<'_> {
+    /// The guard where the motion without the event is at a time, with one of its states changed by so much.
+    fn guard(&self, time: f64, (place, change): (usize, f64)) -> f64 {
+        let before = DVector::from_column_slice(&self.event.before);
+        let mut state = before + &self.rate * (time - self.event.time);
+        state[place] += change;
+        self.local.value(self.event.event, time, state.as_slice())
+    }
+
+    /// The guard just before the event and just after it.
+    fn sides(&self) -> [f64; 2] {
+        let blur = 64.0 * f64::EPSILON * self.time;
+        [-blur, blur].map(|part| self.guard(self.event.time + part, (0, 0.0)))
+    }
+
+    /// Whether the guard does not pass zero but jumps over it: one of its branches goes over to its other side there, in
+    /// a mode whose motion does not depend on that branch. Its slopes then say nothing of when that happens.
+    fn steps_over(&self, slopes: &DVector<f64>, passing: f64) -> bool {
+        let [before, after] = self.sides();
+        let terms = slopes.iter().zip(&self.event.before);
+        let size: f64 = terms.map(|(slope, value)| (slope * value).abs()).sum();
+        (after - before).abs() > 1e4 * f64::EPSILON * (size + (passing * self.time).abs())
+    }
+
+    /// By how much earlier the event happens per change of each state, by differences.
+    fn earlier(&self, slopes: &DVector<f64>, scales: &[f64]) -> Result<DVector<f64>, CycleError> {
+        let mut all = DVector::zeros(scales.len());
+        for (place, one) in all.iter_mut().enumerate() {
+            let size = 1e-5 * scales[place].max(self.event.before[place].abs());
+            let times = [-size, size].map(|change| self.jumps((place, change), slopes[place]));
+            let [Some(less), Some(more)] = times else {
+                return Err(CycleError::Grazing {
+                    time: self.event.time,
+                    mode: self.event.from,
+                    event: self.event.event,
+                });
+            };
+            *one = (less - more) / (2.0 * size);
+        }
+        Ok(all)
+    }
+
+    /// When the guard jumps with one of the states changed, on which it has a slope: where it passes the middle of the
+    /// jump, which the change moves along. None if not near.
+    fn jumps(&self, change: (usize, f64), slope: f64) -> Option<f64> {
+        let [before, after] = self.sides();
+        let middle = 0.5 * (before + after) + slope * change.1;
+        let has_passed = |time: f64| (self.guard(time, change) - middle) * (after - before) > 0.0;
+        let mut width = 64.0 * f64::EPSILON * self.time;
+        while has_passed(self.event.time - width) || !has_passed(self.event.time + width) {
+            width *= 2.0;
+            if width > 1e-3 * self.time {
+                return None;
+            }
+        }
+        let (mut low, mut high) = (self.event.time - width, self.event.time + width);
+        loop {
+            let middle = low + 0.5 * (high - low);
+            if middle <= low || middle >= high {
+                return Some(high);
+            }
+            match has_passed(middle) {
+                true => high = middle,
+                false => low = middle,
+            }
+        }
     }
 }
 
