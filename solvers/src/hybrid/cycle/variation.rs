@@ -105,7 +105,7 @@ fn jump(
     };
     let earlier = match passage.steps_over(&slopes, passing) {
         false => slopes / passing,
-        true => passage.earlier(flow.scales())?,
+        true => passage.earlier(&slopes, flow.scales())?,
     };
     let matrix = jumps + (next - rate) * earlier.transpose();
     match matrix.iter().all(|entry| entry.is_finite()) {
@@ -137,23 +137,27 @@ impl Passage<'_> {
         self.local.value(self.event.event, time, state.as_slice())
     }
 
+    /// The guard just before the event and just after it.
+    fn sides(&self) -> [f64; 2] {
+        let blur = 64.0 * f64::EPSILON * self.time;
+        [-blur, blur].map(|part| self.guard(self.event.time + part, (0, 0.0)))
+    }
+
     /// Whether the guard does not pass zero but jumps over it: one of its branches goes over to its other side there, in
     /// a mode whose motion does not depend on that branch. Its slopes then say nothing of when that happens.
     fn steps_over(&self, slopes: &DVector<f64>, passing: f64) -> bool {
-        let blur = 64.0 * f64::EPSILON * self.time;
-        let [before, after] =
-            [-blur, blur].map(|part| self.guard(self.event.time + part, (0, 0.0)));
+        let [before, after] = self.sides();
         let terms = slopes.iter().zip(&self.event.before);
         let size: f64 = terms.map(|(slope, value)| (slope * value).abs()).sum();
         (after - before).abs() > 1e4 * f64::EPSILON * (size + (passing * self.time).abs())
     }
 
     /// By how much earlier the event happens per change of each state, by differences.
-    fn earlier(&self, scales: &[f64]) -> Result<DVector<f64>, CycleError> {
+    fn earlier(&self, slopes: &DVector<f64>, scales: &[f64]) -> Result<DVector<f64>, CycleError> {
         let mut all = DVector::zeros(scales.len());
         for (place, one) in all.iter_mut().enumerate() {
             let size = 1e-5 * scales[place].max(self.event.before[place].abs());
-            let times = [-size, size].map(|change| self.instant((place, change)));
+            let times = [-size, size].map(|change| self.jumps((place, change), slopes[place]));
             let [Some(less), Some(more)] = times else {
                 return Err(CycleError::Grazing {
                     time: self.event.time,
@@ -166,12 +170,13 @@ impl Passage<'_> {
         Ok(all)
     }
 
-    /// When the guard jumps over zero with one of the states changed; none if not near.
-    fn instant(&self, change: (usize, f64)) -> Option<f64> {
-        let blur = 64.0 * f64::EPSILON * self.time;
-        let after = self.guard(self.event.time + blur, (0, 0.0));
-        let has_passed = |time: f64| self.guard(time, change) * after > 0.0;
-        let mut width = blur;
+    /// When the guard jumps with one of the states changed, on which it has a slope: where it passes the middle of the
+    /// jump, which the change moves along. None if not near.
+    fn jumps(&self, change: (usize, f64), slope: f64) -> Option<f64> {
+        let [before, after] = self.sides();
+        let middle = 0.5 * (before + after) + slope * change.1;
+        let has_passed = |time: f64| (self.guard(time, change) - middle) * (after - before) > 0.0;
+        let mut width = 64.0 * f64::EPSILON * self.time;
         while has_passed(self.event.time - width) || !has_passed(self.event.time + width) {
             width *= 2.0;
             if width > 1e-3 * self.time {
