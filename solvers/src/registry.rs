@@ -13,7 +13,9 @@ mod tolerance;
 pub use bind::{bind, check_values};
 pub use hybrid::{ModeEntry, bind_cycle, bind_hybrid};
 pub use limits::{Listed, Listing, RunLimits};
-pub use linkage::{Distribution, Link, LinkageEntry, Loop, RunLinkage, Subject, bind_linkage};
+pub use linkage::{
+    Distribution, Link, LinkageEntry, Loop, RunLinkage, Subject, bind_exact, bind_linkage,
+};
 pub use path::{Path, Sample};
 pub use tolerance::RunTolerance;
 

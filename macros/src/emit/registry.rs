@@ -2,6 +2,7 @@
 
 use assur_model::checked::{
     Distribution, ExpectInfo, ExpectPlace, LinkageInfo, Model, QuantityInfo, SceneModel, Subject,
+    VariableInfo,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -189,12 +190,21 @@ fn binder_name(layout: &Layout<'_>) -> proc_macro2::Ident {
     format_ident!("bind_{}_", names::bare(&layout.parameters))
 }
 
+/// Whether anything in a linkage is made to a tolerance, or is a dimension and so may be.
+fn is_made(linkage: &LinkageInfo) -> bool {
+    let mut variables = linkage.variables.iter();
+    let mut ranges = linkage.ranges.iter();
+    variables.any(|one| matches!(one, VariableInfo::Constant(_)))
+        || ranges.any(|range| range.tolerance.0 > 0.0)
+}
+
 fn binder(layout: &Layout<'_>) -> TokenStream {
     let (name, type_name) = (binder_name(layout), &layout.parameters);
     let expected = layout.constants.len();
     let reason = format!("found {{}}, expected {expected}");
     let (run, bind) = match &layout.scene.linkage {
-        Some(_) => (quote!(RunLinkage), quote!(bind_linkage)),
+        Some(linkage) if is_made(linkage) => (quote!(RunLinkage), quote!(bind_linkage)),
+        Some(_) => (quote!(RunLinkage), quote!(bind_exact)),
         None if !layout.modes.is_empty() && super::slopes::has(layout) => {
             (quote!(Run), quote!(bind_cycle))
         }

@@ -61,7 +61,7 @@ pub trait RunLimits {
     fn strokes(&self, driver: usize, bounds: (f64, f64)) -> Result<Vec<Stroke>, ClosureError>;
 }
 
-impl<L: Linkage + 'static> RunLimits for Bound<L> {
+impl<L: Linkage + 'static, const MADE: bool> RunLimits for Bound<L, MADE> {
     fn modes(&self, place: &[f64], search: &Search) -> Result<Listing, ClosureError> {
         let (drivers, motion) = place.split_at(place.len().min(L::INDEPENDENTS));
         let found = closure::modes(&self.linkage, drivers, search)?;

@@ -103,15 +103,28 @@ pub trait RunLinkage: RunLimits + RunTolerance + Send + Sync {
 /// The first value or condition that the mechanism does not accept.
 pub fn bind_linkage<L: Linkage + 'static>(linkage: L) -> Result<Box<dyn RunLinkage>, Refused> {
     linkage.check()?;
-    Ok(Box::new(Bound { linkage }))
+    Ok(Box::new(Bound::<L, true> { linkage }))
 }
 
-/// A linkage with its values.
-pub(super) struct Bound<L: Linkage> {
+/// The same of a linkage in which nothing has a tolerance or is a made dimension: what answers questions about tolerances is
+/// not compiled for it.
+///
+/// # Errors
+/// The first value or condition that the mechanism does not accept.
+pub fn bind_exact<L: Linkage + 'static>(linkage: L) -> Result<Box<dyn RunLinkage>, Refused> {
+    linkage.check()?;
+    Ok(Box::new(Bound::<L, false> { linkage }))
+}
+
+/// A linkage with its values, and whether anything in it is made to a tolerance.
+pub(super) struct Bound<L: Linkage, const MADE: bool> {
     pub(super) linkage: L,
 }
 
-impl<L: Linkage + 'static> RunLinkage for Bound<L> {
+impl<L: Linkage + 'static, const MADE: bool> RunLinkage for Bound<L, MADE>
+where
+    Self: RunTolerance,
+{
     fn ranges(&self) -> Vec<Range> {
         self.linkage.ranges()
     }

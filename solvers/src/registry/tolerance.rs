@@ -58,7 +58,7 @@ pub trait RunTolerance {
     ) -> Result<Allocation, AllocationError>;
 }
 
-impl<L: Linkage> RunTolerance for Bound<L> {
+impl<L: Linkage> RunTolerance for Bound<L, true> {
     fn influences(&self, study: &Study) -> Result<Influences, ToleranceError> {
         study.check_places::<L>()?;
         tolerance::influences(&self.linkage, study.output, &study.places)
@@ -98,5 +98,48 @@ impl<L: Linkage> RunTolerance for Bound<L> {
         band: f64,
     ) -> Result<Allocation, AllocationError> {
         tolerance::allocate(&self.linkage, study, candidates, rule, band)
+    }
+}
+
+/// Nothing in it has a tolerance.
+impl<L: Linkage> RunTolerance for Bound<L, false> {
+    fn influences(&self, _study: &Study) -> Result<Influences, ToleranceError> {
+        Err(ToleranceError::NoSource)
+    }
+
+    fn quadratics(&self, _study: &Study) -> Result<Vec<Quadratic>, ToleranceError> {
+        Err(ToleranceError::NoSource)
+    }
+
+    fn corners(&self, _study: &Study) -> Result<Vec<Extremes>, ToleranceError> {
+        Err(ToleranceError::NoSource)
+    }
+
+    fn differences(
+        &self,
+        _study: &Study,
+        _samples: u64,
+        _seed: u64,
+    ) -> Result<Vec<Differences>, ToleranceError> {
+        Err(ToleranceError::NoSource)
+    }
+
+    fn monte_carlo(
+        &self,
+        _study: &Study,
+        _sampling: &Sampling,
+        _progress: &(dyn Fn(u64) + Sync),
+    ) -> Result<MonteCarlo, ToleranceError> {
+        Err(ToleranceError::NoSource)
+    }
+
+    fn allocate(
+        &self,
+        _study: &Study,
+        _candidates: &[Candidate],
+        _rule: Rule,
+        _band: f64,
+    ) -> Result<Allocation, AllocationError> {
+        Err(AllocationError::Tolerance(ToleranceError::NoSource))
     }
 }
