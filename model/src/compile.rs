@@ -1,18 +1,23 @@
 //! One mode of a scene from statements to program: declare, lower, derive, solve, report.
 
+mod asked;
+mod quantities;
+
 use std::collections::{BTreeSet, HashMap};
 
-use crate::checked::{ConstantInfo, QuantityInfo, SceneModel, SpanKind};
-use crate::declare::{Moved, per_second, quantity};
+use asked::{conservative, energy, give_drivers, jacobian, kept_constants};
+use quantities::{driver_quantities, state_quantities, state_symbols, unknown_names};
+
+use crate::checked::{ConstantInfo, SceneModel, SpanKind};
+use crate::declare::Moved;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expression::{Expression, Symbol};
+use crate::expression::Symbol;
 use crate::facts;
-use crate::lagrange::Energies;
 use crate::linkage::{Geometry, Linkage, Loops, Ranges};
 use crate::lower::{Kind, Lowering};
 use crate::measures::{self, Measures};
 use crate::modes::{self, EventInfo, Phase, Phases};
-use crate::motion::{self, Equation, Solved, UnknownName};
+use crate::motion::{self, Equation};
 use crate::parts::Parts;
 use crate::program::{self, Input, Request};
 use crate::resolve::{Names, Role};
@@ -438,166 +443,6 @@ fn moved(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>) -> Moved 
             Moved::InTime
         }
     }
-}
-
-/// Positions of drivers, and their speeds and accelerations, come from outside.
-fn give_drivers(request: &mut Request, count: usize) {
-    let count = count as u32;
-    for index in 0..count {
-        request.inputs.extend([
-            (Symbol::Driver(index), Input::Driver(index)),
-            (Symbol::DriverRate(index), Input::Driver(count + index)),
-            (
-                Symbol::DriverAcceleration(index),
-                Input::Driver(2 * count + index),
-            ),
-        ]);
-    }
-}
-
-fn unknown_names(names: &Names) -> Vec<UnknownName> {
-    let second_order = names.coordinates.iter().map(|one| UnknownName {
-        name: format!("ddot({})", one.name.text),
-        span: one.name.span,
-    });
-    let first_order = names.states.iter().map(|one| UnknownName {
-        name: format!("dot({})", one.name.text),
-        span: one.name.span,
-    });
-    second_order.chain(first_order).collect()
-}
-
-/// The symbols of the state vector, in its order.
-fn state_symbols(names: &Names) -> Vec<Symbol> {
-    let coordinates = names.coordinates.len() as u32;
-    let speeds = (0..coordinates).map(Symbol::Speed);
-    (0..coordinates)
-        .map(Symbol::Coordinate)
-        .chain(speeds)
-        .chain((0..names.states.len() as u32).map(Symbol::State))
-        .collect()
-}
-
-fn driver_quantities(low: &Lowering<'_>, names: &Names) -> Vec<QuantityInfo> {
-    let one = |(index, driver): (usize, &crate::resolve::Declared<_>)| {
-        let unit = low.unit_of(Symbol::Driver(index as u32))?;
-        Some(quantity(
-            &driver.name.text,
-            &driver.summary,
-            &unit.dimension,
-            &unit,
-        ))
-    };
-    names.drivers.iter().enumerate().filter_map(one).collect()
-}
-
-fn state_quantities(names: &Names, units: &[Option<Unit>]) -> Vec<QuantityInfo> {
-    let coordinates = names.coordinates.len();
-    let mut quantities = Vec::new();
-    for (declared, unit) in names.coordinates.iter().zip(units) {
-        quantities.extend(unit.as_ref().map(|unit| {
-            quantity(
-                &declared.name.text,
-                &declared.summary,
-                &unit.dimension,
-                unit,
-            )
-        }));
-    }
-    for (declared, unit) in names.coordinates.iter().zip(units) {
-        let speed = unit.as_ref().and_then(per_second);
-        quantities.extend(speed.map(|unit| {
-            quantity(
-                &format!("dot({})", declared.name.text),
-                "",
-                &unit.dimension,
-                &unit,
-            )
-        }));
-    }
-    for (declared, unit) in names.states.iter().zip(&units[coordinates..]) {
-        quantities.extend(unit.as_ref().map(|unit| {
-            quantity(
-                &declared.name.text,
-                &declared.summary,
-                &unit.dimension,
-                unit,
-            )
-        }));
-    }
-    quantities
-}
-
-fn jacobian(
-    low: &mut Lowering<'_>,
-    coordinates: usize,
-    still: &[usize],
-    solved: &Solved,
-) -> Vec<(u32, u32, Expression)> {
-    let one = low.graph.one();
-    let mut entries: Vec<_> = (0..coordinates)
-        .filter(|index| !still.contains(index))
-        .map(|index| (index as u32, (coordinates + index) as u32, one))
-        .collect();
-    entries.extend(
-        solved
-            .partials
-            .iter()
-            .map(|(row, column, value)| ((coordinates + row) as u32, *column as u32, *value)),
-    );
-    entries
-}
-
-fn energy(low: &mut Lowering<'_>, energies: &Energies) -> Vec<Expression> {
-    if energies.kinetic.is_empty() && energies.potential.is_empty() {
-        return Vec::new();
-    }
-    vec![
-        low.graph.sum(&energies.kinetic),
-        low.graph.sum(&energies.potential),
-    ]
-}
-
-/// Whether the sum of the energies stays constant.
-fn conservative(low: &mut Lowering<'_>, energies: &Energies, equations: &[Equation]) -> bool {
-    let stated = !energies.kinetic.is_empty()
-        && energies.dissipation.is_empty()
-        && energies.forces.is_empty();
-    let derived = equations.iter().all(|equation| equation.lagrange.is_some());
-    let driven = |symbol| matches!(symbol, Symbol::Time | Symbol::Driver(_));
-    let fixed = energies
-        .kinetic
-        .iter()
-        .chain(&energies.potential)
-        .all(|term| !low.graph.depends_on(*term, driven));
-    stated && derived && fixed
-}
-
-/// Indices of the constants that anything in the program depends on.
-fn kept_constants(low: &Lowering<'_>, request: &Request) -> Vec<usize> {
-    let mut all: Vec<Expression> = Vec::new();
-    all.extend(&request.derivative);
-    all.extend(request.jacobian.iter().map(|entry| entry.2));
-    for list in [
-        &request.outputs,
-        &request.drivers,
-        &request.mass,
-        &request.energy,
-        &request.requirements,
-        &request.span,
-        &request.start,
-        &request.measured,
-        &request.measures,
-    ] {
-        all.extend(list);
-    }
-    all.extend(request.bindings.values());
-    all.extend(request.closing.all());
-    all.extend(request.events.iter().flat_map(|event| event.all()));
-    let symbols = low.graph.symbols(&all);
-    (0..low.names.constants.len())
-        .filter(|index| symbols.contains(&Symbol::Parameter(*index as u32)))
-        .collect()
 }
 
 fn summary(text: Option<&str>, documentation: &[String]) -> String {
