@@ -3,4 +3,5 @@
 mod bounce;
 mod cycles;
 mod hard;
+mod presser_foot;
 mod table_drive;
