@@ -4,4 +4,5 @@ mod bounce;
 mod cycles;
 mod hard;
 mod needle_impact;
+mod presser_foot;
 mod table_drive;
