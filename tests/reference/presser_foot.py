@@ -23,6 +23,7 @@ BASE = dict(m=0.15, c1=2000.0, mu1=2.0, F10=40.0, c2=1e5, c3=0.0, mu2=30.0, eta=
             phi_p=math.radians(120), phi_v=math.radians(60), rise=1e-3)
 LOW, STRAIGHT = dict(rise=2e-4), dict(rise=5e-4)
 PROGRESSIVE = dict(c2=4e4, c3=1.5e11)
+STIFF = dict(c2=4e5, mu2=40.0)
 GAUSS = np.polynomial.legendre.leggauss(20)
 
 
@@ -391,6 +392,8 @@ def main():
     cases["elliptic_700"] = case("elliptic", omega=700.0)
     cases["light_300"] = case("elliptic", m=0.015)
     cases["held_by_weight"] = case("elliptic", F10=0.0, c1=0.0, omega=60.0)
+    # Newton's method comes to a motion that is not stable.
+    cases["stiff_300"] = case("elliptic", **STIFF)
     out["cases"] = cases
     out["linear"] = {name: linear(name) for name in PATHS}
     out["first_separation"] = dict(progressive=first_separation("kelvin_voigt", 220.0, 232.0, **PROGRESSIVE),
