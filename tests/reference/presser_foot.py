@@ -161,10 +161,10 @@ class Foot:
                             events.append((t, contact, "gap" if by_gap else "force"))
         return np.array(y), contact
 
-    def cycle(self, start=None, follow=200, multiples=12):
+    def cycle(self, start=None, follow=200, multiples=12, contact=True):
         """The motion that the start leads to: state, after how many turns, multipliers."""
         y = np.array(start if start is not None else [-(self.F10 + self.m * self.g) / self.c2, 0.0])
-        past, contact = [y], True
+        past = [y]
         for _ in range(follow):
             y, contact = self.go(y, contact=contact)
             past.append(y)
@@ -361,9 +361,9 @@ def grazing(mu2, low, high):
     return dict(border=border, mu2=mu2, rows=rows)
 
 
-def case(scene, path="elliptic", law="kelvin_voigt", start=None, follow=200, **changes):
+def case(scene, path="elliptic", law="kelvin_voigt", start=None, contact=True, **changes):
     foot = Foot(path, law, **changes)
-    y, n, multipliers, contact = foot.cycle(start, follow)
+    y, n, multipliers, contact = foot.cycle(start, contact=contact)
     pieces, events = [], []
     foot.go(y, n, contact=contact, pieces=pieces, events=events)
     largest, smallest, mean = foot.forces(pieces)
@@ -392,6 +392,8 @@ def main():
     cases["elliptic_700"] = case("elliptic", omega=700.0)
     cases["light_300"] = case("elliptic", m=0.015)
     cases["held_by_weight"] = case("elliptic", F10=0.0, c1=0.0, omega=60.0)
+    # Another motion at the same speed, for a foot that is let fall from 2 mm.
+    cases["elliptic_500_other"] = case("elliptic", start=[2e-3, 0.0], contact=False, omega=500.0)
     # Newton's method comes to a motion that is not stable.
     cases["stiff_300"] = case("elliptic", **STIFF)
     out["cases"] = cases
