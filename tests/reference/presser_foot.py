@@ -23,6 +23,7 @@ BASE = dict(m=0.15, c1=2000.0, mu1=2.0, F10=40.0, c2=1e5, c3=0.0, mu2=30.0, eta=
             phi_p=math.radians(120), phi_v=math.radians(60), rise=1e-3)
 LOW, STRAIGHT = dict(rise=2e-4), dict(rise=5e-4)
 PROGRESSIVE = dict(c2=4e4, c3=1.5e11)
+STIFF = dict(c2=4e5, mu2=40.0)
 GAUSS = np.polynomial.legendre.leggauss(20)
 
 
@@ -160,10 +161,10 @@ class Foot:
                             events.append((t, contact, "gap" if by_gap else "force"))
         return np.array(y), contact
 
-    def cycle(self, start=None, follow=200, multiples=12):
+    def cycle(self, start=None, follow=200, multiples=12, contact=True):
         """The motion that the start leads to: state, after how many turns, multipliers."""
         y = np.array(start if start is not None else [-(self.F10 + self.m * self.g) / self.c2, 0.0])
-        past, contact = [y], True
+        past = [y]
         for _ in range(follow):
             y, contact = self.go(y, contact=contact)
             past.append(y)
@@ -360,9 +361,9 @@ def grazing(mu2, low, high):
     return dict(border=border, mu2=mu2, rows=rows)
 
 
-def case(scene, path="elliptic", law="kelvin_voigt", start=None, follow=200, **changes):
+def case(scene, path="elliptic", law="kelvin_voigt", start=None, contact=True, **changes):
     foot = Foot(path, law, **changes)
-    y, n, multipliers, contact = foot.cycle(start, follow)
+    y, n, multipliers, contact = foot.cycle(start, contact=contact)
     pieces, events = [], []
     foot.go(y, n, contact=contact, pieces=pieces, events=events)
     largest, smallest, mean = foot.forces(pieces)
@@ -391,6 +392,10 @@ def main():
     cases["elliptic_700"] = case("elliptic", omega=700.0)
     cases["light_300"] = case("elliptic", m=0.015)
     cases["held_by_weight"] = case("elliptic", F10=0.0, c1=0.0, omega=60.0)
+    # Another motion at the same speed, for a foot that is let fall from 2 mm.
+    cases["elliptic_500_other"] = case("elliptic", start=[2e-3, 0.0], contact=False, omega=500.0)
+    # Newton's method comes to a motion that is not stable.
+    cases["stiff_300"] = case("elliptic", **STIFF)
     out["cases"] = cases
     out["linear"] = {name: linear(name) for name in PATHS}
     out["first_separation"] = dict(progressive=first_separation("kelvin_voigt", 220.0, 232.0, **PROGRESSIVE),

@@ -147,6 +147,16 @@ where
     let found = foot
         .cycle()
         .unwrap_or_else(|error| panic!("{name}: {error}"));
+    compare(name, &foot, &found);
+}
+
+/// The same for a motion that has been found.
+#[track_caller]
+fn compare<C: Foot>(name: &str, foot: &C, found: &Cycle)
+where
+    C::Modal<f64>: Sensitive<f64>,
+{
+    let case = &REFERENCE["cases"][name];
     assert_eq!(
         found.multiple as u64,
         case["turns"].as_u64().unwrap(),
@@ -202,7 +212,7 @@ where
             "{name}: multiplier {found} against {expected:?}"
         );
     }
-    let forces = Measured::of(&foot, &found.motion);
+    let forces = Measured::of(foot, &found.motion);
     for (value, key, size) in [
         (forces.largest, "largest", 100.0),
         (forces.smallest, "smallest", 100.0),
@@ -224,6 +234,18 @@ fn the_ellipse() {
     for omega in [200, 300, 400, 500, 700] {
         check::<Elliptic>(&format!("elliptic_{omega}"));
     }
+}
+
+/// At 500 1/s a foot that begins on the fabric and one that is let fall come to different motions, both stable.
+#[test]
+fn two_motions_at_one_speed() {
+    let foot = Elliptic::with(&[("omega", 500.0)]);
+    let other = hybrid::cycle_from(&foot, (FLIGHT, &[2e-3, 0.0]), foot.period(), &FINE).unwrap();
+    assert!(other.is_stable());
+    compare("elliptic_500_other", &foot, &other);
+    let [here, there] = ["elliptic_500", "elliptic_500_other"]
+        .map(|name| numbers(&REFERENCE["cases"][name]["start"]));
+    assert!((here[0] - there[0]).abs() > 1e-3);
 }
 
 /// At 180 and 200 1/s contact is lost just before the rack passes the plate, and regained exactly there.

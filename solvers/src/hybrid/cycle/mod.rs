@@ -4,7 +4,8 @@
 //! parts. First the motion is simply followed, period after period, and compared with its past: what attracts it shows.
 //! Then Newton's method closes it, with the matrix `M = ∂P/∂x`: the variational equations along the pieces between
 //! events, and at each event the jump of the variations (the saltation matrix, see [`variation`]), because a disturbed
-//! motion meets the event earlier or later. The eigenvalues of `M` are the Floquet multipliers.
+//! motion meets the event earlier or later. The eigenvalues of `M` are the Floquet multipliers. What Newton's method comes
+//! to is returned only where it is near the motion that was followed: it may have left what attracts that one.
 //!
 //! | file | what it does |
 //! |---|---|

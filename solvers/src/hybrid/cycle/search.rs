@@ -13,6 +13,9 @@ use crate::registry::Settings;
 const NEAR: f64 = 1e-4;
 /// Nearer than this Newton's method may be tried.
 const CLOSE: f64 = 3e-2;
+/// A motion further away than this, over the sizes of the states, is not the one that was followed: Newton's method may
+/// come to one elsewhere, and even to one in a mode in which no motion would be there.
+const FAR: f64 = 0.5;
 /// The last periods over which the growth of disturbances is measured.
 const GROWTH: usize = 100;
 
@@ -67,15 +70,17 @@ pub(super) fn search(
             }
             tried = walk.followed;
             match walk.close(multiple)? {
-                Some(cycle) if cycle.is_stable() => return Ok(cycle),
-                Some(cycle) => unstable = Some(cycle),
-                None => {}
+                Some(cycle) if !cycle.is_stable() => unstable = Some(cycle),
+                Some(cycle) if walk.is_within(FAR, &cycle) => return Ok(cycle),
+                _ => {}
             }
         }
         // A simple motion may repeat though nothing is attracted by it.
         if unstable.is_none() {
             unstable = walk.close(1)?;
-            if let Some(cycle) = unstable.take_if(|cycle| cycle.is_stable()) {
+            if let Some(cycle) = unstable.take_if(|cycle| cycle.is_stable())
+                && walk.is_within(CLOSE, &cycle)
+            {
                 return Ok(cycle);
             }
         }
@@ -119,7 +124,7 @@ impl Walk<'_> {
         for divisor in divisors {
             // What repeats sooner near here is not two motions.
             if let Some(cycle) = of(divisor).close(&self.state, self.followed)?
-                && self.is_here(&cycle)
+                && self.is_within(10.0 * NEAR, &cycle)
             {
                 return Ok(Some(cycle));
             }
@@ -127,8 +132,8 @@ impl Walk<'_> {
         of(multiple).close(&self.state, self.followed)
     }
 
-    /// Whether a motion that repeats is the one that was followed.
-    fn is_here(&self, cycle: &Cycle) -> bool {
+    /// Whether a motion that repeats is as near to the one that was followed, over the sizes of the states.
+    fn is_within(&self, limit: f64, cycle: &Cycle) -> bool {
         let start = cycle
             .motion
             .pieces
@@ -137,7 +142,7 @@ impl Walk<'_> {
         start.is_some_and(|start| {
             let pairs = start.iter().zip(&self.state).zip(self.past.sizes());
             let far = pairs.map(|((a, b), size)| (a - b).abs() / size);
-            far.fold(0.0, f64::max) <= 10.0 * NEAR
+            far.fold(0.0, f64::max) <= limit
         })
     }
 

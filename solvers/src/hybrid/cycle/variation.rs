@@ -6,8 +6,9 @@
 //! `C⁺ = (R_y + (f⁺ - R_y f⁻ - R_t) g_yᵀ / ġ) C⁻`,
 //!
 //! the saltation matrix (M. di Bernardo, C. J. Budd, A. R. Champneys, P. Kowalczyk: *Piecewise-smooth Dynamical Systems*,
-//! 2008, section 2.5). Events at one instant, where one sets off the next, are one: the first one's guard, and all jumps
-//! one after the other.
+//! 2008, section 2.5). A guard that does not pass zero but jumps over it has no such slopes: there `g_yᵀ / ġ` is how much
+//! earlier it jumps, by differences; nothing, where it jumps at a given time. Events at one instant, where one sets off the
+//! next, are one: the first one's guard, and all jumps one after the other.
 
 use std::cell::RefCell;
 

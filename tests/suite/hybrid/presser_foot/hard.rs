@@ -304,3 +304,47 @@ fn a_thousand_turns_do_not_drift() {
 fn a_hundred_thousand_turns_do_not_drift() {
     check_drift(100_000);
 }
+
+/// Below the fabric, in a mode that says that the foot is off, it would hang on its spring for ever: a motion that
+/// repeats and is stable, to which Newton's method comes from irregular motion, and that no foot comes to.
+#[test]
+fn a_motion_below_the_fabric_is_not_found() {
+    for omega in [850.0, 860.0, 880.0, 900.0] {
+        for start in [[0.0, 0.1], [1e-3, 0.0]] {
+            let foot = Progressive::with(&[("omega", omega)]);
+            let found = hybrid::cycle_from(&foot, (FLIGHT, &start), foot.period(), &FINE);
+            let hanging = -(foot.F10 + foot.m * foot.g) / foot.c1;
+            if let Ok(cycle) = found {
+                let place = cycle.motion.end[0];
+                assert!(
+                    (place / hanging - 1.0).abs() > 0.1,
+                    "{omega} 1/s: {place} m"
+                );
+            }
+        }
+    }
+}
+
+/// The motion that repeats after one turn exists, and is not stable: Newton's method alone would give it.
+#[test]
+fn an_unstable_motion_is_given_as_such() {
+    let case = &REFERENCE["cases"]["stiff_300"];
+    let foot = foot::<Elliptic>(case);
+    let CycleError::NoneStable {
+        unstable: Some(unstable),
+        growth,
+        ..
+    } = foot.cycle().unwrap_err()
+    else {
+        panic!("not expected");
+    };
+    assert!(unstable.multiple == 1 && growth > 1.2, "{growth}");
+    for (found, expected) in unstable
+        .multipliers
+        .iter()
+        .zip(case["multipliers"].as_array().unwrap())
+    {
+        let off = (found.re - numbers(expected)[0]).abs();
+        assert!(off < 1e-8, "{found} {expected}");
+    }
+}
