@@ -40,7 +40,7 @@ pub fn march_in<C: Hybrid>(
     follow(&mut model, &Table::of::<C>(), mode, times, start, settings)
 }
 
-/// The motion of any equations: with states of the length that they have, as far as that is a usual one.
+/// The motion of any equations. States of a usual length, one to three coordinates with their speeds, are arrays.
 #[inline(never)]
 fn follow(
     model: &mut dyn Model,
@@ -51,14 +51,9 @@ fn follow(
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
     let by = match model.states() {
-        1 => by_method::<[f64; 1]>,
         2 => by_method::<[f64; 2]>,
-        3 => by_method::<[f64; 3]>,
         4 => by_method::<[f64; 4]>,
-        5 => by_method::<[f64; 5]>,
         6 => by_method::<[f64; 6]>,
-        7 => by_method::<[f64; 7]>,
-        8 => by_method::<[f64; 8]>,
         _ => by_method::<Vec<f64>>,
     };
     by(model, table, mode, times, start, settings)
