@@ -83,6 +83,9 @@ pub struct Assembly<L: Linkage, S: Scalar> {
 }
 
 impl<L: Linkage, S: Scalar> Assembly<L, S> {
+    /// Whether there is nothing to close: formulas over drivers. What closes loops is then not even compiled.
+    pub(super) const LOOSE: bool = L::GROUPS.is_empty();
+
     /// A linkage that is not yet put together: call [`Assembly::start`] next.
     pub fn new(linkage: &L) -> Self {
         let values: Vec<S> = linkage.values().into_iter().map(S::from_f64).collect();
@@ -124,6 +127,9 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// [`ClosureError`], with the place. The linkage then stays at the last position that was reached with certainty.
     #[inline(always)]
     pub fn move_to(&mut self, independents: &[S]) -> Result<(), ClosureError> {
+        if Self::LOOSE {
+            return self.put(independents);
+        }
         if !Self::iterates() {
             return match self.step(independents) {
                 true => Ok(()),
@@ -137,6 +143,17 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             return Ok(());
         }
         self.follow(independents)
+    }
+
+    /// Goes anywhere, where there is nothing to close.
+    pub(super) fn put(&mut self, independents: &[S]) -> Result<(), ClosureError> {
+        if let Some(bad) = independents.iter().find(|one| !one.to_f64().is_finite()) {
+            let reason = format!("an independent variable is {}", bad.to_f64());
+            return Err(ClosureError::BadRange { reason });
+        }
+        let instant = self.closure.instant(independents);
+        self.accept(independents, &instant);
+        Ok(())
     }
 
     /// Closes all groups and says whether they have certainly kept their modes. The last step goes into this one `ratio`

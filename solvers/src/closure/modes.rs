@@ -3,6 +3,7 @@
 //! Groups in closed form have the modes ±1 each; groups that are iterated are searched completely, see
 //! [`super::branch`]. The list says itself whether it is complete.
 
+use super::assembly::Assembly;
 use super::branch::Branches;
 use super::continuation::ROUNDING;
 use super::error::ClosureError;
@@ -65,6 +66,17 @@ pub fn modes<L: Linkage>(linkage: &L, at: &[f64], search: &Search) -> Result<Mod
             L::INDEPENDENTS
         );
         return Err(ClosureError::BadRange { reason });
+    }
+    if Assembly::<L, f64>::LOOSE {
+        let only = Mode {
+            coordinates: Vec::new(),
+            sines: Vec::new(),
+        };
+        return Ok(Modes {
+            modes: vec![only],
+            complete: true,
+            ..Modes::default()
+        });
     }
     let values = linkage.values();
     let enclosed: Vec<Interval> = values.iter().map(|value| Interval::point(*value)).collect();

@@ -6,7 +6,7 @@
 //! stretch between events is looked at in its own mode up to its very ends, so that a force that jumps at an event has
 //! both its values.
 //!
-//! What lies between two of the [`GRID`] points of a step is found as long as it shows there: as a change of sign or
+//! Each step is looked at in eight parts; what lies within one of them is found as long as it shows there: as a change of sign or
 //! as a point that its neighbours surround. The steps of an integration are short against whatever the motion does.
 
 mod extreme;
