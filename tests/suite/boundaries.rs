@@ -204,6 +204,7 @@ fn is_example(line: &str) -> bool {
         "assur structure ",
         "assur draw ",
         "assur modes ",
+        "assur study ",
         "assur tolerance ",
         "list of equation files",
     ]

@@ -104,6 +104,7 @@ fn json_has_its_documented_fields() {
         "at",
         "modes",
         "events",
+        "measures",
         "published",
         "multipliers",
         "conclusions",

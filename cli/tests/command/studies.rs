@@ -147,10 +147,7 @@ fn a_grid_has_a_run_for_each_pair_of_values_whatever_the_number_of_threads() {
         "{table}"
     );
     let drawn = std::fs::read_to_string(directory.join("map.svg")).unwrap();
-    assert!(
-        drawn.starts_with("<svg") && drawn.contains("free"),
-        "{drawn}"
-    );
+    assert!(drawn.contains("<svg") && drawn.contains("free"), "{drawn}");
 }
 
 #[test]
