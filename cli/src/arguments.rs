@@ -81,6 +81,9 @@ One JSON object is printed with --format json. Its fields:
   results      each: name, unit, value and estimated_error at the beginning of the task;
                minimum and maximum over it, with their times
   at           each --at: place, time, drivers, results
+  modes        each: name, summary
+  events       each: time, from, to, event, line, guard, before, after
+  measures     numbers of the whole task, each: name, unit, value, estimated_error; or missing
   published    each: name, unit, place, published, tolerance, computed, estimated_error,
                deviation, relative_deviation, within (null when not comparable), remark, line
   multipliers  each: re, im, modulus, angle, angle_unit, meaning
