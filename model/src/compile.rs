@@ -20,6 +20,7 @@ use crate::modes::{self, EventInfo, Phase, Phases};
 use crate::motion::{self, Equation};
 use crate::parts::Parts;
 use crate::program::{self, Input, Request};
+use crate::published;
 use crate::resolve::{Names, Role};
 use crate::scene::{Selected, Survey};
 use crate::syntax::tree::{File, Scene, SceneItem, StatementKind, Term};
@@ -256,7 +257,7 @@ pub fn phase(
         span: span.kind,
         conservative: false,
         literal,
-        marks: facts::marks(&mut low, statements),
+        marks: published::marks(&mut low, statements),
         expectations: Vec::new(),
         linkage: None,
         modes: Vec::new(),
@@ -381,7 +382,7 @@ pub fn phase(
             variables,
         ));
     }
-    model.expectations = facts::expectations(&mut low, task, &model, &measures.kinds);
+    model.expectations = published::expectations(&mut low, task, &model, &measures.kinds);
     if low.diagnostics.error_count() > before {
         return None;
     }

@@ -33,6 +33,7 @@ mod motion;
 pub mod nearest;
 mod parts;
 pub mod program;
+mod published;
 mod resolve;
 mod scene;
 pub mod structure;

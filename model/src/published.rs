@@ -1,0 +1,279 @@
+//! Published facts and marked places: where in a motion they hold, and what they speak of.
+
+use crate::checked::{ExpectInfo, ExpectPlace, MarkInfo, SceneModel, Subject, VariableInfo};
+use crate::compile::Task;
+use crate::declare::Moved;
+use crate::diagnostic::Diagnostic;
+use crate::expression::Symbol;
+use crate::lower::{Kind, Lowering, second};
+use crate::nearest::nearest;
+use crate::resolve::Role;
+use crate::syntax::print;
+use crate::syntax::tree::{Expect, ExpectAt, Name, Statement, StatementKind, Term, TermKind};
+
+/// The published facts of a scene.
+pub fn expectations(
+    low: &mut Lowering<'_>,
+    task: &Task<'_>,
+    model: &SceneModel,
+    measures: &[Kind],
+) -> Vec<ExpectInfo> {
+    let mut list = Vec::new();
+    for statement in &task.file.statements {
+        let StatementKind::Expect(expect) = &statement.kind else {
+            continue;
+        };
+        let concerns = match &expect.scene {
+            Some(scene) => scene.text == model.name,
+            None => task.is_first,
+        };
+        if concerns {
+            list.extend(expectation(low, expect, statement.span, model, measures));
+        }
+    }
+    list
+}
+
+fn expectation(
+    low: &mut Lowering<'_>,
+    expect: &Expect,
+    span: crate::token::Span,
+    model: &SceneModel,
+    measures: &[Kind],
+) -> Option<ExpectInfo> {
+    let wanted = print::term(&expect.quantity);
+    let quantity = match subject(&expect.quantity, &wanted, model) {
+        Some(quantity) => quantity,
+        None => {
+            let names = || {
+                model
+                    .outputs
+                    .iter()
+                    .chain(&model.states)
+                    .chain(model.measures.iter().map(|one| &one.quantity))
+                    .map(|one| one.name.as_str())
+            };
+            let report = Diagnostic::error(
+                expect.quantity.span,
+                format!("the scene `{}` does not report `{wanted}`", model.name),
+            );
+            low.diagnostics.push(match nearest(&wanted, names()) {
+                Some(near) => report.hint(format!("did you mean `{near}`?")),
+                None => report.hint("add it to the outputs"),
+            });
+            return None;
+        }
+    };
+    let kind = match quantity {
+        Subject::Measure(index) => measures[index],
+        _ => low.scalar(&expect.quantity)?.1,
+    };
+    let value = low.fixed_of(&expect.value, kind, "the quantity")?;
+    let tolerance = low.fixed_of(&expect.tolerance, kind, "the quantity")?;
+    if tolerance < 0.0 {
+        low.diagnostics.push(Diagnostic::error(
+            expect.tolerance.span,
+            "a tolerance cannot be negative",
+        ));
+        return None;
+    }
+    let (at, place) = match &expect.at {
+        ExpectAt::Value { places } => {
+            let text: Vec<_> = places
+                .iter()
+                .map(|(variable, value)| format!("{} = {}", variable.text, print::term(value)))
+                .collect();
+            (
+                low.places(places, model.linkage.is_some())?,
+                format!(" at {}", text.join(", ")),
+            )
+        }
+        ExpectAt::Extreme(word) => {
+            let place = match word.text.as_str() {
+                "maximum" => ExpectPlace::Maximum,
+                "minimum" => ExpectPlace::Minimum,
+                "amplitude" => ExpectPlace::Amplitude,
+                "run" => ExpectPlace::Run,
+                _ => {
+                    low.diagnostics.push(
+                        Diagnostic::error(
+                            word.span,
+                            format!("`{}` is no place in a motion", word.text),
+                        )
+                        .hint("write `maximum`, `minimum`, `amplitude`, `theta = …`, or `run` for a measure"),
+                    );
+                    return None;
+                }
+            };
+            (place, format!(", {}", word.text))
+        }
+    };
+    if matches!(quantity, Subject::Measure(_)) != (at == ExpectPlace::Run) {
+        let (message, hint) = match at {
+            ExpectPlace::Run => (
+                format!("`{wanted}` is no measure, and has a value at each time of the run"),
+                "write where: `at time = …`, `at maximum`",
+            ),
+            _ => (
+                format!("`{wanted}` is a measure, a number of the whole run"),
+                "write `at run`",
+            ),
+        };
+        low.diagnostics
+            .push(Diagnostic::error(expect.quantity.span, message).hint(hint));
+        return None;
+    }
+    Some(ExpectInfo {
+        at,
+        quantity,
+        value,
+        tolerance,
+        preset: expect
+            .preset
+            .as_ref()
+            .map_or(String::new(), |name| name.text.clone()),
+        remark: expect.remark.clone().unwrap_or_default(),
+        span,
+        label: format!("{wanted}{place}"),
+    })
+}
+
+/// What a fact speaks of: an output, a state or dependent coordinate, or the derivative of an output of a linkage.
+fn subject(term: &Term, wanted: &str, model: &SceneModel) -> Option<Subject> {
+    let output = |name: &str| model.outputs.iter().position(|one| one.name == name);
+    if let Some(index) = output(wanted) {
+        return Some(Subject::Output(index));
+    }
+    if let Some(index) = model.states.iter().position(|one| one.name == wanted) {
+        return Some(Subject::State(index));
+    }
+    let mut measures = model.measures.iter();
+    if let Some(index) = measures.position(|one| one.quantity.name == wanted) {
+        return Some(Subject::Measure(index));
+    }
+    let linkage = model.linkage.as_ref()?;
+    let dependents = &linkage.dependents;
+    if let Some(index) = dependents
+        .iter()
+        .position(|one| one.quantity.name == wanted)
+    {
+        return Some(Subject::State(index));
+    }
+    let TermKind::Call { name, arguments } = &term.kind else {
+        return None;
+    };
+    let ("diff", [what, by]) = (name.text.as_str(), arguments.as_slice()) else {
+        return None;
+    };
+    let by = print::term(by);
+    let variable = linkage
+        .variables
+        .iter()
+        .position(|variable| match variable {
+            VariableInfo::Constant(index) => model.constants[*index].quantity.name == by,
+            VariableInfo::Driver(index) => model.drivers[*index].name == by,
+        })?;
+    Some(Subject::Influence(output(&print::term(what))?, variable))
+}
+
+/// The places that plots show.
+pub fn marks(low: &mut Lowering<'_>, statements: &[Statement]) -> Vec<MarkInfo> {
+    let mut list = Vec::new();
+    for statement in statements {
+        if let StatementKind::Mark {
+            text,
+            variable,
+            value,
+        } = &statement.kind
+        {
+            let places = [(variable.clone(), value.clone())];
+            let at = low.places(&places, low.moved == Moved::Swept);
+            list.extend(at.map(|at| MarkInfo {
+                text: text.clone(),
+                at,
+            }));
+        }
+    }
+    list
+}
+
+impl Lowering<'_> {
+    /// Where a fact holds. A linkage may be asked for positions of several drivers.
+    fn places(&mut self, places: &[(Name, Term)], linkage: bool) -> Option<ExpectPlace> {
+        if linkage && self.moved == Moved::Swept {
+            return self.positions(places);
+        }
+        let [(variable, value)] = places else {
+            let (second, _) = &places[1];
+            self.diagnostics.push(
+                Diagnostic::error(second.span, "a motion is asked for one place")
+                    .hint("give the time, or the position of one driver"),
+            );
+            return None;
+        };
+        self.place(variable, value)
+    }
+
+    fn positions(&mut self, places: &[(Name, Term)]) -> Option<ExpectPlace> {
+        let mut positions: Vec<(usize, f64)> = Vec::new();
+        for (variable, value) in places {
+            match self.place(variable, value)? {
+                ExpectPlace::Driver(index, _) if positions.iter().any(|one| one.0 == index) => {
+                    let message = format!("`{}` is given twice", variable.text);
+                    self.diagnostics
+                        .push(Diagnostic::error(variable.span, message));
+                    return None;
+                }
+                ExpectPlace::Driver(index, position) => positions.push((index, position)),
+                _ => {
+                    self.diagnostics.push(
+                        Diagnostic::error(
+                            variable.span,
+                            "this scene sweeps its drivers and has no time",
+                        )
+                        .hint("give the position of a driver"),
+                    );
+                    return None;
+                }
+            }
+        }
+        Some(ExpectPlace::Position(positions))
+    }
+
+    /// A time, or a position of a driver.
+    fn place(&mut self, variable: &Name, value: &Term) -> Option<ExpectPlace> {
+        if variable.text == "time" {
+            return self
+                .fixed_of(value, Kind::Of(second()), "the time")
+                .map(ExpectPlace::Time);
+        }
+        let Some(Role::Driver(index)) = self
+            .names
+            .table
+            .get(&variable.text)
+            .map(|entry| &entry.role)
+        else {
+            let drivers: Vec<_> = self
+                .names
+                .drivers
+                .iter()
+                .map(|one| one.name.text.as_str())
+                .chain(["time"])
+                .collect();
+            self.diagnostics.push(
+                Diagnostic::error(
+                    variable.span,
+                    format!("`{}` is neither a driver nor the time", variable.text),
+                )
+                .hint(format!(
+                    "a place in the motion is a value of {}",
+                    drivers.join(" or ")
+                )),
+            );
+            return None;
+        };
+        let index = *index;
+        let position = self.fixed_of(value, self.kind_of(Symbol::Driver(index)), "the place")?;
+        Some(ExpectPlace::Driver(index as usize, position))
+    }
+}
