@@ -13,6 +13,8 @@ const RESIDUAL: f64 = 1e-14;
 const DEVIATION: f64 = 1e-10;
 /// The same of a second derivative.
 const SECOND: f64 = 1e-8;
+/// What rounding leaves of a second derivative that is zero, as a part of the first one over the variable.
+const ROUNDING: f64 = 1e-12;
 /// Positions that are tried.
 pub(super) const PLACES: usize = 7;
 
@@ -150,8 +152,8 @@ impl<L: Linkage> Position<L> {
                     let slope = slope(output, row);
                     let size = self.size(L::VARIABLES[column]);
                     let flat = if size > 0.0 { slope / size } else { 0.0 };
-                    let scale = largest(row, column).max(mean).max(flat);
-                    if is_off(found, wanted, SECOND * scale) {
+                    let scale = largest(row, column).max(mean);
+                    if is_off(found, wanted, (SECOND * scale).max(ROUNDING * flat)) {
                         let (p, q) = (L::VARIABLES[row], L::VARIABLES[column]);
                         return Err(Failed(format!(
                             "second derivative of output {output} by {p:?} and {q:?} at {:?}: found {found}, expected {wanted}",
