@@ -40,6 +40,9 @@ pub trait Equations<S: Scalar> {
     /// What depends on the time alone, computed once per instant.
     type Instant: Clone;
 
+    /// Whether an evaluation is a call of a function that is never inlined.
+    const CALLED: bool = false;
+
     /// Length of the state vector.
     fn states(&self) -> usize;
 

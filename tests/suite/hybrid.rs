@@ -1,8 +1,10 @@
 //! Motions with modes and events, against their closed forms.
 
 mod bounce;
+mod branches;
 mod cycles;
 mod hard;
 mod needle_impact;
 mod presser_foot;
+mod starts;
 mod table_drive;

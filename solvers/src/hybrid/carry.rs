@@ -4,11 +4,10 @@ use super::problem::Modes;
 use super::watch::Watch;
 use crate::ode::{self, Observer, OdeError, Options, Plain, Statistics, Step};
 use crate::registry;
-use crate::scalar::Scalar;
 use crate::stiff::{self, Emitted, Switch};
 
 /// A method with its memory.
-pub(super) trait Carry<S: Scalar, E: Modes<S>>: Sized {
+pub(super) trait Carry<E: Modes<f64>>: Sized {
     /// Room for the states of some equations.
     fn new(equations: &E, method: registry::Method) -> Self;
 
@@ -18,7 +17,7 @@ pub(super) trait Carry<S: Scalar, E: Modes<S>>: Sized {
         times: (f64, f64),
         start: &E::State,
         options: &Options,
-        watch: &mut Watch<'_, S, E>,
+        watch: &mut Watch<'_, E>,
     ) -> Result<Statistics, OdeError>;
 
     /// Where an automatic choice changed the method in the last integration.
@@ -30,10 +29,10 @@ pub(super) trait Carry<S: Scalar, E: Modes<S>>: Sized {
 /// An explicit method.
 pub(super) struct Explicit<V, M: ode::Method>(ode::Workspace<V, M>);
 
-impl<S: Scalar, E: Modes<S>, M: ode::Method> Carry<S, E> for Explicit<E::State, M> {
+impl<E: Modes<f64>, M: ode::Method> Carry<E> for Explicit<E::State, M> {
     #[inline(always)]
     fn new(equations: &E, _method: registry::Method) -> Self {
-        Self(ode::Workspace::new::<S, _>(&Plain(equations)))
+        Self(ode::Workspace::new::<f64, _>(&Plain(equations)))
     }
 
     #[inline(always)]
@@ -42,7 +41,7 @@ impl<S: Scalar, E: Modes<S>, M: ode::Method> Carry<S, E> for Explicit<E::State, 
         times: (f64, f64),
         start: &E::State,
         options: &Options,
-        watch: &mut Watch<'_, S, E>,
+        watch: &mut Watch<'_, E>,
     ) -> Result<Statistics, OdeError> {
         let system = Plain(watch.equations);
         ode::integrate(&system, times, start, options, &mut self.0, watch)
@@ -53,7 +52,7 @@ impl<S: Scalar, E: Modes<S>, M: ode::Method> Carry<S, E> for Explicit<E::State, 
 /// the stiffness with it.
 pub(super) struct Stiff(stiff::Workspace);
 
-impl<E: Modes<f64>> Carry<f64, E> for Stiff {
+impl<E: Modes<f64>> Carry<E> for Stiff {
     fn new(equations: &E, method: registry::Method) -> Self {
         let method = method.stiff().unwrap_or(stiff::Method::Automatic);
         Self(stiff::Workspace::new(method, &mut Emitted::new(equations)))
@@ -64,7 +63,7 @@ impl<E: Modes<f64>> Carry<f64, E> for Stiff {
         times: (f64, f64),
         start: &E::State,
         options: &Options,
-        watch: &mut Watch<'_, f64, E>,
+        watch: &mut Watch<'_, E>,
     ) -> Result<Statistics, OdeError> {
         let rates = &mut Emitted::new(watch.equations);
         let mut observer = Typed::new(watch);
@@ -85,14 +84,14 @@ impl<E: Modes<f64>> Carry<f64, E> for Stiff {
 
 /// An observer that hands the steps on in the states of the equations.
 struct Typed<'a, 'b, E: Modes<f64>> {
-    watch: &'a mut Watch<'b, f64, E>,
+    watch: &'a mut Watch<'b, E>,
     before: E::State,
     after: E::State,
     polynomial: Vec<E::State>,
 }
 
 impl<'a, 'b, E: Modes<f64>> Typed<'a, 'b, E> {
-    fn new(watch: &'a mut Watch<'b, f64, E>) -> Self {
+    fn new(watch: &'a mut Watch<'b, E>) -> Self {
         let (before, after) = (watch.state.clone(), watch.state.clone());
         Self {
             watch,

@@ -6,6 +6,23 @@ use super::problem::Direction;
 const DEEPEST: u32 = 40;
 /// By how many times its deviation in the middle a guard is trusted to leave its cubic.
 const TRUST: f64 = 4.0;
+/// Deviation from a cubic, over what the cubic spans, up to which it is good.
+const GOOD: f64 = 0.2;
+/// Halvings after which a guard that is nothing but rounding is taken for zero.
+const FEW: u32 = 3;
+/// What the largest slope counts in each half of a part of the step in which the guard is a cubic.
+const FADE: f64 = 0.5;
+/// Where a guard is looked at whose slopes may be larger than those at the ends of a step: multiples of the golden section,
+/// which keep out of step with whatever swings.
+const PROBES: [f64; 8] = [0.618, 0.236, 0.854, 0.472, 0.09, 0.708, 0.326, 0.944];
+/// How much farther than a cubic through its ends a guard may move in a step that is resolved. A cubic itself moves up to
+/// three times as far as its coefficients.
+const SWING: f64 = 4.0;
+/// By how many times the largest slope that was found may be too small.
+const SAFETY: f64 = 3.0;
+/// The largest value of `16 p (1 - p)²`: a deviation `d` in the middle is `16 d p² (1 - p)²` elsewhere, since value and
+/// slope agree at both ends, and that is at most this many `d p`.
+const LEAN: f64 = 64.0 / 27.0;
 
 /// A guard at a part of the step, from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +52,10 @@ pub(super) struct Search<'a> {
     pub sign: f64,
     /// Whether a guard that has been zero since the mode began passes zero by leaving it.
     pub armed: bool,
+    /// The largest slope that is known of it near by.
+    pub slope: f64,
+    /// Parts of the step that differ by no more are one time.
+    pub blur: f64,
     /// The guard at a part of the step.
     pub sample: &'a mut dyn FnMut(f64) -> Sample,
 }
@@ -42,13 +63,7 @@ pub(super) struct Search<'a> {
 impl Search<'_> {
     /// The first crossing in the direction that is looked for between two samples. Leaves the sign there, or at the end.
     pub fn run(&mut self, from: Sample, to: Sample) -> Option<Crossing> {
-        self.between(from, to, 0)
-    }
-
-    /// Whether a cubic through two samples stays away from zero by more than it changes.
-    pub fn is_far(&self, from: &Sample, to: &Sample) -> bool {
-        let (low, high) = range(&hull(from, to));
-        self.has_kept(from, to) && f64::max(low, -high) > high - low
+        self.between(from, to, 1.0, 0)
     }
 
     /// Whether both samples have the sign so far.
@@ -57,44 +72,78 @@ impl Search<'_> {
         self.sign != 0.0 && signs == [self.sign; 2]
     }
 
-    fn between(&mut self, from: Sample, to: Sample, depth: u32) -> Option<Crossing> {
-        if self.is_far(&from, &to) {
+    fn between(&mut self, from: Sample, to: Sample, trust: f64, depth: u32) -> Option<Crossing> {
+        let resolved = is_resolved(&from, &to, trust * self.slope);
+        if resolved && self.has_kept(&from, &to) && is_far(&from, &to) {
             return None;
         }
         let width = to.part - from.part;
         let hull = hull(&from, &to);
         let (low, high) = range(&hull);
-        let sign = self.sign_of(to.value);
-        let unchanged = self.has_kept(&from, &to);
-        let distance = f64::max(low, -high);
         let middle = (self.sample)(from.part + 0.5 * width);
+        self.slope = self.slope.max(middle.slope.abs());
         let cubic = (hull[0] + 3.0 * (hull[1] + hull[2]) + hull[3]) / 8.0;
         let deviation = TRUST * (middle.value - cubic).abs();
-        if unchanged && distance > deviation {
+        let agrees = deviation <= GOOD * (high - low);
+        if depth == 0 && !agrees {
+            self.probe();
+        }
+        let resolved = is_resolved(&from, &to, trust * self.slope);
+        if resolved && self.stays(&from, &to, &hull, deviation) {
             return None;
         }
         let size = high.max(-low).max(middle.value.abs());
-        if size <= self.noise
+        if (resolved || depth >= FEW) && size <= self.noise
             || depth >= DEEPEST
             || middle.part <= from.part
             || middle.part >= to.part
+            || !deviation.is_finite()
         {
             return self.take(from, to);
         }
         let monotone = hull.windows(2).all(|pair| pair[1] > pair[0])
             || hull.windows(2).all(|pair| pair[1] < pair[0]);
-        if monotone
-            && deviation < high - low
-            && self.sign != 0.0
-            && sign != 0.0
-            && sign != self.sign
-        {
-            return self.take(from, to);
+        let signs = [middle, to].map(|sample| self.sign_of(sample.value));
+        if resolved && monotone && agrees && self.sign != 0.0 && signs[1] == -self.sign {
+            return match signs[0] == signs[1] {
+                true => self.take(from, middle),
+                false => self.take(middle, to),
+            };
         }
-        let first = self.between(from, middle, depth + 1);
+        // Where the cubic is good the largest slope is that of elsewhere.
+        let trust = if agrees { FADE * trust } else { trust };
+        let first = self.between(from, middle, trust, depth + 1);
         match first {
             Some(_) => first,
-            None => self.between(middle, to, depth + 1),
+            None => self.between(middle, to, trust, depth + 1),
+        }
+    }
+
+    /// Looks for larger slopes here and there in the step.
+    pub fn probe(&mut self) {
+        for part in PROBES {
+            let slope = (self.sample)(part).slope.abs();
+            self.slope = self.slope.max(slope);
+        }
+    }
+
+    /// Whether a guard that deviates so much from a cubic does not pass zero. Beside one that stays away from zero that is
+    /// one that begins or ends near it: the cubic less what it has there is `p` times a parabola, which stays away.
+    fn stays(&self, from: &Sample, to: &Sample, hull: &[f64; 4], deviation: f64) -> bool {
+        let kept = |sample: &Sample| self.sign_of(sample.value) == self.sign;
+        if self.sign == 0.0 || !kept(to) {
+            return false;
+        }
+        let [a, b, c, d] = hull.map(|coefficient| coefficient * self.sign);
+        let begins =
+            |near: [f64; 3]| near.into_iter().fold(f64::INFINITY, f64::min) > LEAN * deviation;
+        match kept(from) {
+            true => {
+                a.min(b).min(c).min(d) > deviation
+                    || begins([3.0 * b, 1.5 * c, d])
+                    || begins([a, 1.5 * b, 3.0 * c])
+            }
+            false => from.value.abs() <= self.noise && begins([3.0 * b, 1.5 * c, d]),
         }
     }
 
@@ -130,15 +179,18 @@ impl Search<'_> {
         loop {
             let width = high.part - low.part;
             let middle = low.part + 0.5 * width;
-            if middle <= low.part || middle >= high.part {
+            if middle <= low.part || middle >= high.part || width <= self.blur {
                 return high.part;
             }
-            // Regula falsi, pushed a little across the zero so that both ends move in; halving where it does not help.
-            let chord = low.part - low.value * width / (high.value - low.value);
-            let push = (1e-3 * width).max(f64::EPSILON * high.part);
-            let guess = match (chord - low.part) < 0.5 * width {
-                true => chord + push,
-                false => chord - push,
+            // The zero of the cubic, pushed a little across so that the farther end moves in; halving where that does
+            // not help.
+            let root = low.part + width * root(&hull(&low, &high));
+            let push = (1e-3 * width * width)
+                .max(self.blur)
+                .max(f64::EPSILON * high.part);
+            let guess = match root < middle {
+                true => root + push,
+                false => root - push,
             };
             let inside = guess > low.part && guess < high.part;
             let part = if halve || !inside { middle } else { guess };
@@ -168,6 +220,40 @@ fn hull(from: &Sample, to: &Sample) -> [f64; 4] {
         to.value - width * to.slope / 3.0,
         to.value,
     ]
+}
+
+/// Whether a guard that changes at most so fast is a cubic between two samples, as far as these say: it is too slow to get
+/// to zero and back, or its values and slopes at both ends have much to do with its speed. Where they have not it may
+/// have swung meanwhile: methods step far over what the state does not feel.
+pub(super) fn is_resolved(from: &Sample, to: &Sample, slope: f64) -> bool {
+    let reach = slope * (to.part - from.part);
+    let (low, high) = range(&hull(from, to));
+    from.value.abs() + to.value.abs() > SAFETY * reach || reach <= SWING * (high - low)
+}
+
+/// Whether a cubic through two samples stays away from zero by more than it changes.
+pub(super) fn is_far(from: &Sample, to: &Sample) -> bool {
+    let (low, high) = range(&hull(from, to));
+    f64::max(low, -high) > high - low
+}
+
+/// About where a cubic of which the ends have different signs is zero, from 0 to 1.
+fn root(hull: &[f64; 4]) -> f64 {
+    let [a, b, c, d] = *hull;
+    let mut part = a / (a - d);
+    for _ in 0..4 {
+        let rest = 1.0 - part;
+        let (first, last) = (
+            (a * rest + b * part) * rest + (b * rest + c * part) * part,
+            (b * rest + c * part) * rest + (c * rest + d * part) * part,
+        );
+        let next = part - (first * rest + last * part) / (3.0 * (last - first));
+        if !(next > 0.0 && next < 1.0) {
+            break;
+        }
+        part = next;
+    }
+    part
 }
 
 /// The smallest and the largest of some values.
@@ -201,6 +287,8 @@ mod tests {
             noise: 1e-15,
             sign,
             armed,
+            slope: 0.0,
+            blur: 0.0,
             sample: &mut sample,
         };
         search.run(from, to)

@@ -7,6 +7,18 @@ use std::marker::PhantomData;
 use super::problem::{EventEntry, Hybrid, Modes};
 use crate::problem::{Equations, Storage};
 
+/// Instants that are kept. A step asks for 14 at most.
+const KEPT: usize = 32;
+/// Instants that are prepared together.
+const PACKED: usize = 4;
+
+/// A time, and where what the equations need of it is kept.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct At {
+    time: f64,
+    place: Option<usize>,
+}
+
 /// What is asked of equations along a motion, in slices.
 pub(super) trait Model {
     /// Length of the state vector.
@@ -17,8 +29,11 @@ pub(super) trait Model {
     fn enter(&mut self, mode: usize);
     /// Puts the equations on a side of a switching surface.
     fn side(&mut self, surface: usize, side: f64);
+    /// Prepares instants at several times, together. Gives the place of the first; the next [`KEPT`] less twice their
+    /// number do not displace them.
+    fn prepare(&self, times: &[f64]) -> usize;
     /// Writes the rates of the state.
-    fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]);
+    fn rate(&self, at: At, state: &[f64], rate: &mut [f64]);
     /// Writes the derivatives of the rates by the state, column by column.
     fn jacobian(&self, time: f64, state: &[f64], columns: &mut [f64]);
     /// Writes the guards and their rates.
@@ -38,8 +53,12 @@ fn state<E: Equations<f64>>(equations: &E, values: &[f64]) -> E::State {
 
 /// Equations with room for the columns of their Jacobian.
 pub(super) struct Own<E: Modes<f64>> {
-    equations: E,
+    equations: RefCell<E>,
     columns: RefCell<Vec<E::State>>,
+    /// What they need of the times of a step, and where the next ones go.
+    instants: RefCell<(Vec<E::Instant>, usize)>,
+    /// On which side of each switching surface they are held.
+    sides: Vec<f64>,
 }
 
 impl<E: Modes<f64>> Own<E> {
@@ -47,57 +66,123 @@ impl<E: Modes<f64>> Own<E> {
         let states = equations.states();
         Self {
             columns: RefCell::new(vec![E::State::zeros(states); states]),
-            equations,
+            instants: RefCell::new((vec![equations.instant(0.0); KEPT], 0)),
+            equations: RefCell::new(equations),
+            sides: Vec::new(),
         }
+    }
+
+    /// Whether numbers that the equations have computed do not exist though they might: a branch that is held beyond its
+    /// surface, where the step that ends on the surface tries the equations, may not exist there, `sqrt(x)` of a negative
+    /// number. They are those of the branch that does, then.
+    #[inline(always)]
+    fn are_lost(&self, numbers: &[f64]) -> bool {
+        !self.sides.is_empty() && numbers.iter().any(|number| !number.is_finite())
+    }
+
+    /// Lets the equations compute with their branches free.
+    #[cold]
+    fn free(&self, compute: impl FnOnce(&E)) {
+        let mut one = self.equations.borrow_mut();
+        let surfaces = self.sides.iter().enumerate();
+        surfaces.clone().for_each(|(index, _)| one.side(index, 0.0));
+        compute(&one);
+        surfaces.for_each(|(index, side)| one.side(index, *side));
     }
 }
 
 impl<E: Modes<f64>> Model for Own<E> {
     fn states(&self) -> usize {
-        self.equations.states()
+        self.equations.borrow().states()
     }
 
     fn mode(&self) -> usize {
-        self.equations.mode()
+        self.equations.borrow().mode()
     }
 
     fn enter(&mut self, mode: usize) {
-        self.equations.enter(mode);
+        self.equations.get_mut().enter(mode);
+        self.sides.clear();
     }
 
     fn side(&mut self, surface: usize, side: f64) {
-        self.equations.side(surface, side);
+        self.equations.get_mut().side(surface, side);
+        let sides = self.sides.len().max(surface + 1);
+        self.sides.resize(sides, 0.0);
+        self.sides[surface] = side;
     }
 
-    fn rate(&self, time: f64, values: &[f64], rate: &mut [f64]) {
-        let one = &self.equations;
-        let mut rates = E::State::zeros(rate.len());
-        one.derivative(&one.instant(time), &state(one, values), &mut rates);
-        rate.copy_from_slice(rates.as_ref());
+    fn prepare(&self, times: &[f64]) -> usize {
+        let one = self.equations.borrow();
+        let (kept, next) = &mut *self.instants.borrow_mut();
+        if *next + times.len() > KEPT {
+            *next = 0;
+        }
+        let first = *next;
+        *next += times.len();
+        let places = kept[first..*next].chunks_mut(PACKED);
+        for (places, times) in places.zip(times.chunks(PACKED)) {
+            if let [time] = times {
+                places[0] = one.instant(*time);
+                continue;
+            }
+            let packed: [f64; PACKED] = std::array::from_fn(|k| times[k.min(times.len() - 1)]);
+            for (place, instant) in places.iter_mut().zip(one.instants(packed)) {
+                *place = instant;
+            }
+        }
+        first
+    }
+
+    fn rate(&self, at: At, values: &[f64], rate: &mut [f64]) {
+        let compute = |one: &E, instant: &E::Instant, rate: &mut [f64]| {
+            let mut rates = E::State::zeros(rate.len());
+            one.derivative(instant, &state(one, values), &mut rates);
+            rate.copy_from_slice(rates.as_ref());
+        };
+        let one = self.equations.borrow();
+        match at.place {
+            Some(place) => compute(&one, &self.instants.borrow().0[place], rate),
+            None => compute(&one, &one.instant(at.time), rate),
+        }
+        drop(one);
+        if self.are_lost(rate) {
+            self.free(|one| compute(one, &one.instant(at.time), rate));
+        }
     }
 
     fn jacobian(&self, time: f64, values: &[f64], columns: &mut [f64]) {
-        let one = &self.equations;
-        let mut all = self.columns.borrow_mut();
-        one.jacobian(&one.instant(time), &state(one, values), &mut all);
-        let targets = columns.chunks_mut(values.len().max(1));
-        for (target, column) in targets.zip(all.iter()) {
-            target.copy_from_slice(column.as_ref());
+        let compute = |one: &E, columns: &mut [f64]| {
+            let mut all = self.columns.borrow_mut();
+            one.jacobian(&one.instant(time), &state(one, values), &mut all);
+            let targets = columns.chunks_mut(values.len().max(1));
+            for (target, column) in targets.zip(all.iter()) {
+                target.copy_from_slice(column.as_ref());
+            }
+        };
+        compute(&self.equations.borrow(), columns);
+        if self.are_lost(columns) {
+            self.free(|one| compute(one, columns));
         }
     }
 
     fn guards(&self, time: f64, at: &[f64], values: &mut [f64], rates: &mut [f64]) {
-        let one = &self.equations;
-        one.guards(&one.instant(time), &state(one, at), values, rates);
+        let compute = |one: &E, values: &mut [f64], rates: &mut [f64]| {
+            one.guards(&one.instant(time), &state(one, at), values, rates);
+        };
+        compute(&self.equations.borrow(), values, rates);
+        if self.are_lost(values) || self.are_lost(rates) {
+            self.free(|one| compute(one, values, rates));
+        }
     }
 
     fn permits(&self, event: usize, time: f64, values: &[f64]) -> bool {
-        let one = &self.equations;
+        let one = &*self.equations.borrow();
         one.permits(event, &one.instant(time), &state(one, values))
     }
 
     fn jump(&self, event: usize, time: f64, values: &[f64], after: &mut [f64]) {
-        let one = &self.equations;
+        let one = &*self.equations.borrow();
         let mut next = E::State::zeros(values.len());
         one.jump(event, &one.instant(time), &state(one, values), &mut next);
         after.copy_from_slice(next.as_ref());
@@ -115,6 +200,8 @@ pub(super) struct Table {
     pub(super) scales: &'static [f64],
     /// Names of the states.
     pub(super) names: &'static [&'static str],
+    /// Names of the modes.
+    pub(super) modes: &'static [&'static str],
 }
 
 impl Table {
@@ -124,6 +211,7 @@ impl Table {
             held: C::HELD,
             scales: C::SCALES,
             names: C::STATE_NAMES,
+            modes: C::MODE_NAMES,
         }
     }
 }
@@ -149,30 +237,36 @@ impl<'a, V> Erased<'a, V> {
 
 impl<V: Storage<f64>> Equations<f64> for Erased<'_, V> {
     type State = V;
-    type Instant = f64;
+    type Instant = At;
+
+    const CALLED: bool = true;
 
     fn states(&self) -> usize {
         self.model.states()
     }
 
-    fn instant(&self, time: f64) -> f64 {
-        time
+    fn instant(&self, time: f64) -> At {
+        At { time, place: None }
     }
 
-    fn instants<const K: usize>(&self, times: [f64; K]) -> [f64; K] {
-        times
+    fn instants<const K: usize>(&self, times: [f64; K]) -> [At; K] {
+        let first = self.model.prepare(&times);
+        std::array::from_fn(|k| At {
+            time: times[k],
+            place: Some(first + k),
+        })
     }
 
     #[inline(always)]
-    fn derivative(&self, time: &f64, state: &V, rate: &mut V) {
-        self.model.rate(*time, state.as_ref(), rate.as_mut());
+    fn derivative(&self, at: &At, state: &V, rate: &mut V) {
+        self.model.rate(*at, state.as_ref(), rate.as_mut());
     }
 
-    fn variation(&self, time: &f64, state: &V, rate: &mut V, columns: &[V], products: &mut [V]) {
-        self.derivative(time, state, rate);
+    fn variation(&self, at: &At, state: &V, rate: &mut V, columns: &[V], products: &mut [V]) {
+        self.derivative(at, state, rate);
         let states = self.states();
         let mut slopes = self.slopes.borrow_mut();
-        self.model.jacobian(*time, state.as_ref(), &mut slopes);
+        self.model.jacobian(at.time, state.as_ref(), &mut slopes);
         for (column, product) in columns.iter().zip(products) {
             for (row, entry) in product.as_mut().iter_mut().enumerate() {
                 let terms = column.as_ref().iter().enumerate();
@@ -183,10 +277,10 @@ impl<V: Storage<f64>> Equations<f64> for Erased<'_, V> {
         }
     }
 
-    fn jacobian(&self, time: &f64, state: &V, columns: &mut [V]) {
+    fn jacobian(&self, at: &At, state: &V, columns: &mut [V]) {
         let states = self.states();
         let mut slopes = self.slopes.borrow_mut();
-        self.model.jacobian(*time, state.as_ref(), &mut slopes);
+        self.model.jacobian(at.time, state.as_ref(), &mut slopes);
         for (column, slopes) in columns.iter_mut().zip(slopes.chunks(states.max(1))) {
             column.as_mut().copy_from_slice(slopes);
         }
@@ -211,16 +305,16 @@ impl<V: Storage<f64>> Modes<f64> for Erased<'_, V> {
     }
 
     #[inline(always)]
-    fn guards(&self, time: &f64, state: &V, values: &mut [f64], rates: &mut [f64]) {
-        self.model.guards(*time, state.as_ref(), values, rates);
+    fn guards(&self, at: &At, state: &V, values: &mut [f64], rates: &mut [f64]) {
+        self.model.guards(at.time, state.as_ref(), values, rates);
     }
 
-    fn permits(&self, event: usize, time: &f64, state: &V) -> bool {
-        self.model.permits(event, *time, state.as_ref())
+    fn permits(&self, event: usize, at: &At, state: &V) -> bool {
+        self.model.permits(event, at.time, state.as_ref())
     }
 
-    fn jump(&self, event: usize, time: &f64, state: &V, after: &mut V) {
+    fn jump(&self, event: usize, at: &At, state: &V, after: &mut V) {
         self.model
-            .jump(event, *time, state.as_ref(), after.as_mut());
+            .jump(event, at.time, state.as_ref(), after.as_mut());
     }
 }

@@ -51,7 +51,18 @@ pub enum HybridError {
         /// The motion so far.
         motion: Box<Motion>,
     },
-    /// What the mode holds moves at the start.
+    /// What an event watches is not a number: a root of something negative, a division by zero.
+    Guard {
+        /// When, in seconds.
+        time: f64,
+        /// The mode.
+        mode: usize,
+        /// The event.
+        event: usize,
+        /// The motion so far.
+        motion: Box<Motion>,
+    },
+    /// What the mode holds moves at the start, or an event that ends the mode has happened before.
     Start {
         /// What was found and what was expected.
         reason: String,
@@ -65,6 +76,7 @@ impl HybridError {
             Self::Ode { motion, .. }
             | Self::Loop { motion, .. }
             | Self::Held { motion, .. }
+            | Self::Guard { motion, .. }
             | Self::Chatter { motion, .. } => Some(motion),
             Self::Start { .. } => None,
         }
@@ -105,6 +117,13 @@ impl fmt::Display for HybridError {
                 formatter,
                 "in mode {mode} at t = {time} s the motion is driven onto the switching surface of event {event} from both \
                  sides, so that it stays there; state what holds on it as a mode, with `hold`"
+            ),
+            Self::Guard {
+                time, mode, event, ..
+            } => write!(
+                formatter,
+                "in mode {mode} after t = {time} s what event {event} watches is not a number: a root of something negative, \
+                 or a division by zero"
             ),
             Self::Start { reason } => write!(formatter, "start: {reason}"),
         }

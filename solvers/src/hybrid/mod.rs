@@ -8,17 +8,21 @@
 //! | `problem` | what is asked of a model: [`Modes`], [`Hybrid`] |
 //! | `crossing` | the first zero of a guard within a step |
 //! | `rounding` | how large the terms are of which a guard is made |
+//! | `room` | memory for the guards of a mode |
 //! | `watch` | looks for it in every step, and ends the integration there |
 //! | `erased` | equations without their type, so that all of this is compiled once |
 //! | `carry` | the method that integrates between events |
-//! | `march` | from event to event, several at one instant, and the rules that end it |
+//! | `start` | whether a motion may begin where it is to |
+//! | `march` | the motion that is asked for, by which method |
+//! | `run` | from event to event, several at one instant, and the rules that end it |
 //! | `cycle` | motions that repeat: [`cycle()`] |
 //! | `motion` | the result: pieces between events, and a record of each event |
 //!
 //! **What is found.** Within a step a guard is the cubic through its values and rates at both ends, as far as that agrees
-//! with the value in the middle; where it does not, or where the cubic may vanish, the step is halved. A pair of
-//! crossings is overlooked only if the guard, between two points that are compared, leaves its cubic by more than four
-//! times what it does in their middle. Each crossing is then narrowed down until two neighbouring numbers of the time
+//! with the value in the middle; where it does not, or where the cubic may vanish, the step is halved. It is halved as well
+//! where the guard has, by its rates in the last steps, the time to swing: methods step far over what the state does not
+//! feel. A pair of crossings is overlooked only if the guard, between two points that are compared, leaves its cubic by
+//! more than four times what it does in their middle. Each crossing is then narrowed down until two neighbouring numbers of the time
 //! enclose it.
 //!
 //! **What is zero.** A guard of less than [`NOISE`] roundings of its terms, or of the largest value that it has had,
@@ -38,7 +42,10 @@ mod error;
 mod march;
 mod motion;
 mod problem;
+mod room;
 mod rounding;
+mod run;
+mod start;
 mod watch;
 
 pub use cycle::{Cycle, CycleError, cycle, cycle_from};

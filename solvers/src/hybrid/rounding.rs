@@ -1,48 +1,38 @@
 //! How large the terms are of which a guard is made.
 
 use super::problem::Modes;
-use crate::scalar::Scalar;
+use super::room::Guards;
 
 /// Relative change of what a guard depends on; large enough for the rounding of the difference.
 const CHANGE: f64 = 1.0 / (1 << 20) as f64;
 
-/// The terms of a guard and of its rate: `Σ |∂g/∂y · y|` over state and time. Their roundings are those of the guard,
-/// however small it is itself.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Terms {
-    pub value: f64,
-    pub rate: f64,
-}
-
-/// The terms of the guards of a mode.
-pub(super) fn terms<S: Scalar, E: Modes<S>>(
+/// The terms of the guards of a mode and of their rates: `Σ |∂g/∂y · y|` over state and time. Their roundings are those
+/// of a guard, however small it is itself. `here` are the guards at this time and state, `there` is room for others.
+pub(super) fn terms<E: Modes<f64>>(
     equations: &E,
     time: f64,
     state: &E::State,
-    count: usize,
-) -> Vec<Terms> {
-    let guards = |time: f64, state: &E::State| {
-        let (mut values, mut rates) = (vec![S::ZERO; count], vec![S::ZERO; count]);
-        let instant = equations.instant(S::from_f64(time));
-        equations.guards(&instant, state, &mut values, &mut rates);
-        let pairs = values.iter().zip(&rates);
-        let pairs = pairs.map(|(value, rate)| (value.to_f64(), rate.to_f64()));
-        pairs.collect::<Vec<(f64, f64)>>()
+    here: &Guards,
+    there: &mut Guards,
+    terms: &mut Guards,
+) {
+    terms.clear();
+    let mut add = |time: f64, state: &E::State| {
+        there.look(equations, time, state);
+        let add = |terms: &mut [f64], here: &[f64], there: &[f64]| {
+            for ((term, here), there) in terms.iter_mut().zip(here).zip(there) {
+                *term += (there - here).abs() / CHANGE;
+            }
+        };
+        add(&mut terms.values, &here.values, &there.values);
+        add(&mut terms.rates, &here.rates, &there.rates);
     };
-    let here = guards(time, state);
-    let mut all = vec![Terms::default(); count];
-    let mut add = |there: Vec<(f64, f64)>| {
-        for ((terms, here), there) in all.iter_mut().zip(&here).zip(&there) {
-            terms.value += (there.0 - here.0).abs() / CHANGE;
-            terms.rate += (there.1 - here.1).abs() / CHANGE;
-        }
-    };
-    add(guards(time * (1.0 + CHANGE), state));
+    add(time * (1.0 + CHANGE), state);
+    let mut moved = state.clone();
     for index in 0..equations.states() {
-        let mut moved = state.clone();
-        let slot = &mut moved.as_mut()[index];
-        *slot = *slot * S::from_f64(1.0 + CHANGE);
-        add(guards(time, &moved));
+        let value = state.as_ref()[index];
+        moved.as_mut()[index] = value * (1.0 + CHANGE);
+        add(time, &moved);
+        moved.as_mut()[index] = value;
     }
-    all
 }

@@ -1,15 +1,21 @@
 //! Looks for events in every step.
 
 use super::NOISE;
-use super::crossing::{Crossing, Sample, Search};
+use super::crossing::{Sample, Search, is_far, is_resolved};
 use super::problem::{EventEntry, Modes};
+use super::room::{Guards, Room};
 use super::rounding::terms;
 use crate::ode::{Observer, Recorder, Step};
 use crate::problem::Storage;
-use crate::scalar::Scalar;
 
 /// Roundings of the time by which two events differ that cannot be told apart: the continuous solution has as many.
 const BLUR: f64 = 64.0;
+
+/// A guard of less than this part of the largest that it has been may be no more than the rounding of its terms, which is
+/// found out then.
+pub(super) const NEAR: f64 = 1e-6;
+/// What the largest rate of a guard counts from one step to the next.
+const MEMORY: f64 = 0.8;
 
 /// What is remembered of a guard.
 #[derive(Clone, Copy, Debug, Default)]
@@ -23,6 +29,8 @@ pub(super) struct Guard {
     /// The time at which the mode began, and the terms of the rate there if the rate was no more than their rounding: as
     /// long as the guard has been zero, that rounding times the time since then is zero too.
     pub still: (f64, f64),
+    /// The largest rate in the last steps; older ones count less.
+    pub rate: f64,
 }
 
 impl Guard {
@@ -39,6 +47,12 @@ impl Guard {
             false => self.noise(),
         }
     }
+
+    /// Whether the guard stays away from zero between the ends of a step by more than it changes.
+    fn is_far(&self, from: &Sample, to: &Sample) -> bool {
+        let keeps = |sample: &Sample| sample.value * self.sign > self.noise();
+        self.sign != 0.0 && keeps(from) && keeps(to) && is_far(from, to)
+    }
 }
 
 /// An event that ends an integration.
@@ -53,147 +67,178 @@ pub(super) struct Due {
 }
 
 /// An observer that records the motion in a mode, and ends it at the first event.
-pub(super) struct Watch<'a, S: Scalar, E: Modes<S>> {
+pub(super) struct Watch<'a, E: Modes<f64>> {
     pub equations: &'a E,
     pub events: &'static [EventEntry],
-    pub recorder: Recorder<S>,
+    pub recorder: Recorder<f64>,
     pub guards: &'a mut [Guard],
     /// What ended the motion.
     pub due: Option<Due>,
+    /// The event whose guard is not a number.
+    pub lost: Option<usize>,
     /// The state there, or at the end of the last step.
     pub state: E::State,
     /// The length of the last whole step.
     pub step: f64,
-    /// Values and rates of the guards at the begin of the step.
-    values: Vec<S>,
-    rates: Vec<S>,
-    /// The same anywhere.
-    there: (Vec<S>, Vec<S>),
-    /// The same at the end of the step.
-    end: (Vec<S>, Vec<S>),
+    /// The guards at the begin of the step, and room for others.
+    room: &'a mut Room,
 }
 
-impl<'a, S: Scalar, E: Modes<S>> Watch<'a, S, E> {
-    /// Watches the motion from a time and state, where the guards are known.
+impl<'a, E: Modes<f64>> Watch<'a, E> {
+    /// Watches the motion from a time and state, where the guards are known: those of `room.begin`.
     pub fn new(
         equations: &'a E,
         events: &'static [EventEntry],
-        time: f64,
-        state: &E::State,
+        (time, state): (f64, &E::State),
         guards: &'a mut [Guard],
+        room: &'a mut Room,
     ) -> Self {
-        let zeros = || vec![S::ZERO; events.len()];
-        let mut watch = Self {
+        Self {
             equations,
             events,
             recorder: Recorder::new(time, state),
             guards,
             due: None,
+            lost: None,
             state: state.clone(),
             step: 0.0,
-            values: zeros(),
-            rates: zeros(),
-            there: (zeros(), zeros()),
-            end: (zeros(), zeros()),
-        };
-        let instant = equations.instant(S::from_f64(time));
-        equations.guards(&instant, state, &mut watch.values, &mut watch.rates);
-        watch
+            room,
+        }
     }
 
     /// The earliest event of a step.
     #[inline(always)]
     fn look(&mut self, step: &Step<'_, E::State>) {
         let length = step.to - step.from;
-        let instant = self.equations.instant(S::from_f64(step.to));
-        let (values, rates) = (&mut self.end.0, &mut self.end.1);
-        self.equations.guards(&instant, step.after, values, rates);
-        let mut first: Option<(Crossing, usize)> = None;
-        let mut second = first;
-        let mut sizes = None;
-        for (event, entry) in self.events.iter().enumerate() {
-            let from = Sample {
-                part: 0.0,
-                value: self.values[event].to_f64(),
-                slope: self.rates[event].to_f64() * length,
-            };
-            let to = Sample {
-                part: 1.0,
-                value: self.end.0[event].to_f64(),
-                slope: self.end.1[event].to_f64() * length,
-            };
+        self.step = length;
+        self.room.end.look(self.equations, step.to, step.after);
+        let mut first: Option<(f64, usize)> = None;
+        let mut second: Option<usize> = None;
+        let mut is_measured = false;
+        // Which is first of two that cannot be told apart is said by their order in the file.
+        let blur = BLUR * f64::EPSILON * (step.to / length).abs().max(1.0);
+        for event in 0..self.events.len() {
+            let from = at(&self.room.begin, event, 0.0, length);
+            let to = at(&self.room.end, event, 1.0, length);
+            if !to.value.is_finite() {
+                self.lost = Some(event);
+                break;
+            }
             let guard = &mut self.guards[event];
             guard.size = guard.size.max(from.value.abs()).max(to.value.abs());
-            let (equations, state, there) = (self.equations, &mut self.state, &mut self.there);
-            let mut sample = |part: f64| {
-                between(step, part, state);
-                let time = S::from_f64(step.from + part * length);
-                let instant = equations.instant(time);
-                equations.guards(&instant, state, &mut there.0, &mut there.1);
-                Sample {
-                    part,
-                    value: there.0[event].to_f64(),
-                    slope: there.1[event].to_f64() * length,
-                }
-            };
-            let mut search = Search {
-                direction: entry.direction,
-                noise: guard.noise_at(step.to),
-                sign: guard.sign,
-                armed: guard.armed,
-                sample: &mut sample,
-            };
-            if search.is_far(&from, &to) {
+            guard.rate *= MEMORY;
+            let slope = (guard.rate * length)
+                .max(from.slope.abs())
+                .max(to.slope.abs());
+            guard.rate = slope / length;
+            let resolved = is_resolved(&from, &to, slope);
+            if resolved && guard.is_far(&from, &to) {
                 continue;
             }
-            let sizes = sizes
-                .get_or_insert_with(|| terms(equations, step.to, step.after, self.events.len()));
-            guard.size = guard.size.max(sizes[event].value);
-            search.noise = guard.noise_at(step.to);
-            let mut begin = from;
-            // A crossing at which something else that is asked for does not hold is passed over.
-            let found = loop {
-                let Some(found) = search.run(begin, to) else {
-                    break None;
-                };
-                let here = (search.sample)(found.part);
-                if permits(equations, event, step, found.part) {
-                    break Some(found);
+            if !is_measured && from.value.abs().min(to.value.abs()) <= NEAR * guard.size {
+                is_measured = true;
+                let Room {
+                    end,
+                    there,
+                    terms: sizes,
+                    ..
+                } = &mut *self.room;
+                terms(self.equations, step.to, step.after, end, there, sizes);
+                for (guard, size) in self.guards.iter_mut().zip(&sizes.values) {
+                    guard.size = guard.size.max(*size);
                 }
-                begin = here;
+            }
+            let until = first.map(|(part, _)| part + 2.0 * blur);
+            let Some(part) = self.search(step, event, (from, to), resolved, until) else {
+                continue;
             };
-            (guard.sign, guard.armed) = (search.sign, search.armed);
-            let Some(found) = found else { continue };
-            // Which is first of two that cannot be told apart is said by their order in the file.
-            let blur = BLUR * f64::EPSILON * (step.to / length).abs().max(1.0);
             match first {
-                Some((earlier, _)) if found.part > earlier.part + blur => {}
-                Some((earlier, _)) if found.part >= earlier.part - blur => {
-                    second = second.or(Some((found, event)));
-                }
-                _ => (first, second) = (Some((found, event)), None),
+                Some((earlier, _)) if part > earlier + blur => {}
+                Some((earlier, _)) if part >= earlier - blur => second = second.or(Some(event)),
+                _ => (first, second) = (Some((part, event)), None),
             }
         }
-        self.step = length;
         match first {
-            Some((crossing, event)) => {
-                let time = step.from + crossing.part * length;
-                between(step, crossing.part, &mut self.state);
+            Some((part, event)) => {
+                let time = step.from + part * length;
+                between(step, part, &mut self.state);
                 self.recorder.cut(time, &self.state);
-                let with = second.map(|(_, event)| event);
-                self.due = Some(Due { event, time, with });
+                self.due = Some(Due {
+                    event,
+                    time,
+                    with: second,
+                });
             }
             None => {
                 self.state.clone_from(step.after);
-                std::mem::swap(&mut self.values, &mut self.end.0);
-                std::mem::swap(&mut self.rates, &mut self.end.1);
+                std::mem::swap(&mut self.room.begin, &mut self.room.end);
             }
         }
+    }
+
+    /// Where an event happens first in a step, up to a part of it.
+    fn search(
+        &mut self,
+        step: &Step<'_, E::State>,
+        event: usize,
+        (from, to): (Sample, Sample),
+        resolved: bool,
+        until: Option<f64>,
+    ) -> Option<f64> {
+        let length = step.to - step.from;
+        let guard = &mut self.guards[event];
+        let (equations, state, there) = (self.equations, &mut self.state, &mut self.room.there);
+        let mut sample = |part: f64| {
+            between(step, part, state);
+            there.look(equations, step.from + part * length, state);
+            at(there, event, part, length)
+        };
+        let slope = from.slope.abs().max(to.slope.abs());
+        let to = match until {
+            Some(part) if part < 1.0 => sample(part),
+            _ => to,
+        };
+        let mut search = Search {
+            direction: self.events[event].direction,
+            noise: guard.noise_at(step.to),
+            sign: guard.sign,
+            armed: guard.armed,
+            slope,
+            blur: 0.5 * f64::EPSILON * (step.to / length).abs(),
+            sample: &mut sample,
+        };
+        if !resolved {
+            search.probe();
+        }
+        let mut begin = from;
+        // A crossing at which something else that is asked for does not hold is passed over.
+        let found = loop {
+            let Some(found) = search.run(begin, to) else {
+                break None;
+            };
+            if permits(equations, event, step, found.part) {
+                break Some(found.part);
+            }
+            begin = (search.sample)(found.part);
+        };
+        (guard.sign, guard.armed) = (search.sign, search.armed);
+        guard.rate = search.slope / length;
+        found
+    }
+}
+
+/// A guard at a part of a step of this length.
+#[inline(always)]
+fn at(guards: &Guards, event: usize, part: f64, length: f64) -> Sample {
+    Sample {
+        part,
+        value: guards.values[event],
+        slope: guards.rates[event] * length,
     }
 }
 
 /// Whether what else an event asks for holds at a part of a step.
-fn permits<S: Scalar, E: Modes<S>>(
+fn permits<E: Modes<f64>>(
     equations: &E,
     event: usize,
     step: &Step<'_, E::State>,
@@ -202,28 +247,30 @@ fn permits<S: Scalar, E: Modes<S>>(
     let mut state = step.after.clone();
     between(step, part, &mut state);
     let time = step.from + part * (step.to - step.from);
-    equations.permits(event, &equations.instant(S::from_f64(time)), &state)
+    equations.permits(event, &equations.instant(time), &state)
 }
 
 /// The state at a part of a step.
 #[inline(always)]
-fn between<S: Scalar, V: Storage<S>>(step: &Step<'_, V>, part: f64, state: &mut V) {
+fn between<V: Storage<f64>>(step: &Step<'_, V>, part: f64, state: &mut V) {
     if part == 1.0 {
         state.clone_from(step.after);
         return;
     }
-    let (part, rest) = (S::from_f64(part), S::from_f64(1.0 - part));
-    for (index, slot) in state.as_mut().iter_mut().enumerate() {
-        let mut value = S::ZERO;
-        for (row, coefficients) in step.polynomial.iter().enumerate().rev() {
-            let factor = if row % 2 == 0 { part } else { rest };
-            value = (value + coefficients.as_ref()[index]) * factor;
+    let state = state.as_mut();
+    state.fill(0.0);
+    for (row, coefficients) in step.polynomial.iter().enumerate().rev() {
+        let factor = if row % 2 == 0 { part } else { 1.0 - part };
+        for (sum, coefficient) in state.iter_mut().zip(coefficients.as_ref()) {
+            *sum = (*sum + coefficient) * factor;
         }
-        *slot = step.before.as_ref()[index] + value;
+    }
+    for (sum, before) in state.iter_mut().zip(step.before.as_ref()) {
+        *sum += before;
     }
 }
 
-impl<S: Scalar, E: Modes<S>> Observer<E::State> for Watch<'_, S, E> {
+impl<E: Modes<f64>> Observer<E::State> for Watch<'_, E> {
     #[inline(always)]
     fn wants_dense(&mut self, _from: f64, _to: f64) -> bool {
         true
@@ -237,6 +284,6 @@ impl<S: Scalar, E: Modes<S>> Observer<E::State> for Watch<'_, S, E> {
 
     #[inline(always)]
     fn has_enough(&self) -> bool {
-        self.due.is_some()
+        self.due.is_some() || self.lost.is_some()
     }
 }

@@ -35,6 +35,7 @@ pub use system::{Bundle, Plain, System, Varied};
 pub use tableau::{Method, Row};
 pub use trajectory::{Recorder, Trajectory};
 pub use tsit5::Tsit5;
+pub(crate) use workspace::SHORTEST;
 pub use workspace::Workspace;
 
 #[cfg(test)]

@@ -13,6 +13,9 @@ pub trait System<S: Scalar> {
     /// What depends on the time alone.
     type Instant: Clone;
 
+    /// Whether an evaluation is a call.
+    const CALLED: bool = false;
+
     /// A state of zeros.
     fn zeros(&self) -> Self::State;
 
@@ -46,6 +49,8 @@ pub struct Plain<'a, E>(pub &'a E);
 impl<S: Scalar, E: Equations<S>> System<S> for Plain<'_, E> {
     type State = E::State;
     type Instant = E::Instant;
+
+    const CALLED: bool = E::CALLED;
 
     #[inline(always)]
     fn zeros(&self) -> E::State {

@@ -8,6 +8,29 @@ use super::system::System;
 use super::tableau::Method;
 use crate::scalar::Scalar;
 
+/// Does something for each stage from a first to a last one. Where an evaluation is a call the stages are written out, so
+/// that their coefficients are constants; else they share one place in the code, into which the equations are inlined.
+macro_rules! stages {
+    ($called:expr, $number:ident in $first:expr, $last:expr, $body:block) => {
+        if $called {
+            stages!($number, $first, $last, $body, 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+        } else {
+            for $number in $first..=$last $body
+        }
+    };
+    ($number:ident, $first:expr, $last:expr, $body:block, $($stage:literal)*) => {
+        $(
+            if $stage >= $first && $stage <= $last {
+                let $number: usize = $stage;
+                $body
+            }
+        )*
+    };
+}
+
+/// Roundings of the time that a first step has at least.
+pub(crate) const SHORTEST: f64 = 1e3;
+
 /// The memory of an integration. With states of fixed length nothing in it is on the heap.
 pub struct Workspace<V, M: Method> {
     /// State at the begin of the step.
@@ -80,6 +103,8 @@ impl<V: Clone, M: Method> Workspace<V, M> {
             } else {
                 0.01 * size / rate
             };
+            // A state that is next to nothing asks for a step that the time does not feel.
+            probe = probe.max(SHORTEST * f64::EPSILON * from.abs().max(to.abs()));
             probe = direction * limit.min(probe);
             time = from + probe;
             combine::<S, Y>(
@@ -134,7 +159,7 @@ impl<V: Clone, M: Method> Workspace<V, M> {
         } else {
             M::STAGES - 1
         };
-        for number in 1..=last {
+        stages!(Y::CALLED, number in 1, last, {
             let is_end = number == M::STAGES;
             let row = if is_end {
                 M::WEIGHTS
@@ -149,7 +174,7 @@ impl<V: Clone, M: Method> Workspace<V, M> {
             combine::<S, Y>(stage, Some(&self.state), step, row, slopes);
             let instant = &instants.as_ref()[number.min(M::STAGES - 1) - 1];
             system.rate(instant, stage, &mut slopes[number]);
-        }
+        });
         if !M::ERROR_USES_LAST {
             combine::<S, Y>(&mut self.trial, Some(&self.state), step, M::WEIGHTS, slopes);
         }
@@ -241,7 +266,7 @@ impl<V: Clone, M: Method> Workspace<V, M> {
             M::STAGES
         };
         let end = M::STAGES + 1 + if dense { M::EXTRA_ROWS.len() } else { 0 };
-        for number in first..end {
+        stages!(Y::CALLED, number in first, end - 1, {
             let (row, instant) = match &extra {
                 Some(extra) if number > M::STAGES => {
                     let index = number - M::STAGES - 1;
@@ -251,7 +276,7 @@ impl<V: Clone, M: Method> Workspace<V, M> {
             };
             combine::<S, Y>(&mut self.stage, Some(&self.state), step, row, slopes);
             system.rate(instant, &self.stage, &mut slopes[number]);
-        }
+        });
         if dense {
             self.interpolate::<S, Y>(step);
         }

@@ -3,7 +3,7 @@
 use super::here::{Here, first_bad, scaled_size};
 use super::rates::Rates;
 use super::spectrum::Calm;
-use crate::ode::{Clock, Observer, OdeError, Options, Statistics, Step};
+use crate::ode::{Clock, Observer, OdeError, Options, SHORTEST, Statistics, Step};
 
 /// What came of a step that was tried.
 pub(super) enum Attempt {
@@ -158,6 +158,8 @@ fn first_step(
         true => 1e-6,
         false => 0.01 * size / rate,
     };
+    // A state that is next to nothing asks for a step that the time does not feel.
+    let probe = probe.max(SHORTEST * f64::EPSILON * from.abs().max(to.abs()));
     let probe = direction * limit.min(probe);
     for (index, trial) in here.trial.iter_mut().enumerate() {
         *trial = here.state[index] + probe * here.rate[index];

@@ -1,6 +1,6 @@
 //! A scene without its type: so the search is compiled once.
 
-use super::super::march::march_in;
+use super::super::march::Way;
 use super::super::problem::{Hybrid, Sensitive, in_each_mode};
 use super::super::{HybridError, Modes, Motion};
 use crate::problem::{Equations, Storage};
@@ -80,7 +80,15 @@ where
         start: &[f64],
         settings: &Settings,
     ) -> Result<Motion, HybridError> {
-        march_in(self.scene, mode, times, start, settings)
+        // What an iteration tries may lie a little beyond the end of a mode.
+        let way = Way {
+            mode,
+            times,
+            start,
+            settings,
+            is_checked: false,
+        };
+        way.of(self.scene)
     }
 
     fn local(&self, mode: usize, sides: &[f64]) -> Box<dyn Local + '_> {

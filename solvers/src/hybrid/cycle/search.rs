@@ -2,11 +2,13 @@
 
 use nalgebra::DVector;
 
+use super::super::HybridError;
 use super::error::CycleError;
 use super::flow::Flow;
 use super::newton::Gap;
 use super::returns::Past;
 use super::{Cycle, FOLLOWED, PATIENCE, variation};
+use crate::ode::OdeError;
 use crate::registry::Settings;
 
 /// So near to its past, over the sizes of its states, a motion is closed at once.
@@ -16,6 +18,12 @@ const CLOSE: f64 = 3e-2;
 /// A motion further away than this, over the sizes of the states, is not the one that was followed: Newton's method may
 /// come to one elsewhere, and even to one in a mode in which no motion would be there.
 const FAR: f64 = 0.5;
+/// Motions that are nearer to each other, over the sizes of the states, are one.
+const SAME: f64 = 1e-6;
+/// Periods over which the distance from a motion is taken.
+const BEATS: usize = 10;
+/// Steps after which a motion is given up.
+const STEPS: usize = 10_000_000;
 /// The last periods over which the growth of disturbances is measured.
 const GROWTH: usize = 100;
 
@@ -28,6 +36,8 @@ struct Walk<'a> {
     state: Vec<f64>,
     past: Past,
     followed: usize,
+    /// Steps so far.
+    steps: usize,
     /// After how many periods it was nearest to its past, and how near.
     nearest: Option<(usize, f64)>,
 }
@@ -50,6 +60,7 @@ pub(super) fn search(
         state: start.to_vec(),
         past: Past::new(flow.scales()),
         followed: 0,
+        steps: 0,
         nearest: None,
     };
     walk.past.add(mode, start);
@@ -75,12 +86,13 @@ pub(super) fn search(
                 _ => {}
             }
         }
-        // A simple motion may repeat though nothing is attracted by it.
-        if unstable.is_none() {
-            unstable = walk.close(1)?;
-            if let Some(cycle) = unstable.take_if(|cycle| cycle.is_stable())
-                && walk.is_within(CLOSE, &cycle)
-            {
+        // A simple motion may repeat though nothing is attracted by it, or very slowly.
+        if unstable.as_ref().is_none_or(|cycle| cycle.multiple > 1)
+            && let Some(cycle) = walk.close(1)?
+        {
+            if !cycle.is_stable() {
+                unstable = Some(cycle);
+            } else if walk.is_within(CLOSE, &cycle) || walk.comes_to(&cycle)? {
                 return Ok(cycle);
             }
         }
@@ -93,10 +105,33 @@ pub(super) fn search(
     })
 }
 
+/// The state in which a motion that repeats begins.
+fn start_of(cycle: &Cycle) -> Vec<f64> {
+    let first = cycle.motion.pieces.first();
+    first.map_or_else(
+        || cycle.motion.end.clone(),
+        |piece| piece.trajectory.at(piece.trajectory.times()[0]),
+    )
+}
+
 impl Walk<'_> {
     /// One period.
     fn turn(&mut self) -> Result<(), CycleError> {
         let motion = self.follow(self.mode, &self.state)?;
+        self.steps += motion.statistics.steps + motion.statistics.rejected;
+        if self.steps > STEPS {
+            let error = OdeError::TooManySteps {
+                time: self.followed as f64 * self.period,
+                steps: self.steps,
+            };
+            let (mode, motion) = (motion.mode, Box::new(motion));
+            let error = HybridError::Ode {
+                error,
+                mode,
+                motion,
+            };
+            return Err(CycleError::Motion(Box::new(error)));
+        }
         self.mode = motion.mode;
         self.state = motion.end;
         self.followed += 1;
@@ -110,7 +145,7 @@ impl Walk<'_> {
             .map_err(|error| CycleError::Motion(Box::new(error)))
     }
 
-    /// The motion that repeats after so many periods near here, or after fewer.
+    /// The motion that repeats after so many periods near here, or after fewer if that is one and the same.
     fn close(&self, multiple: usize) -> Result<Option<Cycle>, CycleError> {
         let of = |multiple: usize| Gap {
             flow: self.flow,
@@ -120,30 +155,56 @@ impl Walk<'_> {
             sizes: self.past.sizes(),
             settings: self.settings,
         };
-        let divisors = (1..multiple).filter(|one| multiple.is_multiple_of(*one));
-        for divisor in divisors {
-            // What repeats sooner near here is not two motions.
-            if let Some(cycle) = of(divisor).close(&self.state, self.followed)?
-                && self.is_within(10.0 * NEAR, &cycle)
+        let found = of(multiple).close(&self.state, self.followed)?;
+        let Some(cycle) = &found else {
+            return Ok(found);
+        };
+        // What repeats sooner is not several motions.
+        let alike = SAME.max(1e3 * self.settings.rtol);
+        for divisor in (1..multiple).filter(|one| multiple.is_multiple_of(*one)) {
+            if let Some(sooner) = of(divisor).close(&start_of(cycle), self.followed)?
+                && self.apart(&start_of(&sooner), &start_of(cycle)) <= alike
             {
-                return Ok(Some(cycle));
+                return Ok(Some(sooner));
             }
         }
-        of(multiple).close(&self.state, self.followed)
+        Ok(found)
+    }
+
+    /// Whether the motion comes nearer to one that repeats, at least half as quickly as its multipliers say. What dies out
+    /// slowly is far away for long.
+    fn comes_to(&mut self, cycle: &Cycle) -> Result<bool, CycleError> {
+        let start = start_of(cycle);
+        let before = self.farthest(&start)?;
+        for _ in 0..GROWTH {
+            self.turn()?;
+        }
+        let after = self.farthest(&start)?;
+        let slowest = cycle.multipliers.first().map_or(0.0, |one| one.modulus());
+        let expected = slowest.powf((GROWTH + BEATS) as f64 / cycle.multiple as f64);
+        Ok(after < 0.5 * (1.0 + expected) * before)
+    }
+
+    /// The largest distance from a state over some periods, over which what swings shows its size.
+    fn farthest(&mut self, start: &[f64]) -> Result<f64, CycleError> {
+        let mut farthest = 0.0;
+        for _ in 0..BEATS {
+            self.turn()?;
+            farthest = self.apart(start, &self.state).max(farthest);
+        }
+        Ok(farthest)
     }
 
     /// Whether a motion that repeats is as near to the one that was followed, over the sizes of the states.
     fn is_within(&self, limit: f64, cycle: &Cycle) -> bool {
-        let start = cycle
-            .motion
-            .pieces
-            .first()
-            .map(|piece| piece.trajectory.at(0.0));
-        start.is_some_and(|start| {
-            let pairs = start.iter().zip(&self.state).zip(self.past.sizes());
-            let far = pairs.map(|((a, b), size)| (a - b).abs() / size);
-            far.fold(0.0, f64::max) <= limit
-        })
+        self.apart(&start_of(cycle), &self.state) <= limit
+    }
+
+    /// How far two states are from each other, over the sizes of the states.
+    fn apart(&self, one: &[f64], other: &[f64]) -> f64 {
+        let pairs = one.iter().zip(other).zip(self.past.sizes());
+        let far = pairs.map(|((a, b), size)| (a - b).abs() / size);
+        far.fold(0.0, f64::max)
     }
 
     /// By what factor small disturbances grow in a period, on average over the periods that follow.

@@ -1,0 +1,58 @@
+//! Room for the guards of a mode, taken once for a motion.
+
+use super::problem::Modes;
+
+/// Values and rates of the guards of a mode.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Guards {
+    pub values: Vec<f64>,
+    pub rates: Vec<f64>,
+}
+
+impl Guards {
+    /// Room for so many guards; within what there has been, nothing is allocated.
+    pub fn resize(&mut self, count: usize) {
+        self.values.resize(count, 0.0);
+        self.rates.resize(count, 0.0);
+    }
+
+    /// Fills with zeros.
+    pub fn clear(&mut self) {
+        self.values.fill(0.0);
+        self.rates.fill(0.0);
+    }
+
+    /// Computes the guards at a time and state.
+    #[inline(always)]
+    pub fn look<E: Modes<f64>>(&mut self, equations: &E, time: f64, state: &E::State) {
+        let instant = equations.instant(time);
+        equations.guards(&instant, state, &mut self.values, &mut self.rates);
+    }
+}
+
+/// The guards in several places.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Room {
+    /// At the begin of a step.
+    pub begin: Guards,
+    /// At its end.
+    pub end: Guards,
+    /// Anywhere.
+    pub there: Guards,
+    /// The terms of which they are made.
+    pub terms: Guards,
+}
+
+impl Room {
+    /// Room for the guards of a mode with so many events.
+    pub fn resize(&mut self, count: usize) {
+        for guards in [
+            &mut self.begin,
+            &mut self.end,
+            &mut self.there,
+            &mut self.terms,
+        ] {
+            guards.resize(count);
+        }
+    }
+}

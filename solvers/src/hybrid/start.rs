@@ -1,0 +1,78 @@
+//! Whether a motion may begin where it is to.
+
+use super::erased::Table;
+use super::error::HybridError;
+use super::problem::Modes;
+use super::room::Room;
+use super::rounding::terms;
+use super::{Direction, NOISE};
+
+/// Whether there is such a mode.
+pub(super) fn check_mode(table: &Table, mode: usize) -> Result<(), HybridError> {
+    let count = table.events.len();
+    match mode < count {
+        true => Ok(()),
+        false => refused(format!(
+            "there are {count} modes, and it is to begin in number {mode}"
+        )),
+    }
+}
+
+/// Whether what the mode holds stands still, and no event that leads to another mode has happened already.
+pub(super) fn check<E: Modes<f64>>(
+    equations: &E,
+    table: &Table,
+    time: f64,
+    state: &E::State,
+) -> Result<(), HybridError> {
+    let mode = equations.mode();
+    let held = table.held[mode].iter();
+    for (name, value) in held.map(|place| (table.names[*place], state.as_ref()[*place])) {
+        if value != 0.0 {
+            return refused(format!(
+                "{name} is {value} in SI units, and the mode in which the motion begins holds it at zero"
+            ));
+        }
+    }
+    let events = table.events[mode];
+    let mut room = Room::default();
+    room.resize(events.len());
+    room.begin.look(equations, time, state);
+    let Room {
+        begin,
+        there,
+        terms: sizes,
+        ..
+    } = &mut room;
+    terms(equations, time, state, begin, there, sizes);
+    let instant = equations.instant(time);
+    for (index, entry) in events.iter().enumerate() {
+        let (value, noise) = (
+            begin.values[index],
+            NOISE * f64::EPSILON * sizes.values[index],
+        );
+        let has_passed = match entry.direction {
+            Direction::Rises => value > noise,
+            Direction::Falls => value < -noise,
+            Direction::Crosses => false,
+        };
+        let leads_away = entry.surface.is_none() && entry.target != mode;
+        if has_passed && leads_away && equations.permits(index, &instant, state) {
+            let unit = if entry.unit.is_empty() { "" } else { " " };
+            return refused(format!(
+                "it is to begin in the mode `{}`, where `{}` has happened already: what that watches is {}{unit}{}; begin \
+                 in the mode that follows, with `start {}` in the scene, or with other values",
+                table.modes[mode],
+                entry.text,
+                value / entry.factor,
+                entry.unit,
+                table.modes[entry.target],
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn refused(reason: String) -> Result<(), HybridError> {
+    Err(HybridError::Start { reason })
+}
