@@ -113,6 +113,20 @@ impl Case {
                     "state what holds there as a mode, with `hold`",
                 )
             }
+            HybridError::Guard {
+                time, mode, event, ..
+            } => {
+                let modes = self.scene.modes.get(*mode);
+                let entry = modes.and_then(|mode| mode.events.get(*event));
+                (
+                    format!(
+                        "after time = {time} s what `{}` watches is not a number: a root of something negative, or a \
+                         division by zero",
+                        entry.map_or("an event", |entry| entry.text)
+                    ),
+                    "check the values given with --set; else keep what the event watches defined, with `max` for instance",
+                )
+            }
             HybridError::Start { reason } => (reason.clone(), "check the start values"),
         };
         Failure::numerical("the motion could not be followed to its end")

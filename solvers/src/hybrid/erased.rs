@@ -53,22 +53,22 @@ fn state<E: Equations<f64>>(equations: &E, values: &[f64]) -> E::State {
 
 /// Equations with room for the columns of their Jacobian.
 pub(super) struct Own<E: Modes<f64>> {
-    equations: RefCell<E>,
+    equations: E,
     columns: RefCell<Vec<E::State>>,
     /// What they need of the times of a step, and where the next ones go.
     instants: RefCell<(Vec<E::Instant>, usize)>,
-    /// On which side of each switching surface they are held.
-    sides: Vec<f64>,
+    /// How many branches are held on a side of their switching surface.
+    sides: usize,
 }
 
-impl<E: Modes<f64>> Own<E> {
+impl<E: Modes<f64> + Clone> Own<E> {
     pub(super) fn new(equations: E) -> Self {
         let states = equations.states();
         Self {
             columns: RefCell::new(vec![E::State::zeros(states); states]),
             instants: RefCell::new((vec![equations.instant(0.0); KEPT], 0)),
-            equations: RefCell::new(equations),
-            sides: Vec::new(),
+            equations,
+            sides: 0,
         }
     }
 
@@ -77,43 +77,39 @@ impl<E: Modes<f64>> Own<E> {
     /// number. They are those of the branch that does, then.
     #[inline(always)]
     fn are_lost(&self, numbers: &[f64]) -> bool {
-        !self.sides.is_empty() && numbers.iter().any(|number| !number.is_finite())
+        self.sides > 0 && numbers.iter().any(|number| !number.is_finite())
     }
 
-    /// Lets the equations compute with their branches free.
+    /// The equations with their branches free.
     #[cold]
-    fn free(&self, compute: impl FnOnce(&E)) {
-        let mut one = self.equations.borrow_mut();
-        let surfaces = self.sides.iter().enumerate();
-        surfaces.clone().for_each(|(index, _)| one.side(index, 0.0));
-        compute(&one);
-        surfaces.for_each(|(index, side)| one.side(index, *side));
+    fn free(&self) -> E {
+        let mut one = self.equations.clone();
+        (0..self.sides).for_each(|surface| one.side(surface, 0.0));
+        one
     }
 }
 
-impl<E: Modes<f64>> Model for Own<E> {
+impl<E: Modes<f64> + Clone> Model for Own<E> {
     fn states(&self) -> usize {
-        self.equations.borrow().states()
+        self.equations.states()
     }
 
     fn mode(&self) -> usize {
-        self.equations.borrow().mode()
+        self.equations.mode()
     }
 
     fn enter(&mut self, mode: usize) {
-        self.equations.get_mut().enter(mode);
-        self.sides.clear();
+        self.equations.enter(mode);
+        self.sides = 0;
     }
 
     fn side(&mut self, surface: usize, side: f64) {
-        self.equations.get_mut().side(surface, side);
-        let sides = self.sides.len().max(surface + 1);
-        self.sides.resize(sides, 0.0);
-        self.sides[surface] = side;
+        self.equations.side(surface, side);
+        self.sides = self.sides.max(surface + 1);
     }
 
     fn prepare(&self, times: &[f64]) -> usize {
-        let one = self.equations.borrow();
+        let one = &self.equations;
         let (kept, next) = &mut *self.instants.borrow_mut();
         if *next + times.len() > KEPT {
             *next = 0;
@@ -140,14 +136,14 @@ impl<E: Modes<f64>> Model for Own<E> {
             one.derivative(instant, &state(one, values), &mut rates);
             rate.copy_from_slice(rates.as_ref());
         };
-        let one = self.equations.borrow();
+        let one = &self.equations;
         match at.place {
-            Some(place) => compute(&one, &self.instants.borrow().0[place], rate),
-            None => compute(&one, &one.instant(at.time), rate),
+            Some(place) => compute(one, &self.instants.borrow().0[place], rate),
+            None => compute(one, &one.instant(at.time), rate),
         }
-        drop(one);
         if self.are_lost(rate) {
-            self.free(|one| compute(one, &one.instant(at.time), rate));
+            let one = self.free();
+            compute(&one, &one.instant(at.time), rate);
         }
     }
 
@@ -160,9 +156,9 @@ impl<E: Modes<f64>> Model for Own<E> {
                 target.copy_from_slice(column.as_ref());
             }
         };
-        compute(&self.equations.borrow(), columns);
+        compute(&self.equations, columns);
         if self.are_lost(columns) {
-            self.free(|one| compute(one, columns));
+            compute(&self.free(), columns);
         }
     }
 
@@ -170,19 +166,19 @@ impl<E: Modes<f64>> Model for Own<E> {
         let compute = |one: &E, values: &mut [f64], rates: &mut [f64]| {
             one.guards(&one.instant(time), &state(one, at), values, rates);
         };
-        compute(&self.equations.borrow(), values, rates);
+        compute(&self.equations, values, rates);
         if self.are_lost(values) || self.are_lost(rates) {
-            self.free(|one| compute(one, values, rates));
+            compute(&self.free(), values, rates);
         }
     }
 
     fn permits(&self, event: usize, time: f64, values: &[f64]) -> bool {
-        let one = &*self.equations.borrow();
+        let one = &self.equations;
         one.permits(event, &one.instant(time), &state(one, values))
     }
 
     fn jump(&self, event: usize, time: f64, values: &[f64], after: &mut [f64]) {
-        let one = &*self.equations.borrow();
+        let one = &self.equations;
         let mut next = E::State::zeros(values.len());
         one.jump(event, &one.instant(time), &state(one, values), &mut next);
         after.copy_from_slice(next.as_ref());

@@ -106,7 +106,7 @@ pub trait Sensitive<S: Scalar>: Modes<S> {
 /// A scene whose motion has modes, or events.
 pub trait Hybrid: Scene {
     /// The equations, prepared for a scalar type.
-    type Modal<S: Scalar>: Modes<S> + Send + Sync;
+    type Modal<S: Scalar>: Modes<S> + Clone + Send + Sync;
 
     /// The events of each mode.
     const EVENTS: &'static [&'static [EventEntry]];

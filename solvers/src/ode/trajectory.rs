@@ -7,6 +7,9 @@ use crate::scalar::Scalar;
 use crate::stiff::Switch;
 use std::marker::PhantomData;
 
+/// Steps for which there is room at first.
+const FIRST_STEPS: usize = 12;
+
 /// A motion that was computed: a polynomial for each step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory {
@@ -66,6 +69,14 @@ impl Trajectory {
     /// The state at the end.
     pub fn end(&self) -> &[f64] {
         &self.end
+    }
+
+    /// Makes room for more steps, of each of which so many numbers are kept.
+    #[cold]
+    fn grow(&mut self, numbers: usize) {
+        let steps = self.times.len().max(FIRST_STEPS);
+        self.coefficients.reserve(steps * numbers);
+        self.times.reserve(steps);
     }
 
     /// Number of states.
@@ -182,10 +193,19 @@ impl<S: Scalar, V: Storage<S>> Observer<V> for Recorder<S> {
         trajectory.degree = step.polynomial.len();
         trajectory.times.push(step.to);
         trajectory.last = step.to - step.from;
-        for row in std::iter::once(step.before).chain(step.polynomial) {
-            trajectory
-                .coefficients
-                .extend(row.as_ref().iter().map(|value| value.to_f64()));
+        let states = step.before.as_ref().len();
+        let begin = trajectory.coefficients.len();
+        let end = begin + (1 + step.polynomial.len()) * states;
+        if trajectory.coefficients.capacity() < end {
+            trajectory.grow(end - begin);
+        }
+        trajectory.coefficients.resize(end, 0.0);
+        let rows = std::iter::once(step.before).chain(step.polynomial);
+        let room = trajectory.coefficients[begin..].chunks_exact_mut(states.max(1));
+        for (room, row) in room.zip(rows) {
+            for (slot, value) in room.iter_mut().zip(row.as_ref()) {
+                *slot = value.to_f64();
+            }
         }
         for (end, value) in trajectory.end.iter_mut().zip(step.after.as_ref()) {
             *end = value.to_f64();
