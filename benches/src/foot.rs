@@ -54,8 +54,9 @@ fn assur(turns: f64, rtol: f64) -> Run {
     assur_by(Method::Dop853, turns, rtol)
 }
 
+/// The same by hand.
 #[inline(never)]
-fn hand<const KERNEL: bool, const KEEP: bool>(turns: f64, rtol: f64) -> Run {
+pub fn hand<const KERNEL: bool, const KEEP: bool>(turns: f64, rtol: f64) -> Run {
     let walk = hand_foot::run::<KERNEL, KEEP>(&Foot::default(), START, turns * PERIOD, rtol);
     Run {
         end: walk.state,

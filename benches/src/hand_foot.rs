@@ -11,11 +11,11 @@ use crate::hand_dop853::{self, at_part, attempt};
 use crate::hand_event::{Sample, first_fall, stays};
 
 /// The foot on the fabric, that on the plate or on the rack, and the foot in the air.
-const PLATE: u8 = 0;
-const RACK: u8 = 1;
-const FLIGHT: u8 = 2;
+pub const PLATE: u8 = 0;
+pub const RACK: u8 = 1;
+pub const FLIGHT: u8 = 2;
 /// Absolute tolerance of both states per unit of the relative one.
-const SCALE: f64 = 1e-3;
+pub const SCALE: f64 = 1e-3;
 
 /// What the equations need of the parameters. Forces are divided by the mass.
 #[derive(Clone, Copy, Debug)]
@@ -136,9 +136,58 @@ pub fn run<const KERNEL: bool, const KEEP: bool>(
 }
 
 impl Foot {
+    /// `y'` for those who ask one by one.
+    #[inline]
+    pub fn rate_in(&self, phase: u8, time: f64, y: &[f64; 2]) -> [f64; 2] {
+        match phase {
+            RACK => self.rate::<RACK>(&self.ground::<RACK, true>(time, 1), y),
+            PLATE => self.rate::<PLATE>(&Ground::default(), y),
+            _ => self.rate::<FLIGHT>(&Ground::default(), y),
+        }
+    }
+
+    /// What is below zero in the air and above it on the fabric: in the air the smaller one of compression and force, as
+    /// both have to be above zero.
+    #[inline]
+    pub fn touch_in(&self, phase: u8, time: f64, y: &[f64; 2]) -> f64 {
+        let ground = match phase {
+            PLATE => Ground::default(),
+            RACK => self.ground::<RACK, true>(time, 1),
+            _ => {
+                let ground = self.ground::<RACK, true>(time, 1);
+                if ground.s > 0.0 {
+                    ground
+                } else {
+                    Ground::default()
+                }
+            }
+        };
+        let [delta, force] = self.guards(&ground, y, 0.0, 0.0, 1.0).map(|one| one.value);
+        match phase {
+            // Newtons per metre make them comparable.
+            FLIGHT => force.min(self.c2 * delta),
+            _ => force,
+        }
+    }
+
+    /// `∂y''/∂w` and `∂y''/∂w'`.
+    #[inline]
+    pub fn slopes_in(&self, phase: u8, time: f64, y: &[f64; 2]) -> [f64; 2] {
+        if phase == FLIGHT {
+            return [-self.c1, -self.mu1];
+        }
+        let ground = match phase {
+            RACK => self.ground::<RACK, true>(time, 1),
+            _ => Ground::default(),
+        };
+        let delta = ground.s - y[0];
+        let stiffness = self.c2 + 3.0 * self.c3 * delta * delta;
+        [-self.c1 - stiffness, -self.mu1 - self.mu2]
+    }
+
     /// When the rack passes the plate, up and down in turn.
     #[inline(always)]
-    fn pass(&self, number: u32) -> f64 {
+    pub fn pass(&self, number: u32) -> f64 {
         use std::f64::consts::PI;
         let side = if number % 2 == 0 {
             -self.half

@@ -1,0 +1,122 @@
+//! A thousand run-ups of the table drive with different parameters, on one thread and on two.
+//!
+//! Runs know nothing of each other, so two cores should be nearly twice as fast as one. How far this machine lets two
+//! threads be that is measured beside: by a hand-written loop that touches no memory but its own registers and stack.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use assur::registry::{Method, SceneEntry, Settings};
+use assur::study::{self, Outcome};
+use assur_equations::table_drive::MECHANISM;
+
+use crate::foot::{PERIOD, START};
+use crate::hand_foot::{self, Foot};
+use crate::table::{Table, at_least, number};
+
+/// Runs, `COLUMNS` inertias of the table by as many stiffnesses as it takes.
+const RUNS: usize = 1000;
+const COLUMNS: usize = 40;
+const ROUNDS: usize = 9;
+/// Least speed of two threads in that of one.
+const GOAL: f64 = 1.9;
+const SETTINGS: Settings = Settings {
+    method: Method::Dop853,
+    rtol: 1e-9,
+};
+
+fn scene() -> &'static SceneEntry {
+    let mut scenes = MECHANISM.scenes.iter();
+    let found = scenes.find(|scene| scene.name == "table_1");
+    found.expect("the table drive has the scene")
+}
+
+/// The values of a run: inertia of the table from half its value to twice it, stiffness likewise.
+fn values(scene: &SceneEntry, run: usize) -> Vec<f64> {
+    let part =
+        |index: usize, count: usize| 2f64.powf(2.0 * index as f64 / (count - 1) as f64 - 1.0);
+    let constants = scene.constants.iter();
+    let value = constants.map(|one| match one.quantity.name {
+        "J2" => one.default * part(run % COLUMNS, COLUMNS),
+        "c" => one.default * part(run / COLUMNS, RUNS / COLUMNS),
+        _ => one.default,
+    });
+    value.collect()
+}
+
+/// All run-ups.
+fn run_ups(threads: usize) -> Vec<Outcome> {
+    let scene = scene();
+    let values = |run| values(scene, run);
+    study::runs(&scene.bind, RUNS, &values, &SETTINGS, threads, &|_| ())
+}
+
+/// As many turns of the hand-written presser foot, spread in the same way.
+fn turns(threads: usize) -> Vec<f64> {
+    let one = |_| {
+        let foot = black_box(Foot::default());
+        hand_foot::run::<true, false>(&foot, START, 6.0 * PERIOD, SETTINGS.rtol).state[0]
+    };
+    study::each(RUNS, threads, &|_| (), &one)
+}
+
+/// Measures and prints.
+pub fn report() {
+    let first = run_ups(1);
+    let failed = first.iter().filter(|one| one.is_err()).count();
+    assert_eq!(failed, 0, "some run-ups do not come out");
+    assert!(first == run_ups(2), "threads change the answer");
+    type Code = (&'static str, fn(usize));
+    let codes: [Code; 2] = [
+        ("run-ups of the table drive", |threads| {
+            black_box(run_ups(threads));
+        }),
+        ("hand-written loop, six turns of the foot each", |threads| {
+            black_box(turns(threads));
+        }),
+    ];
+    let mut best = [[f64::INFINITY; 2]; 2];
+    for _ in 0..ROUNDS {
+        for (row, (_, code)) in best.iter_mut().zip(&codes) {
+            for (threads, slot) in [1, 2].into_iter().zip(row) {
+                let clock = Instant::now();
+                code(threads);
+                *slot = slot.min(1e3 * clock.elapsed().as_secs_f64());
+            }
+        }
+    }
+    let columns = [
+        "a thousand",
+        "1 thread, ms",
+        "2 threads, ms",
+        "times as fast",
+    ];
+    let mut table = Table::new("A thousand run-ups with different parameters", &columns);
+    for ((name, _), [one, two]) in codes.iter().zip(best) {
+        let times = format!("{:.2}", one / two);
+        table.row([
+            name.to_string(),
+            number(Some(one)),
+            number(Some(two)),
+            times,
+        ]);
+    }
+    table.print();
+    let [[one, two], _] = best;
+    at_least("two threads / one, speed", Some(one), Some(two), GOAL);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_parameters_differ_from_run_to_run() {
+        let scene = scene();
+        let all: Vec<Vec<f64>> = (0..RUNS).map(|run| values(scene, run)).collect();
+        for (run, one) in all.iter().enumerate() {
+            assert!(!all[..run].contains(one));
+        }
+        assert!(run_ups(0).iter().all(Result::is_ok));
+    }
+}
