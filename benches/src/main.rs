@@ -8,11 +8,13 @@ mod evaluate;
 mod foot;
 mod hand;
 mod hand_dop853;
+mod hand_ends;
 mod hand_event;
 mod hand_foot;
 mod hand_linkage;
 mod hand_loop;
 mod hand_system;
+mod hand_walk;
 mod linkage;
 #[cfg(feature = "peers")]
 mod peers;

@@ -13,7 +13,8 @@ use assur::study::{self, Outcome};
 use assur_equations::table_drive::MECHANISM;
 
 use crate::foot::{PERIOD, START};
-use crate::hand_foot::{self, Foot};
+use crate::hand_foot::Foot;
+use crate::hand_walk;
 use crate::table::{Table, at_least, number};
 
 /// Runs, `COLUMNS` inertias of the table by as many stiffnesses as it takes.
@@ -57,7 +58,7 @@ fn run_ups(threads: usize) -> Vec<Outcome> {
 fn turns(threads: usize) -> Vec<f64> {
     let one = |_| {
         let foot = black_box(Foot::default());
-        hand_foot::run::<true, false>(&foot, START, 6.0 * PERIOD, SETTINGS.rtol).state[0]
+        hand_walk::run::<true, false>(&foot, START, 6.0 * PERIOD, SETTINGS.rtol).state[0]
     };
     study::each(RUNS, threads, &|_| (), &one)
 }
