@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use assur::hybrid::{self, Hybrid, Motion};
+use assur::hybrid::{self, Cycle, Hybrid, Motion};
 use assur::registry::{Method, Settings};
 use assur_equations::presser_foot::Elliptic;
 
@@ -98,14 +98,26 @@ pub fn cases() -> Vec<Case<'static>> {
             })
         })
     });
-    cases.collect()
+    let search = Case::new("cycle", 1, || {
+        black_box(repeating());
+    });
+    cases.chain([search]).collect()
+}
+
+/// The motion that repeats, looked for from the declared start.
+fn repeating() -> Cycle {
+    let method = Method::Dop853;
+    let settings = Settings { method, rtol: RTOL };
+    hybrid::cycle(&Elliptic::default(), PERIOD, &settings)
+        .expect("the foot has a motion that repeats")
 }
 
 /// Measures and prints.
 pub fn report() {
     assert_eq!(Elliptic::MODE_NAMES[AIR], "flight");
     let measures = measure("foot", &mut cases(), 300);
-    let (one, many) = measures.split_at(KINDS.len());
+    let (runs, search) = measures.split_at(2 * KINDS.len());
+    let (one, many) = runs.split_at(KINDS.len());
     turns_of("A turn of the presser foot", 1.0, one);
     turns_of("A hundred turns of the presser foot", MANY, many);
     let reference = assur(1.0, 1e-14).end;
@@ -114,6 +126,19 @@ pub fn report() {
     println!("At rtol 1e-14 the ends of a turn differ by {apart:.1e} m.");
     let (events, states) = kept_apart(1e-14);
     println!("The events of a turn differ by {events:.1e} s, the kept motions by {states:.1e} m.");
+    let cycle = repeating();
+    let columns = ["hybrid::cycle", "instructions", "time, us"];
+    let mut table = Table::new("The motion of the foot that repeats, rtol 1e-9", &columns);
+    table.row([
+        "presser foot".to_owned(),
+        number(search[0].instructions),
+        number(search[0].microseconds()),
+    ]);
+    table.print();
+    println!(
+        "Followed for {} turns, closed in {} steps, residual {:.1e}.",
+        cycle.followed, cycle.iterations, cycle.residual
+    );
 }
 
 /// By how much the instants of the events differ, and the kept motions on the way.
