@@ -13,6 +13,7 @@ mod hand_event;
 mod hand_foot;
 mod hand_linkage;
 mod hand_loop;
+mod hand_run_up;
 mod hand_system;
 mod hand_walk;
 mod linkage;
@@ -48,7 +49,7 @@ fn main() -> ExitCode {
         ["evaluate"] => with_counts(&[evaluate::report]),
         ["revolutions"] => with_counts(&[revolutions::report]),
         ["foot"] => with_counts(&[foot::report]),
-        ["run-ups"] => run_ups::report(),
+        ["run-ups"] => with_counts(&[run_ups::report]),
         ["peers"] => return run_peers(Peers::Batten),
         ["foot-peers"] => return run_peers(Peers::Foot),
         ["chain"] => chain::report(),
@@ -61,8 +62,8 @@ fn main() -> ExitCode {
                 revolutions::report,
                 foot::report,
                 linkage::report,
+                run_ups::report,
             ]);
-            run_ups::report();
             tolerance::report();
             chain::report();
             if cfg!(feature = "peers") {
@@ -94,6 +95,7 @@ fn run_counted(group: &str, name: &str) -> ExitCode {
         "revolutions" => revolutions::cases(),
         "foot" => foot::cases(),
         "linkage" => linkage::cases(),
+        "run-ups" => run_ups::cases(),
         _ => Vec::new(),
     };
     if count::run_counted(&mut cases, name) {

@@ -8,19 +8,25 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use assur::hybrid::{self, Motion};
+use assur::problem::Scene;
 use assur::registry::{Method, SceneEntry, Settings};
 use assur::study::{self, Outcome};
-use assur_equations::table_drive::MECHANISM;
+use assur_equations::table_drive::{MECHANISM, Table1};
 
+use crate::count::{Case, measure};
 use crate::foot::{PERIOD, START};
 use crate::hand_foot::Foot;
+use crate::hand_run_up::{self, Drive, RunUp};
 use crate::hand_walk;
-use crate::table::{Table, at_least, number};
+use crate::table::{Table, at_least, number, power, ratio};
 
 /// Runs, `COLUMNS` inertias of the table by as many stiffnesses as it takes.
 const RUNS: usize = 1000;
 const COLUMNS: usize = 40;
 const ROUNDS: usize = 9;
+/// End of a run-up, in seconds.
+const END: f64 = 0.1;
 /// Least speed of two threads in that of one.
 const GOAL: f64 = 1.9;
 const SETTINGS: Settings = Settings {
@@ -63,8 +69,73 @@ fn turns(threads: usize) -> Vec<f64> {
     study::each(RUNS, threads, &|_| (), &one)
 }
 
+/// One run-up by the solvers, the motion kept.
+fn by_assur(rtol: f64) -> Motion {
+    let settings = Settings { rtol, ..SETTINGS };
+    let scene = Table1::default();
+    hybrid::march(&scene, (0.0, END), &scene.start(), &settings).expect("the drive runs up")
+}
+
+/// The same by hand.
+fn by_hand(rtol: f64) -> RunUp {
+    hand_run_up::run(&Drive::default(), END, rtol)
+}
+
+/// What is measured of a single run-up.
+pub fn cases() -> Vec<Case<'static>> {
+    let hand = Case::new("hand", 1, || {
+        black_box(by_hand(black_box(SETTINGS.rtol)));
+    });
+    let assur = Case::new("assur", 1, || {
+        black_box(by_assur(black_box(SETTINGS.rtol)));
+    });
+    vec![hand, assur]
+}
+
+/// The table of a single run-up.
+fn one_run_up() {
+    let measures = measure("run-ups", &mut cases(), 300);
+    let reference = by_hand(1e-14).end;
+    let error = |end: &[f64]| (end[0] - reference[0]).abs();
+    let (hand, assur) = (by_hand(SETTINGS.rtol), by_assur(SETTINGS.rtol));
+    let evaluations = [hand.evaluations, assur.statistics.evaluations];
+    let errors = [error(&hand.end), error(&assur.end)];
+    let columns = [
+        "code",
+        "evaluations",
+        "error, rad",
+        "instructions",
+        "ratio",
+        "time, us",
+        "ratio",
+    ];
+    let mut table = Table::new("A run-up with its event, DOP853, rtol 1e-9", &columns);
+    for (k, name) in ["hand, motion kept", "Assur, emitted, motion kept"]
+        .iter()
+        .enumerate()
+    {
+        let one = &measures[k];
+        table.row([
+            name.to_string(),
+            evaluations[k].to_string(),
+            power(errors[k]),
+            number(one.instructions),
+            ratio(one.instructions, measures[0].instructions),
+            number(one.microseconds()),
+            ratio(one.microseconds(), measures[0].microseconds()),
+        ]);
+    }
+    table.print();
+    let apart = error(&by_assur(1e-14).end);
+    let event = (by_assur(1e-14).events[0].time - by_hand(1e-14).events[0]).abs();
+    println!(
+        "At rtol 1e-14 the twists at the end differ by {apart:.1e} rad, the events by {event:.1e} s."
+    );
+}
+
 /// Measures and prints.
 pub fn report() {
+    one_run_up();
     let first = run_ups(1);
     let failed = first.iter().filter(|one| one.is_err()).count();
     assert_eq!(failed, 0, "some run-ups do not come out");
@@ -143,6 +214,19 @@ fn processor_time() -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_run_up_by_hand_is_that_of_the_solvers() {
+        let (hand, assur) = (by_hand(1e-13), by_assur(1e-13));
+        assert_eq!(hand.events.len(), 1);
+        assert!((hand.events[0] - assur.events[0].time).abs() < 1e-18);
+        for (one, other) in hand.end.iter().zip(&assur.end) {
+            assert!(
+                (one - other).abs() < 1e-12 * other.abs().max(1e-2),
+                "{one} {other}"
+            );
+        }
+    }
 
     #[test]
     fn the_parameters_differ_from_run_to_run() {
