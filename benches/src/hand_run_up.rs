@@ -147,6 +147,15 @@ impl Drive {
 }
 
 impl RunUp {
+    /// Whether the table moves, and the state, at a time.
+    pub fn at(&self, time: f64) -> (bool, [f64; 4]) {
+        let passed = self.steps.partition_point(|step| step.from <= time);
+        let step = &self.steps[passed.max(1) - 1];
+        let moves = step.phase == RUN || step.phase == BACK;
+        let part = (time - step.from) / step.length;
+        (moves, at_part(&step.before, &step.dense, part))
+    }
+
     /// One phase, up to `stop` or to its end.
     #[inline(always)]
     fn phase<const PHASE: u8>(&mut self, drive: &Drive, stop: f64, rtol: f64) {
