@@ -2,7 +2,7 @@
 //!
 //! Equations of `table_drive.eqn`, scene `table_1`. State: `[twist, phi2, twist', phi2']`.
 
-use crate::hand_dop853::{self, at_part, attempt};
+use crate::hand_dop853::{at_part, attempt};
 use crate::hand_event::{Sample, first_fall, stays};
 
 /// The link is wound up, both move, the table has come to rest again, the table is pulled back.
