@@ -37,7 +37,7 @@ pub fn run<const KERNEL: bool>(
         let at = hand_dop853::times(t, h);
         let Attempt {
             end: next, error, ..
-        } = attempt(&f, &at, (&y, &k1), h, (rtol, scale));
+        } = attempt(f, &at, (&y, &k1), h, (rtol, scale));
         evaluations += 11;
         let factor = (0.9 * error.powf(-1.0 / 8.0)).clamp(1.0 / 3.0, 6.0);
         if error <= 1.0 {
