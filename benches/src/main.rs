@@ -5,14 +5,22 @@
 mod chain;
 mod count;
 mod evaluate;
+mod foot;
 mod hand;
+mod hand_dop853;
+mod hand_ends;
+mod hand_event;
+mod hand_foot;
 mod hand_linkage;
 mod hand_loop;
+mod hand_run_up;
 mod hand_system;
+mod hand_walk;
 mod linkage;
 #[cfg(feature = "peers")]
 mod peers;
 mod revolutions;
+mod run_ups;
 mod table;
 mod tolerance;
 
@@ -25,6 +33,9 @@ usage: assur-benches [COMMAND]
   evaluate      one evaluation of emitted and of hand-written code
   revolutions   ten revolutions and the periodic motion
   peers         other libraries on the same equations; needs `--features peers`
+  foot          a turn of the presser foot, with its events
+  foot-peers    other libraries on it; needs `--features peers`, and SciPy for its part
+  run-ups       a thousand run-ups of a table on one thread and on two
   linkage       positions and influence coefficients of a six-bar
   tolerance     a million heald linkages made at random
   chain         how long a chain of 30 pendulums takes to derive
@@ -37,17 +48,26 @@ fn main() -> ExitCode {
     match words.as_slice() {
         ["evaluate"] => with_counts(&[evaluate::report]),
         ["revolutions"] => with_counts(&[revolutions::report]),
-        ["peers"] => return run_peers(),
+        ["foot"] => with_counts(&[foot::report]),
+        ["run-ups"] => with_counts(&[run_ups::report]),
+        ["peers"] => return run_peers(Peers::Batten),
+        ["foot-peers"] => return run_peers(Peers::Foot),
         ["chain"] => chain::report(),
         ["linkage"] => with_counts(&[linkage::report]),
         ["tolerance"] => tolerance::report(),
         ["brief"] => revolutions::brief(),
         [] | ["all"] => {
-            with_counts(&[evaluate::report, revolutions::report, linkage::report]);
+            with_counts(&[
+                evaluate::report,
+                revolutions::report,
+                foot::report,
+                linkage::report,
+                run_ups::report,
+            ]);
             tolerance::report();
             chain::report();
             if cfg!(feature = "peers") {
-                return run_peers();
+                return run_peers(Peers::All);
             }
             println!("\nOther libraries are compared with `--features peers`.");
         }
@@ -73,7 +93,9 @@ fn run_counted(group: &str, name: &str) -> ExitCode {
     let mut cases = match group {
         "evaluate" => evaluate::cases(),
         "revolutions" => revolutions::cases(),
+        "foot" => foot::cases(),
         "linkage" => linkage::cases(),
+        "run-ups" => run_ups::cases(),
         _ => Vec::new(),
     };
     if count::run_counted(&mut cases, name) {
@@ -84,14 +106,32 @@ fn run_counted(group: &str, name: &str) -> ExitCode {
     }
 }
 
+/// What other libraries are compared on.
+#[derive(Clone, Copy, PartialEq)]
+enum Peers {
+    Batten,
+    Foot,
+    All,
+}
+
 #[cfg(feature = "peers")]
-fn run_peers() -> ExitCode {
-    peers::report();
+fn run_peers(which: Peers) -> ExitCode {
+    if which != Peers::Foot {
+        peers::report();
+    }
+    if which != Peers::Batten {
+        peers::foot::report();
+    }
     ExitCode::SUCCESS
 }
 
 #[cfg(not(feature = "peers"))]
-fn run_peers() -> ExitCode {
-    eprintln!("the libraries are not built in: cargo run --release --features peers peers");
+fn run_peers(which: Peers) -> ExitCode {
+    let word = if which == Peers::Foot {
+        "foot-peers"
+    } else {
+        "peers"
+    };
+    eprintln!("the libraries are not built in: cargo run --release --features peers {word}");
     ExitCode::from(2)
 }

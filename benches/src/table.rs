@@ -115,6 +115,17 @@ pub fn verdict(what: &str, value: Option<f64>, reference: Option<f64>, goal: f64
     println!("- {what}: {found:.3} (goal {goal}) {word}");
 }
 
+/// Prints whether something is so many times as large as something else.
+pub fn at_least(what: &str, value: Option<f64>, reference: Option<f64>, goal: f64) {
+    let (Some(value), Some(reference)) = (value, reference) else {
+        println!("- {what}: not measured (goal at least {goal})");
+        return;
+    };
+    let found = value / reference;
+    let word = if found >= goal { "pass" } else { "FAIL" };
+    println!("- {what}: {found:.3} (goal at least {goal}) {word}");
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

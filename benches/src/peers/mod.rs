@@ -6,6 +6,9 @@
 
 mod differential_equations;
 mod diffsol;
+pub mod foot;
+mod foot_diffsol;
+mod foot_scipy;
 mod ode_solvers;
 
 use std::hint::black_box;
@@ -30,15 +33,15 @@ const ROUNDS: usize = 30;
 const BUDGET: f64 = 0.6;
 
 /// A method of a library.
-struct Peer {
+struct Peer<R> {
     library: &'static str,
     method: &'static str,
-    /// Ten revolutions at a relative tolerance, if the library gets through.
-    run: fn(f64) -> Option<Run>,
+    /// The motion at a relative tolerance, if the library gets through.
+    run: fn(f64) -> Option<R>,
 }
 
 /// All that are compared, ours first.
-const PEERS: [Peer; 11] = [
+const PEERS: [Peer<Run>; 11] = [
     peer("Assur, emitted, dispatched", "dop853", |rtol| {
         finished(dispatched(rtol))
     }),
@@ -76,7 +79,11 @@ const PEERS: [Peer; 11] = [
     peer("diffsol", "bdf", diffsol::bdf),
 ];
 
-const fn peer(library: &'static str, method: &'static str, run: fn(f64) -> Option<Run>) -> Peer {
+const fn peer<R>(
+    library: &'static str,
+    method: &'static str,
+    run: fn(f64) -> Option<R>,
+) -> Peer<R> {
     Peer {
         library,
         method,
@@ -109,26 +116,24 @@ struct Point {
     seconds: f64,
 }
 
-/// Runs everything in turn and keeps the shortest times.
-fn points() -> Vec<Vec<Option<Point>>> {
-    let reference = reference();
-    let first = |peer: &Peer, rtol| {
-        let run = (peer.run)(rtol)?;
-        let error = error(&run.end, &reference);
+/// Runs everything in turn and keeps the shortest times. `said` gives the error of a run and its evaluations.
+fn points<R>(peers: &[Peer<R>], said: impl Fn(&R) -> (f64, usize)) -> Vec<Vec<Option<Point>>> {
+    let first = |peer: &Peer<R>, rtol| {
+        let (error, evaluations) = said(&(peer.run)(rtol)?);
         error.is_finite().then_some(Point {
             rtol,
             error,
-            evaluations: run.evaluations,
+            evaluations,
             seconds: f64::INFINITY,
         })
     };
-    let mut points: Vec<Vec<Option<Point>>> = PEERS
+    let mut points: Vec<Vec<Option<Point>>> = peers
         .iter()
         .map(|peer| RTOLS.iter().map(|rtol| first(peer, *rtol)).collect())
         .collect();
-    let mut spent = vec![[0.0; RTOLS.len()]; PEERS.len()];
+    let mut spent = vec![[0.0; RTOLS.len()]; peers.len()];
     for _ in 0..ROUNDS {
-        for ((peer, points), spent) in PEERS.iter().zip(&mut points).zip(&mut spent) {
+        for ((peer, points), spent) in peers.iter().zip(&mut points).zip(&mut spent) {
             for (point, spent) in points.iter_mut().zip(spent) {
                 let Some(point) = point.as_mut().filter(|_| *spent < BUDGET) else {
                     continue;
@@ -160,34 +165,10 @@ fn time_at(error: f64, points: &[Option<Point>]) -> Option<f64> {
 
 /// Measures and prints.
 pub fn report() {
-    let points = points();
-    let columns = [
-        "library",
-        "method",
-        "rtol",
-        "evaluations",
-        "error, m",
-        "time, us",
-        "ns / evaluation",
-    ];
-    let mut table = Table::new("Ten revolutions, all runs", &columns);
-    for (peer, points) in PEERS.iter().zip(&points) {
-        for (point, rtol) in points.iter().zip(RTOLS) {
-            let mut row = vec![peer.library.to_owned(), peer.method.to_owned()];
-            row.push(format!("{rtol:e}"));
-            match point {
-                None => row.push("fails".to_owned()),
-                Some(point) => row.extend([
-                    point.evaluations.to_string(),
-                    power(point.error),
-                    number(Some(point.seconds * 1e6)),
-                    number(Some(point.seconds * 1e9 / point.evaluations as f64)),
-                ]),
-            }
-            table.row(row);
-        }
-    }
-    table.print();
+    let reference = reference();
+    let points = points(&PEERS, |run| (error(&run.end, &reference), run.evaluations));
+    let names = PEERS.map(|peer| [peer.library, peer.method]);
+    all_runs("Ten revolutions, all runs", &names, &points);
     for error in ERRORS {
         let columns = [
             "library",
@@ -210,6 +191,37 @@ pub fn report() {
         }
         table.print();
     }
+}
+
+/// The table of all runs.
+fn all_runs(title: &str, names: &[[&str; 2]], points: &[Vec<Option<Point>>]) {
+    let columns = [
+        "library",
+        "method",
+        "rtol",
+        "evaluations",
+        "error, m",
+        "time, us",
+        "ns / evaluation",
+    ];
+    let mut table = Table::new(title, &columns);
+    for (names, points) in names.iter().zip(points) {
+        for (point, rtol) in points.iter().zip(RTOLS) {
+            let mut row = names.map(str::to_owned).to_vec();
+            row.push(format!("{rtol:e}"));
+            match point {
+                None => row.push("fails".to_owned()),
+                Some(point) => row.extend([
+                    point.evaluations.to_string(),
+                    power(point.error),
+                    number(Some(point.seconds * 1e6)),
+                    number(Some(point.seconds * 1e9 / point.evaluations as f64)),
+                ]),
+            }
+            table.row(row);
+        }
+    }
+    table.print();
 }
 
 #[cfg(test)]
