@@ -28,7 +28,7 @@
 //! **What is zero.** A guard of less than [`NOISE`] roundings of its terms, or of the largest value that it has had,
 //! counts as zero: what is left where a difference vanishes says nothing. One that is zero when a mode begins passes zero
 //! there if it leaves zero in the direction of the event, unless it is the event that has just happened: that one has to
-//! come back first. It leaves zero by its rate, or where that is no more than rounding, by where it is found next.
+//! come back first, except where the event has stopped its guard and something pushes on. It leaves zero by its rate, or where that is no more than rounding, by where it is found next.
 //!
 //! **What ends a motion.** More than [`TURNS`] events at one instant; [`CHATTER`] events in a row, each sooner after the
 //! last than the part [`SOON`] of the time to be covered; or one event twice, between which its guard has not left zero
