@@ -204,11 +204,14 @@ pub fn phase(
     let is_linkage = low.moved != Moved::InTime;
     let geometry = Geometry::read(statements, &names, &mut low);
     let ranges = Ranges::read(&names, task.scene.map(|(scene, _)| scene), &mut low);
+    let still = modes::still(&names, phase);
+    let begins = here == phases.first;
     let start = facts::start(
         &mut low,
         &names,
         task.scene.map(|(scene, _)| scene),
-        span.kind == SpanKind::Run && here == phases.first,
+        span.kind == SpanKind::Run && begins,
+        if begins { &still } else { &[] },
     );
 
     for (name, entry) in &names.table {
@@ -271,7 +274,6 @@ pub fn phase(
         .collect();
     model.conservative = conservative(&mut low, &parts.energies, &equations);
 
-    let still = modes::still(&names, phase);
     let mut request = Request {
         derivative: (0..coordinates)
             .map(|index| match still.contains(&index) {
