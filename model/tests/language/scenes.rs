@@ -142,6 +142,11 @@ fn facts_name_what_is_reported() {
         ("expect at maximum: speed = 1 m +- 1 m; scene s;", &[("the scene `s` does not report `speed`", "speed", "add it to the outputs")]),
         ("expect at middle: x = 1 m +- 1 m; scene s;", &[("`middle` is no place in a motion", "middle", "`maximum`, `minimum`, `amplitude`")]),
         ("expect at x = 1 m: x = 1 m +- 1 m; scene s;", &[("`x` is neither a driver nor the time", "x", "a value of time")]),
+        ("expect at time = 5 s: x = 0 m +- 1 m; scene s { run time 0 s .. 1 s; }", &[("the scene `s` runs from 0 s to 1 s, and this is outside", "5 s", "let the scene run longer")]),
+        ("expect at time = 1 s: x = 0 m +- 1 m; scene s { run time 0 s .. 1 s; }", &[]),
+        ("expect at time = 5 s: x = 0 m +- 1 m; scene s { periodic over 1 s; }", &[]),
+        ("parameter T = 1 s; expect at time = 5 s: x = 0 m +- 1 m; scene s { run time 0 s .. T; }", &[("the scene `s` runs from 0 s to 1 s", "5 s", "")]),
+        ("parameter T = 1 s; preset long { T = 9 s; } expect preset long at time = 5 s: x = 0 m +- 1 m; scene s { run time 0 s .. T; }", &[]),
         ("expect at maximum: x = 1 m +- -1 m; scene s;", &[("a tolerance cannot be negative", "-1 m", "")]),
         ("expect at maximum: x = m +- 1 m; scene s;", &[("a fixed value is expected here", "m", "is a `let`")]),
     ];
