@@ -136,9 +136,9 @@ fn report_unreachable(phases: &Phases, all: &[Compiled], diagnostics: &mut Diagn
     let mut reached = BTreeSet::from([phases.first]);
     let mut open = vec![phases.first];
     while let Some(here) = open.pop() {
-        for event in &all[here].events {
-            if reached.insert(event.target) {
-                open.push(event.target);
+        for next in ways(here, all) {
+            if reached.insert(next) {
+                open.push(next);
             }
         }
     }
@@ -152,4 +152,13 @@ fn report_unreachable(phases: &Phases, all: &[Compiled], diagnostics: &mut Diagn
             diagnostics.push(Diagnostic::warning(phase.span, message).hint(hint));
         }
     }
+}
+
+/// The modes to which the events of a mode lead.
+fn ways(here: usize, all: &[Compiled]) -> impl Iterator<Item = usize> {
+    let events = all[here].events.iter();
+    let targets = events
+        .filter(|event| !event.is_idle)
+        .map(|event| event.target);
+    targets.filter(move |target| *target != here)
 }
