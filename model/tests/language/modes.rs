@@ -172,6 +172,43 @@ fn events_that_are_never_carried_out() {
     check_all(&[("effect e { } mode a { hold y; when x - l rises if e -> b; } mode b { hold y; when x falls -> a; } scene s = e { run time 0 s .. 1 s; }", &[])]);
 }
 
+/// The notes of a file that has no mistake.
+#[track_caller]
+fn notes(text: &str) -> Vec<String> {
+    let (compiled, _) = compiled(&format!("{MASSES}{text}"));
+    assert!(
+        compiled.model.is_some() && mistakes(&compiled).is_empty(),
+        "{:#?}",
+        compiled.diagnostics
+    );
+    compiled
+        .diagnostics
+        .into_iter()
+        .map(|one| one.message)
+        .collect()
+}
+
+#[test]
+fn a_mode_without_a_way_out_is_noted() {
+    let both = "mode a { hold y; when x - l rises -> b; } mode b { hold y; ";
+    let found = notes(&format!("{both}}}"));
+    assert_eq!(
+        found,
+        ["in the scene `go` nothing leads out of the mode `b`"]
+    );
+    let found = notes(&format!("{both} when x - l falls {{ set x = 0; }} }}"));
+    assert_eq!(found.len(), 1);
+    // It is said once, whatever the scenes.
+    let found = notes(&format!("{both}}} scene too {{ run time 0 s .. 2 s; }}"));
+    assert_eq!(found.len(), 1);
+    for quiet in [
+        "mode a { hold y; }".to_string(),
+        format!("{both} when x falls -> a; }}"),
+    ] {
+        assert_eq!(notes(&quiet), [""; 0]);
+    }
+}
+
 #[test]
 #[rustfmt::skip]
 fn starts_in_modes() {
