@@ -42,6 +42,7 @@ fn check(path: &Path) -> Result<(), Failure> {
     let count = [
         (checked.count(Severity::Error), "error"),
         (checked.count(Severity::Warning), "warning"),
+        (checked.count(Severity::Note), "note"),
     ]
     .into_iter()
     .filter(|(count, _)| *count > 0)

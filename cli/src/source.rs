@@ -156,6 +156,7 @@ fn excerpt(
     let level = match severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
+        Severity::Note => Level::NOTE,
     };
     let mut kind = AnnotationKind::Primary;
     let snippets = files.iter().map(|file| {
@@ -211,7 +212,7 @@ impl Checked<'_> {
         list.iter().filter(|one| one.severity == severity).count()
     }
 
-    /// All messages with their excerpts, errors and warnings in the order of the file.
+    /// All messages with their excerpts, errors, warnings and notes in the order of the file.
     pub fn messages(&self, style: Style) -> String {
         let list = &self.compiled.diagnostics;
         let mut text: String = list

@@ -1,7 +1,8 @@
 //! Messages of the language as messages of rustc, underlined in the equation file.
 //!
 //! rustc gives a macro one place and one text for each message. So the second place, and the hint, are part of the
-//! text. A warning is the use of a deprecated item, the only warning that a macro can cause.
+//! text. A warning is the use of a deprecated item, the only warning that a macro can cause. A note is left to the
+//! command.
 
 use std::path::PathBuf;
 
@@ -23,6 +24,7 @@ pub fn items(diagnostics: &[Diagnostic], source: &Source) -> TokenStream {
             match diagnostic.severity {
                 Severity::Error => error(first, last, &text),
                 Severity::Warning => warning(first, &text),
+                Severity::Note => TokenStream::new(),
             }
         })
         .collect()

@@ -1,6 +1,7 @@
 //! One mode of a scene from statements to program: declare, lower, derive, solve, report.
 
 mod asked;
+mod checks;
 mod quantities;
 
 use std::collections::{BTreeSet, HashMap};
@@ -204,11 +205,14 @@ pub fn phase(
     let is_linkage = low.moved != Moved::InTime;
     let geometry = Geometry::read(statements, &names, &mut low);
     let ranges = Ranges::read(&names, task.scene.map(|(scene, _)| scene), &mut low);
+    let still = modes::still(&names, phase);
+    let begins = here == phases.first;
     let start = facts::start(
         &mut low,
         &names,
         task.scene.map(|(scene, _)| scene),
-        span.kind == SpanKind::Run && here == phases.first,
+        span.kind == SpanKind::Run && begins,
+        if begins { &still } else { &[] },
     );
 
     for (name, entry) in &names.table {
@@ -236,6 +240,23 @@ pub fn phase(
     let (solved, linkage) = (solved?, linkage?);
     let (scene, documentation) = task.scene?;
     let preset = facts::preset(&mut low, task.file, scene);
+    let values: Vec<f64> = names
+        .constants
+        .iter()
+        .zip(&constants)
+        .map(|(declared, info)| {
+            let chosen = preset.iter().flat_map(|(_, values)| values);
+            let mut chosen = chosen.filter(|(name, _)| *name == declared.name.text);
+            let default = info.as_ref().map_or(f64::NAN, |info| info.default);
+            chosen.next().map_or(default, |(_, value)| *value)
+        })
+        .collect();
+    let system = (&solved, equations.as_slice(), unknowns.as_slice());
+    checks::masses(&mut low, &names, system, &values);
+    let stretch = match span.kind {
+        SpanKind::Run => checks::stretch(&low, &span.values, &values),
+        _ => None,
+    };
     let mut model = SceneModel {
         name: scene.name.text.clone(),
         summary: summary(scene.text.as_deref(), documentation),
@@ -271,7 +292,6 @@ pub fn phase(
         .collect();
     model.conservative = conservative(&mut low, &parts.energies, &equations);
 
-    let still = modes::still(&names, phase);
     let mut request = Request {
         derivative: (0..coordinates)
             .map(|index| match still.contains(&index) {
@@ -321,17 +341,6 @@ pub fn phase(
         }
     }
     if !is_linkage {
-        let values = names
-            .constants
-            .iter()
-            .zip(&constants)
-            .map(|(declared, info)| {
-                let chosen = preset.iter().flat_map(|(_, values)| values);
-                let mut chosen = chosen.filter(|(name, _)| *name == declared.name.text);
-                let default = info.as_ref().map_or(f64::NAN, |info| info.default);
-                chosen.next().map_or(default, |(_, value)| *value)
-            });
-        let values: Vec<f64> = values.collect();
         linkage.carry(&mut low, &names, &drives, &values, &mut request)?;
     }
     for (index, symbol) in given.iter().enumerate() {
@@ -382,7 +391,7 @@ pub fn phase(
             variables,
         ));
     }
-    model.expectations = published::expectations(&mut low, task, &model, &measures.kinds);
+    model.expectations = published::expectations(&mut low, task, &model, &measures.kinds, stretch);
     if low.diagnostics.error_count() > before {
         return None;
     }

@@ -9,6 +9,8 @@ pub enum Severity {
     Error,
     /// The file works, but probably not as meant.
     Warning,
+    /// The file may well be meant like this. `assur check` says it, a build does not.
+    Note,
 }
 
 /// One message: what was found, where, what explains it, and what to do.
@@ -42,6 +44,14 @@ impl Diagnostic {
     pub fn warning(span: Span, message: impl Into<String>) -> Self {
         Self {
             severity: Severity::Warning,
+            ..Self::error(span, message)
+        }
+    }
+
+    /// A note on a place.
+    pub fn note(span: Span, message: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Note,
             ..Self::error(span, message)
         }
     }

@@ -4,12 +4,13 @@ use crate::checked::{QuantityInfo, SpanKind};
 use crate::declare::quantity;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
-use crate::homogeneity::{agree, describe, over};
+use crate::homogeneity::{agree, describe, fitting_value, over};
 use crate::lower::{Kind, Lowering, Typed, second};
 use crate::nearest::nearest;
 use crate::resolve::{Declared, Names};
 use crate::syntax::print;
 use crate::syntax::tree::{File, Output, Scene, SceneItem, StatementKind, Term, TermKind};
+use crate::token::Span;
 use crate::unit;
 
 /// The reported quantities with their values.
@@ -140,7 +141,7 @@ pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
             continue;
         }
         task.kind = kind;
-        for term in terms {
+        for term in &terms {
             if let Some((value, found)) = low.scalar(term) {
                 if agree(found, Kind::Of(second())).is_none() {
                     let message = format!(
@@ -160,16 +161,41 @@ pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
                 task.values.push(value);
             }
         }
+        check_stretch(low, &task.values, &terms);
     }
     task
 }
 
-/// Start values of the state vector.
+/// A run ends after it begins, and a period is longer than nothing; what depends on constants is seen when it runs.
+fn check_stretch(low: &mut Lowering<'_>, values: &[Expression], terms: &[&Term]) {
+    let numbers: Option<Vec<f64>> = values.iter().map(|one| low.graph.as_number(*one)).collect();
+    let (place, message, hint) = match (numbers.as_deref(), terms) {
+        (Some(&[from, to]), [first, last]) if to <= from => (
+            first.span.to(last.span),
+            match to < from {
+                true => "the run ends before it begins",
+                false => "the run ends where it begins",
+            },
+            "write the earlier time first, as in `run time 0 s .. 3 s;`",
+        ),
+        (Some(&[period]), [term]) if period <= 0.0 => (
+            term.span,
+            "a period is longer than nothing",
+            "a period in terms of a speed `n` is `2*pi/n`",
+        ),
+        _ => return,
+    };
+    low.diagnostics
+        .push(Diagnostic::error(place, message).hint(hint));
+}
+
+/// Start values of the state vector; the mode in which the motion begins holds some coordinates.
 pub fn start(
     low: &mut Lowering<'_>,
     names: &Names,
     scene: Option<&Scene>,
     needed: bool,
+    held: &[usize],
 ) -> Vec<Expression> {
     let zero = low.graph.zero();
     let coordinates = names.coordinates.len();
@@ -205,6 +231,7 @@ pub fn start(
         .flatten()
         .cloned()
         .collect();
+    let mut said: Vec<(usize, Span)> = Vec::new();
     for (target, value) in own {
         let found = low
             .scalar(&target)
@@ -227,8 +254,19 @@ pub fn start(
             }
             None => None,
         };
-        places.extend(slot.map(|(slot, kind)| (slot, Some(value), kind)));
+        let Some((slot, kind)) = slot else { continue };
+        if let Some((_, earlier)) = said.iter().find(|(other, _)| *other == slot) {
+            let message = format!("`{}` is started twice", print::term(&target));
+            low.diagnostics.push(
+                Diagnostic::error(target.span, message)
+                    .related(*earlier, "the first time")
+                    .hint("take one of the two away"),
+            );
+        }
+        said.push((slot, target.span));
+        places.push((slot, Some(value), kind));
     }
+    let mut speeds: Vec<Option<Span>> = vec![None; coordinates];
     for (slot, term, kind) in places {
         let Some(term) = term else { continue };
         let Some((value, found)) = low.scalar(&term) else {
@@ -240,7 +278,9 @@ pub fn start(
                 describe(kind.dimension()),
                 describe(found.dimension())
             );
-            low.diagnostics.push(Diagnostic::error(term.span, message));
+            let (name, of) = started(names, slot);
+            let place = Diagnostic::error(term.span, message).related(of, "declared here");
+            low.diagnostics.push(place.hint(fitting_value(kind, &name)));
         } else if !low.is_constant(value) {
             low.diagnostics.push(Diagnostic::error(
                 term.span,
@@ -251,12 +291,34 @@ pub fn start(
         given[slot] = true;
         if slot < coordinates {
             given[coordinates + slot] = true;
+        } else if slot < 2 * coordinates {
+            speeds[slot - coordinates] = Some(term.span);
         }
     }
     // What only another mode has begins with that mode.
     for (index, declared) in names.coordinates.iter().enumerate() {
         if names.absent.contains_key(&declared.name.text) {
             (start[index], start[coordinates + index]) = (zero, zero);
+        }
+    }
+    for index in held.iter().filter(|index| **index < coordinates) {
+        let speed = low.graph.as_number(start[coordinates + index]);
+        if let (Some(place), Some(speed)) = (speeds[*index], speed)
+            && speed != 0.0
+        {
+            let name = &names.coordinates[*index].name;
+            let message = format!(
+                "`{}` cannot start with a speed: the motion begins in a mode that holds it",
+                name.text
+            );
+            low.diagnostics.push(
+                Diagnostic::error(place, message)
+                    .related(name.span, "declared here")
+                    .hint(format!(
+                        "start at rest, `start dot({}) = 0;`, or in another mode, `start mode;`",
+                        name.text
+                    )),
+            );
         }
     }
     if needed {
@@ -281,6 +343,20 @@ pub fn start(
         }
     }
     start
+}
+
+/// Which component of the state vector has a start value, and where it is declared.
+fn started(names: &Names, slot: usize) -> (String, Span) {
+    let coordinates = names.coordinates.len();
+    let (name, is_speed) = match slot {
+        slot if slot < coordinates => (&names.coordinates[slot].name, false),
+        slot if slot < 2 * coordinates => (&names.coordinates[slot - coordinates].name, true),
+        slot => (&names.states[slot - 2 * coordinates].name, false),
+    };
+    match is_speed {
+        true => (format!("dot({})", name.text), name.span),
+        false => (name.text.clone(), name.span),
+    }
 }
 
 /// The preset of a scene: its name and values.

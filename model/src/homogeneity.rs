@@ -74,6 +74,15 @@ pub fn disagreement(
     report.hint(hint)
 }
 
+/// What to do about a value that is not of the kind of what it is given to.
+pub fn fitting_value(kind: Kind, target: &str) -> String {
+    let unit = Unit::for_dimension(&kind.dimension()).symbol;
+    match unit.as_str() {
+        "" => format!("give `{target}` a pure number"),
+        unit => format!("give `{target}` a value in {unit}"),
+    }
+}
+
 /// The kind of a product.
 pub fn times(left: Kind, right: Kind) -> Option<Kind> {
     match (left, right) {

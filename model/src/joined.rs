@@ -46,7 +46,7 @@ fn join(
     for here in 0..count {
         all.push(phase(task, phases, here, Some(&kept), seen, diagnostics)?);
     }
-    report_unreachable(phases, &all, diagnostics);
+    report_unconnected(phases, &all, diagnostics);
     let mut model = all.get(phases.first)?.scene.clone();
     model.conservative = false;
     model.program.linear = false;
@@ -131,19 +131,23 @@ fn check_outputs(
     None
 }
 
-/// Modes into which nothing leads.
-fn report_unreachable(phases: &Phases, all: &[Compiled], diagnostics: &mut Diagnostics) {
+/// Modes into which nothing leads, and modes out of which nothing leads.
+fn report_unconnected(phases: &Phases, all: &[Compiled], diagnostics: &mut Diagnostics) {
     let mut reached = BTreeSet::from([phases.first]);
     let mut open = vec![phases.first];
     while let Some(here) = open.pop() {
-        for event in &all[here].events {
-            if reached.insert(event.target) {
-                open.push(event.target);
+        for next in ways(here, all) {
+            if reached.insert(next) {
+                open.push(next);
             }
         }
     }
     for (index, phase) in phases.all.iter().enumerate() {
-        if !reached.contains(&index) {
+        if reached.contains(&index) {
+            if phases.all.len() > 1 && ways(index, all).next().is_none() {
+                report_dead_end(phase, &all[index].scene.name, diagnostics);
+            }
+        } else {
             let message = format!("the mode `{}` is never entered", phase.name);
             let hint = format!(
                 "lead to it by an event, `when … rises -> {0};`, or begin in it, `start {0};`",
@@ -152,4 +156,25 @@ fn report_unreachable(phases: &Phases, all: &[Compiled], diagnostics: &mut Diagn
             diagnostics.push(Diagnostic::warning(phase.span, message).hint(hint));
         }
     }
+}
+
+/// The modes to which the events of a mode lead.
+fn ways(here: usize, all: &[Compiled]) -> impl Iterator<Item = usize> {
+    let events = all[here].events.iter();
+    let targets = events
+        .filter(|event| !event.is_idle)
+        .map(|event| event.target);
+    targets.filter(move |target| *target != here)
+}
+
+/// A motion may well be meant to end in a mode.
+fn report_dead_end(phase: &Phase, scene: &str, diagnostics: &mut Diagnostics) {
+    let message = format!("nothing leads out of the mode `{}`", phase.name);
+    let note = Diagnostic::note(phase.span, format!("in the scene `{scene}` {message}"));
+    diagnostics.push_once(
+        message,
+        note.hint(
+            "if the motion is not meant to stay in it, add an event, `when … rises -> mode;`",
+        ),
+    );
 }

@@ -45,6 +45,9 @@ pub struct Solved {
     pub partials: Vec<(usize, usize, Expression)>,
     /// Lower triangle of the mass matrix over the coordinates, where every equation is Lagrange's.
     pub mass: Vec<Expression>,
+    /// What must not be zero: equation, unknown, and what multiplies the unknown in it, of single equations and on the
+    /// diagonal of symmetric systems.
+    pub pivots: Vec<(usize, usize, Expression)>,
 }
 
 /// Solves the equations for the highest derivatives; `given` are the symbols of the state vector, `scene` says in
@@ -119,6 +122,7 @@ pub fn solve(
             report_too_large(&block, equations, unknowns, diagnostics);
             return None;
         };
+        solved.pivots.extend(system.pivots());
         let right: Vec<_> = system
             .equations
             .iter()
@@ -228,6 +232,19 @@ impl System {
             unknowns,
             entries,
             symmetric,
+        })
+    }
+
+    /// Equations and unknowns with what multiplies the one in the other, where that must not be zero.
+    fn pivots(&self) -> impl Iterator<Item = (usize, usize, Expression)> {
+        let size = if self.symmetric || self.equations.len() == 1 {
+            self.equations.len()
+        } else {
+            0
+        };
+        (0..size).filter_map(|index| {
+            let entry = self.entries[index][index]?;
+            Some((self.equations[index], self.unknowns[index], entry))
         })
     }
 

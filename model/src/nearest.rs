@@ -1,6 +1,6 @@
 //! The nearest known name to one that is unknown.
 
-/// The known name that differs least from `wanted`, if it differs by little: by at most a third of its letters, two of
+/// The known name that differs least from `wanted`, if it differs by little: by at most a third of its letters, one of
 /// a short name. Letters that differ only in case count half.
 ///
 /// What a part has in common with all its names says nothing: of `feed.lift.l1` only `l1` is compared.
@@ -27,7 +27,7 @@ fn closest<'a>(
     let letters = wanted.chars().count();
     // Of a single letter only its case may differ.
     let limit = if letters > 1 {
-        2 * (letters / 3).clamp(2, 4)
+        2 * (letters / 3).clamp(1, 4)
     } else {
         1
     };
@@ -91,5 +91,6 @@ mod tests {
     fn a_different_word_is_not() {
         assert_eq!(nearest("clearance", ["torsion", "bending"]), None);
         assert_eq!(nearest("x", ["torsion", "y", "xy"]), None);
+        assert_eq!(nearest("run", ["wind", "rest", "gap"]), None);
     }
 }

@@ -11,12 +11,24 @@ use crate::resolve::Role;
 use crate::syntax::print;
 use crate::syntax::tree::{Expect, ExpectAt, Name, Statement, StatementKind, Term, TermKind};
 
+/// From when to when a scene runs.
+#[derive(Clone, Copy)]
+pub struct Stretch {
+    /// Its begin.
+    pub from: f64,
+    /// Its end.
+    pub to: f64,
+    /// Whether it is the same with any preset.
+    pub is_fixed: bool,
+}
+
 /// The published facts of a scene.
 pub fn expectations(
     low: &mut Lowering<'_>,
     task: &Task<'_>,
     model: &SceneModel,
     measures: &[Kind],
+    stretch: Option<Stretch>,
 ) -> Vec<ExpectInfo> {
     let mut list = Vec::new();
     for statement in &task.file.statements {
@@ -28,7 +40,13 @@ pub fn expectations(
             None => task.is_first,
         };
         if concerns {
-            list.extend(expectation(low, expect, statement.span, model, measures));
+            let found = expectation(low, expect, statement.span, model, measures);
+            let stretch = stretch.filter(|one| one.is_fixed || expect.preset.is_none());
+            if let (Some(info), Some(run)) = (&found, stretch) {
+                let report = outside(expect, &info.at, &model.name, run);
+                low.diagnostics.extend(report);
+            }
+            list.extend(found);
         }
     }
     list
@@ -53,6 +71,13 @@ fn expectation(
                     .chain(model.measures.iter().map(|one| &one.quantity))
                     .map(|one| one.name.as_str())
             };
+            let run = matches!(&expect.at, ExpectAt::Extreme(word) if word.text == "run");
+            if run {
+                let measures = model.measures.iter().map(|one| one.quantity.name.as_str());
+                low.diagnostics
+                    .push(no_measure(expect, &wanted, nearest(&wanted, measures)));
+                return None;
+            }
             let report = Diagnostic::error(
                 expect.quantity.span,
                 format!("the scene `{}` does not report `{wanted}`", model.name),
@@ -136,6 +161,36 @@ fn expectation(
         span,
         label: format!("{wanted}{place}"),
     })
+}
+
+/// A fact about a time at which the scene does not run.
+fn outside(expect: &Expect, at: &ExpectPlace, scene: &str, run: Stretch) -> Option<Diagnostic> {
+    let (ExpectAt::Value { places }, ExpectPlace::Time(time)) = (&expect.at, at) else {
+        return None;
+    };
+    let Stretch { from, to, .. } = run;
+    let slack = 1e-9 * from.abs().max(to.abs());
+    if !(*time < from - slack || *time > to + slack) {
+        return None;
+    }
+    let message = format!("the scene `{scene}` runs from {from} s to {to} s, and this is outside");
+    let place = places.first()?.1.span;
+    Some(
+        Diagnostic::error(place, message)
+            .hint("choose a time of the run, or let the scene run longer"),
+    )
+}
+
+/// What holds of a whole run is the value of a measure.
+fn no_measure(expect: &Expect, wanted: &str, near: Option<&str>) -> Diagnostic {
+    let message = format!("`{wanted}` has to be a measure: `at run` means the whole run");
+    let report = Diagnostic::error(expect.quantity.span, message);
+    match near {
+        Some(near) => report.hint(format!("did you mean `{near}`?")),
+        None => report.hint(
+            "declare a `measure`, as in `measure x_max = peak(x);`, or say where: `at time = …`",
+        ),
+    }
 }
 
 /// What a fact speaks of: an output, a state or dependent coordinate, or the derivative of an output of a linkage.

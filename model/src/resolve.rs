@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::lower::MEASURING;
 use crate::syntax::tree::{
     Constant, Dependent, Driver, Name, Output, Statement, StatementKind, Term, Unknown,
 };
@@ -272,6 +273,14 @@ impl Names {
                     format!("`{}` belongs to the language", name.text),
                 )
                 .hint("choose another name"),
+            );
+            return false;
+        }
+        if MEASURING.contains(&own) && matches!(role, Role::Measure(_)) {
+            let message = format!("`{own}` is a function of measures, and its name is taken");
+            diagnostics.push(
+                Diagnostic::error(name.span, message)
+                    .hint(format!("choose another name, such as `{own}_1`")),
             );
             return false;
         }

@@ -278,7 +278,7 @@ impl Graph {
     }
 
     /// Whether a condition always, or never, holds.
-    fn as_decided(&self, condition: Expression) -> Option<bool> {
+    pub fn as_decided(&self, condition: Expression) -> Option<bool> {
         match self.node(condition) {
             Node::Compare(Relation::Less, a, b) => Some(self.as_number(*a)? < self.as_number(*b)?),
             _ => None,

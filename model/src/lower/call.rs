@@ -1,6 +1,6 @@
 //! Functions: those of the language, as a table of what they take and give, and those of the file.
 
-use super::{Kind, Lowering, Typed};
+use super::{Kind, Lowering, MEASURING, Typed};
 use crate::diagnostic::Diagnostic;
 use crate::expression::Expression;
 use crate::homogeneity::{agree, describe, disagreement, power};
@@ -66,11 +66,18 @@ impl Lowering<'_> {
         if let Some(entry) = names.table.get(&name.text) {
             self.used.insert(name.text.clone());
             let Role::Function(parameters, body) = &entry.role else {
-                return self.error(
-                    Diagnostic::error(name.span, format!("`{}` is not a function", name.text))
-                        .related(entry.span, "declared here")
+                let text = &name.text;
+                let report = match MEASURING.contains(&text.as_str()) {
+                    true => {
+                        let message = format!(
+                            "`{text}` is a quantity here, which hides the function of measures"
+                        );
+                        Diagnostic::error(name.span, message).hint("give the quantity another name")
+                    }
+                    false => Diagnostic::error(name.span, format!("`{text}` is not a function"))
                         .hint("a product needs `*`"),
-                );
+                };
+                return self.error(report.related(entry.span, "declared here"));
             };
             if !self.count(name, arguments.len(), parameters.len(), span) {
                 return Typed::Wrong;

@@ -45,6 +45,9 @@ impl Lowering<'_> {
                 ));
             }
         };
+        if self.is_found(&values, span) {
+            return Typed::Wrong;
+        }
         let Some(kind) = over(kind, Kind::Of(second())) else {
             return Typed::Wrong;
         };
@@ -86,6 +89,20 @@ impl Lowering<'_> {
             },
             _ => Typed::Vector { values, kind, rate },
         }
+    }
+
+    /// Whether a number of the whole run is among some values; that is reported.
+    fn is_found(&mut self, values: &[Expression], span: Span) -> bool {
+        let found = |symbol: Symbol| matches!(symbol, Symbol::Measured(_));
+        let any = values.iter().any(|one| self.graph.depends_on(*one, found));
+        if any {
+            let message = "a number of the whole run has no derivative: it does not change";
+            self.diagnostics.push(
+                Diagnostic::error(span, message)
+                    .hint("differentiate what is looked at, as in `peak(dot(x))`"),
+            );
+        }
+        any
     }
 
     /// How everything given moves with time: `dq/dt = u`, `du/dt = a`. None when the motion of a driver is wrong.
@@ -237,6 +254,9 @@ impl Lowering<'_> {
             );
         }
         let typed = self.term(function);
+        if self.is_found(typed.values(), span) {
+            return Typed::Wrong;
+        }
         // What is constant passes through no jump.
         let fixed = matches!(given, Symbol::Parameter(_));
         let moves = |symbol| !fixed && (symbol == given || matches!(symbol, Symbol::Dependent(_)));

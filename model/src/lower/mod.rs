@@ -13,7 +13,7 @@ mod written;
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-pub use measure::{Measuring, Moment, Primitive, PrimitiveKind};
+pub use measure::{FUNCTIONS as MEASURING, Measuring, Moment, Primitive, PrimitiveKind};
 use typed::Key;
 pub use typed::{Kind, Typed};
 pub use vector::COMPONENTS;

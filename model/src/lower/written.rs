@@ -114,7 +114,7 @@ impl Lowering<'_> {
 
     /// The term that came to a jump, of those in a differentiated term if there is one, and whether it bends and is
     /// differentiated for the second time.
-    pub(super) fn meant(&self, jump: Expression, differentiated: &Term) -> Option<(Term, bool)> {
+    pub fn meant(&self, jump: Expression, differentiated: &Term) -> Option<(Term, bool)> {
         let written = |value: &Expression| self.written.terms.get(value).into_iter().flatten();
         let bends = self.written.bends.get(&jump).into_iter().flatten();
         let known: Vec<(&Term, bool)> = bends

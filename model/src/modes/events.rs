@@ -1,9 +1,11 @@
-//! What an event watches, and what it sets.
+//! Where an event leads, and what it sets.
 
+use super::guard;
+use super::idle;
 use super::phases::{Phase, Phases};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
-use crate::homogeneity::{agree, describe, over};
+use crate::homogeneity::{agree, describe, fitting_value, over};
 use crate::lower::{Kind, Lowering, second};
 use crate::resolve::{Names, Role};
 use crate::syntax::print;
@@ -94,6 +96,8 @@ pub struct EventInfo {
     pub surface: Option<usize>,
     /// Where it stands in the file.
     pub span: Span,
+    /// Whether it is never carried out, whatever the motion.
+    pub is_idle: bool,
 }
 
 /// Reads the events of a mode.
@@ -117,6 +121,7 @@ pub fn read(
     }
     // Of two that happen together the first in the file is first.
     events.sort_by_key(|(_, info)| info.span.first);
+    idle::report(low, phases, here, &mut events);
     events
 }
 
@@ -131,6 +136,7 @@ impl EventInfo {
             target: mode,
             surface: Some(index),
             span,
+            is_idle: false,
         }
     }
 }
@@ -146,29 +152,7 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn read(&self, event: &When, low: &mut Lowering<'_>) -> Option<(Event<Expression>, EventInfo)> {
         let (guard, kind) = low.scalar(&event.guard)?;
-        let has =
-            |low: &Lowering<'_>, wanted: fn(Symbol) -> bool| low.graph.depends_on(guard, wanted);
-        if !has(low, |symbol| !matches!(symbol, Symbol::Parameter(_))) {
-            let report = Diagnostic::error(
-                event.guard.span,
-                "this never changes, so it passes zero nowhere",
-            );
-            low.diagnostics.push(
-                report.hint("watch something that moves; what holds for all time is a `require`"),
-            );
-            return None;
-        }
-        if has(low, |symbol| matches!(symbol, Symbol::Acceleration(_))) {
-            let report = Diagnostic::error(
-                event.guard.span,
-                "an event cannot watch an acceleration in this version of Assur",
-            );
-            low.diagnostics
-                .push(report.hint("watch the force that causes it"));
-            return None;
-        }
-        let direction = low.direction()?;
-        let rate = low.graph.tangent(&[guard], &direction)[0];
+        let rate = guard::rate(low, guard, &event.guard, event.direction)?;
         let condition = match &event.condition {
             Some(condition) => Some(low.condition(condition)?),
             None => None,
@@ -193,6 +177,7 @@ impl Reader<'_> {
             target,
             surface: None,
             span: self.span,
+            is_idle: idle::never_holds(event, condition, low),
         };
         Some((
             Event {
@@ -231,7 +216,9 @@ impl Reader<'_> {
                     describe(kind.dimension()),
                     describe(found.dimension())
                 );
-                low.diagnostics.push(Diagnostic::error(term.span, message));
+                let report = Diagnostic::error(term.span, message);
+                low.diagnostics
+                    .push(report.hint(fitting_value(kind, &print::term(term))));
                 return None;
             }
             if set[slot].replace(term.span).is_some() {
@@ -256,7 +243,11 @@ impl Reader<'_> {
                         "`{name}` belongs to the mode `{owner}`, and this event leads to `{}`",
                         next.name
                     );
-                    low.diagnostics.push(Diagnostic::error(place, message));
+                    low.diagnostics.push(
+                        Diagnostic::error(place, message)
+                            .related(self.names.table[name].span, "declared here")
+                            .hint(format!("leave it out here: `{name}` is set by the events that lead to `{owner}`")),
+                    );
                     return None;
                 }
                 slots().for_each(|slot| after[slot] = low.graph.zero());
@@ -323,6 +314,11 @@ impl Reader<'_> {
             TermKind::Call { name, arguments } if name.text == "dot" => (arguments.first()?, true),
             _ => (term, false),
         };
+        if is_missing(self.names, name) {
+            // That there is no such name is all that can be said.
+            low.term(name);
+            return None;
+        }
         let role = named(name).and_then(|name| Some(&self.names.table.get(&name)?.role));
         let found = match role {
             Some(Role::Coordinate(index)) => {
@@ -349,6 +345,11 @@ impl Reader<'_> {
         }
         found
     }
+}
+
+/// Whether nothing has the name that a term is.
+fn is_missing(names: &Names, term: &Term) -> bool {
+    named(term).is_some_and(|name| !names.table.contains_key(&name))
 }
 
 /// A name, with its index perhaps.
@@ -387,7 +388,7 @@ pub fn still(names: &Names, phase: &Phase) -> Vec<usize> {
 /// Reports what cannot be held.
 pub fn check_holds(low: &mut Lowering<'_>, names: &Names, phase: &Phase) {
     for target in holds(phase) {
-        if held_index(names, target).is_none() {
+        if !is_missing(names, target) && held_index(names, target).is_none() {
             let report = Diagnostic::error(target.span, "only a coordinate or a state can be held");
             low.diagnostics.push(report.hint("write `hold x;`"));
         }

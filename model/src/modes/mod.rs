@@ -3,9 +3,13 @@
 //! | file | what it does |
 //! |---|---|
 //! | `phases` | which statements hold in each mode |
-//! | `events` | what an event watches, and what it sets |
+//! | `events` | where an event leads, and what it sets |
+//! | `guard` | what an event may watch |
+//! | `idle` | events that are never carried out |
 
 mod events;
+mod guard;
+mod idle;
 mod phases;
 
 pub use events::{Event, EventInfo, Slopes, check_holds, read, still};

@@ -169,10 +169,19 @@ fn stated<'a>(statements: &'a [Statement], diagnostics: &mut Diagnostics) -> Vec
 /// The mode in which the motion begins: the first one unless the scene says otherwise.
 fn first(stated: &[Stated<'_>], scene: Option<&Scene>, diagnostics: &mut Diagnostics) -> usize {
     let mut first = 0;
+    let mut said: Option<&Name> = None;
     for item in scene.iter().flat_map(|scene| &scene.items) {
         let SceneItem::StartIn { mode } = item else {
             continue;
         };
+        if let Some(earlier) = said.replace(mode) {
+            let message = "the motion begins in one mode, and this is the second";
+            diagnostics.push(
+                Diagnostic::error(mode.span, message)
+                    .related(earlier.span, "the first one")
+                    .hint("take one of the two away"),
+            );
+        }
         let known: Vec<&str> = stated.iter().map(|one| one.name.text.as_str()).collect();
         match known.iter().position(|name| *name == mode.text) {
             Some(index) => first = index,

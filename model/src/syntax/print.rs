@@ -54,12 +54,7 @@ pub fn statement(statement: &Statement) -> String {
 
 /// An event as text.
 pub fn event(event: &When) -> String {
-    let direction = match event.direction {
-        Direction::Rises => "rises",
-        Direction::Falls => "falls",
-        Direction::Crosses => "crosses",
-    };
-    let mut text = format!("when {} {direction}", term(&event.guard));
+    let mut text = format!("when {} {}", term(&event.guard), direction(event.direction));
     if let Some(condition) = &event.condition {
         text += &format!(" if {}", term(condition));
     }
@@ -74,6 +69,15 @@ pub fn event(event: &When) -> String {
         text += &format!(" {{ set {}; }}", resets.join(", "));
     }
     text
+}
+
+/// How a quantity passes zero, as a word.
+pub fn direction(direction: Direction) -> &'static str {
+    match direction {
+        Direction::Rises => "rises",
+        Direction::Falls => "falls",
+        Direction::Crosses => "crosses",
+    }
 }
 
 /// A declared name as text.

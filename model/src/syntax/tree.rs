@@ -275,6 +275,17 @@ pub enum Direction {
     Crosses,
 }
 
+impl Direction {
+    /// How the same quantity with the other sign passes zero.
+    pub fn turned(self) -> Self {
+        match self {
+            Direction::Rises => Direction::Falls,
+            Direction::Falls => Direction::Rises,
+            Direction::Crosses => Direction::Crosses,
+        }
+    }
+}
+
 /// A dimension or parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constant {

@@ -16,6 +16,7 @@ mod wrong;
 use std::fmt::Write;
 
 use assur_model::checked::Compiled;
+use assur_model::diagnostic::{Diagnostic, Severity};
 use assur_model::lexer::{Lexed, lex_plain};
 use assur_model::token::Span;
 
@@ -39,7 +40,13 @@ fn words<'a>(text: &'a str, lexed: &Lexed, span: Span) -> &'a str {
     &text[range(span.first).start..range(span.last).end]
 }
 
-/// Checks that a file gives these messages and no others.
+/// The messages of a file that are more than notes.
+fn mistakes(compiled: &Compiled) -> Vec<&Diagnostic> {
+    let all = compiled.diagnostics.iter();
+    all.filter(|one| one.severity != Severity::Note).collect()
+}
+
+/// Checks that a file gives these messages and no others, notes apart.
 #[track_caller]
 fn check(text: &str, expected: &[Expected]) {
     let (compiled, lexed) = compiled(text);
@@ -55,7 +62,8 @@ fn check_messages<'a>(
     words: impl Fn(Span) -> &'a str,
 ) {
     let mut shown = String::new();
-    for one in &compiled.diagnostics {
+    let mistakes = mistakes(compiled);
+    for one in &mistakes {
         let place = words(one.span);
         let _ = writeln!(
             shown,
@@ -63,12 +71,8 @@ fn check_messages<'a>(
             one.severity, one.message, one.hint
         );
     }
-    assert_eq!(
-        compiled.diagnostics.len(),
-        expected.len(),
-        "{text}\n{shown}"
-    );
-    for (found, (message, place, hint)) in compiled.diagnostics.iter().zip(expected) {
+    assert_eq!(mistakes.len(), expected.len(), "{text}\n{shown}");
+    for (found, (message, place, hint)) in mistakes.iter().zip(expected) {
         assert!(
             found.message.contains(message),
             "no {message:?}: {text}\n{shown}"

@@ -2,7 +2,7 @@
 
 use assur_model::checked::{Moment, Primitive, PrimitiveKind, SceneModel};
 
-use super::{Expected, check, compiled};
+use super::{Expected, check, compiled, mistakes};
 
 /// A mass that is pushed until it meets a wall.
 const MASS: &str = "Sample; parameter F = 1 N, m = 2 kg, l = 1 m; coordinate x: m = 0; driver phi = 2*pi*time/(1 s); \
@@ -13,7 +13,7 @@ const MASS: &str = "Sample; parameter F = 1 N, m = 2 kg, l = 1 m; coordinate x: 
 fn scene(text: &str) -> SceneModel {
     let (compiled, _) = compiled(&format!("{MASS}{text}"));
     assert!(
-        compiled.diagnostics.is_empty(),
+        mistakes(&compiled).is_empty(),
         "{:#?}",
         compiled.diagnostics
     );
@@ -106,6 +106,13 @@ fn wrong_measures() {
         ("measure peak(x);", &[("a measure has a name and a value", "peak(x)", "`measure F_max = peak(F);`")]),
         ("measure x = peak(x);", &[("`x` is declared twice", "x", "")]),
         ("measure a = peak(x); expect at maximum: a = 1 m +- 1 m;", &[("`a` is a measure, a number of the whole run", "a", "write `at run`")]),
+        ("measure peak = peak(x);", &[("`peak` is a function of measures", "peak", "another name")]),
+        ("let mean = 2*x; measure a = mean(x); output mean;", &[("`mean` is a quantity here, which hides the function of measures", "mean", "another name")]),
+        ("measure a = dot(peak(x));", &[("a number of the whole run has no derivative", "dot(peak(x))", "`peak(dot(x))`")]),
+        ("measure a = peak(x); measure b = diff(2*a, l);", &[("a number of the whole run has no derivative", "diff(2*a, l)", "")]),
+        ("measure a = dot(x);", &[("this changes during the run", "dot(x)", "")]),
+        ("expect at run: w = 1 m +- 1 m;", &[("`w` has to be a measure", "w", "declare a `measure`")]),
+        ("measure far = peak(x); expect at run: fra = 1 m +- 1 m;", &[("`fra` has to be a measure", "fra", "did you mean `far`?")]),
         ("expect at run: x = 1 m +- 1 m;", &[("`x` is no measure", "x", "write where")]),
         ("mode rest { measure a = peak(x); }", &[("a measure stands outside every mode", "measure a = peak(x);", "each mode defines")]),
     ];

@@ -2,7 +2,7 @@
 
 use assur_model::checked::{Direction, SceneModel};
 
-use super::{Expected, check, compiled};
+use super::{Expected, check, compiled, mistakes};
 
 /// Two masses, of which the second is at rest until the first arrives.
 const MASSES: &str = "Sample; parameter F = 1 N, m = 2 kg, l = 1 m; coordinate x: m = 0, y: m = 0; \
@@ -20,7 +20,7 @@ fn check_all(cases: &[(&str, &[Expected])]) {
 fn scene(text: &str) -> SceneModel {
     let (compiled, _) = compiled(&format!("{MASSES}{text}"));
     assert!(
-        compiled.diagnostics.is_empty(),
+        mistakes(&compiled).is_empty(),
         "{:#?}",
         compiled.diagnostics
     );
@@ -68,7 +68,7 @@ fn a_mode_may_be_stated_in_several_places() {
         "{MASSES} mode alone {{ hold y; }} effect stop {{ mode alone {{ when x - l rises {{ set dot(x) = -dot(x); }} }} }} scene stopped = stop;"
     ));
     assert!(
-        compiled.diagnostics.is_empty(),
+        mistakes(&compiled).is_empty(),
         "{:#?}",
         compiled.diagnostics
     );
@@ -91,6 +91,9 @@ fn wrong_modes() {
         ("mode a { motion f: m*ddot(y) = F; when x - l rises -> b; } mode b { hold y; }", &[("the mode `b` holds `y`, which moves before", "when x - l rises -> b;", "{ set dot(y) = 0; }")]),
         ("mode a { motion f: m*ddot(y) = F; when x - l rises -> b { set dot(y) = dot(x); } } mode b { hold y; }", &[("the mode `b` holds `y`, which moves before", "dot(y)", "it stops")]),
         ("mode a { hold y; motion f: m*ddot(y) = F; }", &[("mode `a`, 2 equations (`f`, `hold y`) would have to determine 1 unknown (`ddot(y)`)", "y", "take an equation away")]),
+        ("mode a { hold y; when x - l rises -> wind; }", &[("there is no mode `wind` here", "wind", "the scene has a")]),
+        ("mode a { hold y; } scene s { start wind; }", &[("there is no mode `wind` here", "wind", "the scene has a")]),
+        ("mode a { hold y, z; }", &[("there is no `z` here", "z", "")]),
         ("mode a { hold F; hold y; }", &[("only a coordinate or a state can be held", "F", "")]),
         ("mode a { hold y; mode b { } }", &[("a mode stands outside every mode", "mode b { }", "move it out")]),
         ("mode a { hold y; output z = x; }", &[("an output stands outside every mode", "output z = x;", "each mode defines")]),
@@ -98,7 +101,7 @@ fn wrong_modes() {
         ("mode a { hold y; when x - l rises -> b; } mode b { hold y; coordinate q: m; motion r: m*ddot(q) = F; }",
             &[("nothing says where `q` begins in the mode `b`", "when x - l rises -> b;", "{ set q = …; }")]),
         ("mode a { hold y; coordinate q: m = 0; motion r: m*ddot(q) = F; when x - l rises -> b { set q = 0; } } mode b { hold y; }",
-            &[("`q` belongs to the mode `a`, and this event leads to `b`", "q", "")]),
+            &[("`q` belongs to the mode `a`, and this event leads to `b`", "q", "leave it out here")]),
         ("mode a { hold y; coordinate q: m = 0; motion r: m*ddot(q) = F; when x - l rises -> b; } mode b { hold y; when q rises -> a { set q = 0; } }",
             &[("only the mode `a` has `q`", "q", "")]),
     ]);
@@ -115,7 +118,109 @@ fn wrong_events() {
         ("motion rest: m*ddot(y) = 0; when x - l rises if x { set x = 0; }", &[("a condition is expected here", "x", "compare two quantities")]),
         ("motion rest: m*ddot(y) = 0; when x - l rises { set l = 2 m; }", &[("only a coordinate, its `dot`, or a state can be set", "l", "")]),
         ("motion rest: m*ddot(y) = 0; when x - l rises { set ddot(x) = 0; }", &[("only a coordinate, its `dot`, or a state can be set", "ddot(x)", "")]),
-        ("motion rest: m*ddot(y) = 0; when x - l rises { set dot(x) = 1 m; }", &[("`dot(x)` is a velocity (m/s), and this is a length (m)", "dot(x)", "")]),
+        ("motion rest: m*ddot(y) = 0; when x - l rises { set z = 0; }", &[("there is no `z` here", "z", "")]),
+        ("motion rest: m*ddot(y) = 0; when x - l rises { set dot(z) = 0; }", &[("there is no `z` here", "z", "")]),
+        ("motion rest: m*ddot(y) = 0; when x - l rises { set dot(x) = 1 m; }", &[("`dot(x)` is a velocity (m/s), and this is a length (m)", "dot(x)", "give `dot(x)` a value in m/s")]),
         ("motion rest: m*ddot(y) = 0; when x - l rises { set x = 0, x = l; }", &[("`x` is set twice", "x", "")]),
+    ]);
+}
+
+#[test]
+#[rustfmt::skip]
+fn guards_that_do_not_pass_zero() {
+    let jumps = "jumps, and an event is where a quantity passes zero without a jump";
+    let touches = "it touches zero and does not pass it";
+    for (guard, message, hint) in [
+        ("sign(x - l)", jumps, "`when x - l rises`"),
+        ("-sign(x - l)", jumps, "`when x - l falls`"),
+        ("floor(x/l)", jumps, "where `x/l` passes a whole number, `sin(pi*(x/l))` crosses zero"),
+        ("mod(x, l)", jumps, "where `x` passes a multiple of `l`, `sin(pi*x/l)` crosses zero"),
+        ("if x > l { 1 } else { -1 }", jumps, "the quantity that is zero where this jumps"),
+        ("abs(x - l)", touches, "`when x - l crosses`"),
+        ("-F*abs(x - l)", touches, "`when x - l crosses`"),
+        ("(x - l)^2", touches, "`when x - l crosses`"),
+    ] {
+        let text = format!("motion rest: m*ddot(y) = 0; when {guard} rises {{ set x = 0; }}");
+        check_all(&[(&text, &[(message, guard, hint)])]);
+    }
+    for guard in ["abs(x) - l", "mod(x, l) - l/2", "x*abs(x)", "x^3", "max(0, x - l)", "sign(y)*(x - l)"] {
+        let text = format!("motion rest: m*ddot(y) = 0; when {guard} rises {{ set x = 0; }}");
+        check_all(&[(&text, &[])]);
+    }
+}
+
+#[test]
+#[rustfmt::skip]
+fn events_that_are_never_carried_out() {
+    let never = |condition: &str| format!("mode a {{ hold y; when x - l rises if {condition} -> b; }} mode b {{ hold y; when x falls -> a; }}");
+    let second = |first: &str, second: &str| format!(
+        "mode a {{ hold y; {first} {second} }} mode b {{ hold y; when x falls -> a; }} mode d {{ hold y; when x falls -> a; }}");
+    let unreachable = ("the mode `d` is never entered", "d", "");
+    let late = ("at the same instant another one leads to the mode `b` first", "when x - l rises -> d;", "give the first one a condition");
+    check_all(&[
+        (&never("1 > 2"), &[("this never holds", "1 > 2", "take the event away"), ("the mode `b` is never entered", "b", "")]),
+        (&never("2 > 1"), &[]),
+        (&second("when x - l rises -> b;", "when x - l rises -> d;"), &[late, unreachable]),
+        (&second("when x - l crosses -> b;", "when x - l rises -> d;"), &[late, unreachable]),
+        (&second("when x - l rises if dot(x) > 0 -> b;", "when x - l rises -> d;"), &[]),
+        (&second("when x - l rises { set x = 0; } when y rises -> b;", "when x - l rises -> d;"), &[]),
+        (&second("when x - l falls -> b;", "when x - l rises -> d;"), &[]),
+    ]);
+    // Of two events outside the modes the second is one of the mode that follows, too.
+    check_all(&[("when x - l rises -> b { set x = 0; } when x - l rises -> d { set x = 0; } mode a { hold y; } mode b { hold y; } mode d { hold y; when x falls -> a; }", &[])]);
+    // A condition on effects may hold in another scene.
+    check_all(&[("effect e { } mode a { hold y; when x - l rises if e -> b; } mode b { hold y; when x falls -> a; } scene s = e { run time 0 s .. 1 s; }", &[])]);
+}
+
+/// The notes of a file that has no mistake.
+#[track_caller]
+fn notes(text: &str) -> Vec<String> {
+    let (compiled, _) = compiled(&format!("{MASSES}{text}"));
+    assert!(
+        compiled.model.is_some() && mistakes(&compiled).is_empty(),
+        "{:#?}",
+        compiled.diagnostics
+    );
+    compiled
+        .diagnostics
+        .into_iter()
+        .map(|one| one.message)
+        .collect()
+}
+
+#[test]
+fn a_mode_without_a_way_out_is_noted() {
+    let both = "mode a { hold y; when x - l rises -> b; } mode b { hold y; ";
+    let found = notes(&format!("{both}}}"));
+    assert_eq!(
+        found,
+        ["in the scene `go` nothing leads out of the mode `b`"]
+    );
+    let found = notes(&format!("{both} when x - l falls {{ set x = 0; }} }}"));
+    assert_eq!(found.len(), 1);
+    // It is said once, whatever the scenes.
+    let found = notes(&format!("{both}}} scene too {{ run time 0 s .. 2 s; }}"));
+    assert_eq!(found.len(), 1);
+    for quiet in [
+        "mode a { hold y; }".to_string(),
+        format!("{both} when x falls -> a; }}"),
+    ] {
+        assert_eq!(notes(&quiet), [""; 0]);
+    }
+}
+
+#[test]
+#[rustfmt::skip]
+fn starts_in_modes() {
+    let modes = "mode a { hold y; when x - l rises -> b { set dot(y) = 1 [m/s]; } } mode b { motion follow: m*ddot(y) = -F; when y falls -> a { set dot(y) = 0; } }";
+    let scene = |start: &str| format!("{modes} scene s {{ run time 0 s .. 1 s; {start} }}");
+    check_all(&[
+        (&scene("start a; start b;"), &[("the motion begins in one mode, and this is the second", "b", "take one of the two away")]),
+        (&scene("start y = 0 m, y = 1 m;"), &[("`y` is started twice", "y", "take one of the two away")]),
+        (&scene("start y = 0 m; start dot(y) = 0, dot(y) = 0;"), &[("`dot(y)` is started twice", "dot(y)", "")]),
+        (&scene("start dot(y) = 1 [m/s];"), &[("`y` cannot start with a speed", "1 [m/s]", "`start dot(y) = 0;`")]),
+        (&scene("start b, dot(y) = 1 [m/s];").replace("b, ", "b; start "), &[]),
+        (&scene("").replace("mode b {", "mode b { coordinate q: m = 0, rate = 1 [m/s]; motion r: m*ddot(q) = F;").replace("set dot(y) = 1 [m/s]", "set dot(y) = 1 [m/s], q = 0"), &[]),
+        (&scene("start dot(y) = 0, dot(x) = 1 [m/s];"), &[]),
     ]);
 }

@@ -376,7 +376,7 @@ fn names_of_parts() {
         ("part bar: FourBar { phi = theta; } output y = bar.reach(1 s);", &[("this adds or subtracts a time (s) and a length (m)", "x + crank", "")]),
         ("part bar: FourBar { phi = theta; } output y = bar.raech(1 m);", &[("there is no function `bar.raech`", "bar.raech", "did you mean `bar.reach`?")]),
         ("part bar: FourBar { phi = theta; } link bar.A - bar.E;", &[("there is no point `bar.E`", "bar.E", "")]),
-        ("part bar: FourBar; scene s { sweep bar.fi; }", &[("there is no driver `bar.fi`", "bar.fi", "did you mean `bar.phi`?")]),
+        ("part bar: FourBar; scene s { sweep bar.ph; }", &[("there is no driver `bar.ph`", "bar.ph", "did you mean `bar.phi`?")]),
         ("part bar: FourBar { phi = theta; } preset p { bar.crnk = 3 mm; }", &[("there is no dimension or parameter `bar.crnk`", "bar.crnk", "did you mean `bar.crank`?")]),
         ("part plain: Plain { } scene s = plain.friction;", &[("the scene `s` selects an unknown effect `plain.friction`", "plain.friction", "")]),
         ("part plain: Plain { } output plain.gain = 3;", &[("a name is expected before `=`", "plain.gain", "")]),

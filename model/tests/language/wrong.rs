@@ -3,10 +3,10 @@
 use super::{Expected, SPRING, check, compiled};
 
 /// What stands behind the spring, and the messages.
-type Case = (&'static str, &'static [Expected]);
+type Case<'a> = (&'a str, &'a [Expected]);
 
 #[track_caller]
-fn check_all(cases: &[Case]) {
+fn check_all(cases: &[Case<'_>]) {
     for (text, expected) in cases {
         check(&format!("{SPRING}{text}"), expected);
     }
@@ -193,6 +193,22 @@ fn balance() {
             "a",
             "add a `motion` equation",
         )]),
+    ]);
+}
+
+#[test]
+#[rustfmt::skip]
+fn masses() {
+    let lagrange = |mass: &str| format!("parameter k = {mass}; coordinate y: m = 0; kinetic k*dot(y)^2/2; potential c*y^2/2; output y;");
+    let written = |mass: &str| format!("parameter k = {mass}; coordinate y: m = 0; motion -c*y = k*ddot(y); output y;");
+    check_all(&[
+        (&lagrange("0 kg"), &[("`ddot(y)` is multiplied by zero", "y", "give `k` a value above zero")]),
+        (&lagrange("-1 kg"), &[("the mass that `y` moves is negative", "y", "give `k` a value above zero")]),
+        (&written("0 kg"), &[("`ddot(y)` is multiplied by zero", "motion -c*y = k*ddot(y);", "give `k` a value above zero")]),
+        (&written("-1 kg"), &[("`ddot(y)` is multiplied by a negative mass", "motion -c*y = k*ddot(y);", "give `k` a value above zero")]),
+        (&written("1 kg").replace("k*ddot", "(m - 2*k)*ddot"), &[("`ddot(y)` is multiplied by zero", "motion -c*y = (m - 2*k)*ddot(y);", "is a `state`")]),
+        (&written("-1 kg").replace("k*ddot", "(m + k)*ddot"), &[]),
+        (&format!("{} preset p {{ k = 1 kg; }} scene s {{ preset p; }}", written("0 kg")), &[]),
     ]);
 }
 

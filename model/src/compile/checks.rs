@@ -1,0 +1,111 @@
+//! What the default values of a scene make impossible.
+
+use crate::diagnostic::Diagnostic;
+use crate::expression::{Expression, Node, Symbol};
+use crate::lower::{Kind, Lowering};
+use crate::motion::{Equation, Solved, UnknownName};
+use crate::published::Stretch;
+use crate::resolve::Names;
+use crate::unit;
+
+/// Reports masses that are zero or negative: what multiplies the highest derivatives, where it follows from constants
+/// alone.
+pub fn masses(
+    low: &mut Lowering<'_>,
+    names: &Names,
+    (solved, equations, unknowns): (&Solved, &[Equation], &[UnknownName]),
+    values: &[f64],
+) {
+    for (row, column, factor) in &solved.pivots {
+        if !low.is_constant(*factor) {
+            continue;
+        }
+        let value = low.graph.evaluate(&[*factor], &given(values))[0];
+        let equation = &equations[*row];
+        let unknown = &unknowns[*column].name;
+        let negative = negative_mass(low, *factor, values);
+        let (message, otherwise) = if value == 0.0 {
+            (
+                format!("`{unknown}` is multiplied by zero, so nothing determines it"),
+                "a coordinate without mass is a `state`",
+            )
+        } else if let (true, Some(coordinate)) = (value < 0.0, equation.lagrange) {
+            let name = &names.coordinates[coordinate].name.text;
+            (
+                format!("the mass that `{name}` moves is negative"),
+                "a kinetic energy is positive",
+            )
+        } else if negative.is_some() {
+            (format!("`{unknown}` is multiplied by a negative mass"), "")
+        } else {
+            continue;
+        };
+        // Lagrange's equation is stated nowhere by itself.
+        let place = match equation.lagrange {
+            Some(_) => unknowns[*column].span,
+            None => equation.span,
+        };
+        let report = Diagnostic::error(place, message);
+        let suspect = negative.or_else(|| suspect(low, *factor, values));
+        low.diagnostics.push(match suspect {
+            Some(index) => {
+                let name = &names.constants[index].name;
+                let hint = format!("give `{}` a value above zero", name.text);
+                report.related(name.span, "this value").hint(hint)
+            }
+            None => report.hint(otherwise),
+        });
+    }
+}
+
+/// A constant that is zero or negative.
+fn suspect(low: &Lowering<'_>, factor: Expression, values: &[f64]) -> Option<usize> {
+    let mut symbols = low.graph.symbols_of(factor).iter();
+    symbols.find_map(|symbol| match symbol {
+        Symbol::Parameter(index) if values[*index as usize] <= 0.0 => Some(*index as usize),
+        _ => None,
+    })
+}
+
+/// A mass or moment of inertia that is negative, of the factors of a product.
+fn negative_mass(low: &Lowering<'_>, factor: Expression, values: &[f64]) -> Option<usize> {
+    match low.graph.node(factor) {
+        Node::Symbol(Symbol::Parameter(index)) => {
+            let index = *index as usize;
+            (values[index] < 0.0 && is_mass(low, index)).then_some(index)
+        }
+        Node::Product(factors) => {
+            let mut factors = factors.iter();
+            factors.find_map(|one| negative_mass(low, *one, values))
+        }
+        _ => None,
+    }
+}
+
+/// Whether a constant is a mass or a moment of inertia.
+fn is_mass(low: &Lowering<'_>, index: usize) -> bool {
+    let kind = low.kind_of(Symbol::Parameter(index as u32));
+    let mut units = ["kg", "kg m^2"].into_iter();
+    units.any(|one| unit::parse_unit_text(one).is_ok_and(|one| Kind::Of(one.dimension) == kind))
+}
+
+/// From when to when a scene runs with its own values.
+pub fn stretch(low: &Lowering<'_>, span: &[Expression], values: &[f64]) -> Option<Stretch> {
+    let [from, to] = low.graph.evaluate(span, &given(values))[..] else {
+        return None;
+    };
+    let fixed = |one: &Expression| low.graph.as_number(*one).is_some();
+    Some(Stretch {
+        from,
+        to,
+        is_fixed: span.iter().all(fixed),
+    })
+}
+
+/// The values of constants.
+fn given(values: &[f64]) -> impl Fn(Symbol) -> f64 {
+    move |symbol| match symbol {
+        Symbol::Parameter(index) => values[index as usize],
+        _ => f64::NAN,
+    }
+}
