@@ -1,12 +1,11 @@
 //! Follows a motion until it shows what attracts it, and closes that.
 
-use nalgebra::DVector;
-
 use super::error::CycleError;
 use super::flow::Flow;
+use super::lyapunov::{Stretch, frame};
 use super::newton::Gap;
 use super::returns::Past;
-use super::{Cycle, FOLLOWED, PATIENCE, variation};
+use super::{Cycle, FOLLOWED, PATIENCE};
 use crate::registry::Settings;
 
 /// So near to its past, over the sizes of its states, a motion is closed at once.
@@ -147,24 +146,17 @@ impl Walk<'_> {
     }
 
     /// By what factor small disturbances grow in a period, on average over the periods that follow.
-    fn growth(&mut self) -> Result<f64, CycleError> {
-        let sizes = DVector::from_column_slice(self.past.sizes());
-        let mut disturbance = DVector::from_element(sizes.len(), 1.0).normalize();
-        let mut sum = 0.0;
-        for _ in 0..GROWTH {
-            let motion = self.follow(self.mode, &self.state)?;
-            let matrix = variation::of(self.flow, &motion, self.settings)?;
-            let next = (matrix * disturbance.component_mul(&sizes)).component_div(&sizes);
-            let size = next.norm();
-            if size == 0.0 || !size.is_finite() {
-                return Ok(size);
-            }
-            sum += size.ln();
-            disturbance = next / size;
-            self.mode = motion.mode;
-            self.state = motion.end;
-            self.followed += 1;
-        }
-        Ok((sum / GROWTH as f64).exp())
+    fn growth(&self) -> Result<f64, CycleError> {
+        let mut stretch = Stretch {
+            flow: self.flow,
+            period: self.period,
+            sizes: self.past.sizes(),
+            settings: self.settings,
+            mode: self.mode,
+            state: self.state.clone(),
+            frame: frame(self.state.len()),
+        };
+        let grown = stretch.advance(GROWTH)?;
+        Ok((grown[0] / GROWTH as f64).exp())
     }
 }
