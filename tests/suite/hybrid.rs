@@ -3,6 +3,7 @@
 mod bounce;
 mod cycles;
 mod hard;
+mod lyapunov;
 mod needle_impact;
 mod presser_foot;
 mod table_drive;
