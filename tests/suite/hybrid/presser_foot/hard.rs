@@ -2,19 +2,6 @@
 
 use super::*;
 
-/// F2 of the law of the fabric, switched or not.
-fn law<C: Hybrid>(foot: &C, mode: usize, time: f64, values: &[f64]) -> f64 {
-    use assur::hybrid::Modes;
-    use assur::problem::Storage;
-    let mut equations = foot.modal::<f64>();
-    equations.enter(mode);
-    let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
-    state.as_mut().copy_from_slice(values);
-    let mut outputs = vec![0.0; C::OUTPUTS];
-    equations.outputs(time, &state, &mut outputs);
-    outputs[C::OUTPUT_NAMES.iter().position(|one| *one == "F2").unwrap()]
-}
-
 /// How far the fabric is compressed at an event.
 fn compressed(foot: &Elliptic, time: f64, state: &[f64]) -> f64 {
     let (phi, edge) = (foot.omega * time - PI, (foot.phi_p / 2.0).cos());
@@ -30,7 +17,7 @@ fn the_foot_leaves_where_the_force_is_zero() {
     let mut left = 0;
     for event in cycle.motion.events.iter().filter(|one| one.to == FLIGHT) {
         left += 1;
-        let force = law(&foot, CONTACT, event.time, &event.before);
+        let force = output(&foot, "F2", CONTACT, event.time, &event.before);
         assert!(force.abs() < 1e-9, "{force:e}");
         assert!(compressed(&foot, event.time, &event.before) > 1e-6);
         // A moment later it would pull.
@@ -38,7 +25,7 @@ fn the_foot_leaves_where_the_force_is_zero() {
         let on = [event.before[0] + step * event.before[1], event.before[1]];
         assert!(compressed(&foot, event.time + step, &on) > 0.0);
         assert!(
-            law(&foot, CONTACT, event.time + step, &on) < 0.0,
+            output(&foot, "F2", CONTACT, event.time + step, &on) < 0.0,
             "it pulls"
         );
     }
@@ -101,7 +88,7 @@ fn damping_that_outweighs_the_force_does_not_pull() {
     assert!(compressed.iter().any(|one| *one > 1e-5), "{compressed:?}");
     for piece in motion.pieces.iter().filter(|one| one.mode == CONTACT) {
         for time in piece.trajectory.times() {
-            let force = law(&foot, CONTACT, *time, &piece.trajectory.at(*time));
+            let force = output(&foot, "F2", CONTACT, *time, &piece.trajectory.at(*time));
             assert!(force > -1e-8, "{force:e} at {time} s");
         }
     }
