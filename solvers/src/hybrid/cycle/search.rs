@@ -120,15 +120,24 @@ impl Walk<'_> {
             settings: self.settings,
         };
         let divisors = (1..multiple).filter(|one| multiple.is_multiple_of(*one));
+        let mut unstable = None;
         for divisor in divisors {
             // What repeats sooner near here is not two motions.
             if let Some(cycle) = of(divisor).close(&self.state, self.followed)?
                 && self.is_within(10.0 * NEAR, &cycle)
             {
-                return Ok(Some(cycle));
+                if cycle.is_stable() {
+                    return Ok(Some(cycle));
+                }
+                unstable = unstable.or(Some(cycle));
             }
         }
-        of(multiple).close(&self.state, self.followed)
+        // Just beyond a doubling of the period the shorter motion is near as well, and no longer stable.
+        let whole = of(multiple).close(&self.state, self.followed)?;
+        match whole {
+            Some(cycle) if cycle.is_stable() => Ok(Some(cycle)),
+            other => Ok(unstable.or(other)),
+        }
     }
 
     /// Whether a motion that repeats is as near to the one that was followed, over the sizes of the states.
