@@ -32,6 +32,8 @@ pub enum Foot {
     HuntCrossley,
     /// The ellipse of 1 mm over a plate of this stiffness in N/m.
     Plate(f64),
+    /// The straight path of 0.5 mm over a plate of 1e6 N/m, below which the rack drops by so many mm.
+    PlateDrop(f64),
 }
 use Foot::*;
 
@@ -88,6 +90,7 @@ impl Foot {
             Stiff => "ellipse, stiff".into(),
             HuntCrossley => "ellipse, Hunt-Crossley".into(),
             Plate(stiffness) => format!("plate of {stiffness:e} N/m"),
+            PlateDrop(drop) => format!("straight, drop of {drop} mm"),
         }
     }
 
@@ -109,6 +112,7 @@ impl Foot {
             Stiff => scene!(Elliptic, drive, c2 = 4e5, mu2 = 40.0),
             HuntCrossley => scene!(HuntCrossley, drive),
             Plate(stiffness) => scene!(Yielding, drive, c_p = stiffness),
+            PlateDrop(drop) => scene!(YieldingStraight, drive, drop = 1e-3 * drop),
         }
     }
 
