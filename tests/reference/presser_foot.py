@@ -317,6 +317,15 @@ class Foot:
         return largest, smallest, total / time
 
 
+    def history(self, pieces, turns):
+        """F2 at times that are spread over the motion."""
+        found = []
+        for time in [(k + 0.37) / 12 * self.period for k in range(12 * turns)]:
+            contact, part, self.turn, begin, end, sol, self.low = next(p for p in pieces if p[3] <= time <= p[4])
+            found.append([time, self.fabric(part, time, *sol(time)[:2])[0] if contact else 0.0])
+        return found
+
+
 class Linear:
     """The linear fabric that is never left. Times count from the start of each part of the path."""
 
@@ -540,9 +549,9 @@ def grazing(mu2, low, high):
     return dict(border=border, mu2=mu2, rows=rows)
 
 
-def case(scene, path="elliptic", law="kelvin_voigt", start=None, contact=True, **changes):
+def case(scene, path="elliptic", law="kelvin_voigt", start=None, contact=True, follow=200, **changes):
     foot = Foot(path, law, **changes)
-    y, n, multipliers, contact = foot.cycle(start, contact=contact)
+    y, n, multipliers, contact = foot.cycle(start, follow, contact=contact)
     pieces, events = [], []
     foot.go(y, n, contact=contact, pieces=pieces, events=events)
     largest, smallest, mean = foot.forces(pieces)
@@ -551,7 +560,7 @@ def case(scene, path="elliptic", law="kelvin_voigt", start=None, contact=True, *
     print(scene, changes, n, [abs(x) for x in order], len(events), file=sys.stderr)
     return dict(scene=scene, values=changes, start=list(y), mode="contact" if contact else "flight", turns=n, multipliers=[[x.real, x.imag] for x in map(complex, order)],
                 events=[dict(time=t, to="contact" if into else "flight", by=by) for t, into, by in events],
-                largest=largest, smallest=smallest, mean=mean, free=free)
+                largest=largest, smallest=smallest, mean=mean, free=free, forces=foot.history(pieces, n))
 
 
 def main():
@@ -573,6 +582,11 @@ def main():
     cases["held_by_weight"] = case("elliptic", F10=0.0, c1=0.0, omega=60.0)
     # Another motion at the same speed, for a foot that is let fall from 2 mm.
     cases["elliptic_500_other"] = case("elliptic", start=[2e-3, 0.0], contact=False, omega=500.0)
+    # A multiplier near one; just beyond a doubling of the period; motions that are reached after hundreds of irregular
+    # turns, and begin here near them.
+    cases["elliptic_375"] = case("elliptic", omega=375.0, follow=80)
+    cases["progressive_515"] = case("progressive", start=[-0.000846, 0.55184], omega=515.0, follow=60, **PROGRESSIVE)
+    cases["stiff_335"] = case("elliptic", start=[-0.000117, 0.90827], omega=335.0, follow=40, **STIFF)
     # The feed mechanism, and its five harmonics.
     for omega in (200.0, 300.0, 400.0):
         cases["machine_%d" % omega] = case("machine", "mechanism", omega=omega)

@@ -239,6 +239,16 @@ where
             "{name}: multiplier {found} against {expected:?}"
         );
     }
+    for pair in case["forces"].as_array().unwrap() {
+        let [time, expected] = numbers(pair)[..] else {
+            panic!("{pair}");
+        };
+        let force = force(foot, &found.motion, (time + shift).rem_euclid(length));
+        assert!(
+            (force - expected).abs() < 1e-7,
+            "{name}: {force} N at {time} s, {expected} N"
+        );
+    }
     let forces = Measured::of(foot, &found.motion);
     for (value, key, size) in [
         (forces.largest, "largest", 100.0),

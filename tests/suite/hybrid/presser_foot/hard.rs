@@ -74,6 +74,47 @@ fn contact_regained_at_a_kink_is_regained_exactly_there() {
     }
 }
 
+/// A damper beside the spring gives the force a step where contact is regained; damping that grows with the force, or none
+/// at all, lets it start from zero.
+#[test]
+fn how_the_force_begins_where_contact_is_regained() {
+    fn begins<C: Hybrid>(foot: &C, motion: &Motion) -> Vec<(f64, f64)> {
+        let landings = motion.events.iter().filter(|one| one.to == CONTACT);
+        let both = landings.filter(|one| one.from == FLIGHT).map(|one| {
+            let force = output(foot, "F2", CONTACT, one.time, &one.after);
+            let phi = 300.0 * one.time - PI;
+            // Half a turn later the rack is below the plate.
+            let rate = if phi.cos() > 0.5 {
+                -0.6 * phi.sin()
+            } else {
+                0.0
+            };
+            (force, rate - one.after[1])
+        });
+        both.collect()
+    }
+    let damped = Elliptic::default();
+    let all = begins(&damped, &damped.cycle().unwrap().motion);
+    assert_eq!(all.len(), 2);
+    for (force, rate) in all {
+        assert!(
+            force > 1.0 && (force - damped.mu2 * rate).abs() < 1e-9,
+            "{force} {rate}"
+        );
+    }
+    let growing = HuntCrossley::default();
+    for (force, rate) in begins(&growing, &growing.cycle().unwrap().motion) {
+        assert!(force.abs() < 1e-9 && rate > 0.01, "{force} {rate}");
+    }
+    let elastic = Undamped::default();
+    let motion = hybrid::march(&elastic, (0.0, 0.2), &elastic.start(), &FINE).unwrap();
+    let all = begins(&elastic, &motion);
+    assert!(
+        all.len() > 5 && all.iter().all(|one| one.0.abs() < 1e-9),
+        "{all:?}"
+    );
+}
+
 /// Of the law whose damping grows with the force the bracket changes its sign under fast unloading: then the compressed
 /// fabric would pull, and does not.
 #[test]
@@ -203,6 +244,52 @@ fn no_stable_motion_is_reported() {
     );
 }
 
+/// Just beyond a doubling of the period the motion of half the length is near, and not stable: what attracts is the other.
+/// They are nearest to each other three turns after the one at which the second computation begins.
+#[test]
+fn the_longer_of_two_motions_near_each_other_is_found() {
+    let case = &REFERENCE["cases"]["progressive_515"];
+    let foot = foot::<Progressive>(case);
+    let times = (0.0, 3.0 * foot.period());
+    let begin = hybrid::march(&foot, times, &numbers(&case["start"]), &FINE).unwrap();
+    let near = (begin.mode, &begin.end[..]);
+    let found = hybrid::cycle_from(&foot, near, foot.period(), &FINE).unwrap();
+    assert_eq!(found.multiple, 10);
+    compare("progressive_515", &foot, &found);
+}
+
+/// Disturbances that die out by a fortieth in two turns: far too slowly to wait for.
+#[test]
+fn a_multiplier_near_one() {
+    let case = &REFERENCE["cases"]["elliptic_375"];
+    assert!(numbers(&case["multipliers"][0])[0] > 0.975);
+    check::<Elliptic>("elliptic_375");
+}
+
+/// Irregular motion, for hundreds of turns from some starts, and then one that repeats.
+#[test]
+fn irregular_motion_that_dies_out() {
+    let case = &REFERENCE["cases"]["stiff_335"];
+    let (foot, start) = (foot::<Elliptic>(case), numbers(&case["start"]));
+    let found = hybrid::cycle_from(&foot, (CONTACT, &start), foot.period(), &FINE).unwrap();
+    compare("stiff_335", &foot, &found);
+    let places = [0.0, 1.0].map(|turn| found.motion.at(turn * foot.period()).1);
+    let mut longest = 0;
+    for begin in 1..=8 {
+        let (mut mode, mut state) = (CONTACT, vec![-1e-4 * f64::from(begin), 0.0]);
+        let mut turns = 0;
+        while places.iter().all(|one| (one[0] - state[0]).abs() > 1e-7) {
+            let times = (0.0, foot.period());
+            let motion = hybrid::march_in(&foot, mode, times, &state, &FINE).unwrap();
+            (mode, state) = (motion.mode, motion.end);
+            turns += 1;
+            assert!(turns < 5000, "it goes on from {begin}");
+        }
+        longest = longest.max(turns);
+    }
+    assert!(longest > 100, "{longest}");
+}
+
 /// A foot on its weight alone, and a preload or a spring that goes to nothing, come to the limit.
 #[test]
 fn without_spring_and_preload() {
@@ -224,7 +311,8 @@ fn without_spring_and_preload() {
 }
 
 /// A light foot follows the fabric. An explicit method takes the small steps that its stability asks for; that it gets
-/// to the end at all shows that it does not need a stiff one. Such methods come separately.
+/// to the end at all shows that it does not need a stiff one; a stiff one comes to the same with a twentieth of
+/// them.
 #[test]
 fn a_foot_of_no_mass_follows_the_fabric() {
     let mut foot = Elliptic::with(&[("m", 1e-4), ("omega", 100.0)]);
@@ -239,6 +327,13 @@ fn a_foot_of_no_mass_follows_the_fabric() {
         "{}",
         motion.statistics.steps
     );
+    let stiff = Settings {
+        method: Method::Auto,
+        ..settings
+    };
+    let other = hybrid::march(&foot, (0.0, foot.period()), &foot.start(), &stiff).unwrap();
+    assert!(20 * other.statistics.steps < motion.statistics.steps);
+    assert!((other.end[0] / motion.end[0] - 1.0).abs() < 1e-6);
     // Where the rack is below the plate the fabric bears the spring.
     let lying = -foot.F10 / (foot.c1 + foot.c2);
     assert!(

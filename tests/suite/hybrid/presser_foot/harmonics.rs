@@ -102,6 +102,33 @@ fn each_harmonic_brings_the_series_nearer() {
     }
 }
 
+/// The series dips below the plate while the rack returns, and the foot follows: the force is what spring and weight ask for,
+/// whatever the level, as long as all is slow.
+#[test]
+fn the_series_dips_below_the_plate() {
+    fn check<C: Foot>()
+    where
+        C::Modal<f64>: Sensitive<f64>,
+    {
+        let foot = C::with(&[("omega", 1.0)]);
+        let angles = (0..=600).map(|k| PI * (f64::from(k) / 300.0 - 1.0));
+        let lowest = angles.map(|phi| level(&foot, phi)).fold(0.0, f64::min);
+        assert!((-6e-5..-2e-5).contains(&lowest), "{lowest:e} m");
+        let found = foot.cycle().unwrap();
+        assert!(changes(&found.motion).is_empty());
+        let plain = Elliptic::default();
+        for k in 0..100 {
+            let time = foot.period() * f64::from(k) / 100.0;
+            let pressed = force(&foot, &found.motion, time);
+            let w = found.motion.at(time).1[0];
+            let asked = plain.F10 + plain.c1 * w + plain.m * plain.g;
+            assert!((pressed / asked - 1.0).abs() < 1e-3, "{pressed} {asked}");
+        }
+    }
+    check::<FiveHarmonics>();
+    check::<MachineHarmonics>();
+}
+
 /// Without any harmonic the fabric lies at the mean level, and the foot rests on it.
 #[test]
 fn the_mean_alone_is_rest() {
