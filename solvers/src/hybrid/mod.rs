@@ -15,7 +15,7 @@
 //! | `start` | whether a motion may begin where it is to |
 //! | `march` | the motion that is asked for, by which method |
 //! | `run` | from event to event, several at one instant, and the rules that end it |
-//! | `cycle` | motions that repeat: [`cycle()`] |
+//! | `cycle` | motions that repeat: [`cycle()`]; growth of disturbances: [`lyapunov`] |
 //! | `motion` | the result: pieces between events, and a record of each event |
 //!
 //! **What is found.** Within a step a guard is the cubic through its values and rates at both ends, as far as that agrees
@@ -48,7 +48,7 @@ mod run;
 mod start;
 mod watch;
 
-pub use cycle::{Cycle, CycleError, cycle, cycle_from};
+pub use cycle::{Cycle, CycleError, Lyapunov, Periods, cycle, cycle_from, lyapunov};
 pub use error::HybridError;
 pub use march::{march, march_in};
 pub use motion::{Happened, Motion, Piece};

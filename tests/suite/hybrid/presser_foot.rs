@@ -3,9 +3,13 @@
 
 mod grazing;
 mod hard;
+mod harmonics;
+mod irregular;
 mod linear;
 mod naive;
+mod plate;
 mod published;
+mod transition;
 mod variants;
 
 use assur::hybrid::{self, Cycle, CycleError, Hybrid, Motion, Sensitive};
@@ -71,10 +75,14 @@ macro_rules! feet {
 
 feet! {
     Elliptic: m c1 mu1 F10 c2 c3 mu2 omega rise g;
-    Straight: m c1 mu1 F10 c2 c3 mu2 omega rise phi_v g;
+    Straight: m c1 mu1 F10 c2 c3 mu2 omega rise phi_v g q1 q2 q3;
     StraightLow: m c1 mu1 F10 c2 c3 mu2 omega rise phi_v g;
     Progressive: m c1 mu1 F10 c2 c3 mu2 omega rise g;
-    FiveHarmonics: m c1 mu1 F10 c2 c3 mu2 omega rise g;
+    FiveHarmonics: m c1 mu1 F10 c2 c3 mu2 omega rise g order;
+    Machine: m c1 mu1 F10 c2 c3 mu2 omega g;
+    MachineHarmonics: m c1 mu1 F10 c2 c3 mu2 omega g order;
+    Yielding: m c1 mu1 F10 c2 mu2 omega rise g c_p;
+    YieldingStraight: m c1 mu1 F10 c2 mu2 omega rise g c_p;
     HuntCrossley: m c1 mu1 F10 c2 c3 eta omega rise g;
 }
 
@@ -132,6 +140,25 @@ fn numbers(value: &Value) -> Vec<f64> {
 fn changes(motion: &Motion) -> Vec<(f64, usize)> {
     let events = motion.events.iter().filter(|one| one.from != one.to);
     events.map(|one| (one.time, one.to)).collect()
+}
+
+/// What a scene reports in a mode, at a time and state.
+fn output<C: Hybrid>(foot: &C, name: &str, mode: usize, time: f64, values: &[f64]) -> f64 {
+    use assur::hybrid::Modes;
+    use assur::problem::Storage;
+    let mut equations = foot.modal::<f64>();
+    equations.enter(mode);
+    let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
+    state.as_mut().copy_from_slice(values);
+    let mut outputs = vec![0.0; C::OUTPUTS];
+    equations.outputs(time, &state, &mut outputs);
+    outputs[C::OUTPUT_NAMES.iter().position(|one| *one == name).unwrap()]
+}
+
+/// F2 just after a time.
+fn force<C: Hybrid>(foot: &C, motion: &Motion, time: f64) -> f64 {
+    let (mode, values) = motion.at(time);
+    output(foot, "F2", mode, time, &values)
 }
 
 /// A motion that repeats against the second computation: its state at phi = -pi, its multipliers, all instants of
@@ -212,6 +239,16 @@ where
             "{name}: multiplier {found} against {expected:?}"
         );
     }
+    for pair in case["forces"].as_array().unwrap() {
+        let [time, expected] = numbers(pair)[..] else {
+            panic!("{pair}");
+        };
+        let force = force(foot, &found.motion, (time + shift).rem_euclid(length));
+        assert!(
+            (force - expected).abs() < 1e-7,
+            "{name}: {force} N at {time} s, {expected} N"
+        );
+    }
     let forces = Measured::of(foot, &found.motion);
     for (value, key, size) in [
         (forces.largest, "largest", 100.0),
@@ -269,6 +306,14 @@ fn the_other_fabrics() {
 #[test]
 fn five_harmonics() {
     check::<FiveHarmonics>("five_harmonics_300");
+}
+
+#[test]
+fn the_feed_mechanism_and_its_harmonics() {
+    for omega in [200, 300, 400] {
+        check::<Machine>(&format!("machine_{omega}"));
+        check::<MachineHarmonics>(&format!("machine_harmonics_{omega}"));
+    }
 }
 
 #[test]

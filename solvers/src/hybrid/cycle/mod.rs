@@ -14,15 +14,18 @@
 //! | `returns` | after how many periods a motion comes near to its past |
 //! | `newton` | closes a motion |
 //! | `search` | follows, compares, closes; and what is said if nothing repeats |
+//! | `lyapunov` | what becomes of disturbances in the long run, whether the motion repeats or not |
 
 mod error;
 mod flow;
+mod lyapunov;
 mod newton;
 mod returns;
 mod search;
 mod variation;
 
 pub use error::CycleError;
+pub use lyapunov::{Lyapunov, Periods, lyapunov};
 
 use super::Motion;
 use super::problem::{Hybrid, Sensitive};

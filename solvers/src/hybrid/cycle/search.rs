@@ -1,13 +1,12 @@
 //! Follows a motion until it shows what attracts it, and closes that.
 
-use nalgebra::DVector;
-
 use super::super::HybridError;
 use super::error::CycleError;
 use super::flow::Flow;
+use super::lyapunov::{Stretch, frame};
 use super::newton::Gap;
 use super::returns::Past;
-use super::{Cycle, FOLLOWED, PATIENCE, variation};
+use super::{Cycle, FOLLOWED, PATIENCE};
 use crate::ode::OdeError;
 use crate::registry::Settings;
 
@@ -155,13 +154,17 @@ impl Walk<'_> {
             sizes: self.past.sizes(),
             settings: self.settings,
         };
+        let mut divisors = (1..multiple).filter(|one| multiple.is_multiple_of(*one));
         let found = of(multiple).close(&self.state, self.followed)?;
         let Some(cycle) = &found else {
-            return Ok(found);
+            return divisors
+                .find_map(|one| of(one).close(&self.state, self.followed).transpose())
+                .transpose();
         };
-        // What repeats sooner is not several motions.
+        // What repeats sooner is not several motions. Just beyond a doubling of the period the shorter motion is near as
+        // well, and no longer stable.
         let alike = SAME.max(1e3 * self.settings.rtol);
-        for divisor in (1..multiple).filter(|one| multiple.is_multiple_of(*one)) {
+        for divisor in divisors {
             if let Some(sooner) = of(divisor).close(&start_of(cycle), self.followed)?
                 && self.apart(&start_of(&sooner), &start_of(cycle)) <= alike
             {
@@ -208,24 +211,17 @@ impl Walk<'_> {
     }
 
     /// By what factor small disturbances grow in a period, on average over the periods that follow.
-    fn growth(&mut self) -> Result<f64, CycleError> {
-        let sizes = DVector::from_column_slice(self.past.sizes());
-        let mut disturbance = DVector::from_element(sizes.len(), 1.0).normalize();
-        let mut sum = 0.0;
-        for _ in 0..GROWTH {
-            let motion = self.follow(self.mode, &self.state)?;
-            let matrix = variation::of(self.flow, &motion, self.settings)?;
-            let next = (matrix * disturbance.component_mul(&sizes)).component_div(&sizes);
-            let size = next.norm();
-            if size == 0.0 || !size.is_finite() {
-                return Ok(size);
-            }
-            sum += size.ln();
-            disturbance = next / size;
-            self.mode = motion.mode;
-            self.state = motion.end;
-            self.followed += 1;
-        }
-        Ok((sum / GROWTH as f64).exp())
+    fn growth(&self) -> Result<f64, CycleError> {
+        let mut stretch = Stretch {
+            flow: self.flow,
+            period: self.period,
+            sizes: self.past.sizes(),
+            settings: self.settings,
+            mode: self.mode,
+            state: self.state.clone(),
+            frame: frame(self.state.len()),
+        };
+        let grown = stretch.advance(GROWTH)?;
+        Ok((grown[0] / GROWTH as f64).exp())
     }
 }

@@ -2,20 +2,6 @@
 
 use super::*;
 
-/// F2 in contact.
-fn force<C: Hybrid>(foot: &C, motion: &Motion, time: f64) -> f64 {
-    use assur::hybrid::Modes;
-    use assur::problem::Storage;
-    let (mode, values) = motion.at(time);
-    let mut equations = foot.modal::<f64>();
-    equations.enter(mode);
-    let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
-    state.as_mut().copy_from_slice(&values);
-    let mut outputs = vec![0.0; C::OUTPUTS];
-    equations.outputs(time, &state, &mut outputs);
-    outputs[C::OUTPUT_NAMES.iter().position(|one| *one == "F2").unwrap()]
-}
-
 #[track_caller]
 fn check_rows<C: Foot>(name: &str)
 where
@@ -68,6 +54,8 @@ fn without_separation_the_motion_is_that_of_the_closed_form() {
     check_rows::<Straight>("straight");
     check_rows::<StraightLow>("straight_low");
     check_rows::<FiveHarmonics>("five_harmonics");
+    check_rows::<Machine>("machine");
+    check_rows::<MachineHarmonics>("machine_harmonics");
 }
 
 /// At rest on the plate the fabric bears spring and weight.
@@ -162,6 +150,8 @@ fn speeds_of_first_separation() {
     check_borders::<Straight>("straight", &[true, false, true]);
     check_borders::<StraightLow>("straight_low", &[]);
     check_borders::<FiveHarmonics>("five_harmonics", &[true]);
+    check_borders::<Machine>("machine", &[true]);
+    check_borders::<MachineHarmonics>("machine_harmonics", &[true]);
 }
 
 #[test]

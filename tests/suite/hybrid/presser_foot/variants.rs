@@ -22,6 +22,96 @@ fn a_stiff_joint_makes_one_body() {
     assert!(off[0] < 0.5 && off[1] < off[0] / 2.5, "{off:?}");
 }
 
+/// Without damping the law of the fabric is that with a damper of nothing.
+#[test]
+fn no_damping_is_a_damper_of_nothing() {
+    let (elastic, damper) = (Undamped::default(), Elliptic::with(&[("mu2", 0.0)]));
+    let [one, other] = [
+        hybrid::march(&elastic, (0.0, 0.2), &elastic.start(), &FINE).unwrap(),
+        hybrid::march(&damper, (0.0, 0.2), &damper.start(), &FINE).unwrap(),
+    ];
+    assert!(changes(&one).len() > 10);
+    assert_eq!(changes(&one).len(), changes(&other).len());
+    for (a, b) in changes(&one).iter().zip(changes(&other)) {
+        assert!((a.0 - b.0).abs() < 1e-9 && a.1 == b.1, "{a:?} {b:?}");
+    }
+}
+
+/// What is left of the compression relaxes by itself, from what it is where the foot leaves; and the foot comes back where it
+/// meets it, later than on a fabric that recovers at once.
+#[test]
+fn a_fabric_that_recovers_slowly() {
+    let foot = Recovering::default();
+    let found = hybrid::cycle(&foot, 2.0 * PI / foot.omega, &FINE).unwrap();
+    let events = &found.motion.events;
+    let contacts: Vec<_> = events.iter().filter(|one| one.from != one.to).collect();
+    let level = |time: f64| output(&foot, "s", CONTACT, time, &foot.start());
+    let mut met = 0;
+    for pair in contacts.windows(2).filter(|pair| pair[0].to == FLIGHT) {
+        let (lost, regained) = (pair[0], pair[1]);
+        let begin = level(lost.time) - lost.before[0];
+        assert!((lost.after[2] - begin).abs() < 1e-15, "{:?}", lost.after);
+        let passed = regained.time - lost.time;
+        let left = begin * (-foot.c2 / foot.mu2 * passed).exp();
+        assert!((regained.before[2] - left).abs() < 1e-12, "{left:e}");
+        let compressed = level(regained.time) - regained.before[0];
+        assert!((compressed - left).abs() < 1e-12, "{compressed:e} {left:e}");
+        met += 1;
+    }
+    assert!(met > 0, "{contacts:?}");
+    let at_once = Elliptic::default();
+    let longer = Measured::of(&foot, &found.motion).free;
+    let shorter = Measured::of(&at_once, &at_once.cycle().unwrap().motion).free;
+    assert!(longer > shorter, "{longer} {shorter}");
+}
+
+/// Nothing rubs and nothing is hit: then it is the plain foot. Friction in the guide takes from the flights.
+#[test]
+fn friction_in_the_guide() {
+    let at = |rub: f64| {
+        let foot = Guided {
+            F_c: rub,
+            w_stop: 1.0,
+            ..Guided::default()
+        };
+        let found = hybrid::cycle(&foot, 2.0 * PI / foot.omega, &FINE).unwrap();
+        Measured::of(&foot, &found.motion)
+    };
+    let plain = Elliptic::default();
+    let plain = Measured::of(&plain, &plain.cycle().unwrap().motion);
+    let (without, with) = (at(0.0), at(3.0));
+    assert!((without.free - plain.free).abs() < 1e-10 && (without.mean - plain.mean).abs() < 1e-8);
+    assert!(with.free < plain.free, "{with:?} {plain:?}");
+}
+
+/// The stop throws the bar back with the part `e_stop` of its speed, and the bar never gets beyond it.
+#[test]
+fn a_stop_above() {
+    let foot = Guided {
+        F_c: 0.0,
+        w_stop: 1.1e-3,
+        omega: 400.0,
+        ..Guided::default()
+    };
+    let motion = hybrid::march(&foot, (0.0, 0.5), &foot.start(), &FINE).unwrap();
+    let hits: Vec<_> = motion
+        .events
+        .iter()
+        .filter(|one| (one.before[1] - one.after[1]).abs() > 1e-9)
+        .collect();
+    assert!(hits.len() > 5, "{}", hits.len());
+    for hit in hits {
+        assert!((hit.before[0] - foot.w_stop).abs() < 1e-15);
+        assert!((hit.after[1] + foot.e_stop * hit.before[1]).abs() < 1e-15);
+    }
+    for piece in &motion.pieces {
+        for time in piece.trajectory.times() {
+            let height = piece.trajectory.at(*time)[0];
+            assert!(height < foot.w_stop + 1e-12, "{height:e} m at {time} s");
+        }
+    }
+}
+
 /// A speed that does not change is a speed.
 #[test]
 fn a_ramp_of_nothing_is_none() {
