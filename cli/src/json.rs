@@ -15,7 +15,7 @@
 //! | `events` | what happened, in order: each `time`, `from` and `to` (names of modes), `event` (the statement), `line` of the equation file, `guard` (its `value` there, `unit`), `before` and `after` (the state, each `name`, `unit`, `value`) |
 //! | `measures` | numbers of the whole task, each `name`, `unit`, `value` and `estimated_error`, or a `value` of null and why it is `missing` |
 //! | `published` | each `name`, `unit`, `place`, `published`, `tolerance`, `computed`, `estimated_error`, `deviation`, `relative_deviation`, `within` (null when published for other values), `remark`, `line` of the equation file |
-//! | `multipliers` | each `re`, `im`, `modulus`, `angle`, `angle_unit`, `meaning`; none unless the task is periodic |
+//! | `multipliers` | over all `periods` of the task: each `re`, `im`, `modulus`, `angle`, `angle_unit`, `meaning`; none unless the task is periodic |
 //! | `conclusions` | what the multipliers say, a sentence each |
 //! | `statistics` | `steps`, `rejected`, `evaluations`, `jacobians`, `stiff_steps` (by a stiff method), `switches` (of `auto`, each `time`, `to`), `condition` (number of the steady state), `residual` (after a period, over the scales), `seconds`, `seconds_with_error_estimate`, `largest_estimated_error` (`name`, `relative_to_amplitude`), `work_for_ten_times_more_accuracy` |
 //! | `figure` | path of the figure, or null |
@@ -75,7 +75,7 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
         "measures": measures::list(report),
         "published": published,
         "multipliers": multipliers(report),
-        "conclusions": conclusions(&report.multipliers, report.free()),
+        "conclusions": conclusions(&report.multipliers, report.case.turn(), report.free()),
         "statistics": statistics(report),
         "figure": figure.map(|path| path.display().to_string()),
     })
@@ -233,7 +233,7 @@ fn multipliers(report: &Report) -> Value {
                 "modulus": multiplier.modulus(),
                 "angle": sign * multiplier.angle(),
                 "angle_unit": "deg",
-                "meaning": multiplier.meaning(),
+                "meaning": multiplier.meaning(report.case.turn()),
             }));
         }
     }

@@ -47,6 +47,7 @@ mod style;
 mod table;
 mod text;
 mod tolerance;
+mod turn;
 mod unit;
 mod values;
 mod variables;

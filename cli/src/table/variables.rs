@@ -79,10 +79,10 @@ pub fn extremes(page: &mut Page, report: &Report) {
         ]);
     }
     let over = if report.is_cycle() {
-        "Over the period"
+        format!("Over the {}", report.case.turn().one())
     } else {
-        "Over the run"
+        "Over the run".to_owned()
     };
-    page.section(over, &table);
+    page.section(&over, &table);
     page.line("");
 }
