@@ -170,7 +170,7 @@ fn readings(report: &Report, snapshot: &Snapshot) -> Vec<Value> {
         .variables
         .iter()
         .zip(&snapshot.values)
-        .zip(&report.errors);
+        .zip(&snapshot.errors);
     variables
         .map(|((variable, value), error)| {
             json!({

@@ -19,7 +19,7 @@ pub fn snapshot(page: &mut Page, report: &Report, snapshot: &Snapshot, heading: 
         .variables
         .iter()
         .zip(&snapshot.values)
-        .zip(&report.errors);
+        .zip(&snapshot.errors);
     for ((variable, value), error) in rows {
         table.row([
             variable.name.clone(),
