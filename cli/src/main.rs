@@ -48,6 +48,7 @@ mod table;
 mod text;
 mod tolerance;
 mod turn;
+mod unfollowed;
 mod unit;
 mod values;
 mod variables;
