@@ -32,6 +32,7 @@ mod motion;
 mod multipliers;
 mod number;
 mod output;
+mod permitted;
 mod plot;
 mod progress;
 mod published;
