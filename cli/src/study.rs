@@ -8,6 +8,7 @@ mod json;
 mod question;
 mod range;
 mod table;
+mod tolerance;
 
 pub use arguments::{EXAMPLES, StudyArguments};
 

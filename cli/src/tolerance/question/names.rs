@@ -71,8 +71,18 @@ impl Names {
         }
         let variables = 0..self.linkage.variables.len();
         let mut tolerances: Vec<f64> = variables.map(|one| self.variable(one).1).collect();
+        let mut given = Vec::new();
         for text in &options.tolerance {
             let (index, value) = self.read(text, "--tolerance")?;
+            if given.contains(&index) {
+                let name = self.variable(index).0.name;
+                return Err(
+                    Failure::request(format!("the tolerance of `{name}` is given twice"))
+                        .place(format!("--tolerance {text}"))
+                        .remedy("leave one of them out"),
+                );
+            }
+            given.push(index);
             tolerances[index] = value;
         }
         let mut sources = Vec::new();
