@@ -31,7 +31,7 @@ pub fn execute(
     without_integration(options)?;
     let curves = Selection::read(scene, options.curves.as_deref())?;
     let figure = match figure_path(options, mechanism, scene) {
-        Some(path) => Some(Destination::check(&path)?),
+        Some(path) => Some(Destination::figure(&path)?),
         None => None,
     };
     let case = Case::new(constants)?;
