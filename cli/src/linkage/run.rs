@@ -66,8 +66,8 @@ fn render(report: &Report, options: &RunArguments, figure: Option<&Path>) -> Str
     match (options.format, options.rows) {
         (Format::Table, _) => table::render(report, figure, style::stdout()),
         (Format::Json, _) => json::render(report, figure),
-        (Format::Csv, Rows::Positions) => csv::render(report),
         (Format::Csv, Rows::Limits) => csv::limits(report),
+        (Format::Csv, _) => csv::render(report),
     }
 }
 
