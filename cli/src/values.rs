@@ -78,6 +78,20 @@ pub fn split<'a>(
         })
 }
 
+/// Notes that a value is given, `what` at `place`.
+///
+/// # Errors
+/// When it is given already.
+pub fn once(given: &mut Vec<usize>, index: usize, what: &str, place: &str) -> Result<(), Failure> {
+    if given.contains(&index) {
+        return Err(Failure::request(format!("{what} is given twice"))
+            .place(place)
+            .remedy("leave one of them out"));
+    }
+    given.push(index);
+    Ok(())
+}
+
 /// Reads a number with a unit as a value of a quantity, SI units. A pure number is accepted for a pure number, which an
 /// angle is.
 ///

@@ -5,7 +5,7 @@ use assur::registry::{Constant, Distribution, SceneEntry};
 use super::range;
 use crate::constants::Constants;
 use crate::error::Failure;
-use crate::values::{quantity, split};
+use crate::values::{once, quantity, split};
 
 /// Gives constants the tolerances that are asked for, normally distributed.
 ///
@@ -22,14 +22,8 @@ pub fn give(
         let place = format!("--tolerance {text}");
         let (name, width) = split(text, "--tolerance", "J2=10%")?;
         let index = range::constant(scene, name, &place)?;
-        if given.contains(&index) {
-            return Err(
-                Failure::request(format!("the tolerance of `{name}` is given twice"))
-                    .place(place)
-                    .remedy("leave one of them out"),
-            );
-        }
-        given.push(index);
+        let what = format!("the tolerance of `{name}`");
+        once(&mut given, index, &what, &place)?;
         let tolerance = read(width, &constants[index], values.values[index]);
         constants[index].tolerance = tolerance.map_err(|failure| failure.place(place))?;
         constants[index].distribution = Distribution::Normal;

@@ -8,7 +8,7 @@ use super::Label;
 use crate::error::Failure;
 use crate::lookup::suggestion;
 use crate::tolerance::arguments::ToleranceArguments;
-use crate::values::{self, Place, quantity, split};
+use crate::values::{self, Place, once, quantity, split};
 
 /// The names of a scene.
 pub(super) struct Names {
@@ -74,15 +74,8 @@ impl Names {
         let mut given = Vec::new();
         for text in &options.tolerance {
             let (index, value) = self.read(text, "--tolerance")?;
-            if given.contains(&index) {
-                let name = self.variable(index).0.name;
-                return Err(
-                    Failure::request(format!("the tolerance of `{name}` is given twice"))
-                        .place(format!("--tolerance {text}"))
-                        .remedy("leave one of them out"),
-                );
-            }
-            given.push(index);
+            let what = format!("the tolerance of `{}`", self.variable(index).0.name);
+            once(&mut given, index, &what, &format!("--tolerance {text}"))?;
             tolerances[index] = value;
         }
         let mut sources = Vec::new();
