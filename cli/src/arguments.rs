@@ -66,6 +66,7 @@ const RUN_EXAMPLES: &str = "Examples:
   assur run batten --format csv > batten.csv
   assur run heald_linkage --at phi4=75deg --set l4=91mm
   assur run heald_linkage --format csv --rows limits
+  assur run table_drive --format csv --rows events
 
 A linkage is moved through the positions of its drivers: --at names one of each, alpha=90deg,beta=180deg; a driver that
 is not named stands where it starts.
@@ -77,11 +78,13 @@ One JSON object is printed with --format json. Its fields:
   parameters   each: name, kind, unit, value, default, changed
   task         kind (periodic, run or open), from, to, unit
   settings     method, rtol
-  status       \"complete\", or \"incomplete\" when a value is missing (null)
+  status       \"complete\"; \"incomplete\" when a value is missing (null), that of a measure too;
+               \"not unique\" when free motions that nothing drives could be added
   results      each: name, unit, value and estimated_error at the beginning of the task;
                minimum and maximum over it, with their times
   at           each --at: place, time, drivers, results
   modes        each: name, summary
+  first_mode   name of the mode at the beginning; null where there are no modes
   events       each: time, from, to, event, line, guard, before, after
   measures     numbers of the whole task, each: name, unit, value, estimated_error; or missing
   published    each: name, unit, place, published, tolerance, computed, estimated_error,
@@ -141,7 +144,7 @@ pub struct RunArguments {
     /// What is printed.
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,
-    /// What the rows of a linkage are with --format csv.
+    /// What the rows are with --format csv.
     #[arg(long, value_enum, default_value_t = Rows::Positions)]
     pub rows: Rows,
     /// File for the figure.
@@ -168,14 +171,16 @@ pub enum Format {
     Csv,
 }
 
-/// What the rows of a linkage are.
+/// What the rows of comma-separated values are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Rows {
-    /// Positions over the task.
+    /// Samples or positions over the task.
     #[default]
     Positions,
-    /// Extremes, strokes, limit positions, and how far the drivers go.
+    /// Of a linkage: extremes, strokes, limit positions, and how far the drivers go.
     Limits,
+    /// Of a motion with events: each with its time, the modes and the state before and after it.
+    Events,
 }
 
 /// Options of `assur draw`.

@@ -6,6 +6,7 @@ use assur::registry::{Run, SceneEntry};
 use crate::constants::Constants;
 use crate::error::Failure;
 use crate::motion::Motion;
+use crate::turn::Turn;
 use crate::variables::{self, Variable};
 
 /// A scene with its values.
@@ -63,6 +64,13 @@ impl Case {
         if let Span::Periodic(period) = self.run.span() {
             self.repeats = periods;
             self.task = Span::Periodic(period * periods as f64);
+        }
+    }
+
+    /// What its multipliers count by.
+    pub fn turn(&self) -> Turn {
+        Turn {
+            periods: self.repeats,
         }
     }
 

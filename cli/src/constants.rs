@@ -1,12 +1,11 @@
 //! The dimensions and parameters of a scene, and what stands behind `--set` and `--preset`.
 
-use assur::registry::{Constant, Mechanism, Preset, SceneEntry};
+use assur::registry::{Mechanism, Preset, SceneEntry};
 
 use crate::error::Failure;
 use crate::lookup::{suggestion, with_feature};
-use crate::number;
+use crate::permitted::permitted;
 use crate::values::{quantity, split};
-use crate::variables::Dimension;
 
 /// The dimensions and parameters of a scene with their values, SI units.
 #[derive(Clone)]
@@ -168,61 +167,4 @@ fn unknown_constant(
         .map(|constant| constant.quantity.name)
         .collect();
     failure.remedy(suggestion(name, &names))
-}
-
-/// Whether a constant may take a value: its declared range, and masses, lengths and speeds stay above zero where the
-/// file has them above zero.
-pub fn permitted(constant: &Constant, value: f64) -> Result<(), Failure> {
-    let quantity = &constant.quantity;
-    let show = |value: f64| {
-        format!(
-            "{} {}",
-            number::short(value / quantity.factor),
-            quantity.unit
-        )
-        .trim_end()
-        .to_owned()
-    };
-    let (low, high) = constant.range;
-    if value < low || value > high {
-        let range = match (low.is_finite(), high.is_finite()) {
-            (true, true) => format!("from {} to {}", show(low), show(high)),
-            (true, false) => format!("{} or more", show(low)),
-            _ => format!("{} or less", show(high)),
-        };
-        return Err(
-            Failure::request(format!("`{}` cannot be {}", quantity.name, show(value)))
-                .reason(format!("the file permits {range}"))
-                .remedy(format!("give a value {range}")),
-        );
-    }
-    if value <= 0.0 && constant.default > 0.0 {
-        let kind = kind(quantity.dimension, constant.is_dimension);
-        if let Some(kind) = kind {
-            return Err(
-                Failure::request(format!("`{}` cannot be {}", quantity.name, show(value)))
-                    .reason(format!("{kind} is positive"))
-                    .remedy(format!(
-                        "give a value above zero; the default is {}",
-                        show(constant.default)
-                    )),
-            );
-        }
-    }
-    Ok(())
-}
-
-/// What a quantity is that cannot be zero or negative.
-fn kind(dimension: Dimension, is_dimension: bool) -> Option<&'static str> {
-    let exponents: Vec<_> = dimension
-        .iter()
-        .map(|(up, down)| f64::from(*up) / f64::from((*down).max(1)))
-        .collect();
-    match exponents[..3] {
-        [0.0, 1.0, 0.0] => Some("a mass"),
-        [2.0, 1.0, 0.0] => Some("a moment of inertia"),
-        [1.0, 0.0, 0.0] if is_dimension => Some("a length"),
-        [0.0, 0.0, -1.0] | [1.0, 0.0, -1.0] => Some("a speed"),
-        _ => None,
-    }
 }

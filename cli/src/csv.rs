@@ -1,7 +1,9 @@
 //! The curves over the task as comma-separated values (RFC 4180): one heading with names and units, one row a sample,
 //! no comments. Columns: the time, the mode if there are modes, the drivers, then every variable; numbers with all the
-//! digits of a double. An event has two rows, right before and after it.
+//! digits of a double. An event has two rows, right before and after it. With `--rows events` the events instead, one a
+//! row.
 
+use crate::events;
 use crate::report::Report;
 use crate::values::TIME;
 
@@ -70,6 +72,36 @@ pub fn render(report: &Report) -> String {
     text
 }
 
+/// The events in their order: time, statement, names of the modes before and after it, each state before and after it,
+/// and what is left of the guard, in a unit of its own.
+pub fn events(report: &Report) -> String {
+    let states = report.case.scene.states;
+    let mut heading: Vec<_> = ["event", "from", "to"].map(str::to_owned).into();
+    heading.insert(0, title(TIME.name, TIME.unit));
+    for state in states {
+        let when = |when: &str| title(&format!("{} {when}", state.name), state.unit);
+        heading.extend([when("before"), when("after")]);
+    }
+    heading.extend(["guard", "guard unit"].map(str::to_owned));
+    let mut text = heading.join(",") + "\n";
+    for (event, entry) in events::happened(report) {
+        let (from, to) = (report.case.mode(event.from), report.case.mode(event.to));
+        let mut cells = vec![
+            cell(event.time),
+            quoted(entry.text),
+            quoted(from),
+            quoted(to),
+        ];
+        let values = event.before.iter().zip(&event.after).zip(states);
+        cells.extend(values.flat_map(|((before, after), state)| {
+            [cell(before / state.factor), cell(after / state.factor)]
+        }));
+        cells.extend([cell(event.guard / entry.factor), quoted(entry.unit)]);
+        text += &(cells.join(",") + "\n");
+    }
+    text
+}
+
 /// A name with its unit, as a heading.
 pub fn title(name: &str, unit: &str) -> String {
     let title = if unit.is_empty() {
@@ -77,10 +109,14 @@ pub fn title(name: &str, unit: &str) -> String {
     } else {
         format!("{name} [{unit}]")
     };
-    if title.contains([',', '"']) {
-        format!("\"{}\"", title.replace('"', "\"\""))
-    } else {
-        title
+    quoted(&title)
+}
+
+/// A text as a cell.
+fn quoted(text: &str) -> String {
+    match text.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text.to_owned(),
     }
 }
 
@@ -101,6 +137,7 @@ mod tests {
     fn headings_with_commas_are_quoted() {
         assert_eq!(title("inner(u, v)", "m"), "\"inner(u, v) [m]\"");
         assert_eq!(title("x3", ""), "x3");
+        assert_eq!(quoted("say \"a\"\nb"), "\"say \"\"a\"\"\nb\"");
     }
 
     #[test]

@@ -72,6 +72,8 @@ pub fn sample(case: &Case, motion: &Motion) -> Curves {
 pub struct Estimate {
     /// Global error of each variable.
     pub errors: Vec<f64>,
+    /// Error of each variable at the beginning of the task: of a run, whose start is given, rounding alone.
+    pub start: Vec<f64>,
     /// Global error of each measure; NaN where one of the two solutions does not have it.
     pub measures: Vec<f64>,
     /// How many times the work of the printed solution ten times more accuracy takes.
@@ -103,6 +105,11 @@ pub fn estimate(
         rtol: other,
         ..motion.settings
     })?;
+    let differ = |time: f64, values: &[f64]| -> Vec<f64> {
+        let pairs = values.iter().zip(case.sample(&check, time));
+        let one = |(a, b): (&f64, f64)| ((a - b).abs() * share).max(4.0 * f64::EPSILON * a.abs());
+        pairs.map(one).collect()
+    };
     let mut errors = vec![0.0; case.variables.len()];
     // Every third sample is enough for a largest value.
     for (time, values) in curves.times.iter().zip(&curves.values).step_by(3) {
@@ -110,14 +117,14 @@ pub fn estimate(
         if motion.passed(*time) != check.passed(*time) {
             continue;
         }
-        for ((error, a), b) in errors
-            .iter_mut()
-            .zip(values)
-            .zip(case.sample(&check, *time))
-        {
-            *error = f64::max(*error, (a - b).abs() * share).max(4.0 * f64::EPSILON * a.abs());
+        for (error, here) in errors.iter_mut().zip(differ(*time, values)) {
+            *error = f64::max(*error, here);
         }
     }
+    let start = match (case.task, curves.times.first(), curves.values.first()) {
+        (Span::Run(..), Some(time), Some(values)) => differ(*time, values),
+        _ => errors.clone(),
+    };
     let work = motion.effort().evaluations;
     let tenfold = (finer && work > 0).then(|| check.effort().evaluations as f64 / work as f64);
     let others = check.measures(case);
@@ -129,6 +136,7 @@ pub fn estimate(
     Ok(Estimate {
         measures: measures.collect(),
         errors,
+        start,
         tenfold,
     })
 }

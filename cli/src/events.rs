@@ -1,6 +1,7 @@
 //! The modes of a motion and the events between them, for the tables and formats of `assur run`.
 
 use assur::hybrid::{EventEntry, Happened};
+use assur::registry::{Quantity, SceneEntry};
 use serde_json::{Value, json};
 
 use crate::number;
@@ -51,28 +52,33 @@ pub fn bands(report: &Report) -> Vec<Band> {
     bands
 }
 
-/// The statement of an event.
-fn entry(report: &Report, event: &Happened) -> Option<&'static EventEntry> {
+/// Whether a scene states events; where a branch changes over is none.
+pub fn are_stated(scene: &SceneEntry) -> bool {
+    let mut events = scene.modes.iter().flat_map(|mode| mode.events);
+    events.any(|entry| entry.surface.is_none())
+}
+
+/// What happened, in order, each with its statement.
+pub fn happened(report: &Report) -> impl Iterator<Item = (&Happened, &'static EventEntry)> {
     let modes = report.case.scene.modes;
-    modes.get(event.from)?.events.get(event.event)
+    let events = report.motion.events().iter();
+    events.filter_map(|event| {
+        let entry = modes.get(event.from)?.events.get(event.event)?;
+        entry.surface.is_none().then_some((event, entry))
+    })
+}
+
+/// Name of the mode in which the task begins; empty where there are no modes.
+pub fn first_mode(report: &Report) -> &'static str {
+    report.case.mode(report.motion.first_mode(&report.case))
 }
 
 /// What happened, in order.
 pub fn section(page: &mut Page, report: &Report) {
-    if report.case.scene.modes.is_empty() {
+    if !are_stated(report.case.scene) {
         return;
     }
-    let modes = report.case.scene.modes;
-    if modes
-        .iter()
-        .all(|mode| mode.events.iter().all(|one| one.surface.is_some()))
-    {
-        return;
-    }
-    let happened = report.motion.events().iter();
-    let events: Vec<&Happened> = happened
-        .filter(|event| entry(report, event).is_some_and(|entry| entry.surface.is_none()))
-        .collect();
+    let events: Vec<_> = happened(report).collect();
     let mut table = Columns::new([
         ("time, s", Align::Point),
         ("mode", Align::Left),
@@ -80,7 +86,7 @@ pub fn section(page: &mut Page, report: &Report) {
         ("guard there", Align::Point),
         ("unit", Align::Left),
     ]);
-    let first = report.case.mode(report.motion.first_mode(&report.case));
+    let first = first_mode(report);
     let (begin, _) = report.case.task.limits();
     if !first.is_empty() {
         table.row([
@@ -93,13 +99,10 @@ pub fn section(page: &mut Page, report: &Report) {
     }
     let count = events.len();
     let left_out = count.saturating_sub(MOST);
-    for (index, event) in events.into_iter().enumerate() {
+    for (index, (event, entry)) in events.into_iter().enumerate() {
         if left_out > 0 && (MOST / 2..MOST / 2 + left_out).contains(&index) {
             continue;
         }
-        let Some(entry) = entry(report, event) else {
-            continue;
-        };
         table.row([
             number::significant(event.time, 12),
             match event.to == event.from {
@@ -116,7 +119,7 @@ pub fn section(page: &mut Page, report: &Report) {
         (count, 0) => format!("Events: {count}"),
         (count, left_out) => {
             format!(
-                "Events: {count}, of which {left_out} in the middle are left out (--format json has all)"
+                "Events: {count}, of which {left_out} in the middle are left out (--format json has all, and csv with --rows events)"
             )
         }
     };
@@ -135,15 +138,11 @@ pub fn modes(report: &Report) -> Value {
 pub fn list(report: &Report) -> Value {
     let states = |values: &[f64]| -> Value {
         let states = report.case.scene.states.iter().zip(values);
-        let one = |(state, value): (&assur::registry::Quantity, &f64)| json!({ "name": state.name, "unit": state.unit, "value": value / state.factor });
+        let one = |(state, value): (&Quantity, &f64)| json!({ "name": state.name, "unit": state.unit, "value": value / state.factor });
         states.map(one).collect()
     };
-    let one = |event: &Happened| {
-        let entry = entry(report, event)?;
-        if entry.surface.is_some() {
-            return None;
-        }
-        Some(json!({
+    let one = |(event, entry): (&Happened, &EventEntry)| {
+        json!({
             "time": event.time,
             "from": report.case.mode(event.from),
             "to": report.case.mode(event.to),
@@ -152,7 +151,7 @@ pub fn list(report: &Report) -> Value {
             "guard": { "value": event.guard / entry.factor, "unit": entry.unit },
             "before": states(&event.before),
             "after": states(&event.after),
-        }))
+        })
     };
-    report.motion.events().iter().filter_map(one).collect()
+    happened(report).map(one).collect()
 }

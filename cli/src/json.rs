@@ -8,14 +8,15 @@
 //! | `parameters` | each `name`, `kind` (`dimension` or `parameter`), `unit`, `value`, `default`, `changed` |
 //! | `task` | `kind` (`periodic`, `run` or `open`), `from`, `to`, `unit`, `periods` (after how many it repeats) |
 //! | `settings` | `method`, `rtol` |
-//! | `status` | `"complete"`; `"not unique"` when free motions repeat after the same period and nothing drives them, so that any amount could be added (`conclusions` says it); or `"incomplete"` when a value below is null because it is not a finite number |
+//! | `status` | `"complete"`; `"not unique"` when free motions repeat after the same period and nothing drives them, so that any amount could be added (`conclusions` says it); or `"incomplete"` when a value of `results`, `at` or `measures` below is null because it is not a finite number or a measure is missing |
 //! | `results` | each `name`, `unit`, `value` and `estimated_error` at the beginning of the task, and `minimum` and `maximum` over it, each with `value` and `time` |
 //! | `at` | for each `--at`: `place` in words, `time`, `mode` (null where there are none), `drivers` (`name`, `unit`, `value`), `results` as above without the extremes |
 //! | `modes` | of a motion with modes or events: each `name` (empty where there are events and no modes), `summary` |
+//! | `first_mode` | name of the mode at the beginning of the task, null where there are none |
 //! | `events` | what happened, in order: each `time`, `from` and `to` (names of modes), `event` (the statement), `line` of the equation file, `guard` (its `value` there, `unit`), `before` and `after` (the state, each `name`, `unit`, `value`) |
 //! | `measures` | numbers of the whole task, each `name`, `unit`, `value` and `estimated_error`, or a `value` of null and why it is `missing` |
 //! | `published` | each `name`, `unit`, `place`, `published`, `tolerance`, `computed`, `estimated_error`, `deviation`, `relative_deviation`, `within` (null when published for other values), `remark`, `line` of the equation file |
-//! | `multipliers` | each `re`, `im`, `modulus`, `angle`, `angle_unit`, `meaning`; none unless the task is periodic |
+//! | `multipliers` | over all `periods` of the task: each `re`, `im`, `modulus`, `angle`, `angle_unit`, `meaning`; none unless the task is periodic |
 //! | `conclusions` | what the multipliers say, a sentence each |
 //! | `statistics` | `steps`, `rejected`, `evaluations`, `jacobians`, `stiff_steps` (by a stiff method), `switches` (of `auto`, each `time`, `to`), `condition` (number of the steady state), `residual` (after a period, over the scales), `seconds`, `seconds_with_error_estimate`, `largest_estimated_error` (`name`, `relative_to_amplitude`), `work_for_ten_times_more_accuracy` |
 //! | `figure` | path of the figure, or null |
@@ -56,7 +57,8 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
         .map(|place| snapshot(report, place))
         .collect();
     let published: Vec<_> = report.published.iter().map(compared).collect();
-    let complete = !lacks(&results) && !places.iter().any(lacks);
+    let measures = measures::list(report);
+    let complete = !lacks(&results) && !places.iter().any(lacks) && !lacks(&measures);
     json!({
         "format": FORMAT,
         "mechanism": mechanism(report.mechanism),
@@ -71,11 +73,12 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
         "results": results,
         "at": places,
         "modes": events::modes(report),
+        "first_mode": text(events::first_mode(report)),
         "events": events::list(report),
-        "measures": measures::list(report),
+        "measures": measures,
         "published": published,
         "multipliers": multipliers(report),
-        "conclusions": conclusions(&report.multipliers, report.free()),
+        "conclusions": conclusions(&report.multipliers, report.case.turn(), report.free()),
         "statistics": statistics(report),
         "figure": figure.map(|path| path.display().to_string()),
     })
@@ -170,7 +173,7 @@ fn readings(report: &Report, snapshot: &Snapshot) -> Vec<Value> {
         .variables
         .iter()
         .zip(&snapshot.values)
-        .zip(&report.errors);
+        .zip(&snapshot.errors);
     variables
         .map(|((variable, value), error)| {
             json!({
@@ -233,7 +236,7 @@ fn multipliers(report: &Report) -> Value {
                 "modulus": multiplier.modulus(),
                 "angle": sign * multiplier.angle(),
                 "angle_unit": "deg",
-                "meaning": multiplier.meaning(),
+                "meaning": multiplier.meaning(report.case.turn()),
             }));
         }
     }

@@ -5,11 +5,12 @@
 use assur::hybrid::{self, CycleError, HybridError};
 use assur::periodic;
 use assur::problem::Span;
-use assur::registry::Settings;
+use assur::registry::{Run, SceneEntry, Settings};
 
 use crate::case::Case;
 use crate::error::Failure;
 use crate::measures::Measured;
+use crate::unfollowed;
 
 impl Case {
     /// Finds the motion.
@@ -67,91 +68,49 @@ impl Case {
     }
 
     fn not_followed(&self, error: &HybridError) -> Failure {
-        let (reason, remedy) = match error {
-            HybridError::Ode { error, mode, .. } => {
-                let place = match self.mode(*mode) {
-                    "" => String::new(),
-                    name => format!("in mode {name}: "),
-                };
-                (
-                    format!("{place}{error}"),
-                    "check the values given with --set; else try another --method or --rtol",
-                )
-            }
-            HybridError::Loop {
-                time, modes, turns, ..
-            } => (
-                format!(
-                    "at time = {time} s events lead from mode to mode without end ({turns} were followed): {}",
-                    self.listed(modes)
-                ),
-                "let one of them ask for more with `if`, or set what keeps the others from happening at once",
-            ),
-            HybridError::Chatter {
-                time,
-                since,
-                events,
-                modes,
-                ..
-            } => (
-                format!(
-                    "{events} events between time = {since} s and {time} s, ever sooner after each other, modes {}",
-                    self.listed(modes)
-                ),
-                "a mode in which the parts stay together would take their place, reached `if` a speed is small enough",
-            ),
-            HybridError::Held {
-                time, mode, event, ..
-            } => {
-                let modes = self.scene.modes.get(*mode);
-                let surface = modes.and_then(|mode| mode.events.get(*event));
-                (
-                    format!(
-                        "at time = {time} s the motion is driven from both sides onto the place where {}, so that it stays there",
-                        surface.map_or("a branch changes", |entry| entry.text)
-                    ),
-                    "state what holds there as a mode, with `hold`",
-                )
-            }
-            HybridError::Guard {
-                time, mode, event, ..
-            } => {
-                let modes = self.scene.modes.get(*mode);
-                let entry = modes.and_then(|mode| mode.events.get(*event));
-                (
-                    format!(
-                        "after time = {time} s what `{}` watches is not a number: a root of something negative, or a \
-                         division by zero",
-                        entry.map_or("an event", |entry| entry.text)
-                    ),
-                    "check the values given with --set; else keep what the event watches defined, with `max` for instance",
-                )
-            }
-            HybridError::Start { reason } => (reason.clone(), "check the start values"),
-        };
+        let told = unfollowed::tell(self.scene, error);
         Failure::numerical("the motion could not be followed to its end")
-            .reason(reason)
-            .remedy(remedy)
+            .reason(told.reason)
+            .remedy(told.remedy)
     }
 
     fn no_cycle(&self, error: &CycleError) -> Failure {
-        let CycleError::Motion(inner) = error else {
-            let remedy = match error {
-                CycleError::NoneStable { .. } => {
-                    "look at the motion itself with a scene that says `run`, or change a value in small steps from where it repeats"
-                }
-                _ => "change a value with --set a little; else try another --rtol",
-            };
-            return Failure::numerical("no motion that repeats was found")
-                .reason(error.to_string())
-                .remedy(remedy);
-        };
-        self.not_followed(inner)
+        if let CycleError::Motion(inner) = error {
+            return self.not_followed(inner);
+        }
+        let told = unfollowed::tell_cycle(self.scene, error);
+        Failure::numerical("no motion that repeats was found")
+            .reason(told.reason)
+            .remedy(told.remedy)
     }
+}
 
-    fn listed(&self, modes: &[usize]) -> String {
-        let names: Vec<&str> = modes.iter().map(|mode| self.mode(*mode)).collect();
-        names.join(" -> ")
+/// The motion of one of many runs over its task; if there is none, why, in words.
+///
+/// # Errors
+/// When the solver does not succeed, or the scene has no task.
+pub fn over_task(
+    scene: &SceneEntry,
+    run: &dyn Run,
+    settings: &Settings,
+) -> Result<hybrid::Motion, String> {
+    match run.span() {
+        Span::Periodic(period) if run.mode_count() > 0 => {
+            let cycle = run.cycle(period, settings);
+            let told = |error: CycleError| unfollowed::tell_cycle(scene, &error).reason;
+            cycle.map(|cycle| cycle.motion).map_err(told)
+        }
+        Span::Periodic(period) => {
+            let orbit = run.periodic(period, settings);
+            orbit
+                .map(|orbit| hybrid::Motion::of(orbit.trajectory))
+                .map_err(|error| error.to_string())
+        }
+        Span::Run(from, to) => {
+            let told = |error: HybridError| unfollowed::tell(scene, &error).reason;
+            run.follow((from, to), &run.start(), settings).map_err(told)
+        }
+        Span::Open => Err("the scene has no task".to_owned()),
     }
 }
 

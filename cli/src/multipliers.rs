@@ -1,9 +1,11 @@
 //! What the Floquet multipliers of a steady state mean.
 //!
-//! A disturbance of the steady state is multiplied by them once a period: it shrinks where the modulus is below one,
-//! grows where it is above, and lasts for ever where it is one.
+//! A disturbance of the steady state is multiplied by them once a turn, which is a period, or as many of them as pass
+//! until the motion repeats: it shrinks where the modulus is below one, grows where it is above, and lasts for ever
+//! where it is one.
 
 use crate::number;
+use crate::turn::Turn;
 
 /// A modulus this near to one counts as one.
 const CIRCLE: f64 = 1e-6;
@@ -36,39 +38,33 @@ impl Multiplier {
     }
 
     /// What it does to a disturbance, in a few words.
-    pub fn meaning(&self) -> String {
+    pub fn meaning(&self, turn: Turn) -> String {
         let modulus = self.modulus();
         if modulus > 1.0 + CIRCLE {
             return format!(
-                "grows {} times each period: unstable",
-                number::short(number_of(modulus, 4))
+                "grows {} times each {}: unstable",
+                number::short(number_of(modulus, 4)),
+                turn.one()
             );
         }
         if modulus < 1.0 - CIRCLE {
             let halved = -std::f64::consts::LN_2 / modulus.ln();
             return if halved < 0.5 {
-                "dies out within a period".to_owned()
+                format!("dies out within a {}", turn.one())
             } else {
-                format!("dies out, halved every {}", periods(halved))
+                format!("dies out, halved every {}", turn.every(halved))
             };
         }
         if self.pair {
             format!(
                 "lasts, and comes round every {}",
-                periods(360.0 / self.angle().abs())
+                turn.every(360.0 / self.angle().abs())
             )
         } else if self.re > 0.0 {
             "lasts unchanged: resonance".to_owned()
         } else {
-            "lasts, and comes round every 2 periods".to_owned()
+            format!("lasts, and comes round every {}", turn.every(2.0))
         }
-    }
-}
-
-fn periods(count: f64) -> String {
-    match number::short(number_of(count, 3)).as_str() {
-        "1" => "period".to_owned(),
-        count => format!("{count} periods"),
     }
 }
 
@@ -106,8 +102,8 @@ pub fn read(values: &[(f64, f64)]) -> Vec<Multiplier> {
 }
 
 /// What all of them together say about the steady state, one sentence a line. `free` motions are not determined.
-pub fn conclusions(list: &[Multiplier], free: usize) -> Vec<String> {
-    let mut lines = stability(list);
+pub fn conclusions(list: &[Multiplier], turn: Turn, free: usize) -> Vec<String> {
+    let mut lines = stability(list, turn);
     if free > 0 {
         lines.push(format!(
             "not unique: {free} free motion{} after the same period and nothing drives {}; of all steady states this is the smallest",
@@ -118,7 +114,7 @@ pub fn conclusions(list: &[Multiplier], free: usize) -> Vec<String> {
     lines
 }
 
-fn stability(list: &[Multiplier]) -> Vec<String> {
+fn stability(list: &[Multiplier], turn: Turn) -> Vec<String> {
     let Some(largest) = list.iter().map(Multiplier::modulus).max_by(f64::total_cmp) else {
         return Vec::new();
     };
@@ -138,8 +134,8 @@ fn stability(list: &[Multiplier]) -> Vec<String> {
         )
     } else if largest < 1.0 - CIRCLE {
         format!(
-            "all inside the unit circle: the steady state attracts, a disturbance falls to a hundredth in {} periods",
-            number::short(number_of((0.01_f64.ln() / largest.ln()).max(1.0), 2))
+            "all inside the unit circle: the steady state attracts, a disturbance falls to a hundredth in {}",
+            turn.count(number_of((0.01_f64.ln() / largest.ln()).max(1.0), 2))
         )
     } else {
         "some on the unit circle: part of a disturbance lasts for ever".to_owned()
@@ -148,12 +144,15 @@ fn stability(list: &[Multiplier]) -> Vec<String> {
         (
             1.0,
             "+1",
-            "at 0 there is resonance and no bounded steady state",
+            "at 0 there is resonance and no bounded steady state".to_owned(),
         ),
         (
             -1.0,
             "-1",
-            "at 0 the motion may begin to repeat only every second period",
+            format!(
+                "at 0 the motion may begin to repeat only every second {}",
+                turn.one()
+            ),
         ),
     ] {
         let nearest = list
@@ -181,17 +180,20 @@ fn stability(list: &[Multiplier]) -> Vec<String> {
 mod tests {
     use super::*;
 
+    const ONCE: Turn = Turn { periods: 1 };
+    const TWICE: Turn = Turn { periods: 2 };
+
     #[test]
     fn conjugates_are_one_row() {
         let list = read(&[(0.6, 0.8), (0.6, -0.8), (-0.5, 0.0)]);
         assert_eq!(list.len(), 2);
         assert!(list[0].pair && !list[1].pair);
-        assert_eq!(list[1].meaning(), "dies out, halved every period");
+        assert_eq!(list[1].meaning(ONCE), "dies out, halved every period");
     }
 
     #[test]
     fn an_undamped_mechanism_never_forgets() {
-        let lines = conclusions(&read(&[(0.6, 0.8), (0.6, -0.8)]), 0);
+        let lines = conclusions(&read(&[(0.6, 0.8), (0.6, -0.8)]), ONCE, 0);
         assert!(lines[0].contains("never forgets its start"), "{lines:?}");
         assert!(
             lines[1].starts_with("nearest to +1: the pair at ±53.13°, distance 0.894"),
@@ -201,7 +203,25 @@ mod tests {
 
     #[test]
     fn growth_is_called_unstable() {
-        let lines = conclusions(&read(&[(-1.1, 0.0)]), 0);
+        let lines = conclusions(&read(&[(-1.1, 0.0)]), ONCE, 0);
         assert!(lines[0].contains("unstable"), "{lines:?}");
+    }
+
+    #[test]
+    fn a_motion_that_repeats_after_several_periods_is_counted_in_turns_of_them() {
+        let list = read(&[(0.6, 0.0), (-0.95, 0.0)]);
+        let all: Vec<String> = list.iter().map(|one| one.meaning(TWICE)).collect();
+        assert_eq!(
+            all,
+            [
+                "dies out, halved every 13.5 turns of 2 periods",
+                "dies out, halved every 1.36 turns of 2 periods",
+            ]
+        );
+        let lines = conclusions(&list, TWICE, 0);
+        assert!(lines[0].ends_with("a hundredth in 90 turns of 2 periods"));
+        assert!(lines[2].ends_with("only every second turn of 2 periods"));
+        let quick = conclusions(&read(&[(0.01, 0.0)]), ONCE, 0);
+        assert!(quick[0].ends_with("a hundredth in 1 period"), "{quick:?}");
     }
 }

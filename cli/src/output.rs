@@ -76,6 +76,22 @@ impl Destination {
         Ok(Self { path })
     }
 
+    /// The same for a figure, whose name must not promise another format.
+    ///
+    /// # Errors
+    /// As [`Destination::check`]; or when the name ends as that of another format.
+    pub fn figure(path: &Path) -> Result<Self, Failure> {
+        let destination = Self::check(path)?;
+        match path.extension() {
+            Some(other) if !other.eq_ignore_ascii_case("svg") => {
+                Err(Failure::request("figures are drawn as .svg only")
+                    .place(path.display().to_string())
+                    .remedy(format!("name it {}", path.with_extension("svg").display())))
+            }
+            _ => Ok(destination),
+        }
+    }
+
     /// The path as it will be.
     pub fn path(&self) -> &Path {
         &self.path
@@ -217,6 +233,21 @@ mod tests {
                 "{failure:?}"
             );
         }
+        let _ = fs::remove_dir_all(folder);
+    }
+
+    #[test]
+    fn a_figure_is_not_named_as_another_format() {
+        let folder = folder("format");
+        for name in ["a.svg", "a.SVG", "a"] {
+            assert!(Destination::figure(&folder.join(name)).is_ok(), "{name}");
+        }
+        let failure = Destination::figure(&folder.join("a.png")).expect_err("no picture in pixels");
+        let text = failure.render(crate::style::Style::PLAIN);
+        assert!(
+            text.contains(".svg only") && text.contains("a.svg"),
+            "{text}"
+        );
         let _ = fs::remove_dir_all(folder);
     }
 }

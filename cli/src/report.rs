@@ -66,6 +66,8 @@ pub struct Snapshot {
     pub drivers: Vec<f64>,
     /// Values of the variables.
     pub values: Vec<f64>,
+    /// Their estimated errors.
+    pub errors: Vec<f64>,
 }
 
 /// Time and accuracy.
@@ -105,14 +107,22 @@ pub fn collect(
     for (measure, error) in measures.iter_mut().zip(&estimate.measures) {
         measure.error = *error;
     }
-    let errors = estimate.errors;
+    let errors = estimate.errors.clone();
     let extremes = curves::extremes(&case, &motion, &curves);
     let (from, _) = case.task.limits();
-    let start = snapshot(&case, &motion, from, place_label(&case, from));
-    let places = times
-        .into_iter()
-        .map(|(time, label)| snapshot(&case, &motion, time, label))
-        .collect();
+    let snapshot = |time: f64, label: String| Snapshot {
+        label,
+        time,
+        drivers: case.drivers(time),
+        values: case.sample(&motion, time),
+        errors: match time == from {
+            true => estimate.start.clone(),
+            false => errors.clone(),
+        },
+    };
+    let start = snapshot(from, place_label(&case, from));
+    let places = times.into_iter();
+    let places = places.map(|(time, label)| snapshot(time, label)).collect();
     let published = published::compare(mechanism, &case, &motion, &extremes, &errors)?;
     let multipliers = multipliers::read(&motion.multipliers());
     let worst = (0..errors.len())
@@ -200,15 +210,5 @@ pub fn place_label(case: &Case, time: f64) -> String {
     match case.drivers(time).first() {
         Some(position) => driver_label(case, 0, *position),
         None => format!("time = {} s", number::short(time)),
-    }
-}
-
-/// All variables at a time.
-pub fn snapshot(case: &Case, motion: &Motion, time: f64, label: String) -> Snapshot {
-    Snapshot {
-        label,
-        time,
-        drivers: case.drivers(time),
-        values: case.sample(motion, time),
     }
 }

@@ -13,7 +13,7 @@ use crate::output::{self, Destination};
 use crate::plot::Selection;
 use crate::progress::Progress;
 use crate::report::{self, Report};
-use crate::{csv, json, linkage, lookup, plot, settings, style, table, values};
+use crate::{csv, events, json, linkage, lookup, plot, settings, style, table, values};
 
 /// Runs a scene. Everything is computed first; then the figure is written, then the answer is printed.
 ///
@@ -42,7 +42,7 @@ pub fn execute(options: &RunArguments) -> Result<(), Failure> {
     };
     let curves = Selection::read(scene, options.curves.as_deref())?;
     let figure = match figure_path(options, mechanism, scene) {
-        Some(path) => Some(Destination::check(&path)?),
+        Some(path) => Some(Destination::figure(&path)?),
         None => None,
     };
     let case = Case::new(constants)?;
@@ -68,30 +68,42 @@ pub fn execute(options: &RunArguments) -> Result<(), Failure> {
     };
     output::print(&render(
         &report,
-        options.format,
+        options,
         drawn.as_ref().map(Destination::path),
     ))
 }
 
-/// Rows of limits are rows of a linkage.
+/// Rows of limits are rows of a linkage, rows of events those of a scene that states some.
 fn check_rows(options: &RunArguments, scene: &SceneEntry) -> Result<(), Failure> {
-    if options.rows == Rows::Positions {
-        return Ok(());
-    }
-    let refused = |what: &str| Failure::request(what).place("--rows limits");
-    match (&scene.linkage, options.format) {
-        (None, _) => Err(refused("only a linkage has rows of limits").remedy("leave it out")),
-        (Some(_), Format::Csv) => Ok(()),
-        (Some(_), _) => Err(refused("only --format csv has rows")
-            .remedy("add --format csv; the tables and json show the limits anyway")),
+    let (name, lack) = match options.rows {
+        Rows::Positions => return Ok(()),
+        Rows::Limits if scene.linkage.is_none() => (
+            "limits",
+            Some("only a linkage has rows of limits".to_owned()),
+        ),
+        Rows::Events if !events::are_stated(scene) => (
+            "events",
+            Some(format!("scene `{}` states no events", scene.name)),
+        ),
+        Rows::Limits => ("limits", None),
+        Rows::Events => ("events", None),
+    };
+    let refused = |what: &str| Failure::request(what).place(format!("--rows {name}"));
+    match (lack, options.format) {
+        (Some(lack), _) => Err(refused(&lack).remedy("leave it out")),
+        (None, Format::Csv) => Ok(()),
+        (None, _) => Err(refused("only --format csv has rows").remedy(format!(
+            "add --format csv; the tables and json show the {name} anyway"
+        ))),
     }
 }
 
-fn render(report: &Report, format: Format, figure: Option<&Path>) -> String {
-    match format {
-        Format::Table => table::render(report, figure, style::stdout()),
-        Format::Json => json::render(report, figure),
-        Format::Csv => csv::render(report),
+fn render(report: &Report, options: &RunArguments, figure: Option<&Path>) -> String {
+    match (options.format, options.rows) {
+        (Format::Table, _) => table::render(report, figure, style::stdout()),
+        (Format::Json, _) => json::render(report, figure),
+        (Format::Csv, Rows::Events) => csv::events(report),
+        (Format::Csv, _) => csv::render(report),
     }
 }
 

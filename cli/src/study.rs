@@ -8,6 +8,7 @@ mod json;
 mod question;
 mod range;
 mod table;
+mod tolerance;
 
 pub use arguments::{EXAMPLES, StudyArguments};
 
@@ -24,7 +25,7 @@ use question::Question;
 pub fn execute(options: &StudyArguments) -> Result<(), Failure> {
     let question = Question::read(options)?;
     let figure = match &options.plot {
-        Some(path) => Some(Destination::check(path)?),
+        Some(path) => Some(Destination::figure(path)?),
         None => None,
     };
     let answer = answer::find(&question)?;

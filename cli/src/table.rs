@@ -181,6 +181,7 @@ fn multipliers(page: &mut Page, report: &Report) {
         ("angle, deg", Align::Point),
         ("a disturbance", Align::Left),
     ]);
+    let turn = report.case.turn();
     for multiplier in &report.multipliers {
         let angle = number::significant(multiplier.angle(), 6);
         table.row([
@@ -190,14 +191,15 @@ fn multipliers(page: &mut Page, report: &Report) {
             } else {
                 angle
             },
-            multiplier.meaning(),
+            multiplier.meaning(turn),
         ]);
     }
-    page.section(
-        "Floquet multipliers, what one period does to a disturbance",
-        &table,
+    let heading = format!(
+        "Floquet multipliers, what one {} does to a disturbance",
+        turn.one()
     );
-    for line in conclusions(&report.multipliers, report.free()) {
+    page.section(&heading, &table);
+    for line in conclusions(&report.multipliers, turn, report.free()) {
         for (index, part) in wrap(&line, WIDTH - 4).iter().enumerate() {
             page.line(&format!("  {}{part}", if index == 0 { "" } else { "  " }));
         }

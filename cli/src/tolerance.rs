@@ -23,7 +23,7 @@ use question::Question;
 pub fn execute(options: &ToleranceArguments) -> Result<(), Failure> {
     let question = Question::read(options)?;
     let figure = match &options.plot {
-        Some(path) => Some(Destination::check(path)?),
+        Some(path) => Some(Destination::figure(path)?),
         None => None,
     };
     let answer = answer::find(&question)?;

@@ -78,24 +78,38 @@ pub fn split<'a>(
         })
 }
 
+/// Notes that a value is given, `what` at `place`.
+///
+/// # Errors
+/// When it is given already.
+pub fn once(given: &mut Vec<usize>, index: usize, what: &str, place: &str) -> Result<(), Failure> {
+    if given.contains(&index) {
+        return Err(Failure::request(format!("{what} is given twice"))
+            .place(place)
+            .remedy("leave one of them out"));
+    }
+    given.push(index);
+    Ok(())
+}
+
 /// Reads a number with a unit as a value of a quantity, SI units. A pure number is accepted for a pure number, which an
 /// angle is.
 ///
 /// # Errors
 /// What cannot be read, is not finite, or has another unit.
 pub fn quantity(text: &str, quantity: &Quantity) -> Result<f64, Failure> {
-    let example = example(quantity, text);
+    let remedy = remedy(quantity, text);
     let parsed = crate::unit::parse(text).map_err(|reason| {
         Failure::request(format!("`{text}` is not a value of `{}`", quantity.name))
             .reason(reason)
-            .remedy(format!("write it as {example}"))
+            .remedy(remedy.clone())
     })?;
     if !parsed.value.is_finite() {
         return Err(Failure::request(format!(
             "`{}` must be a finite number, not `{text}`",
             quantity.name
         ))
-        .remedy(format!("write it as {example}")));
+        .remedy(remedy.clone()));
     }
     if !same(parsed.dimension, quantity.dimension) {
         let what = if parsed.bare {
@@ -110,21 +124,25 @@ pub fn quantity(text: &str, quantity: &Quantity) -> Result<f64, Failure> {
         };
         return Err(Failure::request(what)
             .reason(format!("expected {expected}"))
-            .remedy(format!("write it as {example}")));
+            .remedy(remedy.clone()));
     }
     Ok(parsed.value)
 }
 
-/// How the value might have been meant: the number that was typed with the unit of the quantity.
-fn example(quantity: &Quantity, text: &str) -> String {
-    let typed: String = text
-        .chars()
-        .take_while(|one| one.is_ascii_digit() || matches!(one, '.' | '-'))
-        .collect();
-    let number = match typed.parse::<f64>() {
-        Ok(_) => typed.as_str(),
-        Err(_) => "1.5",
-    };
+/// How to write a value: the number that was typed with the unit of the quantity; where none was, what a number looks
+/// like.
+fn remedy(quantity: &Quantity, text: &str) -> String {
+    match number(text) {
+        Some(number) => format!("write it as {}", written(quantity, number)),
+        None => format!(
+            "write it as in {}; a number looks like 1.5, -20 or 2e-3",
+            written(quantity, "1.5")
+        ),
+    }
+}
+
+/// A value of a quantity as an option takes it.
+fn written(quantity: &Quantity, number: &str) -> String {
     let simple = quantity.unit.chars().all(char::is_alphabetic);
     if quantity.unit.is_empty() {
         format!("{}={number}", quantity.name)
@@ -133,6 +151,26 @@ fn example(quantity: &Quantity, text: &str) -> String {
     } else {
         format!("'{}={number} [{}]'", quantity.name, quantity.unit)
     }
+}
+
+/// The number that a text begins with, as it was typed; none where it is not finite, or where what follows is no unit
+/// but more of a number, as in `1,5` or `2*355`.
+fn number(text: &str) -> Option<&str> {
+    let text = text.trim();
+    let ends = (1..=text.len())
+        .rev()
+        .filter(|end| text.is_char_boundary(*end));
+    let end = ends.into_iter().find(|end| {
+        let digits = text[..*end].ends_with(|last: char| last.is_ascii_digit() || last == '.');
+        digits && text[..*end].parse::<f64>().is_ok_and(f64::is_finite)
+    })?;
+    let (number, rest) = text.split_at(end);
+    let rest = rest.trim_start();
+    let unit = |first: char| first.is_alphabetic() || matches!(first, '[' | '%' | '°');
+    let based = number.ends_with('0') && rest.starts_with(['x', 'X']);
+    let powerless = rest.starts_with(['e', 'E']) && !rest[1..].starts_with(char::is_alphabetic);
+    let follows = rest.is_empty() || (rest.starts_with(unit) && !based && !powerless);
+    follows.then_some(number)
 }
 
 fn same(a: Dimension, b: Dimension) -> bool {
@@ -151,5 +189,40 @@ mod tests {
         for wrong in ["3", "3 kg", "NaN s", "inf s", "s", "1e999 s"] {
             assert!(quantity(wrong, &TIME).is_err(), "{wrong}");
         }
+    }
+
+    #[track_caller]
+    fn check_number(text: &str, expected: Option<&str>) {
+        assert_eq!(number(text), expected, "{text}");
+    }
+
+    #[test]
+    fn the_number_that_was_typed_is_repeated_whole() {
+        for text in ["1e3", "1e300", "-2.5E-3", "+4", ".5", "7."] {
+            check_number(text, Some(text));
+            check_number(&format!("{text} kg"), Some(text));
+            check_number(&format!("{text}[N m/rad]"), Some(text));
+        }
+        check_number("300rmp", Some("300"));
+        check_number("20%", Some("20"));
+    }
+
+    #[test]
+    fn what_is_more_than_a_number_is_not_cut_to_one() {
+        for text in [
+            "0x10", "1,5[s]", "2*355[s]", "1 000 s", "1_000", "1/2", "1e", "5e-", "1e999 s",
+            "fast", "NaN", "inf s", "", "--3",
+        ] {
+            check_number(text, None);
+        }
+    }
+
+    #[test]
+    fn the_hint_keeps_the_value() {
+        assert_eq!(remedy(&TIME, "1e3"), "write it as time=1e3s");
+        assert_eq!(
+            remedy(&TIME, "1,5s"),
+            "write it as in time=1.5s; a number looks like 1.5, -20 or 2e-3"
+        );
     }
 }

@@ -31,7 +31,7 @@ pub fn execute(
     without_integration(options)?;
     let curves = Selection::read(scene, options.curves.as_deref())?;
     let figure = match figure_path(options, mechanism, scene) {
-        Some(path) => Some(Destination::check(&path)?),
+        Some(path) => Some(Destination::figure(&path)?),
         None => None,
     };
     let case = Case::new(constants)?;
@@ -66,8 +66,8 @@ fn render(report: &Report, options: &RunArguments, figure: Option<&Path>) -> Str
     match (options.format, options.rows) {
         (Format::Table, _) => table::render(report, figure, style::stdout()),
         (Format::Json, _) => json::render(report, figure),
-        (Format::Csv, Rows::Positions) => csv::render(report),
         (Format::Csv, Rows::Limits) => csv::limits(report),
+        (Format::Csv, _) => csv::render(report),
     }
 }
 

@@ -1,7 +1,7 @@
 //! One column of panels above a common axis.
 
 use super::axis::Axis;
-use super::bands::{self, Band};
+use super::bands::{Band, Bands};
 use super::curve;
 use super::legend::{self, ROW};
 use super::marks::{self, Label, Mark};
@@ -24,7 +24,7 @@ pub struct Column<'a> {
     scale: Scale,
     axis: Axis,
     labels: Vec<Label<'a>>,
-    bands: &'a [Band],
+    bands: Bands<'a>,
 }
 
 impl<'a> Column<'a> {
@@ -42,7 +42,7 @@ impl<'a> Column<'a> {
             scale,
             axis,
             labels,
-            bands,
+            bands: Bands::new(bands, scale),
         }
     }
 
@@ -50,14 +50,6 @@ impl<'a> Column<'a> {
     fn label_height(&self) -> f64 {
         let rows = self.labels.iter().map(|label| label.row + 1).max();
         rows.map_or(0.0, |rows| rows as f64 * ROW + 5.0)
-    }
-
-    /// Height of the strip that names the modes.
-    fn strip(&self) -> f64 {
-        match self.bands.is_empty() {
-            true => 0.0,
-            false => bands::STRIP,
-        }
     }
 
     fn heading_height(&self, panel: &Panel) -> f64 {
@@ -71,7 +63,8 @@ impl<'a> Column<'a> {
             .panels
             .iter()
             .map(|panel| self.heading_height(panel) + HEIGHT + BELOW);
-        top + self.label_height() + panels.sum::<f64>() - BELOW + self.strip() + FOOT
+        let modes = self.bands.strip_height() + self.bands.legend_height();
+        top + self.label_height() + panels.sum::<f64>() - BELOW + modes + FOOT
     }
 
     /// Draws the column from this height downwards, `title` below its axis.
@@ -90,14 +83,15 @@ impl<'a> Column<'a> {
             svg.end();
             y += HEIGHT + BELOW;
         }
-        bands::strip(svg, self.bands, &self.scale, y - BELOW + 5.0);
-        let foot = y - BELOW + self.strip();
+        self.bands.strip(svg, y - BELOW + 5.0);
+        let foot = y - BELOW + self.bands.strip_height();
         for tick in &self.axis.ticks {
             let place = (self.scale.pixel(*tick), foot + 17.0);
             svg.text("number", place, Anchor::Middle, &self.axis.label(*tick));
         }
         let middle = ((left + right) / 2.0, foot + 38.0);
         svg.text("unit", middle, Anchor::Middle, title);
+        self.bands.legend(svg, foot + FOOT - 4.0);
     }
 
     /// Labels of the marks, each with a line down to the panel below.
@@ -120,7 +114,7 @@ impl<'a> Column<'a> {
             values: axis.ends,
             pixels: (bottom, top),
         };
-        bands::behind(svg, self.bands, &self.scale, (top, HEIGHT));
+        self.bands.behind(svg, (top, HEIGHT));
         self.grid(svg, &axis, &up);
         svg.rectangle("frame", (left, top), (right - left, HEIGHT));
         for line in &panel.curves {

@@ -37,7 +37,8 @@ text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', san
 .letter { font-style: italic; font-size: 13px; }
 .mark { font-size: 11.5px; fill: #57606a; }
 .named { font-size: 11.5px; fill: #9a3412; }
-.b0 { fill: #e8f1fa; } .b1 { fill: #fdf1e3; } .b2 { fill: #e6f4ea; } .b3 { fill: #f5e9f5; } .b4 { fill: #f6f1da; }
+.b0 { fill: #e8f1fa; } .b1 { fill: #fdf1e3; } .b2 { fill: #e6f4ea; } .b3 { fill: #f5e9f5; }
+.b4 { fill: #f7f3c8; } .b5 { fill: #d0eef0; } .b6 { fill: #fbe0e0; } .b7 { fill: #e4e5e9; }
 .frame { fill: none; stroke: #8c959f; stroke-width: 1; }
 .grid { stroke: #e6e9ed; stroke-width: 1; }
 .zero { stroke: #8c959f; stroke-width: 1; }

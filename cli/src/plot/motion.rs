@@ -64,9 +64,9 @@ pub fn draw(report: &Report, selection: &Selection) -> String {
 
 fn title(report: &Report) -> String {
     let what = if report.is_cycle() {
-        "steady state over one period"
+        format!("steady state over one {}", report.case.turn().one())
     } else {
-        "motion"
+        "motion".to_owned()
     };
     format!("{}: {what}", report.mechanism.title)
 }

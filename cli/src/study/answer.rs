@@ -4,6 +4,7 @@ use assur::study::{self, Outcome, Spread};
 
 use super::question::{Question, Way};
 use crate::error::Failure;
+use crate::motion;
 use crate::progress::Progress;
 
 /// Shares for which quantiles are found.
@@ -41,6 +42,14 @@ impl Answer {
     }
 }
 
+/// Does one run.
+fn outcome(question: &Question, index: usize) -> Outcome {
+    let run = question.scene.bind.motion(&question.values(index));
+    let run = run.map_err(|refused| refused.to_string())?;
+    let motion = motion::over_task(question.scene, run.as_ref(), &question.settings)?;
+    Ok(run.measure(&motion))
+}
+
 /// Does all runs.
 ///
 /// # Errors
@@ -50,13 +59,11 @@ pub fn find(question: &Question) -> Result<Answer, Failure> {
     let clock = std::time::Instant::now();
     let what = format!("{}, scene {}", question.mechanism.name, question.scene.name);
     let progress = Progress::start(what, count as u64);
-    let outcomes = study::runs(
-        &question.scene.bind,
+    let outcomes = study::each(
         count,
-        &|index| question.values(index),
-        &question.settings,
         question.threads,
         &|more| progress.advance_by(more),
+        &|index| outcome(question, index),
     );
     drop(progress);
     let mut answer = Answer {

@@ -1,15 +1,15 @@
 //! The request, read and checked.
 
-use assur::registry::{Constant, Distribution, Mechanism, SceneEntry, Settings};
+use assur::registry::{Constant, Mechanism, SceneEntry, Settings};
 use assur::study;
 
 use super::arguments::StudyArguments;
 use super::range::{self, Range};
+use super::tolerance;
 use crate::constants::Constants;
 use crate::error::Failure;
 use crate::lookup::{self, suggestion};
 use crate::settings;
-use crate::values::{quantity, split};
 
 /// Most runs of a study.
 const MOST: usize = 10_000_000;
@@ -55,7 +55,7 @@ impl Question {
             Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
         let way = match &options.samples {
             Some(samples) => random(options, scene, &constants, samples)?,
-            None => grid(options, scene)?,
+            None => grid(options, scene, &constants)?,
         };
         Ok(Self {
             mechanism,
@@ -119,7 +119,11 @@ fn scene(
     }
 }
 
-fn grid(options: &StudyArguments, scene: &SceneEntry) -> Result<Way, Failure> {
+fn grid(
+    options: &StudyArguments,
+    scene: &SceneEntry,
+    constants: &Constants,
+) -> Result<Way, Failure> {
     let ranges = options.over.iter().map(|text| range::read(scene, text));
     let ranges: Vec<Range> = ranges.collect::<Result<_, _>>()?;
     if ranges.is_empty() || ranges.len() > 2 {
@@ -132,6 +136,17 @@ fn grid(options: &StudyArguments, scene: &SceneEntry) -> Result<Way, Failure> {
         return Err(Failure::request("both ranges are of the same value")
             .place(format!("--over {}", options.over[1]))
             .remedy("name another one"));
+    }
+    let given = constants.given_names();
+    for (range, text) in ranges.iter().zip(&options.over) {
+        let name = scene.constants[range.constant].quantity.name;
+        if given.contains(&name) {
+            return Err(Failure::request(format!(
+                "`{name}` is given twice, with --over and --set"
+            ))
+            .place(format!("--over {text}"))
+            .remedy("leave one of them out"));
+        }
     }
     let count: usize = ranges.iter().map(|range| range.values.len()).product();
     if count > MOST {
@@ -156,30 +171,7 @@ fn random(
                 .remedy(format!("give a whole number from 2 to {MOST}"))
         })?;
     let mut constants = scene.constants.to_vec();
-    for text in &options.tolerance {
-        let place = format!("--tolerance {text}");
-        let (name, width) = split(text, "--tolerance", "J2=10%")?;
-        let index = range::constant(scene, name, &place)?;
-        let nominal = values.values[index];
-        let tolerance = match width.strip_suffix('%') {
-            Some(share) => share
-                .trim()
-                .parse::<f64>()
-                .ok()
-                .map(|share| share / 100.0 * nominal.abs()),
-            None => Some(
-                quantity(width, &constants[index].quantity)
-                    .map_err(|failure| failure.place(place.clone()))?,
-            ),
-        };
-        let tolerance = tolerance.filter(|one| one.is_finite() && *one > 0.0);
-        constants[index].tolerance = tolerance.ok_or_else(|| {
-            Failure::request(format!("`{width}` is no tolerance of `{name}`"))
-                .place(place)
-                .remedy("give a part, `10%`, or a value with its unit, above zero")
-        })?;
-        constants[index].distribution = Distribution::Normal;
-    }
+    tolerance::give(&mut constants, &options.tolerance, scene, values)?;
     if constants.iter().all(|one| one.tolerance == 0.0) {
         return Err(Failure::request(format!(
             "nothing in scene `{}` has a tolerance, so all runs would be the same",

@@ -2,9 +2,9 @@
 
 use assur::registry::SceneEntry;
 
-use crate::constants;
 use crate::error::Failure;
 use crate::lookup::suggestion;
+use crate::permitted::permitted;
 use crate::values::{quantity, split};
 
 /// Most values along one range.
@@ -79,7 +79,7 @@ pub fn read(scene: &SceneEntry, text: &str) -> Result<Range, Failure> {
     let mut ends = [0.0; 2];
     for (end, text) in ends.iter_mut().zip([from.as_str(), to]) {
         *end = quantity(text, &entry.quantity).map_err(|failure| failure.place(place.clone()))?;
-        constants::permitted(entry, *end).map_err(|failure| failure.place(place.clone()))?;
+        permitted(entry, *end).map_err(|failure| failure.place(place.clone()))?;
     }
     let [from, to] = ends;
     if from == to {

@@ -19,7 +19,7 @@ pub fn snapshot(page: &mut Page, report: &Report, snapshot: &Snapshot, heading: 
         .variables
         .iter()
         .zip(&snapshot.values)
-        .zip(&report.errors);
+        .zip(&snapshot.errors);
     for ((variable, value), error) in rows {
         table.row([
             variable.name.clone(),
@@ -79,10 +79,10 @@ pub fn extremes(page: &mut Page, report: &Report) {
         ]);
     }
     let over = if report.is_cycle() {
-        "Over the period"
+        format!("Over the {}", report.case.turn().one())
     } else {
-        "Over the run"
+        "Over the run".to_owned()
     };
-    page.section(over, &table);
+    page.section(&over, &table);
     page.line("");
 }

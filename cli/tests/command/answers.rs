@@ -103,6 +103,7 @@ fn json_has_its_documented_fields() {
         "results",
         "at",
         "modes",
+        "first_mode",
         "events",
         "measures",
         "published",

@@ -2,6 +2,7 @@
 
 mod answers;
 mod equation_files;
+mod events;
 mod linkages;
 mod modes;
 mod refusals;

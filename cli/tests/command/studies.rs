@@ -259,6 +259,52 @@ fn wrong_studies_are_refused() {
             &[
                 "study",
                 "presser_foot",
+                "--samples",
+                "10",
+                "--tolerance",
+                "m=0",
+            ],
+            &["`0` is no tolerance of `m`", "above zero"],
+        ),
+        (
+            &[
+                "study",
+                "presser_foot",
+                "--samples",
+                "10",
+                "--tolerance",
+                "m=10%",
+                "--tolerance",
+                "m=5%",
+            ],
+            &["given twice", "--tolerance m=5%"],
+        ),
+        (
+            &[
+                "study",
+                "presser_foot",
+                "--over",
+                "omega=200..300[1/s]:3",
+                "--set",
+                "omega=250[1/s]",
+            ],
+            &["given twice, with --over and --set"],
+        ),
+        (
+            &[
+                "study",
+                "presser_foot",
+                "--over",
+                "omega=200..300[1/s]:3",
+                "--plot",
+                "lift_off.png",
+            ],
+            &[".svg only", "lift_off.svg"],
+        ),
+        (
+            &[
+                "study",
+                "presser_foot",
                 "--over",
                 "omega=200..300[1/s]:3",
                 "--measure",

@@ -8,7 +8,7 @@ use super::Label;
 use crate::error::Failure;
 use crate::lookup::suggestion;
 use crate::tolerance::arguments::ToleranceArguments;
-use crate::values::{self, Place, quantity, split};
+use crate::values::{self, Place, once, quantity, split};
 
 /// The names of a scene.
 pub(super) struct Names {
@@ -71,8 +71,11 @@ impl Names {
         }
         let variables = 0..self.linkage.variables.len();
         let mut tolerances: Vec<f64> = variables.map(|one| self.variable(one).1).collect();
+        let mut given = Vec::new();
         for text in &options.tolerance {
             let (index, value) = self.read(text, "--tolerance")?;
+            let what = format!("the tolerance of `{}`", self.variable(index).0.name);
+            once(&mut given, index, &what, &format!("--tolerance {text}"))?;
             tolerances[index] = value;
         }
         let mut sources = Vec::new();

@@ -6,7 +6,7 @@ use super::Label;
 use super::names::Names;
 use crate::error::Failure;
 use crate::tolerance::arguments::{Kind, ToleranceArguments};
-use crate::values::{quantity, split};
+use crate::values::{once, quantity, split};
 
 /// Tolerances to be chosen.
 pub struct Wanted {
@@ -42,9 +42,12 @@ impl Names {
                 .remedy(format!("for example: --allocate {example}"))
         })?;
         let mut weights = vec![1.0; self.linkage.variables.len()];
+        let mut given = Vec::new();
         for text in &options.cost {
             let (name, weight) = split(text, "--cost", "s=2")?;
             let index = self.find(name, "--cost")?;
+            let what = format!("the weight of `{name}`");
+            once(&mut given, index, &what, &format!("--cost {text}"))?;
             weights[index] = weight.parse().map_err(|_| {
                 Failure::request(format!("`{weight}` is no weight"))
                     .place(format!("--cost {text}"))
@@ -52,8 +55,11 @@ impl Names {
             })?;
         }
         let mut limits = vec![(0.0, f64::INFINITY); weights.len()];
+        let mut given = Vec::new();
         for text in &options.limit {
             let (index, limit) = self.limit(text)?;
+            let what = format!("the range of limits of `{}`", self.variable(index).0.name);
+            once(&mut given, index, &what, &format!("--limit {text}"))?;
             limits[index] = limit;
         }
         let own = study.sources.iter().zip(labels);
