@@ -14,7 +14,7 @@ const FEW: u32 = 3;
 const FADE: f64 = 0.5;
 /// Where a guard is looked at whose slopes may be larger than those at the ends of a step: multiples of the golden section,
 /// which keep out of step with whatever swings.
-const PROBES: [f64; 8] = [0.618, 0.236, 0.854, 0.472, 0.09, 0.708, 0.326, 0.944];
+const PROBES: [f64; 8] = [0.09, 0.236, 0.326, 0.472, 0.618, 0.708, 0.854, 0.944];
 /// How much farther than a cubic through its ends a guard may move in a step that is resolved. A cubic itself moves up to
 /// three times as far as its coefficients.
 const SWING: f64 = 4.0;
@@ -66,6 +66,31 @@ impl Search<'_> {
         self.between(from, to, 1.0, 0)
     }
 
+    /// The same where nothing is known yet of the guard between samples so far from each other: it is looked at here and
+    /// there first. Also gives whether it is the cubic that the samples say.
+    pub fn run_warily(&mut self, from: Sample, to: Sample) -> (Option<Crossing>, bool) {
+        let width = to.part - from.part;
+        let hull = hull(&from, &to);
+        let (low, high) = range(&hull);
+        let mut fits = true;
+        let probes = PROBES.map(|part| {
+            let probe = (self.sample)(from.part + part * width);
+            let off = (probe.value - cubic(&hull, part)).abs();
+            fits &= off <= GOOD * (high - low) + self.noise;
+            self.slope = self.slope.max(probe.slope.abs());
+            probe
+        });
+        let mut begin = from;
+        for end in probes.into_iter().chain([to]) {
+            let found = self.between(begin, end, 1.0, 1);
+            if found.is_some() {
+                return (found, fits);
+            }
+            begin = end;
+        }
+        (None, fits)
+    }
+
     /// Whether both samples have the sign so far.
     fn has_kept(&self, from: &Sample, to: &Sample) -> bool {
         let signs = [from, to].map(|sample| self.sign_of(sample.value));
@@ -82,11 +107,10 @@ impl Search<'_> {
         let (low, high) = range(&hull);
         let middle = (self.sample)(from.part + 0.5 * width);
         self.slope = self.slope.max(middle.slope.abs());
-        let cubic = (hull[0] + 3.0 * (hull[1] + hull[2]) + hull[3]) / 8.0;
-        let deviation = TRUST * (middle.value - cubic).abs();
+        let deviation = TRUST * (middle.value - cubic(&hull, 0.5)).abs();
         let agrees = deviation <= GOOD * (high - low);
         if depth == 0 && !agrees {
-            self.probe();
+            return self.run_warily(from, to).0;
         }
         let resolved = is_resolved(&from, &to, trust * self.slope);
         if resolved && self.stays(&from, &to, &hull, deviation) {
@@ -116,14 +140,6 @@ impl Search<'_> {
         match first {
             Some(_) => first,
             None => self.between(middle, to, trust, depth + 1),
-        }
-    }
-
-    /// Looks for larger slopes here and there in the step.
-    pub fn probe(&mut self) {
-        for part in PROBES {
-            let slope = (self.sample)(part).slope.abs();
-            self.slope = self.slope.max(slope);
         }
     }
 
@@ -235,6 +251,14 @@ pub(super) fn is_resolved(from: &Sample, to: &Sample, slope: f64) -> bool {
 pub(super) fn is_far(from: &Sample, to: &Sample) -> bool {
     let (low, high) = range(&hull(from, to));
     f64::max(low, -high) > high - low
+}
+
+/// A cubic at a part, from 0 to 1.
+fn cubic(hull: &[f64; 4], part: f64) -> f64 {
+    let [a, b, c, d] = *hull;
+    let rest = 1.0 - part;
+    let (square, rest_square) = (part * part, rest * rest);
+    a * rest * rest_square + 3.0 * part * rest * (b * rest + c * part) + d * part * square
 }
 
 /// About where a cubic of which the ends have different signs is zero, from 0 to 1.

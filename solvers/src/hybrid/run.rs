@@ -88,6 +88,8 @@ pub(super) struct Run<'a, 'b, V> {
     options: Options,
     times: (f64, f64),
     guards: Vec<Guard>,
+    /// For each mode how long the steps were in which its guards have been looked at.
+    looked: Vec<Vec<f64>>,
     room: Room,
     /// When events began to follow each other quickly, and how many there have been since.
     since: (f64, usize),
@@ -119,6 +121,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             options,
             times,
             guards: vec![Guard::default(); most_events(table)],
+            looked: vec![vec![0.0; most_events(table)]; table.events.len()],
             room,
             since: (times.0, 0),
             arrival: 0.0,
@@ -340,7 +343,16 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         let size = self.guards[event].size;
         if entry.target != from {
             self.equations.enter(entry.target);
-            self.guards.fill(Guard::default());
+            for (guard, looked) in self.guards.iter_mut().zip(&mut self.looked[from]) {
+                *looked = guard.looked;
+            }
+            let known = self.looked[entry.target].iter();
+            for (guard, looked) in self.guards.iter_mut().zip(known) {
+                *guard = Guard {
+                    looked: *looked,
+                    ..Guard::default()
+                };
+            }
             self.room.resize(self.table.events[entry.target].len());
         }
         *last = Some(entry.line);

@@ -14,6 +14,10 @@ const BLUR: f64 = 64.0;
 /// A guard of less than this part of the largest that it has been may be no more than the rounding of its terms, which is
 /// found out then.
 pub(super) const NEAR: f64 = 1e-6;
+/// A step that is longer by this than any in which a guard has been looked at is looked into.
+const LONGER: f64 = 1.25;
+/// What that length counts from one step to the next: now and then a guard is looked at again.
+const FORGET: f64 = 0.99;
 /// What the largest rate of a guard counts from one step to the next.
 const MEMORY: f64 = 0.8;
 
@@ -31,6 +35,9 @@ pub(super) struct Guard {
     pub still: (f64, f64),
     /// The largest rate in the last steps; older ones count less.
     pub rate: f64,
+    /// The length of the longest step within which it has been looked at and was what the ends of the step say. Older ones
+    /// count less.
+    pub looked: f64,
 }
 
 impl Guard {
@@ -131,8 +138,9 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
                 .max(from.slope.abs())
                 .max(to.slope.abs());
             guard.rate = slope / length;
-            let resolved = is_resolved(&from, &to, slope);
-            if resolved && guard.is_far(&from, &to) {
+            guard.looked *= FORGET;
+            let wary = length > LONGER * guard.looked || !is_resolved(&from, &to, slope);
+            if !wary && guard.is_far(&from, &to) {
                 continue;
             }
             if !is_measured && from.value.abs().min(to.value.abs()) <= NEAR * guard.size {
@@ -149,7 +157,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
                 }
             }
             let until = first.map(|(part, _)| part + 2.0 * blur);
-            let Some(part) = self.search(step, event, (from, to), resolved, until) else {
+            let Some(part) = self.search(step, event, (from, to), wary, until) else {
                 continue;
             };
             match first {
@@ -182,7 +190,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         step: &Step<'_, E::State>,
         event: usize,
         (from, to): (Sample, Sample),
-        resolved: bool,
+        wary: bool,
         until: Option<f64>,
     ) -> Option<f64> {
         let length = step.to - step.from;
@@ -207,13 +215,20 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             blur: 0.5 * f64::EPSILON * (step.to / length).abs(),
             sample: &mut sample,
         };
-        if !resolved {
-            search.probe();
-        }
         let mut begin = from;
         // A crossing at which something else that is asked for does not hold is passed over.
         let found = loop {
-            let Some(found) = search.run(begin, to) else {
+            let found = match wary {
+                true => {
+                    let (found, fits) = search.run_warily(begin, to);
+                    if fits {
+                        guard.looked = guard.looked.max(length);
+                    }
+                    found
+                }
+                false => search.run(begin, to),
+            };
+            let Some(found) = found else {
                 break None;
             };
             if permits(equations, event, step, found.part) {
