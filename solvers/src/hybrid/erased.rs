@@ -38,6 +38,8 @@ pub(super) trait Model {
     fn jacobian(&self, time: f64, state: &[f64], columns: &mut [f64]);
     /// Writes the guards and their rates.
     fn guards(&self, time: f64, state: &[f64], values: &mut [f64], rates: &mut [f64]);
+    /// Writes the positions of the drivers.
+    fn drivers(&self, time: f64, positions: &mut [f64]);
     /// Whether what else an event asks for holds.
     fn permits(&self, event: usize, time: f64, state: &[f64]) -> bool;
     /// Writes the state after an event.
@@ -172,6 +174,10 @@ impl<E: Modes<f64> + Clone> Model for Own<E> {
         }
     }
 
+    fn drivers(&self, time: f64, positions: &mut [f64]) {
+        self.equations.drivers(time, positions);
+    }
+
     fn permits(&self, event: usize, time: f64, values: &[f64]) -> bool {
         let one = &self.equations;
         one.permits(event, &one.instant(time), &state(one, values))
@@ -194,6 +200,8 @@ pub(super) struct Table {
     pub(super) held: &'static [&'static [usize]],
     /// Absolute tolerances per unit of `rtol`.
     pub(super) scales: &'static [f64],
+    /// Number of drivers, and those of them that are angles.
+    pub(super) drivers: (usize, &'static [usize]),
     /// Names of the states.
     pub(super) names: &'static [&'static str],
     /// Names of the modes.
@@ -206,6 +214,7 @@ impl Table {
             events: C::EVENTS,
             held: C::HELD,
             scales: C::SCALES,
+            drivers: (C::DRIVERS, C::ANGLES),
             names: C::STATE_NAMES,
             modes: C::MODE_NAMES,
         }
@@ -284,7 +293,9 @@ impl<V: Storage<f64>> Equations<f64> for Erased<'_, V> {
 
     fn outputs(&self, _time: f64, _state: &V, _values: &mut [f64]) {}
 
-    fn drivers(&self, _time: f64, _values: &mut [f64]) {}
+    fn drivers(&self, time: f64, positions: &mut [f64]) {
+        self.model.drivers(time, positions);
+    }
 }
 
 impl<V: Storage<f64>> Modes<f64> for Erased<'_, V> {

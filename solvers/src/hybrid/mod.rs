@@ -18,21 +18,23 @@
 //! | `cycle` | motions that repeat: [`cycle()`]; growth of disturbances: [`lyapunov`] |
 //! | `motion` | the result: pieces between events, and a record of each event |
 //!
-//! **What is found.** Within a step a guard is the cubic through its values and rates at both ends, as far as that agrees
-//! with the value in the middle; where it does not, or where the cubic may vanish, the step is halved. It is halved as well
-//! where the guard has, by its rates in the last steps, the time to swing: methods step far over what the state does not
-//! feel. A pair of crossings is overlooked only if the guard, between two points that are compared, leaves its cubic by
-//! more than four times what it does in their middle. Each crossing is then narrowed down until two neighbouring numbers of the time
-//! enclose it.
+//! **What is found.** Within a step a guard is the cubic through its values and rates at both ends, as far as that
+//! agrees with the value in the middle; where it does not, or where the cubic may vanish, the step is halved. A step is
+//! looked into at some places besides where it is longer than those that were looked into, where an angle among the
+//! drivers turns by more than a radian, and where the guard, by its rates in the last steps, has the time to swing:
+//! methods step far over what the state does not feel. A pair of crossings is overlooked only if the guard, between two
+//! points that are compared, leaves its cubic by more than four times what it does in their middle. Each crossing is
+//! then narrowed down until two neighbouring numbers of the time enclose it.
 //!
 //! **What is zero.** A guard of less than [`NOISE`] roundings of its terms, or of the largest value that it has had,
-//! counts as zero: what is left where a difference vanishes says nothing. One that is zero when a mode begins passes zero
-//! there if it leaves zero in the direction of the event, unless it is the event that has just happened: that one has to
-//! come back first, except where the event has stopped its guard and something pushes on. It leaves zero by its rate, or where that is no more than rounding, by where it is found next.
+//! counts as zero: what is left where a difference vanishes says nothing. One that is zero when a mode begins passes
+//! zero there if it leaves zero in the direction of the event, unless it is the event that has just happened: that one
+//! has to come back first, except where the event has stopped its guard and something pushes on. It leaves zero by its
+//! rate, or where that is no more than rounding, by where it is found next.
 //!
-//! **What ends a motion.** More than [`TURNS`] events at one instant; [`CHATTER`] events in a row, each sooner after the
-//! last than the part [`SOON`] of the time to be covered; or one event twice, between which its guard has not left zero
-//! by more than its rounding. These are errors that carry the motion so far.
+//! **What ends a motion.** More than [`TURNS`] events at one instant; [`CHATTER`] events in a row, each sooner after
+//! the last than the part [`SOON`] of the time to be covered; or one event twice, between which its guard has not left
+//! zero by more than its rounding. These are errors that carry the motion so far.
 
 mod carry;
 mod crossing;

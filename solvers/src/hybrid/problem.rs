@@ -116,6 +116,8 @@ pub trait Hybrid: Scene {
     const FIRST: usize;
     /// For each mode the speeds that are zero in it, by their places in the state vector.
     const HELD: &'static [&'static [usize]];
+    /// The drivers that are angles, by their places.
+    const ANGLES: &'static [usize] = &[];
 
     /// Computes what depends on the parameters alone.
     fn modal<S: Scalar>(&self) -> Self::Modal<S>;

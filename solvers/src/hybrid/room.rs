@@ -41,9 +41,25 @@ pub(super) struct Room {
     pub there: Guards,
     /// The terms of which they are made.
     pub terms: Guards,
+    /// Where the drivers are at the begin of a step, and at its end.
+    pub drivers: [Vec<f64>; 2],
 }
 
 impl Room {
+    /// How far the angles among the drivers turn in a step. The end of one step is the begin of the next.
+    pub fn turned<E: Modes<f64>>(&mut self, equations: &E, to: f64, angles: &[usize]) -> f64 {
+        let [begin, end] = &mut self.drivers;
+        if angles.is_empty() {
+            return 0.0;
+        }
+        std::mem::swap(begin, end);
+        equations.drivers(to, end);
+        let turned = angles
+            .iter()
+            .map(|angle| (end[*angle] - begin[*angle]).abs());
+        turned.fold(0.0, f64::max)
+    }
+
     /// Room for the guards of a mode with so many events.
     pub fn resize(&mut self, count: usize) {
         for guards in [

@@ -114,6 +114,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
     ) -> Self {
         let mut room = Room::default();
         room.resize(table.events[equations.mode()].len());
+        room.drivers = [vec![0.0; table.drivers.0], vec![0.0; table.drivers.0]];
         Self {
             equations,
             table,
@@ -155,6 +156,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
                 (motion.time, &self.state),
                 &mut self.guards,
                 &mut self.room,
+                self.table.drivers.1,
             );
             let done = method.carry(
                 (motion.time, self.times.1),

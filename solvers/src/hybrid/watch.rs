@@ -14,6 +14,8 @@ const BLUR: f64 = 64.0;
 /// A guard of less than this part of the largest that it has been may be no more than the rounding of its terms, which is
 /// found out then.
 pub(super) const NEAR: f64 = 1e-6;
+/// A step in which a driver turns by more, in radians, is looked into.
+const TURNED: f64 = 1.0;
 /// A step that is longer by this than any in which a guard has been looked at is looked into.
 const LONGER: f64 = 1.25;
 /// What that length counts from one step to the next: now and then a guard is looked at again.
@@ -89,6 +91,8 @@ pub(super) struct Watch<'a, E: Modes<f64>> {
     pub step: f64,
     /// The guards at the begin of the step, and room for others.
     room: &'a mut Room,
+    /// The drivers that are angles.
+    angles: &'static [usize],
 }
 
 impl<'a, E: Modes<f64>> Watch<'a, E> {
@@ -99,7 +103,10 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         (time, state): (f64, &E::State),
         guards: &'a mut [Guard],
         room: &'a mut Room,
+        angles: &'static [usize],
     ) -> Self {
+        // Where the drivers are now is where the first step begins.
+        room.turned(equations, time, angles);
         Self {
             equations,
             events,
@@ -110,6 +117,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             state: state.clone(),
             step: 0.0,
             room,
+            angles,
         }
     }
 
@@ -119,6 +127,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         let length = step.to - step.from;
         self.step = length;
         self.room.end.look(self.equations, step.to, step.after);
+        let turned = self.room.turned(self.equations, step.to, self.angles);
         let mut first: Option<(f64, usize)> = None;
         let mut second: Option<usize> = None;
         let mut is_measured = false;
@@ -139,7 +148,9 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
                 .max(to.slope.abs());
             guard.rate = slope / length;
             guard.looked *= FORGET;
-            let wary = length > LONGER * guard.looked || !is_resolved(&from, &to, slope);
+            let wary = length > LONGER * guard.looked
+                || turned > TURNED
+                || !is_resolved(&from, &to, slope);
             if !wary && guard.is_far(&from, &to) {
                 continue;
             }
