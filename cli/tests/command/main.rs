@@ -6,6 +6,7 @@ mod events;
 mod linkages;
 mod modes;
 mod refusals;
+mod shipped;
 #[cfg(unix)]
 mod signals;
 mod studies;
