@@ -8,19 +8,19 @@ use super::system::System;
 use super::tableau::Method;
 use crate::scalar::Scalar;
 
-/// Does something for each stage from a first to a last one. Where an evaluation is a call the stages are written out, so
+/// Does something for each stage from a first one to before an end. Where an evaluation is a call the stages are written out, so
 /// that their coefficients are constants; else they share one place in the code, into which the equations are inlined.
 macro_rules! stages {
-    ($called:expr, $number:ident in $first:expr, $last:expr, $body:block) => {
+    ($called:expr, $number:ident in $first:expr, $end:expr, $body:block) => {
         if $called {
-            stages!($number, $first, $last, $body, 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+            stages!($number, $first, $end, $body, 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
         } else {
-            for $number in $first..=$last $body
+            for $number in $first..$end $body
         }
     };
-    ($number:ident, $first:expr, $last:expr, $body:block, $($stage:literal)*) => {
+    ($number:ident, $first:expr, $end:expr, $body:block, $($stage:literal)*) => {
         $(
-            if $stage >= $first && $stage <= $last {
+            if $stage >= $first && $stage < $end {
                 let $number: usize = $stage;
                 $body
             }
@@ -154,12 +154,12 @@ impl<V: Clone, M: Method> Workspace<V, M> {
     ) -> M::Nodes<Y::Instant> {
         let instants = M::instants(system, S::from_f64(time), S::from_f64(step));
         let slopes = self.slopes.as_mut();
-        let last = if M::ERROR_USES_LAST {
-            M::STAGES
+        let end = if M::ERROR_USES_LAST {
+            M::STAGES + 1
         } else {
-            M::STAGES - 1
+            M::STAGES
         };
-        stages!(Y::CALLED, number in 1, last, {
+        stages!(Y::CALLED, number in 1, end, {
             let is_end = number == M::STAGES;
             let row = if is_end {
                 M::WEIGHTS
@@ -266,7 +266,7 @@ impl<V: Clone, M: Method> Workspace<V, M> {
             M::STAGES
         };
         let end = M::STAGES + 1 + if dense { M::EXTRA_ROWS.len() } else { 0 };
-        stages!(Y::CALLED, number in first, end - 1, {
+        stages!(Y::CALLED, number in first, end, {
             let (row, instant) = match &extra {
                 Some(extra) if number > M::STAGES => {
                     let index = number - M::STAGES - 1;
