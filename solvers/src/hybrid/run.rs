@@ -363,8 +363,8 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         let same = self.table.events[entry.target]
             .iter()
             .position(|one| one.line == entry.line);
-        let lost = self.bounce.is_some_and(|(line, time, rate)| {
-            line == entry.line && motion.time > time && (motion.time - time) * rate.abs() <= noise
+        let lost = self.bounce.filter(|(line, time, rate)| {
+            *line == entry.line && motion.time > *time && (motion.time - time) * rate.abs() <= noise
         });
         match entry.surface {
             Some(surface) => {
@@ -381,11 +381,11 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             self.guards[event].size = size;
         }
         match lost {
-            true => Err(End::Chatter {
-                since: self.since.0,
-                events: self.since.1,
+            Some((_, time, _)) => Err(End::Chatter {
+                since: self.since.0.min(time),
+                events: self.since.1.max(2),
             }),
-            false => Ok(()),
+            None => Ok(()),
         }
     }
 

@@ -115,6 +115,40 @@ fn how_the_force_begins_where_contact_is_regained() {
     );
 }
 
+/// A heavy foot flies over turns of the rack that its motion does not feel, in steps longer than these. The naive way, to
+/// ask for signs at the ends of steps, passes over the contacts between; however exact the steps are, they are all found.
+#[test]
+fn no_contact_is_stepped_over_in_flight() {
+    let changes = [("m", 10.0), ("omega", 1000.0), ("rise", 5e-3)];
+    let foot = Undamped {
+        m: 10.0,
+        omega: 1000.0,
+        rise: 5e-3,
+        ..Undamped::default()
+    };
+    let rack = Elliptic::with(&changes);
+    let mut largest_step: f64 = 0.0;
+    for rtol in [1e-7, 1e-9, 1e-10, 1e-12, 1e-13] {
+        let settings = Settings { rtol, ..FINE };
+        let motion = hybrid::march(&foot, (0.0, 0.2), &foot.start(), &settings).unwrap();
+        let lost = motion.events.iter().filter(|one| one.to == FLIGHT);
+        let flights = lost.filter(|one| one.from == CONTACT).count();
+        assert_eq!(flights, 20, "rtol {rtol}");
+        for piece in motion.pieces.iter().filter(|one| one.mode == FLIGHT) {
+            let times = piece.trajectory.times();
+            let (begin, end) = (times[0], times[times.len() - 1]);
+            for part in 1..200 {
+                let time = begin + (end - begin) * f64::from(part) / 200.0;
+                let deep = compressed(&rack, time, &piece.trajectory.at(time));
+                assert!(deep < 1e-9, "rtol {rtol}: {deep} m at {time} s");
+            }
+        }
+        largest_step = largest_step.max(motion.statistics.largest_step);
+    }
+    // A third of a turn, for as long as the rack is above the plate.
+    assert!(largest_step > 2.0 * PI / 3.0 / 1000.0, "{largest_step}");
+}
+
 /// Of the law whose damping grows with the force the bracket changes its sign under fast unloading: then the compressed
 /// fabric would pull, and does not.
 #[test]
