@@ -192,6 +192,35 @@ fn where_nothing_that_repeats_is_stable_the_evidence_is_given() {
     assert!(naive.end.iter().all(|one| one.is_finite()));
 }
 
+/// A mass that never meets its stop, with so little damping that what it begins with is there for thousands of periods.
+/// After 480 of them it is still far from the motion that repeats, and where it swings once in four periods it comes near
+/// to its past after four: it repeats after one all the same.
+#[test]
+fn what_dies_out_slowly_repeats_after_one_period() {
+    for (c, d) in [(100.0, 0.02), (100.0, 0.002), (9.0, 0.02), (9.0, 0.1)] {
+        let (gap, omega) = (10.0, 12.0);
+        let scene = stop::Shaken {
+            c,
+            d,
+            gap,
+            omega,
+            ..stop::Shaken::default()
+        };
+        let period = 2.0 * PI / omega;
+        let found = hybrid::cycle(&scene, period, &FINE).unwrap();
+        assert_eq!(found.multiple, 1, "c = {c}, d = {d}");
+        let expected = (-d * period / 2.0).exp();
+        for one in &found.multipliers {
+            assert!((one.modulus() - expected).abs() < 1e-9, "{one} {expected}");
+        }
+        // The amplitude of the forced oscillation, at the force and 90 degrees behind it.
+        let (_, state) = found.motion.at(0.0);
+        let (stiff, lag) = (c - omega * omega, d * omega);
+        let x = 8.0 * stiff / (stiff * stiff + lag * lag);
+        assert!((state[0] - x).abs() < 1e-9, "{} {x}", state[0]);
+    }
+}
+
 #[test]
 fn the_multipliers_are_those_of_differences() {
     let scene = stop::Shaken::default();

@@ -21,6 +21,10 @@ const FAR: f64 = 0.5;
 const SAME: f64 = 1e-6;
 /// Periods over which the distance from a motion is taken.
 const BEATS: usize = 10;
+/// How often a distance that dies out is compared with what the multipliers say.
+const SPANS: usize = 2;
+/// Difference of their logarithms that is let pass, for a fall by nothing, and more with the fall.
+const ALIKE: f64 = 0.05;
 /// Steps after which a motion is given up.
 const STEPS: usize = 10_000_000;
 /// The last periods over which the growth of disturbances is measured.
@@ -37,6 +41,8 @@ struct Walk<'a> {
     followed: usize,
     /// Steps so far.
     steps: usize,
+    /// The events of the last period.
+    events: Vec<(usize, usize)>,
     /// After how many periods it was nearest to its past, and how near.
     nearest: Option<(usize, f64)>,
 }
@@ -60,6 +66,7 @@ pub(super) fn search(
         past: Past::new(flow.scales()),
         followed: 0,
         steps: 0,
+        events: Vec::new(),
         nearest: None,
     };
     walk.past.add(mode, start);
@@ -113,6 +120,12 @@ fn start_of(cycle: &Cycle) -> Vec<f64> {
     )
 }
 
+/// The events of a motion, each with its mode.
+fn passed(motion: &super::Motion) -> Vec<(usize, usize)> {
+    let events = motion.events.iter();
+    events.map(|one| (one.from, one.event)).collect()
+}
+
 impl Walk<'_> {
     /// One period.
     fn turn(&mut self) -> Result<(), CycleError> {
@@ -131,6 +144,7 @@ impl Walk<'_> {
             };
             return Err(CycleError::Motion(Box::new(error)));
         }
+        self.events = passed(&motion);
         self.mode = motion.mode;
         self.state = motion.end;
         self.followed += 1;
@@ -174,18 +188,25 @@ impl Walk<'_> {
         Ok(found)
     }
 
-    /// Whether the motion comes nearer to one that repeats, at least half as quickly as its multipliers say. What dies out
-    /// slowly is far away for long.
+    /// Whether the motion comes nearer to one that repeats, as quickly as its multipliers say, and through the same events.
+    /// What dies out slowly is far away for long; what is irregular may come nearer for a while, but not so.
     fn comes_to(&mut self, cycle: &Cycle) -> Result<bool, CycleError> {
-        let start = start_of(cycle);
-        let before = self.farthest(&start)?;
-        for _ in 0..GROWTH {
-            self.turn()?;
-        }
-        let after = self.farthest(&start)?;
+        let (start, expected) = (start_of(cycle), passed(&cycle.motion));
         let slowest = cycle.multipliers.first().map_or(0.0, |one| one.modulus());
-        let expected = slowest.powf((GROWTH + BEATS) as f64 / cycle.multiple as f64);
-        Ok(after < 0.5 * (1.0 + expected) * before)
+        let fall = slowest.ln() * (GROWTH + BEATS) as f64;
+        let mut before = self.farthest(&start)?;
+        for _ in 0..SPANS {
+            for _ in 0..GROWTH {
+                self.turn()?;
+            }
+            let after = self.farthest(&start)?;
+            let off = ((after / before).ln() - fall).abs();
+            if !(after < before && off <= ALIKE * (1.0 - fall)) || self.events != expected {
+                return Ok(false);
+            }
+            before = after;
+        }
+        Ok(true)
     }
 
     /// The largest distance from a state over some periods, over which what swings shows its size.
