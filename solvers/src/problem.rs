@@ -14,6 +14,18 @@ use crate::scalar::Scalar;
 pub trait Storage<S>: Clone + AsRef<[S]> + AsMut<[S]> {
     /// A vector of `length` zeros. A fixed array has its own length and ignores the argument.
     fn zeros(length: usize) -> Self;
+
+    /// These numbers as such a vector, in their place; none where that is not how they lie.
+    #[inline(always)]
+    fn of(_numbers: &[S]) -> Option<&Self> {
+        None
+    }
+
+    /// The same, to be written.
+    #[inline(always)]
+    fn of_mut(_numbers: &mut [S]) -> Option<&mut Self> {
+        None
+    }
 }
 
 impl<S: Scalar, const N: usize> Storage<S> for [S; N] {
@@ -22,7 +34,29 @@ impl<S: Scalar, const N: usize> Storage<S> for [S; N] {
         debug_assert_eq!(length, N);
         [S::ZERO; N]
     }
+
+    #[inline(always)]
+    fn of(numbers: &[S]) -> Option<&Self> {
+        numbers.try_into().ok()
+    }
+
+    #[inline(always)]
+    fn of_mut(numbers: &mut [S]) -> Option<&mut Self> {
+        numbers.try_into().ok()
+    }
 }
+
+/// The stages of a step of which equations are asked for the rates, one after the other.
+pub trait Stages<S> {
+    /// The state of a stage, which the rates of those before it give, and where its own go.
+    fn next(&mut self, stage: usize) -> (&[S], &mut [S]);
+
+    /// Whether all rates of the stages so far are numbers.
+    fn are_finite(&self) -> bool;
+}
+
+/// Times of stages that [`Equations::sweep`] treats together: so many sines are packed well.
+const PACKED: usize = 4;
 
 impl<S: Scalar> Storage<S> for Vec<S> {
     fn zeros(length: usize) -> Self {
@@ -40,7 +74,8 @@ pub trait Equations<S: Scalar> {
     /// What depends on the time alone, computed once per instant.
     type Instant: Clone;
 
-    /// Whether an evaluation is a call of a function that is never inlined.
+    /// Whether these equations stand behind a pointer, so that a method had better ask for all stages of a step in one
+    /// call, with [`Equations::sweep`].
     const CALLED: bool = false;
 
     /// Length of the state vector.
@@ -54,6 +89,25 @@ pub trait Equations<S: Scalar> {
 
     /// Writes `f(t, y)` into `rate`.
     fn derivative(&self, instant: &Self::Instant, state: &Self::State, rate: &mut Self::State);
+
+    /// Evaluates all stages of a step, which lie at these times. False, and nothing is evaluated, where the states are
+    /// not such that they can be read in their place.
+    fn sweep(&self, times: &[S], stages: &mut dyn Stages<S>) -> bool {
+        let mut number = 0;
+        for times in times.chunks(PACKED) {
+            let packed: [S; PACKED] = std::array::from_fn(|k| times[k.min(times.len() - 1)]);
+            let instants = self.instants(packed);
+            for instant in &instants[..times.len()] {
+                let (state, rate) = stages.next(number);
+                match (Self::State::of(state), Self::State::of_mut(rate)) {
+                    (Some(state), Some(rate)) => self.derivative(instant, state, rate),
+                    _ => return false,
+                }
+                number += 1;
+            }
+        }
+        true
+    }
 
     /// Writes `f(t, y)` into `rate` and the products `∂f/∂y · columns[k]` into `products[k]`.
     fn variation(

@@ -152,6 +152,14 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
             }
 
             #inline
+            fn sweep(&self, times: &[S], stages: &mut dyn ::assur::problem::Stages<S>) -> bool {
+                match self.mode_ {
+                    #(#numbers => self.#fields.sweep(times, stages),)*
+                    _ => ::core::unreachable!(),
+                }
+            }
+
+            #inline
             fn variation(
                 &self,
                 instant: &Self::Instant,

@@ -5,19 +5,7 @@ use std::cell::RefCell;
 use std::marker::PhantomData;
 
 use super::problem::{EventEntry, Hybrid, Modes};
-use crate::problem::{Equations, Storage};
-
-/// Instants that are kept. A step asks for 14 at most.
-const KEPT: usize = 32;
-/// Instants that are prepared together.
-const PACKED: usize = 4;
-
-/// A time, and where what the equations need of it is kept.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct At {
-    time: f64,
-    place: Option<usize>,
-}
+use crate::problem::{Equations, Stages, Storage};
 
 /// What is asked of equations along a motion, in slices.
 pub(super) trait Model {
@@ -29,11 +17,10 @@ pub(super) trait Model {
     fn enter(&mut self, mode: usize);
     /// Puts the equations on a side of a switching surface.
     fn side(&mut self, surface: usize, side: f64);
-    /// Prepares instants at several times, together. Gives the place of the first; the next [`KEPT`] less twice their
-    /// number do not displace them.
-    fn prepare(&self, times: &[f64]) -> usize;
     /// Writes the rates of the state.
-    fn rate(&self, at: At, state: &[f64], rate: &mut [f64]);
+    fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]);
+    /// Evaluates all stages of a step.
+    fn sweep(&self, times: &[f64], stages: &mut dyn Stages<f64>);
     /// Writes the derivatives of the rates by the state, column by column.
     fn jacobian(&self, time: f64, state: &[f64], columns: &mut [f64]);
     /// Writes the guards and their rates.
@@ -57,8 +44,6 @@ fn state<E: Equations<f64>>(equations: &E, values: &[f64]) -> E::State {
 pub(super) struct Own<E: Modes<f64>> {
     equations: E,
     columns: RefCell<Vec<E::State>>,
-    /// What they need of the times of a step, and where the next ones go.
-    instants: RefCell<(Vec<E::Instant>, usize)>,
     /// How many branches are held on a side of their switching surface.
     sides: usize,
 }
@@ -68,7 +53,6 @@ impl<E: Modes<f64> + Clone> Own<E> {
         let states = equations.states();
         Self {
             columns: RefCell::new(vec![E::State::zeros(states); states]),
-            instants: RefCell::new((vec![equations.instant(0.0); KEPT], 0)),
             equations,
             sides: 0,
         }
@@ -110,42 +94,26 @@ impl<E: Modes<f64> + Clone> Model for Own<E> {
         self.sides = self.sides.max(surface + 1);
     }
 
-    fn prepare(&self, times: &[f64]) -> usize {
-        let one = &self.equations;
-        let (kept, next) = &mut *self.instants.borrow_mut();
-        if *next + times.len() > KEPT {
-            *next = 0;
-        }
-        let first = *next;
-        *next += times.len();
-        let places = kept[first..*next].chunks_mut(PACKED);
-        for (places, times) in places.zip(times.chunks(PACKED)) {
-            if let [time] = times {
-                places[0] = one.instant(*time);
-                continue;
-            }
-            let packed: [f64; PACKED] = std::array::from_fn(|k| times[k.min(times.len() - 1)]);
-            for (place, instant) in places.iter_mut().zip(one.instants(packed)) {
-                *place = instant;
-            }
-        }
-        first
-    }
-
-    fn rate(&self, at: At, values: &[f64], rate: &mut [f64]) {
-        let compute = |one: &E, instant: &E::Instant, rate: &mut [f64]| {
+    fn rate(&self, time: f64, values: &[f64], rate: &mut [f64]) {
+        let compute = |one: &E, rate: &mut [f64]| {
             let mut rates = E::State::zeros(rate.len());
-            one.derivative(instant, &state(one, values), &mut rates);
+            one.derivative(&one.instant(time), &state(one, values), &mut rates);
             rate.copy_from_slice(rates.as_ref());
         };
-        let one = &self.equations;
-        match at.place {
-            Some(place) => compute(one, &self.instants.borrow().0[place], rate),
-            None => compute(one, &one.instant(at.time), rate),
-        }
+        compute(&self.equations, rate);
         if self.are_lost(rate) {
-            let one = self.free();
-            compute(&one, &one.instant(at.time), rate);
+            compute(&self.free(), rate);
+        }
+    }
+
+    fn sweep(&self, times: &[f64], stages: &mut dyn Stages<f64>) {
+        let is_done = self.equations.sweep(times, stages);
+        if is_done && (self.sides == 0 || stages.are_finite()) {
+            return;
+        }
+        for (number, time) in times.iter().enumerate() {
+            let (state, rate) = stages.next(number);
+            self.rate(*time, state, rate);
         }
     }
 
@@ -242,7 +210,7 @@ impl<'a, V> Erased<'a, V> {
 
 impl<V: Storage<f64>> Equations<f64> for Erased<'_, V> {
     type State = V;
-    type Instant = At;
+    type Instant = f64;
 
     const CALLED: bool = true;
 
@@ -250,28 +218,30 @@ impl<V: Storage<f64>> Equations<f64> for Erased<'_, V> {
         self.model.states()
     }
 
-    fn instant(&self, time: f64) -> At {
-        At { time, place: None }
+    fn instant(&self, time: f64) -> f64 {
+        time
     }
 
-    fn instants<const K: usize>(&self, times: [f64; K]) -> [At; K] {
-        let first = self.model.prepare(&times);
-        std::array::from_fn(|k| At {
-            time: times[k],
-            place: Some(first + k),
-        })
+    fn instants<const K: usize>(&self, times: [f64; K]) -> [f64; K] {
+        times
     }
 
     #[inline(always)]
-    fn derivative(&self, at: &At, state: &V, rate: &mut V) {
-        self.model.rate(*at, state.as_ref(), rate.as_mut());
+    fn derivative(&self, time: &f64, state: &V, rate: &mut V) {
+        self.model.rate(*time, state.as_ref(), rate.as_mut());
     }
 
-    fn variation(&self, at: &At, state: &V, rate: &mut V, columns: &[V], products: &mut [V]) {
-        self.derivative(at, state, rate);
+    #[inline(always)]
+    fn sweep(&self, times: &[f64], stages: &mut dyn Stages<f64>) -> bool {
+        self.model.sweep(times, stages);
+        true
+    }
+
+    fn variation(&self, time: &f64, state: &V, rate: &mut V, columns: &[V], products: &mut [V]) {
+        self.derivative(time, state, rate);
         let states = self.states();
         let mut slopes = self.slopes.borrow_mut();
-        self.model.jacobian(at.time, state.as_ref(), &mut slopes);
+        self.model.jacobian(*time, state.as_ref(), &mut slopes);
         for (column, product) in columns.iter().zip(products) {
             for (row, entry) in product.as_mut().iter_mut().enumerate() {
                 let terms = column.as_ref().iter().enumerate();
@@ -282,10 +252,10 @@ impl<V: Storage<f64>> Equations<f64> for Erased<'_, V> {
         }
     }
 
-    fn jacobian(&self, at: &At, state: &V, columns: &mut [V]) {
+    fn jacobian(&self, time: &f64, state: &V, columns: &mut [V]) {
         let states = self.states();
         let mut slopes = self.slopes.borrow_mut();
-        self.model.jacobian(at.time, state.as_ref(), &mut slopes);
+        self.model.jacobian(*time, state.as_ref(), &mut slopes);
         for (column, slopes) in columns.iter_mut().zip(slopes.chunks(states.max(1))) {
             column.as_mut().copy_from_slice(slopes);
         }
@@ -312,16 +282,16 @@ impl<V: Storage<f64>> Modes<f64> for Erased<'_, V> {
     }
 
     #[inline(always)]
-    fn guards(&self, at: &At, state: &V, values: &mut [f64], rates: &mut [f64]) {
-        self.model.guards(at.time, state.as_ref(), values, rates);
+    fn guards(&self, time: &f64, state: &V, values: &mut [f64], rates: &mut [f64]) {
+        self.model.guards(*time, state.as_ref(), values, rates);
     }
 
-    fn permits(&self, event: usize, at: &At, state: &V) -> bool {
-        self.model.permits(event, at.time, state.as_ref())
+    fn permits(&self, event: usize, time: &f64, state: &V) -> bool {
+        self.model.permits(event, *time, state.as_ref())
     }
 
-    fn jump(&self, event: usize, at: &At, state: &V, after: &mut V) {
+    fn jump(&self, event: usize, time: &f64, state: &V, after: &mut V) {
         self.model
-            .jump(event, at.time, state.as_ref(), after.as_mut());
+            .jump(event, *time, state.as_ref(), after.as_mut());
     }
 }

@@ -31,19 +31,23 @@ pub(super) fn combine<S: Scalar, Y: System<S>>(
                     *sum = slope.mul_add(coefficient, *sum);
                 }
             }
-            let target = &mut Y::part_mut(target, part)[first..first + count];
+            // All is read before anything is written, which lets the lanes be packed.
             match start {
                 Some(start) => {
                     let start = &Y::part(start, part)[first..first + count];
-                    for ((target, start), sum) in target.iter_mut().zip(start).zip(sums) {
-                        *target = sum.mul_add(step, *start);
+                    for (sum, start) in sums.iter_mut().zip(start) {
+                        *sum = sum.mul_add(step, *start);
                     }
                 }
                 None => {
-                    for (target, sum) in target.iter_mut().zip(sums) {
-                        *target = sum * step;
+                    for sum in &mut sums[..count] {
+                        *sum = *sum * step;
                     }
                 }
+            }
+            let target = &mut Y::part_mut(target, part)[first..first + count];
+            for (target, sum) in target.iter_mut().zip(sums) {
+                *target = sum;
             }
             first += count;
         }

@@ -16,6 +16,7 @@ mod march;
 mod norm;
 mod observer;
 mod options;
+mod sweep;
 mod system;
 mod tableau;
 mod trajectory;

@@ -1,6 +1,6 @@
 //! What the steppers integrate: the equations of a model, alone or beside their variations.
 
-use crate::problem::{Equations, Storage};
+use crate::problem::{Equations, Stages, Storage};
 use crate::scalar::Scalar;
 
 /// Right-hand sides `y' = f(t, y)`.
@@ -13,7 +13,7 @@ pub trait System<S: Scalar> {
     /// What depends on the time alone.
     type Instant: Clone;
 
-    /// Whether an evaluation is a call.
+    /// Whether all stages of a step are asked for in one call, with [`System::sweep`].
     const CALLED: bool = false;
 
     /// A state of zeros.
@@ -24,6 +24,9 @@ pub trait System<S: Scalar> {
 
     /// Writes `f(t, y)` into `rate`.
     fn rate(&self, instant: &Self::Instant, state: &Self::State, rate: &mut Self::State);
+
+    /// Evaluates all stages of a step, which lie at these times: of systems that are [`System::CALLED`].
+    fn sweep(&self, _times: &[S], _stages: &mut dyn Stages<S>) {}
 
     /// Number of parts of a state.
     fn parts(state: &Self::State) -> usize;
@@ -65,6 +68,11 @@ impl<S: Scalar, E: Equations<S>> System<S> for Plain<'_, E> {
     #[inline(always)]
     fn rate(&self, instant: &E::Instant, state: &E::State, rate: &mut E::State) {
         self.0.derivative(instant, state, rate);
+    }
+
+    #[inline(always)]
+    fn sweep(&self, times: &[S], stages: &mut dyn Stages<S>) {
+        self.0.sweep(times, stages);
     }
 
     #[inline(always)]

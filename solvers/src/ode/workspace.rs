@@ -8,26 +8,6 @@ use super::system::System;
 use super::tableau::Method;
 use crate::scalar::Scalar;
 
-/// Does something for each stage from a first one to before an end. Where an evaluation is a call the stages are written out, so
-/// that their coefficients are constants; else they share one place in the code, into which the equations are inlined.
-macro_rules! stages {
-    ($called:expr, $number:ident in $first:expr, $end:expr, $body:block) => {
-        if $called {
-            stages!($number, $first, $end, $body, 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
-        } else {
-            for $number in $first..$end $body
-        }
-    };
-    ($number:ident, $first:expr, $end:expr, $body:block, $($stage:literal)*) => {
-        $(
-            if $stage >= $first && $stage < $end {
-                let $number: usize = $stage;
-                $body
-            }
-        )*
-    };
-}
-
 /// Roundings of the time that a first step has at least.
 pub(crate) const SHORTEST: f64 = 1e3;
 
@@ -38,7 +18,7 @@ pub struct Workspace<V, M: Method> {
     /// State at its end.
     pub(super) trial: V,
     /// State of an inner stage.
-    stage: V,
+    pub(super) stage: V,
     /// The error estimate.
     pub(super) error: V,
     /// The second error estimate.
@@ -153,13 +133,17 @@ impl<V: Clone, M: Method> Workspace<V, M> {
         step: f64,
     ) -> M::Nodes<Y::Instant> {
         let instants = M::instants(system, S::from_f64(time), S::from_f64(step));
+        if Y::CALLED {
+            self.sweep_stages(system, time, step);
+            return instants;
+        }
         let slopes = self.slopes.as_mut();
         let end = if M::ERROR_USES_LAST {
             M::STAGES + 1
         } else {
             M::STAGES
         };
-        stages!(Y::CALLED, number in 1, end, {
+        for number in 1..end {
             let is_end = number == M::STAGES;
             let row = if is_end {
                 M::WEIGHTS
@@ -174,7 +158,7 @@ impl<V: Clone, M: Method> Workspace<V, M> {
             combine::<S, Y>(stage, Some(&self.state), step, row, slopes);
             let instant = &instants.as_ref()[number.min(M::STAGES - 1) - 1];
             system.rate(instant, stage, &mut slopes[number]);
-        });
+        }
         if !M::ERROR_USES_LAST {
             combine::<S, Y>(&mut self.trial, Some(&self.state), step, M::WEIGHTS, slopes);
         }
@@ -250,6 +234,13 @@ impl<V: Clone, M: Method> Workspace<V, M> {
         (time, step): (f64, f64),
         dense: bool,
     ) -> usize {
+        if Y::CALLED {
+            let count = self.sweep_rest(system, time, step, dense);
+            if dense {
+                self.interpolate::<S, Y>(step);
+            }
+            return count;
+        }
         let extra = if dense {
             Some(M::extra_instants(
                 system,
@@ -266,7 +257,7 @@ impl<V: Clone, M: Method> Workspace<V, M> {
             M::STAGES
         };
         let end = M::STAGES + 1 + if dense { M::EXTRA_ROWS.len() } else { 0 };
-        stages!(Y::CALLED, number in first, end, {
+        for number in first..end {
             let (row, instant) = match &extra {
                 Some(extra) if number > M::STAGES => {
                     let index = number - M::STAGES - 1;
@@ -276,7 +267,7 @@ impl<V: Clone, M: Method> Workspace<V, M> {
             };
             combine::<S, Y>(&mut self.stage, Some(&self.state), step, row, slopes);
             system.rate(instant, &self.stage, &mut slopes[number]);
-        });
+        }
         if dense {
             self.interpolate::<S, Y>(step);
         }
