@@ -210,7 +210,7 @@ pub struct Results {
     pub measured: Vec<Value>,
     /// The measures, from what has been found of a run.
     pub measures: Vec<Value>,
-    /// What the events of a mode compute, the switching surfaces behind them.
+    /// What the events of a mode compute, the switching surfaces behind them, and the kinks of guards last.
     pub events: Vec<Event<Value>>,
 }
 
@@ -227,6 +227,8 @@ pub struct Program {
     pub states: usize,
     /// Whether the derivative is affine in the state.
     pub linear: bool,
-    /// The guards of the switching surfaces as text; their events are the last ones.
+    /// The guards of the switching surfaces as text; their events stand behind those of the file.
     pub surfaces: Vec<String>,
+    /// Number of the kinks of guards, whose events are the last ones.
+    pub kinks: usize,
 }

@@ -256,6 +256,7 @@ pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
     let angles = drivers
         .filter(|(_, driver)| driver.dimension.iter().all(|(exponent, _)| *exponent == 0))
         .map(|(index, _)| size(index));
+    let kinks = layout.modes.iter().map(|mode| size(mode.program().kinks));
     let start = size(layout.scene.first);
     let tables = layout.scene.modes.iter().map(|mode| {
         let entries = mode.events.iter().map(|event| {
@@ -301,6 +302,7 @@ pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
             const FIRST: usize = #start;
             const HELD: &'static [&'static [usize]] = &[#(#held),*];
             const ANGLES: &'static [usize] = &[#(#angles),*];
+            const KINKS: &'static [usize] = &[#(#kinks),*];
 
             fn modal<S: ::assur::scalar::Scalar>(&self) -> Self::Modal<S> {
                 <Self as ::assur::problem::Scene>::prepare(self)

@@ -25,6 +25,9 @@ pub fn of_mode(layout: &Layout<'_>) -> Option<TokenStream> {
     let states = size(count);
     let guards = each(events, |event| {
         let wanted = &event.slopes.guard;
+        if wanted.is_empty() {
+            return None;
+        }
         let body = Body::new(layout, Place::Evaluation, wanted, &[]);
         let statements = body.statements(wanted);
         let values = wanted.iter().map(|value| body.value(*value));

@@ -138,7 +138,7 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
         request.events = events;
     }
     let mut bound = bind(graph, &request.roots(), &request.bindings);
-    let mut surfaces = Vec::new();
+    let (mut surfaces, mut kinks) = (Vec::new(), Vec::new());
     if request.surfaces {
         let derivative = bound[..request.derivative.len()].to_vec();
         let mut frozen = surfaces::freeze(graph, &bound[..often], &derivative, &mut request);
@@ -146,8 +146,17 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
             let rates = frozen.roots[..derivative.len()].to_vec();
             sensitivity::add(graph, &mut frozen.surfaces, &rates, &request);
         }
+        let ends: usize = request.events.iter().map(|event| event.all().count()).sum();
+        let mut place = bound.len() - ends;
+        let guards = request.events.iter().map(|event| {
+            let guard = bound[place];
+            place += event.all().count();
+            guard
+        });
+        let guards: Vec<Expression> = guards.collect();
+        kinks = surfaces::kinks(graph, &guards, &derivative, &frozen.surfaces, &request);
         bound[..often].copy_from_slice(&frozen.roots);
-        bound.extend(frozen.surfaces.iter().flat_map(Event::all));
+        bound.extend(frozen.surfaces.iter().chain(&kinks).flat_map(Event::all));
         surfaces = frozen.surfaces;
     }
     let texts = surfaces.iter().map(|surface| graph.display(surface.guard));
@@ -186,7 +195,7 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
             request.closing.map(|_| closing.next().unwrap_or(Value(0)))
         },
         events: {
-            let mut events = request.events.iter().chain(&surfaces);
+            let mut events = request.events.iter().chain(&surfaces).chain(&kinks);
             let mut map = |event: &Event<Expression>| {
                 let mut values = take(event.all().count()).into_iter();
                 event.map(|_| values.next().unwrap_or(Value(0)))
@@ -201,6 +210,7 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
         states: request.states,
         linear: false,
         surfaces: texts,
+        kinks: kinks.len(),
     };
     order::sort(&mut program);
     drop_zeros(&mut program);

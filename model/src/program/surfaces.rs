@@ -43,31 +43,73 @@ pub fn freeze(
         list.iter().map(new).collect()
     };
     let roots = renew(roots);
-    let mut direction = HashMap::from([(Symbol::Time, graph.one())]);
     let rates = renew(derivative);
-    for (symbol, input) in &request.inputs {
-        if let Input::State(index) = input {
-            direction.insert(*symbol, rates[*index as usize]);
-        }
-    }
-    let slopes = graph.tangent(&freezer.guards, &direction);
+    let surfaces = moving(graph, &freezer.guards, &rates, request);
     for index in 0..freezer.guards.len() as u32 {
         request
             .inputs
             .insert(Symbol::Side(index), Input::Side(index));
     }
-    let pairs = freezer.guards.iter().zip(slopes);
-    let surfaces = pairs.map(|(guard, rate)| Event {
+    Frozen { roots, surfaces }
+}
+
+/// The kinks of guards: where a branch that a guard sees goes over to its other side, and is no surface. Between the ends
+/// of a step a guard is smooth but for them. Everything is bound.
+pub fn kinks(
+    graph: &mut Graph,
+    guards: &[Expression],
+    derivative: &[Expression],
+    surfaces: &[Event<Expression>],
+    request: &Request,
+) -> Vec<Event<Expression>> {
+    let mut kinks: Vec<Expression> = Vec::new();
+    for one in graph.reachable(guards) {
+        if request.stage(graph, one) <= Stage::Parameter {
+            continue;
+        }
+        let difference = match graph.node(one).clone() {
+            Node::Compare(Relation::Less | Relation::LessEqual, a, b) => graph.sub(b, a),
+            Node::Call(Function::Abs | Function::Sign, arguments) => arguments[0],
+            Node::Call(Function::Max | Function::Min, arguments) => {
+                graph.sub(arguments[0], arguments[1])
+            }
+            _ => continue,
+        };
+        let turned = graph.neg(difference);
+        let known = |kink: &Expression| [difference, turned].contains(kink);
+        let is_known = kinks
+            .iter()
+            .chain(surfaces.iter().map(|event| &event.guard));
+        if graph.as_number(difference).is_none() && !is_known.into_iter().any(known) {
+            kinks.push(difference);
+        }
+    }
+    moving(graph, &kinks, derivative, request)
+}
+
+/// Guards with their rates.
+fn moving(
+    graph: &mut Graph,
+    guards: &[Expression],
+    derivative: &[Expression],
+    request: &Request,
+) -> Vec<Event<Expression>> {
+    let mut direction = HashMap::from([(Symbol::Time, graph.one())]);
+    for (symbol, input) in &request.inputs {
+        if let Input::State(index) = input {
+            direction.insert(*symbol, derivative[*index as usize]);
+        }
+    }
+    let rates = graph.tangent(guards, &direction);
+    let pairs = guards.iter().zip(rates);
+    let events = pairs.map(|(guard, rate)| Event {
         guard: *guard,
         rate,
         condition: None,
         after: Vec::new(),
         slopes: Default::default(),
     });
-    Frozen {
-        roots,
-        surfaces: surfaces.collect(),
-    }
+    events.collect()
 }
 
 struct Freezer {

@@ -20,6 +20,8 @@ const PROBES: [f64; 8] = [0.09, 0.236, 0.326, 0.472, 0.618, 0.708, 0.854, 0.944]
 const SWING: f64 = 4.0;
 /// By how many times the largest slope that was found may be too small.
 const SAFETY: f64 = 3.0;
+/// How far on each side of a zero it is looked at last, in parts that are one time: a little less than a half.
+const APART: f64 = 0.45;
 /// The largest value of `16 p (1 - p)²`: a deviation `d` in the middle is `16 d p² (1 - p)²` elsewhere, since value and
 /// slope agree at both ends, and that is at most this many `d p`.
 const LEAN: f64 = 64.0 / 27.0;
@@ -38,6 +40,8 @@ pub(super) struct Sample {
 pub(super) struct Crossing {
     /// The first part of the step at which it has passed.
     pub part: f64,
+    /// The last one before, as far as parts can be told apart.
+    pub before: f64,
     /// Whether it rises.
     pub rising: bool,
 }
@@ -89,6 +93,14 @@ impl Search<'_> {
             begin = end;
         }
         (None, fits)
+    }
+
+    /// Where it passes zero in a jump from one sample to another.
+    pub fn jump(&mut self, from: Sample, to: Sample) -> Option<Crossing> {
+        match self.sign_of(to.value) == self.sign {
+            true => None,
+            false => self.take(from, to),
+        }
     }
 
     /// Whether both samples have the sign so far.
@@ -179,31 +191,36 @@ impl Search<'_> {
         if !self.direction.allows(rising) {
             return None;
         }
-        let part = match leaves {
-            true => from.part,
+        let (before, part) = match leaves {
+            true => (from.part, from.part),
             false => self.narrow(from, to, before),
         };
-        Some(Crossing { part, rising })
+        Some(Crossing {
+            part,
+            before,
+            rising,
+        })
     }
 
-    /// The smallest part that has the new sign, or none: the two ends of the last bracket are neighbours.
-    fn narrow(&mut self, from: Sample, to: Sample, before: f64) -> f64 {
+    /// The largest part that has the old sign or none, and the smallest that has the new one: neighbours, or as near to
+    /// each other as can be told apart.
+    fn narrow(&mut self, from: Sample, to: Sample, before: f64) -> (f64, f64) {
         let (mut low, mut high) = (from, to);
         // Zero on the way belongs to what was before.
         let has_passed = |sample: &Sample| sample.value * before < 0.0;
+        let mut last = f64::NAN;
         let mut halve = false;
         loop {
             let width = high.part - low.part;
             let middle = low.part + 0.5 * width;
             if middle <= low.part || middle >= high.part || width <= self.blur {
-                return high.part;
+                return (low.part, high.part);
             }
-            // The zero of the cubic, pushed a little across so that the farther end moves in; halving where that does
-            // not help.
+            // The zero of the cubic, pushed across by about what it is wrong so that the other end moves in too; halving
+            // where that does not help.
             let root = low.part + width * root(&hull(&low, &high));
-            let push = (1e-3 * width * width)
-                .max(self.blur)
-                .max(f64::EPSILON * high.part);
+            let moved = root - last;
+            let push = (moved * moved).max(APART * self.blur);
             let guess = match root < middle {
                 true => root + push,
                 false => root - push,
@@ -215,7 +232,9 @@ impl Search<'_> {
                 true => high = sample,
                 false => low = sample,
             }
-            halve = high.part - low.part > 0.5 * width;
+            // The first guess is far from one of the ends.
+            halve = !halve && !last.is_nan() && high.part - low.part > 0.5 * width;
+            last = root;
         }
     }
 

@@ -63,7 +63,9 @@ impl<E: Modes<f64> + Clone> Own<E> {
     /// number. They are those of the branch that does, then.
     #[inline(always)]
     fn are_lost(&self, numbers: &[f64]) -> bool {
-        self.sides > 0 && numbers.iter().any(|number| !number.is_finite())
+        // Zero, unless one is infinite or not a number.
+        let zero = |sum: f64, number: &f64| sum + 0.0 * number;
+        self.sides > 0 && numbers.iter().fold(0.0, zero) != 0.0
     }
 
     /// The equations with their branches free.
@@ -164,6 +166,8 @@ impl<E: Modes<f64> + Clone> Model for Own<E> {
 pub(super) struct Table {
     /// The events of each mode.
     pub(super) events: &'static [&'static [EventEntry]],
+    /// For each mode the number of kinks of its guards.
+    kinks: &'static [usize],
     /// For each mode the speeds that are zero in it.
     pub(super) held: &'static [&'static [usize]],
     /// Absolute tolerances per unit of `rtol`.
@@ -180,12 +184,24 @@ impl Table {
     pub(super) fn of<C: Hybrid>() -> Self {
         Self {
             events: C::EVENTS,
+            kinks: C::KINKS,
             held: C::HELD,
             scales: C::SCALES,
             drivers: (C::DRIVERS, C::ANGLES),
             names: C::STATE_NAMES,
             modes: C::MODE_NAMES,
         }
+    }
+
+    /// The number of guards of a mode, its kinks among them.
+    pub(super) fn guards(&self, mode: usize) -> usize {
+        self.events[mode].len() + self.kinks.get(mode).unwrap_or(&0)
+    }
+
+    /// The largest number of guards of a mode.
+    pub(super) fn most_guards(&self) -> usize {
+        let modes = 0..self.events.len();
+        modes.map(|mode| self.guards(mode)).max().unwrap_or(0)
     }
 }
 

@@ -58,7 +58,8 @@ pub trait Modes<S: Scalar>: Equations<S> {
     /// Puts the equations of this mode on a side of a switching surface, 1 or −1; 0 leaves it to their values.
     fn side(&mut self, surface: usize, side: S);
 
-    /// Writes the guards of the events of this mode, and their time derivatives.
+    /// Writes the guards of the events of this mode, behind them its kinks ([`Hybrid::KINKS`]), and the time derivatives of
+    /// all.
     fn guards(
         &self,
         instant: &Self::Instant,
@@ -118,6 +119,9 @@ pub trait Hybrid: Scene {
     const HELD: &'static [&'static [usize]];
     /// The drivers that are angles, by their places.
     const ANGLES: &'static [usize] = &[];
+    /// The number of kinks of each mode: what passes zero where a guard that is not smooth goes over to another branch.
+    /// Empty where there are none.
+    const KINKS: &'static [usize] = &[];
 
     /// Computes what depends on the parameters alone.
     fn modal<S: Scalar>(&self) -> Self::Modal<S>;

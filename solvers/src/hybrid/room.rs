@@ -41,6 +41,8 @@ pub(super) struct Room {
     pub there: Guards,
     /// The terms of which they are made.
     pub terms: Guards,
+    /// The parts of a step just before and at which guards bend, the first one first.
+    pub bends: Vec<(f64, f64)>,
     /// Where the drivers are at the begin of a step, and at its end.
     pub drivers: [Vec<f64>; 2],
 }

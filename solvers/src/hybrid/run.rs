@@ -12,16 +12,6 @@ use super::{CHATTER, NOISE, SOON, TURNS};
 use crate::ode::{OdeError, Options, Statistics};
 use crate::problem::{Equations, Storage};
 
-/// The largest number of events of a mode.
-fn most_events(table: &Table) -> usize {
-    table
-        .events
-        .iter()
-        .map(|events| events.len())
-        .max()
-        .unwrap_or(0)
-}
-
 /// Part of the rate with which a guard passed zero that counts as none after the event.
 const STOPPED: f64 = 1e-9;
 
@@ -113,7 +103,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         times: (f64, f64),
     ) -> Self {
         let mut room = Room::default();
-        room.resize(table.events[equations.mode()].len());
+        room.resize(table.guards(equations.mode()));
         room.drivers = [vec![0.0; table.drivers.0], vec![0.0; table.drivers.0]];
         Self {
             equations,
@@ -121,13 +111,13 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             state,
             options,
             times,
-            guards: vec![Guard::default(); most_events(table)],
-            looked: vec![vec![0.0; most_events(table)]; table.events.len()],
+            guards: vec![Guard::default(); table.most_guards()],
+            looked: vec![vec![0.0; table.most_guards()]; table.events.len()],
             room,
             since: (times.0, 0),
             arrival: 0.0,
             turns: 0,
-            sides: vec![0.0; most_events(table)],
+            sides: vec![0.0; table.most_guards()],
             bounce: None,
         }
     }
@@ -256,6 +246,18 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
                 due = is_permitted.then_some(event);
             }
         }
+        let kinks = events.len()..begin.values.len();
+        for (guard, value) in self.guards[kinks.clone()]
+            .iter_mut()
+            .zip(&begin.values[kinks])
+        {
+            guard.size = guard.size.max(value.abs());
+            guard.sign = match value.abs() <= guard.noise() {
+                false => value.signum(),
+                true => 0.0,
+            };
+            guard.armed = false;
+        }
         Ok(due)
     }
 
@@ -355,7 +357,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
                     ..Guard::default()
                 };
             }
-            self.room.resize(self.table.events[entry.target].len());
+            self.room.resize(self.table.guards(entry.target));
         }
         *last = Some(entry.line);
         self.count(motion, before)?;

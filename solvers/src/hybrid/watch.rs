@@ -1,12 +1,13 @@
 //! Looks for events in every step.
 
 use super::NOISE;
-use super::crossing::{Sample, Search, is_far, is_resolved};
-use super::problem::{EventEntry, Modes};
+use super::crossing::{Crossing, Sample, Search, is_far, is_resolved};
+use super::problem::{Direction, EventEntry, Modes};
 use super::room::{Guards, Room};
 use super::rounding::terms;
 use crate::ode::{Observer, Recorder, Step};
 use crate::problem::Storage;
+use std::ops::Range;
 
 /// Roundings of the time by which two events differ that cannot be told apart: the continuous solution has as many.
 const BLUR: f64 = 64.0;
@@ -19,7 +20,9 @@ const TURNED: f64 = 1.0;
 /// A step that is longer by this than any in which a guard has been looked at is looked into.
 const LONGER: f64 = 1.25;
 /// What that length counts from one step to the next: now and then a guard is looked at again.
-const FORGET: f64 = 0.99;
+const FORGET: f64 = 0.997;
+/// Bends of guards in a step that are told apart. More are found as what they are to a guard.
+const BENDS: usize = 4;
 /// What the largest rate of a guard counts from one step to the next.
 const MEMORY: f64 = 0.8;
 
@@ -62,6 +65,24 @@ impl Guard {
         let keeps = |sample: &Sample| sample.value * self.sign > self.noise();
         self.sign != 0.0 && keeps(from) && keeps(to) && is_far(from, to)
     }
+}
+
+/// How far a step goes.
+struct Way {
+    length: f64,
+    /// By how much the drivers that are angles turn.
+    turned: f64,
+    /// Parts of the step by which two events differ that cannot be told apart.
+    blur: f64,
+}
+
+/// An event in a step.
+#[derive(Clone, Copy, Debug)]
+struct Found {
+    event: usize,
+    part: f64,
+    /// The last part before it.
+    before: f64,
 }
 
 /// An event that ends an integration.
@@ -128,57 +149,43 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         self.step = length;
         self.room.end.look(self.equations, step.to, step.after);
         let turned = self.room.turned(self.equations, step.to, self.angles);
-        let mut first: Option<(f64, usize)> = None;
-        let mut second: Option<usize> = None;
-        let mut is_measured = false;
-        // Which is first of two that cannot be told apart is said by their order in the file.
-        let blur = BLUR * f64::EPSILON * (step.to / length).abs().max(1.0);
-        for event in 0..self.events.len() {
-            let from = at(&self.room.begin, event, 0.0, length);
-            let to = at(&self.room.end, event, 1.0, length);
-            if !to.value.is_finite() {
-                self.lost = Some(event);
-                break;
-            }
-            let guard = &mut self.guards[event];
-            guard.size = guard.size.max(from.value.abs()).max(to.value.abs());
-            guard.rate *= MEMORY;
-            let slope = (guard.rate * length)
-                .max(from.slope.abs())
-                .max(to.slope.abs());
-            guard.rate = slope / length;
-            guard.looked *= FORGET;
-            let wary = length > LONGER * guard.looked
-                || turned > TURNED
-                || !is_resolved(&from, &to, slope);
-            if !wary && guard.is_far(&from, &to) {
-                continue;
-            }
-            if !is_measured && from.value.abs().min(to.value.abs()) <= NEAR * guard.size {
-                is_measured = true;
-                let Room {
-                    end,
-                    there,
-                    terms: sizes,
-                    ..
-                } = &mut *self.room;
-                terms(self.equations, step.to, step.after, end, there, sizes);
-                for (guard, size) in self.guards.iter_mut().zip(&sizes.values) {
-                    guard.size = guard.size.max(*size);
-                }
-            }
-            let until = first.map(|(part, _)| part + 2.0 * blur);
-            let Some(part) = self.search(step, event, (from, to), wary, until) else {
-                continue;
-            };
-            match first {
-                Some((earlier, _)) if part > earlier + blur => {}
-                Some((earlier, _)) if part >= earlier - blur => second = second.or(Some(event)),
-                _ => (first, second) = (Some((part, event)), None),
-            }
+        let way = Way {
+            length,
+            turned,
+            // Which is first of two that cannot be told apart is said by their order in the file.
+            blur: BLUR * f64::EPSILON * (step.to / length).abs().max(1.0),
+        };
+        let count = self.events.len();
+        let strange = |event: &usize| !self.room.end.values[*event].is_finite();
+        self.lost = (0..count).find(strange);
+        if self.lost.is_some() {
+            return self.pass(step);
         }
+        self.room.bends.clear();
+        for kink in count..self.room.end.values.len() {
+            self.bend(step, kink);
+        }
+        let surfaces = self.events.iter().filter(|entry| entry.surface.is_some());
+        let own = count - surfaces.count();
+        let surface = self.earliest(step, &way, own..count, None).0;
+        if let Some(crossing) = surface {
+            self.room.bends.push((crossing.before, crossing.part));
+        }
+        self.room.bends.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        let limit = surface.map(|crossing| crossing.part);
+        let (event, second) = self.earliest(step, &way, 0..own, limit);
+        let (first, second) = match (event, surface) {
+            (Some(event), Some(surface)) if event.part > surface.part + way.blur => {
+                (Some(surface), None)
+            }
+            (Some(event), Some(surface)) if event.part >= surface.part - way.blur => {
+                (Some(event), second.or(Some(surface.event)))
+            }
+            (None, _) => (surface, None),
+            _ => (event, second),
+        };
         match first {
-            Some((part, event)) => {
+            Some(Found { event, part, .. }) => {
                 let time = step.from + part * length;
                 between(step, part, &mut self.state);
                 self.recorder.cut(time, &self.state);
@@ -188,14 +195,118 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
                     with: second,
                 });
             }
-            None => {
-                self.state.clone_from(step.after);
-                std::mem::swap(&mut self.room.begin, &mut self.room.end);
-            }
+            None => self.pass(step),
         }
     }
 
-    /// Where an event happens first in a step, up to a part of it.
+    /// Nothing has happened in a step.
+    #[inline(always)]
+    fn pass(&mut self, step: &Step<'_, E::State>) {
+        self.state.clone_from(step.after);
+        std::mem::swap(&mut self.room.begin, &mut self.room.end);
+    }
+
+    /// The earliest of some events in a step, up to a part of it, and the one that cannot be told apart from it.
+    #[inline(always)]
+    fn earliest(
+        &mut self,
+        step: &Step<'_, E::State>,
+        way: &Way,
+        events: Range<usize>,
+        limit: Option<f64>,
+    ) -> (Option<Found>, Option<usize>) {
+        let length = way.length;
+        let mut first: Option<Found> = None;
+        let mut second: Option<usize> = None;
+        let is_smooth = self.room.bends.is_empty();
+        for event in events {
+            let from = at(&self.room.begin, event, 0.0, length);
+            let to = at(&self.room.end, event, 1.0, length);
+            let guard = &mut self.guards[event];
+            guard.size = guard.size.max(from.value.abs()).max(to.value.abs());
+            guard.rate *= MEMORY;
+            let slope = (guard.rate * length)
+                .max(from.slope.abs())
+                .max(to.slope.abs());
+            guard.rate = slope / length;
+            guard.looked *= FORGET;
+            let wary = length > LONGER * guard.looked
+                || way.turned > TURNED
+                || is_smooth && !is_resolved(&from, &to, slope);
+            if !wary && is_smooth && guard.is_far(&from, &to) {
+                continue;
+            }
+            if from.value.abs().min(to.value.abs()) <= NEAR * guard.size {
+                self.measure(step);
+            }
+            let until = match first {
+                Some(found) => Some(found.part + 2.0 * way.blur),
+                None => limit.map(|part| part + 2.0 * way.blur),
+            };
+            let Some(crossing) = self.search(step, event, (from, to), wary, until) else {
+                continue;
+            };
+            let found = Found {
+                event,
+                part: crossing.part,
+                before: crossing.before,
+            };
+            match first {
+                Some(earlier) if found.part > earlier.part + way.blur => {}
+                Some(earlier) if found.part >= earlier.part - way.blur => {
+                    second = second.or(Some(event));
+                }
+                _ => (first, second) = (Some(found), None),
+            }
+        }
+        (first, second)
+    }
+
+    /// Finds out how large the terms of the guards are at the end of a step.
+    #[cold]
+    fn measure(&mut self, step: &Step<'_, E::State>) {
+        let Room {
+            end,
+            there,
+            terms: sizes,
+            ..
+        } = &mut *self.room;
+        terms(self.equations, step.to, step.after, end, there, sizes);
+        for (guard, size) in self.guards.iter_mut().zip(&sizes.values) {
+            guard.size = guard.size.max(*size);
+        }
+    }
+
+    /// Notes where a kink lies in a step.
+    #[inline(always)]
+    fn bend(&mut self, step: &Step<'_, E::State>, kink: usize) {
+        let length = step.to - step.from;
+        let mut from = at(&self.room.begin, kink, 0.0, length);
+        let to = at(&self.room.end, kink, 1.0, length);
+        let guard = &mut self.guards[kink];
+        guard.size = guard.size.max(from.value.abs()).max(to.value.abs());
+        if guard.is_far(&from, &to) {
+            return;
+        }
+        while self.room.bends.len() < BENDS {
+            let Some(crossing) = self.search(step, kink, (from, to), false, None) else {
+                break;
+            };
+            self.room.bends.push((crossing.before, crossing.part));
+            from = self.sample(step, kink, crossing.part);
+        }
+    }
+
+    /// A guard somewhere in a step.
+    fn sample(&mut self, step: &Step<'_, E::State>, event: usize, part: f64) -> Sample {
+        let length = step.to - step.from;
+        between(step, part, &mut self.state);
+        let there = &mut self.room.there;
+        there.look(self.equations, step.from + part * length, &self.state);
+        at(there, event, part, length)
+    }
+
+    /// Where an event happens first in a step, up to a part of it. From bend to bend its guard is smooth.
     fn search(
         &mut self,
         step: &Step<'_, E::State>,
@@ -203,10 +314,11 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         (from, to): (Sample, Sample),
         wary: bool,
         until: Option<f64>,
-    ) -> Option<f64> {
+    ) -> Option<Crossing> {
         let length = step.to - step.from;
         let guard = &mut self.guards[event];
-        let (equations, state, there) = (self.equations, &mut self.state, &mut self.room.there);
+        let (equations, state) = (self.equations, &mut self.state);
+        let Room { there, bends, .. } = &mut *self.room;
         let mut sample = |part: f64| {
             between(step, part, state);
             there.look(equations, step.from + part * length, state);
@@ -217,35 +329,57 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             Some(part) if part < 1.0 => sample(part),
             _ => to,
         };
+        let is_event = event < self.events.len();
+        let direction = match is_event {
+            true => self.events[event].direction,
+            false => Direction::Crosses,
+        };
         let mut search = Search {
-            direction: self.events[event].direction,
+            direction,
             noise: guard.noise_at(step.to),
             sign: guard.sign,
             armed: guard.armed,
             slope,
-            blur: 0.5 * f64::EPSILON * (step.to / length).abs(),
+            blur: f64::EPSILON * (step.to / length).abs(),
             sample: &mut sample,
         };
         let mut begin = from;
+        let ahead = |bend: &&(f64, f64)| is_event && bend.0 > from.part && bend.1 < to.part;
+        let mut bends = bends.iter().filter(ahead);
+        let mut bend = bends.next();
         // A crossing at which something else that is asked for does not hold is passed over.
         let found = loop {
-            let found = match wary {
+            let end = match bend {
+                Some((before, _)) => (search.sample)(*before),
+                None => to,
+            };
+            search.slope = search.slope.max(end.slope.abs());
+            let mut found = match wary {
                 true => {
-                    let (found, fits) = search.run_warily(begin, to);
+                    let (found, fits) = search.run_warily(begin, end);
                     if fits {
                         guard.looked = guard.looked.max(length);
                     }
                     found
                 }
-                false => search.run(begin, to),
+                false => search.run(begin, end),
             };
-            let Some(found) = found else {
-                break None;
-            };
-            if permits(equations, event, step, found.part) {
-                break Some(found.part);
+            if found.is_none() {
+                let Some((_, after)) = bend else {
+                    break None;
+                };
+                bend = bends.next();
+                begin = (search.sample)(*after);
+                search.slope = search.slope.max(begin.slope.abs());
+                found = search.jump(end, begin);
             }
-            begin = (search.sample)(found.part);
+            match found {
+                Some(found) if !is_event || permits(equations, event, step, found.part) => {
+                    break Some(found);
+                }
+                Some(found) if found.part > begin.part => begin = (search.sample)(found.part),
+                _ => {}
+            }
         };
         (guard.sign, guard.armed) = (search.sign, search.armed);
         guard.rate = search.slope / length;
@@ -283,15 +417,25 @@ fn between<V: Storage<f64>>(step: &Step<'_, V>, part: f64, state: &mut V) {
         state.clone_from(step.after);
         return;
     }
+    // The length of a polynomial that is known lets its loop be written out.
+    match <&[V; 7]>::try_from(step.polynomial) {
+        Ok(polynomial) => polynomial_at(polynomial, step.before, part, state),
+        Err(_) => polynomial_at(step.polynomial, step.before, part, state),
+    }
+}
+
+/// A polynomial of a step at a part of it.
+#[inline(always)]
+fn polynomial_at<V: Storage<f64>>(polynomial: &[V], before: &V, part: f64, state: &mut V) {
     let state = state.as_mut();
     state.fill(0.0);
-    for (row, coefficients) in step.polynomial.iter().enumerate().rev() {
+    for (row, coefficients) in polynomial.iter().enumerate().rev() {
         let factor = if row % 2 == 0 { part } else { 1.0 - part };
         for (sum, coefficient) in state.iter_mut().zip(coefficients.as_ref()) {
             *sum = (*sum + coefficient) * factor;
         }
     }
-    for (sum, before) in state.iter_mut().zip(step.before.as_ref()) {
+    for (sum, before) in state.iter_mut().zip(before.as_ref()) {
         *sum += before;
     }
 }

@@ -127,7 +127,8 @@ impl<C: Hybrid> In<'_, C> {
     /// Values and rates of the guards.
     fn guards(&self, instant: &Instant<C>, state: &State<C>) -> (Vec<f64>, Vec<f64>) {
         let equations = self.equations();
-        let count = C::EVENTS[equations.mode()].len();
+        let mode = equations.mode();
+        let count = C::EVENTS[mode].len() + C::KINKS.get(mode).unwrap_or(&0);
         let (mut values, mut rates) = (vec![0.0; count], vec![0.0; count]);
         equations.guards(instant, state, &mut values, &mut rates);
         (values, rates)
