@@ -8,6 +8,7 @@ mod emit;
 mod evaluate;
 mod order;
 mod product;
+mod resting;
 mod sensitivity;
 mod share;
 mod surfaces;

@@ -84,7 +84,8 @@ pub trait Equations<S: Scalar> {
     /// Values that depend on the time alone, at one time.
     fn instant(&self, time: S) -> Self::Instant;
 
-    /// The same at several times at once, so that their sines and cosines are packed calls.
+    /// The same at several times at once, so that their sines and cosines are packed calls; only what the rates and their
+    /// slopes need ([`Equations::derivative`], [`Equations::variation`], [`Equations::jacobian`]).
     fn instants<const K: usize>(&self, times: [S; K]) -> [Self::Instant; K];
 
     /// Writes `f(t, y)` into `rate`.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use assur_model::program::Value;
+use assur_model::program::{Stage, Value};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -88,14 +88,49 @@ fn one(layout: &Layout<'_>) -> TokenStream {
     }
 }
 
-/// Each angle at all times is one packed call.
+/// Each angle at all times is one packed call. These instants are for the rates and their slopes alone: where those need
+/// nothing of the time, or nothing on the side of a switching surface on which the motion is, nothing is computed.
 fn several(layout: &Layout<'_>) -> TokenStream {
     let program = layout.program();
+    let is_idle = |side: Option<(u32, f64)>| {
+        let results = &program.results;
+        let slopes = results.jacobian.iter().map(|(_, _, value)| *value);
+        let rates: Vec<Value> = results.derivative.iter().copied().chain(slopes).collect();
+        let resting = program.resting(&rates, side);
+        let stages = resting
+            .iter()
+            .map(|value| program.operations[value.0 as usize].stage);
+        !layout.timed.is_empty() && stages.into_iter().all(|stage| stage != Stage::Instant)
+    };
+    let (name, placeholders) = (&layout.instant, layout.placeholders(&layout.timed));
+    let inline = layout.inline();
+    if is_idle(None) {
+        return quote! {
+            #inline
+            fn instants<const K_: usize>(&self, _times: [S; K_]) -> [Self::Instant; K_] {
+                [#name { #placeholders }; K_]
+            }
+        };
+    }
+    let idle = (0..program.surfaces.len() as u32).flat_map(|surface| {
+        let index = size(surface as usize);
+        [
+            (-1.0, quote!(self.sides_[#index], S::ZERO)),
+            (1.0, quote!(S::ZERO, self.sides_[#index])),
+        ]
+        .map(|(side, pair)| (is_idle(Some((surface, side))), pair))
+    });
+    let idle = idle.filter(|(is_idle, _)| *is_idle).map(|(_, pair)| {
+        quote! {
+            if S::holds(S::less(#pair)) {
+                return [#name { #placeholders }; K_];
+            }
+        }
+    });
+    let idle: Vec<TokenStream> = idle.collect();
     let wanted: Vec<Value> = layout.timed.iter().copied().collect();
     // Whatever is prepared is there; the time stands in an array.
-    let prepared = |value: Value| {
-        program.operations[value.0 as usize].stage < assur_model::program::Stage::Instant
-    };
+    let prepared = |value: Value| program.operations[value.0 as usize].stage < Stage::Instant;
     let needed = schedule::needed(program, &wanted, &prepared);
     let mut given: BTreeMap<Value, Expression> = BTreeMap::new();
     let mut sines = Vec::new();
@@ -138,7 +173,6 @@ fn several(layout: &Layout<'_>) -> TokenStream {
         body.statements(&wanted),
         layout.stored(&layout.timed, &body),
     );
-    let (name, placeholders) = (&layout.instant, layout.placeholders(&layout.timed));
     let fill = match layout.timed.is_empty() {
         true => quote!([#name { #placeholders }; K_]),
         false => quote! {
@@ -151,10 +185,10 @@ fn several(layout: &Layout<'_>) -> TokenStream {
             instants
         },
     };
-    let inline = layout.inline();
     quote! {
         #inline
         fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
+            #(#idle)*
             #(#sines)*
             #fill
         }
