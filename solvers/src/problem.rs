@@ -50,9 +50,6 @@ impl<S: Scalar, const N: usize> Storage<S> for [S; N] {
 pub trait Stages<S> {
     /// The state of a stage, which the rates of those before it give, and where its own go.
     fn next(&mut self, stage: usize) -> (&[S], &mut [S]);
-
-    /// Whether all rates of the stages so far are numbers.
-    fn are_finite(&self) -> bool;
 }
 
 /// Times of stages that [`Equations::sweep`] treats together: so many sines are packed well.
@@ -108,6 +105,11 @@ pub trait Equations<S: Scalar> {
             }
         }
         true
+    }
+
+    /// The same where it has given what is no number, and other equations may give one.
+    fn sweep_again(&self, times: &[S], stages: &mut dyn Stages<S>) -> bool {
+        self.sweep(times, stages)
     }
 
     /// Writes `f(t, y)` into `rate` and the products `∂f/∂y · columns[k]` into `products[k]`.

@@ -228,6 +228,17 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
             }
 
             #inline
+            fn look(&self, time: S, state: &Self::State, values: &mut [S], rates: &mut [S]) {
+                match self.mode_ {
+                    #(#numbers => {
+                        let instant = ::assur::problem::Equations::instant(&self.#fields, time);
+                        self.#fields.guards_(&instant, state, values, rates)
+                    })*
+                    _ => ::core::unreachable!(),
+                }
+            }
+
+            #inline
             fn permits(&self, event: usize, instant: &Self::Instant, state: &Self::State) -> bool {
                 match instant {
                     #(#instant::#variants(instant) => self.#fields.permits_(event, instant, state),)*

@@ -21,6 +21,8 @@ pub(super) trait Model {
     fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]);
     /// Evaluates all stages of a step.
     fn sweep(&self, times: &[f64], stages: &mut dyn Stages<f64>);
+    /// The same one by one, where it has given what is no number.
+    fn sweep_again(&self, times: &[f64], stages: &mut dyn Stages<f64>);
     /// Writes the derivatives of the rates by the state, column by column.
     fn jacobian(&self, time: f64, state: &[f64], columns: &mut [f64]);
     /// Writes the guards and their rates.
@@ -109,10 +111,13 @@ impl<E: Modes<f64> + Clone> Model for Own<E> {
     }
 
     fn sweep(&self, times: &[f64], stages: &mut dyn Stages<f64>) {
-        let is_done = self.equations.sweep(times, stages);
-        if is_done && (self.sides == 0 || stages.are_finite()) {
-            return;
+        if !self.equations.sweep(times, stages) {
+            self.sweep_again(times, stages);
         }
+    }
+
+    #[cold]
+    fn sweep_again(&self, times: &[f64], stages: &mut dyn Stages<f64>) {
         for (number, time) in times.iter().enumerate() {
             let (state, rate) = stages.next(number);
             self.rate(*time, state, rate);
@@ -135,8 +140,9 @@ impl<E: Modes<f64> + Clone> Model for Own<E> {
     }
 
     fn guards(&self, time: f64, at: &[f64], values: &mut [f64], rates: &mut [f64]) {
-        let compute = |one: &E, values: &mut [f64], rates: &mut [f64]| {
-            one.guards(&one.instant(time), &state(one, at), values, rates);
+        let compute = |one: &E, values: &mut [f64], rates: &mut [f64]| match E::State::of(at) {
+            Some(at) => one.look(time, at, values, rates),
+            None => one.look(time, &state(one, at), values, rates),
         };
         compute(&self.equations, values, rates);
         if self.are_lost(values) || self.are_lost(rates) {
@@ -253,6 +259,11 @@ impl<V: Storage<f64>> Equations<f64> for Erased<'_, V> {
         true
     }
 
+    fn sweep_again(&self, times: &[f64], stages: &mut dyn Stages<f64>) -> bool {
+        self.model.sweep_again(times, stages);
+        true
+    }
+
     fn variation(&self, time: &f64, state: &V, rate: &mut V, columns: &[V], products: &mut [V]) {
         self.derivative(time, state, rate);
         let states = self.states();
@@ -300,6 +311,11 @@ impl<V: Storage<f64>> Modes<f64> for Erased<'_, V> {
     #[inline(always)]
     fn guards(&self, time: &f64, state: &V, values: &mut [f64], rates: &mut [f64]) {
         self.model.guards(*time, state.as_ref(), values, rates);
+    }
+
+    #[inline(always)]
+    fn look(&self, time: f64, state: &V, values: &mut [f64], rates: &mut [f64]) {
+        self.model.guards(time, state.as_ref(), values, rates);
     }
 
     fn permits(&self, event: usize, time: &f64, state: &V) -> bool {

@@ -68,6 +68,11 @@ pub trait Modes<S: Scalar>: Equations<S> {
         rates: &mut [S],
     );
 
+    /// The same at a time.
+    fn look(&self, time: S, state: &Self::State, values: &mut [S], rates: &mut [S]) {
+        self.guards(&self.instant(time), state, values, rates);
+    }
+
     /// Whether what else an event of this mode asks for holds.
     fn permits(&self, event: usize, instant: &Self::Instant, state: &Self::State) -> bool;
 

@@ -25,8 +25,7 @@ impl Guards {
     /// Computes the guards at a time and state.
     #[inline(always)]
     pub fn look<E: Modes<f64>>(&mut self, equations: &E, time: f64, state: &E::State) {
-        let instant = equations.instant(time);
-        equations.guards(&instant, state, &mut self.values, &mut self.rates);
+        equations.look(time, state, &mut self.values, &mut self.rates);
     }
 }
 

@@ -17,6 +17,8 @@ pub(crate) struct Controller {
     beta: f64,
     /// Smallest and largest factor from one step to the next.
     factors: (f64, f64),
+    /// Whether the factor is an eighth root of the error alone, which is three square roots.
+    is_eighth: bool,
     /// Logarithm of the error of the last accepted step.
     previous: f64,
     /// Whether the last attempt was rejected.
@@ -31,6 +33,7 @@ impl Controller {
             alpha,
             beta,
             factors,
+            is_eighth: order == 8 && beta == 0.0,
             previous: SMALLEST_ERROR.ln(),
             rejected: false,
         }
@@ -41,10 +44,14 @@ impl Controller {
     pub fn accept(&mut self, error: f64) -> f64 {
         let (smallest, largest) = self.factors;
         let largest = if self.rejected { 1.0 } else { largest };
+        self.rejected = false;
+        if self.is_eighth {
+            let wanted = SAFETY / error.sqrt().sqrt().sqrt();
+            return wanted.clamp(smallest, largest);
+        }
         let logarithm = error.ln();
         let wanted = SAFETY * (self.beta * self.previous - self.alpha * logarithm).exp();
         self.previous = logarithm.max(SMALLEST_ERROR.ln());
-        self.rejected = false;
         wanted.clamp(smallest, largest)
     }
 

@@ -173,11 +173,15 @@ pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
         } else {
             M::STAGES - 1
         };
+        let mut bad = first_bad::<S, Y>(&workspace.trial);
+        if Y::CALLED && bad.is_some() {
+            workspace.sweep_stages(system, (clock.now, length), true);
+            bad = first_bad::<S, Y>(&workspace.trial);
+        }
         let error = match clock.fixed {
             Some(_) => 0.0,
             None => workspace.estimate(system, length, options),
         };
-        let bad = first_bad::<S, Y>(&workspace.trial);
         if error > 1.0 || error.is_nan() || bad.is_some() {
             let error = if bad.is_some() { f64::NAN } else { error };
             step = length * controller.reject(error);

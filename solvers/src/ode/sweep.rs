@@ -3,7 +3,7 @@
 
 use super::combine::combine;
 use super::system::System;
-use super::tableau::Method;
+use super::tableau::{Method, Row};
 use super::workspace::Workspace;
 use crate::problem::Stages;
 use crate::scalar::Scalar;
@@ -36,13 +36,11 @@ struct Sweep<'a, S, Y, M: Method, V> {
     stage: &'a mut V,
     trial: &'a mut V,
     slopes: &'a mut M::Slopes<V>,
-    /// How many there are.
-    count: usize,
     types: PhantomData<(S, Y)>,
 }
 
 /// The row of a tableau for the state of a stage.
-const fn row<M: Method>(number: usize) -> super::tableau::Row {
+const fn row<M: Method>(number: usize) -> Row {
     if number < M::STAGES {
         M::ROWS[number - 1]
     } else if number == M::STAGES {
@@ -54,6 +52,26 @@ const fn row<M: Method>(number: usize) -> super::tableau::Row {
     }
 }
 
+/// The state of a stage, `start + step · Σ aⱼ kⱼ`, component by component: packed sums would have to wait until the last
+/// slope, of which the components have just been written one by one, has got to where they can be read together.
+#[inline(always)]
+fn advance<S: Scalar, Y: System<S>>(
+    target: &mut Y::State,
+    start: &Y::State,
+    step: f64,
+    row: Row,
+    slopes: &[Y::State],
+) {
+    let step = S::from_f64(step);
+    for index in 0..Y::part(start, 0).len() {
+        let mut sum = S::ZERO;
+        for &(number, coefficient) in row {
+            sum = Y::part(&slopes[number], 0)[index].mul_add(S::from_f64(coefficient), sum);
+        }
+        Y::part_mut(target, 0)[index] = sum.mul_add(step, Y::part(start, 0)[index]);
+    }
+}
+
 impl<S: Scalar, Y: System<S>, M: Method> Stages<S> for Sweep<'_, S, Y, M, Y::State> {
     fn next(&mut self, stage: usize) -> (&[S], &mut [S]) {
         let number = self.first + stage;
@@ -62,10 +80,10 @@ impl<S: Scalar, Y: System<S>, M: Method> Stages<S> for Sweep<'_, S, Y, M, Y::Sta
             if NUMBER == M::STAGES {
                 // Without it in the error estimate the new state is known.
                 if M::ERROR_USES_LAST {
-                    combine::<S, Y>(self.trial, Some(self.state), self.step, row::<M>(NUMBER), self.slopes.as_ref());
+                    advance::<S, Y>(self.trial, self.state, self.step, row::<M>(NUMBER), self.slopes.as_ref());
                 }
             } else {
-                combine::<S, Y>(self.stage, Some(self.state), self.step, row::<M>(NUMBER), self.slopes.as_ref());
+                advance::<S, Y>(self.stage, self.state, self.step, row::<M>(NUMBER), self.slopes.as_ref());
             }
         });
         let state = if is_end { &*self.trial } else { &*self.stage };
@@ -74,39 +92,24 @@ impl<S: Scalar, Y: System<S>, M: Method> Stages<S> for Sweep<'_, S, Y, M, Y::Sta
             Y::part_mut(&mut self.slopes.as_mut()[number], 0),
         )
     }
-
-    fn are_finite(&self) -> bool {
-        let slopes = &self.slopes.as_ref()[self.first..self.first + self.count];
-        // Zero, unless one is infinite or not a number.
-        let mut sum = 0.0;
-        for slope in slopes {
-            for one in Y::part(slope, 0) {
-                sum += 0.0 * one.to_f64();
-            }
-        }
-        sum == 0.0
-    }
 }
 
 impl<V: Clone, M: Method> Workspace<V, M> {
-    /// The stages that the error estimate needs, and the new state.
+    /// The stages that the error estimate needs, and the new state; `again` where it was no number.
     #[inline(always)]
     pub(super) fn sweep_stages<S: Scalar, Y: System<S, State = V>>(
         &mut self,
         system: &Y,
-        time: f64,
-        step: f64,
+        (time, step): (f64, f64),
+        again: bool,
     ) {
         let mut times = [time + step; MOST];
         for (target, node) in times.iter_mut().zip(M::NODES) {
             *target = node * step + time;
         }
         let count = M::NODES.len() + usize::from(M::ERROR_USES_LAST);
-        self.sweep::<S, Y>(system, (1, step), &times[..count]);
-        if !M::ERROR_USES_LAST {
-            let slopes = self.slopes.as_ref();
-            combine::<S, Y>(&mut self.trial, Some(&self.state), step, M::WEIGHTS, slopes);
-        }
+        self.sweep::<S, Y>(system, (1, step), &times[..count], again);
+        self.end_apart::<S, Y>(step);
     }
 
     /// The slope at the end, unless it is known, and the stages of the dense output if asked for. Gives their number.
@@ -124,7 +127,21 @@ impl<V: Clone, M: Method> Workspace<V, M> {
             *target = node * step + time;
         }
         let count = 1 - known + if dense { M::EXTRA_NODES.len() } else { 0 };
-        self.sweep::<S, Y>(system, (M::STAGES + known, step), &times[..count]);
+        let first = M::STAGES + known;
+        self.sweep::<S, Y>(system, (first, step), &times[..count], false);
+        // Zero, unless one is infinite or not a number.
+        let mut sum = 0.0;
+        for slope in &self.slopes.as_ref()[first..first + count] {
+            for one in Y::part(slope, 0) {
+                sum += 0.0 * one.to_f64();
+            }
+        }
+        if sum != 0.0 {
+            self.sweep::<S, Y>(system, (first, step), &times[..count], true);
+        }
+        if dense {
+            self.interpolate_apart::<S, Y>(step);
+        }
         count
     }
 
@@ -134,6 +151,7 @@ impl<V: Clone, M: Method> Workspace<V, M> {
         system: &Y,
         (first, step): (usize, f64),
         times: &[f64],
+        again: bool,
     ) {
         let mut all = [S::ZERO; MOST];
         for (target, time) in all.iter_mut().zip(times) {
@@ -146,9 +164,30 @@ impl<V: Clone, M: Method> Workspace<V, M> {
             stage: &mut self.stage,
             trial: &mut self.trial,
             slopes: &mut self.slopes,
-            count: times.len(),
             types: PhantomData,
         };
-        system.sweep(&all[..times.len()], &mut stages);
+        match again {
+            true => system.sweep_again(&all[..times.len()], &mut stages),
+            false => system.sweep(&all[..times.len()], &mut stages),
+        }
+    }
+
+    /// [`Workspace::interpolate`] as a function of its own, of which the compiler packs the sums.
+    #[inline(never)]
+    fn interpolate_apart<S: Scalar, Y: System<S, State = V>>(&mut self, step: f64) {
+        self.interpolate::<S, Y>(step);
+    }
+
+    /// The new state and the errors likewise.
+    #[inline(never)]
+    fn end_apart<S: Scalar, Y: System<S, State = V>>(&mut self, step: f64) {
+        let slopes = self.slopes.as_ref();
+        if !M::ERROR_USES_LAST {
+            combine::<S, Y>(&mut self.trial, Some(&self.state), step, M::WEIGHTS, slopes);
+        }
+        combine::<S, Y>(&mut self.error, None, step, M::ERROR, slopes);
+        if !M::SECOND_ERROR.is_empty() {
+            combine::<S, Y>(&mut self.second, None, step, M::SECOND_ERROR, slopes);
+        }
     }
 }

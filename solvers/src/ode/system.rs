@@ -28,6 +28,11 @@ pub trait System<S: Scalar> {
     /// Evaluates all stages of a step, which lie at these times: of systems that are [`System::CALLED`].
     fn sweep(&self, _times: &[S], _stages: &mut dyn Stages<S>) {}
 
+    /// The same where it has given what is no number.
+    fn sweep_again(&self, times: &[S], stages: &mut dyn Stages<S>) {
+        self.sweep(times, stages);
+    }
+
     /// Number of parts of a state.
     fn parts(state: &Self::State) -> usize;
 
@@ -73,6 +78,11 @@ impl<S: Scalar, E: Equations<S>> System<S> for Plain<'_, E> {
     #[inline(always)]
     fn sweep(&self, times: &[S], stages: &mut dyn Stages<S>) {
         self.0.sweep(times, stages);
+    }
+
+    #[inline(always)]
+    fn sweep_again(&self, times: &[S], stages: &mut dyn Stages<S>) {
+        self.0.sweep_again(times, stages);
     }
 
     #[inline(always)]

@@ -22,7 +22,7 @@ pub struct Workspace<V, M: Method> {
     /// The error estimate.
     pub(super) error: V,
     /// The second error estimate.
-    second: V,
+    pub(super) second: V,
     /// The slopes.
     pub(super) slopes: M::Slopes<V>,
     /// The coefficients of the continuous solution.
@@ -134,7 +134,7 @@ impl<V: Clone, M: Method> Workspace<V, M> {
     ) -> M::Nodes<Y::Instant> {
         let instants = M::instants(system, S::from_f64(time), S::from_f64(step));
         if Y::CALLED {
-            self.sweep_stages(system, time, step);
+            self.sweep_stages(system, (time, step), false);
             return instants;
         }
         let slopes = self.slopes.as_mut();
@@ -173,13 +173,17 @@ impl<V: Clone, M: Method> Workspace<V, M> {
         step: f64,
         options: &Options,
     ) -> f64 {
-        let slopes = self.slopes.as_ref();
-        combine::<S, Y>(&mut self.error, None, step, M::ERROR, slopes);
-        let second = if M::SECOND_ERROR.is_empty() {
-            None
-        } else {
-            combine::<S, Y>(&mut self.second, None, step, M::SECOND_ERROR, slopes);
-            Some(&self.second)
+        // A sweep has computed the errors.
+        if !Y::CALLED {
+            let slopes = self.slopes.as_ref();
+            combine::<S, Y>(&mut self.error, None, step, M::ERROR, slopes);
+            if !M::SECOND_ERROR.is_empty() {
+                combine::<S, Y>(&mut self.second, None, step, M::SECOND_ERROR, slopes);
+            }
+        }
+        let second = match M::SECOND_ERROR {
+            [] => None,
+            _ => Some(&self.second),
         };
         scaled_size(
             system,
@@ -235,11 +239,7 @@ impl<V: Clone, M: Method> Workspace<V, M> {
         dense: bool,
     ) -> usize {
         if Y::CALLED {
-            let count = self.sweep_rest(system, time, step, dense);
-            if dense {
-                self.interpolate::<S, Y>(step);
-            }
-            return count;
+            return self.sweep_rest(system, time, step, dense);
         }
         let extra = if dense {
             Some(M::extra_instants(
@@ -276,7 +276,7 @@ impl<V: Clone, M: Method> Workspace<V, M> {
 
     /// The coefficients of the continuous solution.
     #[inline(always)]
-    fn interpolate<S: Scalar, Y: System<S, State = V>>(&mut self, step: f64) {
+    pub(super) fn interpolate<S: Scalar, Y: System<S, State = V>>(&mut self, step: f64) {
         let (slopes, polynomial) = (self.slopes.as_ref(), self.polynomial.as_mut());
         for part in 0..Y::parts(&self.state) {
             let scale = S::from_f64(step);
@@ -288,6 +288,18 @@ impl<V: Clone, M: Method> Workspace<V, M> {
                 Y::part_mut(&mut polynomial[1], part)[index] = begin;
                 Y::part_mut(&mut polynomial[2], part)[index] = end - begin;
             }
+        }
+        // Written out, so that the coefficients are constants where this is a function of its own.
+        macro_rules! rows {
+            ($($row:literal)*) => {
+                $(if $row < M::DENSE_ROWS.len() {
+                    combine::<S, Y>(&mut polynomial[3 + $row], None, step, M::DENSE_ROWS[$row], slopes);
+                })*
+            };
+        }
+        if Y::CALLED {
+            rows!(0 1 2 3);
+            return;
         }
         for (target, row) in polynomial.iter_mut().skip(3).zip(M::DENSE_ROWS) {
             combine::<S, Y>(target, None, step, row, slopes);
