@@ -6,6 +6,7 @@ mod collect;
 mod count;
 mod emit;
 mod evaluate;
+mod latency;
 mod order;
 mod product;
 mod resting;

@@ -6,6 +6,7 @@
 use std::collections::HashMap;
 
 use super::build::Request;
+use super::latency;
 use super::{Function, Input, Operation, OperationKind, Stage, Value};
 use crate::expression::{Expression, Graph, Node, Symbol};
 
@@ -24,6 +25,8 @@ pub struct Emitter<'a> {
     /// How many products have these factors of their last stage.
     pub(super) endings: HashMap<Vec<Expression>, usize>,
     known: HashMap<Key, Value>,
+    /// How long each operation takes after the state is known, in additions.
+    depths: Vec<u32>,
     done: HashMap<Expression, Value>,
 }
 
@@ -61,6 +64,7 @@ impl<'a> Emitter<'a> {
             beginnings: HashMap::new(),
             endings: HashMap::new(),
             known: HashMap::new(),
+            depths: Vec::new(),
             done: HashMap::new(),
         };
         for one in reachable {
@@ -201,6 +205,11 @@ impl<'a> Emitter<'a> {
             return *known;
         }
         let value = Value(self.operations.len() as u32);
+        let depth = match stage {
+            Stage::State => latency::of(&kind, |value| self.depths[value.0 as usize]),
+            _ => 0,
+        };
+        self.depths.push(depth);
         self.operations.push(Operation {
             kind,
             stage,
@@ -285,8 +294,16 @@ impl<'a> Emitter<'a> {
     /// Adds terms of one stage to a value.
     fn add_terms(&mut self, total: Option<Value>, terms: &[Expression]) -> Value {
         let mut list: Vec<Summand> = terms.iter().map(|term| self.summand(*term)).collect();
-        // A total to begin with: what is no product and has no minus first.
-        list.sort_by_key(|one| (one.negative, one.second.is_some()));
+        // What takes longest is added last: the processor does not wait for it before it adds the others.
+        list.sort_by_key(|one| self.depth_of(one));
+        if total.is_none() {
+            // A total to begin with: what is no product and has no minus first.
+            let first = (0..list.len()).min_by_key(|index| {
+                let one = &list[*index];
+                (one.negative, one.second.is_some(), *index)
+            });
+            list[..=first.unwrap_or(0)].rotate_right(1);
+        }
         let mut rest = list.into_iter();
         let mut sum = match total {
             Some(total) => total,
@@ -343,6 +360,15 @@ impl<'a> Emitter<'a> {
                 }
                 self.combine(OperationKind::Negate(sum))
             }
+        }
+    }
+
+    /// How long a term of a sum takes.
+    fn depth_of(&self, summand: &Summand) -> u32 {
+        let depth = |value: Value| self.depths[value.0 as usize];
+        match summand.second {
+            Some(second) => 1 + depth(summand.first).max(depth(second)),
+            None => depth(summand.first),
         }
     }
 

@@ -207,13 +207,14 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                             -self.v26_,
                             v159_,
                             S::mul_add(
-                                self.m2,
-                                S::mul_add(
-                                    -instant.v113_,
-                                    dot_phi2,
-                                    S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
-                                ),
-                                self.v25_ * v155_,
+                                self.v25_,
+                                v155_,
+                                self.m2
+                                    * S::mul_add(
+                                        -instant.v113_,
+                                        dot_phi2,
+                                        S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
+                                    ),
                             ),
                         ),
                 ),
@@ -274,13 +275,14 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                             -self.v26_,
                             v159_,
                             S::mul_add(
-                                self.m2,
-                                S::mul_add(
-                                    -instant.v113_,
-                                    dot_phi2,
-                                    S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
-                                ),
-                                self.v25_ * v155_,
+                                self.v25_,
+                                v155_,
+                                self.m2
+                                    * S::mul_add(
+                                        -instant.v113_,
+                                        dot_phi2,
+                                        S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
+                                    ),
                             ),
                         ),
                 ),
@@ -439,13 +441,9 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                 shaft,
             );
         let ddot_x2 = S::mul_add(
-            -v113_,
-            dot_phi2,
-            S::mul_add(
-                self.R * sin_theta_,
-                S::mul_add(-(self.v29_ * v108_), phi2, v185_),
-                ddot_x1,
-            ),
+            self.R * sin_theta_,
+            S::mul_add(-(self.v29_ * v108_), phi2, v185_),
+            S::mul_add(-v113_, dot_phi2, ddot_x1),
         );
         let ddot_x3 = S::mul_add(
             self.v40_,
@@ -454,14 +452,14 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         );
         let ddot_x4 = S::mul_add(self.v42_, -(self.m4 * ddot_x1) - v159_, ddot_x1);
         let F1 = S::mul_add(
-            -self.v75_,
-            ddot_x4,
-            S::mul_add(self.v74_, ddot_x3, self.m1 * ddot_x1),
+            self.v74_,
+            ddot_x3,
+            S::mul_add(-self.v75_, ddot_x4, self.m1 * ddot_x1),
         );
         let F2 = S::mul_add(
-            -self.v76_,
-            ddot_x3,
-            S::mul_add(self.v77_, ddot_x4, self.m2 * ddot_x2),
+            self.m2,
+            ddot_x2,
+            S::mul_add(-self.v76_, ddot_x3, self.v77_ * ddot_x4),
         );
         let drive_torque = S::mul_add(v102_, F1, shaft);
         let x_difference = x3 - x4;
@@ -488,7 +486,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                     * S::mul_add(
                         -self.v26_,
                         v159_,
-                        S::mul_add(self.m2, v157_, self.v25_ * v155_),
+                        S::mul_add(self.v25_, v155_, self.m2 * v157_),
                     ),
             );
         values[15] = F1;
