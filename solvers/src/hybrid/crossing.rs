@@ -20,6 +20,8 @@ const PROBES: [f64; 8] = [0.09, 0.236, 0.326, 0.472, 0.618, 0.708, 0.854, 0.944]
 const SWING: f64 = 4.0;
 /// By how many times the largest slope that was found may be too small.
 const SAFETY: f64 = 3.0;
+/// A zero of a cubic that moves by less is known to twice as many digits.
+const CLOSE: f64 = 1e-6;
 /// How far on each side of a zero it is looked at last, in parts that are one time: a little less than a half.
 const APART: f64 = 0.45;
 /// The largest value of `16 p (1 - p)²`: a deviation `d` in the middle is `16 d p² (1 - p)²` elsewhere, since value and
@@ -294,7 +296,11 @@ fn root(hull: &[f64; 4]) -> f64 {
         if !(next > 0.0 && next < 1.0) {
             break;
         }
+        let is_near = (next - part).abs() < CLOSE;
         part = next;
+        if is_near {
+            break;
+        }
     }
     part
 }

@@ -53,7 +53,8 @@ const fn row<M: Method>(number: usize) -> Row {
 }
 
 /// The state of a stage, `start + step · Σ aⱼ kⱼ`, component by component: packed sums would have to wait until the last
-/// slope, of which the components have just been written one by one, has got to where they can be read together.
+/// slope, of which the components have just been written one by one, has got to where they can be read together. That slope
+/// is what everything waits for, and is added last.
 #[inline(always)]
 fn advance<S: Scalar, Y: System<S>>(
     target: &mut Y::State,
@@ -62,13 +63,17 @@ fn advance<S: Scalar, Y: System<S>>(
     row: Row,
     slopes: &[Y::State],
 ) {
-    let step = S::from_f64(step);
+    let Some((&(last, factor), rest)) = row.split_last() else {
+        return;
+    };
+    let (factor, step) = (S::from_f64(factor * step), S::from_f64(step));
     for index in 0..Y::part(start, 0).len() {
         let mut sum = S::ZERO;
-        for &(number, coefficient) in row {
+        for &(number, coefficient) in rest {
             sum = Y::part(&slopes[number], 0)[index].mul_add(S::from_f64(coefficient), sum);
         }
-        Y::part_mut(target, 0)[index] = sum.mul_add(step, Y::part(start, 0)[index]);
+        let known = sum.mul_add(step, Y::part(start, 0)[index]);
+        Y::part_mut(target, 0)[index] = Y::part(&slopes[last], 0)[index].mul_add(factor, known);
     }
 }
 
