@@ -64,6 +64,8 @@ pub(super) struct Search<'a> {
     pub blur: f64,
     /// The guard at a part of the step.
     pub sample: &'a mut dyn FnMut(f64) -> Sample,
+    /// Whether what else an event asks for holds at a part of the step. A crossing at which it does not is passed over.
+    pub permits: &'a dyn Fn(f64) -> bool,
 }
 
 impl Search<'_> {
@@ -197,11 +199,12 @@ impl Search<'_> {
             true => (from.part, from.part),
             false => self.narrow(from, to, before),
         };
-        Some(Crossing {
+        let crossing = Crossing {
             part,
             before,
             rising,
-        })
+        };
+        (self.permits)(part).then_some(crossing)
     }
 
     /// The largest part that has the old sign or none, and the smallest that has the new one: neighbours, or as near to
@@ -339,6 +342,7 @@ mod tests {
             slope: 0.0,
             blur: 0.0,
             sample: &mut sample,
+            permits: &|_| true,
         };
         search.run(from, to)
     }

@@ -29,6 +29,43 @@ impl Guards {
     }
 }
 
+/// Parts of a step that are kept: those that several guards are looked at in are the first ones.
+const KEPT: usize = 10;
+
+/// All guards at the first parts of a step that have been looked at.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Seen {
+    parts: [f64; KEPT],
+    length: usize,
+    guards: [Guards; KEPT],
+}
+
+impl Seen {
+    /// Forgets all of them.
+    pub fn clear(&mut self) {
+        self.length = 0;
+    }
+
+    /// The guards at a part, if it has been looked at.
+    #[inline(always)]
+    pub fn find(&self, part: f64) -> Option<&Guards> {
+        let mut parts = self.parts[..self.length.min(KEPT)].iter();
+        parts
+            .position(|one| *one == part)
+            .map(|place| &self.guards[place])
+    }
+
+    /// Room for the guards at another part.
+    #[inline(always)]
+    pub fn next(&mut self, part: f64) -> Option<&mut Guards> {
+        let place = self.length;
+        let guards = self.guards.get_mut(place)?;
+        self.parts[place] = part;
+        self.length += 1;
+        Some(guards)
+    }
+}
+
 /// The guards in several places.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Room {
@@ -38,6 +75,8 @@ pub(super) struct Room {
     pub end: Guards,
     /// Anywhere.
     pub there: Guards,
+    /// At the parts of a step that have been looked at.
+    pub seen: Seen,
     /// The terms of which they are made.
     pub terms: Guards,
     /// The parts of a step just before and at which guards bend, the first one first.
@@ -69,6 +108,10 @@ impl Room {
             &mut self.there,
             &mut self.terms,
         ] {
+            guards.resize(count);
+        }
+        self.seen.clear();
+        for guards in &mut self.seen.guards {
             guards.resize(count);
         }
     }

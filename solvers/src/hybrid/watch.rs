@@ -3,7 +3,7 @@
 use super::NOISE;
 use super::crossing::{Crossing, Sample, Search, is_far, is_resolved};
 use super::problem::{Direction, EventEntry, Modes};
-use super::room::{Guards, Room};
+use super::room::{Guards, Room, Seen};
 use super::rounding::terms;
 use crate::ode::{Observer, Recorder, Step};
 use crate::problem::Storage;
@@ -74,6 +74,16 @@ struct Way {
     turned: f64,
     /// Parts of the step by which two events differ that cannot be told apart.
     blur: f64,
+    /// Whether the terms of the guards have been found out.
+    is_measured: bool,
+}
+
+impl Way {
+    /// Whether so large a part of the step is more than is known of a guard, or than one may trust.
+    #[inline(always)]
+    fn is_unknown(&self, guard: &Guard, part: f64) -> bool {
+        self.length * part > LONGER * guard.looked || self.turned * part > TURNED
+    }
 }
 
 /// An event in a step.
@@ -149,11 +159,12 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         self.step = length;
         self.room.end.look(self.equations, step.to, step.after);
         let turned = self.room.turned(self.equations, step.to, self.angles);
-        let way = Way {
+        let mut way = Way {
             length,
             turned,
             // Which is first of two that cannot be told apart is said by their order in the file.
             blur: BLUR * f64::EPSILON * (step.to / length).abs().max(1.0),
+            is_measured: false,
         };
         let count = self.events.len();
         let strange = |event: &usize| !self.room.end.values[*event].is_finite();
@@ -162,18 +173,19 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             return self.pass(step);
         }
         self.room.bends.clear();
+        self.room.seen.clear();
         for kink in count..self.room.end.values.len() {
-            self.bend(step, kink);
+            self.bend(step, &way, kink);
         }
         let surfaces = self.events.iter().filter(|entry| entry.surface.is_some());
         let own = count - surfaces.count();
-        let surface = self.earliest(step, &way, own..count, None).0;
+        let surface = self.earliest(step, &mut way, own..count, None).0;
         if let Some(crossing) = surface {
             self.room.bends.push((crossing.before, crossing.part));
         }
         self.room.bends.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
         let limit = surface.map(|crossing| crossing.part);
-        let (event, second) = self.earliest(step, &way, 0..own, limit);
+        let (event, second) = self.earliest(step, &mut way, 0..own, limit);
         let (first, second) = match (event, surface) {
             (Some(event), Some(surface)) if event.part > surface.part + way.blur => {
                 (Some(surface), None)
@@ -211,7 +223,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
     fn earliest(
         &mut self,
         step: &Step<'_, E::State>,
-        way: &Way,
+        way: &mut Way,
         events: Range<usize>,
         limit: Option<f64>,
     ) -> (Option<Found>, Option<usize>) {
@@ -230,20 +242,20 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
                 .max(to.slope.abs());
             guard.rate = slope / length;
             guard.looked *= FORGET;
-            let wary = length > LONGER * guard.looked
-                || way.turned > TURNED
-                || is_smooth && !is_resolved(&from, &to, slope);
+            let rough = is_smooth && !is_resolved(&from, &to, slope);
+            let wary = rough || way.is_unknown(guard, 1.0);
             if !wary && is_smooth && guard.is_far(&from, &to) {
                 continue;
             }
-            if from.value.abs().min(to.value.abs()) <= NEAR * guard.size {
+            if !way.is_measured && from.value.abs().min(to.value.abs()) <= NEAR * guard.size {
+                way.is_measured = true;
                 self.measure(step);
             }
             let until = match first {
                 Some(found) => Some(found.part + 2.0 * way.blur),
                 None => limit.map(|part| part + 2.0 * way.blur),
             };
-            let Some(crossing) = self.search(step, event, (from, to), wary, until) else {
+            let Some(crossing) = self.search(step, way, event, (from, to), rough, until) else {
                 continue;
             };
             let found = Found {
@@ -279,7 +291,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
 
     /// Notes where a kink lies in a step.
     #[inline(always)]
-    fn bend(&mut self, step: &Step<'_, E::State>, kink: usize) {
+    fn bend(&mut self, step: &Step<'_, E::State>, way: &Way, kink: usize) {
         let length = step.to - step.from;
         let mut from = at(&self.room.begin, kink, 0.0, length);
         let to = at(&self.room.end, kink, 1.0, length);
@@ -289,41 +301,38 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             return;
         }
         while self.room.bends.len() < BENDS {
-            let Some(crossing) = self.search(step, kink, (from, to), false, None) else {
+            let Some(crossing) = self.search(step, way, kink, (from, to), false, None) else {
                 break;
             };
             self.room.bends.push((crossing.before, crossing.part));
-            from = self.sample(step, kink, crossing.part);
+            let Room { there, seen, .. } = &mut *self.room;
+            from = look_at(
+                self.equations,
+                step,
+                &mut self.state,
+                (there, seen),
+                (kink, crossing.part),
+            );
         }
-    }
-
-    /// A guard somewhere in a step.
-    fn sample(&mut self, step: &Step<'_, E::State>, event: usize, part: f64) -> Sample {
-        let length = step.to - step.from;
-        between(step, part, &mut self.state);
-        let there = &mut self.room.there;
-        there.look(self.equations, step.from + part * length, &self.state);
-        at(there, event, part, length)
     }
 
     /// Where an event happens first in a step, up to a part of it. From bend to bend its guard is smooth.
     fn search(
         &mut self,
         step: &Step<'_, E::State>,
+        way: &Way,
         event: usize,
         (from, to): (Sample, Sample),
-        wary: bool,
+        rough: bool,
         until: Option<f64>,
     ) -> Option<Crossing> {
         let length = step.to - step.from;
         let guard = &mut self.guards[event];
         let (equations, state) = (self.equations, &mut self.state);
-        let Room { there, bends, .. } = &mut *self.room;
-        let mut sample = |part: f64| {
-            between(step, part, state);
-            there.look(equations, step.from + part * length, state);
-            at(there, event, part, length)
-        };
+        let Room {
+            there, seen, bends, ..
+        } = &mut *self.room;
+        let mut sample = |part: f64| look_at(equations, step, state, (there, seen), (event, part));
         let slope = from.slope.abs().max(to.slope.abs());
         let to = match until {
             Some(part) if part < 1.0 => sample(part),
@@ -342,49 +351,63 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             slope,
             blur: f64::EPSILON * (step.to / length).abs(),
             sample: &mut sample,
+            permits: &|part| !is_event || permits(equations, event, step, part),
         };
         let mut begin = from;
         let ahead = |bend: &&(f64, f64)| is_event && bend.0 > from.part && bend.1 < to.part;
         let mut bends = bends.iter().filter(ahead);
         let mut bend = bends.next();
-        // A crossing at which something else that is asked for does not hold is passed over.
         let found = loop {
             let end = match bend {
                 Some((before, _)) => (search.sample)(*before),
                 None => to,
             };
             search.slope = search.slope.max(end.slope.abs());
-            let mut found = match wary {
+            let width = end.part - begin.part;
+            let found = match is_event && (rough || way.is_unknown(guard, width)) {
                 true => {
                     let (found, fits) = search.run_warily(begin, end);
                     if fits {
-                        guard.looked = guard.looked.max(length);
+                        guard.looked = guard.looked.max(width * length);
                     }
                     found
                 }
                 false => search.run(begin, end),
             };
-            if found.is_none() {
-                let Some((_, after)) = bend else {
-                    break None;
-                };
-                bend = bends.next();
-                begin = (search.sample)(*after);
-                search.slope = search.slope.max(begin.slope.abs());
-                found = search.jump(end, begin);
-            }
-            match found {
-                Some(found) if !is_event || permits(equations, event, step, found.part) => {
-                    break Some(found);
-                }
-                Some(found) if found.part > begin.part => begin = (search.sample)(found.part),
-                _ => {}
+            let (None, Some((_, after))) = (found, bend) else {
+                break found;
+            };
+            bend = bends.next();
+            begin = (search.sample)(*after);
+            search.slope = search.slope.max(begin.slope.abs());
+            let jumped = search.jump(end, begin);
+            if jumped.is_some() {
+                break jumped;
             }
         };
         (guard.sign, guard.armed) = (search.sign, search.armed);
         guard.rate = search.slope / length;
         found
     }
+}
+
+/// A guard at a part of a step. What one guard is looked at for, the others are to be looked at for too.
+#[inline(always)]
+fn look_at<E: Modes<f64>>(
+    equations: &E,
+    step: &Step<'_, E::State>,
+    state: &mut E::State,
+    (there, seen): (&mut Guards, &mut Seen),
+    (guard, part): (usize, f64),
+) -> Sample {
+    let length = step.to - step.from;
+    if let Some(guards) = seen.find(part) {
+        return at(guards, guard, part, length);
+    }
+    between(step, part, state);
+    let there = seen.next(part).unwrap_or(there);
+    there.look(equations, step.from + part * length, state);
+    at(there, guard, part, length)
 }
 
 /// A guard at a part of a step of this length.
