@@ -1,5 +1,6 @@
 //! The first zero of a guard within a step.
 
+use super::cubic::{Sample, cubic, hull, is_far, is_resolved, range, root};
 use super::problem::Direction;
 
 /// Halvings of a step before a touch without a crossing is taken for what it is.
@@ -15,27 +16,11 @@ const FADE: f64 = 0.5;
 /// Where a guard is looked at whose slopes may be larger than those at the ends of a step: multiples of the golden section,
 /// which keep out of step with whatever swings.
 const PROBES: [f64; 8] = [0.09, 0.236, 0.326, 0.472, 0.618, 0.708, 0.854, 0.944];
-/// How much farther than a cubic through its ends a guard may move in a step that is resolved. A cubic itself moves up to
-/// three times as far as its coefficients.
-const SWING: f64 = 4.0;
-/// By how many times the largest slope that was found may be too small.
-const SAFETY: f64 = 3.0;
-/// A zero of a cubic that moves by less is known to twice as many digits.
-const CLOSE: f64 = 1e-6;
 /// How far on each side of a zero it is looked at last, in parts that are one time: a little less than a half.
 const APART: f64 = 0.45;
 /// The largest value of `16 p (1 - p)²`: a deviation `d` in the middle is `16 d p² (1 - p)²` elsewhere, since value and
 /// slope agree at both ends, and that is at most this many `d p`.
 const LEAN: f64 = 64.0 / 27.0;
-
-/// A guard at a part of the step, from 0 to 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Sample {
-    pub part: f64,
-    pub value: f64,
-    /// Derivative by the part.
-    pub slope: f64,
-}
 
 /// Where a guard passes zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -249,71 +234,6 @@ impl Search<'_> {
             false => value.signum(),
         }
     }
-}
-
-/// The coefficients of the cubic through two samples, between which it lies.
-fn hull(from: &Sample, to: &Sample) -> [f64; 4] {
-    let width = to.part - from.part;
-    [
-        from.value,
-        from.value + width * from.slope / 3.0,
-        to.value - width * to.slope / 3.0,
-        to.value,
-    ]
-}
-
-/// Whether a guard that changes at most so fast is a cubic between two samples, as far as these say: it is too slow to get
-/// to zero and back, or its values and slopes at both ends have much to do with its speed. Where they have not it may
-/// have swung meanwhile: methods step far over what the state does not feel.
-pub(super) fn is_resolved(from: &Sample, to: &Sample, slope: f64) -> bool {
-    let reach = slope * (to.part - from.part);
-    let (low, high) = range(&hull(from, to));
-    from.value.abs() + to.value.abs() > SAFETY * reach || reach <= SWING * (high - low)
-}
-
-/// Whether a cubic through two samples stays away from zero by more than it changes.
-pub(super) fn is_far(from: &Sample, to: &Sample) -> bool {
-    let (low, high) = range(&hull(from, to));
-    f64::max(low, -high) > high - low
-}
-
-/// A cubic at a part, from 0 to 1.
-fn cubic(hull: &[f64; 4], part: f64) -> f64 {
-    let [a, b, c, d] = *hull;
-    let rest = 1.0 - part;
-    let (square, rest_square) = (part * part, rest * rest);
-    a * rest * rest_square + 3.0 * part * rest * (b * rest + c * part) + d * part * square
-}
-
-/// About where a cubic of which the ends have different signs is zero, from 0 to 1.
-fn root(hull: &[f64; 4]) -> f64 {
-    let [a, b, c, d] = *hull;
-    let mut part = a / (a - d);
-    for _ in 0..4 {
-        let rest = 1.0 - part;
-        let (first, last) = (
-            (a * rest + b * part) * rest + (b * rest + c * part) * part,
-            (b * rest + c * part) * rest + (c * rest + d * part) * part,
-        );
-        let next = part - (first * rest + last * part) / (3.0 * (last - first));
-        if !(next > 0.0 && next < 1.0) {
-            break;
-        }
-        let is_near = (next - part).abs() < CLOSE;
-        part = next;
-        if is_near {
-            break;
-        }
-    }
-    part
-}
-
-/// The smallest and the largest of some values.
-fn range(values: &[f64; 4]) -> (f64, f64) {
-    let values = values.iter().copied();
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-        (low.min(value), high.max(value))
-    })
 }
 
 #[cfg(test)]

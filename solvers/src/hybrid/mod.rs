@@ -38,17 +38,22 @@
 
 mod carry;
 mod crossing;
+mod cubic;
 mod cycle;
+mod end;
 mod erased;
 mod error;
+mod guard;
 mod march;
 mod motion;
 mod problem;
 mod room;
 mod rounding;
 mod run;
+mod settle;
 mod start;
 mod watch;
+mod within;
 
 pub use cycle::{Cycle, CycleError, Lyapunov, Periods, cycle, cycle_from, lyapunov};
 pub use error::HybridError;

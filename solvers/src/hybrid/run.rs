@@ -1,92 +1,34 @@
 //! From event to event, several at one instant, and the rules that end it.
 
 use super::carry::Carry;
+use super::end::End;
 use super::erased::{Erased, Table};
-use super::error::HybridError;
+use super::guard::Guard;
 use super::motion::{Happened, Motion, Piece};
-use super::problem::{EventEntry, Modes};
+use super::problem::Modes;
 use super::room::Room;
-use super::rounding::terms;
-use super::watch::{Guard, NEAR, Watch};
-use super::{CHATTER, NOISE, SOON, TURNS};
-use crate::ode::{OdeError, Options, Statistics};
+use super::watch::Watch;
+use super::{CHATTER, SOON, TURNS};
+use crate::ode::{Options, Statistics};
 use crate::problem::{Equations, Storage};
-
-/// Part of the rate with which a guard passed zero that counts as none after the event.
-const STOPPED: f64 = 1e-9;
-
-/// Why the motion ends early.
-pub(super) enum End {
-    Ode(OdeError),
-    Loop(Vec<usize>),
-    Chatter { since: f64, events: usize },
-    Held(usize),
-    Guard(usize),
-}
-
-impl End {
-    #[cold]
-    pub(super) fn with(self, motion: Motion) -> HybridError {
-        let (time, mode) = (motion.time, motion.mode);
-        let motion = Box::new(motion);
-        match self {
-            Self::Ode(error) => HybridError::Ode {
-                error,
-                mode,
-                motion,
-            },
-            Self::Held(event) => HybridError::Held {
-                time,
-                mode,
-                event,
-                motion,
-            },
-            Self::Guard(event) => HybridError::Guard {
-                time,
-                mode,
-                event,
-                motion,
-            },
-            Self::Loop(modes) => HybridError::Loop {
-                time,
-                modes,
-                turns: TURNS,
-                motion,
-            },
-            Self::Chatter { since, events } => {
-                let last = motion.events.iter().rev().take(8);
-                let mut modes: Vec<usize> = last.map(|one| one.to).collect();
-                modes.sort_unstable();
-                modes.dedup();
-                HybridError::Chatter {
-                    time,
-                    since,
-                    events,
-                    modes,
-                    motion,
-                }
-            }
-        }
-    }
-}
 
 /// A motion under way.
 pub(super) struct Run<'a, 'b, V> {
-    equations: Erased<'a, V>,
-    table: &'b Table,
-    state: V,
+    pub(super) equations: Erased<'a, V>,
+    pub(super) table: &'b Table,
+    pub(super) state: V,
     options: Options,
     times: (f64, f64),
-    guards: Vec<Guard>,
+    pub(super) guards: Vec<Guard>,
     /// For each mode how long the steps were in which its guards have been looked at.
     looked: Vec<Vec<f64>>,
-    room: Room,
+    pub(super) room: Room,
     /// When events began to follow each other quickly, and how many there have been since.
     since: (f64, usize),
     /// On which side of each switching surface the motion is.
-    sides: Vec<f64>,
+    pub(super) sides: Vec<f64>,
     /// The rate with which the guard of the last event passed zero.
-    arrival: f64,
+    pub(super) arrival: f64,
     /// Events at this instant.
     turns: usize,
     /// The last event: its line, its time, and the rate of its guard after it.
@@ -183,134 +125,6 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             }
         }
         Ok(())
-    }
-
-    /// Notes the signs of the guards where a mode begins. Gives the event that happens there at once: its guard is zero
-    /// and passes, or it has happened together with the last one.
-    fn begin(
-        &mut self,
-        time: f64,
-        events: &[EventEntry],
-        last: Option<u32>,
-        with: Option<u32>,
-    ) -> Result<Option<usize>, End> {
-        let Room {
-            begin,
-            there,
-            terms: sizes,
-            ..
-        } = &mut self.room;
-        begin.look(&self.equations, time, &self.state);
-        let strange = |event: &usize| !begin.values[*event].is_finite();
-        if let Some(event) = (0..events.len()).find(strange) {
-            return Err(End::Guard(event));
-        }
-        // Only a small guard may be no more than the rounding of its terms.
-        let is_small = |(event, entry): (usize, &EventEntry)| {
-            let size = self.guards[event].size;
-            entry.surface.is_none() && begin.values[event].abs() <= NEAR * size || size == 0.0
-        };
-        match events.iter().enumerate().any(is_small) {
-            true => terms(&self.equations, time, &self.state, begin, there, sizes),
-            false => sizes.clear(),
-        }
-        let mut due = None;
-        for (event, entry) in events.iter().enumerate() {
-            let (value, rate) = (begin.values[event], begin.rates[event]);
-            // A rate that is no more than its rounding does not say where the guard goes.
-            let is_still = rate.abs() <= NOISE * f64::EPSILON * sizes.rates[event];
-            let guard = &mut self.guards[event];
-            guard.size = guard.size.max(value.abs()).max(sizes.values[event]);
-            // The time is known to a rounding, and so is the guard.
-            let blur = 4.0 * f64::EPSILON * (rate * time).abs();
-            let is_zero = value.abs() <= guard.noise().max(blur);
-            if let Some(surface) = entry.surface {
-                (guard.sign, guard.armed) = (self.sides[surface], true);
-                continue;
-            }
-            // An event that has just happened has to come back first, unless it has stopped its guard: what pushes that
-            // across again makes it happen again.
-            let is_stopped = is_still && rate.abs() <= STOPPED * self.arrival.abs();
-            guard.armed = last != Some(entry.line) || is_stopped;
-            guard.sign = match (is_zero, is_still) {
-                (false, _) => value.signum(),
-                (true, false) => rate.signum(),
-                (true, true) => 0.0,
-            };
-            let passes = is_zero && !is_still && entry.direction.allows(rate > 0.0)
-                || with == Some(entry.line);
-            guard.still = (time, if is_still { sizes.rates[event] } else { 0.0 });
-            if passes && guard.armed && due.is_none() {
-                let instant = self.equations.instant(time);
-                let is_permitted = self.equations.permits(event, &instant, &self.state);
-                due = is_permitted.then_some(event);
-            }
-        }
-        let kinks = events.len()..begin.values.len();
-        for (guard, value) in self.guards[kinks.clone()]
-            .iter_mut()
-            .zip(&begin.values[kinks])
-        {
-            guard.size = guard.size.max(value.abs());
-            guard.sign = match value.abs() <= guard.noise() {
-                false => value.signum(),
-                true => 0.0,
-            };
-            guard.armed = false;
-        }
-        Ok(due)
-    }
-
-    /// Chooses the side of every switching surface where a mode begins, or where the state has jumped.
-    fn settle(&mut self, time: f64) -> Result<(), End> {
-        let events = self.table.events[self.equations.mode()];
-        for surface in events.iter().filter_map(|entry| entry.surface) {
-            self.put(surface, 0.0);
-        }
-        for (event, entry) in events.iter().enumerate() {
-            let Some(surface) = entry.surface else {
-                continue;
-            };
-            let (value, _) = self.guard(time, event);
-            let size = self.guards[event].size.max(value.abs());
-            let is_zero = value.abs() <= NOISE * f64::EPSILON * size;
-            let side = match is_zero {
-                false => value.signum(),
-                true => self.leaving(time, event, surface)?,
-            };
-            self.put(surface, side);
-        }
-        Ok(())
-    }
-
-    /// The sides of the switching surfaces of this mode.
-    fn sides_here(&self, events: &[EventEntry]) -> Vec<f64> {
-        let surfaces = events.iter().filter(|entry| entry.surface.is_some());
-        self.sides[..surfaces.count()].to_vec()
-    }
-
-    /// Puts the motion on a side of a switching surface.
-    fn put(&mut self, surface: usize, side: f64) {
-        self.sides[surface] = side;
-        self.equations.side(surface, side);
-    }
-
-    /// The side to which a motion leaves a switching surface on which it is.
-    fn leaving(&mut self, time: f64, event: usize, surface: usize) -> Result<f64, End> {
-        for side in [1.0, -1.0] {
-            self.put(surface, side);
-            if self.guard(time, event).1 * side >= 0.0 {
-                return Ok(side);
-            }
-        }
-        Err(End::Held(event))
-    }
-
-    /// Value and rate of a guard here.
-    fn guard(&mut self, time: f64, event: usize) -> (f64, f64) {
-        let there = &mut self.room.there;
-        there.look(&self.equations, time, &self.state);
-        (there.values[event], there.rates[event])
     }
 
     /// Carries out an event.

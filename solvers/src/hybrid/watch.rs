@@ -1,12 +1,12 @@
 //! Looks for events in every step.
 
-use super::NOISE;
-use super::crossing::{Crossing, Sample, Search, is_far, is_resolved};
-use super::problem::{Direction, EventEntry, Modes};
-use super::room::{Guards, Room, Seen};
+use super::cubic::is_resolved;
+use super::guard::{Guard, Way};
+use super::problem::{EventEntry, Modes};
+use super::room::Room;
 use super::rounding::terms;
+use super::within::{at, between};
 use crate::ode::{Observer, Recorder, Step};
-use crate::problem::Storage;
 use std::ops::Range;
 
 /// Roundings of the time by which two events differ that cannot be told apart: the continuous solution has as many.
@@ -15,76 +15,10 @@ const BLUR: f64 = 64.0;
 /// A guard of less than this part of the largest that it has been may be no more than the rounding of its terms, which is
 /// found out then.
 pub(super) const NEAR: f64 = 1e-6;
-/// A step in which a driver turns by more, in radians, is looked into.
-const TURNED: f64 = 1.0;
-/// A step that is longer by this than any in which a guard has been looked at is looked into.
-const LONGER: f64 = 1.25;
 /// What that length counts from one step to the next: now and then a guard is looked at again.
 const FORGET: f64 = 0.997;
-/// Bends of guards in a step that are told apart. More are found as what they are to a guard.
-const BENDS: usize = 4;
 /// What the largest rate of a guard counts from one step to the next.
 const MEMORY: f64 = 0.8;
-
-/// What is remembered of a guard.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Guard {
-    /// Sign so far, 0 while it has been zero since the mode began.
-    pub sign: f64,
-    /// Whether leaving zero counts as passing it.
-    pub armed: bool,
-    /// The largest of its values and terms.
-    pub size: f64,
-    /// The time at which the mode began, and the terms of the rate there if the rate was no more than their rounding: as
-    /// long as the guard has been zero, that rounding times the time since then is zero too.
-    pub still: (f64, f64),
-    /// The largest rate in the last steps; older ones count less.
-    pub rate: f64,
-    /// The length of the longest step within which it has been looked at and was what the ends of the step say. Older ones
-    /// count less.
-    pub looked: f64,
-}
-
-impl Guard {
-    /// Values up to this count as zero.
-    pub fn noise(&self) -> f64 {
-        NOISE * f64::EPSILON * self.size
-    }
-
-    /// Values up to this at a time count as zero.
-    pub fn noise_at(&self, time: f64) -> f64 {
-        let (since, rate) = self.still;
-        match self.sign == 0.0 {
-            true => self.noise() + NOISE * f64::EPSILON * rate * (time - since),
-            false => self.noise(),
-        }
-    }
-
-    /// Whether the guard stays away from zero between the ends of a step by more than it changes.
-    fn is_far(&self, from: &Sample, to: &Sample) -> bool {
-        let keeps = |sample: &Sample| sample.value * self.sign > self.noise();
-        self.sign != 0.0 && keeps(from) && keeps(to) && is_far(from, to)
-    }
-}
-
-/// How far a step goes.
-struct Way {
-    length: f64,
-    /// By how much the drivers that are angles turn.
-    turned: f64,
-    /// Parts of the step by which two events differ that cannot be told apart.
-    blur: f64,
-    /// Whether the terms of the guards have been found out.
-    is_measured: bool,
-}
-
-impl Way {
-    /// Whether so large a part of the step is more than is known of a guard, or than one may trust.
-    #[inline(always)]
-    fn is_unknown(&self, guard: &Guard, part: f64) -> bool {
-        self.length * part > LONGER * guard.looked || self.turned * part > TURNED
-    }
-}
 
 /// An event in a step.
 #[derive(Clone, Copy, Debug)]
@@ -121,7 +55,7 @@ pub(super) struct Watch<'a, E: Modes<f64>> {
     /// The length of the last whole step.
     pub step: f64,
     /// The guards at the begin of the step, and room for others.
-    room: &'a mut Room,
+    pub(super) room: &'a mut Room,
     /// The drivers that are angles.
     angles: &'static [usize],
 }
@@ -287,179 +221,6 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         for (guard, size) in self.guards.iter_mut().zip(&sizes.values) {
             guard.size = guard.size.max(*size);
         }
-    }
-
-    /// Notes where a kink lies in a step.
-    #[inline(always)]
-    fn bend(&mut self, step: &Step<'_, E::State>, way: &Way, kink: usize) {
-        let length = step.to - step.from;
-        let mut from = at(&self.room.begin, kink, 0.0, length);
-        let to = at(&self.room.end, kink, 1.0, length);
-        let guard = &mut self.guards[kink];
-        guard.size = guard.size.max(from.value.abs()).max(to.value.abs());
-        if guard.is_far(&from, &to) {
-            return;
-        }
-        while self.room.bends.len() < BENDS {
-            let Some(crossing) = self.search(step, way, kink, (from, to), false, None) else {
-                break;
-            };
-            self.room.bends.push((crossing.before, crossing.part));
-            let Room { there, seen, .. } = &mut *self.room;
-            from = look_at(
-                self.equations,
-                step,
-                &mut self.state,
-                (there, seen),
-                (kink, crossing.part),
-            );
-        }
-    }
-
-    /// Where an event happens first in a step, up to a part of it. From bend to bend its guard is smooth.
-    fn search(
-        &mut self,
-        step: &Step<'_, E::State>,
-        way: &Way,
-        event: usize,
-        (from, to): (Sample, Sample),
-        rough: bool,
-        until: Option<f64>,
-    ) -> Option<Crossing> {
-        let length = step.to - step.from;
-        let guard = &mut self.guards[event];
-        let (equations, state) = (self.equations, &mut self.state);
-        let Room {
-            there, seen, bends, ..
-        } = &mut *self.room;
-        let mut sample = |part: f64| look_at(equations, step, state, (there, seen), (event, part));
-        let slope = from.slope.abs().max(to.slope.abs());
-        let to = match until {
-            Some(part) if part < 1.0 => sample(part),
-            _ => to,
-        };
-        let is_event = event < self.events.len();
-        let direction = match is_event {
-            true => self.events[event].direction,
-            false => Direction::Crosses,
-        };
-        let mut search = Search {
-            direction,
-            noise: guard.noise_at(step.to),
-            sign: guard.sign,
-            armed: guard.armed,
-            slope,
-            blur: f64::EPSILON * (step.to / length).abs(),
-            sample: &mut sample,
-            permits: &|part| !is_event || permits(equations, event, step, part),
-        };
-        let mut begin = from;
-        let ahead = |bend: &&(f64, f64)| is_event && bend.0 > from.part && bend.1 < to.part;
-        let mut bends = bends.iter().filter(ahead);
-        let mut bend = bends.next();
-        let found = loop {
-            let end = match bend {
-                Some((before, _)) => (search.sample)(*before),
-                None => to,
-            };
-            search.slope = search.slope.max(end.slope.abs());
-            let width = end.part - begin.part;
-            let found = match is_event && (rough || way.is_unknown(guard, width)) {
-                true => {
-                    let (found, fits) = search.run_warily(begin, end);
-                    if fits {
-                        guard.looked = guard.looked.max(width * length);
-                    }
-                    found
-                }
-                false => search.run(begin, end),
-            };
-            let (None, Some((_, after))) = (found, bend) else {
-                break found;
-            };
-            bend = bends.next();
-            begin = (search.sample)(*after);
-            search.slope = search.slope.max(begin.slope.abs());
-            let jumped = search.jump(end, begin);
-            if jumped.is_some() {
-                break jumped;
-            }
-        };
-        (guard.sign, guard.armed) = (search.sign, search.armed);
-        guard.rate = search.slope / length;
-        found
-    }
-}
-
-/// A guard at a part of a step. What one guard is looked at for, the others are to be looked at for too.
-#[inline(always)]
-fn look_at<E: Modes<f64>>(
-    equations: &E,
-    step: &Step<'_, E::State>,
-    state: &mut E::State,
-    (there, seen): (&mut Guards, &mut Seen),
-    (guard, part): (usize, f64),
-) -> Sample {
-    let length = step.to - step.from;
-    if let Some(guards) = seen.find(part) {
-        return at(guards, guard, part, length);
-    }
-    between(step, part, state);
-    let there = seen.next(part).unwrap_or(there);
-    there.look(equations, step.from + part * length, state);
-    at(there, guard, part, length)
-}
-
-/// A guard at a part of a step of this length.
-#[inline(always)]
-fn at(guards: &Guards, event: usize, part: f64, length: f64) -> Sample {
-    Sample {
-        part,
-        value: guards.values[event],
-        slope: guards.rates[event] * length,
-    }
-}
-
-/// Whether what else an event asks for holds at a part of a step.
-fn permits<E: Modes<f64>>(
-    equations: &E,
-    event: usize,
-    step: &Step<'_, E::State>,
-    part: f64,
-) -> bool {
-    let mut state = step.after.clone();
-    between(step, part, &mut state);
-    let time = step.from + part * (step.to - step.from);
-    equations.permits(event, &equations.instant(time), &state)
-}
-
-/// The state at a part of a step.
-#[inline(always)]
-fn between<V: Storage<f64>>(step: &Step<'_, V>, part: f64, state: &mut V) {
-    if part == 1.0 {
-        state.clone_from(step.after);
-        return;
-    }
-    // The length of a polynomial that is known lets its loop be written out.
-    match <&[V; 7]>::try_from(step.polynomial) {
-        Ok(polynomial) => polynomial_at(polynomial, step.before, part, state),
-        Err(_) => polynomial_at(step.polynomial, step.before, part, state),
-    }
-}
-
-/// A polynomial of a step at a part of it.
-#[inline(always)]
-fn polynomial_at<V: Storage<f64>>(polynomial: &[V], before: &V, part: f64, state: &mut V) {
-    let state = state.as_mut();
-    state.fill(0.0);
-    for (row, coefficients) in polynomial.iter().enumerate().rev() {
-        let factor = if row % 2 == 0 { part } else { 1.0 - part };
-        for (sum, coefficient) in state.iter_mut().zip(coefficients.as_ref()) {
-            *sum = (*sum + coefficient) * factor;
-        }
-    }
-    for (sum, before) in state.iter_mut().zip(before.as_ref()) {
-        *sum += before;
     }
 }
 

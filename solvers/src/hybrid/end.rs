@@ -1,0 +1,61 @@
+//! Why a motion ends early.
+
+use super::TURNS;
+use super::error::HybridError;
+use super::motion::Motion;
+use crate::ode::OdeError;
+
+/// Why the motion ends early.
+pub(super) enum End {
+    Ode(OdeError),
+    Loop(Vec<usize>),
+    Chatter { since: f64, events: usize },
+    Held(usize),
+    Guard(usize),
+}
+
+impl End {
+    #[cold]
+    pub(super) fn with(self, motion: Motion) -> HybridError {
+        let (time, mode) = (motion.time, motion.mode);
+        let motion = Box::new(motion);
+        match self {
+            Self::Ode(error) => HybridError::Ode {
+                error,
+                mode,
+                motion,
+            },
+            Self::Held(event) => HybridError::Held {
+                time,
+                mode,
+                event,
+                motion,
+            },
+            Self::Guard(event) => HybridError::Guard {
+                time,
+                mode,
+                event,
+                motion,
+            },
+            Self::Loop(modes) => HybridError::Loop {
+                time,
+                modes,
+                turns: TURNS,
+                motion,
+            },
+            Self::Chatter { since, events } => {
+                let last = motion.events.iter().rev().take(8);
+                let mut modes: Vec<usize> = last.map(|one| one.to).collect();
+                modes.sort_unstable();
+                modes.dedup();
+                HybridError::Chatter {
+                    time,
+                    since,
+                    events,
+                    modes,
+                    motion,
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Guards within a step: where they bend, and where they pass zero.
+
+use super::crossing::{Crossing, Search};
+use super::cubic::Sample;
+use super::guard::Way;
+use super::problem::{Direction, Modes};
+use super::room::{Guards, Room, Seen};
+use super::watch::Watch;
+use crate::ode::Step;
+use crate::problem::Storage;
+
+/// Bends of guards in a step that are told apart. More are found as what they are to a guard.
+const BENDS: usize = 4;
+
+impl<E: Modes<f64>> Watch<'_, E> {
+    /// Notes where a kink lies in a step.
+    #[inline(always)]
+    pub(super) fn bend(&mut self, step: &Step<'_, E::State>, way: &Way, kink: usize) {
+        let length = step.to - step.from;
+        let mut from = at(&self.room.begin, kink, 0.0, length);
+        let to = at(&self.room.end, kink, 1.0, length);
+        let guard = &mut self.guards[kink];
+        guard.size = guard.size.max(from.value.abs()).max(to.value.abs());
+        if guard.is_far(&from, &to) {
+            return;
+        }
+        while self.room.bends.len() < BENDS {
+            let Some(crossing) = self.search(step, way, kink, (from, to), false, None) else {
+                break;
+            };
+            self.room.bends.push((crossing.before, crossing.part));
+            let Room { there, seen, .. } = &mut *self.room;
+            from = look_at(
+                self.equations,
+                step,
+                &mut self.state,
+                (there, seen),
+                (kink, crossing.part),
+            );
+        }
+    }
+
+    /// Where an event happens first in a step, up to a part of it. From bend to bend its guard is smooth.
+    pub(super) fn search(
+        &mut self,
+        step: &Step<'_, E::State>,
+        way: &Way,
+        event: usize,
+        (from, to): (Sample, Sample),
+        rough: bool,
+        until: Option<f64>,
+    ) -> Option<Crossing> {
+        let length = step.to - step.from;
+        let guard = &mut self.guards[event];
+        let (equations, state) = (self.equations, &mut self.state);
+        let Room {
+            there, seen, bends, ..
+        } = &mut *self.room;
+        let mut sample = |part: f64| look_at(equations, step, state, (there, seen), (event, part));
+        let slope = from.slope.abs().max(to.slope.abs());
+        let to = match until {
+            Some(part) if part < 1.0 => sample(part),
+            _ => to,
+        };
+        let is_event = event < self.events.len();
+        let direction = match is_event {
+            true => self.events[event].direction,
+            false => Direction::Crosses,
+        };
+        let mut search = Search {
+            direction,
+            noise: guard.noise_at(step.to),
+            sign: guard.sign,
+            armed: guard.armed,
+            slope,
+            blur: f64::EPSILON * (step.to / length).abs(),
+            sample: &mut sample,
+            permits: &|part| !is_event || permits(equations, event, step, part),
+        };
+        let mut begin = from;
+        let ahead = |bend: &&(f64, f64)| is_event && bend.0 > from.part && bend.1 < to.part;
+        let mut bends = bends.iter().filter(ahead);
+        let mut bend = bends.next();
+        let found = loop {
+            let end = match bend {
+                Some((before, _)) => (search.sample)(*before),
+                None => to,
+            };
+            search.slope = search.slope.max(end.slope.abs());
+            let width = end.part - begin.part;
+            let found = match is_event && (rough || way.is_unknown(guard, width)) {
+                true => {
+                    let (found, fits) = search.run_warily(begin, end);
+                    if fits {
+                        guard.looked = guard.looked.max(width * length);
+                    }
+                    found
+                }
+                false => search.run(begin, end),
+            };
+            let (None, Some((_, after))) = (found, bend) else {
+                break found;
+            };
+            bend = bends.next();
+            begin = (search.sample)(*after);
+            search.slope = search.slope.max(begin.slope.abs());
+            let jumped = search.jump(end, begin);
+            if jumped.is_some() {
+                break jumped;
+            }
+        };
+        (guard.sign, guard.armed) = (search.sign, search.armed);
+        guard.rate = search.slope / length;
+        found
+    }
+}
+
+/// A guard at a part of a step. What one guard is looked at for, the others are to be looked at for too.
+#[inline(always)]
+fn look_at<E: Modes<f64>>(
+    equations: &E,
+    step: &Step<'_, E::State>,
+    state: &mut E::State,
+    (there, seen): (&mut Guards, &mut Seen),
+    (guard, part): (usize, f64),
+) -> Sample {
+    let length = step.to - step.from;
+    if let Some(guards) = seen.find(part) {
+        return at(guards, guard, part, length);
+    }
+    between(step, part, state);
+    let there = seen.next(part).unwrap_or(there);
+    there.look(equations, step.from + part * length, state);
+    at(there, guard, part, length)
+}
+
+/// A guard at a part of a step of this length.
+#[inline(always)]
+pub(super) fn at(guards: &Guards, event: usize, part: f64, length: f64) -> Sample {
+    Sample {
+        part,
+        value: guards.values[event],
+        slope: guards.rates[event] * length,
+    }
+}
+
+/// Whether what else an event asks for holds at a part of a step.
+fn permits<E: Modes<f64>>(
+    equations: &E,
+    event: usize,
+    step: &Step<'_, E::State>,
+    part: f64,
+) -> bool {
+    let mut state = step.after.clone();
+    between(step, part, &mut state);
+    let time = step.from + part * (step.to - step.from);
+    equations.permits(event, &equations.instant(time), &state)
+}
+
+/// The state at a part of a step.
+#[inline(always)]
+pub(super) fn between<V: Storage<f64>>(step: &Step<'_, V>, part: f64, state: &mut V) {
+    if part == 1.0 {
+        state.clone_from(step.after);
+        return;
+    }
+    // The length of a polynomial that is known lets its loop be written out.
+    match <&[V; 7]>::try_from(step.polynomial) {
+        Ok(polynomial) => polynomial_at(polynomial, step.before, part, state),
+        Err(_) => polynomial_at(step.polynomial, step.before, part, state),
+    }
+}
+
+/// A polynomial of a step at a part of it.
+#[inline(always)]
+fn polynomial_at<V: Storage<f64>>(polynomial: &[V], before: &V, part: f64, state: &mut V) {
+    let state = state.as_mut();
+    state.fill(0.0);
+    for (row, coefficients) in polynomial.iter().enumerate().rev() {
+        let factor = if row % 2 == 0 { part } else { 1.0 - part };
+        for (sum, coefficient) in state.iter_mut().zip(coefficients.as_ref()) {
+            *sum = (*sum + coefficient) * factor;
+        }
+    }
+    for (sum, before) in state.iter_mut().zip(before.as_ref()) {
+        *sum += before;
+    }
+}
