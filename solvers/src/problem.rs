@@ -71,10 +71,6 @@ pub trait Equations<S: Scalar> {
     /// What depends on the time alone, computed once per instant.
     type Instant: Clone;
 
-    /// Whether these equations stand behind a pointer, so that a method had better ask for all stages of a step in one
-    /// call, with [`Equations::sweep`].
-    const CALLED: bool = false;
-
     /// Length of the state vector.
     fn states(&self) -> usize;
 
@@ -105,11 +101,6 @@ pub trait Equations<S: Scalar> {
             }
         }
         true
-    }
-
-    /// The same where it has given what is no number, and other equations may give one.
-    fn sweep_again(&self, times: &[S], stages: &mut dyn Stages<S>) -> bool {
-        self.sweep(times, stages)
     }
 
     /// Writes `f(t, y)` into `rate` and the products `∂f/∂y · columns[k]` into `products[k]`.

@@ -1,8 +1,10 @@
 //! The method that carries a motion from one event to the next.
 
+use super::erased::{Called, Erased};
 use super::problem::Modes;
 use super::watch::Watch;
-use crate::ode::{self, Observer, OdeError, Options, Plain, Statistics, Step};
+use crate::ode::{self, Observer, OdeError, Options, Statistics, Step};
+use crate::problem::Storage;
 use crate::registry;
 use crate::stiff::{self, Emitted, Switch};
 
@@ -29,21 +31,21 @@ pub(super) trait Carry<E: Modes<f64>>: Sized {
 /// An explicit method.
 pub(super) struct Explicit<V, M: ode::Method>(ode::Workspace<V, M>);
 
-impl<E: Modes<f64>, M: ode::Method> Carry<E> for Explicit<E::State, M> {
+impl<'a, V: Storage<f64>, M: ode::Method> Carry<Erased<'a, V>> for Explicit<V, M> {
     #[inline(always)]
-    fn new(equations: &E, _method: registry::Method) -> Self {
-        Self(ode::Workspace::new::<f64, _>(&Plain(equations)))
+    fn new(equations: &Erased<'a, V>, _method: registry::Method) -> Self {
+        Self(ode::Workspace::new::<f64, _>(&Called(equations)))
     }
 
     #[inline(always)]
     fn carry(
         &mut self,
         times: (f64, f64),
-        start: &E::State,
+        start: &V,
         options: &Options,
-        watch: &mut Watch<'_, E>,
+        watch: &mut Watch<'_, Erased<'a, V>>,
     ) -> Result<Statistics, OdeError> {
-        let system = Plain(watch.equations);
+        let system = Called(watch.equations);
         ode::integrate(&system, times, start, options, &mut self.0, watch)
     }
 }

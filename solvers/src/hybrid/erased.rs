@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use std::marker::PhantomData;
 
 use super::problem::{EventEntry, Hybrid, Modes};
+use crate::ode::System;
 use crate::problem::{Equations, Stages, Storage};
 
 /// What is asked of equations along a motion, in slices.
@@ -234,8 +235,6 @@ impl<V: Storage<f64>> Equations<f64> for Erased<'_, V> {
     type State = V;
     type Instant = f64;
 
-    const CALLED: bool = true;
-
     fn states(&self) -> usize {
         self.model.states()
     }
@@ -251,17 +250,6 @@ impl<V: Storage<f64>> Equations<f64> for Erased<'_, V> {
     #[inline(always)]
     fn derivative(&self, time: &f64, state: &V, rate: &mut V) {
         self.model.rate(*time, state.as_ref(), rate.as_mut());
-    }
-
-    #[inline(always)]
-    fn sweep(&self, times: &[f64], stages: &mut dyn Stages<f64>) -> bool {
-        self.model.sweep(times, stages);
-        true
-    }
-
-    fn sweep_again(&self, times: &[f64], stages: &mut dyn Stages<f64>) -> bool {
-        self.model.sweep_again(times, stages);
-        true
     }
 
     fn variation(&self, time: &f64, state: &V, rate: &mut V, columns: &[V], products: &mut [V]) {
@@ -292,6 +280,52 @@ impl<V: Storage<f64>> Equations<f64> for Erased<'_, V> {
 
     fn drivers(&self, time: f64, positions: &mut [f64]) {
         self.model.drivers(time, positions);
+    }
+}
+
+/// The same as what the explicit methods integrate.
+pub(super) struct Called<'a, 'b, V>(pub &'b Erased<'a, V>);
+
+impl<V: Storage<f64>> System<f64> for Called<'_, '_, V> {
+    type State = V;
+    type Instant = f64;
+
+    const CALLED: bool = true;
+
+    fn zeros(&self) -> V {
+        V::zeros(self.0.states())
+    }
+
+    fn instants<const K: usize>(&self, times: [f64; K]) -> [f64; K] {
+        times
+    }
+
+    fn rate(&self, time: &f64, state: &V, rate: &mut V) {
+        self.0.derivative(time, state, rate);
+    }
+
+    #[inline(always)]
+    fn sweep(&self, times: &[f64], stages: &mut dyn Stages<f64>) {
+        self.0.model.sweep(times, stages);
+    }
+
+    fn sweep_again(&self, times: &[f64], stages: &mut dyn Stages<f64>) {
+        self.0.model.sweep_again(times, stages);
+    }
+
+    #[inline(always)]
+    fn parts(_state: &V) -> usize {
+        1
+    }
+
+    #[inline(always)]
+    fn part(state: &V, _number: usize) -> &[f64] {
+        state.as_ref()
+    }
+
+    #[inline(always)]
+    fn part_mut(state: &mut V, _number: usize) -> &mut [f64] {
+        state.as_mut()
     }
 }
 

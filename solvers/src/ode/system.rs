@@ -58,8 +58,6 @@ impl<S: Scalar, E: Equations<S>> System<S> for Plain<'_, E> {
     type State = E::State;
     type Instant = E::Instant;
 
-    const CALLED: bool = E::CALLED;
-
     #[inline(always)]
     fn zeros(&self) -> E::State {
         E::State::zeros(self.0.states())
@@ -73,16 +71,6 @@ impl<S: Scalar, E: Equations<S>> System<S> for Plain<'_, E> {
     #[inline(always)]
     fn rate(&self, instant: &E::Instant, state: &E::State, rate: &mut E::State) {
         self.0.derivative(instant, state, rate);
-    }
-
-    #[inline(always)]
-    fn sweep(&self, times: &[S], stages: &mut dyn Stages<S>) {
-        self.0.sweep(times, stages);
-    }
-
-    #[inline(always)]
-    fn sweep_again(&self, times: &[S], stages: &mut dyn Stages<S>) {
-        self.0.sweep_again(times, stages);
     }
 
     #[inline(always)]
