@@ -9,6 +9,7 @@ mod literals;
 mod measures;
 mod modes;
 mod parts;
+mod programs;
 mod right;
 mod scenes;
 mod wrong;

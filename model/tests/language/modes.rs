@@ -1,6 +1,7 @@
 //! Modes and events: what they are compiled to, and what is said about wrong ones.
 
 use assur_model::checked::{Direction, SceneModel};
+use assur_model::program::Stage;
 
 use super::{Expected, check, compiled, mistakes};
 
@@ -223,4 +224,49 @@ fn starts_in_modes() {
         (&scene("").replace("mode b {", "mode b { coordinate q: m = 0, rate = 1 [m/s]; motion r: m*ddot(q) = F;").replace("set dot(y) = 1 [m/s]", "set dot(y) = 1 [m/s], q = 0"), &[]),
         (&scene("start dot(y) = 0, dot(x) = 1 [m/s];"), &[]),
     ]);
+}
+
+/// What bends a guard is a surface where the rates see it too, and else a kink.
+#[test]
+fn kinks_of_guards_are_told_from_surfaces() {
+    let count = |text: &str| {
+        let scene = scene(text);
+        let program = &scene.modes[0].program;
+        assert_eq!(scene.modes[0].events.len(), 1 + program.surfaces.len());
+        assert_eq!(
+            program.results.events.len(),
+            1 + program.surfaces.len() + program.kinks
+        );
+        (program.surfaces.len(), program.kinks)
+    };
+    let guard = "when max(0 m, x - l) - abs(x - y) rises { set x = 0 m; }";
+    assert_eq!(count(&format!("mode go {{ hold y; {guard} }}")), (0, 2));
+    let pushed = "motion follow: m*ddot(y) = -F*sign(y - x);";
+    assert_eq!(count(&format!("mode go {{ {pushed} {guard} }}")), (1, 1));
+    assert_eq!(
+        count("mode go { hold y; when x - max(l, 2 m) rises { set x = 0 m; } }"),
+        (0, 0)
+    );
+}
+
+/// On the side of a surface where nothing of the time is felt nothing of it has to be computed.
+#[test]
+fn a_side_says_what_is_not_needed() {
+    let scene = scene(
+        "parameter omega = 3 [rad/s]; \
+         mode go { motion follow: m*ddot(y) = F*(if x > y { cos(omega*time) } else { -1 }); \
+                   when sin(omega*time) rises { set x = 0 m; } }",
+    );
+    let program = &scene.modes[0].program;
+    assert_eq!(program.surfaces.len(), 1);
+    let is_felt = |side: Option<f64>| {
+        let side = side.map(|side| (0, side));
+        let resting = program.resting(&program.results.derivative, side);
+        let mut operations = resting
+            .iter()
+            .map(|value| &program.operations[value.0 as usize]);
+        operations.any(|operation| operation.stage == Stage::Instant)
+    };
+    let felt = [None, Some(1.0), Some(-1.0)].map(is_felt);
+    assert!(felt[0] && felt[1] != felt[2], "{felt:?}");
 }

@@ -6,15 +6,20 @@
 //! | file | what it does |
 //! |---|---|
 //! | `problem` | what is asked of a model: [`Modes`], [`Hybrid`] |
-//! | `crossing` | the first zero of a guard within a step |
+//! | `watch` | looks for events in every step, and ends the integration at the first one |
+//! | `within` | the guards within a step: where they bend, and where they pass zero |
+//! | `crossing` | the first zero of a guard between two points |
+//! | `cubic` | the cubic through two points |
+//! | `guard` | what is remembered of a guard from step to step |
 //! | `rounding` | how large the terms are of which a guard is made |
 //! | `room` | memory for the guards of a mode |
-//! | `watch` | looks for it in every step, and ends the integration there |
 //! | `erased` | equations without their type, so that all of this is compiled once |
 //! | `carry` | the method that integrates between events |
 //! | `start` | whether a motion may begin where it is to |
 //! | `march` | the motion that is asked for, by which method |
 //! | `run` | from event to event, several at one instant, and the rules that end it |
+//! | `settle` | where a mode begins: signs of its guards, sides of its switching surfaces |
+//! | `end` | why a motion ends early |
 //! | `cycle` | motions that repeat: [`cycle()`]; growth of disturbances: [`lyapunov`] |
 //! | `motion` | the result: pieces between events, and a record of each event |
 //!
@@ -24,7 +29,9 @@
 //! drivers turns by more than a radian, and where the guard, by its rates in the last steps, has the time to swing:
 //! methods step far over what the state does not feel. A pair of crossings is overlooked only if the guard, between two
 //! points that are compared, leaves its cubic by more than four times what it does in their middle. Each crossing is
-//! then narrowed down until two neighbouring numbers of the time enclose it.
+//! then narrowed down until two neighbouring numbers of the time enclose it. Where a branch within a guard goes over to
+//! its other side (`max`, `abs`, `if`) the guard bends or jumps. These kinks are functions too, of which the zeros are
+//! found first; between them the guard is smooth, and in a jump it passes zero at the kink.
 //!
 //! **What is zero.** A guard of less than [`NOISE`] roundings of its terms, or of the largest value that it has had,
 //! counts as zero: what is left where a difference vanishes says nothing. One that is zero when a mode begins passes

@@ -80,6 +80,15 @@ mod tests {
     }
 
     #[test]
+    fn the_eighth_root_is_that_of_the_power() {
+        for error in [1e-9f64, 0.003, 0.4, 1.0] {
+            let step = Controller::new(8, 0.0, (0.0, 1e9)).accept(error);
+            let power = 0.9 * error.powf(-0.125);
+            assert!((step - power).abs() < 4e-16 * power, "{step} {power}");
+        }
+    }
+
+    #[test]
     fn a_step_does_not_grow_right_after_a_rejection() {
         let mut controller = Controller::new(8, 0.0, (0.333, 6.0));
         controller.reject(2.0);

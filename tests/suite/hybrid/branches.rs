@@ -176,3 +176,45 @@ fn a_swing_that_ends_at_a_threshold() {
     assert!(motion.events.last().unwrap().time < 0.6);
     assert!(motion.statistics.evaluations < 30_000);
 }
+
+mod lift {
+    assur::mechanism! {
+        /// A rack that rises above a plate, and what follows it without a spring: its speed jumps where the rack comes.
+        Lift from "made up";
+        parameter omega = 5 [rad/s], level = 2 [1/s], turns = 0.25;
+        driver phi = omega*time ~ 0 rad;
+        let height = max(0, sin(phi) - turns);
+        state counted: 1 = 0;
+        motion count: dot(counted) = 0 [1/s];
+        output counted, height;
+        when dot(height) - level rises { set counted = counted + 1; }
+        scene go { run time 0 s .. 40 s; }
+    }
+}
+
+/// The guard jumps over zero where the rack rises above the plate, and again to below it where the rack goes. Between
+/// the ends of a step, which is longer than a turn, only its kinks say where: they are found to the last bits.
+#[test]
+fn a_guard_that_jumps_passes_zero_at_its_kink() {
+    let lift = lift::Go::default();
+    assert_eq!(<lift::Go as assur::hybrid::Hybrid>::KINKS, [1]);
+    let motion = march(&lift, (0.0, 40.0), &[0.0], &SETTINGS).expect("it turns");
+    let rises = 0.25f64.asin();
+    let count = ((40.0 * 5.0 - rises) / std::f64::consts::TAU).ceil() as usize;
+    assert_eq!(motion.events.len(), count);
+    for (turn, event) in motion.events.iter().enumerate() {
+        let expected = (rises + turn as f64 * std::f64::consts::TAU) / 5.0;
+        let off = (event.time - expected).abs();
+        assert!(
+            off < 4.0 * f64::EPSILON * expected.max(1.0),
+            "{turn}: {off:e}"
+        );
+        // At the kink the speed is the one above the plate already.
+        let speed = 5.0 * (5.0 * event.time).cos() - 2.0;
+        assert!(
+            (event.guard - speed).abs() < 1e-12,
+            "{} {speed}",
+            event.guard
+        );
+    }
+}
