@@ -8,6 +8,7 @@ use assur_equations::presser_foot::Elliptic;
 
 use crate::count::{Case, Measure, measure};
 use crate::hand_foot::Foot;
+use crate::hand_modes::HandFoot;
 use crate::hand_walk;
 use crate::table::{Table, number, power, ratio, verdict};
 
@@ -35,14 +36,21 @@ pub struct Run {
 }
 
 /// The motion as a program asks for it.
-pub fn motion(turns: f64, settings: &Settings) -> Motion {
+pub fn motion<C: Hybrid>(foot: &C, turns: f64, settings: &Settings) -> Motion {
     let times = (0.0, turns * PERIOD);
-    hybrid::march_in(&Elliptic::default(), AIR, times, &START, settings).expect("the foot moves on")
+    hybrid::march_in(foot, AIR, times, &START, settings).expect("the foot moves on")
 }
 
 /// The same, and where it ends.
 pub fn assur_by(method: Method, turns: f64, rtol: f64) -> Run {
-    let motion = motion(turns, &Settings { method, rtol });
+    end_of(&motion(
+        &Elliptic::default(),
+        turns,
+        &Settings { method, rtol },
+    ))
+}
+
+fn end_of(motion: &Motion) -> Run {
     Run {
         end: [motion.end[0], motion.end[1]],
         evaluations: motion.statistics.evaluations,
@@ -53,6 +61,13 @@ pub fn assur_by(method: Method, turns: f64, rtol: f64) -> Run {
 #[inline(never)]
 fn assur(turns: f64, rtol: f64) -> Run {
     assur_by(Method::Dop853, turns, rtol)
+}
+
+/// Hand-written equations in the same solver.
+#[inline(never)]
+fn by_hand(turns: f64, rtol: f64) -> Run {
+    let method = Method::Dop853;
+    end_of(&motion(&HandFoot, turns, &Settings { method, rtol }))
 }
 
 /// The same by hand.
@@ -75,17 +90,25 @@ pub fn error(end: &[f64; 2], reference: &[f64; 2]) -> f64 {
 type Kind = (&'static str, fn(f64, f64) -> Run);
 
 /// All integrations.
-const KINDS: [Kind; 5] = [
+const KINDS: [Kind; 6] = [
     ("hand, sine of std, end alone", hand::<false, false>),
     ("hand, sine of Assur, end alone", hand::<true, false>),
     ("hand, sine of std, motion kept", hand::<false, true>),
     ("hand, sine of Assur, motion kept", hand::<true, true>),
+    ("hand-written equations, Assur's solver", by_hand),
     ("Assur, emitted, motion kept", assur),
 ];
 /// Their names under valgrind, for one turn and for many.
-const NAMES: [[&str; 5]; 2] = [
-    ["std", "kernel", "std-kept", "kernel-kept", "assur"],
-    ["stds", "kernels", "stds-kept", "kernels-kept", "assurs"],
+const NAMES: [[&str; 6]; 2] = [
+    ["std", "kernel", "std-kept", "kernel-kept", "modes", "assur"],
+    [
+        "stds",
+        "kernels",
+        "stds-kept",
+        "kernels-kept",
+        "modess",
+        "assurs",
+    ],
 ];
 
 /// Everything that is measured.
@@ -147,7 +170,7 @@ pub fn report() {
 /// By how much the instants of the events differ, and the kept motions on the way.
 fn kept_apart(rtol: f64) -> (f64, f64) {
     let method = Method::Dop853;
-    let ours = motion(1.0, &Settings { method, rtol });
+    let ours = motion(&Elliptic::default(), 1.0, &Settings { method, rtol });
     let hand = hand_walk::run::<true, true>(&Foot::default(), START, PERIOD, rtol);
     let changes = ours.events.iter().filter(|one| one.from != one.to);
     let times: Vec<f64> = changes.map(|one| one.time).collect();
@@ -179,7 +202,7 @@ fn turns_of(what: &str, turns: f64, measures: &[Measure]) {
     let mut table = Table::new(&format!("{what}, DOP853, rtol {RTOL:e}"), &columns);
     // The motion repeats.
     let reference = START;
-    let (hand, [ours]) = measures.split_at(KINDS.len() - 1) else {
+    let (hand, [modes, ours]) = measures.split_at(KINDS.len() - 2) else {
         return;
     };
     let least = |hand: &[Measure], get: fn(&Measure) -> Option<f64>| {
@@ -205,8 +228,16 @@ fn turns_of(what: &str, turns: f64, measures: &[Measure]) {
         ]);
     }
     table.print();
-    for (name, hand) in [("motion kept", kept), ("end alone", &hand[..2])] {
-        let title = |unit| format!("Assur / best hand-written loop, {name}, {unit}");
+    let against = [
+        (
+            "hand-written equations in the same solver",
+            std::slice::from_ref(modes),
+        ),
+        ("best hand-written loop, motion kept", kept),
+        ("best hand-written loop, end alone", &hand[..2]),
+    ];
+    for (name, hand) in against {
+        let title = |unit| format!("Assur / {name}, {unit}");
         let (count, span) = (least(hand, instructions), least(hand, time));
         verdict(&title("instructions"), ours.instructions, count, GOAL);
         verdict(&title("time"), ours.microseconds(), span, GOAL);

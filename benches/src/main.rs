@@ -13,6 +13,7 @@ mod hand_event;
 mod hand_foot;
 mod hand_linkage;
 mod hand_loop;
+mod hand_modes;
 mod hand_run_up;
 mod hand_system;
 mod hand_walk;
