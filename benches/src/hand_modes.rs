@@ -32,9 +32,10 @@ pub struct Moving<S> {
     side: S,
 }
 
-/// Height of the rack above the plate with two rates.
+/// The angle of the shaft, and the height of the rack above the plate with two rates.
 #[derive(Clone, Copy, Debug)]
 pub struct Rack<S> {
+    angle: S,
     y: S,
     dy: S,
     ddy: S,
@@ -42,10 +43,11 @@ pub struct Rack<S> {
 
 impl<S: Scalar> Moving<S> {
     #[inline(always)]
-    fn rack(&self, sine: S, cosine: S) -> Rack<S> {
+    fn rack(&self, angle: S, (sine, cosine): (S, S)) -> Rack<S> {
         let speed = self.height * self.omega;
         // The shaft is half a turn behind.
         Rack {
+            angle,
             y: self.height * (-cosine - self.edge),
             dy: speed * sine,
             ddy: speed * self.omega * cosine,
@@ -58,6 +60,7 @@ impl<S: Scalar> Moving<S> {
         let height = S::select(S::equal(side, S::ZERO), rack.y, side);
         let on = |value| S::select(S::less(S::ZERO, height), value, S::ZERO);
         Rack {
+            angle: rack.angle,
             y: on(rack.y),
             dy: on(rack.dy),
             ddy: on(rack.ddy),
@@ -91,13 +94,14 @@ impl<S: Scalar> Equations<S> for Moving<S> {
     }
 
     fn instant(&self, time: S) -> Rack<S> {
-        let (sine, cosine) = S::sin_cos(self.omega * time);
-        self.rack(sine, cosine)
+        let angle = self.omega * time;
+        self.rack(angle, S::sin_cos(angle))
     }
 
     #[inline(always)]
     fn instants<const K: usize>(&self, times: [S; K]) -> [Rack<S>; K] {
         let nothing = Rack {
+            angle: S::ZERO,
             y: S::ZERO,
             dy: S::ZERO,
             ddy: S::ZERO,
@@ -106,9 +110,10 @@ impl<S: Scalar> Equations<S> for Moving<S> {
         if self.mode == FLIGHT || S::holds(S::less(self.side, S::ZERO)) {
             return racks;
         }
-        let (sines, cosines) = S::sin_cos_all(times.map(|time| self.omega * time));
+        let angles = times.map(|time| self.omega * time);
+        let (sines, cosines) = S::sin_cos_all(angles);
         for (k, rack) in racks.iter_mut().enumerate() {
-            *rack = self.rack(sines[k], cosines[k]);
+            *rack = self.rack(angles[k], (sines[k], cosines[k]));
         }
         racks
     }
@@ -176,6 +181,7 @@ impl<S: Scalar> Modes<S> for Moving<S> {
     #[inline(always)]
     fn guards(&self, rack: &Rack<S>, y: &[S; 2], values: &mut [S], rates: &mut [S]) {
         let (ground, free) = (self.ground(rack, S::ZERO), self.free(y));
+        let turn = (rack.angle, self.omega);
         let pairs = match self.mode {
             FLIGHT => {
                 let (force, rate) = self.fabric(&ground, y, free);
@@ -183,12 +189,13 @@ impl<S: Scalar> Modes<S> for Moving<S> {
                     (ground.y - y[0], ground.dy - y[1]),
                     (force, rate),
                     (rack.y, rack.dy),
+                    turn,
                 ]
             }
             _ => {
                 let (force, _) = self.fabric(&ground, y, S::ZERO);
                 let rate = self.fabric(&ground, y, force + free).1;
-                [(force, rate), (rack.y, rack.dy), (S::ZERO, S::ZERO)]
+                [(force, rate), (rack.y, rack.dy), turn, turn]
             }
         };
         for ((value, rate), (one, change)) in values.iter_mut().zip(rates).zip(pairs) {
@@ -288,8 +295,8 @@ impl Hybrid for HandFoot {
     const MODE_NAMES: &'static [&'static str] = &["contact", "flight"];
     const FIRST: usize = CONTACT;
     const HELD: &'static [&'static [usize]] = &[&[], &[]];
-    const ANGLES: &'static [usize] = &[0];
     const KINKS: &'static [usize] = &[0, 1];
+    const TURNS: &'static [usize] = &[1, 1];
 
     fn modal<S: Scalar>(&self) -> Moving<S> {
         self.prepare()

@@ -64,6 +64,16 @@ pub fn tell(scene: &SceneEntry, error: &HybridError) -> Told {
             ),
             "check the values given with --set; else keep what the event watches defined, with `max` for instance",
         ),
+        HybridError::Turns {
+            time, mode, turned, ..
+        } => Told::new(
+            format!(
+                "after time = {time} s an angle that events depend on turns by {turned:.3e} rad within one step{}, too often to look \
+                 for events",
+                within(scene, *mode)
+            ),
+            "check the speeds that are given with --set; else take a shorter time",
+        ),
         HybridError::Start { reason } => Told::new(reason.clone(), "check the start values"),
     }
 }

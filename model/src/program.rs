@@ -212,7 +212,8 @@ pub struct Results {
     pub measured: Vec<Value>,
     /// The measures, from what has been found of a run.
     pub measures: Vec<Value>,
-    /// What the events of a mode compute, the switching surfaces behind them, and the kinks of guards last.
+    /// What the events of a mode compute, the switching surfaces behind them, then the kinks of guards, and last the angles
+    /// that turn in them.
     pub events: Vec<Event<Value>>,
 }
 
@@ -231,6 +232,8 @@ pub struct Program {
     pub linear: bool,
     /// The guards of the switching surfaces as text; their events stand behind those of the file.
     pub surfaces: Vec<String>,
-    /// Number of the kinks of guards, whose events are the last ones.
+    /// Number of the kinks of guards.
     pub kinks: usize,
+    /// Number of the angles that turn in guards, whose events are the last ones.
+    pub turns: usize,
 }

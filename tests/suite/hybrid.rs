@@ -4,6 +4,7 @@ mod bounce;
 mod branches;
 mod cycles;
 mod hard;
+mod kinks;
 mod lyapunov;
 mod needle_impact;
 mod presser_foot;

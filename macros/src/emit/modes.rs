@@ -263,11 +263,8 @@ pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
         let places = mode.held.iter().map(|place| size(*place));
         quote!(&[#(#places),*])
     });
-    let drivers = layout.scene.drivers.iter().enumerate();
-    let angles = drivers
-        .filter(|(_, driver)| driver.dimension.iter().all(|(exponent, _)| *exponent == 0))
-        .map(|(index, _)| size(index));
     let kinks = layout.modes.iter().map(|mode| size(mode.program().kinks));
+    let turns = layout.modes.iter().map(|mode| size(mode.program().turns));
     let start = size(layout.scene.first);
     let tables = layout.scene.modes.iter().map(|mode| {
         let entries = mode.events.iter().map(|event| {
@@ -312,8 +309,8 @@ pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
             const MODE_NAMES: &'static [&'static str] = &[#(#names),*];
             const FIRST: usize = #start;
             const HELD: &'static [&'static [usize]] = &[#(#held),*];
-            const ANGLES: &'static [usize] = &[#(#angles),*];
             const KINKS: &'static [usize] = &[#(#kinks),*];
+            const TURNS: &'static [usize] = &[#(#turns),*];
 
             fn modal<S: ::assur::scalar::Scalar>(&self) -> Self::Modal<S> {
                 <Self as ::assur::problem::Scene>::prepare(self)

@@ -138,7 +138,7 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
         request.events = events;
     }
     let mut bound = bind(graph, &request.roots(), &request.bindings);
-    let (mut surfaces, mut kinks) = (Vec::new(), Vec::new());
+    let (mut surfaces, mut kinks, mut turns) = (Vec::new(), Vec::new(), Vec::new());
     if request.surfaces {
         let derivative = bound[..request.derivative.len()].to_vec();
         let mut frozen = surfaces::freeze(graph, &bound[..often], &derivative, &mut request);
@@ -156,7 +156,14 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
         let guards: Vec<Expression> = guards.collect();
         kinks = surfaces::kinks(graph, &guards, &derivative, &frozen.surfaces, &request);
         bound[..often].copy_from_slice(&frozen.roots);
-        bound.extend(frozen.surfaces.iter().chain(&kinks).flat_map(Event::all));
+        let others = frozen.surfaces.iter().chain(&kinks);
+        let guards: Vec<Expression> = guards
+            .into_iter()
+            .chain(others.map(|one| one.guard))
+            .collect();
+        turns = surfaces::turns(graph, &guards, &derivative, &request);
+        let all = frozen.surfaces.iter().chain(&kinks).chain(&turns);
+        bound.extend(all.flat_map(Event::all));
         surfaces = frozen.surfaces;
     }
     let texts = surfaces.iter().map(|surface| graph.display(surface.guard));
@@ -195,7 +202,12 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
             request.closing.map(|_| closing.next().unwrap_or(Value(0)))
         },
         events: {
-            let mut events = request.events.iter().chain(&surfaces).chain(&kinks);
+            let mut events = request
+                .events
+                .iter()
+                .chain(&surfaces)
+                .chain(&kinks)
+                .chain(&turns);
             let mut map = |event: &Event<Expression>| {
                 let mut values = take(event.all().count()).into_iter();
                 event.map(|_| values.next().unwrap_or(Value(0)))
@@ -211,6 +223,7 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
         linear: false,
         surfaces: texts,
         kinks: kinks.len(),
+        turns: turns.len(),
     };
     order::sort(&mut program);
     drop_zeros(&mut program);

@@ -87,6 +87,27 @@ pub fn kinks(
     moving(graph, &kinks, derivative, request)
 }
 
+/// The angles, functions of the time, of which guards have the sine or cosine: how far they turn says in how many parts a
+/// step has to be looked at.
+pub fn turns(
+    graph: &mut Graph,
+    guards: &[Expression],
+    derivative: &[Expression],
+    request: &Request,
+) -> Vec<Event<Expression>> {
+    let mut angles: Vec<Expression> = Vec::new();
+    for one in graph.reachable(guards) {
+        if let Node::Call(Function::Sin | Function::Cos | Function::Tan, arguments) =
+            graph.node(one)
+            && request.stage(graph, arguments[0]) == Stage::Instant
+            && !angles.contains(&arguments[0])
+        {
+            angles.push(arguments[0]);
+        }
+    }
+    moving(graph, &angles, derivative, request)
+}
+
 /// Guards with their rates.
 fn moving(
     graph: &mut Graph,

@@ -12,6 +12,7 @@ pub(super) enum End {
     Chatter { since: f64, events: usize },
     Held(usize),
     Guard(usize),
+    Turns(f64),
 }
 
 impl End {
@@ -29,6 +30,12 @@ impl End {
                 time,
                 mode,
                 event,
+                motion,
+            },
+            Self::Turns(turned) => HybridError::Turns {
+                time,
+                mode,
+                turned,
                 motion,
             },
             Self::Guard(event) => HybridError::Guard {

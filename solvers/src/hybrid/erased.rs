@@ -28,8 +28,6 @@ pub(super) trait Model {
     fn jacobian(&self, time: f64, state: &[f64], columns: &mut [f64]);
     /// Writes the guards and their rates.
     fn guards(&self, time: f64, state: &[f64], values: &mut [f64], rates: &mut [f64]);
-    /// Writes the positions of the drivers.
-    fn drivers(&self, time: f64, positions: &mut [f64]);
     /// Whether what else an event asks for holds.
     fn permits(&self, event: usize, time: f64, state: &[f64]) -> bool;
     /// Writes the state after an event.
@@ -151,10 +149,6 @@ impl<E: Modes<f64> + Clone> Model for Own<E> {
         }
     }
 
-    fn drivers(&self, time: f64, positions: &mut [f64]) {
-        self.equations.drivers(time, positions);
-    }
-
     fn permits(&self, event: usize, time: f64, values: &[f64]) -> bool {
         let one = &self.equations;
         one.permits(event, &one.instant(time), &state(one, values))
@@ -173,14 +167,13 @@ impl<E: Modes<f64> + Clone> Model for Own<E> {
 pub(super) struct Table {
     /// The events of each mode.
     pub(super) events: &'static [&'static [EventEntry]],
-    /// For each mode the number of kinks of its guards.
+    /// For each mode the number of kinks of its guards, and of angles that turn in them.
     kinks: &'static [usize],
+    turns: &'static [usize],
     /// For each mode the speeds that are zero in it.
     pub(super) held: &'static [&'static [usize]],
     /// Absolute tolerances per unit of `rtol`.
     pub(super) scales: &'static [f64],
-    /// Number of drivers, and those of them that are angles.
-    pub(super) drivers: (usize, &'static [usize]),
     /// Names of the states.
     pub(super) names: &'static [&'static str],
     /// Names of the modes.
@@ -192,9 +185,9 @@ impl Table {
         Self {
             events: C::EVENTS,
             kinks: C::KINKS,
+            turns: C::TURNS,
             held: C::HELD,
             scales: C::SCALES,
-            drivers: (C::DRIVERS, C::ANGLES),
             names: C::STATE_NAMES,
             modes: C::MODE_NAMES,
         }
@@ -203,6 +196,11 @@ impl Table {
     /// The number of guards of a mode, its kinks among them.
     pub(super) fn guards(&self, mode: usize) -> usize {
         self.events[mode].len() + self.kinks.get(mode).unwrap_or(&0)
+    }
+
+    /// The same with the angles behind them.
+    pub(super) fn written(&self, mode: usize) -> usize {
+        self.guards(mode) + self.turns.get(mode).unwrap_or(&0)
     }
 
     /// The largest number of guards of a mode.
@@ -278,9 +276,7 @@ impl<V: Storage<f64>> Equations<f64> for Erased<'_, V> {
 
     fn outputs(&self, _time: f64, _state: &V, _values: &mut [f64]) {}
 
-    fn drivers(&self, time: f64, positions: &mut [f64]) {
-        self.model.drivers(time, positions);
-    }
+    fn drivers(&self, _time: f64, _positions: &mut [f64]) {}
 }
 
 /// The same as what the explicit methods integrate.

@@ -62,6 +62,17 @@ pub enum HybridError {
         /// The motion so far.
         motion: Box<Motion>,
     },
+    /// An angle that guards depend on turns so far in one step that the guards cannot be looked at so often.
+    Turns {
+        /// When, in seconds.
+        time: f64,
+        /// The mode.
+        mode: usize,
+        /// How far it turns, in radians.
+        turned: f64,
+        /// The motion so far.
+        motion: Box<Motion>,
+    },
     /// What the mode holds moves at the start, or an event that ends the mode has happened before.
     Start {
         /// What was found and what was expected.
@@ -77,6 +88,7 @@ impl HybridError {
             | Self::Loop { motion, .. }
             | Self::Held { motion, .. }
             | Self::Guard { motion, .. }
+            | Self::Turns { motion, .. }
             | Self::Chatter { motion, .. } => Some(motion),
             Self::Start { .. } => None,
         }
@@ -124,6 +136,13 @@ impl fmt::Display for HybridError {
                 formatter,
                 "in mode {mode} after t = {time} s what event {event} watches is not a number: a root of something negative, \
                  or a division by zero"
+            ),
+            Self::Turns {
+                time, mode, turned, ..
+            } => write!(
+                formatter,
+                "in mode {mode} after t = {time} s an angle that events depend on turns by {turned:.3e} rad within one step, too \
+                 often to look for events; give speeds in rad/s, or take a shorter time"
             ),
             Self::Start { reason } => write!(formatter, "start: {reason}"),
         }

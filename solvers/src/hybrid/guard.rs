@@ -3,8 +3,6 @@
 use super::NOISE;
 use super::cubic::{Sample, is_far};
 
-/// A step in which a driver turns by more, in radians, is looked into.
-const TURNED: f64 = 1.0;
 /// A step that is longer by this than any in which a guard has been looked at is looked into.
 const LONGER: f64 = 1.25;
 
@@ -49,13 +47,13 @@ impl Guard {
     }
 }
 
-/// How far a step goes.
+/// How far a part of a step goes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way {
-    /// In seconds.
+    /// Length of the whole step, in seconds.
     pub length: f64,
-    /// By how much the drivers that are angles turn.
-    pub turned: f64,
+    /// Where the part begins and ends.
+    pub part: (f64, f64),
     /// Parts of the step by which two events differ that cannot be told apart.
     pub blur: f64,
     /// Whether the terms of the guards have been found out.
@@ -63,9 +61,9 @@ pub(super) struct Way {
 }
 
 impl Way {
-    /// Whether so large a part of the step is more than is known of a guard, or than one may trust.
+    /// Whether so large a part of the step is more than is known of a guard.
     #[inline(always)]
     pub fn is_unknown(&self, guard: &Guard, part: f64) -> bool {
-        self.length * part > LONGER * guard.looked || self.turned * part > TURNED
+        self.length * part > LONGER * guard.looked
     }
 }

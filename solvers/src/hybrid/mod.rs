@@ -24,10 +24,10 @@
 //! | `motion` | the result: pieces between events, and a record of each event |
 //!
 //! **What is found.** Within a step a guard is the cubic through its values and rates at both ends, as far as that
-//! agrees with the value in the middle; where it does not, or where the cubic may vanish, the step is halved. A step is
-//! looked into at some places besides where it is longer than those that were looked into, where an angle among the
-//! drivers turns by more than a radian, and where the guard, by its rates in the last steps, has the time to swing:
-//! methods step far over what the state does not feel. A pair of crossings is overlooked only if the guard, between two
+//! agrees with the value in the middle; where it does not, or where the cubic may vanish, the step is halved. Methods
+//! step far over what the state does not feel: so a step is taken in parts in which no angle of which a guard has the
+//! sine turns by more than a radian, and it is looked into at some places besides where it is longer than those that were
+//! looked into, and where the guard, by its rates in the last steps, has the time to swing. A pair of crossings is overlooked only if the guard, between two
 //! points that are compared, leaves its cubic by more than four times what it does in their middle. Each crossing is
 //! then narrowed down until two neighbouring numbers of the time enclose it. Where a branch within a guard goes over to
 //! its other side (`max`, `abs`, `if`) the guard bends or jumps. These kinks are functions too, of which the zeros are

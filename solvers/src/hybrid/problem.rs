@@ -58,8 +58,8 @@ pub trait Modes<S: Scalar>: Equations<S> {
     /// Puts the equations of this mode on a side of a switching surface, 1 or −1; 0 leaves it to their values.
     fn side(&mut self, surface: usize, side: S);
 
-    /// Writes the guards of the events of this mode, behind them its kinks ([`Hybrid::KINKS`]), and the time derivatives of
-    /// all.
+    /// Writes the guards of the events of this mode, behind them its kinks ([`Hybrid::KINKS`]) and its angles
+    /// ([`Hybrid::TURNS`]), and the time derivatives of all.
     fn guards(
         &self,
         instant: &Self::Instant,
@@ -122,11 +122,12 @@ pub trait Hybrid: Scene {
     const FIRST: usize;
     /// For each mode the speeds that are zero in it, by their places in the state vector.
     const HELD: &'static [&'static [usize]];
-    /// The drivers that are angles, by their places.
-    const ANGLES: &'static [usize] = &[];
     /// The number of kinks of each mode: what passes zero where a guard that is not smooth goes over to another branch.
     /// Empty where there are none.
     const KINKS: &'static [usize] = &[];
+    /// The number of angles of each mode of which its guards have the sine or cosine, in radians. Empty where there are
+    /// none.
+    const TURNS: &'static [usize] = &[];
 
     /// Computes what depends on the parameters alone.
     fn modal<S: Scalar>(&self) -> Self::Modal<S>;
@@ -140,4 +141,10 @@ pub(crate) fn in_each_mode<C: Hybrid>(scene: &C) -> Vec<C::Modal<f64>> {
         equations
     });
     modes.collect()
+}
+
+/// How many values the guards of a mode write: its events, its kinks, its angles.
+pub(crate) fn written<C: Hybrid>(mode: usize) -> usize {
+    let of = |counts: &[usize]| counts.get(mode).copied().unwrap_or(0);
+    C::EVENTS[mode].len() + of(C::KINKS) + of(C::TURNS)
 }

@@ -81,30 +81,30 @@ pub(super) struct Room {
     pub terms: Guards,
     /// The parts of a step just before and at which guards bend, the first one first.
     pub bends: Vec<(f64, f64)>,
-    /// Where the drivers are at the begin of a step, and at its end.
-    pub drivers: [Vec<f64>; 2],
+    /// At the end of a step of which parts are looked at.
+    pub last: Guards,
 }
 
 impl Room {
-    /// How far the angles among the drivers turn in a step. The end of one step is the begin of the next.
-    pub fn turned<E: Modes<f64>>(&mut self, equations: &E, to: f64, angles: &[usize]) -> f64 {
-        let [begin, end] = &mut self.drivers;
-        if angles.is_empty() {
-            return 0.0;
+    /// How far the angles turn, which stand behind so many guards, in a step of a length.
+    pub fn turned(&self, guards: usize, length: f64) -> f64 {
+        let mut turned = 0.0;
+        for angle in guards..self.end.values.len() {
+            let change = (self.end.values[angle] - self.begin.values[angle]).abs();
+            let rate = self.begin.rates[angle]
+                .abs()
+                .max(self.end.rates[angle].abs());
+            turned = change.max(length * rate).max(turned);
         }
-        std::mem::swap(begin, end);
-        equations.drivers(to, end);
-        let turned = angles
-            .iter()
-            .map(|angle| (end[*angle] - begin[*angle]).abs());
-        turned.fold(0.0, f64::max)
+        turned
     }
 
-    /// Room for the guards of a mode with so many events.
+    /// Room for so many guards, kinks and angles.
     pub fn resize(&mut self, count: usize) {
         for guards in [
             &mut self.begin,
             &mut self.end,
+            &mut self.last,
             &mut self.there,
             &mut self.terms,
         ] {

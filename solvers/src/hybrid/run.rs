@@ -45,8 +45,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         times: (f64, f64),
     ) -> Self {
         let mut room = Room::default();
-        room.resize(table.guards(equations.mode()));
-        room.drivers = [vec![0.0; table.drivers.0], vec![0.0; table.drivers.0]];
+        room.resize(table.written(equations.mode()));
         Self {
             equations,
             table,
@@ -88,7 +87,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
                 (motion.time, &self.state),
                 &mut self.guards,
                 &mut self.room,
-                self.table.drivers.1,
+                self.table.guards(self.equations.mode()),
             );
             let done = method.carry(
                 (motion.time, self.times.1),
@@ -96,7 +95,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
                 &self.options,
                 &mut watch,
             );
-            let (due, lost, step) = (watch.due, watch.lost, watch.step);
+            let (due, lost, step, fast) = (watch.due, watch.lost, watch.step, watch.fast);
             self.state.clone_from(&watch.state);
             let statistics = *done.as_ref().unwrap_or(&Statistics::default());
             let mut trajectory = watch.recorder.finish(statistics);
@@ -114,6 +113,9 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             done.map_err(End::Ode)?;
             if let Some(event) = lost {
                 return Err(End::Guard(event));
+            }
+            if let Some(turned) = fast {
+                return Err(End::Turns(turned));
             }
             if step > 0.0 {
                 self.options.first_step = Some(step);
@@ -171,7 +173,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
                     ..Guard::default()
                 };
             }
-            self.room.resize(self.table.guards(entry.target));
+            self.room.resize(self.table.written(entry.target));
         }
         *last = Some(entry.line);
         self.count(motion, before)?;
@@ -189,9 +191,12 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             }
             None => self.settle(motion.time)?,
         }
-        self.bounce = same.map(|event| {
-            let (_, rate) = self.guard(motion.time, event);
-            (entry.line, motion.time, rate)
+        self.bounce = same.and_then(|event| {
+            let (value, rate) = self.guard(motion.time, event);
+            // A guard that has jumped has left zero.
+            let blur = 4.0 * f64::EPSILON * (rate * motion.time).abs();
+            let is_zero = value.abs() <= noise.max(blur);
+            is_zero.then_some((entry.line, motion.time, rate))
         });
         if let Some(event) = same {
             self.guards[event].size = size;

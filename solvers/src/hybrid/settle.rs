@@ -74,7 +74,7 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
                 due = is_permitted.then_some(event);
             }
         }
-        let kinks = events.len()..begin.values.len();
+        let kinks = events.len()..self.table.guards(self.equations.mode());
         for (guard, value) in self.guards[kinks.clone()]
             .iter_mut()
             .zip(&begin.values[kinks])

@@ -36,7 +36,7 @@ pub(super) fn check<E: Modes<f64>>(
     }
     let events = table.events[mode];
     let mut room = Room::default();
-    room.resize(table.guards(mode));
+    room.resize(table.written(mode));
     room.begin.look(equations, time, state);
     let Room {
         begin,

@@ -9,6 +9,10 @@ use super::within::{at, between};
 use crate::ode::{Observer, Recorder, Step};
 use std::ops::Range;
 
+/// Parts of a step in which an angle turns by no more, in radians, are looked at.
+const TURNED: f64 = 1.0;
+/// Turns of an angle in a step, in radians, that are too many.
+const MOST: f64 = 1e7;
 /// Roundings of the time by which two events differ that cannot be told apart: the continuous solution has as many.
 const BLUR: f64 = 64.0;
 
@@ -50,14 +54,16 @@ pub(super) struct Watch<'a, E: Modes<f64>> {
     pub due: Option<Due>,
     /// The event whose guard is not a number.
     pub lost: Option<usize>,
+    /// By how much an angle turns, if that is too far to look for events.
+    pub fast: Option<f64>,
     /// The state there, or at the end of the last step.
     pub state: E::State,
     /// The length of the last whole step.
     pub step: f64,
     /// The guards at the begin of the step, and room for others.
     pub(super) room: &'a mut Room,
-    /// The drivers that are angles.
-    angles: &'static [usize],
+    /// The number of guards and their kinks; what stands behind them are angles.
+    smooth: usize,
 }
 
 impl<'a, E: Modes<f64>> Watch<'a, E> {
@@ -68,10 +74,8 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         (time, state): (f64, &E::State),
         guards: &'a mut [Guard],
         room: &'a mut Room,
-        angles: &'static [usize],
+        smooth: usize,
     ) -> Self {
-        // Where the drivers are now is where the first step begins.
-        room.turned(equations, time, angles);
         Self {
             equations,
             events,
@@ -79,23 +83,59 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             guards,
             due: None,
             lost: None,
+            fast: None,
             state: state.clone(),
             step: 0.0,
             room,
-            angles,
+            smooth,
         }
     }
 
-    /// The earliest event of a step.
+    /// The earliest event of a step. One in which an angle turns far is looked at part by part.
     #[inline(always)]
     fn look(&mut self, step: &Step<'_, E::State>) {
         let length = step.to - step.from;
         self.step = length;
         self.room.end.look(self.equations, step.to, step.after);
-        let turned = self.room.turned(self.equations, step.to, self.angles);
+        let turned = self.room.turned(self.smooth, length);
+        if turned > TURNED {
+            return self.look_often(step, turned);
+        }
+        self.look_between(step, (0.0, 1.0));
+    }
+
+    /// Looks at a step part by part.
+    #[cold]
+    fn look_often(&mut self, step: &Step<'_, E::State>, turned: f64) {
+        if turned > MOST {
+            self.fast = Some(turned);
+            return self.pass(step);
+        }
+        let count = (turned / TURNED).ceil();
+        let length = step.to - step.from;
+        std::mem::swap(&mut self.room.end, &mut self.room.last);
+        let mut from = 0.0;
+        while from < 1.0 && self.due.is_none() && self.lost.is_none() {
+            let to = ((from * count).round() + 1.0) / count;
+            if to < 1.0 {
+                between(step, to, &mut self.state);
+                let time = step.from + to * length;
+                self.room.end.look(self.equations, time, &self.state);
+            } else {
+                std::mem::swap(&mut self.room.end, &mut self.room.last);
+            }
+            self.look_between(step, (from, to.min(1.0)));
+            from = to;
+        }
+    }
+
+    /// The earliest event of a part of a step.
+    #[inline(always)]
+    fn look_between(&mut self, step: &Step<'_, E::State>, part: (f64, f64)) {
+        let length = step.to - step.from;
         let mut way = Way {
             length,
-            turned,
+            part,
             // Which is first of two that cannot be told apart is said by their order in the file.
             blur: BLUR * f64::EPSILON * (step.to / length).abs().max(1.0),
             is_measured: false,
@@ -108,7 +148,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         }
         self.room.bends.clear();
         self.room.seen.clear();
-        for kink in count..self.room.end.values.len() {
+        for kink in count..self.smooth {
             self.bend(step, &way, kink);
         }
         let surfaces = self.events.iter().filter(|entry| entry.surface.is_some());
@@ -166,8 +206,8 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         let mut second: Option<usize> = None;
         let is_smooth = self.room.bends.is_empty();
         for event in events {
-            let from = at(&self.room.begin, event, 0.0, length);
-            let to = at(&self.room.end, event, 1.0, length);
+            let from = at(&self.room.begin, event, way.part.0, length);
+            let to = at(&self.room.end, event, way.part.1, length);
             let guard = &mut self.guards[event];
             guard.size = guard.size.max(from.value.abs()).max(to.value.abs());
             guard.rate *= MEMORY;
@@ -177,13 +217,13 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             guard.rate = slope / length;
             guard.looked *= FORGET;
             let rough = is_smooth && !is_resolved(&from, &to, slope);
-            let wary = rough || way.is_unknown(guard, 1.0);
+            let wary = rough || way.is_unknown(guard, way.part.1 - way.part.0);
             if !wary && is_smooth && guard.is_far(&from, &to) {
                 continue;
             }
             if !way.is_measured && from.value.abs().min(to.value.abs()) <= NEAR * guard.size {
                 way.is_measured = true;
-                self.measure(step);
+                self.measure(step, way.part.1);
             }
             let until = match first {
                 Some(found) => Some(found.part + 2.0 * way.blur),
@@ -208,16 +248,18 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         (first, second)
     }
 
-    /// Finds out how large the terms of the guards are at the end of a step.
+    /// Finds out how large the terms of the guards are at the end of a part of a step.
     #[cold]
-    fn measure(&mut self, step: &Step<'_, E::State>) {
+    fn measure(&mut self, step: &Step<'_, E::State>, part: f64) {
         let Room {
             end,
             there,
             terms: sizes,
             ..
         } = &mut *self.room;
-        terms(self.equations, step.to, step.after, end, there, sizes);
+        between(step, part, &mut self.state);
+        let time = step.from + part * (step.to - step.from);
+        terms(self.equations, time, &self.state, end, there, sizes);
         for (guard, size) in self.guards.iter_mut().zip(&sizes.values) {
             guard.size = guard.size.max(*size);
         }
@@ -238,6 +280,6 @@ impl<E: Modes<f64>> Observer<E::State> for Watch<'_, E> {
 
     #[inline(always)]
     fn has_enough(&self) -> bool {
-        self.due.is_some() || self.lost.is_some()
+        self.due.is_some() || self.lost.is_some() || self.fast.is_some()
     }
 }

@@ -17,8 +17,8 @@ impl<E: Modes<f64>> Watch<'_, E> {
     #[inline(always)]
     pub(super) fn bend(&mut self, step: &Step<'_, E::State>, way: &Way, kink: usize) {
         let length = step.to - step.from;
-        let mut from = at(&self.room.begin, kink, 0.0, length);
-        let to = at(&self.room.end, kink, 1.0, length);
+        let mut from = at(&self.room.begin, kink, way.part.0, length);
+        let to = at(&self.room.end, kink, way.part.1, length);
         let guard = &mut self.guards[kink];
         guard.size = guard.size.max(from.value.abs()).max(to.value.abs());
         if guard.is_far(&from, &to) {
@@ -59,7 +59,7 @@ impl<E: Modes<f64>> Watch<'_, E> {
         let mut sample = |part: f64| look_at(equations, step, state, (there, seen), (event, part));
         let slope = from.slope.abs().max(to.slope.abs());
         let to = match until {
-            Some(part) if part < 1.0 => sample(part),
+            Some(part) if part < to.part => sample(part),
             _ => to,
         };
         let is_event = event < self.events.len();

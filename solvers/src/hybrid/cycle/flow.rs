@@ -1,7 +1,7 @@
 //! A scene without its type: so the search is compiled once.
 
 use super::super::march::Way;
-use super::super::problem::{Hybrid, Sensitive, in_each_mode};
+use super::super::problem::{Hybrid, Sensitive, in_each_mode, written};
 use super::super::{HybridError, Modes, Motion};
 use crate::problem::{Equations, Storage};
 use crate::registry::Settings;
@@ -127,8 +127,7 @@ impl<C: Hybrid> In<'_, C> {
     /// Values and rates of the guards.
     fn guards(&self, instant: &Instant<C>, state: &State<C>) -> (Vec<f64>, Vec<f64>) {
         let equations = self.equations();
-        let mode = equations.mode();
-        let count = C::EVENTS[mode].len() + C::KINKS.get(mode).unwrap_or(&0);
+        let count = written::<C>(equations.mode());
         let (mut values, mut rates) = (vec![0.0; count], vec![0.0; count]);
         equations.guards(instant, state, &mut values, &mut rates);
         (values, rates)
