@@ -70,7 +70,7 @@ fn derivative(layout: &Layout<'_>) -> TokenStream {
     let statements = body.statements(wanted);
     let values = wanted.iter().map(|value| body.value(*value));
     let text = docs::operations(counts::of(layout).derivative);
-    let inline = layout.inline_rates();
+    let inline = layout.inline();
     quote! {
         #text
         #inline

@@ -164,14 +164,6 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// The same for the rates. Those of a mode are asked for in a loop of their own, into which they may go.
-    pub fn inline_rates(&self) -> TokenStream {
-        match self.is_mode {
-            true => quote!(#[inline]),
-            false => self.inline(),
-        }
-    }
-
     /// Whether it meets switching surfaces.
     pub fn has_sides(&self) -> bool {
         !self.program().surfaces.is_empty()

@@ -130,7 +130,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
     }
 
     /// The earliest event of a part of a step.
-    #[inline(always)]
+    #[inline(never)]
     fn look_between(&mut self, step: &Step<'_, E::State>, part: (f64, f64)) {
         let length = step.to - step.from;
         let mut way = Way {
@@ -193,7 +193,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
     }
 
     /// The earliest of some events in a step, up to a part of it, and the one that cannot be told apart from it.
-    #[inline(always)]
+    #[inline(never)]
     fn earliest(
         &mut self,
         step: &Step<'_, E::State>,

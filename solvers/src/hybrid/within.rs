@@ -14,7 +14,6 @@ const BENDS: usize = 4;
 
 impl<E: Modes<f64>> Watch<'_, E> {
     /// Notes where a kink lies in a step.
-    #[inline(always)]
     pub(super) fn bend(&mut self, step: &Step<'_, E::State>, way: &Way, kink: usize) {
         let length = step.to - step.from;
         let mut from = at(&self.room.begin, kink, way.part.0, length);
