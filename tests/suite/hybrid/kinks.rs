@@ -36,7 +36,10 @@ struct Dice(u64);
 
 impl Dice {
     fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         low + (high - low) * (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 }
@@ -68,7 +71,10 @@ fn no_jump_and_no_bend_hides_a_crossing() {
             if before * value < 0.0 {
                 count += 1;
                 let within = (time(point - 1) - 1e-9)..(time(point) + 1e-9);
-                let is_found = motion.events.iter().any(|event| within.contains(&event.time));
+                let is_found = motion
+                    .events
+                    .iter()
+                    .any(|event| within.contains(&event.time));
                 assert!(is_found, "{method:?}: nothing in {within:?} with {one:?}");
             }
             before = value;
@@ -107,7 +113,11 @@ fn what_begins_after_a_long_rest_is_seen() {
     let first = 50.0 + 0.9999f64.asin() / 40.0;
     for (turn, event) in motion.events.iter().enumerate() {
         let expected = first + turn as f64 * std::f64::consts::TAU / 40.0;
-        assert!((event.time - expected).abs() < 1e-11, "{turn}: {}", event.time);
+        assert!(
+            (event.time - expected).abs() < 1e-11,
+            "{turn}: {}",
+            event.time
+        );
     }
 }
 
