@@ -241,7 +241,7 @@ fn kinks_of_guards_are_told_from_surfaces() {
     };
     let guard = "when max(0 m, x - l) - abs(x - y) rises { set x = 0 m; }";
     assert_eq!(count(&format!("mode go {{ hold y; {guard} }}")), (0, 2));
-    let pushed = "motion follow: m*ddot(y) = -F*sign(y - x);";
+    let pushed = "motion follow: m*ddot(y) = F*sign(x - y);";
     assert_eq!(count(&format!("mode go {{ {pushed} {guard} }}")), (1, 1));
     assert_eq!(
         count("mode go { hold y; when x - max(l, 2 m) rises { set x = 0 m; } }"),

@@ -7,8 +7,8 @@ use super::{compiled, mistakes};
 /// A sum waits for its slowest term alone: that is added last.
 #[test]
 fn what_takes_longest_is_added_last() {
-    let text = "Sample; parameter a = 1 [1/s], b = 2 [1/s]; state x: 1 = 0, y: 1 = 0; \
-                motion one: dot(x) = a*sin(y) - b*x - a*y; motion other: dot(y) = b*x; output x; \
+    let text = "Sample; parameter a = 1 [1/s], b = 2 [1/s], c = 3 [1/s]; state x: 1 = 0, y: 1 = 0; \
+                motion one: dot(x) = c + a*sin(y) - b*x; motion other: dot(y) = b*x; output x; \
                 scene go { run time 0 s .. 1 s; }";
     let (compiled, _) = compiled(text);
     assert!(

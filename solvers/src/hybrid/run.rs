@@ -194,7 +194,8 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         self.bounce = same.and_then(|event| {
             let (value, rate) = self.guard(motion.time, event);
             // A guard that has jumped has left zero.
-            let blur = 4.0 * f64::EPSILON * (rate * motion.time).abs();
+            let fastest = rate.abs().max(self.arrival.abs());
+            let blur = 4.0 * f64::EPSILON * (fastest * motion.time).abs();
             let is_zero = value.abs() <= noise.max(blur);
             is_zero.then_some((entry.line, motion.time, rate))
         });
