@@ -46,6 +46,12 @@ impl<S: Scalar, const N: usize> Storage<S> for [S; N] {
     }
 }
 
+impl<S: Scalar> Storage<S> for Vec<S> {
+    fn zeros(length: usize) -> Self {
+        vec![S::ZERO; length]
+    }
+}
+
 /// The stages of a step of which equations are asked for the rates, one after the other.
 pub trait Stages<S> {
     /// The state of a stage, which the rates of those before it give, and where its own go.
@@ -54,12 +60,6 @@ pub trait Stages<S> {
 
 /// Times of stages that [`Equations::sweep`] treats together: so many sines are packed well.
 const PACKED: usize = 4;
-
-impl<S: Scalar> Storage<S> for Vec<S> {
-    fn zeros(length: usize) -> Self {
-        vec![S::ZERO; length]
-    }
-}
 
 /// First-order equations `y' = f(t, y)` of one scene with its parameters fixed.
 ///
