@@ -2,6 +2,10 @@
 
 use super::grid::{Grid, Sampler};
 
+/// Sections that give half of the digits of a time, and all of them.
+const HALF: usize = 44;
+const ALL: usize = 80;
+
 /// Which extreme is meant.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Sense {
@@ -105,8 +109,8 @@ fn turns_beside(end: (f64, f64), next: (f64, f64), third: (f64, f64)) -> bool {
     turn > -0.5 && turn < 1.0
 }
 
-/// The extreme between two times by golden sections, with its time. Near it a quantity is flat, so its value is right to
-/// the last digits as soon as its time is to half of them.
+/// The extreme between two times by golden sections, with its time. Where a quantity is flat near it, its value is right
+/// to the last digits as soon as its time is to half of them; at a corner it takes all of them.
 pub(super) fn refine(
     index: usize,
     sense: Sense,
@@ -119,7 +123,11 @@ pub(super) fn refine(
     let (mut low, mut high) = (to - golden * (to - from), from + golden * (to - from));
     let (mut below, mut above) = (at(low), at(high));
     // 0.618^44 = 6e-10: below the square root of the rounding of a number.
-    for _ in 0..44 {
+    for count in 0..ALL {
+        let is_flat = (below - above).abs() <= 4.0 * f64::EPSILON * below.abs().max(above.abs());
+        if count >= HALF && is_flat || !(from < low && low < high && high < to) {
+            break;
+        }
         if sense.better(below, above) {
             (to, high, above) = (high, low, below);
             low = to - golden * (to - from);
