@@ -87,8 +87,8 @@ pub fn kinks(
     moving(graph, &kinks, derivative, request)
 }
 
-/// The angles, functions of the time, of which guards have the sine or cosine: how far they turn says in how many parts a
-/// step has to be looked at.
+/// The angles of which guards have the sine or cosine: how far they turn says in how many parts a step has to be looked
+/// at.
 pub fn turns(
     graph: &mut Graph,
     guards: &[Expression],
@@ -99,7 +99,7 @@ pub fn turns(
     for one in graph.reachable(guards) {
         if let Node::Call(Function::Sin | Function::Cos | Function::Tan, arguments) =
             graph.node(one)
-            && request.stage(graph, arguments[0]) == Stage::Instant
+            && request.stage(graph, arguments[0]) >= Stage::Instant
             && !angles.contains(&arguments[0])
         {
             angles.push(arguments[0]);
