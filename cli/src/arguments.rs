@@ -138,7 +138,7 @@ pub struct RunArguments {
     /// Relative tolerance of the integration, from 1e-14 to 1e-2.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub rtol: Option<String>,
-    /// Integration method: dop853 or tsit5, for stiff motions radau or rosenbrock, or auto, which finds out.
+    /// Integration method: dop853, tsit5 or taylor, for stiff motions radau or rosenbrock, or auto, which finds out.
     #[arg(long, value_name = "METHOD")]
     pub method: Option<String>,
     /// What is printed.

@@ -10,9 +10,10 @@ pub const RTOL: (f64, f64) = (1e-14, 1e-2);
 /// The tolerance unless one is given.
 pub const DEFAULT_RTOL: f64 = 1e-10;
 /// The methods by name, the default one first.
-const METHODS: [(&str, Method); 5] = [
+const METHODS: [(&str, Method); 6] = [
     ("dop853", Method::Dop853),
     ("tsit5", Method::Tsit5),
+    ("taylor", Method::Taylor),
     ("radau", Method::Radau),
     ("rosenbrock", Method::Rosenbrock),
     ("auto", Method::Auto),

@@ -28,6 +28,7 @@ pub mod periodic;
 pub mod problem;
 pub mod registry;
 pub mod scalar;
+pub mod series;
 pub mod stiff;
 pub mod study;
 pub mod tolerance;

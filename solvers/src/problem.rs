@@ -103,6 +103,13 @@ pub trait Equations<S: Scalar> {
         true
     }
 
+    /// Writes the Taylor series of the motion from a state on, which is the first row: row `k` is `length^k / k!` times
+    /// the `k`-th time derivative, and rows have the length of the state. False, and nothing is written, where the
+    /// equations have none, and for scalars that are not [`Scalar::SINGLE`].
+    fn series(&self, _time: S, _length: S, _rows: &mut [S]) -> bool {
+        false
+    }
+
     /// Writes `f(t, y)` into `rate` and the products `∂f/∂y · columns[k]` into `products[k]`.
     fn variation(
         &self,

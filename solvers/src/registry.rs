@@ -298,6 +298,8 @@ pub enum Method {
     Tsit5,
     /// Explicit Runge–Kutta method of order 8 with errors of order 5 and 3, Dormand and Prince.
     Dop853,
+    /// Taylor series of the motion, of an order that follows from the tolerance.
+    Taylor,
     /// Implicit Runge–Kutta method of order 5 for stiff motions, Radau IIA.
     Radau,
     /// Rosenbrock method of order 5 for stiff motions, Rodas5P.
@@ -310,7 +312,7 @@ impl Method {
     /// The method among those that solve stiff motions; none if it is explicit.
     pub fn stiff(self) -> Option<crate::stiff::Method> {
         match self {
-            Self::Tsit5 | Self::Dop853 => None,
+            Self::Tsit5 | Self::Dop853 | Self::Taylor => None,
             Self::Radau => Some(crate::stiff::Method::Radau),
             Self::Rosenbrock => Some(crate::stiff::Method::Rosenbrock),
             Self::Auto => Some(crate::stiff::Method::Automatic),

@@ -45,6 +45,8 @@ pub trait Scalar:
     const ZERO: Self;
     /// 1
     const ONE: Self;
+    /// Whether this is one real number, of which zero is nothing: no lane beside it, no derivative.
+    const SINGLE: bool = false;
 
     /// The number, in all lanes.
     fn from_f64(value: f64) -> Self;

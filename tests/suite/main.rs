@@ -6,6 +6,7 @@
 //! | [`batten`] | a mechanism against an independent computation, closed forms, limits, energy |
 //! | [`linkages`] | loops against an independent computation, and the misprints of a paper |
 //! | [`hybrid`] | modes and events against closed forms |
+//! | [`series`] | Taylor series against the other method |
 //! | [`hard`] | cases in which the naive way fails, beside ours |
 
 mod batten;
@@ -14,4 +15,5 @@ mod hard;
 mod hybrid;
 mod linkages;
 mod measures;
+mod series;
 mod solved;

@@ -10,7 +10,7 @@ use super::blocks::blocks;
 use super::body::{Body, Place};
 use super::expression::{scalar, size};
 use super::layout::Layout;
-use super::{counts, docs, instant, outputs};
+use super::{counts, docs, instant, outputs, series};
 
 /// Longest array literal for a column of the Jacobian; longer columns are filled entry by entry.
 const SHORT: usize = 8;
@@ -30,6 +30,7 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
     let methods = [
         instant::methods(layout),
         derivative(layout),
+        series::method(layout).unwrap_or_default(),
         variation(layout),
         jacobian(layout),
         outputs::methods(layout),

@@ -255,7 +255,8 @@ impl<'a> Layout<'a> {
         }
     }
 
-    fn placeholder(&self, value: Value) -> TokenStream {
+    /// Any value of the right type.
+    pub fn placeholder(&self, value: Value) -> TokenStream {
         match schedule::shape(self.program(), value) {
             Shape::Number => quote!(S::ZERO),
             Shape::Mask => quote!(S::less(S::ZERO, S::ZERO)),

@@ -28,6 +28,7 @@ mod registry;
 mod requirements;
 mod scene;
 mod schedule;
+mod series;
 mod slopes;
 mod tests;
 mod values;

@@ -159,6 +159,13 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 }
             }
 
+            fn series(&self, time: S, length: S, rows: &mut [S]) -> bool {
+                match self.mode_ {
+                    #(#numbers => self.#fields.series(time, length, rows),)*
+                    _ => ::core::unreachable!(),
+                }
+            }
+
             #inline
             fn variation(
                 &self,

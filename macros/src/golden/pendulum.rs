@@ -228,6 +228,29 @@ mod pendulum_ {
             let (sin_phi_, _) = S::sin_cos(phi);
             *rate = [dot_phi, -(self.v8_ * sin_phi_)];
         }
+        #[inline(never)]
+        fn series(&self, time: S, length: S, rows: &mut [S]) -> bool {
+            if !S::SINGLE {
+                return false;
+            }
+            let (rows_, _) = rows.as_chunks_mut::<2>();
+            let mut memory_0_ = ::assur::series::Sine::default();
+            for k_ in 0..rows_.len().saturating_sub(1).min(::assur::series::TERMS) {
+                let state = rows_[k_];
+                let one_: S = ::assur::series::one(k_);
+                let dot_phi = state[1];
+                let phi = state[0];
+                let (sin_phi_, _) = memory_0_.next(k_, phi);
+                let v19_ = self.v8_ * sin_phi_;
+                let rate_1_ = -v19_;
+                let step_ = length * ::assur::series::inverse(k_ + 1);
+                let rates_ = [dot_phi, rate_1_];
+                for (next_, rate_) in rows_[k_ + 1].iter_mut().zip(rates_) {
+                    *next_ = step_ * rate_;
+                }
+            }
+            true
+        }
         #[inline(always)]
         fn variation(
             &self,

@@ -4,14 +4,14 @@ use super::erased::{Called, Erased};
 use super::problem::Modes;
 use super::watch::Watch;
 use crate::ode::{self, Observer, OdeError, Options, Statistics, Step};
-use crate::problem::Storage;
-use crate::registry;
+use crate::problem::{Equations, Storage};
+use crate::registry::Settings;
 use crate::stiff::{self, Emitted, Switch};
 
 /// A method with its memory.
 pub(super) trait Carry<E: Modes<f64>>: Sized {
     /// Room for the states of some equations.
-    fn new(equations: &E, method: registry::Method) -> Self;
+    fn new(equations: &E, settings: &Settings) -> Self;
 
     /// Integrates the equations that are watched until the end, or until the watch has enough.
     fn carry(
@@ -33,7 +33,7 @@ pub(super) struct Explicit<V, M: ode::Method>(ode::Workspace<V, M>);
 
 impl<'a, V: Storage<f64>, M: ode::Method> Carry<Erased<'a, V>> for Explicit<V, M> {
     #[inline(always)]
-    fn new(equations: &Erased<'a, V>, _method: registry::Method) -> Self {
+    fn new(equations: &Erased<'a, V>, _settings: &Settings) -> Self {
         Self(ode::Workspace::new::<f64, _>(&Called(equations)))
     }
 
@@ -50,13 +50,30 @@ impl<'a, V: Storage<f64>, M: ode::Method> Carry<Erased<'a, V>> for Explicit<V, M
     }
 }
 
+impl<'a, V: Storage<f64>> Carry<Erased<'a, V>> for ode::Taylor<V> {
+    fn new(equations: &Erased<'a, V>, settings: &Settings) -> Self {
+        Self::new(equations.states(), settings.rtol)
+    }
+
+    #[inline(always)]
+    fn carry(
+        &mut self,
+        times: (f64, f64),
+        start: &V,
+        options: &Options,
+        watch: &mut Watch<'_, Erased<'a, V>>,
+    ) -> Result<Statistics, OdeError> {
+        self.integrate(watch.equations, times, start, options, watch)
+    }
+}
+
 /// A stiff method, or the automatic choice. It keeps its memory from event to event, and what it has found out about
 /// the stiffness with it.
 pub(super) struct Stiff(stiff::Workspace);
 
 impl<E: Modes<f64>> Carry<E> for Stiff {
-    fn new(equations: &E, method: registry::Method) -> Self {
-        let method = method.stiff().unwrap_or(stiff::Method::Automatic);
+    fn new(equations: &E, settings: &Settings) -> Self {
+        let method = settings.method.stiff().unwrap_or(stiff::Method::Automatic);
         Self(stiff::Workspace::new(method, &mut Emitted::new(equations)))
     }
 
@@ -123,6 +140,7 @@ impl<E: Modes<f64>> Observer<Vec<f64>> for Typed<'_, '_, E> {
             before: &self.before,
             after: &self.after,
             polynomial: &self.polynomial,
+            basis: step.basis,
         });
     }
 

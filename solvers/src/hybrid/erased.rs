@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::marker::PhantomData;
 
 use super::problem::{EventEntry, Hybrid, Modes};
-use crate::ode::System;
+use crate::ode::{Expand, System};
 use crate::problem::{Equations, Stages, Storage};
 
 /// What is asked of equations along a motion, in slices.
@@ -24,6 +24,8 @@ pub(super) trait Model {
     fn sweep(&self, times: &[f64], stages: &mut dyn Stages<f64>);
     /// The same one by one, where it has given what is no number.
     fn sweep_again(&self, times: &[f64], stages: &mut dyn Stages<f64>);
+    /// Writes the Taylor series of the motion, see [`Equations::series`].
+    fn series(&self, time: f64, length: f64, rows: &mut [f64]) -> bool;
     /// Writes the derivatives of the rates by the state, column by column.
     fn jacobian(&self, time: f64, state: &[f64], columns: &mut [f64]);
     /// Writes the guards and their rates.
@@ -100,7 +102,8 @@ impl<E: Modes<f64> + Clone> Model for Own<E> {
     fn rate(&self, time: f64, values: &[f64], rate: &mut [f64]) {
         let compute = |one: &E, rate: &mut [f64]| {
             let mut rates = E::State::zeros(rate.len());
-            one.derivative(&one.instant(time), &state(one, values), &mut rates);
+            let [instant] = one.instants([time]);
+            one.derivative(&instant, &state(one, values), &mut rates);
             rate.copy_from_slice(rates.as_ref());
         };
         compute(&self.equations, rate);
@@ -121,6 +124,14 @@ impl<E: Modes<f64> + Clone> Model for Own<E> {
             let (state, rate) = stages.next(number);
             self.rate(*time, state, rate);
         }
+    }
+
+    fn series(&self, time: f64, length: f64, rows: &mut [f64]) -> bool {
+        let has_series = self.equations.series(time, length, rows);
+        if has_series && self.are_lost(rows) {
+            self.free().series(time, length, rows);
+        }
+        has_series
     }
 
     fn jacobian(&self, time: f64, values: &[f64], columns: &mut [f64]) {
@@ -226,6 +237,16 @@ impl<'a, V> Erased<'a, V> {
             slopes: RefCell::new(vec![0.0; states * states]),
             state: PhantomData,
         }
+    }
+}
+
+impl<V> Expand for Erased<'_, V> {
+    fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        self.model.rate(time, state, rate);
+    }
+
+    fn series(&self, time: f64, length: f64, rows: &mut [f64]) -> bool {
+        self.model.series(time, length, rows)
     }
 }
 

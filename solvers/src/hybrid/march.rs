@@ -7,7 +7,7 @@ use super::motion::Motion;
 use super::problem::{Hybrid, Modes};
 use super::run::Run;
 use super::start;
-use crate::ode::{Dop853, OdeError, Options, Tsit5, state_from};
+use crate::ode::{Dop853, OdeError, Options, Taylor, Tsit5, state_from};
 use crate::problem::Storage;
 use crate::registry::{self, Settings};
 
@@ -80,6 +80,7 @@ impl Way<'_> {
         match self.settings.method {
             registry::Method::Tsit5 => self.march::<V, Explicit<V, Tsit5>>(model, table),
             registry::Method::Dop853 => self.march::<V, Explicit<V, Dop853>>(model, table),
+            registry::Method::Taylor => self.march::<V, Taylor<V>>(model, table),
             _ => self.march::<V, Stiff>(model, table),
         }
     }
@@ -124,7 +125,7 @@ impl Way<'_> {
         if self.is_checked {
             start::check(&equations, table, times.0, &state)?;
         }
-        let mut method = M::new(&equations, settings.method);
+        let mut method = M::new(&equations, settings);
         let mut run = Run::new(equations, table, state, options, times);
         match run.through(&mut motion, &mut method) {
             Ok(()) => Ok(motion),

@@ -6,7 +6,7 @@ use super::guard::Way;
 use super::problem::{Direction, Modes};
 use super::room::{Guards, Room, Seen};
 use super::watch::Watch;
-use crate::ode::Step;
+use crate::ode::{Basis, Step};
 use crate::problem::Storage;
 
 /// Bends of guards in a step that are told apart. More are found as what they are to a guard.
@@ -163,10 +163,38 @@ pub(super) fn between<V: Storage<f64>>(step: &Step<'_, V>, part: f64, state: &mu
         state.clone_from(step.after);
         return;
     }
+    if step.basis == Basis::Powers {
+        return powers_at(step, part, state);
+    }
     // The length of a polynomial that is known lets its loop be written out.
     match <&[V; 7]>::try_from(step.polynomial) {
         Ok(polynomial) => polynomial_at(polynomial, step.before, part, state),
         Err(_) => polynomial_at(step.polynomial, step.before, part, state),
+    }
+}
+
+/// A power series: even and odd powers apart, since each sum has to wait for itself.
+#[inline(always)]
+fn powers_at<V: Storage<f64>>(step: &Step<'_, V>, part: f64, state: &mut V) {
+    let square = part * part;
+    let (pairs, last) = step.polynomial.as_chunks::<2>();
+    let (state, mut even) = (state.as_mut(), step.before.clone());
+    let even = even.as_mut();
+    match last {
+        [last] => state.copy_from_slice(last.as_ref()),
+        _ => state.fill(0.0),
+    }
+    even.fill(0.0);
+    for [one, other] in pairs.iter().rev() {
+        let rows = one.as_ref().iter().zip(other.as_ref());
+        for ((odd, even), (one, other)) in state.iter_mut().zip(&mut *even).zip(rows) {
+            *even = (*even + other) * square;
+            *odd = *odd * square + one;
+        }
+    }
+    let even = even.iter().zip(step.before.as_ref());
+    for (odd, (even, before)) in state.iter_mut().zip(even) {
+        *odd = *odd * part + even + before;
     }
 }
 
@@ -175,11 +203,18 @@ pub(super) fn between<V: Storage<f64>>(step: &Step<'_, V>, part: f64, state: &mu
 fn polynomial_at<V: Storage<f64>>(polynomial: &[V], before: &V, part: f64, state: &mut V) {
     let state = state.as_mut();
     state.fill(0.0);
-    for (row, coefficients) in polynomial.iter().enumerate().rev() {
-        let factor = if row % 2 == 0 { part } else { 1.0 - part };
+    let (pairs, last) = polynomial.as_chunks::<2>();
+    let mut add = |coefficients: &V, factor: f64| {
         for (sum, coefficient) in state.iter_mut().zip(coefficients.as_ref()) {
             *sum = (*sum + coefficient) * factor;
         }
+    };
+    if let [last] = last {
+        add(last, part);
+    }
+    for [one, other] in pairs.iter().rev() {
+        add(other, 1.0 - part);
+        add(one, part);
     }
     for (sum, before) in state.iter_mut().zip(before.as_ref()) {
         *sum += before;

@@ -3,7 +3,7 @@
 use super::*;
 use crate::hybrid::Happened;
 use crate::hybrid::Piece;
-use crate::ode::{Observer, Recorder, Step};
+use crate::ode::{Basis, Observer, Recorder, Step};
 use std::f64::consts::PI;
 
 /// A run through steps of this length, in which nothing moves: quantities are functions of the time.
@@ -16,6 +16,7 @@ fn run(from: f64, to: f64, steps: usize) -> Motion {
             to: time(index + 1),
             before: &[0.0; 1],
             after: &[0.0; 1],
+            basis: Basis::Alternating,
             polynomial: &[[0.0; 1]],
         });
     }
@@ -78,6 +79,16 @@ fn a_peak_is_found_wherever_it_lies_in_a_step() {
         is(found(&motion, of(Kind::Peak), &[&hill]), 1.0, 1e-15);
         let valley = |time: f64| -hill(time);
         is(found(&motion, of(Kind::Lowest), &[&valley]), -1.0, 1e-15);
+    }
+}
+
+/// Half of the digits of its time are not enough where a quantity is not flat.
+#[test]
+fn a_corner_is_found_to_the_last_digits() {
+    let motion = run(0.0, 3.0, 2);
+    for corner in [0.7, 1.0 / 3.0, 2.9] {
+        let saw = |t: f64| 5.0 - 1e3 * (t - corner).abs();
+        is(found(&motion, of(Kind::Peak), &[&saw]), 5.0, 1e-12);
     }
 }
 

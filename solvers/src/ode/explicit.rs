@@ -3,7 +3,7 @@
 use super::controller::Controller;
 use super::error::OdeError;
 use super::norm::{first_bad, worst};
-use super::observer::{Observer, Step};
+use super::observer::{Basis, Observer, Step};
 use super::options::{Options, bad};
 use super::system::System;
 use super::tableau::Method;
@@ -205,6 +205,7 @@ pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
             to,
             before: &workspace.state,
             after: &workspace.trial,
+            basis: Basis::Alternating,
             polynomial: if dense {
                 workspace.polynomial.as_ref()
             } else {

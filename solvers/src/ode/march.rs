@@ -6,6 +6,7 @@ use super::explicit::integrate;
 use super::options::Options;
 use super::system::Plain;
 use super::tableau::Method;
+use super::taylor::{Expand, Taylor};
 use super::trajectory::{Recorder, Trajectory};
 use super::tsit5::Tsit5;
 use super::workspace::Workspace;
@@ -71,8 +72,13 @@ pub fn march_on<C: Scene, S: Scalar>(
     if let Some(method) = settings.method.stiff() {
         return stiff::march(scene, times, start, settings.rtol, method);
     }
-    let equations = scene.prepare::<S>();
     let options = Options::scaled(settings.rtol, C::SCALES);
+    if settings.method == registry::Method::Taylor {
+        let equations = scene.prepare::<f64>();
+        state_from::<f64, _>(&equations, start)?;
+        return march_by_series(&Single(&equations), times, start, &options);
+    }
+    let equations = scene.prepare::<S>();
     let start = state_from::<S, _>(&equations, start)?;
     match settings.method {
         registry::Method::Tsit5 => march_with::<S, _, Tsit5>(&equations, times, &start, &options),
@@ -99,6 +105,38 @@ pub(super) fn march_with<S: Scalar, E: Equations<S>, M: Method>(
         &mut workspace,
         &mut recorder,
     )?;
+    Ok(recorder.finish(statistics))
+}
+
+/// Equations of which the series are asked for.
+struct Single<'a, E>(&'a E);
+
+impl<E: Equations<f64>> Expand for Single<'_, E> {
+    fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        let mut numbers = E::State::zeros(state.len());
+        numbers.as_mut().copy_from_slice(state);
+        let mut rates = E::State::zeros(state.len());
+        let [instant] = self.0.instants([time]);
+        self.0.derivative(&instant, &numbers, &mut rates);
+        rate.copy_from_slice(rates.as_ref());
+    }
+
+    fn series(&self, time: f64, length: f64, rows: &mut [f64]) -> bool {
+        self.0.series(time, length, rows)
+    }
+}
+
+/// The motion from a start by its Taylor series.
+fn march_by_series(
+    expand: &dyn Expand,
+    times: (f64, f64),
+    start: &[f64],
+    options: &Options,
+) -> Result<Trajectory, OdeError> {
+    let start = start.to_vec();
+    let mut recorder = Recorder::<f64>::new(times.0, &start);
+    let mut taylor = Taylor::new(start.len(), options.rtol);
+    let statistics = taylor.integrate(expand, times, &start, options, &mut recorder)?;
     Ok(recorder.finish(statistics))
 }
 

@@ -1,8 +1,8 @@
-//! Explicit Runge–Kutta methods with control of the step size and continuous output.
+//! Explicit methods with control of the step size and continuous output.
 //!
 //! [`integrate`] carries any [`System`] over a stretch of time, forwards or backwards; the method is a type
 //! ([`Tsit5`], [`Dop853`]), what happens with the steps is up to an [`Observer`]. All its memory is the [`Workspace`].
-//! [`march`] is the usual task: the motion of a scene from a start, kept as a [`Trajectory`].
+//! [`march`] is the usual task: the motion of a scene from a start, kept as a [`Trajectory`], also by its Taylor series.
 //!
 //! The control follows E. Hairer, S. P. Nørsett, G. Wanner: *Solving Ordinary Differential Equations I*, 2nd edition,
 //! sections II.4 to II.6.
@@ -19,6 +19,7 @@ mod options;
 mod sweep;
 mod system;
 mod tableau;
+mod taylor;
 mod trajectory;
 mod tsit5;
 mod workspace;
@@ -30,10 +31,11 @@ pub(crate) use explicit::Clock;
 pub use explicit::{Statistics, integrate};
 pub(crate) use march::{bad_start, state_from};
 pub use march::{march, march_on};
-pub use observer::{Observer, Step};
+pub use observer::{Basis, Observer, Step};
 pub use options::{AbsoluteTolerance, Options};
 pub use system::{Bundle, Plain, System, Varied};
 pub use tableau::{Method, Row};
+pub(crate) use taylor::{Expand, Taylor};
 pub use trajectory::{Recorder, Trajectory};
 pub use tsit5::Tsit5;
 pub(crate) use workspace::SHORTEST;

@@ -1,5 +1,14 @@
 //! What happens with the steps of an integration.
 
+/// What the coefficients `F₁, F₂, …` of a continuous solution belong to, with `θ` from 0 to 1 over the step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// `y₀ + θ(F₁ + (1-θ)(F₂ + θ(F₃ + (1-θ)(F₄ + …))))`
+    Alternating,
+    /// `y₀ + F₁ θ + F₂ θ² + …`
+    Powers,
+}
+
 /// A step that was accepted.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<'a, V> {
@@ -11,8 +20,10 @@ pub struct Step<'a, V> {
     pub before: &'a V,
     /// State at its end.
     pub after: &'a V,
-    /// The coefficients `F₁, F₂, …` of the continuous solution, see [`super::Method`]; empty unless asked for.
+    /// The coefficients `F₁, F₂, …` of the continuous solution; empty unless asked for.
     pub polynomial: &'a [V],
+    /// What they belong to.
+    pub basis: Basis,
 }
 
 /// Looks at the steps of an integration.

@@ -2,6 +2,7 @@
 
 mod motions;
 mod order;
+mod taylor;
 
 use super::{AbsoluteTolerance, Method, OdeError, Options, Plain, Trajectory};
 use crate::problem::Equations;

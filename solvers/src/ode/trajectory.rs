@@ -1,7 +1,7 @@
 //! A motion that was computed, as a function of time.
 
 use super::explicit::Statistics;
-use super::observer::{Observer, Step};
+use super::observer::{Basis, Observer, Step};
 use crate::problem::Storage;
 use crate::scalar::Scalar;
 use crate::stiff::Switch;
@@ -9,6 +9,8 @@ use std::marker::PhantomData;
 
 /// Steps for which there is room at first.
 const FIRST_STEPS: usize = 12;
+/// Numbers of them for which there is room.
+const FIRST_NUMBERS: usize = 192;
 
 /// A motion that was computed: a polynomial for each step.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,12 +23,13 @@ pub struct Trajectory {
     states: usize,
     /// Number of coefficients of each polynomial beside the state at its begin.
     degree: usize,
+    /// What the coefficients belong to.
+    basis: Basis,
     /// Times of the steps, the begin first.
     times: Vec<f64>,
-    /// For each step the state at its begin and the coefficients, `(1 + degree) * states` numbers.
+    /// For each step the state at its begin and the coefficients, `(1 + degree) * states` numbers; then the state at the
+    /// end.
     coefficients: Vec<f64>,
-    /// State at the end.
-    end: Vec<f64>,
     /// Length of the last step as it was computed: the motion may end within it.
     last: f64,
 }
@@ -42,7 +45,7 @@ impl Trajectory {
     /// The same, written into `state`.
     pub fn at_into(&self, time: f64, state: &mut [f64]) {
         let Some((step, part)) = self.locate(time) else {
-            state.copy_from_slice(&self.end);
+            state.copy_from_slice(self.end());
             return;
         };
         for (index, value) in state.iter_mut().enumerate() {
@@ -68,15 +71,14 @@ impl Trajectory {
 
     /// The state at the end.
     pub fn end(&self) -> &[f64] {
-        &self.end
+        &self.coefficients[self.coefficients.len() - self.states..]
     }
 
     /// Makes room for more steps, of each of which so many numbers are kept.
     #[cold]
     fn grow(&mut self, numbers: usize) {
-        let steps = self.times.len().max(FIRST_STEPS);
+        let steps = self.times.len().max(FIRST_NUMBERS / numbers.max(1));
         self.coefficients.reserve(steps * numbers);
-        self.times.reserve(steps);
     }
 
     /// Number of states.
@@ -116,15 +118,14 @@ impl Trajectory {
         self.coefficients[(step * (1 + self.degree) + row) * self.states + index]
     }
 
-    /// `θ(F₁ + (1-θ)(F₂ + θ(F₃ + …)))` and its derivative, by Horner's rule.
+    /// What the polynomial adds to the begin, and its derivative, by Horner's rule.
     #[inline]
     fn change(&self, step: usize, index: usize, part: f64) -> (f64, f64) {
         let (mut value, mut slope) = (0.0, 0.0);
         for row in (1..=self.degree).rev() {
-            let (factor, change) = if row % 2 == 1 {
-                (part, 1.0)
-            } else {
-                (1.0 - part, -1.0)
+            let (factor, change) = match self.basis {
+                Basis::Alternating if row % 2 == 0 => (1.0 - part, -1.0),
+                _ => (part, 1.0),
             };
             let sum = value + self.coefficient(step, row, index);
             slope = slope * factor + sum * change;
@@ -146,15 +147,19 @@ pub struct Recorder<S> {
 impl<S: Scalar> Recorder<S> {
     /// Starts at a time and state.
     pub fn new<V: Storage<S>>(time: f64, start: &V) -> Self {
-        let end: Vec<f64> = start.as_ref().iter().map(|value| value.to_f64()).collect();
+        let start = start.as_ref();
+        let mut times = Vec::with_capacity(1 + FIRST_STEPS);
+        times.push(time);
+        let mut coefficients = Vec::with_capacity(FIRST_NUMBERS + start.len());
+        coefficients.extend(start.iter().map(|value| value.to_f64()));
         let trajectory = Trajectory {
             statistics: Statistics::default(),
             switches: Vec::new(),
-            states: end.len(),
+            states: start.len(),
             degree: 0,
-            times: vec![time],
-            coefficients: Vec::new(),
-            end,
+            basis: Basis::Alternating,
+            times,
+            coefficients,
             last: 0.0,
         };
         Self {
@@ -169,7 +174,9 @@ impl<S: Scalar> Recorder<S> {
         if let Some(end) = trajectory.times.last_mut() {
             *end = time;
         }
-        for (end, value) in trajectory.end.iter_mut().zip(state.as_ref()) {
+        let begin = trajectory.coefficients.len() - trajectory.states;
+        let end = trajectory.coefficients[begin..].iter_mut();
+        for (end, value) in end.zip(state.as_ref()) {
             *end = value.to_f64();
         }
     }
@@ -191,24 +198,24 @@ impl<S: Scalar, V: Storage<S>> Observer<V> for Recorder<S> {
     fn step(&mut self, step: &Step<'_, V>) {
         let trajectory = &mut self.trajectory;
         trajectory.degree = step.polynomial.len();
+        trajectory.basis = step.basis;
         trajectory.times.push(step.to);
         trajectory.last = step.to - step.from;
         let states = step.before.as_ref().len();
-        let begin = trajectory.coefficients.len();
-        let end = begin + (1 + step.polynomial.len()) * states;
+        let begin = trajectory.coefficients.len() - states;
+        let end = begin + (2 + step.polynomial.len()) * states;
         if trajectory.coefficients.capacity() < end {
-            trajectory.grow(end - begin);
+            trajectory.grow(end - begin - states);
         }
         trajectory.coefficients.resize(end, 0.0);
-        let rows = std::iter::once(step.before).chain(step.polynomial);
+        let rows = std::iter::once(step.before)
+            .chain(step.polynomial)
+            .chain([step.after]);
         let room = trajectory.coefficients[begin..].chunks_exact_mut(states.max(1));
         for (room, row) in room.zip(rows) {
             for (slot, value) in room.iter_mut().zip(row.as_ref()) {
                 *slot = value.to_f64();
             }
-        }
-        for (end, value) in trajectory.end.iter_mut().zip(step.after.as_ref()) {
-            *end = value.to_f64();
         }
     }
 }

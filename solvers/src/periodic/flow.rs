@@ -121,12 +121,15 @@ impl<C: Scene> Task for Turn<'_, '_, C> {
             registry::Method::Tsit5 => self.turn::<S, Tsit5>(),
             // A steady state shows no transient that an automatic choice would have to look out for.
             registry::Method::Dop853 | registry::Method::Auto => self.turn::<S, Dop853>(),
-            registry::Method::Radau | registry::Method::Rosenbrock => Err(OdeError::BadOption {
-                name: "method",
-                reason: "a steady state is sought together with its variations, which only the explicit methods \
-                         integrate; take dop853 or tsit5, or follow the motion from a start"
-                    .to_string(),
-            }),
+            registry::Method::Radau | registry::Method::Rosenbrock | registry::Method::Taylor => {
+                Err(OdeError::BadOption {
+                    name: "method",
+                    reason:
+                        "a steady state is sought together with its variations, which dop853 and \
+                         tsit5 integrate; take one of them, or follow the motion from a start"
+                            .to_string(),
+                })
+            }
         }
     }
 }

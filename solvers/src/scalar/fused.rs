@@ -48,6 +48,7 @@ impl Scalar for Fused {
     type Mask = bool;
     const ZERO: Self = Self(0.0);
     const ONE: Self = Self(1.0);
+    const SINGLE: bool = true;
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {

@@ -20,6 +20,7 @@ macro_rules! plain {
             type Mask = bool;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
+            const SINGLE: bool = true;
 
             #[inline(always)]
             fn from_f64(value: f64) -> Self {

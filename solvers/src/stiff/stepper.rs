@@ -3,7 +3,7 @@
 use super::here::{Here, first_bad, scaled_size};
 use super::rates::Rates;
 use super::spectrum::Calm;
-use crate::ode::{Clock, Observer, OdeError, Options, SHORTEST, Statistics, Step};
+use crate::ode::{Basis, Clock, Observer, OdeError, Options, SHORTEST, Statistics, Step};
 
 /// What came of a step that was tried.
 pub(super) enum Attempt {
@@ -95,6 +95,7 @@ pub(super) fn drive<M: Stepper>(
             to,
             before: &here.state,
             after: &here.trial,
+            basis: Basis::Alternating,
             polynomial: &here.polynomial,
         });
         here.statistics.count(length, error, to == times.1);

@@ -80,6 +80,7 @@ fn a_branch_that_does_not_exist_beyond_its_surface() {
     for method in [
         Method::Tsit5,
         Method::Dop853,
+        Method::Taylor,
         Method::Radau,
         Method::Rosenbrock,
         Method::Auto,

@@ -64,6 +64,7 @@ fn steps_over_many_swings_of_a_guard_hide_nothing() {
     for method in [
         Method::Tsit5,
         Method::Dop853,
+        Method::Taylor,
         Method::Radau,
         Method::Rosenbrock,
     ] {

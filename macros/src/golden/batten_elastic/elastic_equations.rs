@@ -222,6 +222,93 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             self.v42_ * (instant.v117_ - v159_),
         ];
     }
+    #[inline(never)]
+    fn series(&self, time: S, length: S, rows: &mut [S]) -> bool {
+        if !S::SINGLE {
+            return false;
+        }
+        let (rows_, _) = rows.as_chunks_mut::<6>();
+        let mut memory_0_ = ::assur::series::Turn::default();
+        let mut memory_1_ = ::assur::series::Product::default();
+        let mut memory_2_ = ::assur::series::Product::default();
+        let mut memory_3_ = ::assur::series::Product::default();
+        let mut memory_4_ = ::assur::series::Quotient::default();
+        let mut memory_5_ = ::assur::series::Product::default();
+        let mut memory_6_ = ::assur::series::Product::default();
+        let mut memory_7_ = ::assur::series::Product::default();
+        let mut memory_8_ = ::assur::series::Product::default();
+        let mut memory_9_ = ::assur::series::Product::default();
+        let mut memory_10_ = ::assur::series::Product::default();
+        let mut memory_11_ = ::assur::series::Product::default();
+        let mut memory_12_ = ::assur::series::Product::default();
+        let mut memory_13_ = ::assur::series::Product::default();
+        for k_ in 0..rows_.len().saturating_sub(1).min(::assur::series::TERMS) {
+            let state = rows_[k_];
+            let one_: S = ::assur::series::one(k_);
+            let time_ = ::assur::series::time(k_, time, length);
+            let theta = self.n * time_;
+            let (sin_theta_, cos_theta_) = memory_0_.next(k_, theta);
+            let v94_ = memory_1_.next(k_, sin_theta_, sin_theta_);
+            let v96_ = one_ - self.v16_ * cos_theta_;
+            let v97_ = memory_2_.next(k_, v96_, v96_);
+            let v99_ = self.v12_
+                * ::assur::series::unless_zero(
+                    self.v12_,
+                    || memory_3_.next(k_, v94_, v97_),
+                ) + one_ * self.J2;
+            let v100_ = memory_4_.next(k_, one_, v99_);
+            let v101_ = memory_5_.next(k_, v96_, sin_theta_);
+            let v102_ = self.R * v101_;
+            let v103_ = self.v27_ * v101_;
+            let v104_ = self.v28_ * v101_;
+            let v105_ = memory_6_.next(k_, v96_, cos_theta_);
+            let v106_ = self.v31_ * v94_;
+            let ddot_x1 = self.v32_ * v105_ + v106_;
+            let v108_ = self.v33_ * cos_theta_ + one_ * -S::ONE;
+            let v110_ = self.v32_
+                * ::assur::series::unless_zero(
+                    self.v32_,
+                    || memory_7_.next(k_, sin_theta_, v108_),
+                );
+            let v111_ = self.v35_ * v94_;
+            let v112_ = self.v36_ * v105_ + v111_;
+            let v113_ = S::from_f64(2.0) * v112_;
+            let v114_ = self.m3 * ddot_x1;
+            let v115_ = -v114_;
+            let v116_ = self.m4 * ddot_x1;
+            let v117_ = -v116_;
+            let dot_phi2 = state[3];
+            let dot_w3 = state[4];
+            let dot_w4 = state[5];
+            let phi2 = state[0];
+            let w4 = state[2];
+            let u4 = memory_8_.next(k_, v103_, phi2) + w4;
+            let w3 = state[1];
+            let u3 = w3 - memory_9_.next(k_, v104_, phi2);
+            let v154_ = self.d44 * u3;
+            let v155_ = v154_ - self.d34 * u4;
+            let v156_ = ddot_x1 - memory_10_.next(k_, v110_, phi2);
+            let v157_ = v156_ - memory_11_.next(k_, v113_, dot_phi2);
+            let v158_ = self.v37_ * u4;
+            let v159_ = v158_ - self.v38_ * u3;
+            let v160_ = self.m2 * v157_;
+            let v161_ = self.v25_ * v155_ + v160_;
+            let v162_ = v161_ - self.v26_ * v159_;
+            let v163_ = memory_12_.next(k_, v102_, v162_);
+            let v164_ = v163_ - self.c * phi2;
+            let ddot_phi2 = memory_13_.next(k_, v100_, v164_);
+            let v166_ = v115_ - self.v23_ * v155_;
+            let rate_4_ = self.v40_ * v166_;
+            let v168_ = v117_ - v159_;
+            let rate_5_ = self.v42_ * v168_;
+            let step_ = length * ::assur::series::inverse(k_ + 1);
+            let rates_ = [dot_phi2, dot_w3, dot_w4, ddot_phi2, rate_4_, rate_5_];
+            for (next_, rate_) in rows_[k_ + 1].iter_mut().zip(rates_) {
+                *next_ = step_ * rate_;
+            }
+        }
+        true
+    }
     #[inline(always)]
     fn variation(
         &self,

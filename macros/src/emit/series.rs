@@ -1,0 +1,446 @@
+//! The Taylor series of a motion: the same operations as for the rates, term by term.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use assur_model::program::{Function, Input, OperationKind, Stage, Value};
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::expression::{self, Expression, scalar, size, triangle};
+use super::layout::Layout;
+use super::schedule;
+
+/// Most operations of a series: rustc is slow on longer scopes.
+const LONGEST: usize = 600;
+
+/// The method of `Equations`; none where the equations are too long.
+pub fn method(layout: &Layout<'_>) -> Option<TokenStream> {
+    let rates = &layout.program().results.derivative;
+    if rates.is_empty() {
+        return Some(quote! {
+            fn series(&self, _time: S, _length: S, _rows: &mut [S]) -> bool {
+                true
+            }
+        });
+    }
+    let series = Series::new(layout, rates)?;
+    let (makers, statements) = (&series.makers, &series.statements);
+    let values = rates.iter().map(|value| series.term(*value));
+    let states = size(layout.states());
+    Some(quote! {
+        #[inline(never)]
+        fn series(&self, time: S, length: S, rows: &mut [S]) -> bool {
+            if !S::SINGLE {
+                return false;
+            }
+            let (rows_, _) = rows.as_chunks_mut::<#states>();
+            #(#makers)*
+            for k_ in 0..rows_.len().saturating_sub(1).min(::assur::series::TERMS) {
+                let state = rows_[k_];
+                let one_: S = ::assur::series::one(k_);
+                #(#statements)*
+                let step_ = length * ::assur::series::inverse(k_ + 1);
+                let rates_ = [#(#values),*];
+                for (next_, rate_) in rows_[k_ + 1].iter_mut().zip(rates_) {
+                    *next_ = step_ * rate_;
+                }
+            }
+            true
+        }
+    })
+}
+
+/// The statements of one order, and before all orders those that make what remembers the terms.
+struct Series<'a> {
+    layout: &'a Layout<'a>,
+    makers: Vec<TokenStream>,
+    statements: Vec<TokenStream>,
+    /// Values that a statement for another one has computed with it.
+    done: BTreeSet<Value>,
+    /// Values that are the same all along the step.
+    steady: BTreeSet<Value>,
+    /// Values that are written where they are read.
+    written: BTreeMap<Value, TokenStream>,
+}
+
+impl<'a> Series<'a> {
+    fn new(layout: &'a Layout<'a>, wanted: &[Value]) -> Option<Self> {
+        let mut series = Self {
+            layout,
+            makers: Vec::new(),
+            statements: Vec::new(),
+            done: BTreeSet::new(),
+            steady: BTreeSet::new(),
+            written: BTreeMap::new(),
+        };
+        let needed = schedule::needed(layout.program(), wanted, &|value| series.is_constant(value));
+        if needed.len() > LONGEST {
+            return None;
+        }
+        for value in &needed {
+            if series.is_decided(*value) {
+                series.steady.insert(*value);
+            }
+        }
+        for value in &needed {
+            if series.done.contains(value)
+                || matches!(series.kind(*value), OperationKind::Factor { .. })
+            {
+                continue;
+            }
+            let name = layout.names.of(*value);
+            let statement = if series.steady.contains(value) {
+                series.decided(*value)
+            } else if let Some(statement) = series.pair(*value, &needed) {
+                statement
+            } else {
+                let text = series.operation(*value)?;
+                if series.is_factored(*value, &needed, wanted) {
+                    series.written.insert(*value, text);
+                    continue;
+                }
+                quote!(let #name = #text;)
+            };
+            series.statements.push(statement);
+        }
+        Some(series)
+    }
+
+    /// Whether a value is decided by the first terms.
+    fn is_decided(&self, value: Value) -> bool {
+        use OperationKind as Kind;
+        let kind = self.kind(value);
+        match kind {
+            Kind::Input(Input::Side(_)) | Kind::Compare(..) => true,
+            Kind::Call(Function::Sign | Function::Floor, _) => true,
+            Kind::Number(_) | Kind::Input(_) => false,
+            Kind::Factor { .. } | Kind::Solve { .. } | Kind::Element { .. } => false,
+            _ => kind
+                .operands()
+                .into_iter()
+                .all(|operand| self.is_steady(operand)),
+        }
+    }
+
+    /// Whether a value is the same all along the step.
+    fn is_steady(&self, value: Value) -> bool {
+        self.is_constant(value) || self.steady.contains(&value)
+    }
+
+    /// The statement for a value that the first terms decide.
+    fn decided(&mut self, value: Value) -> TokenStream {
+        let name = self.layout.names.of(value);
+        if let OperationKind::Input(Input::Side(index)) = self.kind(value) {
+            let index = size(*index as usize);
+            return quote!(let #name = self.sides_[#index];);
+        }
+        let first = |operand: Value| {
+            let (name, is_constant) = (self.layout.names.of(operand), self.is_constant(operand));
+            Expression::whole(match is_constant {
+                true => self.constant(operand),
+                false => quote!(#name),
+            })
+        };
+        let text = expression::operation(self.kind(value), &first).tokens;
+        let placeholder = self.layout.placeholder(value);
+        self.makers.push(quote!(let mut #name = #placeholder;));
+        quote!(if k_ == 0 { #name = #text; })
+    }
+
+    /// A condition of the first terms, which the statements are to keep.
+    fn kept(&mut self, condition: TokenStream) -> Ident {
+        let name = format_ident!("kept_{}_", self.makers.len());
+        self.makers
+            .push(quote!(let mut #name = S::less(S::ZERO, S::ZERO);));
+        self.statements
+            .push(quote!(if k_ == 0 { #name = #condition; }));
+        name
+    }
+
+    /// Whether a value is read once, by a product with something steady, and worth leaving out where that is zero.
+    fn is_factored(&self, value: Value, needed: &BTreeSet<Value>, wanted: &[Value]) -> bool {
+        use OperationKind as Kind;
+        let is_long = match self.kind(value) {
+            Kind::Multiply(a, b) | Kind::MultiplyAdd(a, b, _) => {
+                !self.is_steady(*a) && !self.is_steady(*b)
+            }
+            Kind::Divide(_, below) => !self.is_steady(*below),
+            Kind::Call(..) => true,
+            _ => false,
+        };
+        let reads = |reader: &Value| {
+            let operands = self.kind(*reader).operands();
+            operands.iter().filter(|operand| **operand == value).count()
+        };
+        let by_product = |reader: &Value| match self.kind(*reader) {
+            Kind::Multiply(a, b)
+            | Kind::MultiplyAdd(a, b, _)
+            | Kind::MultiplySubtract(a, b, _)
+            | Kind::NegateMultiplyAdd(a, b, _) => {
+                *a == value && self.is_steady(*b) || *b == value && self.is_steady(*a)
+            }
+            _ => false,
+        };
+        is_long
+            && !wanted.contains(&value)
+            && needed.iter().map(reads).sum::<usize>() == 1
+            && needed.iter().any(by_product)
+    }
+
+    fn kind(&self, value: Value) -> &'a OperationKind {
+        &self.layout.program().operations[value.0 as usize].kind
+    }
+
+    /// Whether a value is the same all along.
+    fn is_constant(&self, value: Value) -> bool {
+        let operation = &self.layout.program().operations[value.0 as usize];
+        operation.stage <= Stage::Parameter
+    }
+
+    /// The text of a constant.
+    fn constant(&self, value: Value) -> TokenStream {
+        match self.kind(value) {
+            OperationKind::Number(number) => scalar(*number).tokens,
+            _ => {
+                let name = self.layout.names.of(value);
+                quote!(self.#name)
+            }
+        }
+    }
+
+    /// The text of a term.
+    fn term(&self, value: Value) -> TokenStream {
+        let name = self.layout.names.of(value);
+        match self.kind(value) {
+            OperationKind::Number(0.0) => quote!(S::ZERO),
+            OperationKind::Number(1.0) => quote!(one_),
+            _ if self.is_steady(value) => {
+                let steady = self.steady(value);
+                quote!(one_ * #steady)
+            }
+            _ => self.written.get(&value).cloned().unwrap_or(quote!(#name)),
+        }
+    }
+
+    /// The text of something steady, a condition among them.
+    fn steady(&self, value: Value) -> TokenStream {
+        match self.is_constant(value) {
+            true => self.constant(value),
+            false => {
+                let name = self.layout.names.of(value);
+                quote!(#name)
+            }
+        }
+    }
+
+    /// Makes something that remembers terms.
+    fn made(&mut self, kind: TokenStream) -> Ident {
+        let name = format_ident!("memory_{}_", self.makers.len());
+        self.makers
+            .push(quote!(let mut #name = ::assur::series::#kind::default();));
+        name
+    }
+
+    /// The statement for sine and cosine of an angle.
+    fn pair(&mut self, value: Value, needed: &BTreeSet<Value>) -> Option<TokenStream> {
+        let program = self.layout.program();
+        let angle = schedule::angle(program, value)?;
+        let name = |function: Function| {
+            let kind = OperationKind::Call(function, vec![angle]);
+            let mut all = needed.iter();
+            all.find(|one| *self.kind(**one) == kind).copied()
+        };
+        let (sine, cosine) = (name(Function::Sin), name(Function::Cos));
+        self.done.extend(sine.into_iter().chain(cosine));
+        let text = |value: Option<Value>| match value {
+            Some(value) => {
+                let name = self.layout.names.of(value);
+                quote!(#name)
+            }
+            None => quote!(_),
+        };
+        let (sine, cosine, term) = (text(sine), text(cosine), self.term(angle));
+        let memory = match self.is_even(angle) {
+            true => self.made(quote!(Turn)),
+            false => self.made(quote!(Sine)),
+        };
+        Some(quote!(let (#sine, #cosine) = #memory.next(k_, #term);))
+    }
+
+    /// Whether a value grows evenly with the time.
+    fn is_even(&self, value: Value) -> bool {
+        use OperationKind as Kind;
+        let constant = |value: &Value| self.is_steady(*value);
+        constant(&value)
+            || match self.kind(value) {
+                Kind::Input(Input::Time) => true,
+                Kind::Add(a, b) | Kind::Subtract(a, b) => self.is_even(*a) && self.is_even(*b),
+                Kind::Negate(a) => self.is_even(*a),
+                Kind::Multiply(a, b) => {
+                    constant(a) && self.is_even(*b) || constant(b) && self.is_even(*a)
+                }
+                Kind::Divide(a, b) => constant(b) && self.is_even(*a),
+                Kind::MultiplyAdd(a, b, c)
+                | Kind::MultiplySubtract(a, b, c)
+                | Kind::NegateMultiplyAdd(a, b, c) => {
+                    let is_even =
+                        constant(a) && self.is_even(*b) || constant(b) && self.is_even(*a);
+                    is_even && self.is_even(*c)
+                }
+                _ => false,
+            }
+    }
+
+    fn product(&mut self, a: Value, b: Value) -> TokenStream {
+        let (factor, value) = match (self.is_steady(a), self.is_steady(b)) {
+            (true, _) => (a, b),
+            (_, true) => (b, a),
+            _ => {
+                let (first, second) = (self.term(a), self.term(b));
+                let memory = self.made(quote!(Product));
+                return quote!(#memory.next(k_, #first, #second));
+            }
+        };
+        let (factor, term) = (self.steady(factor), self.term(value));
+        match self.written.contains_key(&value) {
+            true => quote!(#factor * ::assur::series::unless_zero(#factor, || #term)),
+            false => quote!(#factor * #term),
+        }
+    }
+
+    /// The text of the next term of an operation; none where it has no series.
+    fn operation(&mut self, value: Value) -> Option<TokenStream> {
+        use OperationKind as Kind;
+        let read = self.kind(value).operands();
+        let terms: Vec<TokenStream> = read.iter().map(|value| self.term(*value)).collect();
+        Some(match self.kind(value) {
+            Kind::Number(_) | Kind::Factor { .. } => return None,
+            Kind::Input(Input::Time) => quote!(::assur::series::time(k_, time, length)),
+            Kind::Input(Input::State(index)) => {
+                let index = size(*index as usize);
+                quote!(state[#index])
+            }
+            Kind::Input(_) => return None,
+            Kind::Add(..) => quote!(#(#terms)+*),
+            Kind::Subtract(..) => quote!(#(#terms)-*),
+            Kind::Negate(_) => quote!(-#(#terms)*),
+            Kind::Multiply(a, b) => self.product(*a, *b),
+            Kind::MultiplyAdd(a, b, c) => {
+                let (product, term) = (self.product(*a, *b), self.term(*c));
+                quote!(#product + #term)
+            }
+            Kind::MultiplySubtract(a, b, c) => {
+                let (product, term) = (self.product(*a, *b), self.term(*c));
+                quote!(#product - #term)
+            }
+            Kind::NegateMultiplyAdd(a, b, c) => {
+                let (product, term) = (self.product(*a, *b), self.term(*c));
+                quote!(#term - #product)
+            }
+            Kind::Divide(_, below) if self.is_steady(*below) => {
+                let (above, below) = (&terms[0], self.steady(*below));
+                quote!(#above / #below)
+            }
+            Kind::Divide(..) => {
+                let memory = self.made(quote!(Quotient));
+                quote!(#memory.next(k_, #(#terms),*))
+            }
+            Kind::Call(function, _) => self.call(*function, &read, &terms)?,
+            Kind::Compare(..) | Kind::And(..) | Kind::Or(..) | Kind::Not(_) => return None,
+            Kind::Select { condition, .. } => {
+                let (condition, terms) = (self.steady(*condition), &terms[1..]);
+                quote!(S::select(#condition, #(#terms),*))
+            }
+            Kind::Solve { factor, right } => self.solve(*factor, right),
+            Kind::Element { solution, index } => {
+                let (solution, index) = (self.steady(*solution), size(*index as usize));
+                quote!(#solution[#index])
+            }
+        })
+    }
+
+    /// The solution of a system.
+    fn solve(&mut self, factor: Value, right: &[Value]) -> TokenStream {
+        let right: Vec<TokenStream> = right.iter().map(|value| self.term(*value)).collect();
+        let OperationKind::Factor {
+            size: rows,
+            entries,
+        } = self.kind(factor)
+        else {
+            let factor = self.constant(factor);
+            return quote!(#factor.solve([#(#right),*]));
+        };
+        if self.is_constant(factor) {
+            let factor = self.constant(factor);
+            return quote!(#factor.solve([#(#right),*]));
+        }
+        let rows = *rows as usize;
+        let matrix = (0..rows).map(|i| {
+            let row = (0..rows).map(|j| self.term(entries[triangle(i.max(j), i.min(j))]));
+            quote!([#(#row),*])
+        });
+        let matrix: Vec<TokenStream> = matrix.collect();
+        let count = size(rows);
+        let memory = self.made(quote!(Matrix::<S, #count>));
+        quote!(#memory.next(k_, [#(#matrix),*], [#(#right),*]))
+    }
+
+    /// The next term of a function.
+    fn call(
+        &mut self,
+        function: Function,
+        read: &[Value],
+        terms: &[TokenStream],
+    ) -> Option<TokenStream> {
+        let kind = match function {
+            Function::Abs => {
+                let term = &terms[0];
+                let is_below = self.kept(quote!(S::less(#term, S::ZERO)));
+                return Some(quote!(S::select(#is_below, -#term, #term)));
+            }
+            Function::Max | Function::Min => {
+                let (first, second) = (&terms[0], &terms[1]);
+                let is_first = self.kept(match function {
+                    Function::Max => quote!(S::less_equal(#second, #first)),
+                    _ => quote!(S::less_equal(#first, #second)),
+                });
+                return Some(quote!(S::select(#is_first, #first, #second)));
+            }
+            Function::Power if !self.is_steady(read[1]) => {
+                let (logarithm, product) = (self.made(quote!(Ln)), self.made(quote!(Product)));
+                let (power, base, exponent) = (self.made(quote!(Exp)), &terms[0], &terms[1]);
+                return Some(quote! {{
+                    let logarithm_ = #logarithm.next(k_, #base);
+                    let exponent_ = #product.next(k_, #exponent, logarithm_);
+                    #power.next(k_, exponent_)
+                }});
+            }
+            Function::Power => {
+                let (memory, base) = (self.made(quote!(Power)), &terms[0]);
+                let exponent = self.steady(read[1]);
+                return Some(quote!(#memory.next(k_, #base, #exponent)));
+            }
+            // Those of an angle are taken together, and these are steady.
+            Function::Sin | Function::Cos | Function::Sign | Function::Floor => return None,
+            Function::Tan => quote!(Tan),
+            Function::Asin => quote!(Asin),
+            Function::Acos => quote!(Acos),
+            Function::Atan => quote!(Atan),
+            Function::Atan2 => quote!(Atan2),
+            Function::Sinh => quote!(Sinh),
+            Function::Cosh => quote!(Cosh),
+            Function::Tanh => quote!(Tanh),
+            Function::Exp => quote!(Exp),
+            Function::Ln => quote!(Ln),
+            Function::Log10 => quote!(Log10),
+            Function::Sqrt => quote!(Sqrt),
+            Function::Hypot => quote!(Hypot),
+            Function::Erf => quote!(Erf),
+            Function::NormalCdf => quote!(NormalCdf),
+            Function::ExpM1 => quote!(ExpM1),
+            Function::Ln1p => quote!(Ln1p),
+        };
+        let memory = self.made(kind);
+        Some(quote!(#memory.next(k_, #(#terms),*)))
+    }
+}

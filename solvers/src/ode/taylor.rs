@@ -1,0 +1,277 @@
+//! The method of Taylor series: a step is the series of the motion, cut off.
+//!
+//! À. Jorba, M. Zou: *A software package for the numerical integration of ODEs by means of high-order Taylor methods*,
+//! Experimental Mathematics 14 (2005): the order follows from the tolerance, the length of a step from the last two terms.
+//! They say nothing of what the series does not feel, a jump of the rates or a branch that is left. So the rates at the end of
+//! the step are compared with those of the series there, whose difference is the derivative of the first term that was left
+//! out: that is the error of the step.
+
+use super::error::OdeError;
+use super::explicit::{Clock, Statistics};
+use super::observer::{Basis, Observer, Step};
+use super::options::{Options, bad};
+use crate::problem::Storage;
+use crate::series::TERMS;
+
+/// Part of the length that the last terms permit.
+const SAFETY: f64 = 0.9;
+/// Smallest part of a step that is tried after it.
+const SMALLEST: f64 = 0.1;
+/// Largest factor from one step to the next: what is known of one step is to say something of the next.
+const LARGEST: f64 = 10.0;
+/// Largest part of the whole time that a first step takes.
+const FIRST: f64 = 1e-3;
+/// What a length is divided by where the terms are too large for numbers.
+const SHORTER: f64 = 1e6;
+/// How often.
+const ATTEMPTS: usize = 60;
+
+/// What is asked of a motion.
+pub(crate) trait Expand {
+    /// Writes the rates of a state.
+    fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]);
+    /// Writes the Taylor series, see [`crate::problem::Equations::series`].
+    fn series(&self, time: f64, length: f64, rows: &mut [f64]) -> bool;
+}
+
+/// The order for a tolerance: a third more than the digits asked for, and even.
+fn order(rtol: f64) -> usize {
+    let digits = -rtol.log10();
+    let order = 2 * (2.0 + 2.0 / 3.0 * digits).round() as usize;
+    order.clamp(8, TERMS)
+}
+
+/// The memory of an integration.
+pub(crate) struct Taylor<V> {
+    order: usize,
+    before: V,
+    after: V,
+    /// The terms of the series, `1 + order` rows.
+    terms: Vec<f64>,
+    polynomial: Vec<V>,
+    /// Derivatives of the polynomial at its end, by the part of the step.
+    slopes: V,
+    /// Rates there.
+    rate: V,
+}
+
+impl<V: Storage<f64>> Taylor<V> {
+    /// Room for so many states.
+    pub fn new(states: usize, rtol: f64) -> Self {
+        let order = order(rtol);
+        Self {
+            order,
+            before: V::zeros(states),
+            after: V::zeros(states),
+            terms: vec![0.0; (1 + order) * states],
+            polynomial: vec![V::zeros(states); order],
+            slopes: V::zeros(states),
+            rate: V::zeros(states),
+        }
+    }
+
+    /// Integrates from one time to another, forwards or backwards.
+    pub fn integrate(
+        &mut self,
+        expand: &dyn Expand,
+        times: (f64, f64),
+        start: &V,
+        options: &Options,
+        observe: &mut impl Observer<V>,
+    ) -> Result<Statistics, OdeError> {
+        let states = start.as_ref().len();
+        options.check(times, states)?;
+        let strange = start.as_ref().iter().position(|value| !value.is_finite());
+        if let Some(component) = strange {
+            return bad("start", format!("state {component} is not a finite number"));
+        }
+        let mut statistics = Statistics::default();
+        self.before.clone_from(start);
+        if times.0 == times.1 {
+            return Ok(statistics);
+        }
+        let mut clock = Clock::new(times, options);
+        let (span, longest) = (times.1 - times.0, options.max_step.unwrap_or(f64::INFINITY));
+        let first = options
+            .fixed_step
+            .or(options.first_step)
+            .unwrap_or(span.abs());
+        // The length on which the terms are based: any would do, were numbers not limited.
+        let mut unit = first.min(span.abs()).copysign(span);
+        statistics.evaluations += self.begin(expand, clock.now, &mut unit)?;
+        let is_fixed = clock.fixed.is_some();
+        let mut wanted = match (options.fixed_step, options.first_step) {
+            (Some(_), _) => unit,
+            (None, Some(first)) => self.permitted(unit, LARGEST * first, options),
+            (None, None) => self.permitted(unit, FIRST * span.abs(), options),
+        };
+        loop {
+            let tried = statistics.steps + statistics.rejected;
+            if tried >= options.max_steps {
+                return Err(OdeError::TooManySteps {
+                    time: clock.now,
+                    steps: tried,
+                });
+            }
+            let limited = wanted.abs().min(longest).copysign(span);
+            let to = clock.target(limited, statistics.steps);
+            let length = to - clock.now;
+            self.cut_off(length / unit);
+            expand.rate(to, self.after.as_ref(), self.rate.as_mut());
+            statistics.evaluations += 1;
+            let (error, component) = self.error(length, options);
+            let is_good = error <= 1.0 || is_fixed && error.is_finite();
+            if !is_good {
+                statistics.rejected += 1;
+                let factor = SAFETY * error.powf(-1.0 / (1 + self.order) as f64);
+                wanted = length * factor.max(SMALLEST);
+                if is_fixed || clock.is_lost(wanted) {
+                    return Err(self.failure(clock.now, wanted, error, component));
+                }
+                continue;
+            }
+            observe.step(&Step {
+                from: clock.now,
+                to,
+                before: &self.before,
+                after: &self.after,
+                polynomial: &self.polynomial,
+                basis: Basis::Powers,
+            });
+            let counted = if is_fixed { 0.0 } else { error };
+            statistics.count(length, counted, to == times.1);
+            clock.now = to;
+            std::mem::swap(&mut self.before, &mut self.after);
+            if observe.has_enough() || to == times.1 {
+                break;
+            }
+            unit = length;
+            statistics.evaluations += self.begin(expand, clock.now, &mut unit)?;
+            if !is_fixed {
+                wanted = self.permitted(unit, LARGEST * length.abs(), options);
+            }
+        }
+        Ok(statistics)
+    }
+
+    /// The series at the begin, on a shorter length if the terms are too large for numbers. Gives how often it was
+    /// computed.
+    fn begin(&mut self, expand: &dyn Expand, time: f64, unit: &mut f64) -> Result<usize, OdeError> {
+        let states = self.before.as_ref().len();
+        for attempt in 1..=ATTEMPTS {
+            self.terms[..states].copy_from_slice(self.before.as_ref());
+            if !expand.series(time, *unit, &mut self.terms) {
+                return bad(
+                    "method",
+                    "these equations are too long for their Taylor series; take dop853".to_owned(),
+                );
+            }
+            // Zero, unless one is infinite or not a number.
+            if self.terms.iter().fold(0.0, |sum, term| sum + 0.0 * term) == 0.0 {
+                return Ok(attempt);
+            }
+            *unit /= SHORTER;
+        }
+        let strange = self.terms.iter().position(|term| !term.is_finite());
+        let component = strange.unwrap_or(0) % states.max(1);
+        Err(OdeError::NotFinite { time, component })
+    }
+
+    /// The length of a step that the last two terms permit, and a limit.
+    #[inline(always)]
+    fn permitted(&self, unit: f64, limit: f64, options: &Options) -> f64 {
+        let states = self.before.as_ref().len();
+        let mut sizes = [0.0f64; 2];
+        let last = self.terms[(self.order - 1) * states..].chunks_exact(states.max(1));
+        for (size, terms) in sizes.iter_mut().zip(last) {
+            for ((index, term), value) in terms.iter().enumerate().zip(self.before.as_ref()) {
+                let tolerance = options.atol.of(index) + options.rtol * value.abs();
+                *size = size.max(term.abs() / tolerance);
+            }
+        }
+        let [other, last] = sizes;
+        let factor = SAFETY * root(other, self.order - 1).min(root(last, self.order));
+        (unit.abs() * factor).min(limit).copysign(unit)
+    }
+
+    /// The polynomial of a step that is so many times as long as what the terms are based on, the state and the slopes at
+    /// its end.
+    #[inline(always)]
+    fn cut_off(&mut self, part: f64) {
+        let states = self.before.as_ref().len();
+        let mut power = 1.0;
+        self.slopes.as_mut().fill(0.0);
+        self.after.clone_from(&self.before);
+        let rows = self.terms.chunks_exact(states.max(1)).skip(1);
+        for ((number, row), terms) in self.polynomial.iter_mut().enumerate().zip(rows) {
+            power *= part;
+            let count = (number + 1) as f64;
+            let ends = self.after.as_mut().iter_mut().zip(self.slopes.as_mut());
+            let values = row.as_mut().iter_mut().zip(terms);
+            for ((value, term), (after, slope)) in values.zip(ends) {
+                *value = power * term;
+                *after += *value;
+                *slope += count * *value;
+            }
+        }
+    }
+
+    /// The error of the step in tolerances, and the state that has it.
+    #[inline(always)]
+    fn error(&self, length: f64, options: &Options) -> (f64, usize) {
+        let (mut error, mut component) = (0.0, 0);
+        for (index, rate) in self.rate.as_ref().iter().enumerate() {
+            let (before, after) = (self.before.as_ref()[index], self.after.as_ref()[index]);
+            let tolerance = options.atol.of(index) + options.rtol * before.abs().max(after.abs());
+            let difference = (self.slopes.as_ref()[index] - length * rate).abs();
+            let own = difference / ((1 + self.order) as f64 * tolerance);
+            if own.is_nan() {
+                return (f64::NAN, index);
+            }
+            if own > error {
+                (error, component) = (own, index);
+            }
+        }
+        (error, component)
+    }
+
+    /// Why no step is short enough.
+    #[cold]
+    fn failure(&self, time: f64, step: f64, error: f64, component: usize) -> OdeError {
+        match error.is_finite() {
+            true => OdeError::StepTooSmall {
+                time,
+                step,
+                component,
+            },
+            false => OdeError::NotFinite { time, component },
+        }
+    }
+}
+
+/// `size^(-1/order)` within some percent, from the bits of the number, which are about its logarithm.
+#[inline(always)]
+fn root(size: f64, order: usize) -> f64 {
+    const ONE: i64 = f64::to_bits(1.0) as i64;
+    let logarithm = size.to_bits() as i64 - ONE;
+    f64::from_bits((ONE - logarithm / order as i64) as u64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::root;
+
+    #[test]
+    fn a_root_is_about_that() {
+        for size in [1e-300, 3e-17, 0.2, 1.0, 77.0, 1e200] {
+            for order in [7, 16, 31] {
+                let (about, exact) = (root(size, order), size.powf(-1.0 / order as f64));
+                assert!(
+                    (about / exact - 1.0).abs() < 0.1,
+                    "{size} {order}: {about} {exact}"
+                );
+            }
+        }
+        assert!(root(0.0, 16) > 1e19);
+    }
+}

@@ -1,0 +1,122 @@
+//! The method of Taylor series beside the method of Dormand and Prince: two ways from the same equations.
+
+use crate::solved::bind;
+use assur::registry::{Method, Settings};
+use assur::{hybrid, ode};
+use assur_equations::REGISTRY;
+
+/// Every scene that moves ends where the other method ends, with the same events on the way.
+#[test]
+fn every_scene_moves_as_with_the_other_method() {
+    let mut compared = 0;
+    for mechanism in REGISTRY {
+        for scene in mechanism
+            .scenes
+            .iter()
+            .filter(|scene| !scene.states.is_empty())
+        {
+            let name = format!("{} {}", mechanism.name, scene.name);
+            let run = bind(scene, &[]).expect("its values are good");
+            let times = match run.span() {
+                assur::problem::Span::Run(from, to) => (from, to),
+                assur::problem::Span::Periodic(period) => (0.0, 0.1 * period),
+                other => panic!("{name}: {other:?}"),
+            };
+            let by = |method| {
+                let settings = Settings {
+                    method,
+                    rtol: 1e-12,
+                };
+                run.follow(times, &run.start(), &settings)
+            };
+            let (one, other) = match (by(Method::Dop853), by(Method::Taylor)) {
+                (Ok(one), Ok(other)) => (one, other),
+                (one, other) => panic!("{name}: {:?} {:?}", one.err(), other.err()),
+            };
+            compared += 1;
+            assert_eq!(one.events.len(), other.events.len(), "{name}");
+            let ends = one.end.iter().zip(&other.end).zip(scene.states);
+            for ((one, other), state) in ends {
+                let off = (one - other).abs();
+                assert!(
+                    off <= 1e-7 * (one.abs() + state.factor),
+                    "{name}: {} ends at {one:e} or {other:e}",
+                    state.name
+                );
+            }
+        }
+    }
+    assert!(compared > 50, "{compared}");
+}
+
+mod functions {
+    assur::mechanism! {
+        /// Rates that call every function.
+        Functions from "made up";
+        parameter c = 0.3;
+        state a: 1 = 0.2;
+        state b: 1 = 0.5;
+        state d: 1 = 0.1;
+        state e: 1 = 0.7;
+        let turn = 2[1/s]*time;
+        let slow = 0.3[1/s];
+        motion first: dot(a) = (sin(turn) + cos(b)*a - tan(a) + asin(a/2) + acos(b/3)/4 - atan(d)) / (1 + a^2) * slow;
+        motion second: dot(b) = (atan2(a + 1, b) - sinh(d)/3 + cosh(a)/4 - tanh(b) + hypot(a, c) - b) * slow;
+        motion third: dot(d) = (exp(-a) - ln(1 + b^2) + log10(2 + d^2) - sqrt(1 + d^2) + (1 + a^2)^0.7 - 2^b/3) * slow;
+        motion fourth: dot(e) = (erf(d) - normal_cdf(a) + abs(b - 4) - max(a, -3)*min(b, 5)/9 + c*sin(e)) * slow;
+        output a, b, d, e;
+        scene go { run time 0 s .. 2 s; }
+    }
+}
+
+#[test]
+fn all_functions_have_their_series() {
+    let go = functions::Go::default();
+    let start = [0.2, 0.5, 0.1, 0.7];
+    let by = |method, rtol| {
+        let settings = Settings { method, rtol };
+        hybrid::march(&go, (0.0, 2.0), &start, &settings).expect("it goes on")
+    };
+    let exact = by(Method::Dop853, 1e-14);
+    for rtol in [1e-6, 1e-9, 1e-13] {
+        let motion = by(Method::Taylor, rtol);
+        for (one, other) in exact.end.iter().zip(&motion.end) {
+            let off = (one - other).abs();
+            assert!(off < 20.0 * rtol, "{rtol:e}: {one} {other}");
+        }
+    }
+}
+
+mod chain {
+    assur::mechanism! {
+        /// A double pendulum: the masses depend on where it is.
+        Chain from "made up";
+        parameter g = 9.81 [m/s^2];
+        coordinate p: rad = 2;
+        coordinate q: rad = 1;
+        kinetic 1[kg*m^2]*dot(p)^2 + 0.5[kg*m^2]*dot(q)^2 + 1[kg*m^2]*dot(p)*dot(q)*cos(p - q);
+        potential -2[kg*m]*g*cos(p) - 1[kg*m]*g*cos(q);
+        output p, q;
+        scene go { run time 0 s .. 3 s; }
+    }
+}
+
+#[test]
+fn masses_that_move_have_their_series() {
+    let go = chain::Go::default();
+    let by = |method| {
+        let settings = Settings {
+            method,
+            rtol: 1e-12,
+        };
+        ode::march(&go, (0.0, 3.0), &[2.0, 1.0, 0.0, 0.0], &settings).expect("it swings")
+    };
+    let (one, other) = (by(Method::Dop853), by(Method::Taylor));
+    for time in [0.5, 1.7, 3.0] {
+        for (one, other) in one.at(time).iter().zip(other.at(time)) {
+            assert!((one - other).abs() < 1e-9, "{time}: {one} {other}");
+        }
+    }
+    let steps = [one, other].map(|motion| motion.statistics.steps);
+    assert!(2 * steps[1] < steps[0], "{steps:?}");
+}
