@@ -5,7 +5,8 @@
 //!
 //! | module | what it finds |
 //! |---|---|
-//! | [`ode`] | the motion from a start: Tsitouras 5(4), Dormand–Prince 8(5,3), continuous output |
+//! | [`ode`] | the motion from a start: Tsitouras 5(4), Dormand–Prince 8(5,3), Taylor series; continuous output |
+//! | [`series`] | what emitted code computes those series with |
 //! | [`stiff`] | the same for stiff motions: Radau IIA 5, Rodas5P, and the choice on the way |
 //! | [`closure`] | the positions of a linkage: its loops closed |
 //! | [`periodic`] | the steady state: method of initial parameters, shooting, Floquet multipliers |

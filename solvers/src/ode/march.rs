@@ -4,14 +4,14 @@ use super::dop853::Dop853;
 use super::error::OdeError;
 use super::explicit::integrate;
 use super::options::Options;
-use super::system::Plain;
+use super::system::{Plain, System};
 use super::tableau::Method;
 use super::taylor::{Expand, Taylor};
 use super::trajectory::{Recorder, Trajectory};
 use super::tsit5::Tsit5;
 use super::workspace::Workspace;
 use crate::dispatch::{Task, dispatch};
-use crate::problem::{Equations, Scene, Storage};
+use crate::problem::{Equations, Scene, Stages, Storage};
 use crate::registry::{self, Settings};
 use crate::scalar::Scalar;
 use crate::stiff;
@@ -94,22 +94,125 @@ pub(super) fn march_with<S: Scalar, E: Equations<S>, M: Method>(
     start: &E::State,
     options: &Options,
 ) -> Result<Trajectory, OdeError> {
-    let system = Plain(equations);
-    let mut workspace = Workspace::<E::State, M>::new::<S, _>(&system);
+    march_system::<S, _, M>(&Plain(equations), times, start, options)
+}
+
+/// The motion of a system from a start.
+#[inline(always)]
+fn march_system<S: Scalar, Y: System<S>, M: Method>(
+    system: &Y,
+    times: (f64, f64),
+    start: &Y::State,
+    options: &Options,
+) -> Result<Trajectory, OdeError>
+where
+    Y::State: Storage<S>,
+{
+    let mut workspace = Workspace::<Y::State, M>::new::<S, _>(system);
     let mut recorder = Recorder::<S>::new(times.0, start);
-    let statistics = integrate(
-        &system,
-        times,
-        start,
-        options,
-        &mut workspace,
-        &mut recorder,
-    )?;
+    let statistics = integrate(system, times, start, options, &mut workspace, &mut recorder)?;
     Ok(recorder.finish(statistics))
 }
 
-/// Equations of which the series are asked for.
+/// The same behind a pointer, on `f64`: what follows the motion is compiled once and not for each scene. So the command
+/// runs the scenes of its registry.
+pub(crate) fn march_called<C: Scene>(
+    scene: &C,
+    times: (f64, f64),
+    start: &[f64],
+    settings: &Settings,
+) -> Result<Trajectory, OdeError> {
+    if let Some(method) = settings.method.stiff() {
+        return stiff::march(scene, times, start, settings.rtol, method);
+    }
+    let equations = scene.prepare::<f64>();
+    let start = state_from::<f64, _>(&equations, start)?;
+    let options = Options::scaled(settings.rtol, C::SCALES);
+    let single = &Single(&equations);
+    follow(single, times, start.as_ref(), settings.method, &options)
+}
+
+/// The motion of any equations.
+fn follow(
+    single: &dyn Called,
+    times: (f64, f64),
+    start: &[f64],
+    method: registry::Method,
+    options: &Options,
+) -> Result<Trajectory, OdeError> {
+    let begin = start.to_vec();
+    let system = Behind {
+        equations: single,
+        states: start.len(),
+    };
+    match method {
+        registry::Method::Taylor => march_by_series(single, times, start, options),
+        registry::Method::Tsit5 => march_system::<f64, _, Tsit5>(&system, times, &begin, options),
+        _ => march_system::<f64, _, Dop853>(&system, times, &begin, options),
+    }
+}
+
+/// What is asked of equations behind a pointer.
+trait Called: Expand {
+    /// Evaluates all stages of a step.
+    fn sweep(&self, times: &[f64], stages: &mut dyn Stages<f64>);
+}
+
+/// The same as a system.
+struct Behind<'a> {
+    equations: &'a dyn Called,
+    states: usize,
+}
+
+impl System<f64> for Behind<'_> {
+    type State = Vec<f64>;
+    type Instant = f64;
+
+    const CALLED: bool = true;
+
+    fn zeros(&self) -> Vec<f64> {
+        vec![0.0; self.states]
+    }
+
+    fn instants<const K: usize>(&self, times: [f64; K]) -> [f64; K] {
+        times
+    }
+
+    fn rate(&self, time: &f64, state: &Vec<f64>, rate: &mut Vec<f64>) {
+        self.equations.rate(*time, state, rate);
+    }
+
+    fn sweep(&self, times: &[f64], stages: &mut dyn Stages<f64>) {
+        self.equations.sweep(times, stages);
+    }
+
+    fn parts(_state: &Vec<f64>) -> usize {
+        1
+    }
+
+    fn part(state: &Vec<f64>, _number: usize) -> &[f64] {
+        state
+    }
+
+    fn part_mut(state: &mut Vec<f64>, _number: usize) -> &mut [f64] {
+        state
+    }
+}
+
+/// Equations that are asked through a pointer.
 struct Single<'a, E>(&'a E);
+
+impl<E: Equations<f64>> Called for Single<'_, E> {
+    fn sweep(&self, times: &[f64], stages: &mut dyn Stages<f64>) {
+        if self.0.sweep(times, stages) {
+            return;
+        }
+        for (number, time) in times.iter().enumerate() {
+            let (state, rate) = stages.next(number);
+            self.rate(*time, state, rate);
+        }
+    }
+}
 
 impl<E: Equations<f64>> Expand for Single<'_, E> {
     fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {

@@ -4,7 +4,7 @@ use super::error::PeriodicError;
 use crate::dispatch::{Task, dispatch};
 use crate::ode::{
     Bundle, Dop853, Method, Observer, OdeError, Options, Step, Trajectory, Tsit5, Varied,
-    Workspace, bad_start, integrate, march, state_from,
+    Workspace, bad_start, integrate, march_called, state_from,
 };
 use crate::problem::{Scene, Storage};
 use crate::registry::{self, Settings};
@@ -95,7 +95,7 @@ impl<C: Scene> Flow for Period<'_, C> {
             method: self.method,
             rtol,
         };
-        march(
+        march_called(
             self.scene,
             (0.0, self.period),
             &unscaled::<C>(start),

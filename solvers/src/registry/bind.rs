@@ -106,7 +106,7 @@ impl<C: Scene + 'static> Run for Bound<C> {
         start: &[f64],
         settings: &Settings,
     ) -> Result<Trajectory, OdeError> {
-        ode::march(&self.scene, times, start, settings)
+        ode::march_called(&self.scene, times, start, settings)
     }
 
     fn follow(
@@ -115,7 +115,7 @@ impl<C: Scene + 'static> Run for Bound<C> {
         start: &[f64],
         settings: &Settings,
     ) -> Result<Motion, HybridError> {
-        match ode::march(&self.scene, times, start, settings) {
+        match ode::march_called(&self.scene, times, start, settings) {
             Ok(trajectory) => Ok(Motion::of(trajectory)),
             Err(error) => Err(HybridError::Ode {
                 error,

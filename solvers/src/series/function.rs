@@ -22,7 +22,7 @@ impl<S: Scalar> Default for Through<S> {
 
 impl<S: Scalar> Through<S> {
     /// The next term, from the terms of the slope before it.
-    #[inline(always)]
+    #[inline]
     fn next(&mut self, k: usize, argument: S, first: impl FnOnce(S) -> S) -> S {
         self.argument[k] = S::from_f64(k as f64) * argument;
         match k {
@@ -52,7 +52,7 @@ macro_rules! functions {
 
         impl<S: Scalar> $name<S> {
             /// The next term.
-            #[inline(always)]
+            #[inline(never)]
             pub fn next(&mut self, $k: usize, $u: S) -> S {
                 let $value = self.through.next($k, $u, $first);
                 let $this = &mut *self;
@@ -139,7 +139,7 @@ impl<S: Scalar> Default for Sqrt<S> {
 
 impl<S: Scalar> Sqrt<S> {
     /// The next term.
-    #[inline(always)]
+    #[inline(never)]
     pub fn next(&mut self, k: usize, u: S) -> S {
         self.0[k] = match k {
             0 => S::sqrt(u),
@@ -170,7 +170,7 @@ impl<S: Scalar> Default for Sine<S> {
 
 impl<S: Scalar> Sine<S> {
     /// The next terms of both.
-    #[inline(always)]
+    #[inline(never)]
     pub fn next(&mut self, k: usize, angle: S) -> (S, S) {
         let first = match k {
             0 => S::sin_cos(angle),
@@ -201,7 +201,7 @@ impl<S: Scalar> Default for Turn<S> {
 
 impl<S: Scalar> Turn<S> {
     /// The next terms of both.
-    #[inline(always)]
+    #[inline]
     pub fn next(&mut self, k: usize, angle: S) -> (S, S) {
         if k == 0 {
             self.last = S::sin_cos(angle);
@@ -235,7 +235,7 @@ macro_rules! hyperbolic {
 
         impl<S: Scalar> $name<S> {
             /// The next term.
-            #[inline(always)]
+            #[inline(never)]
             pub fn next(&mut self, k: usize, u: S) -> S {
                 let value = self.value.next(k, u, S::$first);
                 let other = self.other.next(k, u, S::$other);
@@ -269,7 +269,7 @@ impl<S: Scalar> Default for Hypot<S> {
 
 impl<S: Scalar> Hypot<S> {
     /// The next term.
-    #[inline(always)]
+    #[inline(never)]
     pub fn next(&mut self, k: usize, x: S, y: S) -> S {
         let sum = self.squares.0.next(k, x, x) + self.squares.1.next(k, y, y);
         self.root.next(k, sum)
@@ -300,7 +300,7 @@ impl<S: Scalar> Default for Atan2<S> {
 
 impl<S: Scalar> Atan2<S> {
     /// The next term.
-    #[inline(always)]
+    #[inline(never)]
     pub fn next(&mut self, k: usize, y: S, x: S) -> S {
         (self.x[k], self.y[k]) = (x, y);
         let square = self.squares.0.next(k, x, x) + self.squares.1.next(k, y, y);
@@ -336,7 +336,7 @@ impl<S: Scalar> Default for Power<S> {
 
 impl<S: Scalar> Power<S> {
     /// The next term: `k u₀ f_k = Σ (j a - (k-j)) u_j f_(k-j)`.
-    #[inline(always)]
+    #[inline(never)]
     pub fn next(&mut self, k: usize, base: S, exponent: S) -> S {
         self.base[k] = base;
         let mut sum = S::ZERO;

@@ -65,7 +65,7 @@ const fn none<S: Scalar>() -> Terms<S> {
 }
 
 /// `Σ left_j right_(k-j)` for `j` from `first` to `last`.
-#[inline(always)]
+#[inline(never)]
 fn sum<S: Scalar>(left: &Terms<S>, right: &Terms<S>, (first, last): (usize, usize), k: usize) -> S {
     if first > last {
         return S::ZERO;
@@ -147,7 +147,7 @@ impl<S: Scalar> Default for Quotient<S> {
 
 impl<S: Scalar> Quotient<S> {
     /// The next term.
-    #[inline(always)]
+    #[inline(never)]
     pub fn next(&mut self, k: usize, above: S, below: S) -> S {
         self.below[k] = below;
         let known = sum(&self.below, &self.value, (1, k), k);
