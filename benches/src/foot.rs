@@ -63,6 +63,12 @@ fn assur(turns: f64, rtol: f64) -> Run {
     assur_by(Method::Dop853, turns, rtol)
 }
 
+/// The same by Taylor series.
+#[inline(never)]
+fn taylor(turns: f64, rtol: f64) -> Run {
+    assur_by(Method::Taylor, turns, rtol)
+}
+
 /// Hand-written equations in the same solver.
 #[inline(never)]
 fn by_hand(turns: f64, rtol: f64) -> Run {
@@ -90,17 +96,26 @@ pub fn error(end: &[f64; 2], reference: &[f64; 2]) -> f64 {
 type Kind = (&'static str, fn(f64, f64) -> Run);
 
 /// All integrations.
-const KINDS: [Kind; 6] = [
+const KINDS: [Kind; 7] = [
     ("hand, sine of std, end alone", hand::<false, false>),
     ("hand, sine of Assur, end alone", hand::<true, false>),
     ("hand, sine of std, motion kept", hand::<false, true>),
     ("hand, sine of Assur, motion kept", hand::<true, true>),
     ("hand-written equations, Assur's solver", by_hand),
     ("Assur, emitted, motion kept", assur),
+    ("Assur, emitted, Taylor, motion kept", taylor),
 ];
 /// Their names under valgrind, for one turn and for many.
-const NAMES: [[&str; 6]; 2] = [
-    ["std", "kernel", "std-kept", "kernel-kept", "modes", "assur"],
+const NAMES: [[&str; 7]; 2] = [
+    [
+        "std",
+        "kernel",
+        "std-kept",
+        "kernel-kept",
+        "modes",
+        "assur",
+        "taylor",
+    ],
     [
         "stds",
         "kernels",
@@ -108,6 +123,7 @@ const NAMES: [[&str; 6]; 2] = [
         "kernels-kept",
         "modess",
         "assurs",
+        "taylors",
     ],
 ];
 
@@ -199,10 +215,13 @@ fn turns_of(what: &str, turns: f64, measures: &[Measure]) {
         "time, us",
         "ratio",
     ];
-    let mut table = Table::new(&format!("{what}, DOP853, rtol {RTOL:e}"), &columns);
+    let mut table = Table::new(
+        &format!("{what}, DOP853 unless said, rtol {RTOL:e}"),
+        &columns,
+    );
     // The motion repeats.
     let reference = START;
-    let (hand, [modes, ours]) = measures.split_at(KINDS.len() - 2) else {
+    let (hand, [modes, ours, series]) = measures.split_at(KINDS.len() - 3) else {
         return;
     };
     let least = |hand: &[Measure], get: fn(&Measure) -> Option<f64>| {
@@ -211,7 +230,7 @@ fn turns_of(what: &str, turns: f64, measures: &[Measure]) {
     };
     let instructions = |one: &Measure| one.instructions;
     let time = |one: &Measure| one.microseconds();
-    let kept = &hand[2..];
+    let (end, kept) = hand.split_at(2);
     let (count, span) = (least(kept, instructions), least(kept, time));
     for ((kind, code), one) in KINDS.into_iter().zip(measures) {
         let run = code(turns, RTOL);
@@ -228,16 +247,30 @@ fn turns_of(what: &str, turns: f64, measures: &[Measure]) {
         ]);
     }
     table.print();
+    let same = std::slice::from_ref(modes);
     let against = [
         (
+            "Assur",
+            ours,
             "hand-written equations in the same solver",
-            std::slice::from_ref(modes),
+            same,
         ),
-        ("best hand-written loop, motion kept", kept),
-        ("best hand-written loop, end alone", &hand[..2]),
+        ("Assur", ours, "best hand-written loop, motion kept", kept),
+        (
+            "Assur, Taylor",
+            series,
+            "best hand-written loop, motion kept",
+            kept,
+        ),
+        (
+            "Assur, Taylor",
+            series,
+            "best hand-written loop, end alone",
+            end,
+        ),
     ];
-    for (name, hand) in against {
-        let title = |unit| format!("Assur / {name}, {unit}");
+    for (who, ours, name, hand) in against {
+        let title = |unit| format!("{who} / {name}, {unit}");
         let (count, span) = (least(hand, instructions), least(hand, time));
         verdict(&title("instructions"), ours.instructions, count, GOAL);
         verdict(&title("time"), ours.microseconds(), span, GOAL);

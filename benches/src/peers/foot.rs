@@ -17,12 +17,15 @@ const ERRORS: [f64; 3] = [1e-9, 1e-11, 1e-13];
 const GOALS: [(&str, f64); 2] = [("diffsol", 3.0), ("SciPy", 100.0)];
 
 /// All that are compared, ours first.
-const PEERS: [Peer<Run>; 6] = [
+const PEERS: [Peer<Run>; 7] = [
     peer("Assur, emitted", "dop853", |rtol| {
         Some(assur_by(Method::Dop853, TURNS, rtol))
     }),
     peer("Assur, emitted", "tsit5", |rtol| {
         Some(assur_by(Method::Tsit5, TURNS, rtol))
+    }),
+    peer("Assur, emitted", "taylor", |rtol| {
+        Some(assur_by(Method::Taylor, TURNS, rtol))
     }),
     peer("hand, motion kept", "dop853", |rtol| {
         Some(hand::<true, true>(TURNS, rtol))
