@@ -149,7 +149,8 @@ fn points<R>(peers: &[Peer<R>], said: impl Fn(&R) -> (f64, usize)) -> Vec<Vec<Op
     points
 }
 
-/// Time at which an error is achieved, in seconds, by straight lines between the logarithms. None outside of the runs.
+/// Time in which an error is achieved, in seconds, by straight lines between the logarithms, or that of a run that is
+/// more accurate and faster. None where all runs are less accurate.
 fn time_at(error: f64, points: &[Option<Point>]) -> Option<f64> {
     let points: Vec<&Point> = points.iter().flatten().collect();
     let pairs = points.windows(2).filter_map(|pair| {
@@ -160,7 +161,10 @@ fn time_at(error: f64, points: &[Option<Point>]) -> Option<f64> {
         let share = (coarse.error / error).ln() / (coarse.error / fine.error).ln();
         Some((coarse.seconds.ln() + share * (fine.seconds / coarse.seconds).ln()).exp())
     });
-    pairs.reduce(f64::min)
+    let better = points.iter().filter(|point| point.error <= error);
+    pairs
+        .chain(better.map(|point| point.seconds))
+        .reduce(f64::min)
 }
 
 /// Measures and prints.
