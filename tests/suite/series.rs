@@ -120,3 +120,15 @@ fn masses_that_move_have_their_series() {
     let steps = [one, other].map(|motion| motion.statistics.steps);
     assert!(2 * steps[1] < steps[0], "{steps:?}");
 }
+
+#[test]
+fn tolerances_that_make_no_sense_are_refused() {
+    let go = chain::Go::default();
+    for rtol in [0.0, -1.0, 1e-40, 1e40, f64::INFINITY, f64::NAN] {
+        let method = Method::Taylor;
+        let settings = Settings { method, rtol };
+        let ended = ode::march(&go, (0.0, 3.0), &[2.0, 1.0, 0.0, 0.0], &settings);
+        let message = ended.expect_err("no such tolerance").to_string();
+        assert!(message.contains("rtol"), "{rtol}: {message}");
+    }
+}

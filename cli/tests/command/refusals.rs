@@ -61,7 +61,7 @@ fn wrong_names() {
         ),
         (
             &["run", "batten", "--method", "euler"],
-            &["dop853, tsit5, radau, rosenbrock, auto"],
+            &["dop853, tsit5, taylor, radau, rosenbrock, auto"],
         ),
         (
             &["run", "batten_table", "--preset", "idenity"],

@@ -10,6 +10,7 @@ use super::error::OdeError;
 use super::explicit::{Clock, Statistics};
 use super::observer::{Basis, Observer, Step};
 use super::options::{Options, bad};
+use super::workspace::SHORTEST;
 use crate::problem::Storage;
 use crate::series::TERMS;
 
@@ -37,8 +38,8 @@ pub(crate) trait Expand {
 /// The order for a tolerance: a third more than the digits asked for, and even.
 fn order(rtol: f64) -> usize {
     let digits = -rtol.log10();
-    let order = 2 * (2.0 + 2.0 / 3.0 * digits).round() as usize;
-    order.clamp(8, TERMS)
+    let order = 2.0 * (2.0 + 2.0 / 3.0 * digits).round();
+    order.max(8.0).min(TERMS as f64) as usize
 }
 
 /// The memory of an integration.
@@ -100,9 +101,11 @@ impl<V: Storage<f64>> Taylor<V> {
         let mut unit = first.min(span.abs()).copysign(span);
         statistics.evaluations += self.begin(expand, clock.now, &mut unit)?;
         let is_fixed = clock.fixed.is_some();
+        // A step that the time does not feel would lead nowhere.
+        let shortest = SHORTEST * f64::EPSILON * times.0.abs().max(times.1.abs());
         let mut wanted = match (options.fixed_step, options.first_step) {
             (Some(_), _) => unit,
-            (None, Some(first)) => self.permitted(unit, LARGEST * first, options),
+            (None, Some(first)) => self.permitted(unit, LARGEST * first.max(shortest), options),
             (None, None) => self.permitted(unit, FIRST * span.abs(), options),
         };
         loop {
@@ -114,6 +117,10 @@ impl<V: Storage<f64>> Taylor<V> {
                 });
             }
             let limited = wanted.abs().min(longest).copysign(span);
+            if !is_fixed && clock.is_lost(limited) {
+                let component = self.steepest(options);
+                return Err(self.failure(clock.now, limited, 0.0, component));
+            }
             let to = clock.target(limited, statistics.steps);
             let length = to - clock.now;
             self.cut_off(length / unit);
@@ -233,6 +240,21 @@ impl<V: Storage<f64>> Taylor<V> {
             }
         }
         (error, component)
+    }
+
+    /// The state with the largest last term.
+    #[cold]
+    fn steepest(&self, options: &Options) -> usize {
+        let states = self.before.as_ref().len();
+        let mut largest = (0.0, 0);
+        let last = &self.terms[self.order * states..];
+        for ((index, term), value) in last.iter().enumerate().zip(self.before.as_ref()) {
+            let size = term.abs() / (options.atol.of(index) + options.rtol * value.abs());
+            if size > largest.0 {
+                largest = (size, index);
+            }
+        }
+        largest.1
     }
 
     /// Why no step is short enough.
