@@ -103,20 +103,27 @@ impl Clock {
     /// Where a step of this length leads, after a number of steps. The last step lands exactly on the end.
     #[inline(always)]
     pub fn target(&self, step: f64, steps: usize) -> f64 {
-        let (from, to) = self.times;
         if let Some(count) = self.fixed {
-            let number = (steps + 1) as f64;
-            return if number >= count {
-                to
-            } else {
-                from + (to - from) * (number / count)
-            };
+            return self.even(count, steps);
         }
+        let to = self.times.1;
         let left = to - self.now;
         if left.abs() <= 1.01 * step.abs() {
             to
         } else {
             self.now + step
+        }
+    }
+
+    /// Where one of so many even steps leads. A call, or else the compiler divides beforehand, by what is no number where
+    /// steps are not even.
+    #[cold]
+    #[inline(never)]
+    fn even(&self, count: f64, steps: usize) -> f64 {
+        let ((from, to), number) = (self.times, (steps + 1) as f64);
+        match number >= count {
+            true => to,
+            false => from + (to - from) * (number / count),
         }
     }
 
