@@ -115,7 +115,7 @@ impl<S: Scalar> Default for Product<S> {
 
 impl<S: Scalar> Product<S> {
     /// The next term.
-    #[inline(always)]
+    #[inline(never)]
     pub fn next(&mut self, k: usize, left: S, right: S) -> S {
         (self.left[k], self.right[k]) = (left, right);
         if left.to_f64() != 0.0 {
@@ -124,8 +124,11 @@ impl<S: Scalar> Product<S> {
         if right.to_f64() != 0.0 {
             self.last.1 = k;
         }
-        let (first, last) = (k - self.last.1.min(k), self.last.0.min(k));
-        sum(&self.left, &self.right, (first, last), k)
+        match self.last {
+            (_, 0) => left * self.right[0],
+            (0, _) => self.left[0] * right,
+            (left, right) => sum(&self.left, &self.right, (k - right, left), k),
+        }
     }
 }
 
