@@ -206,20 +206,21 @@ impl<V: Storage<f64>> Taylor<V> {
     #[inline(always)]
     fn cut_off(&mut self, part: f64) {
         let states = self.before.as_ref().len();
-        let mut power = 1.0;
-        self.slopes.as_mut().fill(0.0);
-        self.after.clone_from(&self.before);
-        let rows = self.terms.chunks_exact(states.max(1)).skip(1);
-        for ((number, row), terms) in self.polynomial.iter_mut().enumerate().zip(rows) {
-            power *= part;
-            let count = (number + 1) as f64;
-            let ends = self.after.as_mut().iter_mut().zip(self.slopes.as_mut());
-            let values = row.as_mut().iter_mut().zip(terms);
-            for ((value, term), (after, slope)) in values.zip(ends) {
-                *value = power * term;
-                *after += *value;
-                *slope += count * *value;
+        for index in 0..states {
+            // One state after the other, so that its sums are not kept in memory.
+            let (mut power, mut after, mut slope) = (1.0, self.before.as_ref()[index], 0.0);
+            let rows = self.terms.chunks_exact(states).skip(1);
+            let mut count = 1.0;
+            for (row, terms) in self.polynomial.iter_mut().zip(rows) {
+                power *= part;
+                let value = power * terms[index];
+                row.as_mut()[index] = value;
+                after += value;
+                slope += count * value;
+                count += 1.0;
             }
+            self.after.as_mut()[index] = after;
+            self.slopes.as_mut()[index] = slope;
         }
     }
 
