@@ -1,6 +1,7 @@
 //! The first zero of a guard within a step.
 
-use super::cubic::{Sample, cubic, hull, is_far, is_resolved, range, root};
+use super::cubic::{Sample, cubic, hull, is_far, is_resolved, range};
+use super::narrow::Instants;
 use super::problem::Direction;
 
 /// Halvings of a step before a touch without a crossing is taken for what it is.
@@ -16,8 +17,6 @@ const FADE: f64 = 0.5;
 /// Where a guard is looked at whose slopes may be larger than those at the ends of a step: multiples of the golden section,
 /// which keep out of step with whatever swings.
 const PROBES: [f64; 8] = [0.09, 0.236, 0.326, 0.472, 0.618, 0.708, 0.854, 0.944];
-/// How far on each side of a zero it is looked at last, in parts that are one time: a little less than a half.
-const APART: f64 = 0.45;
 /// The largest value of `16 p (1 - p)²`: a deviation `d` in the middle is `16 d p² (1 - p)²` elsewhere, since value and
 /// slope agree at both ends, and that is at most this many `d p`.
 const LEAN: f64 = 64.0 / 27.0;
@@ -25,9 +24,9 @@ const LEAN: f64 = 64.0 / 27.0;
 /// Where a guard passes zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Crossing {
-    /// The first part of the step at which it has passed.
-    pub part: f64,
-    /// The last one before, as far as parts can be told apart.
+    /// The guard at the first part of the step at which it has passed.
+    pub at: Sample,
+    /// The last part before, as far as parts can be told apart.
     pub before: f64,
     /// Whether it rises.
     pub rising: bool,
@@ -45,8 +44,8 @@ pub(super) struct Search<'a> {
     pub armed: bool,
     /// The largest slope that is known of it near by.
     pub slope: f64,
-    /// Parts of the step that differ by no more are one time.
-    pub blur: f64,
+    /// The times that can be told apart.
+    pub instants: Instants,
     /// The guard at a part of the step.
     pub sample: &'a mut dyn FnMut(f64) -> Sample,
     /// Whether what else an event asks for holds at a part of the step. A crossing at which it does not is passed over.
@@ -180,52 +179,12 @@ impl Search<'_> {
         if !self.direction.allows(rising) {
             return None;
         }
-        let (before, part) = match leaves {
-            true => (from.part, from.part),
-            false => self.narrow(from, to, before),
+        let (before, at) = match leaves {
+            true => (from.part, from),
+            false => self.instants.narrow(self.sample, (from, to), before),
         };
-        let crossing = Crossing {
-            part,
-            before,
-            rising,
-        };
-        (self.permits)(part).then_some(crossing)
-    }
-
-    /// The largest part that has the old sign or none, and the smallest that has the new one: neighbours, or as near to
-    /// each other as can be told apart.
-    fn narrow(&mut self, from: Sample, to: Sample, before: f64) -> (f64, f64) {
-        let (mut low, mut high) = (from, to);
-        // Zero on the way belongs to what was before.
-        let has_passed = |sample: &Sample| sample.value * before < 0.0;
-        let mut last = f64::NAN;
-        let mut halve = false;
-        loop {
-            let width = high.part - low.part;
-            let middle = low.part + 0.5 * width;
-            if middle <= low.part || middle >= high.part || width <= self.blur {
-                return (low.part, high.part);
-            }
-            // The zero of the cubic, pushed across by about what it is wrong so that the other end moves in too; halving
-            // where that does not help.
-            let root = low.part + width * root(&hull(&low, &high));
-            let moved = root - last;
-            let push = (moved * moved).max(APART * self.blur);
-            let guess = match root < middle {
-                true => root + push,
-                false => root - push,
-            };
-            let inside = guess > low.part && guess < high.part;
-            let part = if halve || !inside { middle } else { guess };
-            let sample = (self.sample)(part);
-            match has_passed(&sample) {
-                true => high = sample,
-                false => low = sample,
-            }
-            // The first guess is far from one of the ends.
-            halve = !halve && !last.is_nan() && high.part - low.part > 0.5 * width;
-            last = root;
-        }
+        let crossing = Crossing { at, before, rising };
+        (self.permits)(at.part).then_some(crossing)
     }
 
     fn sign_of(&self, value: f64) -> f64 {
@@ -260,7 +219,7 @@ mod tests {
             sign,
             armed,
             slope: 0.0,
-            blur: 0.0,
+            instants: Instants::new(0.0, 1.0),
             sample: &mut sample,
             permits: &|_| true,
         };
@@ -270,11 +229,13 @@ mod tests {
     #[test]
     fn a_crossing_is_enclosed_by_neighbours() {
         let root = crossing(Direction::Rises, -1.0, true, |x| x.exp() - 2.0, f64::exp).unwrap();
+        let (before, after) = (root.before, root.at.part);
         assert!(
-            root.rising && (root.part - 2.0f64.ln()).abs() < 4e-16,
+            root.rising && (after - 2.0f64.ln()).abs() < 4e-16,
             "{root:?}"
         );
-        assert!(root.part.exp() > 2.0 && root.part.next_down().exp() <= 2.0);
+        assert!(after.exp() > 2.0 && before.exp() <= 2.0);
+        assert!(after - before < 1e-15, "{root:?}");
         assert_eq!(
             crossing(Direction::Falls, -1.0, true, |x| x.exp() - 2.0, f64::exp),
             None
@@ -289,12 +250,12 @@ mod tests {
         assert!(value(0.0) > 0.0 && value(1.0) > 0.0);
         let fall = crossing(Direction::Falls, 1.0, true, value, slope).unwrap();
         assert!(
-            (fall.part - 0.299_912).abs() < 1e-6 && !fall.rising,
+            (fall.at.part - 0.299_912).abs() < 1e-6 && !fall.rising,
             "{fall:?}"
         );
         let rise = crossing(Direction::Rises, 1.0, true, value, slope).unwrap();
         assert!(
-            (rise.part - 0.300_088).abs() < 1e-6 && rise.rising,
+            (rise.at.part - 0.300_088).abs() < 1e-6 && rise.rising,
             "{rise:?}"
         );
     }
@@ -313,7 +274,7 @@ mod tests {
     fn a_guard_that_leaves_zero_passes_it_at_the_start() {
         let (value, slope) = (|x: f64| x.powi(4), |x: f64| 4.0 * x.powi(3));
         let found = crossing(Direction::Rises, 0.0, true, value, slope).unwrap();
-        assert!(found.part < 2e-4, "{found:?}");
+        assert!(found.at.part < 2e-4, "{found:?}");
         assert_eq!(crossing(Direction::Falls, 0.0, true, value, slope), None);
         assert_eq!(crossing(Direction::Rises, 0.0, false, value, slope), None);
     }

@@ -7,6 +7,7 @@ const SWING: f64 = 4.0;
 const SAFETY: f64 = 3.0;
 /// A zero of a cubic that moves by less is known to twice as many digits.
 const CLOSE: f64 = 1e-6;
+const THIRD: f64 = 1.0 / 3.0;
 
 /// A guard at a part of the step, from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,8 +23,8 @@ pub(super) fn hull(from: &Sample, to: &Sample) -> [f64; 4] {
     let width = to.part - from.part;
     [
         from.value,
-        from.value + width * from.slope / 3.0,
-        to.value - width * to.slope / 3.0,
+        from.value + THIRD * width * from.slope,
+        to.value - THIRD * width * to.slope,
         to.value,
     ]
 }
@@ -54,7 +55,15 @@ pub(super) fn cubic(hull: &[f64; 4], part: f64) -> f64 {
 /// About where a cubic of which the ends have different signs is zero, from 0 to 1.
 pub(super) fn root(hull: &[f64; 4]) -> f64 {
     let [a, b, c, d] = *hull;
-    let mut part = a / (a - d);
+    // Where the tangent at the end is zero that is nearer to zero, or the chord.
+    let tangent = match a.abs() < d.abs() {
+        true => a / (3.0 * (a - b)),
+        false => 1.0 - d / (3.0 * (d - c)),
+    };
+    let mut part = match tangent > 0.0 && tangent < 1.0 {
+        true => tangent,
+        false => a / (a - d),
+    };
     for _ in 0..4 {
         let rest = 1.0 - part;
         let (first, last) = (

@@ -214,6 +214,12 @@ impl Table {
         self.guards(mode) + self.turns.get(mode).unwrap_or(&0)
     }
 
+    /// The largest number of what a mode writes.
+    pub(super) fn most_written(&self) -> usize {
+        let modes = 0..self.events.len();
+        modes.map(|mode| self.written(mode)).max().unwrap_or(0)
+    }
+
     /// The largest number of guards of a mode.
     pub(super) fn most_guards(&self) -> usize {
         let modes = 0..self.events.len();

@@ -9,6 +9,7 @@
 //! | `watch` | looks for events in every step, and ends the integration at the first one |
 //! | `within` | the guards within a step: where they bend, and where they pass zero |
 //! | `crossing` | the first zero of a guard between two points |
+//! | `narrow` | that zero to the last bits |
 //! | `cubic` | the cubic through two points |
 //! | `guard` | what is remembered of a guard from step to step |
 //! | `rounding` | how large the terms are of which a guard is made |
@@ -53,6 +54,7 @@ mod error;
 mod guard;
 mod march;
 mod motion;
+mod narrow;
 mod problem;
 mod room;
 mod rounding;

@@ -5,27 +5,45 @@ use super::problem::Modes;
 /// Values and rates of the guards of a mode.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Guards {
-    pub values: Vec<f64>,
-    pub rates: Vec<f64>,
+    /// The values, then the rates.
+    numbers: Vec<f64>,
 }
 
 impl Guards {
     /// Room for so many guards; within what there has been, nothing is allocated.
     pub fn resize(&mut self, count: usize) {
-        self.values.resize(count, 0.0);
-        self.rates.resize(count, 0.0);
+        self.numbers.resize(2 * count, 0.0);
+    }
+
+    /// The values.
+    #[inline(always)]
+    pub fn values(&self) -> &[f64] {
+        &self.numbers[..self.numbers.len() / 2]
+    }
+
+    /// The rates.
+    #[inline(always)]
+    pub fn rates(&self) -> &[f64] {
+        &self.numbers[self.numbers.len() / 2..]
+    }
+
+    /// Values and rates.
+    #[inline(always)]
+    pub fn both_mut(&mut self) -> (&mut [f64], &mut [f64]) {
+        let count = self.numbers.len() / 2;
+        self.numbers.split_at_mut(count)
     }
 
     /// Fills with zeros.
     pub fn clear(&mut self) {
-        self.values.fill(0.0);
-        self.rates.fill(0.0);
+        self.numbers.fill(0.0);
     }
 
     /// Computes the guards at a time and state.
     #[inline(always)]
     pub fn look<E: Modes<f64>>(&mut self, equations: &E, time: f64, state: &E::State) {
-        equations.look(time, state, &mut self.values, &mut self.rates);
+        let (values, rates) = self.both_mut();
+        equations.look(time, state, values, rates);
     }
 }
 
@@ -37,32 +55,42 @@ const KEPT: usize = 10;
 pub(super) struct Seen {
     parts: [f64; KEPT],
     length: usize,
-    guards: [Guards; KEPT],
+    /// The guards at one part after the other: values, then rates.
+    numbers: Vec<f64>,
+    /// The number of guards.
+    count: usize,
 }
 
 impl Seen {
+    /// Room for so many guards.
+    fn resize(&mut self, count: usize) {
+        self.count = count;
+        self.length = 0;
+        self.numbers.resize(2 * KEPT * count, 0.0);
+    }
+
     /// Forgets all of them.
     pub fn clear(&mut self) {
         self.length = 0;
     }
 
-    /// The guards at a part, if it has been looked at.
+    /// Value and rate of a guard at a part, if that has been looked at.
     #[inline(always)]
-    pub fn find(&self, part: f64) -> Option<&Guards> {
-        let mut parts = self.parts[..self.length.min(KEPT)].iter();
-        parts
-            .position(|one| *one == part)
-            .map(|place| &self.guards[place])
+    pub fn find(&self, part: f64, guard: usize) -> Option<(f64, f64)> {
+        let mut parts = self.parts[..self.length].iter();
+        let begin = 2 * self.count * parts.position(|one| *one == part)?;
+        let value = self.numbers[begin + guard];
+        Some((value, self.numbers[begin + self.count + guard]))
     }
 
-    /// Room for the guards at another part.
+    /// Room for the values and rates at another part, as long as there is some.
     #[inline(always)]
-    pub fn next(&mut self, part: f64) -> Option<&mut Guards> {
+    pub fn next(&mut self, part: f64) -> Option<(&mut [f64], &mut [f64])> {
         let place = self.length;
-        let guards = self.guards.get_mut(place)?;
-        self.parts[place] = part;
+        *self.parts.get_mut(place)? = part;
         self.length += 1;
-        Some(guards)
+        let numbers = self.numbers.chunks_exact_mut(2 * self.count).nth(place)?;
+        Some(numbers.split_at_mut(self.count))
     }
 }
 
@@ -73,6 +101,8 @@ pub(super) struct Room {
     pub begin: Guards,
     /// At its end.
     pub end: Guards,
+    /// At the instant that a motion has come to.
+    pub here: Guards,
     /// Anywhere.
     pub there: Guards,
     /// At the parts of a step that have been looked at.
@@ -89,11 +119,10 @@ impl Room {
     /// How far the angles turn, which stand behind so many guards, in a step of a length.
     pub fn turned(&self, guards: usize, length: f64) -> f64 {
         let mut turned = 0.0;
-        for angle in guards..self.end.values.len() {
-            let change = (self.end.values[angle] - self.begin.values[angle]).abs();
-            let rate = self.begin.rates[angle]
-                .abs()
-                .max(self.end.rates[angle].abs());
+        let (begin, end) = (&self.begin, &self.end);
+        for angle in guards..end.values().len() {
+            let change = (end.values()[angle] - begin.values()[angle]).abs();
+            let rate = begin.rates()[angle].abs().max(end.rates()[angle].abs());
             turned = change.max(length * rate).max(turned);
         }
         turned
@@ -105,14 +134,12 @@ impl Room {
             &mut self.begin,
             &mut self.end,
             &mut self.last,
+            &mut self.here,
             &mut self.there,
             &mut self.terms,
         ] {
             guards.resize(count);
         }
-        self.seen.clear();
-        for guards in &mut self.seen.guards {
-            guards.resize(count);
-        }
+        self.seen.resize(count);
     }
 }

@@ -24,8 +24,9 @@ pub(super) fn terms<E: Modes<f64>>(
                 *term += (there - here).abs() / CHANGE;
             }
         };
-        add(&mut terms.values, &here.values, &there.values);
-        add(&mut terms.rates, &here.rates, &there.rates);
+        let (values, rates) = terms.both_mut();
+        add(values, here.values(), there.values());
+        add(rates, here.rates(), there.rates());
     };
     add(time * (1.0 + CHANGE), state);
     let mut moved = state.clone();

@@ -23,6 +23,8 @@ pub(super) struct Run<'a, 'b, V> {
     /// For each mode how long the steps were in which its guards have been looked at.
     looked: Vec<Vec<f64>>,
     pub(super) room: Room,
+    /// Whether `room.here` are the guards of this instant.
+    pub(super) is_known: bool,
     /// When events began to follow each other quickly, and how many there have been since.
     since: (f64, usize),
     /// On which side of each switching surface the motion is.
@@ -45,6 +47,8 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         times: (f64, f64),
     ) -> Self {
         let mut room = Room::default();
+        // What the largest mode needs is taken at once.
+        room.resize(table.most_written());
         room.resize(table.written(equations.mode()));
         Self {
             equations,
@@ -55,6 +59,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             guards: vec![Guard::default(); table.most_guards()],
             looked: vec![vec![0.0; table.most_guards()]; table.events.len()],
             room,
+            is_known: false,
             since: (times.0, 0),
             arrival: 0.0,
             turns: 0,
@@ -78,7 +83,9 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         while motion.time < self.times.1 {
             let events = self.table.events[self.equations.mode()];
             if let Some(event) = self.begin(motion.time, events, last, with.take())? {
-                self.happen(motion, event, &mut last)?;
+                let begin = &self.room.begin;
+                let guard = (begin.values()[event], begin.rates()[event]);
+                self.happen(motion, (event, guard), &mut last)?;
                 continue;
             }
             let mut watch = Watch::new(
@@ -97,6 +104,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             );
             let (due, lost, step, fast) = (watch.due, watch.lost, watch.step, watch.fast);
             self.state.clone_from(&watch.state);
+            self.is_known = false;
             let statistics = *done.as_ref().unwrap_or(&Statistics::default());
             let mut trajectory = watch.recorder.finish(statistics);
             trajectory.switches = method.switches().to_vec();
@@ -123,22 +131,21 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             if let Some(due) = due {
                 motion.time = due.time;
                 with = due.with.map(|event| events[event].line);
-                self.happen(motion, due.event, &mut last)?;
+                self.happen(motion, (due.event, due.guard), &mut last)?;
             }
         }
         Ok(())
     }
 
-    /// Carries out an event.
+    /// Carries out an event, whose guard has a value and a rate.
     fn happen(
         &mut self,
         motion: &mut Motion,
-        event: usize,
+        (event, (guard, rate)): (usize, (f64, f64)),
         last: &mut Option<u32>,
     ) -> Result<(), End> {
         let from = self.equations.mode();
         let entry = &self.table.events[from][event];
-        let (guard, rate) = self.guard(motion.time, event);
         self.arrival = rate;
         let instant = self.equations.instant(motion.time);
         let mut after = self.state.clone();
@@ -159,6 +166,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         motion.mode = entry.target;
         motion.events.push(happened);
         self.state = after;
+        self.is_known = false;
         let noise = self.guards[event].noise();
         let size = self.guards[event].size;
         if entry.target != from {

@@ -22,21 +22,23 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
         last: Option<u32>,
         with: Option<u32>,
     ) -> Result<Option<usize>, End> {
+        self.look(time);
+        self.is_known = false;
+        std::mem::swap(&mut self.room.begin, &mut self.room.here);
         let Room {
             begin,
             there,
             terms: sizes,
             ..
         } = &mut self.room;
-        begin.look(&self.equations, time, &self.state);
-        let strange = |event: &usize| !begin.values[*event].is_finite();
+        let strange = |event: &usize| !begin.values()[*event].is_finite();
         if let Some(event) = (0..events.len()).find(strange) {
             return Err(End::Guard(event));
         }
         // Only a small guard may be no more than the rounding of its terms.
         let is_small = |(event, entry): (usize, &EventEntry)| {
             let size = self.guards[event].size;
-            entry.surface.is_none() && begin.values[event].abs() <= NEAR * size || size == 0.0
+            entry.surface.is_none() && begin.values()[event].abs() <= NEAR * size || size == 0.0
         };
         match events.iter().enumerate().any(is_small) {
             true => terms(&self.equations, time, &self.state, begin, there, sizes),
@@ -44,11 +46,11 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
         }
         let mut due = None;
         for (event, entry) in events.iter().enumerate() {
-            let (value, rate) = (begin.values[event], begin.rates[event]);
+            let (value, rate) = (begin.values()[event], begin.rates()[event]);
             // A rate that is no more than its rounding does not say where the guard goes.
-            let is_still = rate.abs() <= NOISE * f64::EPSILON * sizes.rates[event];
+            let is_still = rate.abs() <= NOISE * f64::EPSILON * sizes.rates()[event];
             let guard = &mut self.guards[event];
-            guard.size = guard.size.max(value.abs()).max(sizes.values[event]);
+            guard.size = guard.size.max(value.abs()).max(sizes.values()[event]);
             // The time is known to a rounding, and so is the guard.
             let blur = 4.0 * f64::EPSILON * (rate * time).abs();
             let is_zero = value.abs() <= guard.noise().max(blur);
@@ -67,7 +69,7 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
             };
             let passes = is_zero && !is_still && entry.direction.allows(rate > 0.0)
                 || with == Some(entry.line);
-            guard.still = (time, if is_still { sizes.rates[event] } else { 0.0 });
+            guard.still = (time, if is_still { sizes.rates()[event] } else { 0.0 });
             if passes && guard.armed && due.is_none() {
                 let instant = self.equations.instant(time);
                 let is_permitted = self.equations.permits(event, &instant, &self.state);
@@ -77,7 +79,7 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
         let kinks = events.len()..self.table.guards(self.equations.mode());
         for (guard, value) in self.guards[kinks.clone()]
             .iter_mut()
-            .zip(&begin.values[kinks])
+            .zip(&begin.values()[kinks])
         {
             guard.size = guard.size.max(value.abs());
             guard.sign = match value.abs() <= guard.noise() {
@@ -119,6 +121,7 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
 
     /// Puts the motion on a side of a switching surface.
     pub(super) fn put(&mut self, surface: usize, side: f64) {
+        self.is_known &= self.sides[surface] == side;
         self.sides[surface] = side;
         self.equations.side(surface, side);
     }
@@ -136,8 +139,17 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
 
     /// Value and rate of a guard here.
     pub(super) fn guard(&mut self, time: f64, event: usize) -> (f64, f64) {
-        let there = &mut self.room.there;
-        there.look(&self.equations, time, &self.state);
-        (there.values[event], there.rates[event])
+        self.look(time);
+        let here = &self.room.here;
+        (here.values()[event], here.rates()[event])
+    }
+
+    /// Computes the guards here, unless they are known.
+    fn look(&mut self, time: f64) {
+        if !self.is_known {
+            let here = &mut self.room.here;
+            here.look(&self.equations, time, &self.state);
+            self.is_known = true;
+        }
     }
 }

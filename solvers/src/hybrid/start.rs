@@ -48,8 +48,8 @@ pub(super) fn check<E: Modes<f64>>(
     let instant = equations.instant(time);
     for (index, entry) in events.iter().enumerate() {
         let (value, noise) = (
-            begin.values[index],
-            NOISE * f64::EPSILON * sizes.values[index],
+            begin.values()[index],
+            NOISE * f64::EPSILON * sizes.values()[index],
         );
         let has_passed = match entry.direction {
             Direction::Rises => value > noise,

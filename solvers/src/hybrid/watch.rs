@@ -1,6 +1,7 @@
 //! Looks for events in every step.
 
-use super::cubic::is_resolved;
+use super::crossing::Crossing;
+use super::cubic::{Sample, is_resolved};
 use super::guard::{Guard, Way};
 use super::problem::{EventEntry, Modes};
 use super::room::Room;
@@ -28,9 +29,13 @@ const MEMORY: f64 = 0.8;
 #[derive(Clone, Copy, Debug)]
 struct Found {
     event: usize,
-    part: f64,
-    /// The last part before it.
-    before: f64,
+    crossing: Crossing,
+}
+
+impl Found {
+    fn part(&self) -> f64 {
+        self.crossing.at.part
+    }
 }
 
 /// An event that ends an integration.
@@ -40,6 +45,8 @@ pub(super) struct Due {
     pub event: usize,
     /// When.
     pub time: f64,
+    /// Value and rate of its guard there.
+    pub guard: (f64, f64),
     /// Another one whose time cannot be told from this one's.
     pub with: Option<usize>,
 }
@@ -141,7 +148,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             is_measured: false,
         };
         let count = self.events.len();
-        let strange = |event: &usize| !self.room.end.values[*event].is_finite();
+        let strange = |event: &usize| !self.room.end.values()[*event].is_finite();
         self.lost = (0..count).find(strange);
         if self.lost.is_some() {
             return self.pass(step);
@@ -154,30 +161,32 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         let surfaces = self.events.iter().filter(|entry| entry.surface.is_some());
         let own = count - surfaces.count();
         let surface = self.earliest(step, &mut way, own..count, None).0;
-        if let Some(crossing) = surface {
-            self.room.bends.push((crossing.before, crossing.part));
+        if let Some(Found { crossing, .. }) = surface {
+            self.room.bends.push((crossing.before, crossing.at.part));
         }
         self.room.bends.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-        let limit = surface.map(|crossing| crossing.part);
+        let limit = surface.map(|found| found.part());
         let (event, second) = self.earliest(step, &mut way, 0..own, limit);
         let (first, second) = match (event, surface) {
-            (Some(event), Some(surface)) if event.part > surface.part + way.blur => {
+            (Some(event), Some(surface)) if event.part() > surface.part() + way.blur => {
                 (Some(surface), None)
             }
-            (Some(event), Some(surface)) if event.part >= surface.part - way.blur => {
+            (Some(event), Some(surface)) if event.part() >= surface.part() - way.blur => {
                 (Some(event), second.or(Some(surface.event)))
             }
             (None, _) => (surface, None),
             _ => (event, second),
         };
         match first {
-            Some(Found { event, part, .. }) => {
+            Some(Found { event, crossing }) => {
+                let Sample { part, value, slope } = crossing.at;
                 let time = step.from + part * length;
                 between(step, part, &mut self.state);
                 self.recorder.cut(time, &self.state);
                 self.due = Some(Due {
                     event,
                     time,
+                    guard: (value, slope / length),
                     with: second,
                 });
             }
@@ -221,25 +230,22 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             if !wary && is_smooth && guard.is_far(&from, &to) {
                 continue;
             }
-            if !way.is_measured && from.value.abs().min(to.value.abs()) <= NEAR * guard.size {
+            // What it begins with has been measured at the end of the step before, or where the mode began.
+            if !way.is_measured && to.value.abs() <= NEAR * guard.size {
                 way.is_measured = true;
                 self.measure(step, way.part.1);
             }
             let until = match first {
-                Some(found) => Some(found.part + 2.0 * way.blur),
+                Some(found) => Some(found.part() + 2.0 * way.blur),
                 None => limit.map(|part| part + 2.0 * way.blur),
             };
             let Some(crossing) = self.search(step, way, event, (from, to), rough, until) else {
                 continue;
             };
-            let found = Found {
-                event,
-                part: crossing.part,
-                before: crossing.before,
-            };
+            let found = Found { event, crossing };
             match first {
-                Some(earlier) if found.part > earlier.part + way.blur => {}
-                Some(earlier) if found.part >= earlier.part - way.blur => {
+                Some(earlier) if found.part() > earlier.part() + way.blur => {}
+                Some(earlier) if found.part() >= earlier.part() - way.blur => {
                     second = second.or(Some(event));
                 }
                 _ => (first, second) = (Some(found), None),
@@ -260,7 +266,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         between(step, part, &mut self.state);
         let time = step.from + part * (step.to - step.from);
         terms(self.equations, time, &self.state, end, there, sizes);
-        for (guard, size) in self.guards.iter_mut().zip(&sizes.values) {
+        for (guard, size) in self.guards.iter_mut().zip(sizes.values()) {
             guard.size = guard.size.max(*size);
         }
     }

@@ -3,6 +3,7 @@
 use super::crossing::{Crossing, Search};
 use super::cubic::Sample;
 use super::guard::Way;
+use super::narrow::Instants;
 use super::problem::{Direction, Modes};
 use super::room::{Guards, Room, Seen};
 use super::watch::Watch;
@@ -27,15 +28,8 @@ impl<E: Modes<f64>> Watch<'_, E> {
             let Some(crossing) = self.search(step, way, kink, (from, to), false, None) else {
                 break;
             };
-            self.room.bends.push((crossing.before, crossing.part));
-            let Room { there, seen, .. } = &mut *self.room;
-            from = look_at(
-                self.equations,
-                step,
-                &mut self.state,
-                (there, seen),
-                (kink, crossing.part),
-            );
+            self.room.bends.push((crossing.before, crossing.at.part));
+            from = crossing.at;
         }
     }
 
@@ -72,7 +66,7 @@ impl<E: Modes<f64>> Watch<'_, E> {
             sign: guard.sign,
             armed: guard.armed,
             slope,
-            blur: f64::EPSILON * (step.to / length).abs(),
+            instants: Instants::new(step.from, length),
             sample: &mut sample,
             permits: &|part| !is_event || permits(equations, event, step, part),
         };
@@ -124,13 +118,18 @@ fn look_at<E: Modes<f64>>(
     (guard, part): (usize, f64),
 ) -> Sample {
     let length = step.to - step.from;
-    if let Some(guards) = seen.find(part) {
-        return at(guards, guard, part, length);
+    let sample = |value: f64, rate: f64| Sample {
+        part,
+        value,
+        slope: rate * length,
+    };
+    if let Some((value, rate)) = seen.find(part, guard) {
+        return sample(value, rate);
     }
     between(step, part, state);
-    let there = seen.next(part).unwrap_or(there);
-    there.look(equations, step.from + part * length, state);
-    at(there, guard, part, length)
+    let (values, rates) = seen.next(part).unwrap_or_else(|| there.both_mut());
+    equations.look(step.from + part * length, state, values, rates);
+    sample(values[guard], rates[guard])
 }
 
 /// A guard at a part of a step of this length.
@@ -138,8 +137,8 @@ fn look_at<E: Modes<f64>>(
 pub(super) fn at(guards: &Guards, event: usize, part: f64, length: f64) -> Sample {
     Sample {
         part,
-        value: guards.values[event],
-        slope: guards.rates[event] * length,
+        value: guards.values()[event],
+        slope: guards.rates()[event] * length,
     }
 }
 
