@@ -22,6 +22,7 @@
 //! | `settle` | where a mode begins: signs of its guards, sides of its switching surfaces |
 //! | `end` | why a motion ends early |
 //! | `cycle` | motions that repeat: [`cycle()`]; growth of disturbances: [`lyapunov`] |
+//! | `numbers` | a few numbers without an allocation |
 //! | `motion` | the result: pieces between events, and a record of each event |
 //!
 //! **What is found.** Within a step a guard is the cubic through its values and rates at both ends, as far as that
@@ -55,6 +56,7 @@ mod guard;
 mod march;
 mod motion;
 mod narrow;
+mod numbers;
 mod problem;
 mod room;
 mod rounding;
@@ -68,6 +70,7 @@ pub use cycle::{Cycle, CycleError, Lyapunov, Periods, cycle, cycle_from, lyapuno
 pub use error::HybridError;
 pub use march::{march, march_in};
 pub use motion::{Happened, Motion, Piece};
+pub use numbers::Numbers;
 pub(crate) use problem::in_each_mode;
 pub use problem::{Direction, EventEntry, Hybrid, Modes, Sensitive};
 

@@ -1,5 +1,6 @@
 //! A motion through several modes.
 
+use super::numbers::Numbers;
 use crate::ode::{Statistics, Trajectory};
 use crate::stiff::Switch;
 
@@ -11,7 +12,7 @@ pub struct Piece {
     /// The motion.
     pub trajectory: Trajectory,
     /// On which side of each switching surface of the mode it is, 1 or −1.
-    pub sides: Vec<f64>,
+    pub sides: Numbers,
 }
 
 /// An event that has happened.
@@ -26,9 +27,9 @@ pub struct Happened {
     /// Mode after it.
     pub to: usize,
     /// State before it, SI units.
-    pub before: Vec<f64>,
+    pub before: Numbers,
     /// State after it, SI units.
-    pub after: Vec<f64>,
+    pub after: Numbers,
     /// Value of the guard, SI units: how well the event is located.
     pub guard: f64,
 }
@@ -75,7 +76,7 @@ impl Motion {
             pieces: vec![Piece {
                 mode: 0,
                 trajectory,
-                sides: Vec::new(),
+                sides: Numbers::default(),
             }],
         }
     }

@@ -5,6 +5,7 @@ use super::end::End;
 use super::erased::{Erased, Table};
 use super::guard::Guard;
 use super::motion::{Happened, Motion, Piece};
+use super::numbers::Numbers;
 use super::problem::Modes;
 use super::room::Room;
 use super::watch::Watch;
@@ -151,15 +152,14 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         let mut after = self.state.clone();
         self.equations
             .jump(event, &instant, &self.state, &mut after);
-        let plain = |state: &V| state.as_ref().to_vec();
         let before = motion.events.last().map(|one| one.time);
         let happened = Happened {
             time: motion.time,
             from,
             event,
             to: entry.target,
-            before: plain(&self.state),
-            after: plain(&after),
+            before: Numbers::new(self.state.as_ref()),
+            after: Numbers::new(after.as_ref()),
             guard,
         };
         motion.end.copy_from_slice(&happened.after);

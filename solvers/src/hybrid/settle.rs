@@ -2,6 +2,7 @@
 
 use super::NOISE;
 use super::end::End;
+use super::numbers::Numbers;
 use super::problem::{EventEntry, Modes};
 use super::room::Room;
 use super::rounding::terms;
@@ -114,9 +115,9 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
     }
 
     /// The sides of the switching surfaces of this mode.
-    pub(super) fn sides_here(&self, events: &[EventEntry]) -> Vec<f64> {
+    pub(super) fn sides_here(&self, events: &[EventEntry]) -> Numbers {
         let surfaces = events.iter().filter(|entry| entry.surface.is_some());
-        self.sides[..surfaces.count()].to_vec()
+        Numbers::new(&self.sides[..surfaces.count()])
     }
 
     /// Puts the motion on a side of a switching surface.

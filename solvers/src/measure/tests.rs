@@ -1,8 +1,8 @@
 //! Numbers of runs against closed forms.
 
 use super::*;
-use crate::hybrid::Happened;
 use crate::hybrid::Piece;
+use crate::hybrid::{Happened, Numbers};
 use crate::ode::{Basis, Observer, Recorder, Step};
 use std::f64::consts::PI;
 
@@ -201,7 +201,7 @@ fn values_at_events_are_those_before_and_after_them() {
     let (first, second) = (run(0.0, 1.0, 2), run(1.0, 3.0, 2));
     let piece = |mode: usize, motion: Motion| Piece {
         mode,
-        sides: Vec::new(),
+        sides: Numbers::default(),
         trajectory: motion.pieces[0].trajectory.clone(),
     };
     let event = Happened {
@@ -209,8 +209,8 @@ fn values_at_events_are_those_before_and_after_them() {
         from: 0,
         event: 0,
         to: 1,
-        before: vec![2.0],
-        after: vec![-3.0],
+        before: Numbers::new(&[2.0]),
+        after: Numbers::new(&[-3.0]),
         guard: 0.0,
     };
     let motion = Motion {
