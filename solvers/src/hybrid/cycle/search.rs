@@ -45,6 +45,8 @@ struct Walk<'a> {
     events: Vec<(usize, usize)>,
     /// After how many periods it was nearest to its past, and how near.
     nearest: Option<(usize, f64)>,
+    /// Mode and state that a period changed least, and by how much.
+    calmest: Option<(usize, Vec<f64>, f64)>,
 }
 
 /// The stable motion that a start leads to and that repeats.
@@ -68,6 +70,7 @@ pub(super) fn search(
         steps: 0,
         events: Vec::new(),
         nearest: None,
+        calmest: None,
     };
     walk.past.add(mode, start);
     let mut unstable: Option<Cycle> = None;
@@ -92,10 +95,18 @@ pub(super) fn search(
                 _ => {}
             }
         }
-        // A simple motion may repeat though nothing is attracted by it, or very slowly.
-        if unstable.as_ref().is_none_or(|cycle| cycle.multiple > 1)
-            && let Some(cycle) = walk.close(1)?
-        {
+        // A simple motion may repeat though nothing is attracted by it, or very slowly. An irregular motion comes near to
+        // those within it now and then, and a period changes it little there.
+        let here = Some((walk.mode, walk.state.clone()));
+        let calmest = walk.calmest.as_ref();
+        let calmest = calmest.map(|(mode, state, _)| (*mode, state.clone()));
+        for (mode, state) in here.into_iter().chain(calmest) {
+            if unstable.as_ref().is_some_and(|cycle| cycle.multiple == 1) {
+                break;
+            }
+            let Some(cycle) = walk.close_from(1, mode, &state)? else {
+                continue;
+            };
             if !cycle.is_stable() {
                 unstable = Some(cycle);
             } else if walk.is_within(CLOSE, &cycle) || walk.comes_to(&cycle)? {
@@ -145,6 +156,16 @@ impl Walk<'_> {
             return Err(CycleError::Motion(Box::new(error)));
         }
         self.events = passed(&motion);
+        if motion.mode == self.mode {
+            let change = self.apart(&motion.end, &self.state);
+            if self
+                .calmest
+                .as_ref()
+                .is_none_or(|(.., least)| change < *least)
+            {
+                self.calmest = Some((self.mode, self.state.clone(), change));
+            }
+        }
         self.mode = motion.mode;
         self.state = motion.end;
         self.followed += 1;
@@ -160,19 +181,29 @@ impl Walk<'_> {
 
     /// The motion that repeats after so many periods near here, or after fewer if that is one and the same.
     fn close(&self, multiple: usize) -> Result<Option<Cycle>, CycleError> {
+        self.close_from(multiple, self.mode, &self.state)
+    }
+
+    /// The same near any state.
+    fn close_from(
+        &self,
+        multiple: usize,
+        mode: usize,
+        state: &[f64],
+    ) -> Result<Option<Cycle>, CycleError> {
         let of = |multiple: usize| Gap {
             flow: self.flow,
-            mode: self.mode,
+            mode,
             period: self.period,
             multiple,
             sizes: self.past.sizes(),
             settings: self.settings,
         };
         let mut divisors = (1..multiple).filter(|one| multiple.is_multiple_of(*one));
-        let found = of(multiple).close(&self.state, self.followed)?;
+        let found = of(multiple).close(state, self.followed)?;
         let Some(cycle) = &found else {
             return divisors
-                .find_map(|one| of(one).close(&self.state, self.followed).transpose())
+                .find_map(|one| of(one).close(state, self.followed).transpose())
                 .transpose();
         };
         // What repeats sooner is not several motions. Just beyond a doubling of the period the shorter motion is near as
