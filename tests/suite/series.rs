@@ -22,14 +22,12 @@ fn every_scene_moves_as_with_the_other_method() {
                 assur::problem::Span::Periodic(period) => (0.0, 0.1 * period),
                 other => panic!("{name}: {other:?}"),
             };
-            let by = |method| {
-                let settings = Settings {
-                    method,
-                    rtol: 1e-12,
-                };
+            let by = |method, rtol| {
+                let settings = Settings { method, rtol };
                 run.follow(times, &run.start(), &settings)
             };
-            let (one, other) = match (by(Method::Dop853), by(Method::Taylor)) {
+            // At 1e-12 the other method is itself off by 4e-8 where a foot without damping bounces.
+            let (one, other) = match (by(Method::Dop853, 1e-14), by(Method::Taylor, 1e-12)) {
                 (Ok(one), Ok(other)) => (one, other),
                 (one, other) => panic!("{name}: {:?} {:?}", one.err(), other.err()),
             };
@@ -39,7 +37,7 @@ fn every_scene_moves_as_with_the_other_method() {
             for ((one, other), state) in ends {
                 let off = (one - other).abs();
                 assert!(
-                    off <= 1e-7 * (one.abs() + state.factor),
+                    off <= 1e-9 * (one.abs() + state.factor),
                     "{name}: {} ends at {one:e} or {other:e}",
                     state.name
                 );

@@ -69,20 +69,23 @@ pub fn march_on<C: Scene, S: Scalar>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Trajectory, OdeError> {
-    if let Some(method) = settings.method.stiff() {
-        return stiff::march(scene, times, start, settings.rtol, method);
-    }
     let options = Options::scaled(settings.rtol, C::SCALES);
-    if settings.method == registry::Method::Taylor {
-        let equations = scene.prepare::<f64>();
-        state_from::<f64, _>(&equations, start)?;
-        return march_by_series(&Single(&equations), times, start, &options);
-    }
-    let equations = scene.prepare::<S>();
-    let start = state_from::<S, _>(&equations, start)?;
+    let begin = || -> Result<_, OdeError> {
+        let equations = scene.prepare::<S>();
+        let start = state_from::<S, _>(&equations, start)?;
+        Ok((equations, start))
+    };
     match settings.method {
-        registry::Method::Tsit5 => march_with::<S, _, Tsit5>(&equations, times, &start, &options),
-        _ => march_with::<S, _, Dop853>(&equations, times, &start, &options),
+        registry::Method::Tsit5 => {
+            let (equations, start) = begin()?;
+            march_with::<S, _, Tsit5>(&equations, times, &start, &options)
+        }
+        registry::Method::Dop853 => {
+            let (equations, start) = begin()?;
+            march_with::<S, _, Dop853>(&equations, times, &start, &options)
+        }
+        // These take no numbers but `f64`.
+        _ => march_called(scene, times, start, settings),
     }
 }
 
@@ -230,7 +233,7 @@ impl<E: Equations<f64>> Expand for Single<'_, E> {
 }
 
 /// The motion from a start by its Taylor series.
-fn march_by_series(
+pub(super) fn march_by_series(
     expand: &dyn Expand,
     times: (f64, f64),
     start: &[f64],

@@ -1,6 +1,7 @@
 //! The method of Taylor series against closed forms, and where there are no series.
 
-use super::super::{Expand, OdeError, Options, Recorder, Statistics, Taylor, Trajectory};
+use super::super::march::march_by_series as march;
+use super::super::{Expand, OdeError, Options};
 use super::tolerance;
 use std::f64::consts::TAU;
 
@@ -75,20 +76,6 @@ impl Expand for Root {
         rows[1..].fill((-time).sqrt() * length);
         true
     }
-}
-
-fn march<E: Expand>(
-    equations: &E,
-    times: (f64, f64),
-    start: &[f64],
-    options: &Options,
-) -> Result<Trajectory, OdeError> {
-    let start = start.to_vec();
-    let mut recorder = Recorder::<f64>::new(times.0, &start);
-    let mut taylor = Taylor::new(start.len(), options.rtol);
-    let statistics: Statistics =
-        taylor.integrate(equations, times, &start, options, &mut recorder)?;
-    Ok(recorder.finish(statistics))
 }
 
 #[test]
