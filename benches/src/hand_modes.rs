@@ -272,6 +272,8 @@ const fn event(text: &'static str, direction: Direction, target: usize, line: u3
         factor: 1.0,
         target,
         surface: None,
+        conditional: false,
+        sets: false,
         line,
     }
 }
@@ -288,8 +290,14 @@ impl Hybrid for HandFoot {
             },
         ],
         &[
-            event("the fabric is reached", Direction::Rises, CONTACT, 2),
-            event("the force rises", Direction::Rises, CONTACT, 3),
+            EventEntry {
+                conditional: true,
+                ..event("the fabric is reached", Direction::Rises, CONTACT, 2)
+            },
+            EventEntry {
+                conditional: true,
+                ..event("the force rises", Direction::Rises, CONTACT, 3)
+            },
         ],
     ];
     const MODE_NAMES: &'static [&'static str] = &["contact", "flight"];

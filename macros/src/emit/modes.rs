@@ -274,7 +274,8 @@ pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
     let turns = layout.modes.iter().map(|mode| size(mode.program().turns));
     let start = size(layout.scene.first);
     let tables = layout.scene.modes.iter().map(|mode| {
-        let entries = mode.events.iter().map(|event| {
+        let programs = &mode.program.results.events;
+        let entries = mode.events.iter().zip(programs).map(|(event, program)| {
             let direction = match event.direction {
                 Direction::Rises => quote!(Rises),
                 Direction::Falls => quote!(Falls),
@@ -294,6 +295,7 @@ pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
                 }
                 None => quote!(::core::option::Option::None),
             };
+            let (conditional, sets) = (program.condition.is_some(), !program.after.is_empty());
             quote! {
                 ::assur::hybrid::EventEntry {
                     text: #text,
@@ -302,6 +304,8 @@ pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
                     factor: #factor,
                     target: #target,
                     surface: #surface,
+                    conditional: #conditional,
+                    sets: #sets,
                     line: #line,
                 }
             }

@@ -42,6 +42,10 @@ pub struct EventEntry {
     /// The switching surface that this is, by index: where a branch of the equations goes over to its other side. None
     /// for an event.
     pub surface: Option<usize>,
+    /// Whether it asks for more than its guard, `if` in the statement.
+    pub conditional: bool,
+    /// Whether the state is another one after it.
+    pub sets: bool,
     /// Line in the equation file, from 1: events of several modes on one line are one statement.
     pub line: u32,
 }

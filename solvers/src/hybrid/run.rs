@@ -148,10 +148,12 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         let from = self.equations.mode();
         let entry = &self.table.events[from][event];
         self.arrival = rate;
-        let instant = self.equations.instant(motion.time);
         let mut after = self.state.clone();
-        self.equations
-            .jump(event, &instant, &self.state, &mut after);
+        if entry.sets {
+            let instant = self.equations.instant(motion.time);
+            self.equations
+                .jump(event, &instant, &self.state, &mut after);
+        }
         let before = motion.events.last().map(|one| one.time);
         let happened = Happened {
             time: motion.time,

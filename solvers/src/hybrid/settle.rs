@@ -72,8 +72,10 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
                 || with == Some(entry.line);
             guard.still = (time, if is_still { sizes.rates()[event] } else { 0.0 });
             if passes && guard.armed && due.is_none() {
-                let instant = self.equations.instant(time);
-                let is_permitted = self.equations.permits(event, &instant, &self.state);
+                let is_permitted = !entry.conditional || {
+                    let instant = self.equations.instant(time);
+                    self.equations.permits(event, &instant, &self.state)
+                };
                 due = is_permitted.then_some(event);
             }
         }

@@ -57,7 +57,10 @@ pub(super) fn check<E: Modes<f64>>(
             Direction::Crosses => false,
         };
         let leads_away = entry.surface.is_none() && entry.target != mode;
-        if has_passed && leads_away && equations.permits(index, &instant, state) {
+        if has_passed
+            && leads_away
+            && (!entry.conditional || equations.permits(index, &instant, state))
+        {
             let unit = if entry.unit.is_empty() { "" } else { " " };
             return refused(format!(
                 "it is to begin in the mode `{}`, where `{}` has happened already: what that watches is {}{unit}{}; begin \

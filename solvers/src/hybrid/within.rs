@@ -56,9 +56,9 @@ impl<E: Modes<f64>> Watch<'_, E> {
             _ => to,
         };
         let is_event = event < self.events.len();
-        let direction = match is_event {
-            true => self.events[event].direction,
-            false => Direction::Crosses,
+        let (direction, conditional) = match self.events.get(event) {
+            Some(entry) => (entry.direction, entry.conditional),
+            None => (Direction::Crosses, false),
         };
         let mut search = Search {
             direction,
@@ -68,7 +68,7 @@ impl<E: Modes<f64>> Watch<'_, E> {
             slope,
             instants: Instants::new(step.from, length),
             sample: &mut sample,
-            permits: &|part| !is_event || permits(equations, event, step, part),
+            permits: &|part| !conditional || permits(equations, event, step, part),
         };
         let mut begin = from;
         let ahead = |bend: &&(f64, f64)| is_event && bend.0 > from.part && bend.1 < to.part;

@@ -146,6 +146,8 @@ const FALLS: EventEntry = EventEntry {
     factor: 1.0,
     target: 1,
     surface: None,
+    conditional: false,
+    sets: false,
     line: 1,
 };
 const RISES: EventEntry = EventEntry {
