@@ -94,6 +94,12 @@ impl Foot {
         }
     }
 
+    /// Height of the rack above the plate, below zero while it returns.
+    #[inline]
+    pub fn rack_at(&self, time: f64) -> f64 {
+        self.rack::<true, 1>([time])[0].s
+    }
+
     /// `∂y''/∂w` and `∂y''/∂w'`.
     #[inline]
     pub fn slopes_in(&self, phase: u8, time: f64, y: &[f64; 2]) -> [f64; 2] {

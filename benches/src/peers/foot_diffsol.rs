@@ -1,8 +1,8 @@
 //! The presser foot by the steppers of `diffsol` with its root finding.
 //!
 //! The solver is kept from event to event: the state is moved back to the root, which the library says is how one goes
-//! on. The instants at which the rack passes the plate are stop times. A stop time shortens the last step before it, and
-//! the length that was wanted is put back afterwards.
+//! on. The instants at which the rack passes the plate are stop times, or, with `FIND`, roots as the other events are. A
+//! stop time shortens the last step before it, and the length that was wanted is put back afterwards.
 
 use std::cell::Cell;
 
@@ -17,7 +17,7 @@ use crate::hand_foot::{FLIGHT, Foot, PLATE, RACK, SCALE};
 type Matrix = NalgebraMat<f64>;
 
 /// The hand-written equations in the phase that is set from outside.
-fn problem<'p>(
+fn problem<'p, const FIND: bool>(
     rtol: f64,
     phase: &'p Cell<u8>,
 ) -> Result<
@@ -42,18 +42,25 @@ fn problem<'p>(
     };
     let root = move |y: &[f64], _: &[f64], time: f64, values: &mut [f64]| {
         values[0] = foot.touch_in(phase.get(), time, &pair(y));
+        if FIND {
+            // In the air the rack is no matter of the equations.
+            values[1] = match phase.get() {
+                FLIGHT => 1.0,
+                _ => foot.rack_at(time),
+            };
+        }
     };
     OdeBuilder::<Matrix>::new()
         .rtol(rtol)
         .atol([rtol * SCALE; 2])
         .rhs_implicit(derivative, product)
         .init(|_, _, y| y.copy_from_slice(&START), START.len())
-        .root(root, 1)
+        .root(root, 1 + usize::from(FIND))
         .build()
 }
 
 /// Follows the foot for so many turns.
-fn run<'a, E>(
+fn run<'a, E, const FIND: bool>(
     mut solver: impl OdeSolverMethod<'a, E>,
     phase: &Cell<u8>,
     turns: f64,
@@ -64,7 +71,7 @@ where
     let foot = Foot::default();
     let (end, mut passed, mut events) = (turns * PERIOD, 0, 0);
     let stop = |solver: &mut _, passed: u32, phase: &Cell<u8>| {
-        let stop = if phase.get() == FLIGHT {
+        let stop = if FIND || phase.get() == FLIGHT {
             end
         } else {
             foot.pass(passed).min(end)
@@ -86,6 +93,11 @@ where
                 passed += 1;
                 phase.set(if passed % 2 == 0 { PLATE } else { RACK });
                 *solver.state_mut().t = until;
+            }
+            OdeSolverStopReason::RootFound(time, 1) => {
+                solver.state_mut_back(time)?;
+                passed += 1;
+                phase.set(if phase.get() == RACK { PLATE } else { RACK });
             }
             OdeSolverStopReason::RootFound(time, _) => {
                 solver.state_mut_back(time)?;
@@ -119,25 +131,29 @@ where
 
 /// Makes a function of a method.
 macro_rules! method {
-    ($(#[$text:meta])* $name:ident, $solver:ident $(::<$linear:ty>)?) => {
+    ($(#[$text:meta])* $name:ident, $find:literal, $solver:ident $(::<$linear:ty>)?) => {
         $(#[$text])*
         pub fn $name(turns: f64, rtol: f64) -> Option<Run> {
             let phase = Cell::new(FLIGHT);
-            let problem = problem(rtol, &phase).ok()?;
-            run(problem.$solver$(::<$linear>)?().ok()?, &phase, turns).ok()
+            let problem = problem::<$find>(rtol, &phase).ok()?;
+            run::<_, $find>(problem.$solver$(::<$linear>)?().ok()?, &phase, turns).ok()
         }
     };
 }
 
 method! {
     /// Tsitouras, order 5.
-    tsit45, tsit45
+    tsit45, false, tsit45
+}
+method! {
+    /// The same, which finds all events.
+    finding, true, tsit45
 }
 method! {
     /// Backward differences of variable order.
-    bdf, bdf::<NalgebraLU<f64>>
+    bdf, false, bdf::<NalgebraLU<f64>>
 }
 method! {
     /// Diagonally implicit, order 4.
-    esdirk34, esdirk34::<NalgebraLU<f64>>
+    esdirk34, false, esdirk34::<NalgebraLU<f64>>
 }
