@@ -69,23 +69,17 @@ pub fn march_on<C: Scene, S: Scalar>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Trajectory, OdeError> {
+    use registry::Method;
+    if !matches!(settings.method, Method::Tsit5 | Method::Dop853) {
+        // The others take no numbers but `f64`.
+        return march_called(scene, times, start, settings);
+    }
     let options = Options::scaled(settings.rtol, C::SCALES);
-    let begin = || -> Result<_, OdeError> {
-        let equations = scene.prepare::<S>();
-        let start = state_from::<S, _>(&equations, start)?;
-        Ok((equations, start))
-    };
+    let equations = scene.prepare::<S>();
+    let start = state_from::<S, _>(&equations, start)?;
     match settings.method {
-        registry::Method::Tsit5 => {
-            let (equations, start) = begin()?;
-            march_with::<S, _, Tsit5>(&equations, times, &start, &options)
-        }
-        registry::Method::Dop853 => {
-            let (equations, start) = begin()?;
-            march_with::<S, _, Dop853>(&equations, times, &start, &options)
-        }
-        // These take no numbers but `f64`.
-        _ => march_called(scene, times, start, settings),
+        Method::Tsit5 => march_with::<S, _, Tsit5>(&equations, times, &start, &options),
+        _ => march_with::<S, _, Dop853>(&equations, times, &start, &options),
     }
 }
 
