@@ -50,9 +50,9 @@ impl Instants {
         (time.next_up() - time) * self.parts
     }
 
-    /// Parts between two samples of a guard which had a sign before, where it passes zero: the last one that has that sign
-    /// or none, and the guard at the first one that has the other. They are as near to each other as times can be told
-    /// apart, or its rate says that they are.
+    /// Parts between two samples of a guard which had a sign before, where it passes zero: the last one that has that sign,
+    /// and the guard at the first one that has the other. They are as near to each other as times can be told apart, or its
+    /// rate says that they are.
     pub fn narrow(
         &self,
         look: &mut dyn FnMut(f64) -> Sample,
@@ -62,18 +62,24 @@ impl Instants {
         // Zero on the way belongs to what was before.
         let has_passed = |sample: &Sample| sample.value * before < 0.0;
         let blur = f64::EPSILON * self.time(1.0).abs() * self.parts;
-        let (mut last, mut push, mut misses) = (f64::NAN, 0.0, 0);
+        let (next, begin) = (NEXT * blur, low.part);
+        // Where a kink is zero what bends there may be on its other side already.
+        let last = |low: &Sample, part: f64| match low.value * before > 0.0 {
+            true => low.part.max(part),
+            false => begin.max(part.min(low.part - 2.0 * next)),
+        };
+        let (mut guessed, mut push, mut misses) = (f64::NAN, 0.0, 0);
         loop {
             let width = high.part - low.part;
             let (middle, inverse) = (low.part + 0.5 * width, 1.0 / width);
             if middle <= low.part || middle >= high.part || width <= blur {
-                return (low.part, high);
+                return (last(&low, low.part), high);
             }
             // The zero of the cubic, pushed across by what it is wrong so that the end moves in that is far. How wrong the
             // last one was tells that; where it was not enough, more is, and halving if all else fails.
             let root = low.part + width * root(&hull(&low, &high));
-            let moved = root - last;
-            last = root;
+            let moved = root - guessed;
+            guessed = root;
             let wrong = WRONG * moved.abs() * (moved * inverse).powi(2);
             let apart = self.apart(root);
             push = wrong.max(0.5 * apart).max(FARTHER * push);
@@ -87,9 +93,8 @@ impl Instants {
             let sample = look(part);
             let has_passed = has_passed(&sample);
             if has_passed {
-                let next = NEXT * blur;
                 if sample.value.abs() <= next * sample.slope.abs() {
-                    return ((part - 2.0 * next).max(low.part), sample);
+                    return (last(&low, part - 2.0 * next), sample);
                 }
                 high = sample;
             } else {
@@ -161,6 +166,28 @@ mod tests {
             let guard = |time: f64| ((1e4 + (time - zero)) - 1e4, 1.0);
             let (off, looks) = passed(0.1, zero, guard);
             assert!(off.abs() < 1e4 && looks < 100, "{number}: {off} {looks}");
+        }
+    }
+
+    /// It is zero at a time that the machine has. There `max` and `if` may be on their other side already, so that this is
+    /// no time before.
+    #[test]
+    fn where_a_guard_is_zero_is_not_before_it_passes() {
+        for number in 1..1000 {
+            let zero = 2.0 + f64::from(number) / 16384.0;
+            let instants = Instants::new(2.0, 0.1);
+            let mut look = |part: f64| Sample {
+                part,
+                value: instants.time(part) - zero,
+                slope: instants.length,
+            };
+            let ends = (look(0.0), look(1.0));
+            let (before, at) = instants.narrow(&mut look, ends, -1.0);
+            assert!(look(before).value < 0.0, "{number}: {before} {at:?}");
+            assert!(
+                at.value > 0.0 && at.part - before < 1e-13,
+                "{number}: {before} {at:?}"
+            );
         }
     }
 
