@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn a_crossing_is_enclosed_by_neighbours() {
+    fn a_crossing_is_enclosed_to_the_last_bits() {
         let root = crossing(Direction::Rises, -1.0, true, |x| x.exp() - 2.0, f64::exp).unwrap();
         let (before, after) = (root.before, root.at.part);
         assert!(

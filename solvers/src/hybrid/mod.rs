@@ -25,15 +25,16 @@
 //! | `numbers` | a few numbers without an allocation |
 //! | `motion` | the result: pieces between events, and a record of each event |
 //!
-//! **What is found.** Within a step a guard is the cubic through its values and rates at both ends, as far as that
-//! agrees with the value in the middle; where it does not, or where the cubic may vanish, the step is halved. Methods
-//! step far over what the state does not feel: so a step is taken in parts in which no angle of which a guard has the
-//! sine turns by more than a radian, and it is looked into at some places besides where it is longer than those that were
-//! looked into, and where the guard, by its rates in the last steps, has the time to swing. A pair of crossings is overlooked only if the guard, between two
-//! points that are compared, leaves its cubic by more than four times what it does in their middle. Each crossing is
-//! then narrowed down until two neighbouring numbers of the time enclose it. Where a branch within a guard goes over to
-//! its other side (`max`, `abs`, `if`) the guard bends or jumps. These kinks are functions too, of which the zeros are
-//! found first; between them the guard is smooth, and in a jump it passes zero at the kink.
+//! **What is found.** Within a step a guard is the cubic through its values and rates at both ends, as far as that agrees
+//! with the value in the middle; where it does not, or where the cubic may vanish, the step is halved. Methods step far
+//! over what the state does not feel: so a step is taken in parts in which no angle of which a guard has the sine turns
+//! by more than a radian, and it is looked into at some places besides where it is longer than those that were looked
+//! into, and where the guard, by its rates in the last steps, has the time to swing. A pair of crossings is overlooked
+//! only if the guard, between two points that are compared, leaves its cubic by more than four times what it does in
+//! their middle. Each crossing is then narrowed down until its rate says that it has passed within two roundings of the
+//! time, or neighbouring numbers of the time enclose it. Where a branch within a guard goes over to its other side
+//! (`max`, `abs`, `if`) the guard bends or jumps. These kinks are functions too, of which the zeros are found first;
+//! between them the guard is smooth, and in a jump it passes zero at the kink.
 //!
 //! **What is zero.** A guard of less than [`NOISE`] roundings of its terms, or of the largest value that it has had,
 //! counts as zero: what is left where a difference vanishes says nothing. One that is zero when a mode begins passes
