@@ -230,8 +230,13 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             if !wary && is_smooth && guard.is_far(&from, &to) {
                 continue;
             }
-            // What it begins with has been measured at the end of the step before, or where the mode began.
-            if !way.is_measured && to.value.abs() <= NEAR * guard.size {
+            // What an event begins with has been measured at the end of the step before, or where the mode began; a surface
+            // that has just been passed has not.
+            let least = match self.events[event].surface {
+                Some(_) => from.value.abs().min(to.value.abs()),
+                None => to.value.abs(),
+            };
+            if !way.is_measured && least <= NEAR * guard.size {
                 way.is_measured = true;
                 self.measure(step, way.part.1);
             }
