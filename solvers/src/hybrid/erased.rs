@@ -216,14 +216,17 @@ impl Table {
 
     /// The largest number of what a mode writes.
     pub(super) fn most_written(&self) -> usize {
-        let modes = 0..self.events.len();
-        modes.map(|mode| self.written(mode)).max().unwrap_or(0)
+        self.most(Self::written)
     }
 
     /// The largest number of guards of a mode.
     pub(super) fn most_guards(&self) -> usize {
+        self.most(Self::guards)
+    }
+
+    fn most(&self, count: fn(&Self, usize) -> usize) -> usize {
         let modes = 0..self.events.len();
-        modes.map(|mode| self.guards(mode)).max().unwrap_or(0)
+        modes.map(|mode| count(self, mode)).max().unwrap_or(0)
     }
 }
 

@@ -77,10 +77,10 @@ pub trait Modes<S: Scalar>: Equations<S> {
         self.guards(&self.instant(time), state, values, rates);
     }
 
-    /// Whether what else an event of this mode asks for holds.
+    /// Whether what else an event of this mode asks for holds; asked of those that are [`EventEntry::conditional`].
     fn permits(&self, event: usize, instant: &Self::Instant, state: &Self::State) -> bool;
 
-    /// Writes the state after an event of this mode.
+    /// Writes the state after an event of this mode; asked of those in whose entry [`EventEntry::sets`] holds.
     fn jump(
         &self,
         event: usize,

@@ -78,6 +78,12 @@ fn sines_and_cosines_are_their_series() {
 fn products_quotients_and_powers_are_their_series() {
     let mut product = Product::default();
     check("square", |u| u * u, |k, u| product.next(k, u, u));
+    // A factor that turns out to be a constant, on each side.
+    let constant = |k: usize| 3.0 * one::<f64>(k);
+    let mut product = Product::default();
+    check("left", |u| 3.0 * u, |k, u| product.next(k, constant(k), u));
+    let mut product = Product::default();
+    check("right", |u| 3.0 * u, |k, u| product.next(k, u, constant(k)));
     let mut quotient = Quotient::default();
     check(
         "quotient",
