@@ -7,36 +7,40 @@ use super::problem::Modes;
 pub(super) struct Guards {
     /// The values, then the rates.
     numbers: Vec<f64>,
+    /// How many of each.
+    count: usize,
 }
 
 impl Guards {
-    /// Room for so many guards; within what there has been, nothing is allocated.
+    /// Room for so many guards. What it holds is of others then.
     pub fn resize(&mut self, count: usize) {
-        self.numbers.resize(2 * count, 0.0);
+        self.count = count;
+        if self.numbers.len() < 2 * count {
+            self.numbers.resize(2 * count, 0.0);
+        }
     }
 
     /// The values.
     #[inline(always)]
     pub fn values(&self) -> &[f64] {
-        &self.numbers[..self.numbers.len() / 2]
+        &self.numbers[..self.count]
     }
 
     /// The rates.
     #[inline(always)]
     pub fn rates(&self) -> &[f64] {
-        &self.numbers[self.numbers.len() / 2..]
+        &self.numbers[self.count..2 * self.count]
     }
 
     /// Values and rates.
     #[inline(always)]
     pub fn both_mut(&mut self) -> (&mut [f64], &mut [f64]) {
-        let count = self.numbers.len() / 2;
-        self.numbers.split_at_mut(count)
+        self.numbers[..2 * self.count].split_at_mut(self.count)
     }
 
     /// Fills with zeros.
     pub fn clear(&mut self) {
-        self.numbers.fill(0.0);
+        self.numbers[..2 * self.count].fill(0.0);
     }
 
     /// Computes the guards at a time and state.
@@ -66,7 +70,9 @@ impl Seen {
     fn resize(&mut self, count: usize) {
         self.count = count;
         self.length = 0;
-        self.numbers.resize(2 * KEPT * count, 0.0);
+        if self.numbers.len() < 2 * KEPT * count {
+            self.numbers.resize(2 * KEPT * count, 0.0);
+        }
     }
 
     /// Forgets all of them.

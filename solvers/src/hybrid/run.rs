@@ -10,7 +10,7 @@ use super::problem::Modes;
 use super::room::Room;
 use super::watch::Watch;
 use super::{CHATTER, SOON, TURNS};
-use crate::ode::{Options, Statistics};
+use crate::ode::{Options, Recorder, Statistics};
 use crate::problem::{Equations, Storage};
 
 /// A motion under way.
@@ -24,6 +24,8 @@ pub(super) struct Run<'a, 'b, V> {
     /// For each mode how long the steps were in which its guards have been looked at.
     looked: Vec<Vec<f64>>,
     pub(super) room: Room,
+    /// Keeps the motion in this mode.
+    recorder: Recorder<f64>,
     /// Whether `room.here` are the guards of this instant.
     pub(super) is_known: bool,
     /// When events began to follow each other quickly, and how many there have been since.
@@ -54,6 +56,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         Self {
             equations,
             table,
+            recorder: Recorder::new(times.0, &state),
             state,
             options,
             times,
@@ -94,7 +97,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
                 events,
                 (motion.time, &self.state),
                 &mut self.guards,
-                &mut self.room,
+                (&mut self.room, &mut self.recorder),
                 self.table.guards(self.equations.mode()),
             );
             let done = method.carry(
@@ -107,7 +110,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             self.state.clone_from(&watch.state);
             self.is_known = false;
             let statistics = *done.as_ref().unwrap_or(&Statistics::default());
-            let mut trajectory = watch.recorder.finish(statistics);
+            let mut trajectory = watch.recorder.take(statistics);
             trajectory.switches = method.switches().to_vec();
             motion.time = trajectory.times()[trajectory.times().len() - 1];
             motion.end.copy_from_slice(trajectory.end());

@@ -1,7 +1,7 @@
 //! Looks for events in every step.
 
 use super::crossing::Crossing;
-use super::cubic::{Sample, is_resolved};
+use super::cubic::{Sample, is_resolved, larger};
 use super::guard::{Guard, Way};
 use super::problem::{EventEntry, Modes};
 use super::room::Room;
@@ -55,7 +55,7 @@ pub(super) struct Due {
 pub(super) struct Watch<'a, E: Modes<f64>> {
     pub equations: &'a E,
     pub events: &'static [EventEntry],
-    pub recorder: Recorder<f64>,
+    pub recorder: &'a mut Recorder<f64>,
     pub guards: &'a mut [Guard],
     /// What ended the motion.
     pub due: Option<Due>,
@@ -80,13 +80,14 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         events: &'static [EventEntry],
         (time, state): (f64, &E::State),
         guards: &'a mut [Guard],
-        room: &'a mut Room,
+        (room, recorder): (&'a mut Room, &'a mut Recorder<f64>),
         smooth: usize,
     ) -> Self {
+        recorder.restart(time, state);
         Self {
             equations,
             events,
-            recorder: Recorder::new(time, state),
+            recorder,
             guards,
             due: None,
             lost: None,
@@ -220,9 +221,8 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             let guard = &mut self.guards[event];
             guard.size = guard.size.max(from.value.abs()).max(to.value.abs());
             guard.rate *= MEMORY;
-            let slope = (guard.rate * length)
-                .max(from.slope.abs())
-                .max(to.slope.abs());
+            let slope = larger(to.slope.abs(), guard.rate * length);
+            let slope = larger(from.slope.abs(), slope);
             guard.rate = slope / length;
             guard.looked *= FORGET;
             let rough = is_smooth && !is_resolved(&from, &to, slope);

@@ -11,6 +11,8 @@ use std::marker::PhantomData;
 const FIRST_STEPS: usize = 12;
 /// Numbers of them for which there is room.
 const FIRST_NUMBERS: usize = 192;
+/// Most numbers of a motion that is copied where it is finished.
+const SHORT: usize = 4096;
 
 /// A motion that was computed: a polynomial for each step.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +74,20 @@ impl Trajectory {
     /// The state at the end.
     pub fn end(&self) -> &[f64] {
         &self.coefficients[self.coefficients.len() - self.states..]
+    }
+
+    /// None yet, with room.
+    fn empty(times: Vec<f64>, coefficients: Vec<f64>) -> Self {
+        Self {
+            statistics: Statistics::default(),
+            switches: Vec::new(),
+            states: 0,
+            degree: 0,
+            basis: Basis::Alternating,
+            times,
+            coefficients,
+            last: 0.0,
+        }
     }
 
     /// Makes room for more steps, of each of which so many numbers are kept.
@@ -147,25 +163,29 @@ pub struct Recorder<S> {
 impl<S: Scalar> Recorder<S> {
     /// Starts at a time and state.
     pub fn new<V: Storage<S>>(time: f64, start: &V) -> Self {
-        let start = start.as_ref();
-        let mut times = Vec::with_capacity(1 + FIRST_STEPS);
-        times.push(time);
-        let mut coefficients = Vec::with_capacity(FIRST_NUMBERS + start.len());
-        coefficients.extend(start.iter().map(|value| value.to_f64()));
-        let trajectory = Trajectory {
-            statistics: Statistics::default(),
-            switches: Vec::new(),
-            states: start.len(),
-            degree: 0,
-            basis: Basis::Alternating,
-            times,
-            coefficients,
-            last: 0.0,
-        };
-        Self {
-            trajectory,
+        let times = Vec::with_capacity(1 + FIRST_STEPS);
+        let coefficients = Vec::with_capacity(FIRST_NUMBERS + start.as_ref().len());
+        let mut recorder = Self {
+            trajectory: Trajectory::empty(times, coefficients),
             scalar: PhantomData,
-        }
+        };
+        recorder.restart(time, start);
+        recorder
+    }
+
+    /// Starts again at a time and state, in the room that there is.
+    pub(crate) fn restart<V: Storage<S>>(&mut self, time: f64, start: &V) {
+        let start = start.as_ref();
+        let trajectory = &mut self.trajectory;
+        trajectory.states = start.len();
+        trajectory.degree = 0;
+        trajectory.basis = Basis::Alternating;
+        trajectory.last = 0.0;
+        trajectory.times.clear();
+        trajectory.times.push(time);
+        trajectory.coefficients.clear();
+        let numbers = start.iter().map(|value| value.to_f64());
+        trajectory.coefficients.extend(numbers);
     }
 
     /// Ends the motion at a time within the last step.
@@ -185,6 +205,20 @@ impl<S: Scalar> Recorder<S> {
     pub fn finish(mut self, statistics: Statistics) -> Trajectory {
         self.trajectory.statistics = statistics;
         self.trajectory
+    }
+
+    /// The same; what records the next motion is left. A short motion is copied into room of its own size, so that many of
+    /// them take no more memory than they need.
+    pub(crate) fn take(&mut self, statistics: Statistics) -> Trajectory {
+        let mut trajectory = match self.trajectory.coefficients.len() <= SHORT {
+            true => self.trajectory.clone(),
+            false => {
+                let empty = Trajectory::empty(Vec::new(), Vec::new());
+                std::mem::replace(&mut self.trajectory, empty)
+            }
+        };
+        trajectory.statistics = statistics;
+        trajectory
     }
 }
 
@@ -208,14 +242,17 @@ impl<S: Scalar, V: Storage<S>> Observer<V> for Recorder<S> {
             trajectory.grow(end - begin - states);
         }
         trajectory.coefficients.resize(end, 0.0);
-        let rows = std::iter::once(step.before)
-            .chain(step.polynomial)
-            .chain([step.after]);
-        let room = trajectory.coefficients[begin..].chunks_exact_mut(states.max(1));
-        for (room, row) in room.zip(rows) {
+        let write = |room: &mut [f64], row: &V| {
             for (slot, value) in room.iter_mut().zip(row.as_ref()) {
                 *slot = value.to_f64();
             }
-        }
+        };
+        let (first, rest) = trajectory.coefficients[begin..].split_at_mut(states);
+        let (rows, last) = rest.split_at_mut(step.polynomial.len() * states);
+        write(first, step.before);
+        let rows = rows.chunks_exact_mut(states.max(1));
+        rows.zip(step.polynomial)
+            .for_each(|(room, row)| write(room, row));
+        write(last, step.after);
     }
 }
