@@ -18,6 +18,9 @@ pub(super) const BETA: f64 = -3.0504301992474105;
 /// Largest number of iterations.
 pub(super) const ITERATIONS: usize = 7;
 
+/// Changes in tolerances with which an iteration that gets no nearer is done.
+const ROUNDING: f64 = 0.03;
+
 /// `T` of RADAU5: the eigenvectors of `A⁻¹`, their last row `1, 1, 0`.
 const T: [[f64; 3]; 3] = [
     [
@@ -104,8 +107,9 @@ impl Newton {
                 // The error that will be left after all iterations (8.11).
                 if contraction >= 1.0 || contraction.powi(left) / (1.0 - contraction) * size > limit
                 {
+                    // Changes that small and no smaller are the rounding of the rates.
                     here.error.copy_from_slice(&self.changes[..n]);
-                    return false;
+                    return size <= ROUNDING;
                 }
             }
             for (target, change) in self.transformed.iter_mut().zip(&self.changes) {
