@@ -83,6 +83,34 @@ impl Search<'_> {
         (None, fits)
     }
 
+    /// A crossing of a guard that is zero where the mode begins, or the next one if the guard gets its sign by no more than
+    /// the error of the continuous solution: as long as it has that sign it says by its slope, which the equations know,
+    /// that it goes the other way, and it gets there. The continuous solutions of stiff methods do not begin with the
+    /// rates of the motion. Slopes up to `still` are rounding.
+    #[cold]
+    pub fn unless_taken_back(
+        &mut self,
+        crossing: Crossing,
+        to: Sample,
+        still: f64,
+    ) -> Option<Crossing> {
+        let sign = if crossing.rising { 1.0 } else { -1.0 };
+        let mut part = crossing.at.part.max(self.instants.apart(0.0));
+        while part < to.part {
+            let sample = (self.sample)(part);
+            let now = self.sign_of(sample.value);
+            if now == -sign {
+                self.sign = now;
+                return self.run(sample, to);
+            }
+            if sample.slope * sign > still {
+                break;
+            }
+            part *= 2.0;
+        }
+        Some(crossing)
+    }
+
     /// Where it passes zero in a jump from one sample to another.
     pub fn jump(&mut self, from: Sample, to: Sample) -> Option<Crossing> {
         match self.sign_of(to.value) == self.sign {
@@ -267,6 +295,39 @@ mod tests {
             crossing(Direction::Crosses, 1.0, true, value, |x| 2.0 * (x - 0.3)),
             None
         );
+    }
+
+    /// The continuous solution begins downwards and the motion upwards, `2 x`: it is never below zero.
+    #[test]
+    fn an_error_of_the_continuous_solution_is_no_crossing() {
+        let (value, slope) = (|x: f64| x * x - 1e-3 * x, |x: f64| 2.0 * x);
+        let found = crossing(Direction::Falls, 0.0, true, value, slope).unwrap();
+        assert!(!found.rising, "{found:?}");
+        let kept = |value: fn(f64) -> f64, slope: fn(f64) -> f64| {
+            let mut sample = |part: f64| Sample {
+                part,
+                value: value(part),
+                slope: slope(part),
+            };
+            let to = sample(1.0);
+            let mut search = Search {
+                direction: Direction::Falls,
+                noise: 1e-15,
+                sign: -1.0,
+                armed: true,
+                slope: 0.0,
+                instants: Instants::new(0.0, 1.0),
+                sample: &mut sample,
+                permits: &|_| true,
+            };
+            (search.unless_taken_back(found, to, 0.0), search.sign)
+        };
+        assert_eq!(kept(value, slope), (None, 1.0));
+        // A motion that goes down says so, and one that does not come back is believed to.
+        let down = kept(value, |x| 2.0 * x - 1e-3);
+        assert_eq!(down, (Some(found), -1.0));
+        let stays = kept(|x| -1e-3 * x, slope);
+        assert_eq!(stays, (Some(found), -1.0));
     }
 
     /// `x⁴` leaves zero with neither rate nor curvature.

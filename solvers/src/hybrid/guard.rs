@@ -18,6 +18,8 @@ pub(super) struct Guard {
     /// The time at which the mode began, and the terms of the rate there if the rate was no more than their rounding: as
     /// long as the guard has been zero, that rounding times the time since then is zero too.
     pub still: (f64, f64),
+    /// When the mode began, if the guard was zero there.
+    pub began: Option<f64>,
     /// The largest rate in the last steps; older ones count less.
     pub rate: f64,
     /// The length of the longest step within which it has been looked at and was what the ends of the step say. Older ones
@@ -33,11 +35,15 @@ impl Guard {
 
     /// Values up to this at a time count as zero.
     pub fn noise_at(&self, time: f64) -> f64 {
-        let (since, rate) = self.still;
         match self.sign == 0.0 {
-            true => self.noise() + NOISE * f64::EPSILON * rate * (time - since),
+            true => self.noise() + self.still_rate() * (time - self.still.0),
             false => self.noise(),
         }
+    }
+
+    /// Rates up to this counted as zero where the mode began.
+    pub fn still_rate(&self) -> f64 {
+        NOISE * f64::EPSILON * self.still.1
     }
 
     /// Whether the guard stays away from zero between the ends of a step by more than it changes.

@@ -55,6 +55,7 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
             // The time is known to a rounding, and so is the guard.
             let blur = 4.0 * f64::EPSILON * (rate * time).abs();
             let is_zero = value.abs() <= guard.noise().max(blur);
+            guard.began = is_zero.then_some(time);
             if let Some(surface) = entry.surface {
                 (guard.sign, guard.armed) = (self.sides[surface], true);
                 continue;

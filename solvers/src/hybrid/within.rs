@@ -51,6 +51,8 @@ impl<E: Modes<f64>> Watch<'_, E> {
         } = &mut *self.room;
         let mut sample = |part: f64| look_at(equations, step, state, (there, seen), (event, part));
         let slope = from.slope.abs().max(to.slope.abs());
+        let begins = guard.began == Some(step.from);
+        let still = guard.still_rate() * length;
         let to = match until {
             Some(part) if part < to.part => sample(part),
             _ => to,
@@ -90,6 +92,12 @@ impl<E: Modes<f64>> Watch<'_, E> {
                     found
                 }
                 false => search.run(begin, end),
+            };
+            let found = match found {
+                Some(crossing) if begins && begin.part == 0.0 => {
+                    search.unless_taken_back(crossing, end, still)
+                }
+                _ => found,
             };
             let (None, Some((_, after))) = (found, bend) else {
                 break found;

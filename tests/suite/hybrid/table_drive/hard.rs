@@ -320,6 +320,60 @@ fn a_light_table_is_stiff() {
     }
 }
 
+/// Without damping a light table starts with no speed and no acceleration, and the continuous solutions of stiff methods
+/// begin with other rates than the motion: at first they let it run backwards, by far less than the tolerance. Taken for a
+/// stop, that held the table for ever, for the torque was above the resistance already and did not get there again.
+#[test]
+fn a_light_table_without_damping_is_not_stopped_by_an_error() {
+    const END: f64 = 2e-3;
+    let stiff = [Method::Radau, Method::Rosenbrock, Method::Auto];
+    for inertia in [5e-6, 5e-7, 5e-8, 5e-10] {
+        for method in stiff {
+            for rtol in [1e-5, 1e-6, 1e-7] {
+                let drive = Table1::with(&[("beta", 0.0), ("J2", inertia)]);
+                let moved = Moved::at(drive, END, &Settings { method, rtol });
+                let what = format!("{method:?} {rtol:e} {inertia:e}");
+                assert_eq!(moved.modes(), ["run"], "{what}");
+                // The motor feels the vibration by its own torque alone, so that both together speed up like one body.
+                let together = |time: f64| {
+                    let speed = |name: &str| moved.output(name, time);
+                    let (own, other) = (moved.drive.J1, inertia);
+                    (own * speed("dot(phi1)") + other * speed("dot(phi2)")) / (own + other)
+                };
+                let rate = moved.drive.Ms / moved.drive.omega / (moved.drive.J1 + inertia);
+                let end = moved.drive.omega * (1.0 - moved.drive.Mc / moved.drive.Ms);
+                let begun = moved.event("run").time;
+                let expected = end - (end - together(begun)) * (-rate * (END - begun)).exp();
+                let mean = together(END);
+                assert!(
+                    (mean / expected - 1.0).abs() < 1e-4,
+                    "{what}: {mean} {expected}"
+                );
+            }
+        }
+    }
+}
+
+/// Where the table has run up nothing changes but by the rounding of its accelerations, which is a hundredth of the
+/// tolerance. An iteration that shall get below that never ends.
+#[test]
+fn a_table_that_has_run_up_runs_on() {
+    for rtol in [1e-8, 1e-9, 1e-10] {
+        for method in [Method::Radau, Method::Rosenbrock] {
+            let drive = Table1::with(&[("J1", 9.09e-6)]);
+            let end = drive.omega * (1.0 - drive.Mc / drive.Ms);
+            let moved = Moved::at(drive, 0.2, &Settings { method, rtol });
+            let speed = moved.output("dot(phi2)", 0.2);
+            assert!(
+                (speed / end - 1.0).abs() < 1e-9,
+                "{method:?} {rtol:e}: {speed} {end}"
+            );
+            let steps = moved.motion.statistics.steps + moved.motion.statistics.rejected;
+            assert!(steps < 6000, "{method:?} {rtol:e}: {steps}");
+        }
+    }
+}
+
 /// As accurately as a stiff method does without many steps.
 const FINE_AND_STIFF: Settings = Settings {
     method: Method::Rosenbrock,
