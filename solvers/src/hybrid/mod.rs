@@ -40,7 +40,9 @@
 //! counts as zero: what is left where a difference vanishes says nothing. One that is zero when a mode begins passes
 //! zero there if it leaves zero in the direction of the event, unless it is the event that has just happened: that one
 //! has to come back first, except where the event has stopped its guard and something pushes on. It leaves zero by its
-//! rate, or where that is no more than rounding, by where it is found next.
+//! rate, or where that is no more than rounding, by where it is found next. If it says there that it goes the other way,
+//! and within the step it does, it has not left zero: the continuous solutions of stiff methods do not begin with the
+//! rates of the motion, and what they are wrong by is far less than the tolerance but no rounding.
 //!
 //! **What ends a motion.** More than [`TURNS`] events at one instant; [`CHATTER`] events in a row, each sooner after
 //! the last than the part [`SOON`] of the time to be covered; or one event twice, between which its guard has not left

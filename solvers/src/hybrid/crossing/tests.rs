@@ -1,0 +1,122 @@
+//! Crossings of functions that are known.
+
+use super::*;
+
+/// What a search finds of a function on the way from 0 to 1, the samples at both ends.
+fn search<T>(
+    (direction, sign, armed): (Direction, f64, bool),
+    value: impl Fn(f64) -> f64,
+    slope: impl Fn(f64) -> f64,
+    find: impl FnOnce(&mut Search<'_>, Sample, Sample) -> T,
+) -> T {
+    let mut sample = |part: f64| Sample {
+        part,
+        value: value(part),
+        slope: slope(part),
+    };
+    let (from, to) = (sample(0.0), sample(1.0));
+    let mut search = Search {
+        direction,
+        noise: 1e-15,
+        sign,
+        armed,
+        slope: 0.0,
+        instants: Instants::new(0.0, 1.0),
+        sample: &mut sample,
+        permits: &|_| true,
+    };
+    find(&mut search, from, to)
+}
+
+/// Where a function first passes zero.
+fn crossing(
+    direction: Direction,
+    sign: f64,
+    armed: bool,
+    value: impl Fn(f64) -> f64,
+    slope: impl Fn(f64) -> f64,
+) -> Option<Crossing> {
+    let kind = (direction, sign, armed);
+    search(kind, value, slope, |search, from, to| search.run(from, to))
+}
+
+#[test]
+fn a_crossing_is_enclosed_to_the_last_bits() {
+    let root = crossing(Direction::Rises, -1.0, true, |x| x.exp() - 2.0, f64::exp).unwrap();
+    let (before, after) = (root.before, root.at.part);
+    assert!(
+        root.rising && (after - 2.0f64.ln()).abs() < 4e-16,
+        "{root:?}"
+    );
+    assert!(after.exp() > 2.0 && before.exp() < 2.0);
+    assert!(after - before <= 8.0 * f64::EPSILON, "{root:?}");
+    assert_eq!(
+        crossing(Direction::Falls, -1.0, true, |x| x.exp() - 2.0, f64::exp),
+        None
+    );
+}
+
+/// Two crossings 2e-4 apart, of which the signs at the ends say nothing.
+#[test]
+fn a_pair_of_crossings_within_a_step_is_found() {
+    let value = |x: f64| (x - 0.3).powi(2) * (1.0 + x) - 1e-8;
+    let slope = |x: f64| 2.0 * (x - 0.3) * (1.0 + x) + (x - 0.3).powi(2);
+    assert!(value(0.0) > 0.0 && value(1.0) > 0.0);
+    let fall = crossing(Direction::Falls, 1.0, true, value, slope).unwrap();
+    assert!(
+        (fall.at.part - 0.299_912).abs() < 1e-6 && !fall.rising,
+        "{fall:?}"
+    );
+    let rise = crossing(Direction::Rises, 1.0, true, value, slope).unwrap();
+    assert!(
+        (rise.at.part - 0.300_088).abs() < 1e-6 && rise.rising,
+        "{rise:?}"
+    );
+}
+
+#[test]
+fn a_touch_is_no_crossing() {
+    let value = |x: f64| (x - 0.3).powi(2);
+    assert_eq!(
+        crossing(Direction::Crosses, 1.0, true, value, |x| 2.0 * (x - 0.3)),
+        None
+    );
+}
+
+/// The continuous solution begins downwards and the motion upwards, `2 x`: it is never below zero.
+#[test]
+fn an_error_of_the_continuous_solution_is_no_crossing() {
+    let (value, slope) = (|x: f64| x * x - 1e-3 * x, |x: f64| 2.0 * x);
+    let found = crossing(Direction::Falls, 0.0, true, value, slope).unwrap();
+    assert!(!found.rising, "{found:?}");
+    let kept = |value: fn(f64) -> f64, slope: fn(f64) -> f64| {
+        let kind = (Direction::Falls, -1.0, true);
+        search(kind, value, slope, |search, _, to| {
+            (search.unless_taken_back(found, to, 0.0), search.sign)
+        })
+    };
+    assert_eq!(kept(value, slope), (None, 1.0));
+    // A motion that goes down says so, and one that does not come back is believed to.
+    let down = kept(value, |x| 2.0 * x - 1e-3);
+    assert_eq!(down, (Some(found), -1.0));
+    let stays = kept(|x| -1e-3 * x, slope);
+    assert_eq!(stays, (Some(found), -1.0));
+}
+
+/// `x⁴` leaves zero with neither rate nor curvature.
+#[test]
+fn a_guard_that_leaves_zero_passes_it_at_the_start() {
+    let (value, slope) = (|x: f64| x.powi(4), |x: f64| 4.0 * x.powi(3));
+    let found = crossing(Direction::Rises, 0.0, true, value, slope).unwrap();
+    assert!(found.at.part < 2e-4, "{found:?}");
+    assert_eq!(crossing(Direction::Falls, 0.0, true, value, slope), None);
+    assert_eq!(crossing(Direction::Rises, 0.0, false, value, slope), None);
+}
+
+#[test]
+fn a_guard_that_stays_zero_passes_nothing() {
+    assert_eq!(
+        crossing(Direction::Crosses, 0.0, true, |_| 0.0, |_| 0.0),
+        None
+    );
+}
