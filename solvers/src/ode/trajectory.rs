@@ -242,17 +242,21 @@ impl<S: Scalar, V: Storage<S>> Observer<V> for Recorder<S> {
             trajectory.grow(end - begin - states);
         }
         trajectory.coefficients.resize(end, 0.0);
-        let write = |room: &mut [f64], row: &V| {
-            for (slot, value) in room.iter_mut().zip(row.as_ref()) {
-                *slot = value.to_f64();
-            }
-        };
         let (first, rest) = trajectory.coefficients[begin..].split_at_mut(states);
         let (rows, last) = rest.split_at_mut(step.polynomial.len() * states);
         write(first, step.before);
-        let rows = rows.chunks_exact_mut(states.max(1));
-        rows.zip(step.polynomial)
-            .for_each(|(room, row)| write(room, row));
+        // What is called in a loop that an iterator runs is not written out here.
+        for (room, row) in rows.chunks_exact_mut(states.max(1)).zip(step.polynomial) {
+            write(room, row);
+        }
         write(last, step.after);
+    }
+}
+
+/// Writes a state as numbers.
+#[inline(always)]
+fn write<S: Scalar, V: Storage<S>>(room: &mut [f64], state: &V) {
+    for (slot, value) in room.iter_mut().zip(state.as_ref()) {
+        *slot = value.to_f64();
     }
 }
