@@ -12,7 +12,7 @@ const FIRST_STEPS: usize = 12;
 /// Numbers of them for which there is room.
 const FIRST_NUMBERS: usize = 192;
 /// Most numbers of a motion that is copied where it is finished.
-const SHORT: usize = 4096;
+const SHORT: usize = 512;
 
 /// A motion that was computed: a polynomial for each step.
 #[derive(Clone, Debug, PartialEq)]
