@@ -95,7 +95,8 @@ impl Search<'_> {
         still: f64,
     ) -> Option<Crossing> {
         let sign = if crossing.rising { 1.0 } else { -1.0 };
-        let mut part = crossing.at.part.max(self.instants.apart(0.0));
+        // Next to time 0 parts are told apart that are no numbers any more.
+        let mut part = crossing.at.part.max(f64::EPSILON);
         while part < to.part {
             let sample = (self.sample)(part);
             let now = self.sign_of(sample.value);

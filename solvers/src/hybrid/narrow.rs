@@ -45,7 +45,7 @@ impl Instants {
     }
 
     /// How far it is from such a part to the next.
-    pub fn apart(&self, part: f64) -> f64 {
+    fn apart(&self, part: f64) -> f64 {
         let time = self.time(part).abs();
         (time.next_up() - time) * self.parts
     }

@@ -103,6 +103,21 @@ fn an_error_of_the_continuous_solution_is_no_crossing() {
     assert_eq!(stays, (Some(found), -1.0));
 }
 
+/// At time 0 in a step of more than 2 s the smallest part is no number above zero.
+#[test]
+fn a_guard_is_followed_out_of_time_zero() {
+    let kind = (Direction::Falls, -1.0, true);
+    let (value, slope) = (|x: f64| x * x - 1e-3 * x, |x: f64| 2.0 * x);
+    let found = search(kind, value, slope, |search, from, to| {
+        search.instants = Instants::new(0.0, 10.0);
+        let (at, rising) = (from, false);
+        let before = at.part;
+        let crossing = Crossing { at, before, rising };
+        (search.unless_taken_back(crossing, to, 0.0), search.sign)
+    });
+    assert_eq!(found, (None, 1.0));
+}
+
 /// `x⁴` leaves zero with neither rate nor curvature.
 #[test]
 fn a_guard_that_leaves_zero_passes_it_at_the_start() {
