@@ -79,12 +79,23 @@ pub struct Compiled {
     pub free: [Vec<bool>; 2],
 }
 
-/// Compiles a scene as if it had one mode alone; with `keep` it has these constants, else those that it depends on.
+/// The constants of a compiled mode.
+#[derive(Clone, Copy)]
+pub enum Keep<'a> {
+    /// Those that it depends on.
+    Own,
+    /// These, which it and its neighbours depend on.
+    These(&'a [usize]),
+    /// They are what is asked for: the mode gets no program.
+    Ask,
+}
+
+/// Compiles a scene as if it had one mode alone.
 pub fn phase(
     task: &Task<'_>,
     phases: &Phases,
     here: usize,
-    keep: Option<&[usize]>,
+    keep: Keep<'_>,
     seen: &mut Seen,
     diagnostics: &mut Diagnostics,
 ) -> Option<Compiled> {
@@ -354,7 +365,19 @@ pub fn phase(
     if is_linkage {
         request.closing = linkage.closing(&mut low, &mut request, &geometry, &drives);
     }
-    let kept = keep.map_or_else(|| kept_constants(&low, &request), <[usize]>::to_vec);
+    let kept = match keep {
+        Keep::These(kept) => kept.to_vec(),
+        Keep::Own | Keep::Ask => kept_constants(&low, &request),
+    };
+    if matches!(keep, Keep::Ask) {
+        return Some(Compiled {
+            scene: model,
+            kept,
+            events: Vec::new(),
+            held: Vec::new(),
+            free,
+        });
+    }
     for (new, old) in kept.iter().enumerate() {
         request
             .inputs

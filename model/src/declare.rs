@@ -1,10 +1,8 @@
 //! Values and units of what a scene declares: constants with their defaults, kinds of coordinates, motion of drivers.
 
-use std::collections::HashMap;
-
 use crate::checked::{ConstantInfo, QuantityInfo};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expression::{Expression, Symbol};
+use crate::expression::{Expression, Map, Symbol};
 use crate::homogeneity::{agree, describe, disagreement, over};
 use crate::lower::{Kind, Lowering, Typed, second};
 use crate::resolve::{Declared, Names};
@@ -15,7 +13,7 @@ use crate::token::Span;
 use crate::unit::{self, Dimension, Unit};
 
 /// Kind of each given quantity with the unit in which it is printed.
-pub type Kinds = HashMap<Symbol, (Kind, Unit)>;
+pub type Kinds = Map<Symbol, (Kind, Unit)>;
 
 /// A description of a quantity.
 pub fn quantity(name: &str, summary: &str, dimension: &Dimension, unit: &Unit) -> QuantityInfo {
@@ -274,7 +272,7 @@ impl Lowering<'_> {
             false => Unit::for_dimension(&dimension),
         };
         self.declare_kind(symbol, Kind::Of(dimension), &unit);
-        let direction = HashMap::from([(Symbol::Time, self.graph.one())]);
+        let direction = Map::from_iter([(Symbol::Time, self.graph.one())]);
         let rate = self.graph.tangent(&[value], &direction)[0];
         let acceleration = self.graph.tangent(&[rate], &direction)[0];
         let varies = self.graph.depends_on(rate, |symbol| symbol == Symbol::Time);

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::checked::{ModeModel, QuantityInfo, SceneModel};
-use crate::compile::{Compiled, Seen, Task, phase};
+use crate::compile::{Compiled, Keep, Seen, Task, phase};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::modes::{Phase, Phases};
 use crate::scene::specialise;
@@ -18,7 +18,7 @@ pub fn scene(
     let phases = Phases::of(statements, task.scene.map(|(scene, _)| scene), diagnostics);
     match phases.is_hybrid() {
         true => join(task, &phases, seen, diagnostics),
-        false => Some(only(phase(task, &phases, 0, None, seen, diagnostics)?)),
+        false => Some(only(phase(task, &phases, 0, Keep::Own, seen, diagnostics)?)),
     }
 }
 
@@ -34,7 +34,7 @@ fn join(
     // What one mode needs, all are given.
     let mut kept = BTreeSet::new();
     for here in 0..count {
-        if let Some(compiled) = phase(task, phases, here, None, seen, diagnostics) {
+        if let Some(compiled) = phase(task, phases, here, Keep::Ask, seen, diagnostics) {
             kept.extend(compiled.kept);
         }
     }
@@ -42,10 +42,10 @@ fn join(
         return None;
     }
     let kept: Vec<usize> = kept.into_iter().collect();
-    let mut all = Vec::new();
-    for here in 0..count {
-        all.push(phase(task, phases, here, Some(&kept), seen, diagnostics)?);
-    }
+    let all: Vec<Option<Compiled>> = (0..count)
+        .map(|here| phase(task, phases, here, Keep::These(&kept), seen, diagnostics))
+        .collect();
+    let all: Vec<Compiled> = all.into_iter().collect::<Option<_>>()?;
     report_unconnected(phases, &all, diagnostics);
     let mut model = all.get(phases.first)?.scene.clone();
     model.conservative = false;

@@ -7,9 +7,7 @@
 //!
 //! T. R. Kane, D. A. Levinson, "Dynamics: Theory and Applications" (1985), section 4.
 
-use std::collections::HashMap;
-
-use crate::expression::{Expression, Graph, Node, Symbol};
+use crate::expression::{Expression, Graph, Map, Node, Symbol};
 
 /// The energies and forces of a scene.
 #[derive(Clone, Debug, Default)]
@@ -55,7 +53,7 @@ pub fn residuals(
     graph: &mut Graph,
     energies: &Energies,
     coordinates: &[u32],
-    direction: &HashMap<Symbol, Expression>,
+    direction: &Map<Symbol, Expression>,
     is_rate: &dyn Fn(Expression) -> bool,
 ) -> Vec<Expression> {
     let positions: Vec<_> = coordinates.iter().map(|k| Symbol::Coordinate(*k)).collect();

@@ -4,10 +4,10 @@
 //! linearly, `A·w + r₀ = 0`. Partial derivatives of the motion follow with `w` held: `A·∂w/∂y = −∂(A·w + r₀)/∂y`, so
 //! nothing is ever differentiated through a solution.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expression::{Expression, Graph, Symbol};
+use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::structure::{Block, Incidence, Matching, blocks};
 use crate::token::Span;
 
@@ -69,7 +69,7 @@ pub fn solve(
         rows: vec![Vec::new(); equations.len()],
         columns: unknowns.len(),
     };
-    let mut matrix: HashMap<(usize, usize), Expression> = HashMap::new();
+    let mut matrix: Map<(usize, usize), Expression> = Map::default();
     for (row, column, value) in entries {
         if graph.as_number(value) == Some(0.0) {
             continue;
@@ -101,7 +101,7 @@ pub fn solve(
         return None;
     }
 
-    let at_rest: HashMap<_, _> = symbols
+    let at_rest: Map<_, _> = symbols
         .iter()
         .map(|symbol| (*symbol, graph.zero()))
         .collect();
@@ -193,7 +193,7 @@ struct System {
 impl System {
     fn of(
         block: &Block,
-        matrix: &HashMap<(usize, usize), Expression>,
+        matrix: &Map<(usize, usize), Expression>,
         equations: &[Equation],
     ) -> Option<Self> {
         let mut unknowns = block.unknowns.clone();
@@ -312,7 +312,7 @@ fn determinant(graph: &mut Graph, rows: &[Vec<Expression>]) -> Expression {
 fn mass_matrix(
     graph: &mut Graph,
     equations: &[Equation],
-    matrix: &HashMap<(usize, usize), Expression>,
+    matrix: &Map<(usize, usize), Expression>,
 ) -> Vec<Expression> {
     let zero = graph.zero();
     let mut row_of: Vec<_> = equations

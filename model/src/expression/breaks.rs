@@ -4,9 +4,8 @@
 //! things take a jump away, or are taken to: an even power of a sign, a factor that vanishes where the jump is, as in
 //! `x*sign(x)`, and a branch, because whoever writes one says what holds on each side.
 
-use std::collections::HashSet;
-
 use super::graph::{Expression, Graph, Node, Symbol};
+use super::hash::Set;
 use crate::program::Function;
 
 /// What an expression is differentiated along.
@@ -32,7 +31,7 @@ impl Graph {
     /// Where some expressions jump or bend along a course.
     pub fn breaks(&mut self, roots: &[Expression], course: &Course<'_>) -> Breaks {
         let mut breaks = Breaks::default();
-        let mut seen = HashSet::new();
+        let mut seen = Set::default();
         let mut stack = roots.to_vec();
         while let Some(one) = stack.pop() {
             if !self.depends_on(one, course.moves) || !seen.insert(one) {
@@ -91,7 +90,7 @@ impl Graph {
         if !moves(*condition) {
             return false;
         }
-        let mut seen = HashSet::new();
+        let mut seen = Set::default();
         let mut stack = vec![select];
         while let Some(one) = stack.pop() {
             match self.node(one) {
@@ -147,8 +146,8 @@ impl Graph {
     }
 
     /// Expressions with whose zeros the product of some factors vanishes; with `poles`, or becomes infinite.
-    fn zeros(&mut self, mut factors: Vec<Expression>, poles: bool) -> HashSet<Expression> {
-        let (mut zeros, mut seen) = (HashSet::new(), HashSet::new());
+    fn zeros(&mut self, mut factors: Vec<Expression>, poles: bool) -> Set<Expression> {
+        let (mut zeros, mut seen) = (Set::default(), Set::default());
         while let Some(one) = factors.pop() {
             if !seen.insert(one) {
                 continue;

@@ -1,8 +1,7 @@
 //! Derivatives: forward along a direction, backward from weighted values. Each costs a small multiple of the nodes.
 
-use std::collections::HashMap;
-
 use super::graph::{Expression, Graph, Node, Symbol};
+use super::hash::{Map, Set};
 use crate::program::{Function, Relation};
 
 impl Graph {
@@ -10,10 +9,10 @@ impl Graph {
     pub fn tangent(
         &mut self,
         roots: &[Expression],
-        direction: &HashMap<Symbol, Expression>,
+        direction: &Map<Symbol, Expression>,
     ) -> Vec<Expression> {
         let zero = self.zero();
-        let mut rates: HashMap<Expression, Expression> = HashMap::new();
+        let mut rates: Map<Expression, Expression> = Map::default();
         for one in self.reachable(roots) {
             if !self.depends_on(one, |symbol| direction.contains_key(&symbol)) {
                 continue;
@@ -32,8 +31,8 @@ impl Graph {
     fn rate(
         &mut self,
         one: Expression,
-        direction: &HashMap<Symbol, Expression>,
-        rates: &HashMap<Expression, Expression>,
+        direction: &Map<Symbol, Expression>,
+        rates: &Map<Expression, Expression>,
     ) -> Expression {
         let zero = self.zero();
         let of = |operand: &Expression| rates.get(operand).copied().unwrap_or(zero);
@@ -74,7 +73,7 @@ impl Graph {
         factor: Expression,
         solution: Expression,
         right: &[Expression],
-        rates: &HashMap<Expression, Expression>,
+        rates: &Map<Expression, Expression>,
     ) -> Vec<Expression> {
         let zero = self.zero();
         let Node::Factor(size, entries) = self.node(factor).clone() else {
@@ -113,12 +112,12 @@ impl Graph {
         {
             return self.gradient_by_columns(weighted, symbols);
         }
-        let wanted: std::collections::HashSet<Symbol> = symbols.iter().copied().collect();
-        let mut shares: HashMap<Expression, Vec<Expression>> = HashMap::new();
+        let wanted: Set<Symbol> = symbols.iter().copied().collect();
+        let mut shares: Map<Expression, Vec<Expression>> = Map::default();
         for (value, weight) in weighted {
             shares.entry(*value).or_default().push(*weight);
         }
-        let mut found: HashMap<Symbol, Expression> = HashMap::new();
+        let mut found: Map<Symbol, Expression> = Map::default();
         for one in reachable.into_iter().rev() {
             let Some(list) = shares.remove(&one) else {
                 continue;
@@ -170,7 +169,7 @@ impl Graph {
         let one = self.one();
         let mut gradient = Vec::new();
         for symbol in symbols {
-            let slopes = self.tangent(&roots, &HashMap::from([(*symbol, one)]));
+            let slopes = self.tangent(&roots, &Map::from_iter([(*symbol, one)]));
             let list: Vec<_> = weighted
                 .iter()
                 .zip(&slopes)
@@ -195,7 +194,7 @@ impl Graph {
                 .filter(|row| self.depends_on(rows[*row], |other| other == *symbol))
                 .collect();
             let values: Vec<_> = concerned.iter().map(|row| rows[*row]).collect();
-            let slopes = self.tangent(&values, &HashMap::from([(*symbol, one)]));
+            let slopes = self.tangent(&values, &Map::from_iter([(*symbol, one)]));
             entries.extend(
                 concerned
                     .into_iter()
@@ -300,7 +299,12 @@ impl Graph {
                 0.5,
                 std::f64::consts::FRAC_2_SQRT_PI * std::f64::consts::FRAC_1_SQRT_2 / 2.0,
             ),
-            Function::Abs => call(self, Function::Sign),
+            Function::Abs => {
+                let sign = call(self, Function::Sign);
+                let bare = self.split_coefficient(sign).1;
+                self.carry_switch(value, bare);
+                sign
+            }
             Function::Sign | Function::Floor => self.zero(),
             Function::Atan2 | Function::Hypot | Function::Max | Function::Min => {
                 return self.slopes_of_two(value, function, x, arguments[1]);
@@ -342,6 +346,7 @@ impl Graph {
                 } else {
                     self.compare(Relation::Less, a, b)
                 };
+                self.carry_switch(value, first);
                 vec![
                     (a, self.select(first, one, zero)),
                     (b, self.select(first, zero, one)),

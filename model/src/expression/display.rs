@@ -1,17 +1,42 @@
 //! Expressions as text, for messages and tests.
 
+use std::cell::Cell;
+
 use super::graph::{Expression, Graph, Node, Symbol};
 
-impl Graph {
-    /// An expression as text; what has a name is written by its name unless it is the whole.
-    pub fn display(&self, expression: Expression) -> String {
-        self.write(expression, 0, true)
-    }
+/// Most nodes that are written out. What is shared is written wherever it occurs: a text without an end can belong to a
+/// few nodes.
+const LONGEST: usize = 200;
 
+impl Graph {
+    /// An expression as text; what has a name is written by its name unless it is the whole, and the inner parts of a
+    /// long one are left out: `…`.
+    pub fn display(&self, expression: Expression) -> String {
+        let writer = Writer {
+            graph: self,
+            left: Cell::new(LONGEST),
+        };
+        writer.write(expression, 0, true)
+    }
+}
+
+/// Writes a graph as if it were a tree.
+struct Writer<'a> {
+    graph: &'a Graph,
+    /// Nodes that may still be written.
+    left: Cell<usize>,
+}
+
+impl Writer<'_> {
     fn write(&self, expression: Expression, least: u8, whole: bool) -> String {
-        if let (Some(name), false) = (self.name_of(expression), whole) {
+        let graph = self.graph;
+        if let (Some(name), false) = (graph.name_of(expression), whole) {
             return name.to_string();
         }
+        let Some(left) = self.left.get().checked_sub(1) else {
+            return "…".into();
+        };
+        self.left.set(left);
         let list = |items: &[Expression]| {
             items
                 .iter()
@@ -19,9 +44,10 @@ impl Graph {
                 .collect::<Vec<_>>()
                 .join(", ")
         };
-        let (text, power) = match self.node(expression) {
+        let (text, power) = match graph.node(expression) {
             Node::Symbol(symbol) => (
-                self.name_of(expression)
+                graph
+                    .name_of(expression)
                     .map_or_else(|| plain(*symbol), str::to_string),
                 9,
             ),
@@ -31,7 +57,7 @@ impl Graph {
             ),
             Node::Sum(terms) => (self.write_sum(terms), 1),
             Node::Product(factors) => (self.write_product(factors), 2),
-            Node::Power(base, exponent) => match self.as_number(*exponent) {
+            Node::Power(base, exponent) => match graph.as_number(*exponent) {
                 Some(0.5) => (format!("sqrt({})", self.write(*base, 0, false)), 9),
                 Some(number) if number < 0.0 => (self.write_product(&[expression]), 2),
                 _ => (
@@ -82,7 +108,10 @@ impl Graph {
     fn write_sum(&self, terms: &[Expression]) -> String {
         let mut text = String::new();
         for term in terms {
-            let one = self.write(*term, 2, false);
+            let one = match self.graph.as_number(*term) {
+                Some(number) => format!("{number}"),
+                None => self.write(*term, 2, false),
+            };
             match (text.is_empty(), one.strip_prefix('-')) {
                 (true, _) => text = one,
                 (false, Some(positive)) => text += &format!(" - {positive}"),
@@ -95,9 +124,9 @@ impl Graph {
     fn write_product(&self, factors: &[Expression]) -> String {
         let (mut sign, mut above, mut below) = ("", Vec::new(), Vec::new());
         for factor in factors {
-            match self.node(*factor) {
+            match self.graph.node(*factor) {
                 Node::Number(value) if value.get() == -1.0 && factors.len() > 1 => sign = "-",
-                Node::Power(base, exponent) => match self.as_number(*exponent) {
+                Node::Power(base, exponent) => match self.graph.as_number(*exponent) {
                     Some(-1.0) => below.push(self.write(*base, 3, false)),
                     Some(number) if number < 0.0 => {
                         below.push(format!("{}^{}", self.write(*base, 4, false), -number))

@@ -1,15 +1,14 @@
 //! Expressions on numbers.
 
-use std::collections::HashMap;
-
 use super::graph::{Expression, Graph, Node, Symbol};
+use super::hash::Map;
 use crate::program::Relation;
 
 impl Graph {
     /// The values of some expressions; conditions are 1 or 0.
     pub fn evaluate(&self, roots: &[Expression], given: &dyn Fn(Symbol) -> f64) -> Vec<f64> {
-        let mut values: HashMap<Expression, f64> = HashMap::new();
-        let mut solutions: HashMap<Expression, Vec<f64>> = HashMap::new();
+        let mut values: Map<Expression, f64> = Map::default();
+        let mut solutions: Map<Expression, Vec<f64>> = Map::default();
         for one in self.reachable(roots) {
             let at = |operand: &Expression| values.get(operand).copied().unwrap_or(f64::NAN);
             let truth = |held: bool| if held { 1.0 } else { 0.0 };

@@ -1,8 +1,10 @@
 //! The nodes, each kept once.
 
-use std::collections::{BTreeSet, HashMap};
+use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
+use super::hash::Map;
 use crate::program::{Function, Relation};
 
 /// A handle to a node. Operands have smaller handles than what is made of them.
@@ -94,19 +96,27 @@ pub enum Node {
 impl Node {
     /// The operands.
     pub fn operands(&self) -> Vec<Expression> {
+        let mut list = Vec::new();
+        self.each_operand(|operand| list.push(operand));
+        list
+    }
+
+    /// Hands out the operands one by one.
+    fn each_operand(&self, mut take: impl FnMut(Expression)) {
         match self {
-            Node::Symbol(_) | Node::Number(_) => Vec::new(),
+            Node::Symbol(_) | Node::Number(_) => {}
             Node::Sum(list) | Node::Product(list) | Node::Call(_, list) | Node::Factor(_, list) => {
-                list.to_vec()
+                list.iter().for_each(|one| take(*one));
             }
             Node::Power(a, b) | Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
-                vec![*a, *b]
+                [*a, *b].into_iter().for_each(take);
             }
-            Node::Not(a) | Node::Element(a, _) => vec![*a],
-            Node::Select(a, b, c) => vec![*a, *b, *c],
-            Node::Solve(factor, right) => std::iter::once(*factor)
-                .chain(right.iter().copied())
-                .collect(),
+            Node::Not(a) | Node::Element(a, _) => take(*a),
+            Node::Select(a, b, c) => [*a, *b, *c].into_iter().for_each(take),
+            Node::Solve(factor, right) => {
+                take(*factor);
+                right.iter().for_each(|one| take(*one));
+            }
         }
     }
 }
@@ -115,13 +125,35 @@ impl Node {
 #[derive(Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: HashMap<Node, Expression>,
-    names: HashMap<Expression, String>,
+    index: Map<Node, Expression>,
+    names: Map<Expression, String>,
+    switches: Map<Expression, Rc<str>>,
     /// For each node the set of its symbols.
     support: Vec<u32>,
     supports: Vec<Rc<[Symbol]>>,
-    support_index: HashMap<Rc<[Symbol]>, u32>,
-    unions: HashMap<(u32, u32), u32>,
+    support_index: Map<Rc<[Symbol]>, u32>,
+    unions: Map<(u32, u32), u32>,
+    visit: RefCell<Visit>,
+}
+
+/// Which walk met each node last, so that a walk costs what it meets and not the whole graph.
+#[derive(Debug, Default)]
+struct Visit {
+    now: u32,
+    last: Vec<u32>,
+}
+
+impl Visit {
+    /// The number of a walk that begins.
+    fn begin(&mut self, nodes: usize) -> u32 {
+        self.last.resize(nodes, 0);
+        if self.now == u32::MAX {
+            self.last.fill(0);
+            self.now = 0;
+        }
+        self.now += 1;
+        self.now
+    }
 }
 
 impl Graph {
@@ -139,9 +171,13 @@ impl Graph {
         }
         let support = match &node {
             Node::Symbol(symbol) => self.intern_support(Rc::from([*symbol])),
-            _ => node.operands().into_iter().fold(0, |all, operand| {
-                self.union(all, self.support[operand.0 as usize])
-            }),
+            _ => {
+                let mut all = 0;
+                node.each_operand(|operand| {
+                    all = self.union(all, self.support[operand.0 as usize]);
+                });
+                all
+            }
         };
         let handle = Expression(self.nodes.len() as u32);
         self.nodes.push(node.clone());
@@ -205,6 +241,24 @@ impl Graph {
         self.names.get(&expression).map(String::as_str)
     }
 
+    /// Says in the words of the file what passes zero where a branch, or a function that jumps or bends, goes over to its
+    /// other side; the first words stay.
+    pub fn name_switch(&mut self, branch: Expression, words: impl Into<Rc<str>>) {
+        self.switches.entry(branch).or_insert_with(|| words.into());
+    }
+
+    /// What passes zero where a branch goes over to its other side, in the words of the file.
+    pub fn switch_of(&self, branch: Expression) -> Option<&Rc<str>> {
+        self.switches.get(&branch)
+    }
+
+    /// Lets a branch go over where another one does, of which it is the slope or the copy.
+    pub(super) fn carry_switch(&mut self, old: Expression, new: Expression) {
+        if let (Some(words), true) = (self.switches.get(&old).cloned(), old != new) {
+            self.name_switch(new, words);
+        }
+    }
+
     /// Whether a symbol of a kind occurs.
     pub fn depends_on(&self, expression: Expression, kind: impl Fn(Symbol) -> bool) -> bool {
         self.symbols_of(expression)
@@ -230,17 +284,18 @@ impl Graph {
 
     /// All nodes that some expressions are made of, operands first.
     pub fn reachable(&self, roots: &[Expression]) -> Vec<Expression> {
-        let mut seen = vec![false; self.nodes.len()];
+        let mut visit = self.visit.borrow_mut();
+        let now = visit.begin(self.nodes.len());
+        let mut found: Vec<Expression> = Vec::new();
         let mut stack: Vec<Expression> = roots.to_vec();
         while let Some(one) = stack.pop() {
-            if !std::mem::replace(&mut seen[one.0 as usize], true) {
-                stack.extend(self.node(one).operands());
+            if std::mem::replace(&mut visit.last[one.0 as usize], now) != now {
+                found.push(one);
+                self.node(one).each_operand(|operand| stack.push(operand));
             }
         }
-        (0..self.nodes.len() as u32)
-            .filter(|index| seen[*index as usize])
-            .map(Expression)
-            .collect()
+        found.sort_unstable();
+        found
     }
 
     /// Number of nodes that some expressions are made of.
@@ -285,12 +340,12 @@ impl Graph {
     pub fn substitute(
         &mut self,
         roots: &[Expression],
-        map: &HashMap<Symbol, Expression>,
+        map: &Map<Symbol, Expression>,
     ) -> Vec<Expression> {
         let touched = |graph: &Graph, one: Expression| {
             graph.depends_on(one, |symbol| map.contains_key(&symbol))
         };
-        let mut new: HashMap<Expression, Expression> = HashMap::new();
+        let mut new: Map<Expression, Expression> = Map::default();
         for old in self.reachable(roots) {
             if !touched(self, old) {
                 continue;
@@ -313,6 +368,7 @@ impl Graph {
 
     /// The name of an expression goes to what has taken its place, unless that is something given.
     pub(super) fn carry_name(&mut self, old: Expression, new: Expression) {
+        self.carry_switch(old, new);
         let given =
             matches!(self.node(old), Node::Symbol(_)) != matches!(self.node(new), Node::Symbol(_));
         if let (Some(name), false) = (self.names.get(&old).cloned(), old == new || given) {
@@ -326,7 +382,7 @@ impl Graph {
     pub(crate) fn rebuild_with(
         &mut self,
         node: &Node,
-        new: &HashMap<Expression, Expression>,
+        new: &Map<Expression, Expression>,
     ) -> Expression {
         self.rebuild(node, &|operand| {
             new.get(&operand).copied().unwrap_or(operand)

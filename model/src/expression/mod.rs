@@ -10,6 +10,7 @@ mod differentiate;
 mod display;
 mod evaluate;
 mod graph;
+mod hash;
 mod laws;
 mod simplify;
 mod solve;
@@ -17,6 +18,7 @@ mod stable;
 
 pub use breaks::{Breaks, Course};
 pub use graph::{Expression, Graph, Node, Real, Symbol};
+pub use hash::{Map, Set};
 
 #[cfg(test)]
 mod tests;

@@ -1,8 +1,7 @@
 //! Simplifies what has been derived: opens sums that are used once, collects again, puts in forms that do not cancel.
 
-use std::collections::HashMap;
-
 use super::graph::{Expression, Graph, Node};
+use super::hash::Map;
 use super::stable;
 
 /// Rounds until nothing changes, at most.
@@ -26,7 +25,7 @@ impl Graph {
     fn round(&mut self, roots: &[Expression], often: usize) -> Vec<Expression> {
         let reachable = self.reachable(roots);
         let uses = self.uses(roots, often);
-        let mut new: HashMap<Expression, Expression> = HashMap::new();
+        let mut new: Map<Expression, Expression> = Map::default();
         for old in reachable {
             let node = self.node(old).clone();
             let value = match &node {
@@ -41,14 +40,14 @@ impl Graph {
     }
 
     /// How often each node is an operand or a root, counted among the first so many roots wherever it occurs there.
-    pub fn uses(&self, roots: &[Expression], often: usize) -> HashMap<Expression, usize> {
+    pub fn uses(&self, roots: &[Expression], often: usize) -> Map<Expression, usize> {
         let mut uses = self.uses_in(roots);
         uses.extend(self.uses_in(&roots[..often.min(roots.len())]));
         uses
     }
 
-    fn uses_in(&self, roots: &[Expression]) -> HashMap<Expression, usize> {
-        let mut uses: HashMap<Expression, usize> = HashMap::new();
+    fn uses_in(&self, roots: &[Expression]) -> Map<Expression, usize> {
+        let mut uses: Map<Expression, usize> = Map::default();
         for root in roots {
             *uses.entry(*root).or_insert(0) += 1;
         }
@@ -64,8 +63,8 @@ impl Graph {
     fn open_sum(
         &mut self,
         terms: &[Expression],
-        uses: &HashMap<Expression, usize>,
-        new: &HashMap<Expression, Expression>,
+        uses: &Map<Expression, usize>,
+        new: &Map<Expression, Expression>,
     ) -> Expression {
         let mut list = Vec::new();
         for term in terms {
@@ -96,8 +95,8 @@ impl Graph {
     fn distribute_sign(
         &mut self,
         factors: &[Expression],
-        uses: &HashMap<Expression, usize>,
-        new: &HashMap<Expression, Expression>,
+        uses: &Map<Expression, usize>,
+        new: &Map<Expression, Expression>,
     ) -> Expression {
         let mut values: Vec<_> = factors.iter().map(|factor| new[factor]).collect();
         let negative = self.as_number(values[0]).is_some_and(|number| number < 0.0);

@@ -1,8 +1,7 @@
 //! Derivatives against numbers, identities against numbers, and differences that must not cancel.
 
-use std::collections::HashMap;
-
 use super::graph::{Expression, Graph, Node, Symbol};
+use super::hash::Map;
 use crate::program::{Function, Relation};
 
 mod random;
@@ -97,7 +96,7 @@ fn every_function_of_one_number_has_its_derivative() {
         let x = graph.symbol(X);
         let call = graph.call(*function, &[x]);
         let one = graph.one();
-        let derivative = graph.tangent(&[call], &HashMap::from([(X, one)]))[0];
+        let derivative = graph.tangent(&[call], &Map::from_iter([(X, one)]))[0];
         for x in *points {
             assert!(
                 (value(&graph, call, [*x, 0.0, 0.0]) - function.apply(&[*x])).abs() < 1e-15,
@@ -215,8 +214,8 @@ fn solutions_have_their_derivatives() {
             );
         }
         for (row, element) in solution.iter().enumerate() {
-            let forward =
-                [X, Y].map(|symbol| graph.tangent(&[*element], &HashMap::from([(symbol, one)]))[0]);
+            let forward = [X, Y]
+                .map(|symbol| graph.tangent(&[*element], &Map::from_iter([(symbol, one)]))[0]);
             let backward = graph.gradient(&[(*element, one)], &[X, Y]);
             for index in 0..2 {
                 let along = |moved: f64| {
@@ -267,10 +266,10 @@ fn substitution_is_simultaneous_and_leaves_the_rest_alone() {
     let untouched = graph.call(Function::Sin, &[z]);
     let total = graph.sum(&[quotient, untouched]);
     // x and y change places.
-    let swapped = graph.substitute(&[total, untouched], &HashMap::from([(X, y), (Y, x)]));
+    let swapped = graph.substitute(&[total, untouched], &Map::from_iter([(X, y), (Y, x)]));
     let expected = graph.div(y, x);
     assert_eq!(swapped, [graph.sum(&[expected, untouched]), untouched]);
     let (two, zero) = (graph.number(2.0), graph.zero());
-    let fixed = graph.substitute(&swapped, &HashMap::from([(X, two), (Y, two), (Z, zero)]));
+    let fixed = graph.substitute(&swapped, &Map::from_iter([(X, two), (Y, two), (Z, zero)]));
     assert_eq!(graph.as_number(fixed[0]), Some(1.0));
 }

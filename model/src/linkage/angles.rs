@@ -1,9 +1,7 @@
 //! Angles of the dependent coordinates: every sine and cosine is made one of a single coordinate, because these are kept
 //! beside the coordinate and cost nothing.
 
-use std::collections::HashMap;
-
-use crate::expression::{Expression, Graph, Node, Symbol};
+use crate::expression::{Expression, Graph, Map, Node, Symbol};
 use crate::program::Function;
 
 /// The expressions with `sin(a ± b)` written out wherever `a` is a dependent coordinate.
@@ -19,7 +17,7 @@ pub fn expand_where(
     roots: &[Expression],
     wanted: &dyn Fn(Symbol) -> bool,
 ) -> Vec<Expression> {
-    let mut new: HashMap<Expression, Expression> = HashMap::new();
+    let mut new: Map<Expression, Expression> = Map::default();
     for old in graph.reachable(roots) {
         if !graph.depends_on(old, wanted) {
             continue;
@@ -93,9 +91,9 @@ fn of(
 pub fn replace(
     graph: &mut Graph,
     roots: &[Expression],
-    map: &HashMap<Expression, Expression>,
+    map: &Map<Expression, Expression>,
 ) -> Vec<Expression> {
-    let mut new: HashMap<Expression, Expression> = HashMap::new();
+    let mut new: Map<Expression, Expression> = Map::default();
     for old in graph.reachable(roots) {
         let value = match map.get(&old) {
             Some(other) => *other,
@@ -120,7 +118,7 @@ pub fn is_turn(graph: &mut Graph, roots: &[Expression], angle: Symbol) -> bool {
 
 /// The expressions with the cosine of each angle replaced by `Argument(2k)` and its sine by `Argument(2k + 1)`.
 pub fn free_of(graph: &mut Graph, roots: &[Expression], angles: &[Symbol]) -> Vec<Expression> {
-    let mut map = HashMap::new();
+    let mut map = Map::default();
     for (k, symbol) in angles.iter().enumerate() {
         let angle = graph.symbol(*symbol);
         let k = 2 * k as u32;

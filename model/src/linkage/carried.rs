@@ -4,7 +4,7 @@
 use super::{Closed, Linkage, Slot};
 use crate::declare::Drive;
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Expression, Graph, Symbol};
+use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::lower::Lowering;
 use crate::program::Request;
 use crate::resolve::Names;
@@ -91,7 +91,9 @@ impl Linkage {
             }
             for (slot, value) in &closed.values {
                 if let Slot::Value(index) = slot {
-                    let fixed = low.graph.substitute(&[*value], &[(mode, sign)].into())[0];
+                    let fixed = low
+                        .graph
+                        .substitute(&[*value], &Map::from_iter([(mode, sign)]))[0];
                     let symbol = Symbol::Dependent(*index as u32);
                     request.bindings.insert(symbol, fixed);
                 }

@@ -5,11 +5,9 @@
 //! equations are such a loop if the coefficients of `(cos φ, sin φ)` are those of a rotation in one sense or the other,
 //! `[[a, ∓b], [b, ±a]]`. Equations in the other order, or with another sign, turn in the other sense.
 
-use std::collections::HashMap;
-
 use super::dyad;
 use super::{Closed, angles};
-use crate::expression::{Expression, Graph, Symbol};
+use crate::expression::{Expression, Graph, Map, Symbol};
 
 /// How the unknowns of a group are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -157,14 +155,14 @@ impl Basics {
 
     /// The derivative of an equation, by one symbol.
     fn slope(graph: &mut Graph, residual: Expression, symbol: Symbol) -> Expression {
-        let direction = HashMap::from([(symbol, graph.one())]);
+        let direction = Map::from_iter([(symbol, graph.one())]);
         graph.tangent(&[residual], &direction)[0]
     }
 
     /// The equations where all unknowns are zero.
     fn rest(&self, graph: &mut Graph, residuals: &[Expression]) -> Vec<Expression> {
         let zero = graph.zero();
-        let map: HashMap<_, _> = self
+        let map: Map<_, _> = self
             .all()
             .into_iter()
             .map(|symbol| (symbol, zero))

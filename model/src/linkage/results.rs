@@ -3,7 +3,7 @@
 use super::{ClosedForm, Closing, Geometry, Linkage, Ranges, Slopes, Slot, angles, expand};
 use crate::checked::{ConstantInfo, DependentInfo, GroupInfo, LinkageInfo, LoopInfo, VariableInfo};
 use crate::declare::{Drive, Moved, quantity};
-use crate::expression::{Expression, Graph, Symbol};
+use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::lower::Lowering;
 use crate::program::{Input, Request};
 use crate::resolve::Names;
@@ -249,7 +249,7 @@ impl Linkage {
 }
 
 /// What happens when one of some things given changes by one.
-type Direction = std::collections::HashMap<Symbol, Expression>;
+type Direction = Map<Symbol, Expression>;
 
 fn directions(graph: &mut Graph, slopes: &mut Slopes, symbols: &[Symbol]) -> Vec<Direction> {
     let direction = |symbol: &Symbol| slopes.direction(graph, *symbol);

@@ -1,9 +1,9 @@
 //! How the dependent coordinates change: `∂F/∂z·dz = −∂F/∂x·dx`, group after group.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 use super::Group;
-use crate::expression::{Expression, Graph, Symbol};
+use crate::expression::{Expression, Graph, Map, Symbol};
 
 /// Partial derivatives of the loop equations, and of the dependent coordinates by anything else.
 #[derive(Default)]
@@ -12,7 +12,7 @@ pub struct Slopes {
     /// For each equation its partial derivatives by dependent coordinates.
     rows: Vec<BTreeMap<usize, Expression>>,
     groups: Vec<Inverse>,
-    by: HashMap<Symbol, Vec<Expression>>,
+    by: Map<Symbol, Vec<Expression>>,
     unknowns: usize,
 }
 
@@ -66,7 +66,7 @@ impl Slopes {
             residuals: residuals.to_vec(),
             rows,
             groups,
-            by: HashMap::new(),
+            by: Map::default(),
             unknowns,
         }
     }
@@ -81,7 +81,7 @@ impl Slopes {
         if let Some(known) = self.by.get(&symbol) {
             return known.clone();
         }
-        let direction = HashMap::from([(symbol, graph.one())]);
+        let direction = Map::from_iter([(symbol, graph.one())]);
         let direct = graph.tangent(&self.residuals, &direction);
         let zero = graph.zero();
         let mut values = vec![zero; self.unknowns];
@@ -154,10 +154,10 @@ impl Slopes {
     }
 
     /// A direction in which something given changes by one, and the dependent coordinates follow.
-    pub fn direction(&mut self, graph: &mut Graph, symbol: Symbol) -> HashMap<Symbol, Expression> {
+    pub fn direction(&mut self, graph: &mut Graph, symbol: Symbol) -> Map<Symbol, Expression> {
         let zero = graph.zero();
         let follow = self.by(graph, symbol);
-        let mut direction: HashMap<_, _> = (0..self.unknowns as u32)
+        let mut direction: Map<_, _> = (0..self.unknowns as u32)
             .map(Symbol::Dependent)
             .zip(follow)
             .filter(|(_, value)| *value != zero)

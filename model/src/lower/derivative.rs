@@ -1,12 +1,10 @@
 //! Derivatives that a file asks for: `dot(x)`, `ddot(x)` in time and `diff(f, x)`.
 
-use std::collections::HashMap;
-
 use super::breaks::Wanted;
 use super::{Kind, Lowering, Typed, second};
 use crate::declare::Moved;
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Expression, Graph, Symbol};
+use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::homogeneity::over;
 use crate::syntax::tree::{Name, Term, TermKind};
 use crate::token::Span;
@@ -106,9 +104,9 @@ impl Lowering<'_> {
     }
 
     /// How everything given moves with time: `dq/dt = u`, `du/dt = a`. None when the motion of a driver is wrong.
-    pub fn direction(&mut self) -> Option<HashMap<Symbol, Expression>> {
+    pub fn direction(&mut self) -> Option<Map<Symbol, Expression>> {
         let coordinates = self.names.coordinates.len() as u32;
-        let mut direction = HashMap::new();
+        let mut direction = Map::default();
         direction.insert(Symbol::Time, self.graph.one());
         for index in 0..coordinates {
             direction.insert(
@@ -148,7 +146,7 @@ impl Lowering<'_> {
     }
 
     /// Lets the dependent coordinates follow the drivers.
-    fn follow(&mut self, direction: &mut HashMap<Symbol, Expression>) {
+    fn follow(&mut self, direction: &mut Map<Symbol, Expression>) {
         let Some(mut slopes) = self.slopes.take() else {
             return;
         };
@@ -290,7 +288,7 @@ impl Lowering<'_> {
             return Typed::Wrong;
         }
         let varied = self.quotient(typed, symbol, kind, function.span);
-        let map = HashMap::from([(symbol, value)]);
+        let map = Map::from_iter([(symbol, value)]);
         self.written.substitute(&mut self.graph, symbol, value);
         match varied {
             Typed::Scalar { value, kind, .. } => {
@@ -308,7 +306,7 @@ impl Lowering<'_> {
     fn quotient(&mut self, typed: Typed, given: Symbol, kind: Kind, span: Span) -> Typed {
         let direction = match self.slopes.as_mut() {
             Some(slopes) => slopes.direction(&mut self.graph, given),
-            None => HashMap::from([(given, self.graph.one())]),
+            None => Map::from_iter([(given, self.graph.one())]),
         };
         match typed {
             Typed::Scalar {

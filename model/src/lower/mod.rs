@@ -11,7 +11,7 @@ mod typed;
 mod vector;
 mod written;
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap};
 
 pub use measure::{FUNCTIONS as MEASURING, Measuring, Moment, Primitive, PrimitiveKind};
 use typed::Key;
@@ -22,7 +22,7 @@ use written::Written;
 use crate::checked::LiteralInfo;
 use crate::declare::{Kinds, Moved};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expression::{Expression, Graph, Symbol};
+use crate::expression::{Expression, Graph, Set, Symbol};
 use crate::homogeneity::{agree, describe};
 use crate::linkage::Slopes;
 use crate::nearest::nearest;
@@ -60,9 +60,9 @@ pub struct Lowering<'a> {
     /// Position of each driver and its time derivative: the position must have been lowered.
     pub driver_motions: Vec<Option<(Expression, Expression)>>,
     /// Expressions that are time derivatives of something that depends on positions and time alone.
-    pub rates: HashSet<Expression>,
+    pub rates: Set<Expression>,
     /// Expressions that are derivatives, in time or by something given.
-    pub derived: HashSet<Expression>,
+    pub derived: Set<Expression>,
     /// How the dependent coordinates change, once the closures are read.
     pub slopes: Option<Slopes>,
     /// What moves the drivers.
@@ -98,15 +98,15 @@ impl<'a> Lowering<'a> {
             names,
             used: BTreeSet::new(),
             driver_motions: vec![None; names.drivers.len()],
-            rates: HashSet::new(),
-            derived: HashSet::new(),
+            rates: Set::default(),
+            derived: Set::default(),
             slopes: None,
             moved: Moved::InTime,
             literal: None,
             measured: Measuring::default(),
             survey,
             selected,
-            kinds: Kinds::new(),
+            kinds: Kinds::default(),
             done: HashMap::new(),
             open: Vec::new(),
             locals: Vec::new(),

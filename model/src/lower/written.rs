@@ -3,13 +3,14 @@
 //! Equal expressions are one, so a function may be written in several places. Of these the one is meant that stands in
 //! the term that is differentiated, or in what its names stand for.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::BTreeMap;
 
 use super::{Lowering, Typed};
 use crate::diagnostic::Diagnostics;
-use crate::expression::{Expression, Graph, Node, Symbol};
+use crate::expression::{Expression, Graph, Map, Node, Set, Symbol};
 use crate::program::Function;
 use crate::resolve::Role;
+use crate::syntax::print;
 use crate::syntax::tree::{BinaryOperator, Name, Term, TermKind};
 use crate::token::Span;
 use crate::unroll::whole_number;
@@ -38,7 +39,7 @@ impl Written {
 
     /// Knows all that contains an argument also with its value.
     pub fn substitute(&mut self, graph: &mut Graph, argument: Symbol, value: Expression) {
-        let map = HashMap::from([(argument, value)]);
+        let map = Map::from_iter([(argument, value)]);
         // What contains the argument was built after it.
         let first = graph.symbol(argument);
         let free =
@@ -78,9 +79,29 @@ impl Written {
     }
 }
 
+/// The difference of two terms as text; what is compared with zero stands alone.
+fn difference(a: &Term, b: &Term) -> String {
+    let is_zero = |term: &Term| matches!(term.kind, TermKind::Number { value: 0.0, .. });
+    match (is_zero(a), is_zero(b)) {
+        (_, true) => print::term(a),
+        (true, _) => print::term(b),
+        _ => print::term(&Term {
+            span: a.span,
+            kind: TermKind::Binary(
+                BinaryOperator::Subtract,
+                Box::new(a.clone()),
+                Box::new(b.clone()),
+            ),
+        }),
+    }
+}
+
 impl Lowering<'_> {
-    /// Takes up what a term came to, if that jumps or bends.
+    /// Takes up what a term came to, if that jumps or bends, and says what passes zero there.
     pub(super) fn take_up(&mut self, term: &Term, typed: &Typed) {
+        if let (Typed::Condition(value), TermKind::Binary(..)) = (typed, &term.kind) {
+            self.name_switch(*value, term);
+        }
         let function = match &term.kind {
             TermKind::Call { name, .. } => match name.text.as_str() {
                 "sign" => Some(Function::Sign),
@@ -105,10 +126,51 @@ impl Lowering<'_> {
                             inner.push(arguments[0]);
                         }
                         self.written.insert(one, term);
+                        self.name_switch(one, term);
                     }
                     _ => {}
                 }
             }
+        }
+    }
+
+    /// Says what passes zero where a comparison or a function goes over to its other side: in the words of the file, or
+    /// in a function of the file, whose words are arguments, as it is with their values.
+    fn name_switch(&mut self, branch: Expression, term: &Term) {
+        let in_function = self.locals.last().is_some_and(|scope| !scope.is_empty());
+        let words = match &term.kind {
+            _ if in_function => None,
+            TermKind::Call { name, arguments } => {
+                match (name.text.as_str(), arguments.as_slice()) {
+                    ("abs" | "sign", [argument]) => Some(print::term(argument)),
+                    ("max" | "min", [a, b]) => Some(difference(a, b)),
+                    _ => None,
+                }
+            }
+            TermKind::Binary(
+                BinaryOperator::Less
+                | BinaryOperator::LessEqual
+                | BinaryOperator::Greater
+                | BinaryOperator::GreaterEqual,
+                a,
+                b,
+            ) => Some(difference(a, b)),
+            _ => None,
+        };
+        let (words, graph) = (words, &mut self.graph);
+        let words = words.or_else(|| {
+            let guard = match graph.node(branch).clone() {
+                Node::Call(Function::Max | Function::Min, arguments) => {
+                    graph.sub(arguments[0], arguments[1])
+                }
+                Node::Call(_, arguments) => arguments[0],
+                Node::Compare(_, a, b) => graph.sub(b, a),
+                _ => return None,
+            };
+            Some(graph.display(guard))
+        });
+        if let Some(words) = words {
+            self.graph.name_switch(branch, words);
         }
     }
 
@@ -130,14 +192,14 @@ impl Lowering<'_> {
     }
 
     /// The first of some places in a term and in whatever its names stand for.
-    fn first_inside(&self, term: &Term, places: &HashSet<Span>) -> Option<Span> {
+    fn first_inside(&self, term: &Term, places: &Set<Span>) -> Option<Span> {
         let arguments: Vec<&str> = self
             .locals
             .last()
             .into_iter()
             .flat_map(|scope| scope.keys().map(String::as_str))
             .collect();
-        let mut seen = HashSet::new();
+        let mut seen = Set::default();
         let mut stack = vec![(term, arguments)];
         while let Some((term, arguments)) = stack.pop() {
             if places.contains(&term.span) {

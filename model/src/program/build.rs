@@ -1,13 +1,11 @@
 //! From the expressions of a scene to its program.
 
-use std::collections::HashMap;
-
 use super::emit::Emitter;
 use super::{
     Event, Input, OperationKind, Program, Results, Stage, Value, collect, order, sensitivity,
     share, surfaces,
 };
-use crate::expression::{Expression, Graph, Symbol};
+use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::linkage::Closing;
 
 /// The function that computes events, by number.
@@ -43,9 +41,9 @@ pub struct Request {
     /// What events compute.
     pub events: Vec<Event<Expression>>,
     /// Where symbols come from.
-    pub inputs: HashMap<Symbol, Input>,
+    pub inputs: Map<Symbol, Input>,
     /// What the other symbols stand for.
-    pub bindings: HashMap<Symbol, Expression>,
+    pub bindings: Map<Symbol, Expression>,
     /// Number of parameters.
     pub parameters: usize,
     /// Length of the state vector.
@@ -139,6 +137,7 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
     }
     let mut bound = bind(graph, &request.roots(), &request.bindings);
     let (mut surfaces, mut kinks, mut turns) = (Vec::new(), Vec::new(), Vec::new());
+    let mut texts = Vec::new();
     if request.surfaces {
         let derivative = bound[..request.derivative.len()].to_vec();
         let mut frozen = surfaces::freeze(graph, &bound[..often], &derivative, &mut request);
@@ -165,9 +164,8 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
         let all = frozen.surfaces.iter().chain(&kinks).chain(&turns);
         bound.extend(all.flat_map(Event::all));
         surfaces = frozen.surfaces;
+        texts = frozen.texts;
     }
-    let texts = surfaces.iter().map(|surface| graph.display(surface.guard));
-    let texts: Vec<String> = texts.collect();
     let request = &request;
     let simple = graph.simplify(&bound, often);
     let collected = collect::collect(graph, &simple, often, request);
@@ -235,9 +233,9 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
 fn bind(
     graph: &mut Graph,
     roots: &[Expression],
-    bindings: &HashMap<Symbol, Expression>,
+    bindings: &Map<Symbol, Expression>,
 ) -> Vec<Expression> {
-    let mut closed: HashMap<Symbol, Expression> = HashMap::new();
+    let mut closed: Map<Symbol, Expression> = Map::default();
     let symbols: Vec<Symbol> = graph.symbols(roots).into_iter().collect();
     for symbol in symbols {
         close(graph, symbol, bindings, &mut closed);
@@ -248,8 +246,8 @@ fn bind(
 fn close(
     graph: &mut Graph,
     symbol: Symbol,
-    bindings: &HashMap<Symbol, Expression>,
-    closed: &mut HashMap<Symbol, Expression>,
+    bindings: &Map<Symbol, Expression>,
+    closed: &mut Map<Symbol, Expression>,
 ) {
     let Some(value) = bindings
         .get(&symbol)

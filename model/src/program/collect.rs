@@ -1,11 +1,11 @@
 //! Pulls common factors out of sums, those first that change most often: what multiplies a coordinate then becomes a
 //! coefficient that is computed once an instant.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::BTreeMap;
 
 use super::Stage;
 use super::build::Request;
-use crate::expression::{Expression, Graph, Node};
+use crate::expression::{Expression, Graph, Map, Node, Set};
 
 /// The expressions with common factors pulled out.
 pub fn collect(
@@ -16,7 +16,7 @@ pub fn collect(
 ) -> Vec<Expression> {
     let reachable = graph.reachable(roots);
     let uses = graph.uses(roots, often);
-    let mut new: HashMap<Expression, Expression> = HashMap::new();
+    let mut new: Map<Expression, Expression> = Map::default();
     for old in reachable {
         let node = graph.node(old).clone();
         let value = match &node {
@@ -43,8 +43,8 @@ pub fn collect(
 /// Of a sum and its negative one is computed: the other is minus it.
 fn share_signs(graph: &mut Graph, roots: &[Expression]) -> Vec<Expression> {
     let reachable = graph.reachable(roots);
-    let known: HashSet<Expression> = reachable.iter().copied().collect();
-    let mut new: HashMap<Expression, Expression> = HashMap::new();
+    let known: Set<Expression> = reachable.iter().copied().collect();
+    let mut new: Map<Expression, Expression> = Map::default();
     for old in reachable {
         let node = graph.node(old).clone();
         let value = match &node {

@@ -3,12 +3,10 @@
 //! A sum or product whose operands belong to different stages is split: the part of each stage is computed in that
 //! stage. A product that is added once is added by one operation. Equal operations are written once.
 
-use std::collections::HashMap;
-
 use super::build::Request;
 use super::latency;
 use super::{Function, Input, Operation, OperationKind, Stage, Value};
-use crate::expression::{Expression, Graph, Node, Symbol};
+use crate::expression::{Expression, Graph, Map, Node, Symbol};
 
 /// Writes operations.
 pub struct Emitter<'a> {
@@ -16,18 +14,18 @@ pub struct Emitter<'a> {
     pub operations: Vec<Operation>,
     pub(super) graph: &'a mut Graph,
     request: &'a Request,
-    pub(super) uses: HashMap<Expression, usize>,
+    pub(super) uses: Map<Expression, usize>,
     /// In how many products of three factors and more a factor occurs, and in how many of two: what long ones have in
     /// common is worth multiplying first.
-    pub(super) frequency: HashMap<Expression, (usize, usize)>,
+    pub(super) frequency: Map<Expression, (usize, usize)>,
     /// How many products begin with what earlier stages leave and this first factor of the last one.
-    pub(super) beginnings: HashMap<(Vec<Expression>, Expression), usize>,
+    pub(super) beginnings: Map<(Vec<Expression>, Expression), usize>,
     /// How many products have these factors of their last stage.
-    pub(super) endings: HashMap<Vec<Expression>, usize>,
-    known: HashMap<Key, Value>,
+    pub(super) endings: Map<Vec<Expression>, usize>,
+    known: Map<Key, Value>,
     /// How long each operation takes after the state is known, in additions.
     depths: Vec<u32>,
-    done: HashMap<Expression, Value>,
+    done: Map<Expression, Value>,
 }
 
 /// An operation without its name; numbers by their bits.
@@ -44,7 +42,7 @@ impl<'a> Emitter<'a> {
     ) -> Self {
         let reachable = graph.reachable(roots);
         let uses = graph.uses(roots, often);
-        let mut frequency = HashMap::new();
+        let mut frequency = Map::default();
         for one in &reachable {
             if let Node::Product(factors) = graph.node(*one) {
                 let is_number = |factor: &&Expression| graph.as_number(**factor).is_some();
@@ -61,11 +59,11 @@ impl<'a> Emitter<'a> {
             request,
             uses,
             frequency,
-            beginnings: HashMap::new(),
-            endings: HashMap::new(),
-            known: HashMap::new(),
+            beginnings: Map::default(),
+            endings: Map::default(),
+            known: Map::default(),
             depths: Vec::new(),
-            done: HashMap::new(),
+            done: Map::default(),
         };
         for one in reachable {
             emitter.count(one);

@@ -1,10 +1,8 @@
 //! How events depend on the state: what the variations of a motion do where it jumps.
 
-use std::collections::HashMap;
-
 use super::build::Request;
 use super::{Event, Input, Slopes};
-use crate::expression::{Expression, Graph, Symbol};
+use crate::expression::{Expression, Graph, Map, Symbol};
 
 /// Adds their slopes to events. Everything is bound, and `rates` are the rates of the state.
 pub fn add(
@@ -21,7 +19,7 @@ pub fn add(
     }
     states.sort_unstable_by_key(|(index, _)| *index);
     let one = graph.one();
-    let mut along = HashMap::from([(Symbol::Time, one)]);
+    let mut along = Map::from_iter([(Symbol::Time, one)]);
     along.extend(
         states
             .iter()
@@ -30,7 +28,7 @@ pub fn add(
     for event in events {
         let mut slopes = Slopes::default();
         for (_, symbol) in &states {
-            let direction = HashMap::from([(*symbol, one)]);
+            let direction = Map::from_iter([(*symbol, one)]);
             slopes
                 .guard
                 .extend(graph.tangent(&[event.guard], &direction));

@@ -5,11 +5,11 @@
 //! where they stand: with them a sum may be exact that another order rounds.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BinaryHeap, HashMap};
+use std::collections::{BTreeMap, BinaryHeap};
 
 use super::build::Request;
 use super::{Function, Stage};
-use crate::expression::{Expression, Graph, Node, Symbol};
+use crate::expression::{Expression, Graph, Map, Node, Symbol};
 
 /// Most terms of a sum that is looked at.
 const LONG: usize = 40;
@@ -41,9 +41,9 @@ struct Host {
 
 struct Sharer {
     hosts: Vec<Host>,
-    stages: HashMap<Item, Stage>,
+    stages: Map<Item, Stage>,
     /// For each pair the sums that had it once.
-    pairs: HashMap<Pair, Vec<usize>>,
+    pairs: Map<Pair, Vec<usize>>,
     heap: BinaryHeap<(usize, Reverse<Pair>)>,
     parts: Vec<Items>,
 }
@@ -57,20 +57,20 @@ pub fn share(
     request: &Request,
 ) -> Vec<Expression> {
     let reachable = graph.reachable(roots);
-    let mut masks: HashMap<Expression, u64> = HashMap::new();
+    let mut masks: Map<Expression, u64> = Map::default();
     for (root, function) in roots.iter().zip(functions) {
         *masks.entry(*root).or_insert(0) |= 1 << function.min(&63);
     }
     let mut sharer = Sharer {
         hosts: Vec::new(),
-        stages: HashMap::new(),
-        pairs: HashMap::new(),
+        stages: Map::default(),
+        pairs: Map::default(),
         heap: BinaryHeap::new(),
         parts: Vec::new(),
     };
-    let mut places: HashMap<Expression, usize> = HashMap::new();
+    let mut places: Map<Expression, usize> = Map::default();
     // Where the positive of a term comes from.
-    let mut origins: HashMap<Item, (Expression, bool)> = HashMap::new();
+    let mut origins: Map<Item, (Expression, bool)> = Map::default();
     for one in reachable.iter().rev() {
         let functions = masks[one];
         for operand in graph.node(*one).operands() {
@@ -108,7 +108,7 @@ pub fn share(
         return roots.to_vec();
     }
     sharer.open();
-    let mut new: HashMap<Expression, Expression> = HashMap::new();
+    let mut new: Map<Expression, Expression> = Map::default();
     for old in reachable {
         let value = match places.get(&old).map(|place| &sharer.hosts[*place]) {
             Some(host) => {
@@ -285,8 +285,8 @@ impl Sharer {
         &self,
         graph: &mut Graph,
         items: &Items,
-        origins: &HashMap<Item, (Expression, bool)>,
-        new: &HashMap<Expression, Expression>,
+        origins: &Map<Item, (Expression, bool)>,
+        new: &Map<Expression, Expression>,
     ) -> Vec<Expression> {
         let mut terms = Vec::new();
         for (item, negative) in items {

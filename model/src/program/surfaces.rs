@@ -4,11 +4,9 @@
 //! side is an input, 1 or −1, that whoever integrates holds fixed until the surface is reached; 0 leaves it to the
 //! values, which is what everyone else wants.
 
-use std::collections::HashMap;
-
 use super::build::Request;
 use super::{Event, Function, Input, Relation, Stage};
-use crate::expression::{Expression, Graph, Node, Symbol};
+use crate::expression::{Expression, Graph, Map, Node, Set, Symbol};
 
 /// Roots in which every branch asks for its side, and the surfaces with their rates.
 pub struct Frozen {
@@ -16,6 +14,8 @@ pub struct Frozen {
     pub roots: Vec<Expression>,
     /// For each side the guard that passes zero where it changes: it is positive on side 1.
     pub surfaces: Vec<Event<Expression>>,
+    /// What passes zero there, in the words of the file.
+    pub texts: Vec<String>,
 }
 
 /// Makes the sides of all branches inputs. `derivative` are the rates of the state, everything bound.
@@ -27,13 +27,15 @@ pub fn freeze(
 ) -> Frozen {
     let mut freezer = Freezer {
         guards: Vec::new(),
-        new: HashMap::new(),
+        texts: Vec::new(),
+        known: Map::default(),
+        new: Map::default(),
     };
     for old in graph.reachable(roots) {
         let node = graph.node(old).clone();
         let value = match request.stage(graph, old) {
             Stage::Constant | Stage::Parameter => old,
-            _ => freezer.rebuild(graph, &node),
+            _ => freezer.rebuild(graph, old, &node),
         };
         graph.carry(old, value);
         freezer.new.insert(old, value);
@@ -50,7 +52,11 @@ pub fn freeze(
             .inputs
             .insert(Symbol::Side(index), Input::Side(index));
     }
-    Frozen { roots, surfaces }
+    Frozen {
+        roots,
+        surfaces,
+        texts: freezer.texts,
+    }
 }
 
 /// The kinks of guards: where a branch that a guard sees goes over to its other side, and is no surface. Between the ends
@@ -63,6 +69,7 @@ pub fn kinks(
     request: &Request,
 ) -> Vec<Event<Expression>> {
     let mut kinks: Vec<Expression> = Vec::new();
+    let mut known: Set<Expression> = surfaces.iter().map(|event| event.guard).collect();
     for one in graph.reachable(guards) {
         if request.stage(graph, one) <= Stage::Parameter {
             continue;
@@ -76,11 +83,8 @@ pub fn kinks(
             _ => continue,
         };
         let turned = graph.neg(difference);
-        let known = |kink: &Expression| [difference, turned].contains(kink);
-        let is_known = kinks
-            .iter()
-            .chain(surfaces.iter().map(|event| &event.guard));
-        if graph.as_number(difference).is_none() && !is_known.into_iter().any(known) {
+        let is_new = !known.contains(&turned) && known.insert(difference);
+        if graph.as_number(difference).is_none() && is_new {
             kinks.push(difference);
         }
     }
@@ -96,11 +100,12 @@ pub fn turns(
     request: &Request,
 ) -> Vec<Event<Expression>> {
     let mut angles: Vec<Expression> = Vec::new();
+    let mut known: Set<Expression> = Set::default();
     for one in graph.reachable(guards) {
         if let Node::Call(Function::Sin | Function::Cos | Function::Tan, arguments) =
             graph.node(one)
             && request.stage(graph, arguments[0]) >= Stage::Instant
-            && !angles.contains(&arguments[0])
+            && known.insert(arguments[0])
         {
             angles.push(arguments[0]);
         }
@@ -115,7 +120,7 @@ fn moving(
     derivative: &[Expression],
     request: &Request,
 ) -> Vec<Event<Expression>> {
-    let mut direction = HashMap::from([(Symbol::Time, graph.one())]);
+    let mut direction = Map::from_iter([(Symbol::Time, graph.one())]);
     for (symbol, input) in &request.inputs {
         if let Input::State(index) = input {
             direction.insert(*symbol, derivative[*index as usize]);
@@ -135,12 +140,15 @@ fn moving(
 
 struct Freezer {
     guards: Vec<Expression>,
-    new: HashMap<Expression, Expression>,
+    texts: Vec<String>,
+    /// Place of each guard.
+    known: Map<Expression, usize>,
+    new: Map<Expression, Expression>,
 }
 
 impl Freezer {
-    fn rebuild(&mut self, graph: &mut Graph, node: &Node) -> Expression {
-        let at = |new: &HashMap<Expression, Expression>, one: &Expression| {
+    fn rebuild(&mut self, graph: &mut Graph, old: Expression, node: &Node) -> Expression {
+        let at = |new: &Map<Expression, Expression>, one: &Expression| {
             new.get(one).copied().unwrap_or(*one)
         };
         match node {
@@ -148,13 +156,13 @@ impl Freezer {
                 let (a, b) = (at(&self.new, a), at(&self.new, b));
                 let guard = graph.sub(b, a);
                 let free = graph.compare(*relation, a, b);
-                self.condition(graph, guard, free)
+                self.condition(graph, old, guard, free)
             }
             Node::Call(function @ (Function::Abs | Function::Sign), arguments) => {
                 let x = at(&self.new, &arguments[0]);
                 let (zero, one) = (graph.zero(), graph.one());
                 let free = graph.compare(Relation::Less, zero, x);
-                let is_positive = self.condition(graph, x, free);
+                let is_positive = self.condition(graph, old, x, free);
                 let (above, below) = match function {
                     Function::Abs => (x, graph.neg(x)),
                     _ => (one, graph.number(-1.0)),
@@ -165,7 +173,7 @@ impl Freezer {
                 let (a, b) = (at(&self.new, &arguments[0]), at(&self.new, &arguments[1]));
                 let guard = graph.sub(a, b);
                 let free = graph.compare(Relation::Less, b, a);
-                let is_first_larger = self.condition(graph, guard, free);
+                let is_first_larger = self.condition(graph, old, guard, free);
                 match function {
                     Function::Max => graph.select(is_first_larger, a, b),
                     _ => graph.select(is_first_larger, b, a),
@@ -175,8 +183,14 @@ impl Freezer {
         }
     }
 
-    /// Whether a guard is positive: as its side says, or as its values say where no side is given.
-    fn condition(&mut self, graph: &mut Graph, guard: Expression, free: Expression) -> Expression {
+    /// Whether the guard of a branch is positive: as its side says, or as its values say where no side is given.
+    fn condition(
+        &mut self,
+        graph: &mut Graph,
+        branch: Expression,
+        guard: Expression,
+        free: Expression,
+    ) -> Expression {
         if graph.as_number(guard).is_some() {
             return free;
         }
@@ -186,13 +200,13 @@ impl Freezer {
             true => (turned, -1.0),
             false => (guard, 1.0),
         };
-        let index = match self.guards.iter().position(|one| *one == kept) {
-            Some(index) => index,
-            None => {
-                self.guards.push(kept);
-                self.guards.len() - 1
-            }
-        };
+        let index = *self.known.entry(kept).or_insert_with(|| {
+            let words = graph.switch_of(branch).map(|words| words.to_string());
+            self.texts
+                .push(words.unwrap_or_else(|| graph.display(kept)));
+            self.guards.push(kept);
+            self.guards.len() - 1
+        });
         let side = graph.symbol(Symbol::Side(index as u32));
         let (zero, one) = (graph.zero(), graph.number(sign));
         let other = graph.neg(one);

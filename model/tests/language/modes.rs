@@ -3,7 +3,7 @@
 use assur_model::checked::{Direction, SceneModel};
 use assur_model::program::Stage;
 
-use super::{Expected, check, compiled, mistakes};
+use super::{Expected, SPRING, check, compiled, mistakes};
 
 /// Two masses, of which the second is at rest until the first arrives.
 const MASSES: &str = "Sample; parameter F = 1 N, m = 2 kg, l = 1 m; coordinate x: m = 0, y: m = 0; \
@@ -269,4 +269,38 @@ fn a_side_says_what_is_not_needed() {
     };
     let felt = [None, Some(1.0), Some(-1.0)].map(is_felt);
     assert!(felt[0] && felt[1] != felt[2], "{felt:?}");
+}
+
+/// What is shared in the graph is a tree as text, which doubles with each `let` here: texts are the words of the file.
+#[test]
+fn the_text_of_a_surface_is_that_of_the_file() {
+    let lets: String = (1..40)
+        .map(|k| format!("let y[{k}] = y[{}]*sin(y[{}]/(1 m));", k - 1, k - 1))
+        .collect();
+    let text = |force: &str| {
+        let text = format!(
+            "{SPRING} let y[0] = x + 1 m; {lets} let f(a) = abs(a - 2 m); {force} output f(x), y[39]; \
+             scene go {{ run time 0 s .. 1 s; }}"
+        );
+        let (compiled, _) = compiled(&text);
+        assert!(mistakes(&compiled).is_empty(), "{:?}", compiled.diagnostics);
+        let mut scene = compiled.model.unwrap().scenes.remove(0);
+        let events = scene.modes.remove(0).events;
+        events
+            .into_iter()
+            .map(|event| event.text)
+            .collect::<Vec<_>>()
+    };
+    for (force, expected) in [
+        ("force -c*abs(y[39] - 1 m) on x;", "y[39] - 1 m passes zero"),
+        ("force -c*max(0, y[39]) on x;", "y[39] passes zero"),
+        ("potential c*max(y[2], 1 m)^2;", "y[2] - 1 m passes zero"),
+        (
+            "force if y[3] > 1 m { c*x } else { 0 N } on x;",
+            "y[3] - 1 m passes zero",
+        ),
+        ("force -c*f(y[39]) on x;", "y[39] - 2 passes zero"),
+    ] {
+        assert_eq!(text(force), [expected]);
+    }
 }

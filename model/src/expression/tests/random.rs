@@ -1,8 +1,6 @@
 //! Random expressions: the normal form, simplification, substitution and derivatives keep their values.
 
-use std::collections::HashMap;
-
-use super::{Expression, Function, Graph, Relation, X, Y, Z, check_close, slope, value};
+use super::{Expression, Function, Graph, Map, Relation, X, Y, Z, check_close, slope, value};
 
 /// A small generator of numbers that are the same every time.
 struct Dice(u64);
@@ -130,7 +128,7 @@ fn substituting_and_evaluating_is_evaluating_elsewhere() {
         let mut graph = Graph::new();
         let (root, _) = grow(&mut graph, &mut dice, 5);
         let (inner, values) = grow(&mut graph, &mut dice, 3);
-        let replaced = graph.substitute(&[root], &HashMap::from([(X, inner)]))[0];
+        let replaced = graph.substitute(&[root], &Map::from_iter([(X, inner)]))[0];
         for (point, x) in POINTS.iter().zip(values) {
             let expected = value(&graph, root, [x, point[1], point[2]]);
             if tame(&[expected]) {
@@ -154,7 +152,7 @@ fn gradient_and_tangent_agree_with_each_other_and_with_differences() {
         let one = graph.one();
         let gradient = graph.gradient(&[(root, one)], &[X, Y, Z]);
         for (index, symbol) in [X, Y, Z].into_iter().enumerate() {
-            let tangent = graph.tangent(&[root], &HashMap::from([(symbol, one)]))[0];
+            let tangent = graph.tangent(&[root], &Map::from_iter([(symbol, one)]))[0];
             let simple = graph.simplify(&[tangent], 1)[0];
             for point in POINTS {
                 let (forward, backward) = (
@@ -200,7 +198,7 @@ fn a_derivative_along_several_symbols_is_their_sum() {
         let mut graph = Graph::new();
         let (root, expected) = grow(&mut graph, &mut dice, 5);
         let (two, three) = (graph.number(2.0), graph.number(3.0));
-        let along = graph.tangent(&[root], &HashMap::from([(X, two), (Z, three)]))[0];
+        let along = graph.tangent(&[root], &Map::from_iter([(X, two), (Z, three)]))[0];
         let one = graph.one();
         let gradient = graph.gradient(&[(root, one)], &[X, Z]);
         for point in POINTS {
