@@ -3,15 +3,24 @@
 //! Without the instruction a fused multiply-add is a call of `fma`, some twenty times slower. This binary has an `fma` of
 //! its own, which counts: what runs here must never come to it.
 
+use std::marker::PhantomData;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard};
 
+use assur::closure::{self, Assembly, AtDeadPoint, Axis, Closure, Linkage};
+use assur::dispatch::{Task, dispatch};
+use assur::hybrid::{Hybrid, Modes};
 use assur::ode;
 use assur::periodic;
-use assur::problem::{Scene, Span};
+use assur::problem::{Equations, Scene, Span, Storage};
 use assur::registry::{Method, Settings};
+use assur::scalar::Scalar;
 use assur_equations::batten::{Elastic, Start};
+use assur_equations::{heald_linkage, presser_foot, sewing_feed, table_drive};
 
 static CALLS: AtomicUsize = AtomicUsize::new(0);
+/// Who counts.
+static TURN: Mutex<()> = Mutex::new(());
 
 /// Takes the place of the library's `fma` in this binary.
 #[unsafe(no_mangle)]
@@ -21,8 +30,9 @@ extern "C" fn fma(a: f64, b: f64, c: f64) -> f64 {
     a * b + c
 }
 
-/// The counter itself: a fused operation outside of a dispatched task is such a call.
-fn check_counter() {
+/// The counter itself: a fused operation outside of a dispatched task is such a call. Gives the turn to count.
+fn check_counter() -> MutexGuard<'static, ()> {
+    let turn = TURN.lock().unwrap_or_else(|poison| poison.into_inner());
     let before = CALLS.load(Ordering::Relaxed);
     let (a, b, c) = std::hint::black_box((3.0_f64, 5.0, 7.0));
     let value = std::hint::black_box(a.mul_add(b, c));
@@ -34,11 +44,12 @@ fn check_counter() {
             "`fma` of this binary is not the one that is called"
         );
     }
+    turn
 }
 
 #[test]
 fn no_solve_calls_the_library() {
-    check_counter();
+    let _turn = check_counter();
     let steady = Elastic::default();
     let run = Start::default();
     let (Span::Periodic(period), Span::Run(from, to)) = (steady.span(), run.span()) else {
@@ -52,5 +63,143 @@ fn no_solve_calls_the_library() {
         let between = calls();
         ode::march(&run, (from, to), &run.start(), &settings).unwrap();
         assert_eq!((between - before, calls() - between), (0, 0), "{method:?}");
+    }
+}
+
+/// Everything that is asked of a linkage, on the numbers of the machine at hand.
+struct Loops<L>(PhantomData<L>);
+
+impl<L: Linkage + Default> Task for Loops<L> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<S: Scalar>(self) -> f64 {
+        let linkage = L::default();
+        let mut assembly = Assembly::<L, S>::new(&linkage);
+        assembly.start().unwrap();
+        let range = linkage.ranges()[0];
+        let step = S::from_f64((range.to - range.from) / 200.0);
+        let mut place = assembly.independents().to_vec();
+        let variables = L::VARIABLES.len();
+        let lists = [
+            L::OUTPUTS,
+            L::OUTPUTS * variables,
+            L::OUTPUTS * variables * (variables + 1) / 2,
+            L::DEPENDENTS,
+            2 * L::POINTS,
+        ];
+        let mut values = vec![S::ZERO; lists.into_iter().max().unwrap_or(0)];
+        let mut columns = vec![assembly.closure().zeros(); L::INDEPENDENTS];
+        let mut sum = S::ZERO;
+        for _ in 0..5 {
+            place[0] = place[0] + step;
+            assembly.move_to(&place).unwrap();
+            assembly.outputs(&mut values);
+            assembly.influence(&mut values);
+            let (loops, position) = (assembly.closure(), assembly.position());
+            let instant = loops.instant(&place);
+            if L::SECOND {
+                loops.second_influence(&instant, position, &mut values);
+            }
+            loops.residual(&instant, position, &mut values);
+            loops.points(&instant, position, &mut values);
+            loops.coefficients(&instant, position, &mut columns);
+            for group in 0..L::GROUPS.len() {
+                std::hint::black_box(loops.margin(group, &instant, position));
+            }
+            sum = sum + values[0];
+        }
+        sum.to_f64()
+    }
+}
+
+/// Everything that is asked of a scene with modes, on the numbers of the machine at hand.
+struct Modal<C>(PhantomData<C>);
+
+impl<C: Hybrid + Default> Task for Modal<C> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<S: Scalar>(self) -> f64 {
+        let scene = C::default();
+        let mut equations = scene.modal::<S>();
+        let mut state = <C::Modal<S> as Equations<S>>::State::zeros(C::STATES);
+        for (slot, value) in state.as_mut().iter_mut().zip(scene.start()) {
+            *slot = S::from_f64(value + 1e-3);
+        }
+        let (mut rate, mut after) = (state.clone(), state.clone());
+        let mut columns = vec![state.clone(); C::STATES];
+        let time = S::from_f64(1e-3);
+        let mut sum = S::ZERO;
+        for mode in 0..C::EVENTS.len() {
+            equations.enter(mode);
+            let of = |counts: &[usize]| counts.get(mode).copied().unwrap_or(0);
+            let guards = C::EVENTS[mode].len() + of(C::KINKS) + of(C::TURNS);
+            let mut values = vec![S::ZERO; guards.max(C::OUTPUTS).max(C::MEASURED)];
+            let mut rates = values.clone();
+            let [instant] = equations.instants([time]);
+            equations.derivative(&instant, &state, &mut rate);
+            let instant = equations.instant(time);
+            equations.jacobian(&instant, &state, &mut columns);
+            let mut products = columns.clone();
+            equations.variation(&instant, &state, &mut rate, &columns, &mut products);
+            equations.outputs(time, &state, &mut values);
+            equations.measured(time, &state, &mut values);
+            equations.guards(&instant, &state, &mut values, &mut rates);
+            for (event, entry) in C::EVENTS[mode].iter().enumerate() {
+                let permits = !entry.conditional || equations.permits(event, &instant, &state);
+                if entry.sets && permits {
+                    equations.jump(event, &instant, &state, &mut after);
+                }
+            }
+            sum = sum + rate.as_ref()[0] + after.as_ref()[0];
+        }
+        sum.to_f64()
+    }
+}
+
+#[track_caller]
+fn check_calls(what: &str, work: impl FnOnce()) {
+    let before = CALLS.load(Ordering::Relaxed);
+    work();
+    assert_eq!(CALLS.load(Ordering::Relaxed) - before, 0, "{what}");
+}
+
+/// A long function that is emitted is one of its own, which must have the instructions of its numbers nonetheless.
+#[test]
+fn long_functions_have_the_instructions_of_their_numbers() {
+    let _turn = check_counter();
+    check_calls("three chains of dyads", || {
+        assert!(dispatch(Loops::<sewing_feed::Cycle>(PhantomData)).is_finite());
+    });
+    check_calls("a group that is iterated", || {
+        assert!(dispatch(Loops::<heald_linkage::Printed>(PhantomData)).is_finite());
+    });
+    check_calls("contact and flight", || {
+        assert!(dispatch(Modal::<presser_foot::Elliptic>(PhantomData)).is_finite());
+    });
+    check_calls("loops beside modes", || {
+        assert!(dispatch(Modal::<presser_foot::Machine>(PhantomData)).is_finite());
+    });
+    check_calls("stick and slip", || {
+        assert!(dispatch(Modal::<table_drive::Table1>(PhantomData)).is_finite());
+    });
+}
+
+/// What is done carefully, off the beaten track, is not compiled for fused numbers; what it evaluates is.
+#[test]
+fn no_careful_way_calls_the_library() {
+    let _turn = check_counter();
+    for at_dead_point in [AtDeadPoint::Stop, AtDeadPoint::Through] {
+        let axis = Axis {
+            from: 1.5,
+            to: 5.0,
+            count: 40,
+        };
+        check_calls("through a dead point", || {
+            let positions =
+                closure::sweep(&heald_linkage::Printed::default(), &[axis], at_dead_point);
+            assert!(positions.unwrap().len() > 20);
+        });
     }
 }

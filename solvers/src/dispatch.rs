@@ -8,24 +8,19 @@ use crate::scalar::{Fused, Scalar};
 /// Work that may run on any scalar type.
 ///
 /// Mark [`Task::run`] and everything below it `#[inline(always)]`: only what is inlined into the copy for newer
-/// processors uses their instructions. Arithmetic inside `array::map` may escape that; write a loop instead.
+/// processors uses their instructions. What is too long for that goes through [`Scalar::outline`], as all does that the
+/// macros emit. Arithmetic inside `array::map` may escape; write a loop instead.
 pub trait Task {
     /// What the work gives.
     type Output;
-
-    /// Whether the work is too long to be inlined. It runs on `f64` then, whose code needs no special instructions.
-    const LARGE: bool = false;
 
     /// Does the work.
     fn run<S: Scalar>(self) -> Self::Output;
 }
 
-/// Runs the task on [`Fused`] numbers where these are fast, on `f64` elsewhere.
+/// Runs the task on numbers whose products and sums are fused where these are fast, on `f64` elsewhere.
 #[inline]
 pub fn dispatch<T: Task>(task: T) -> T::Output {
-    if T::LARGE {
-        return task.run::<f64>();
-    }
     #[cfg(target_arch = "x86_64")]
     {
         if is_fused() {
@@ -44,7 +39,7 @@ pub fn dispatch<T: Task>(task: T) -> T::Output {
     }
 }
 
-/// Whether [`dispatch`] runs on [`Fused`] numbers on this machine.
+/// Whether [`dispatch`] runs on fused numbers on this machine.
 #[inline]
 pub fn is_fused() -> bool {
     #[cfg(target_arch = "x86_64")]

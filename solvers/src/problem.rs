@@ -86,6 +86,7 @@ pub trait Equations<S: Scalar> {
 
     /// Evaluates all stages of a step, which lie at these times. False, and nothing is evaluated, where the states are
     /// not such that they can be read in their place.
+    #[inline(always)]
     fn sweep(&self, times: &[S], stages: &mut dyn Stages<S>) -> bool {
         let mut number = 0;
         for times in times.chunks(PACKED) {
@@ -143,9 +144,6 @@ pub trait Scene: Clone + Send + Sync {
 
     /// Whether `f` is affine in the state, so that superposition holds.
     const LINEAR: bool;
-
-    /// Whether the equations are so long that they are compiled once, as functions, instead of into each solver.
-    const LARGE: bool = false;
 
     /// Length of the state vector.
     const STATES: usize;

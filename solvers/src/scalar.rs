@@ -14,7 +14,7 @@ mod sine;
 
 pub use bounded::Bounded;
 pub use dual::Dual;
-pub use fused::Fused;
+pub(crate) use fused::Fused;
 pub use interval::{Interval, Perhaps};
 
 /// A number: `f64`, `f32`, fused `f64`, a pack of lanes, a dual number, an interval, a number with the bound of its
@@ -45,7 +45,8 @@ pub trait Scalar:
     const ZERO: Self;
     /// 1
     const ONE: Self;
-    /// Whether this is one real number, of which zero is nothing: no lane beside it, no derivative.
+    /// Whether Taylor series are computed on these numbers: on one real number, of which zero is nothing (no lane beside it,
+    /// no derivative), and which needs no instructions of its own.
     const SINGLE: bool = false;
 
     /// The number, in all lanes.
@@ -80,6 +81,15 @@ pub trait Scalar:
     fn holds(mask: Self::Mask) -> bool;
     /// `then` where the mask holds, `otherwise` elsewhere.
     fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
+
+    /// Does work as a function of its own, compiled for the instructions of these numbers: what a long function that is
+    /// generic over its numbers has instead of `#[inline(never)]`, which would compile it without them.
+    ///
+    /// Write `S::outline(#[inline(always)] || …)`, since the work itself has to be inlined there.
+    #[inline(always)]
+    fn outline<R>(work: impl FnMut() -> R) -> R {
+        plain::apart(work)
+    }
 
     /// Sines and cosines of several angles in radians, computed together.
     fn sin_cos_all<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]);

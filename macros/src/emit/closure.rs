@@ -8,7 +8,7 @@ use quote::quote;
 use super::blocks::blocks;
 use super::body::{Body, Place};
 use super::expression::size;
-use super::layout::Layout;
+use super::layout::{Layout, outlined};
 use super::{docs, instant, schedule};
 
 /// Operations from which on a method is long.
@@ -222,10 +222,11 @@ fn margin(layout: &Layout<'_>) -> TokenStream {
         let (statements, value) = (body.statements(&wanted), body.value(wanted[0]));
         Some(quote!(#statements #value))
     });
-    let arms = by_group(arms.collect(), quote!(S::from_f64(f64::NAN)));
+    let body = outlined(by_group(arms.collect(), quote!(S::from_f64(f64::NAN))));
     quote! {
+        #[inline(always)]
         fn margin(&self, group: usize, instant: &Self::Instant, position: &Self::Position) -> S {
-            #arms
+            #body
         }
     }
 }
@@ -355,16 +356,12 @@ fn list(layout: &Layout<'_>, method: &str, target: &TokenStream, wanted: &[Value
     let writes = blocks(&writes);
     // A long method is compiled once for each scalar type, not once for each solver that calls it.
     let is_long = layout.program().count(wanted, Stage::State) > LONG;
-    let inline = match is_long {
-        true => quote!(#[inline(never)]),
-        false => quote!(#[inline(always)]),
-    };
+    let body = quote!(#first #statements #writes);
+    let body = if is_long { outlined(body) } else { body };
     quote! {
-        #inline
+        #[inline(always)]
         fn #method(&self, instant: &Self::Instant, position: &Self::Position, #target: &mut [S]) {
-            #first
-            #statements
-            #writes
+            #body
         }
     }
 }

@@ -71,13 +71,12 @@ fn derivative(layout: &Layout<'_>) -> TokenStream {
     let statements = body.statements(wanted);
     let values = wanted.iter().map(|value| body.value(*value));
     let text = docs::operations(counts::of(layout).derivative);
-    let inline = layout.inline();
+    let body = layout.body(quote!(#statements *rate = [#(#values),*];));
     quote! {
         #text
-        #inline
+        #[inline(always)]
         fn derivative(&self, instant: &Self::Instant, state: &Self::State, rate: &mut Self::State) {
-            #statements
-            *rate = [#(#values),*];
+            #body
         }
     }
 }
@@ -113,14 +112,12 @@ fn jacobian(layout: &Layout<'_>) -> TokenStream {
     let writes = blocks(&writes);
     let first = first(quote!(columns), states);
     let text = docs::operations(counts::of(layout).jacobian);
-    let inline = layout.inline();
+    let body = layout.body(quote!(#first #statements #writes));
     quote! {
         #text
-        #inline
+        #[inline(always)]
         fn jacobian(&self, instant: &Self::Instant, state: &Self::State, columns: &mut [Self::State]) {
-            #first
-            #statements
-            #writes
+            #body
         }
     }
 }
@@ -137,9 +134,15 @@ fn variation(layout: &Layout<'_>) -> TokenStream {
         .map(|row| product(layout, &body, row))
         .collect();
     let rows = blocks(&rows);
-    let inline = layout.inline();
+    let body = layout.body(quote! {
+        #statements
+        *rate = [#(#values),*];
+        for (column_, product_) in columns.iter().zip(products.iter_mut()) {
+            #rows
+        }
+    });
     quote! {
-        #inline
+        #[inline(always)]
         fn variation(
             &self,
             instant: &Self::Instant,
@@ -148,11 +151,7 @@ fn variation(layout: &Layout<'_>) -> TokenStream {
             columns: &[Self::State],
             products: &mut [Self::State],
         ) {
-            #statements
-            *rate = [#(#values),*];
-            for (column_, product_) in columns.iter().zip(products) {
-                #rows
-            }
+            #body
         }
     }
 }

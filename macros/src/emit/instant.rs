@@ -77,13 +77,12 @@ fn one(layout: &Layout<'_>) -> TokenStream {
     );
     let name = &layout.instant;
     let text = docs::operations(counts::of(layout).instant);
-    let inline = layout.inline();
+    let body = layout.body(quote!(#statements #name { #fields }));
     quote! {
         #text
-        #inline
+        #[inline(always)]
         fn instant(&self, time: S) -> Self::Instant {
-            #statements
-            #name { #fields }
+            #body
         }
     }
 }
@@ -103,10 +102,9 @@ fn several(layout: &Layout<'_>) -> TokenStream {
         !layout.timed.is_empty() && stages.into_iter().all(|stage| stage != Stage::Instant)
     };
     let (name, placeholders) = (&layout.instant, layout.placeholders(&layout.timed));
-    let inline = layout.inline();
     if is_idle(None) {
         return quote! {
-            #inline
+            #[inline(always)]
             fn instants<const K_: usize>(&self, _times: [S; K_]) -> [Self::Instant; K_] {
                 [#name { #placeholders }; K_]
             }
@@ -185,12 +183,11 @@ fn several(layout: &Layout<'_>) -> TokenStream {
             instants
         },
     };
+    let body = layout.body(quote!(#(#idle)* #(#sines)* #fill));
     quote! {
-        #inline
+        #[inline(always)]
         fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
-            #(#idle)*
-            #(#sines)*
-            #fill
+            #body
         }
     }
 }

@@ -86,6 +86,12 @@ fn timed(program: &Program) -> BTreeSet<Value> {
     timed
 }
 
+/// The body of a function that is not inlined: what stands in it is, into a function that is compiled for the
+/// instructions of its numbers. An attribute `#[inline(never)]` would leave these out.
+pub fn outlined(body: TokenStream) -> TokenStream {
+    quote!(S::outline(#[inline(always)] || { #body }))
+}
+
 impl<'a> Layout<'a> {
     /// Lays out a scene whose type has this name.
     pub fn new(scene: &'a SceneModel, type_name: &str) -> Self {
@@ -144,7 +150,7 @@ impl<'a> Layout<'a> {
     /// Whether the functions are too long to be compiled into every solver: rustc would take minutes.
     ///
     /// So are those of a scene with modes, each of which has all of them.
-    pub fn is_large(&self) -> bool {
+    fn is_large(&self) -> bool {
         if !self.scene.modes.is_empty() || self.is_mode {
             return true;
         }
@@ -154,13 +160,12 @@ impl<'a> Layout<'a> {
         self.program().count(&all, Stage::State) > LARGE
     }
 
-    /// How the functions of the equations are compiled. What is inlined into a solver gets the instructions for which
-    /// the solver is compiled.
-    pub fn inline(&self) -> TokenStream {
+    /// The body of a function of the equations: inlined into the solvers, or a function of its own where it is large.
+    pub fn body(&self, body: TokenStream) -> TokenStream {
         if self.is_large() {
-            quote!(#[inline(never)])
+            outlined(body)
         } else {
-            quote!(#[inline(always)])
+            body
         }
     }
 

@@ -68,11 +68,10 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
     let instants: Vec<&Ident> = layout.modes.iter().map(|mode| &mode.instant).collect();
     let numbers: Vec<_> = (0..fields.len()).map(size).collect();
     let states = size(layout.states());
-    let inline = layout.inline();
     let measures = (!layout.scene.measures.is_empty()).then(|| {
         let first = &fields[layout.scene.first];
         quote! {
-            #[inline(never)]
+            #[inline(always)]
             fn measured(&self, time: S, state: &Self::State, values: &mut [S]) {
                 match self.mode_ {
                     #(#numbers => self.#fields.measured(time, state, values),)*
@@ -80,7 +79,7 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 }
             }
 
-            #[inline(never)]
+            #[inline(always)]
             fn measures(&self, found: &[S], values: &mut [S]) {
                 self.#first.measures(found, values);
             }
@@ -125,7 +124,7 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 #states
             }
 
-            #inline
+            #[inline(always)]
             fn instant(&self, time: S) -> Self::Instant {
                 match self.mode_ {
                     #(#numbers => #instant::#variants(self.#fields.instant(time)),)*
@@ -133,7 +132,7 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 }
             }
 
-            #inline
+            #[inline(always)]
             fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
                 match self.mode_ {
                     #(#numbers => {
@@ -144,14 +143,14 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 }
             }
 
-            #inline
+            #[inline(always)]
             fn derivative(&self, instant: &Self::Instant, state: &Self::State, rate: &mut Self::State) {
                 match instant {
                     #(#instant::#variants(instant) => self.#fields.derivative(instant, state, rate),)*
                 }
             }
 
-            #inline
+            #[inline(always)]
             fn sweep(&self, times: &[S], stages: &mut dyn ::assur::problem::Stages<S>) -> bool {
                 match self.mode_ {
                     #(#numbers => self.#fields.sweep(times, stages),)*
@@ -159,6 +158,7 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 }
             }
 
+            #[inline(always)]
             fn series(&self, time: S, length: S, rows: &mut [S]) -> bool {
                 match self.mode_ {
                     #(#numbers => self.#fields.series(time, length, rows),)*
@@ -166,7 +166,7 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 }
             }
 
-            #inline
+            #[inline(always)]
             fn variation(
                 &self,
                 instant: &Self::Instant,
@@ -182,14 +182,14 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 }
             }
 
-            #inline
+            #[inline(always)]
             fn jacobian(&self, instant: &Self::Instant, state: &Self::State, columns: &mut [Self::State]) {
                 match instant {
                     #(#instant::#variants(instant) => self.#fields.jacobian(instant, state, columns),)*
                 }
             }
 
-            #inline
+            #[inline(always)]
             fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
                 match self.mode_ {
                     #(#numbers => self.#fields.outputs(time, state, values),)*
@@ -197,7 +197,7 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 }
             }
 
-            #inline
+            #[inline(always)]
             fn drivers(&self, time: S, values: &mut [S]) {
                 match self.mode_ {
                     #(#numbers => self.#fields.drivers(time, values),)*
@@ -227,14 +227,14 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 }
             }
 
-            #inline
+            #[inline(always)]
             fn guards(&self, instant: &Self::Instant, state: &Self::State, values: &mut [S], rates: &mut [S]) {
                 match instant {
                     #(#instant::#variants(instant) => self.#fields.guards_(instant, state, values, rates),)*
                 }
             }
 
-            #inline
+            #[inline(always)]
             fn look(&self, time: S, state: &Self::State, values: &mut [S], rates: &mut [S]) {
                 match self.mode_ {
                     #(#numbers => {
@@ -245,14 +245,14 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 }
             }
 
-            #inline
+            #[inline(always)]
             fn permits(&self, event: usize, instant: &Self::Instant, state: &Self::State) -> bool {
                 match instant {
                     #(#instant::#variants(instant) => self.#fields.permits_(event, instant, state),)*
                 }
             }
 
-            #inline
+            #[inline(always)]
             fn jump(&self, event: usize, instant: &Self::Instant, state: &Self::State, after: &mut Self::State) {
                 match instant {
                     #(#instant::#variants(instant) => self.#fields.jump_(event, instant, state, after),)*
@@ -340,20 +340,18 @@ pub fn prepare(layout: &Layout<'_>) -> (TokenStream, TokenStream) {
         .collect();
     let each = layout.modes.iter().zip(&functions);
     let each = each.map(|(mode, function)| {
-        let (statements, equations) = (parameters::prepared(mode), &mode.equations);
-        let inline = layout.inline();
+        let (body, equations) = (layout.body(parameters::prepared(mode)), &mode.equations);
         quote! {
-            #inline
+            #[inline(always)]
             fn #function<S: ::assur::scalar::Scalar>(&self) -> #equations<S> {
-                #statements
+                #body
             }
         }
     });
     let start = size(layout.scene.first);
-    let inline = layout.inline();
     (
         quote! {
-            #inline
+            #[inline(always)]
             fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
                 #equations { mode_: #start, #(#fields: self.#functions()),* }
             }
@@ -367,7 +365,6 @@ fn events(layout: &Layout<'_>) -> TokenStream {
     let events = &layout.program().results.events;
     let (name, instant) = (&layout.equations, &layout.instant);
     let states = size(layout.states());
-    let inline = layout.inline();
     let values: Vec<Value> = events
         .iter()
         .flat_map(|event| [event.guard, event.rate])
@@ -407,6 +404,9 @@ fn events(layout: &Layout<'_>) -> TokenStream {
     let sides = layout
         .has_sides()
         .then(|| quote!(self.sides_[surface] = side;));
+    let guards = layout.body(guards);
+    let conditions = layout.body(quote!(match event { #conditions _ => true, }));
+    let jumps = layout.body(quote!(match event { #jumps _ => *after = *state, }));
     quote! {
         impl<S: ::assur::scalar::Scalar> #name<S> {
             #[inline(always)]
@@ -414,25 +414,19 @@ fn events(layout: &Layout<'_>) -> TokenStream {
                 #sides
             }
 
-            #inline
+            #[inline(always)]
             fn guards_(&self, instant: &#instant<S>, state: &[S; #states], values: &mut [S], rates: &mut [S]) {
                 #guards
             }
 
-            #inline
+            #[inline(always)]
             fn permits_(&self, event: usize, instant: &#instant<S>, state: &[S; #states]) -> bool {
-                match event {
-                    #conditions
-                    _ => true,
-                }
+                #conditions
             }
 
-            #inline
+            #[inline(always)]
             fn jump_(&self, event: usize, instant: &#instant<S>, state: &[S; #states], after: &mut [S; #states]) {
-                match event {
-                    #jumps
-                    _ => *after = *state,
-                }
+                #jumps
             }
         }
     }

@@ -8,25 +8,24 @@ use super::blocks::blocks;
 use super::body::{Body, Place};
 use super::equations::first;
 use super::expression::{size, triangle};
-use super::layout::Layout;
+use super::layout::{Layout, outlined};
 use super::{counts, docs};
 
 /// The methods of `Equations` for outputs and drivers.
 pub fn methods(layout: &Layout<'_>) -> TokenStream {
     let results = &layout.program().results;
-    let outputs = writes(layout, &results.outputs);
-    let drivers = writes(layout, &results.drivers);
+    let outputs = layout.body(writes(layout, &results.outputs));
+    let drivers = layout.body(writes(layout, &results.drivers));
     let text = docs::operations(counts::of(layout).outputs);
-    let inline = layout.inline();
     let measures = measures(layout);
     quote! {
         #text
-        #inline
+        #[inline(always)]
         fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
             #outputs
         }
 
-        #inline
+        #[inline(always)]
         fn drivers(&self, time: S, values: &mut [S]) {
             #drivers
         }
@@ -38,16 +37,16 @@ pub fn methods(layout: &Layout<'_>) -> TokenStream {
 /// The methods of `Equations` for measures, where the scene has any.
 fn measures(layout: &Layout<'_>) -> Option<TokenStream> {
     let results = &layout.program().results;
-    let measured = writes(layout, &results.measured);
-    let measures = writes(layout, &results.measures);
+    let measured = outlined(writes(layout, &results.measured));
+    let measures = outlined(writes(layout, &results.measures));
     (!layout.scene.measures.is_empty()).then(|| {
         quote! {
-            #[inline(never)]
+            #[inline(always)]
             fn measured(&self, time: S, state: &Self::State, values: &mut [S]) {
                 #measured
             }
 
-            #[inline(never)]
+            #[inline(always)]
             fn measures(&self, found: &[S], values: &mut [S]) {
                 #measures
             }
@@ -101,12 +100,12 @@ fn mass_matrix(layout: &Layout<'_>) -> TokenStream {
         quote!([#(#row),*])
     };
     let (states, count, matrix) = (size(layout.states()), size(rows), (0..rows).map(row));
+    let body = outlined(quote!(#statements [#(#matrix),*]));
     quote! {
         /// The symmetric mass matrix, in the order of the coordinates.
-        #[inline]
+        #[inline(always)]
         pub fn mass_matrix(&self, time: S, state: &[S; #states]) -> [[S; #count]; #count] {
-            #statements
-            [#(#matrix),*]
+            #body
         }
     }
 }
@@ -120,12 +119,12 @@ fn energy(layout: &Layout<'_>) -> TokenStream {
     let statements = body.statements(energy);
     let (kinetic, potential) = (body.value(*kinetic), body.value(*potential));
     let states = size(layout.states());
+    let body = outlined(quote!(#statements (#kinetic, #potential)));
     quote! {
         /// Kinetic and potential energy, in joules.
-        #[inline]
+        #[inline(always)]
         pub fn energy(&self, time: S, state: &[S; #states]) -> (S, S) {
-            #statements
-            (#kinetic, #potential)
+            #body
         }
     }
 }

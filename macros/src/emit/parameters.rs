@@ -136,7 +136,7 @@ fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
         size(scene.outputs.len()),
         size(scene.drivers.len()),
     );
-    let (linear, large) = (layout.program().linear, layout.is_large());
+    let linear = layout.program().linear;
     let scales = scene.scales.iter().map(|value| number(*value));
     let state_names = scene.states.iter().map(|state| &state.name);
     let output_names = scene.outputs.iter().map(|output| &output.name);
@@ -155,7 +155,6 @@ fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
             type Equations<S: ::assur::scalar::Scalar> = #equations<S>;
 
             const LINEAR: bool = #linear;
-            const LARGE: bool = #large;
             const STATES: usize = #states;
             const OUTPUTS: usize = #outputs;
             const DRIVERS: usize = #drivers;
@@ -176,12 +175,11 @@ fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
 
 /// The method that computes what depends on the parameters alone.
 fn prepare(layout: &Layout<'_>) -> TokenStream {
-    let statements = prepared(layout);
-    let inline = layout.inline();
+    let body = layout.body(prepared(layout));
     quote! {
-        #inline
+        #[inline(always)]
         fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
-            #statements
+            #body
         }
     }
 }

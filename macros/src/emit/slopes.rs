@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::body::{Body, Place};
 use super::expression::size;
-use super::layout::Layout;
+use super::layout::{Layout, outlined};
 use super::modes::each;
 
 /// Whether variations of the motion pass through its events.
@@ -49,17 +49,16 @@ pub fn of_mode(layout: &Layout<'_>) -> Option<TokenStream> {
         let rates = rate.iter().map(|value| body.value(*value));
         Some(quote!({ #statements #(#columns)* *rate = [#(#rates),*]; true }))
     });
+    let guards = outlined(quote!(match event { #guards _ => {} }));
+    let jumps = outlined(quote!(match event { #jumps _ => false, }));
     Some(quote! {
         impl<S: ::assur::scalar::Scalar> #name<S> {
-            #[inline(never)]
+            #[inline(always)]
             fn guard_slopes_(&self, event: usize, instant: &#instant<S>, state: &[S; #states], slopes: &mut [S; #states]) {
-                match event {
-                    #guards
-                    _ => {}
-                }
+                #guards
             }
 
-            #[inline(never)]
+            #[inline(always)]
             fn jump_slopes_(
                 &self,
                 event: usize,
@@ -68,10 +67,7 @@ pub fn of_mode(layout: &Layout<'_>) -> Option<TokenStream> {
                 columns: &mut [[S; #states]],
                 rate: &mut [S; #states],
             ) -> bool {
-                match event {
-                    #jumps
-                    _ => false,
-                }
+                #jumps
             }
         }
     })

@@ -137,7 +137,6 @@ mod pendulum_ {
     impl ::assur::problem::Scene for Swing {
         type Equations<S: ::assur::scalar::Scalar> = SwingEquations<S>;
         const LINEAR: bool = false;
-        const LARGE: bool = false;
         const STATES: usize = 2;
         const OUTPUTS: usize = 1;
         const DRIVERS: usize = 0;
@@ -265,7 +264,7 @@ mod pendulum_ {
             let (sin_phi_, cos_phi_) = S::sin_cos(phi);
             let slope_1_0_ = -(self.v8_ * cos_phi_);
             *rate = [dot_phi, -(self.v8_ * sin_phi_)];
-            for (column_, product_) in columns.iter().zip(products) {
+            for (column_, product_) in columns.iter().zip(products.iter_mut()) {
                 product_[0] = column_[1];
                 product_[1] = slope_1_0_ * column_[0];
             }
@@ -309,17 +308,22 @@ mod pendulum_ {
     }
     impl<S: ::assur::scalar::Scalar> SwingEquations<S> {
         /// The symmetric mass matrix, in the order of the coordinates.
-        #[inline]
+        #[inline(always)]
         pub fn mass_matrix(&self, time: S, state: &[S; 2]) -> [[S; 1]; 1] {
-            [[self.v11_]]
+            S::outline(#[inline(always)] || { [[self.v11_]] })
         }
         /// Kinetic and potential energy, in joules.
-        #[inline]
+        #[inline(always)]
         pub fn energy(&self, time: S, state: &[S; 2]) -> (S, S) {
-            let phi = state[0];
-            let dot_phi = state[1];
-            let (_, cos_phi_) = S::sin_cos(phi);
-            (self.v12_ * (dot_phi * dot_phi), -(self.v14_ * cos_phi_))
+            S::outline(
+                #[inline(always)]
+                || {
+                    let phi = state[0];
+                    let dot_phi = state[1];
+                    let (_, cos_phi_) = S::sin_cos(phi);
+                    (self.v12_ * (dot_phi * dot_phi), -(self.v14_ * cos_phi_))
+                },
+            )
         }
     }
     /// The first scene of the mechanism, `Swing`.

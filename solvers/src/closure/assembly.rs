@@ -89,8 +89,16 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// A linkage that is not yet put together: call [`Assembly::start`] next.
     pub fn new(linkage: &L) -> Self {
         let values: Vec<S> = linkage.values().into_iter().map(S::from_f64).collect();
-        let closure = L::prepare(&values);
         let unknown = S::from_f64(f64::NAN);
+        let independents = vec![unknown; L::INDEPENDENTS];
+        let (closure, instant) = S::outline(
+            #[inline(always)]
+            || {
+                let closure = L::prepare(&values);
+                let instant = closure.instant(&independents);
+                (closure, instant)
+            },
+        );
         let all = |value: S| {
             let mut all = closure.zeros();
             all.as_mut().fill(value);
@@ -101,10 +109,9 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             sines: all(unknown),
             changes: all(unknown),
         };
-        let independents = vec![unknown; L::INDEPENDENTS];
         Self {
             linkage: linkage.clone(),
-            instant: closure.instant(&independents),
+            instant,
             independents,
             heading: vec![unknown; L::INDEPENDENTS],
             position: closure.zeros(),
@@ -151,9 +158,20 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             let reason = format!("an independent variable is {}", bad.to_f64());
             return Err(ClosureError::BadRange { reason });
         }
-        let instant = self.closure.instant(independents);
-        self.accept(independents, &instant);
+        let instant = self.instant_at(independents);
+        S::outline(
+            #[inline(always)]
+            || self.accept(independents, &instant),
+        );
         Ok(())
+    }
+
+    /// What depends on the independent variables alone, for code that is not compiled for the instructions of the numbers.
+    pub(super) fn instant_at(&self, independents: &[S]) -> Instant<L, S> {
+        S::outline(
+            #[inline(always)]
+            || self.closure.instant(independents),
+        )
     }
 
     /// Closes all groups and says whether they have certainly kept their modes. The last step goes into this one `ratio`

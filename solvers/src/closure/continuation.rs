@@ -221,7 +221,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// Closes all groups at `t` near the last position. Stops at the first group that is not certain.
     fn attempt(&mut self, way: &Way, t: f64) -> Verdict {
         let independents = scalars::<S>(&way.at(t));
-        let instant = self.closure.instant(&independents);
+        let instant = self.instant_at(&independents);
         let ratio = self.ratio(&independents).to_f64();
         self.trial.clone_from(&self.position);
         for group in 0..L::GROUPS.len() {
@@ -268,8 +268,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             let (sine, moved) = self.iterate(group, independents, instant);
             return (sine.to_f64(), moved.to_f64());
         }
-        let mode = S::from_f64(mode);
-        let sine = self.closure.close(group, instant, mode, &mut self.trial);
+        let sine = self.closed(group, instant, mode);
         let mut turned = 0.0;
         for &j in L::GROUPS[group].unknowns {
             let angle = self.trial.as_ref()[j].to_f64();
@@ -283,13 +282,13 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
                 turned += (self.trial.as_ref()[j].to_f64() - last).abs();
             }
         }
-        (sine.to_f64(), turned)
+        (sine, turned)
     }
 
     /// Closes the groups up to this one at `t`, in a mode of the last one, and gives the sine of that.
     pub(super) fn probe(&mut self, way: &Way, t: f64, group: usize, mode: f64) -> f64 {
         let independents = scalars::<S>(&way.at(t));
-        let instant = self.closure.instant(&independents);
+        let instant = self.instant_at(&independents);
         self.trial.clone_from(&self.position);
         for before in 0..group {
             let crossing = way.crossing_of(before);
@@ -310,7 +309,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         if group > 0 && self.probe(way, t, group - 1, self.mode(group - 1)).is_nan() {
             return f64::NAN;
         }
-        let instant = self.closure.instant(&scalars::<S>(&way.at(t)));
+        let instant = self.instant_at(&scalars::<S>(&way.at(t)));
         if group == 0 {
             self.trial.clone_from(&self.position);
         }
@@ -319,7 +318,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
 
     /// Gap that rounding may leave in a group.
     pub(super) fn allowance(&mut self, way: &Way, t: f64, group: usize) -> f64 {
-        let instant = self.closure.instant(&scalars::<S>(&way.at(t)));
+        let instant = self.instant_at(&scalars::<S>(&way.at(t)));
         self.trial.clone_from(&self.position);
         ROUNDING * self.reach(group, &instant)
     }
@@ -341,10 +340,13 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     fn take(&mut self, way: &mut Way, t: f64) {
         let place = way.at(t);
         let independents = scalars::<S>(&place);
-        let instant = self.closure.instant(&independents);
+        let instant = self.instant_at(&independents);
         self.pass_crossings(way, t);
         self.groups.modes.clone_from(&self.next.modes);
-        self.accept(&independents, &instant);
+        S::outline(
+            #[inline(always)]
+            || self.accept(&independents, &instant),
+        );
     }
 
     fn dead_point(&mut self, group: usize, way: &Way, at: f64) -> ClosureError {
@@ -366,7 +368,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         if group > 0 && self.margin_at(way, t, group - 1).is_nan() {
             return f64::NAN;
         }
-        let instant = self.closure.instant(&scalars::<S>(&way.at(t)));
+        let instant = self.instant_at(&scalars::<S>(&way.at(t)));
         if group == 0 {
             self.trial.clone_from(&self.position);
         }

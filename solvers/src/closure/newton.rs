@@ -238,12 +238,14 @@ impl<L: Linkage, S: Scalar> Search<'_, L, S> {
     /// Looks at the equations where the search stands.
     fn evaluate(&mut self) {
         let newton = &mut *self.newton;
-        self.closure.trial(
-            self.group,
-            self.instant,
-            self.position,
-            &mut newton.residual,
-            &mut newton.jacobian,
+        let (residual, jacobian) = (&mut newton.residual, &mut newton.jacobian);
+        S::outline(
+            #[inline(always)]
+            || {
+                let (group, instant) = (self.group, self.instant);
+                self.closure
+                    .trial(group, instant, self.position, residual, jacobian)
+            },
         );
         let unknowns = L::GROUPS[self.group].unknowns;
         let position: &Position<L, S> = self.position;

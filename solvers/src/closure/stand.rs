@@ -8,7 +8,7 @@ use super::continuation::{Way, scalars};
 use super::crossing::{Crossing, SINE};
 use super::error::ClosureError;
 use super::meeting::{CLEAR, Meeting};
-use super::problem::{Closure, GroupKind, Linkage};
+use super::problem::{GroupKind, Linkage};
 use crate::scalar::Scalar;
 
 /// Part of a way on which the rate of a sine is measured that begins at zero.
@@ -122,7 +122,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         for (slope, &j) in slopes.iter().zip(unknowns) {
             self.trial.as_mut()[j] = self.position.as_ref()[j] + S::from_f64(slope * t);
         }
-        let instant = self.closure.instant(&scalars::<S>(&way.at(t)));
+        let instant = self.instant_at(&scalars::<S>(&way.at(t)));
         let closed = self
             .newton
             .close(&self.closure, group, &instant, &mut self.trial)

@@ -57,7 +57,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             self.put(&independents)?;
             return Ok(Start::default());
         }
-        let instant = self.closure.instant(&independents);
+        let instant = self.instant_at(&independents);
         let unknown = |group: &usize| {
             let unknowns = L::GROUPS[*group].unknowns;
             unknowns.iter().all(|&j| near[j].is_nan())
@@ -117,10 +117,13 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     }
 
     /// Closes a group in closed form in a mode.
-    fn closed(&mut self, group: usize, instant: &Instant<L, S>, mode: f64) -> f64 {
-        self.closure
-            .close(group, instant, S::from_f64(mode), &mut self.trial)
-            .to_f64()
+    pub(super) fn closed(&mut self, group: usize, instant: &Instant<L, S>, mode: f64) -> f64 {
+        let (closure, mode) = (&self.closure, S::from_f64(mode));
+        S::outline(
+            #[inline(always)]
+            || closure.close(group, instant, mode, &mut self.trial),
+        )
+        .to_f64()
     }
 
     /// Closes a group in the mode nearest to rough values, or in the mode that is set if there are none.
@@ -231,7 +234,10 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let unknown = S::from_f64(f64::NAN);
         self.next.changes.as_mut().fill(unknown);
         self.independents.copy_from_slice(independents);
-        self.accept(independents, instant);
+        S::outline(
+            #[inline(always)]
+            || self.accept(independents, instant),
+        );
         self.heading.fill(unknown);
         self.stands.clear();
         self.events.clear();

@@ -3,7 +3,7 @@
 use super::assembly::Assembly;
 use super::error::ClosureError;
 use super::positions::{Positions, record};
-use super::problem::{GroupKind, Linkage};
+use super::problem::Linkage;
 use crate::dispatch::{Task, dispatch};
 use crate::scalar::Scalar;
 
@@ -89,9 +89,6 @@ struct Sweep<'a, L> {
 impl<L: Linkage> Task for Sweep<'_, L> {
     type Output = Result<Positions, ClosureError>;
 
-    /// Iterations are not inlined.
-    const LARGE: bool = iterates(L::GROUPS);
-
     #[inline(always)]
     fn run<S: Scalar>(self) -> Self::Output {
         let mut assembly = Assembly::<L, S>::new(self.linkage);
@@ -155,7 +152,10 @@ fn go_back<L: Linkage, S: Scalar>(assembly: &mut Assembly<L, S>, positions: &mut
             Ok(()) => {
                 let row = positions.len();
                 positions.extend();
-                record(assembly, &mut outputs, positions, row);
+                S::outline(
+                    #[inline(always)]
+                    || record(assembly, &mut outputs, positions, row),
+                );
             }
             Err(error) => positions.end = Some(error),
         }
@@ -185,25 +185,21 @@ fn locate<S: Scalar>(axes: &[Axis], number: usize, place: &mut [S]) -> usize {
     index
 }
 
-/// Whether a group is iterated.
-const fn iterates(groups: &[super::problem::Group]) -> bool {
-    let mut index = 0;
-    while index < groups.len() {
-        if matches!(groups[index].kind, GroupKind::General) {
-            return true;
-        }
-        index += 1;
-    }
-    false
-}
-
 impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// Moves a long way in several steps, so that nothing on it is missed.
     ///
     /// # Errors
     /// As [`Assembly::move_to`].
-    #[inline(never)]
+    #[inline(always)]
     pub fn travel(&mut self, target: &[S]) -> Result<(), ClosureError> {
+        S::outline(
+            #[inline(always)]
+            || self.go(target),
+        )
+    }
+
+    #[inline(always)]
+    fn go(&mut self, target: &[S]) -> Result<(), ClosureError> {
         if Self::LOOSE {
             return self.put(target);
         }

@@ -5,7 +5,7 @@ use super::assembly::{Assembly, Event};
 use super::continuation::{Way, scalars};
 use super::crossing::Crossing;
 use super::error::ClosureError;
-use super::problem::{Closure, Linkage};
+use super::problem::Linkage;
 use super::root::brent;
 use crate::scalar::Scalar;
 use std::f64::consts::TAU;
@@ -59,7 +59,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         for (k, &t) in nodes.iter().enumerate() {
             point = curve.reach(point, t)?;
             let coordinates = curve.coordinates(&point);
-            let instant = self.closure.instant(&scalars::<S>(&way.at(t)));
+            let instant = self.instant_at(&scalars::<S>(&way.at(t)));
             for (entry, value) in self.trial.as_mut().iter_mut().zip(&coordinates) {
                 *entry = S::from_f64(*value);
             }

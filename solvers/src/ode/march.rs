@@ -49,7 +49,6 @@ struct Marching<'a, C> {
 
 impl<C: Scene> Task for Marching<'_, C> {
     type Output = Result<Trajectory, OdeError>;
-    const LARGE: bool = C::LARGE;
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> Self::Output {

@@ -113,7 +113,6 @@ struct Turn<'a, 'b, C: Scene> {
 
 impl<C: Scene> Task for Turn<'_, '_, C> {
     type Output = Result<Return, OdeError>;
-    const LARGE: bool = C::LARGE;
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> Self::Output {

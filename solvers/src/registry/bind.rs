@@ -134,24 +134,20 @@ impl<C: Scene + 'static> Run for Bound<C> {
     }
 
     fn time_evaluation(&self, calls: usize) -> f64 {
-        time_evaluation(&self.scene, calls)
+        let scene = &self.scene;
+        dispatch(Timing { scene, calls })
     }
 }
 
-/// Nanoseconds of one evaluation of the derivative, measured over this many.
-pub(super) fn time_evaluation<C: Scene>(scene: &C, calls: usize) -> f64 {
-    dispatch(Timing { scene, calls })
-}
-
-/// Measures one evaluation of the derivative.
-struct Timing<'a, C> {
-    scene: &'a C,
-    calls: usize,
+/// The nanoseconds of one evaluation of the derivative.
+pub(super) struct Timing<'a, C> {
+    pub scene: &'a C,
+    /// How many to measure.
+    pub calls: usize,
 }
 
 impl<C: Scene> Task for Timing<'_, C> {
     type Output = f64;
-    const LARGE: bool = C::LARGE;
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> f64 {

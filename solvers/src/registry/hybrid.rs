@@ -1,6 +1,8 @@
 //! A scene with modes and its values behind [`Run`].
 
+use super::bind::Timing;
 use super::{Run, Settings};
+use crate::dispatch::Task;
 use crate::hybrid::{
     self, Cycle, CycleError, EventEntry, Hybrid, HybridError, Motion, Sensitive, in_each_mode,
 };
@@ -160,7 +162,9 @@ impl<C: Hybrid + 'static> Run for Bound<C> {
     }
 
     fn time_evaluation(&self, calls: usize) -> f64 {
-        super::bind::time_evaluation(&self.scene, calls)
+        // Motions with events are followed on plain numbers.
+        let scene = &self.scene;
+        Timing { scene, calls }.run::<f64>()
     }
 }
 

@@ -1,15 +1,23 @@
 //! `f64` whose products and sums are fused.
 
 use super::{Scalar, angle, error_function, sine};
+use crate::dispatch::is_fused;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An `f64` whose [`Scalar::mul_add`] is rounded once.
 ///
-/// Inside [`crate::dispatch::dispatch`] it is one instruction. Elsewhere it may be a slow library call with the same
-/// result.
+/// That is one instruction in code that is compiled for it, and a slow library call elsewhere. So there are such numbers
+/// inside of [`crate::dispatch::dispatch`] alone, which has asked the processor: no other crate can name the type.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 #[repr(transparent)]
-pub struct Fused(pub f64);
+pub struct Fused(pub(crate) f64);
+
+/// Does work as a function of its own, compiled for those instructions.
+#[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma"))]
+#[inline(never)]
+unsafe fn apart<R>(mut work: impl FnMut() -> R) -> R {
+    work()
+}
 
 /// Implements operators between two fused numbers.
 macro_rules! operators {
@@ -48,7 +56,13 @@ impl Scalar for Fused {
     type Mask = bool;
     const ZERO: Self = Self(0.0);
     const ONE: Self = Self(1.0);
-    const SINGLE: bool = true;
+
+    #[inline(always)]
+    fn outline<R>(work: impl FnMut() -> R) -> R {
+        debug_assert!(is_fused());
+        // SAFETY: who computes with these numbers has asked the processor, see `Fused`.
+        unsafe { apart(work) }
+    }
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {

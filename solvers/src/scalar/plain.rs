@@ -106,6 +106,12 @@ plain!(
     }
 );
 
+/// Does work as a function of its own.
+#[inline(never)]
+pub(super) fn apart<R>(mut work: impl FnMut() -> R) -> R {
+    work()
+}
+
 impl sine::Bits for f64 {
     #[inline(always)]
     fn of_bits(bits: u64) -> Self {

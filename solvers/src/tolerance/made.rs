@@ -22,7 +22,10 @@ impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
     pub fn new(nominals: &[Nominal], sources: &[Source], output: usize) -> Self {
         let values = nominals.first().map_or(&[][..], |one| &one.values);
         let values = numbers::<S>(values);
-        let zeros = L::prepare::<S>(&values).zeros();
+        let zeros = S::outline(
+            #[inline(always)]
+            || L::prepare(&values).zeros(),
+        );
         let place = |one: &Nominal| Place::new(one, &zeros, sources, output);
         Self {
             constants: Varied::constants::<L>(sources, &values),

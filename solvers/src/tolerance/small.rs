@@ -14,7 +14,10 @@ pub(super) fn solve<S: Scalar>(n: usize, matrix: &mut [S], right: &mut [S]) -> S
         }
         2 => two(matrix, right),
         3 => three(matrix, right),
-        _ => eliminate(n, matrix, right),
+        _ => S::outline(
+            #[inline(always)]
+            || eliminate(n, matrix, right),
+        ),
     }
 }
 
@@ -63,6 +66,7 @@ fn three<S: Scalar>(m: &[S], right: &mut [S]) -> S {
 }
 
 /// Elimination with partial pivoting.
+#[inline(always)]
 fn eliminate<S: Scalar>(n: usize, matrix: &mut [S], right: &mut [S]) -> S {
     let mut determinant = S::ONE;
     for column in 0..n {

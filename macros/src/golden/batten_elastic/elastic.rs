@@ -379,7 +379,6 @@ impl Elastic {
 impl ::assur::problem::Scene for Elastic {
     type Equations<S: ::assur::scalar::Scalar> = ElasticEquations<S>;
     const LINEAR: bool = true;
-    const LARGE: bool = false;
     const STATES: usize = 6;
     const OUTPUTS: usize = 22;
     const DRIVERS: usize = 1;

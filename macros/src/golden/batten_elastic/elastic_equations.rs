@@ -376,7 +376,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             self.v40_ * S::mul_add(-self.v23_, v155_, instant.v115_),
             self.v42_ * (instant.v117_ - v159_),
         ];
-        for (column_, product_) in columns.iter().zip(products) {
+        for (column_, product_) in columns.iter().zip(products.iter_mut()) {
             product_[0] = column_[3];
             product_[1] = column_[4];
             product_[2] = column_[5];
