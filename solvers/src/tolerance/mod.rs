@@ -55,6 +55,6 @@ pub use influence::{Influences, influences};
 pub use linear::{Contribution, Linear, Rank, linear, ranking, worst_place};
 pub use monte_carlo::{MonteCarlo, Sampling, monte_carlo};
 pub(crate) use normal::quantile as normal_quantile;
-pub(crate) use random::Random;
+pub use random::Random;
 pub use second::{Moments, Quadratic, quadratics};
 pub use source::{Source, Study};
