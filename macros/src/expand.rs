@@ -23,6 +23,7 @@ pub fn mechanism(input: TokenStream) -> TokenStream {
         model,
         diagnostics,
         parts: files,
+        ..
     } = assur_model::compile_with(&source.tokens, &mut |wanted| parts.load(wanted, &source));
     let mut all = Diagnostics::default();
     all.extend(refused_words(&source.tokens, 0));

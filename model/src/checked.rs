@@ -23,6 +23,8 @@ pub struct Compiled {
     pub diagnostics: Vec<Diagnostic>,
     /// The files of parts that were read, in the order in which their tokens are counted.
     pub parts: Vec<PartFile>,
+    /// Steps that were taken to derive everything, the same on every machine. A file that needs too many is an error.
+    pub steps: u64,
 }
 
 /// A file of a part. Its tokens are counted on behind those of the files before.

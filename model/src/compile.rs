@@ -5,6 +5,7 @@ mod checks;
 mod quantities;
 
 use std::collections::{BTreeSet, HashMap};
+use std::rc::Rc;
 
 use asked::{conservative, energy, give_drivers, jacobian, kept_constants};
 use quantities::{driver_quantities, state_quantities, state_symbols, unknown_names};
@@ -12,7 +13,7 @@ use quantities::{driver_quantities, state_quantities, state_symbols, unknown_nam
 use crate::checked::{ConstantInfo, SceneModel, SpanKind};
 use crate::declare::Moved;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expression::Symbol;
+use crate::expression::{Budget, STEPS, Symbol};
 use crate::facts;
 use crate::linkage::{Geometry, Linkage, Loops, Ranges};
 use crate::lower::{Kind, Lowering};
@@ -55,14 +56,27 @@ impl Task<'_> {
 }
 
 /// What compiling a scene tells about the file.
-#[derive(Default)]
 pub struct Seen {
+    /// What the expressions of all scenes may cost.
+    pub budget: Rc<Budget>,
     /// Names that something refers to.
     pub used: BTreeSet<String>,
     /// Declared constants and abbreviations with their places.
     pub declared: Vec<(String, Span)>,
     /// Names of all constants with their kinds.
     pub constants: HashMap<String, (Kind, Span)>,
+}
+
+impl Seen {
+    /// Nothing yet.
+    pub fn new() -> Self {
+        Self {
+            budget: Rc::new(Budget::new(STEPS)),
+            used: BTreeSet::new(),
+            declared: Vec::new(),
+            constants: HashMap::new(),
+        }
+    }
 }
 
 /// A mode, compiled.
@@ -114,7 +128,13 @@ pub fn phase(
     let own_outputs = names.outputs.len() > shared_outputs;
     let reported = if own_outputs { shared_outputs.. } else { 0.. };
 
-    let mut low = Lowering::new(&names, task.survey, task.selected, diagnostics);
+    let mut low = Lowering::new(
+        &names,
+        task.survey,
+        task.selected,
+        diagnostics,
+        seen.budget.clone(),
+    );
     let constants: Vec<Option<ConstantInfo>> = names
         .constants
         .iter()
@@ -160,6 +180,7 @@ pub fn phase(
             && let Some(name) = crate::unroll::target_name(target, low.diagnostics)
             && let Some(Role::Let(_)) = names.table.get(&name.text).map(|entry| &entry.role)
         {
+            low.begin(Some(statement.span));
             let used = low.used.contains(&name.text);
             let term = Term {
                 span: name.span,
@@ -177,8 +198,10 @@ pub fn phase(
         ..Parts::default()
     };
     for statement in statements {
+        low.begin(Some(statement.span));
         parts.read(statement, &mut low);
     }
+    low.begin(None);
     let mut equations = parts.equations(&mut low, &names);
     modes::check_holds(&mut low, &names, phase);
     stand_still(&mut low, &names, phase, &mut equations);

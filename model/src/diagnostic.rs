@@ -71,6 +71,9 @@ impl Diagnostic {
     }
 }
 
+/// So many errors in one file are read by nobody.
+const CROWD: usize = 20;
+
 /// Collects messages; a message that is already there is not added again.
 #[derive(Clone, Debug, Default)]
 pub struct Diagnostics {
@@ -105,6 +108,11 @@ impl Diagnostics {
     /// Number of errors so far; one that was met in an earlier scene counts again.
     pub fn error_count(&self) -> usize {
         self.errors
+    }
+
+    /// Whether there are so many errors that it pays no more to look for what each name may have meant.
+    pub fn is_crowded(&self) -> bool {
+        self.errors >= CROWD
     }
 
     /// Whether an error is among them.

@@ -1,5 +1,7 @@
 //! What a scene is asked for: outputs, its task, start values, presets.
 
+use std::collections::BTreeSet;
+
 use crate::checked::{QuantityInfo, SpanKind};
 use crate::declare::quantity;
 use crate::diagnostic::Diagnostic;
@@ -27,7 +29,9 @@ pub struct Outputs {
 /// Lowers the reported quantities; a vector becomes its components.
 pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs {
     let mut outputs = Outputs::default();
+    let mut known = BTreeSet::new();
     for output in declared {
+        low.begin(Some(output.what.span));
         let own_name = Term {
             span: output.name.span,
             kind: name_kind(&output.name.text),
@@ -79,8 +83,8 @@ pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs
             } else {
                 name.clone()
             };
-            if let Some(earlier) = outputs.quantities.iter().position(|one| one.name == label) {
-                let message = format!("`{}` is reported twice", outputs.quantities[earlier].name);
+            if !known.insert(label.clone()) {
+                let message = format!("`{label}` is reported twice");
                 low.diagnostics
                     .push(Diagnostic::warning(output.what.span, message));
                 continue;
@@ -94,6 +98,7 @@ pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs
                 .push(kind == Kind::Any && output.what.unit.is_none());
         }
     }
+    low.begin(None);
     outputs
 }
 

@@ -7,6 +7,24 @@ use crate::compile::{Compiled, Keep, Seen, Task, phase};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::modes::{Phase, Phases};
 use crate::scene::specialise;
+use crate::syntax::tree::{Statement, StatementKind};
+
+/// Steps that a mode of a scene takes in any case.
+const SCENE: usize = 5000;
+
+/// Steps that it takes for a statement that says hardly anything.
+const STATEMENT: usize = 100;
+
+/// Steps that a scene takes whatever its expressions are: what stands outside of its modes is read for each of them.
+fn least(statements: &[Statement], task: &Task<'_>) -> usize {
+    let bodies = statements.iter().filter_map(|one| match &one.kind {
+        StatementKind::Mode { body, .. } => Some(body.len()),
+        _ => None,
+    });
+    let (modes, own) = bodies.fold((0, 0), |(modes, own), body| (modes + 1, own + body));
+    let common = SCENE + task.selected.choices.len() + STATEMENT * (statements.len() - modes);
+    modes.max(1) * common + STATEMENT * own
+}
 
 /// Compiles one scene. Mistakes go to `diagnostics`, and then there is no model.
 pub fn scene(
@@ -15,6 +33,7 @@ pub fn scene(
     diagnostics: &mut Diagnostics,
 ) -> Option<SceneModel> {
     let statements = specialise(task.file, task.survey, task.selected, diagnostics);
+    seen.budget.spend(least(&statements, task));
     let phases = Phases::of(statements, task.scene.map(|(scene, _)| scene), diagnostics);
     match phases.is_hybrid() {
         true => join(task, &phases, seen, diagnostics),

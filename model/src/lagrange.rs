@@ -7,6 +7,8 @@
 //!
 //! T. R. Kane, D. A. Levinson, "Dynamics: Theory and Applications" (1985), section 4.
 
+use std::collections::BTreeSet;
+
 use crate::expression::{Expression, Graph, Map, Node, Symbol};
 
 /// The energies and forces of a scene.
@@ -23,19 +25,24 @@ pub struct Energies {
 }
 
 impl Energies {
-    /// Whether a coordinate or its speed occurs in them.
-    pub fn concern(&self, graph: &Graph, coordinate: u32) -> bool {
-        let own = |symbol| {
-            symbol == Symbol::Coordinate(coordinate) || symbol == Symbol::Speed(coordinate)
-        };
+    /// The coordinates that occur in them, or whose speeds do.
+    pub fn concern(&self, graph: &Graph) -> BTreeSet<u32> {
         let single = self
             .kinetic
             .iter()
             .chain(&self.potential)
             .chain(&self.dissipation);
-        single
-            .chain(self.forces.iter().flat_map(|(force, on)| [force, on]))
-            .any(|term| graph.depends_on(*term, own))
+        let forces = self.forces.iter().flat_map(|(force, on)| [force, on]);
+        let all: Vec<Expression> = single.chain(forces).copied().collect();
+        let coordinate = |symbol| match symbol {
+            Symbol::Coordinate(index) | Symbol::Speed(index) => Some(index),
+            _ => None,
+        };
+        graph
+            .symbols(&all)
+            .into_iter()
+            .filter_map(coordinate)
+            .collect()
     }
 }
 
@@ -118,6 +125,7 @@ pub fn residuals(
 
 /// The terms of a sum.
 fn split(graph: &Graph, term: Expression) -> Vec<Expression> {
+    graph.budget().spend(1);
     match graph.node(term) {
         Node::Sum(terms) => terms.iter().flat_map(|one| split(graph, *one)).collect(),
         _ => vec![term],

@@ -49,6 +49,7 @@ use std::sync::mpsc;
 use checked::{ChoiceInfo, Compiled, Described, Model, PresetInfo};
 use compile::{Seen, Task};
 use diagnostic::{Diagnostic, Diagnostics};
+use expression::Budget;
 use flatten::{Loader, Wanted};
 use lexer::Unreadable;
 use scene::{Selected, Survey};
@@ -117,6 +118,7 @@ fn compile_here(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
             model: None,
             diagnostics: diagnostics.into_sorted(),
             parts: Vec::new(),
+            steps: 0,
         };
     };
     let parts = flatten::flatten(&mut file, tokens.len(), loader, &mut diagnostics);
@@ -126,7 +128,7 @@ fn compile_here(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
     if scenes.is_empty() {
         scenes.push((&implicit, &[]));
     }
-    let mut seen = Seen::default();
+    let mut seen = Seen::new();
     let mut models = Vec::new();
     let mut shown = BTreeSet::new();
     for (index, (scene, documentation)) in scenes.iter().enumerate() {
@@ -140,12 +142,13 @@ fn compile_here(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
             scene: Some((scene, documentation)),
             is_first: index == 0,
         };
-        models.extend(joined::scene(&task, &mut seen, &mut diagnostics));
+        models.extend(scene_within(&task, &mut seen, &mut diagnostics));
         shown.insert(selected);
     }
     check_unshown(&file, &survey, &shown, &mut seen, &mut diagnostics);
     check_facts(&file, &scenes, &mut diagnostics);
-    let presets = presets(&file, &seen, &mut diagnostics);
+    let presets =
+        expression::within(|| presets(&file, &seen, &mut diagnostics)).unwrap_or_default();
     if !diagnostics.has_errors() {
         report_unused(&seen, &mut diagnostics);
     }
@@ -167,6 +170,44 @@ fn compile_here(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
         model,
         diagnostics: diagnostics.into_sorted(),
         parts,
+        steps: seen.budget.spent(),
+    }
+}
+
+/// Compiles one scene, unless the file has come to more than is allowed.
+fn scene_within(
+    task: &Task<'_>,
+    seen: &mut Seen,
+    diagnostics: &mut Diagnostics,
+) -> Option<checked::SceneModel> {
+    if seen.budget.is_exhausted() {
+        return None;
+    }
+    let budget = seen.budget.clone();
+    let result = expression::within(|| joined::scene(task, seen, diagnostics));
+    result.unwrap_or_else(|| {
+        diagnostics.push(too_large(&budget, task));
+        None
+    })
+}
+
+/// Says which statement takes the most steps, or that a whole scene is too much.
+fn too_large(budget: &Budget, task: &Task<'_>) -> Diagnostic {
+    let limit = expression::STEPS / 1_000_000;
+    let scene = task
+        .scene
+        .map_or(task.file.name.span, |(scene, _)| scene.name.span);
+    match budget.largest() {
+        Some(statement) => Diagnostic::error(
+            statement,
+            format!("this statement grows too large: most of the {limit} million steps that a file may take go into it"),
+        )
+        .hint("each derivative of a derivative and each function that calls another one twice doubles it: take fewer, or make what repeats a coordinate, a state or a driver of its own"),
+        None => Diagnostic::error(
+            scene,
+            format!("the file is too large: with this scene it takes more than the {limit} million steps that it may take"),
+        )
+        .hint("divide it into several files, or take statements or scenes away"),
     }
 }
 
@@ -201,7 +242,7 @@ fn check_unshown(
                 scene: None,
                 is_first: false,
             };
-            joined::scene(&task, seen, diagnostics);
+            scene_within(&task, seen, diagnostics);
         }
     };
     for (name, ..) in &survey.effects {
@@ -331,7 +372,13 @@ fn presets(file: &File, seen: &Seen, diagnostics: &mut Diagnostics) -> Vec<Prese
                 );
                 continue;
             };
-            let mut low = lower::Lowering::new(&nothing, &survey, &selected, diagnostics);
+            let mut low = lower::Lowering::new(
+                &nothing,
+                &survey,
+                &selected,
+                diagnostics,
+                seen.budget.clone(),
+            );
             let Some((value, found)) = low.fixed(term) else {
                 continue;
             };

@@ -4,7 +4,7 @@
 //! linearly, `A·w + r₀ = 0`. Partial derivatives of the motion follow with `w` held: `A·∂w/∂y = −∂(A·w + r₀)/∂y`, so
 //! nothing is ever differentiated through a solution.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Graph, Map, Symbol};
@@ -143,7 +143,15 @@ pub fn solve(
         for (unknown, value) in system.unknowns.iter().zip(values) {
             solved.derivatives[*unknown] = value;
         }
-        for column in 0..given.len() {
+        // The columns in which the equations of the block, or the unknowns solved before it, have an entry.
+        let mut columns: BTreeSet<usize> = BTreeSet::new();
+        for &row in &system.equations {
+            columns.extend(by_row[row].keys());
+            let earlier = incidence.rows[row].iter();
+            let earlier = earlier.filter(|other| !system.unknowns.contains(other));
+            earlier.for_each(|other| columns.extend(partials[*other].keys()));
+        }
+        for column in columns {
             let mut any = false;
             let mut right = Vec::new();
             for &row in &system.equations {

@@ -33,6 +33,8 @@ fn closest<'a>(
     };
     known
         .into_iter()
+        // Each letter more or less counts two.
+        .filter(|(name, _)| 2 * name.chars().count().abs_diff(letters) <= limit)
         .map(|(name, whole)| (distance(wanted, name), whole))
         .filter(|(distance, _)| *distance <= limit)
         .min()

@@ -68,12 +68,12 @@ impl Parts {
                     );
                     return;
                 }
-                let names = (0..low.names.constants.len())
-                    .filter(|index| {
-                        low.graph
-                            .depends_on(value, |symbol| symbol == Symbol::Parameter(*index as u32))
-                    })
-                    .collect();
+                let symbols = low.graph.symbols_of(value).iter();
+                let names = symbols.filter_map(|symbol| match symbol {
+                    Symbol::Parameter(index) => Some(*index as usize),
+                    _ => None,
+                });
+                let names = names.collect();
                 self.conditions.push(value);
                 self.requirements.push(RequirementInfo {
                     text: print::term(condition),
@@ -195,9 +195,7 @@ impl Parts {
         let Some(direction) = low.direction() else {
             return equations;
         };
-        let concerned: Vec<u32> = (0..names.coordinates.len() as u32)
-            .filter(|coordinate| self.energies.concern(&low.graph, *coordinate))
-            .collect();
+        let concerned: Vec<u32> = self.energies.concern(&low.graph).into_iter().collect();
         let rates = std::mem::take(&mut low.rates);
         let residuals = lagrange::residuals(
             &mut low.graph,

@@ -82,7 +82,8 @@ fn expectation(
                 expect.quantity.span,
                 format!("the scene `{}` does not report `{wanted}`", model.name),
             );
-            low.diagnostics.push(match nearest(&wanted, names()) {
+            let near = nearest(&wanted, names()).filter(|_| !low.diagnostics.is_crowded());
+            low.diagnostics.push(match near {
                 Some(near) => report.hint(format!("did you mean `{near}`?")),
                 None => report.hint("add it to the outputs"),
             });

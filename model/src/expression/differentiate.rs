@@ -189,10 +189,16 @@ impl Graph {
         let one = self.one();
         let zero = self.zero();
         let mut entries = Vec::new();
+        let mut rows_of: Map<Symbol, Vec<usize>> = Map::default();
+        for (row, value) in rows.iter().enumerate() {
+            for symbol in self.symbols_of(*value) {
+                rows_of.entry(*symbol).or_default().push(row);
+            }
+        }
         for (column, symbol) in symbols.iter().enumerate() {
-            let concerned: Vec<usize> = (0..rows.len())
-                .filter(|row| self.depends_on(rows[*row], |other| other == *symbol))
-                .collect();
+            let Some(concerned) = rows_of.remove(symbol) else {
+                continue;
+            };
             let values: Vec<_> = concerned.iter().map(|row| rows[*row]).collect();
             let slopes = self.tangent(&values, &Map::from_iter([(*symbol, one)]));
             entries.extend(

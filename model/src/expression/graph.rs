@@ -4,8 +4,12 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
+use super::budget::Budget;
 use super::hash::Map;
 use crate::program::{Function, Relation};
+
+/// Nodes may stand in each other this deep: what walks through them goes as deep.
+const DEEPEST: u32 = 20_000;
 
 /// A handle to a node. Operands have smaller handles than what is made of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -101,6 +105,17 @@ impl Node {
         list
     }
 
+    /// Number of operands.
+    fn count(&self) -> usize {
+        match self {
+            Node::Sum(list) | Node::Product(list) | Node::Call(_, list) | Node::Factor(_, list) => {
+                list.len()
+            }
+            Node::Solve(_, right) => 1 + right.len(),
+            _ => 3,
+        }
+    }
+
     /// Hands out the operands one by one.
     fn each_operand(&self, mut take: impl FnMut(Expression)) {
         match self {
@@ -130,10 +145,13 @@ pub struct Graph {
     switches: Map<Expression, Rc<str>>,
     /// For each node the set of its symbols.
     support: Vec<u32>,
+    /// For each node how many nodes stand in each other.
+    depth: Vec<u32>,
     supports: Vec<Rc<[Symbol]>>,
     support_index: Map<Rc<[Symbol]>, u32>,
     unions: Map<(u32, u32), u32>,
     visit: RefCell<Visit>,
+    budget: Rc<Budget>,
 }
 
 /// Which walk met each node last, so that a walk costs what it meets and not the whole graph.
@@ -157,15 +175,29 @@ impl Visit {
 }
 
 impl Graph {
-    /// An empty graph.
+    /// An empty graph that may grow as it likes.
     pub fn new() -> Self {
-        let mut graph = Self::default();
+        Self::within(Rc::default())
+    }
+
+    /// An empty graph whose steps are counted.
+    pub fn within(budget: Rc<Budget>) -> Self {
+        let mut graph = Self {
+            budget,
+            ..Self::default()
+        };
         graph.intern_support(Rc::from([]));
         graph
     }
 
+    /// What the graph may cost.
+    pub fn budget(&self) -> &Rc<Budget> {
+        &self.budget
+    }
+
     /// The handle of a node.
     pub(super) fn intern(&mut self, node: Node) -> Expression {
+        self.budget.spend(1 + node.count());
         if let Some(known) = self.index.get(&node) {
             return *known;
         }
@@ -179,6 +211,12 @@ impl Graph {
                 all
             }
         };
+        let mut depth = 0;
+        node.each_operand(|operand| depth = depth.max(1 + self.depth[operand.0 as usize]));
+        if depth > DEEPEST {
+            self.budget.exhaust();
+        }
+        self.depth.push(depth);
         let handle = Expression(self.nodes.len() as u32);
         self.nodes.push(node.clone());
         self.support.push(support);
@@ -204,6 +242,8 @@ impl Graph {
         if let Some(known) = self.unions.get(&key) {
             return *known;
         }
+        let both = self.supports[left as usize].len() + self.supports[right as usize].len();
+        self.budget.spend(2 * both);
         let all: BTreeSet<Symbol> = self.supports[left as usize]
             .iter()
             .chain(self.supports[right as usize].iter())
@@ -261,9 +301,9 @@ impl Graph {
 
     /// Whether a symbol of a kind occurs.
     pub fn depends_on(&self, expression: Expression, kind: impl Fn(Symbol) -> bool) -> bool {
-        self.symbols_of(expression)
-            .iter()
-            .any(|symbol| kind(*symbol))
+        let symbols = self.symbols_of(expression);
+        self.budget.spend(1 + symbols.len() / 8);
+        symbols.iter().any(|symbol| kind(*symbol))
     }
 
     /// The symbols that occur, rising.
@@ -294,6 +334,7 @@ impl Graph {
                 self.node(one).each_operand(|operand| stack.push(operand));
             }
         }
+        self.budget.spend(found.len());
         found.sort_unstable();
         found
     }

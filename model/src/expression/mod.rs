@@ -5,6 +5,7 @@
 //! as they are, because what is shared must not be written out; [`Graph::simplify`] opens those that are used once.
 
 mod breaks;
+mod budget;
 mod build;
 mod differentiate;
 mod display;
@@ -17,6 +18,7 @@ mod solve;
 mod stable;
 
 pub use breaks::{Breaks, Course};
+pub use budget::{Budget, STEPS, within};
 pub use graph::{Expression, Graph, Node, Real, Symbol};
 pub use hash::{Map, Set};
 

@@ -18,6 +18,7 @@
 //! They are put in after everything is derived, by [`Graph::simplify`].
 
 use super::graph::{Expression, Graph, Node};
+use super::hash::Map;
 use crate::program::Function;
 
 /// The stable form of a function.
@@ -50,12 +51,16 @@ pub fn function(
 /// The stable form of a sum of terms, two of which may cancel.
 pub fn sum(graph: &mut Graph, terms: &[Expression]) -> Option<Vec<Expression>> {
     let parts: Vec<(f64, Expression)> = terms.iter().map(|term| split(graph, *term)).collect();
+    // Only `c*f - c*g` can cancel.
+    let mut places: Map<u64, Vec<usize>> = Map::default();
+    for (place, (coefficient, _)) in parts.iter().enumerate() {
+        places.entry(coefficient.to_bits()).or_default().push(place);
+    }
     for (i, (c, f)) in parts.iter().enumerate() {
-        for (j, (d, g)) in parts.iter().enumerate().skip(i + 1) {
-            // Only `c*f - c*g` can cancel.
-            if *c != -*d {
-                continue;
-            }
+        let opposite = places.get(&(-*c).to_bits()).into_iter().flatten();
+        for &j in opposite.filter(|place| **place > i) {
+            let (_, g) = &parts[j];
+            graph.budget().spend(1);
             let found = if *c > 0.0 {
                 difference(graph, *f, *g)
             } else {

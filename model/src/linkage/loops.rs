@@ -31,9 +31,11 @@ impl Loops {
                     || format!("{} = {}", print::term(left), print::term(right)),
                     |label| label.text.clone(),
                 );
+                low.begin(Some(statement.span));
                 loops.take(&name, left, right, statement, low);
             }
         }
+        low.begin(None);
         loops.report_repeated(low);
         loops
     }

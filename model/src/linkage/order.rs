@@ -55,11 +55,17 @@ impl Linkage {
         ) {
             return None;
         }
+        let mut concerned: Vec<Vec<Expression>> = vec![Vec::new(); count];
+        for (residual, row) in residuals.iter().zip(&incidence.rows) {
+            row.iter()
+                .for_each(|column| concerned[*column].push(*residual));
+        }
         let angles: Vec<bool> = (0..count as u32)
             .map(Symbol::Dependent)
-            .map(|symbol| {
+            .zip(&concerned)
+            .map(|(symbol, residuals)| {
                 low.kind_of(symbol) == Kind::NUMBER
-                    && angles::is_turn(&mut low.graph, &residuals, symbol)
+                    && angles::is_turn(&mut low.graph, residuals, symbol)
             })
             .collect();
         let mut groups = Vec::new();
@@ -99,11 +105,15 @@ impl Linkage {
 }
 
 fn incidence(graph: &Graph, residuals: &[Expression], columns: usize) -> Incidence {
+    let dependent = |symbol: &Symbol| match symbol {
+        Symbol::Dependent(index) => Some(*index as usize),
+        _ => None,
+    };
     let occurs = |residual: &Expression| {
-        (0..columns)
-            .filter(|k| {
-                graph.depends_on(*residual, |symbol| symbol == Symbol::Dependent(*k as u32))
-            })
+        graph
+            .symbols_of(*residual)
+            .iter()
+            .filter_map(dependent)
             .collect()
     };
     Incidence {

@@ -98,6 +98,9 @@ impl Lowering<'_> {
             }
             let report =
                 Diagnostic::error(name.span, format!("there is no function `{}`", name.text));
+            if self.diagnostics.is_crowded() {
+                return self.error(report);
+            }
             let own = names
                 .table
                 .iter()

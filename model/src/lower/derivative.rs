@@ -70,7 +70,8 @@ impl Lowering<'_> {
         if self.has_no_speed(&values, span) {
             return Typed::Wrong;
         }
-        let Some(direction) = self.direction() else {
+        let given = self.graph.symbols(&values).into_iter().collect();
+        let Some(direction) = self.direction_of(given) else {
             return Typed::Wrong;
         };
         let moves = |symbol| direction.contains_key(&symbol);
@@ -105,24 +106,31 @@ impl Lowering<'_> {
 
     /// How everything given moves with time: `dq/dt = u`, `du/dt = a`. None when the motion of a driver is wrong.
     pub fn direction(&mut self) -> Option<Map<Symbol, Expression>> {
+        let index = |count: usize| 0..count as u32;
+        let names = self.names;
+        let coordinates = index(names.coordinates.len());
+        let all = coordinates
+            .clone()
+            .map(Symbol::Coordinate)
+            .chain(coordinates.map(Symbol::Speed))
+            .chain(index(names.states.len()).map(Symbol::State))
+            .chain(index(names.dependents.len()).map(Symbol::Dependent));
+        self.direction_of(all.collect())
+    }
+
+    /// How the time, all drivers and some other things given move with time.
+    fn direction_of(&mut self, given: Vec<Symbol>) -> Option<Map<Symbol, Expression>> {
         let coordinates = self.names.coordinates.len() as u32;
         let mut direction = Map::default();
         direction.insert(Symbol::Time, self.graph.one());
-        for index in 0..coordinates {
-            direction.insert(
-                Symbol::Coordinate(index),
-                self.graph.symbol(Symbol::Speed(index)),
-            );
-            direction.insert(
-                Symbol::Speed(index),
-                self.graph.symbol(Symbol::Acceleration(index)),
-            );
-        }
-        for index in 0..self.names.states.len() as u32 {
-            direction.insert(
-                Symbol::State(index),
-                self.graph.symbol(Symbol::Acceleration(coordinates + index)),
-            );
+        for symbol in &given {
+            let rate = match *symbol {
+                Symbol::Coordinate(index) => Symbol::Speed(index),
+                Symbol::Speed(index) => Symbol::Acceleration(index),
+                Symbol::State(index) => Symbol::Acceleration(coordinates + index),
+                _ => continue,
+            };
+            direction.insert(*symbol, self.graph.symbol(rate));
         }
         for index in 0..self.names.drivers.len() {
             match self.driver_motions[index] {
@@ -141,7 +149,12 @@ impl Lowering<'_> {
                 None => return None,
             }
         }
-        self.follow(&mut direction);
+        if given
+            .iter()
+            .any(|symbol| matches!(symbol, Symbol::Dependent(_)))
+        {
+            self.follow(&mut direction);
+        }
         Some(direction)
     }
 

@@ -12,6 +12,7 @@ mod vector;
 mod written;
 
 use std::collections::{BTreeSet, HashMap};
+use std::rc::Rc;
 
 pub use measure::{FUNCTIONS as MEASURING, Measuring, Moment, Primitive, PrimitiveKind};
 use typed::Key;
@@ -22,7 +23,7 @@ use written::Written;
 use crate::checked::LiteralInfo;
 use crate::declare::{Kinds, Moved};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expression::{Expression, Graph, Set, Symbol};
+use crate::expression::{Budget, Expression, Graph, Set, Symbol};
 use crate::homogeneity::{agree, describe};
 use crate::linkage::Slopes;
 use crate::nearest::nearest;
@@ -91,9 +92,10 @@ impl<'a> Lowering<'a> {
         survey: &'a Survey<'a>,
         selected: &'a Selected,
         diagnostics: &'a mut Diagnostics,
+        budget: Rc<Budget>,
     ) -> Self {
         Self {
-            graph: Graph::new(),
+            graph: Graph::within(budget),
             diagnostics,
             names,
             used: BTreeSet::new(),
@@ -169,6 +171,11 @@ impl<'a> Lowering<'a> {
                 instead,
             } => self.bound(name, value, instead),
         }
+    }
+
+    /// From now on a statement is read, or none: whoever needs too many steps is named.
+    pub fn begin(&self, statement: Option<Span>) {
+        self.graph.budget().begin(statement);
     }
 
     /// A scalar with its kind; anything else is reported.
@@ -357,6 +364,9 @@ impl<'a> Lowering<'a> {
             return Typed::Wrong;
         }
         let mut report = Diagnostic::error(span, format!("there is no `{name}` here"));
+        if self.diagnostics.is_crowded() {
+            return self.error(report);
+        }
         let functions = FUNCTIONS.contains(&name);
         let indexed = self
             .names

@@ -116,9 +116,11 @@ pub fn read(
                 here,
                 span: statement.span,
             };
+            low.begin(Some(statement.span));
             events.extend(reader.read(event, low));
         }
     }
+    low.begin(None);
     // Of two that happen together the first in the file is first.
     events.sort_by_key(|(_, info)| info.span.first);
     idle::report(low, phases, here, &mut events);

@@ -147,6 +147,7 @@ fn factored(graph: &mut Graph, mut terms: Vec<Term>, request: &Request) -> Expre
 fn most_common(graph: &Graph, terms: &[Term], request: &Request) -> Option<(Expression, f64)> {
     let mut counts: BTreeMap<(Expression, bool), usize> = BTreeMap::new();
     for term in terms {
+        graph.budget().spend(term.powers.len());
         for (base, exponent) in &term.powers {
             *counts.entry((*base, *exponent > 0.0)).or_insert(0) += 1;
         }

@@ -5,6 +5,7 @@ mod chain;
 mod derivatives;
 mod fuzz;
 mod grammar;
+mod growth;
 mod literals;
 mod measures;
 mod modes;

@@ -1,7 +1,7 @@
 //! Expressions, by precedence climbing.
 
 use super::cursor::within;
-use super::{Parser, Read};
+use super::{DEPTH, Parser, Read};
 use crate::syntax::tree::{BinaryOperator, Name, Term, TermKind, UnaryOperator, UnitTerm};
 use crate::token::TokenKind;
 
@@ -139,7 +139,7 @@ impl Parser<'_> {
                 let mut inner = self.term()?;
                 self.close(')')?;
                 inner.span = self.since(start);
-                return Ok(inner);
+                return Ok(self.members()?.into_iter().fold(inner, member));
             }
             TokenKind::Open('[') => {
                 self.advance();
@@ -228,61 +228,49 @@ impl Parser<'_> {
     fn named(&mut self) -> Read<Term> {
         let name = self.name("a name")?;
         let start = name.span;
-        let mut members = Vec::new();
-        while self.is_operator(".") && !self.is_operator("..") {
-            self.advance();
-            members.push(self.name("a name after `.`")?);
-        }
+        let members = self.members()?;
         if members.is_empty() || self.is_open_ahead(0, '(') || self.is_indexed() {
             let name = members.iter().fold(name, within);
             return self.applied(name);
         }
-        let mut term = Term {
+        let term = Term {
             span: start,
             kind: TermKind::Name(name.text),
         };
-        for name in members {
-            term = Term {
-                span: start.to(name.span),
-                kind: TermKind::Member {
-                    base: Box::new(term),
-                    name,
-                },
-            };
-        }
-        Ok(term)
+        Ok(members.into_iter().fold(term, member))
     }
 
     /// A name with an index, arguments or neither.
     fn applied(&mut self, name: Name) -> Read<Term> {
         let start = name.span;
-        if self.is_open_ahead(0, '(') {
-            return self.call(name);
-        }
-        let kind = if self.is_indexed() {
-            TermKind::Index {
-                name,
-                index: Box::new(self.index()?),
+        let term = if self.is_open_ahead(0, '(') {
+            self.call(name)?
+        } else if self.is_indexed() {
+            let index = Box::new(self.index()?);
+            Term {
+                span: self.since(start),
+                kind: TermKind::Index { name, index },
             }
         } else {
-            TermKind::Name(name.text)
+            Term {
+                span: start,
+                kind: TermKind::Name(name.text),
+            }
         };
-        let mut term = Term {
-            span: self.since(start),
-            kind,
-        };
+        Ok(self.members()?.into_iter().fold(term, member))
+    }
+
+    /// The names behind dots.
+    fn members(&mut self) -> Read<Vec<Name>> {
+        let mut members = Vec::new();
         while self.is_operator(".") && !self.is_operator("..") {
+            if members.len() >= DEPTH {
+                return self.wrong(format!("more than {DEPTH} names follow each other"), None);
+            }
             self.advance();
-            let member = self.name("a name after `.`")?;
-            term = Term {
-                span: start.to(member.span),
-                kind: TermKind::Member {
-                    base: Box::new(term),
-                    name: member,
-                },
-            };
+            members.push(self.name("a name after `.`")?);
         }
-        Ok(term)
+        Ok(members)
     }
 
     /// Whether an index follows.
@@ -402,6 +390,17 @@ impl Parser<'_> {
         let term = self.term()?;
         self.close('}')?;
         Ok(term)
+    }
+}
+
+/// `base.name`
+fn member(base: Term, name: Name) -> Term {
+    Term {
+        span: base.span.to(name.span),
+        kind: TermKind::Member {
+            base: Box::new(base),
+            name,
+        },
     }
 }
 
