@@ -59,11 +59,11 @@ impl Case {
         self.run.as_ref()
     }
 
-    /// Takes into account that the motion repeats after several periods: all of them are shown.
-    pub fn repeat(&mut self, periods: usize) {
-        if let Span::Periodic(period) = self.run.span() {
-            self.repeats = periods;
-            self.task = Span::Periodic(period * periods as f64);
+    /// Takes into account after what time the motion repeats: all of its periods are shown.
+    pub fn repeat(&mut self, motion: &Motion) {
+        if let Some(length) = motion.length() {
+            self.repeats = motion.multiple();
+            self.task = Span::Periodic(length);
         }
     }
 

@@ -76,6 +76,8 @@ pub struct Estimate {
     pub start: Vec<f64>,
     /// Global error of each measure; NaN where one of the two solutions does not have it.
     pub measures: Vec<f64>,
+    /// Error of the time after which the motion repeats, where that is a result.
+    pub period: f64,
     /// How many times the work of the printed solution ten times more accuracy takes.
     pub tenfold: Option<f64>,
 }
@@ -133,8 +135,11 @@ pub fn estimate(
         (Ok(a), Ok(b)) => ((a - b).abs() * share).max(4.0 * f64::EPSILON * a.abs()),
         _ => f64::NAN,
     });
+    let lengths = motion.length().zip(check.length());
+    let period = lengths.map_or(0.0, |(a, b)| (a - b).abs() * share);
     Ok(Estimate {
         measures: measures.collect(),
+        period,
         errors,
         start,
         tenfold,

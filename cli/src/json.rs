@@ -6,7 +6,7 @@
 //! | `mechanism` | `name`, `title`, `source` |
 //! | `scene` | `name`, `effects`, `choices` (name: alternative), `preset` (null for the declared values) |
 //! | `parameters` | each `name`, `kind` (`dimension` or `parameter`), `unit`, `value`, `default`, `changed` |
-//! | `task` | `kind` (`periodic`, `run` or `open`), `from`, `to`, `unit`, `periods` (after how many it repeats) |
+//! | `task` | `kind` (`periodic`, `run` or `open`), `from`, `to`, `unit`, `periods` (after how many it repeats), `period` (`value`, `estimated_error`; null unless it is a result: nothing drives the motion) |
 //! | `settings` | `method`, `rtol` |
 //! | `status` | `"complete"`; `"not unique"` when free motions repeat after the same period and nothing drives them, so that any amount could be added (`conclusions` says it); or `"incomplete"` when a value of `results`, `at` or `measures` below is null because it is not a finite number or a measure is missing |
 //! | `results` | each `name`, `unit`, `value` and `estimated_error` at the beginning of the task, and `minimum` and `maximum` over it, each with `value` and `time` |
@@ -16,7 +16,7 @@
 //! | `events` | what happened, in order: each `time`, `from` and `to` (names of modes), `event` (the statement), `line` of the equation file, `guard` (its `value` there, `unit`), `before` and `after` (the state, each `name`, `unit`, `value`) |
 //! | `measures` | numbers of the whole task, each `name`, `unit`, `value` and `estimated_error`, or a `value` of null and why it is `missing` |
 //! | `published` | each `name`, `unit`, `place`, `published`, `tolerance`, `computed`, `estimated_error`, `deviation`, `relative_deviation`, `within` (null when published for other values), `remark`, `line` of the equation file |
-//! | `multipliers` | over all `periods` of the task: each `re`, `im`, `modulus`, `angle`, `angle_unit`, `meaning`; none unless the task is periodic |
+//! | `multipliers` | over all `periods` of the task: each `re`, `im`, `modulus`, `angle`, `angle_unit`, `estimated_error` (of `re` and `im` together), `meaning`; none unless the task is periodic |
 //! | `conclusions` | what the multipliers say, a sentence each |
 //! | `statistics` | `steps`, `rejected`, `evaluations`, `jacobians`, `stiff_steps` (by a stiff method), `switches` (of `auto`, each `time`, `to`), `condition` (number of the steady state), `residual` (after a period, over the scales), `seconds`, `seconds_with_error_estimate`, `largest_estimated_error` (`name`, `relative_to_amplitude`), `work_for_ten_times_more_accuracy` |
 //! | `figure` | path of the figure, or null |
@@ -30,11 +30,9 @@ use assur::problem::Span;
 use assur::registry::{Mechanism, Quantity};
 use serde_json::{Value, json};
 
-use crate::case::Case;
 use crate::constants::Constants;
 use crate::events;
 use crate::measures;
-use crate::multipliers::conclusions;
 use crate::published::Comparison;
 use crate::report::{Report, Snapshot};
 use crate::settings::method_name;
@@ -64,7 +62,7 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
         "mechanism": mechanism(report.mechanism),
         "scene": scene(&report.case.constants),
         "parameters": parameters(&report.case.constants),
-        "task": task(&report.case),
+        "task": task(report),
         "settings": {
             "method": method_name(report.motion.settings.method),
             "rtol": report.motion.settings.rtol,
@@ -78,7 +76,7 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
         "measures": measures,
         "published": published,
         "multipliers": multipliers(report),
-        "conclusions": conclusions(&report.multipliers, report.case.turn(), report.free()),
+        "conclusions": report.conclusions(),
         "statistics": statistics(report),
         "figure": figure.map(|path| path.display().to_string()),
     })
@@ -139,15 +137,23 @@ pub fn parameters(constants: &Constants) -> Value {
     (0..constants.values.len()).map(one).collect()
 }
 
-fn task(case: &Case) -> Value {
-    let task = case.task;
+fn task(report: &Report) -> Value {
+    let task = report.case.task;
     let (kind, (from, to)) = match task {
         Span::Periodic(_) => ("periodic", task.limits()),
         Span::Run(..) => ("run", task.limits()),
-        // It lasts no time; the limits of an open span are those of a search.
-        Span::Open => ("open", (0.0, 0.0)),
+        // They last no time; the limits of such a span are those of a search.
+        Span::Open | Span::Autonomous => ("open", (0.0, 0.0)),
     };
-    json!({ "kind": kind, "from": from, "to": to, "unit": "s", "periods": case.repeats })
+    let period = report.period();
+    json!({
+        "kind": kind,
+        "from": from,
+        "to": to,
+        "unit": "s",
+        "periods": report.case.repeats,
+        "period": period.map(|(value, error)| json!({ "value": value, "estimated_error": error })),
+    })
 }
 
 /// Every variable at the beginning of the task, with its extremes over the task.
@@ -236,6 +242,7 @@ fn multipliers(report: &Report) -> Value {
                 "modulus": multiplier.modulus(),
                 "angle": sign * multiplier.angle(),
                 "angle_unit": "deg",
+                "estimated_error": multiplier.error,
                 "meaning": multiplier.meaning(report.case.turn()),
             }));
         }

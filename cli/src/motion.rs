@@ -3,7 +3,7 @@
 //! This is the only file that talks to the solvers.
 
 use assur::hybrid::{self, CycleError, HybridError};
-use assur::periodic;
+use assur::periodic::{self, PeriodicError};
 use assur::problem::Span;
 use assur::registry::{Run, SceneEntry, Settings};
 
@@ -28,10 +28,15 @@ impl Case {
                         .cycle(period, &settings)
                         .map_err(|error| self.no_cycle(&error))?,
                 ),
+                Span::Autonomous => Path::Cycle(
+                    self.run()
+                        .clock(&settings)
+                        .map_err(|error| self.no_cycle(&error))?,
+                ),
                 Span::Periodic(period) => Path::Orbit(
                     self.run()
                         .periodic(period, &settings)
-                        .map_err(|error| not_periodic(&error))?,
+                        .map_err(|error| self.not_periodic(&error))?,
                 ),
                 Span::Run(from, to) => Path::Through(
                     self.run()
@@ -83,6 +88,15 @@ impl Case {
             .reason(told.reason)
             .remedy(told.remedy)
     }
+
+    fn not_periodic(&self, error: &PeriodicError) -> Failure {
+        if let PeriodicError::NotSettled(inner) = error {
+            return self.no_cycle(inner);
+        }
+        Failure::numerical("no steady state was found")
+            .reason(error.to_string())
+            .remedy("near a resonance move the speed a little, or choose a scene with damping; else try a smaller --rtol")
+    }
 }
 
 /// The motion of one of many runs over its task; if there is none, why, in words.
@@ -97,6 +111,11 @@ pub fn over_task(
     match run.span() {
         Span::Periodic(period) if run.mode_count() > 0 => {
             let cycle = run.cycle(period, settings);
+            let told = |error: CycleError| unfollowed::tell_cycle(scene, &error).reason;
+            cycle.map(|cycle| cycle.motion).map_err(told)
+        }
+        Span::Autonomous => {
+            let cycle = run.clock(settings);
             let told = |error: CycleError| unfollowed::tell_cycle(scene, &error).reason;
             cycle.map(|cycle| cycle.motion).map_err(told)
         }
@@ -195,18 +214,37 @@ impl Motion {
         self.events().partition_point(|event| event.time <= time)
     }
 
-    /// Floquet multipliers as real and imaginary parts; none unless the task is a steady state.
-    pub fn multipliers(&self) -> Vec<(f64, f64)> {
+    /// Floquet multipliers; none unless the task is a steady state.
+    pub fn multipliers(&self) -> &[periodic::Multiplier] {
         match &self.path {
-            Path::Orbit(orbit) => pairs(&orbit.multipliers),
-            Path::Cycle(cycle) => pairs(&cycle.multipliers),
-            _ => Vec::new(),
+            Path::Orbit(orbit) => &orbit.multipliers,
+            Path::Cycle(cycle) => &cycle.multipliers,
+            _ => &[],
+        }
+    }
+
+    /// The time after which the motion repeats, in seconds; none unless the task is a steady state.
+    pub fn length(&self) -> Option<f64> {
+        match &self.path {
+            Path::Orbit(orbit) => orbit.trajectory.times().last().copied(),
+            Path::Cycle(cycle) => Some(cycle.motion.time),
+            _ => None,
+        }
+    }
+
+    /// Periods that the motion from the start values was followed until it repeated; none where they pick nothing.
+    pub fn followed(&self) -> Option<usize> {
+        match &self.path {
+            Path::Orbit(orbit) => orbit.followed,
+            Path::Cycle(cycle) => Some(cycle.followed),
+            _ => None,
         }
     }
 
     /// Periods after which the motion repeats.
     pub fn multiple(&self) -> usize {
         match &self.path {
+            Path::Orbit(orbit) => orbit.multiple,
             Path::Cycle(cycle) => cycle.multiple,
             _ => 1,
         }
@@ -257,17 +295,4 @@ impl Motion {
             stiff_steps: statistics.stiff_steps,
         }
     }
-}
-
-fn pairs(multipliers: &[periodic::Multiplier]) -> Vec<(f64, f64)> {
-    multipliers
-        .iter()
-        .map(|value| (value.re, value.im))
-        .collect()
-}
-
-fn not_periodic(error: &periodic::PeriodicError) -> Failure {
-    Failure::numerical("no steady state was found")
-        .reason(error.to_string())
-        .remedy("near a resonance move the speed a little, or choose a scene with damping; else try a smaller --rtol")
 }

@@ -99,7 +99,7 @@ pub fn compare(
                 constants.apply(find_preset(mechanism, preset)?);
                 let mut case = Case::new(constants)?;
                 let motion = case.solve(motion.settings)?;
-                case.repeat(motion.multiple());
+                case.repeat(&motion);
                 let curves = curves::sample(&case, &motion);
                 let extremes = curves::extremes(&case, &motion, &curves);
                 others.push((preset, case, motion, extremes));

@@ -39,6 +39,8 @@ pub struct Report {
     pub published: Vec<Comparison>,
     /// Floquet multipliers of a steady state.
     pub multipliers: Vec<Multiplier>,
+    /// Estimated error of the time after which the motion repeats, in seconds; zero where that is given.
+    pub period_error: f64,
     /// What it cost.
     pub cost: Cost,
 }
@@ -47,6 +49,18 @@ impl Report {
     /// Number of free motions that nothing determines.
     pub fn free(&self) -> usize {
         self.motion.closing().map_or(0, |closing| closing.2)
+    }
+
+    /// What the multipliers say, a sentence each.
+    pub fn conclusions(&self) -> Vec<String> {
+        let (turn, followed) = (self.case.turn(), self.motion.followed());
+        multipliers::conclusions(&self.multipliers, turn, self.free(), followed)
+    }
+
+    /// The period with its estimated error, where it is a result.
+    pub fn period(&self) -> Option<(f64, f64)> {
+        let (_, to) = self.case.task.limits();
+        (self.case.run().span() == Span::Autonomous).then_some((to, self.period_error))
     }
 
     /// Whether the task is a steady state that repeats.
@@ -96,7 +110,7 @@ pub fn collect(
 ) -> Result<Report, Failure> {
     let clock = Instant::now();
     let motion = case.solve(settings)?;
-    case.repeat(motion.multiple());
+    case.repeat(&motion);
     let times: Vec<_> = places
         .iter()
         .map(|place| locate(&case, *place))
@@ -124,7 +138,7 @@ pub fn collect(
     let places = times.into_iter();
     let places = places.map(|(time, label)| snapshot(time, label)).collect();
     let published = published::compare(mechanism, &case, &motion, &extremes, &errors)?;
-    let multipliers = multipliers::read(&motion.multipliers());
+    let multipliers = multipliers::read(motion.multipliers());
     let worst = (0..errors.len())
         .map(|index| errors[index] / size(&case, &extremes, index))
         .enumerate()
@@ -148,6 +162,7 @@ pub fn collect(
         places,
         published,
         multipliers,
+        period_error: estimate.period,
         cost,
     })
 }

@@ -176,6 +176,7 @@ fn sizes(cases: &[Case], measured: &[Measured<'_>], style: Style) -> String {
             time(measured.seconds),
             match case.task {
                 Span::Open => "no task".to_owned(),
+                Span::Autonomous => "own period".to_owned(),
                 Span::Periodic(period) => format!("{} s", number::short(period)),
                 Span::Run(from, to) => format!("{} s, whole run", number::short(to - from)),
             },

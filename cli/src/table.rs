@@ -12,7 +12,6 @@ use crate::constants::Constants;
 use crate::events;
 use crate::list::composition;
 use crate::measures;
-use crate::multipliers::conclusions;
 use crate::number;
 use crate::report::Report;
 use crate::settings::method_name;
@@ -94,6 +93,11 @@ impl Page {
 fn head(page: &mut Page, report: &Report) {
     let scene = report.case.scene;
     let task = match report.case.task {
+        Span::Periodic(_) if let Some((period, error)) = report.period() => format!(
+            "steady state that repeats by itself, after {} s (± {})",
+            number::with_error(period, error),
+            number::error(error)
+        ),
         Span::Periodic(all) if report.case.repeats > 1 => format!(
             "steady state that repeats after {} periods of {} s",
             report.case.repeats,
@@ -108,7 +112,7 @@ fn head(page: &mut Page, report: &Report) {
             number::short(from),
             number::short(to)
         ),
-        Span::Open => "positions".to_owned(),
+        Span::Open | Span::Autonomous => "positions".to_owned(),
     };
     let title = format!("{}, scene {}: {task}", report.mechanism.title, scene.name);
     about(page, &title, &report.case.constants);
@@ -199,7 +203,7 @@ fn multipliers(page: &mut Page, report: &Report) {
         turn.one()
     );
     page.section(&heading, &table);
-    for line in conclusions(&report.multipliers, turn, report.free()) {
+    for line in report.conclusions() {
         for (index, part) in wrap(&line, WIDTH - 4).iter().enumerate() {
             page.line(&format!("  {}{part}", if index == 0 { "" } else { "  " }));
         }

@@ -373,6 +373,13 @@ pub trait Run: Send + Sync {
     fn cycle(&self, _period: f64, _settings: &Settings) -> Result<Cycle, CycleError> {
         Err(CycleError::NoTask)
     }
+    /// The motion that repeats by itself, with its period, of a scene whose task that is.
+    ///
+    /// # Errors
+    /// See [`CycleError`].
+    fn clock(&self, _settings: &Settings) -> Result<Cycle, CycleError> {
+        Err(CycleError::NoTask)
+    }
     /// The motion from a start.
     ///
     /// # Errors

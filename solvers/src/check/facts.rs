@@ -106,6 +106,11 @@ impl Motion {
                 let cycle = cycle.map_err(|error| unsolved(&error))?;
                 Some(Path::Through(cycle.motion))
             }
+            Span::Autonomous => {
+                let cycle = run.clock(&SETTINGS);
+                let cycle = cycle.map_err(|error| unsolved(&error))?;
+                Some(Path::Through(cycle.motion))
+            }
             Span::Periodic(period) => {
                 let orbit = run.periodic(period, &SETTINGS);
                 let orbit = orbit.map_err(|error| unsolved(&error))?;

@@ -69,7 +69,10 @@ mod start;
 mod watch;
 mod within;
 
-pub use cycle::{Cycle, CycleError, Lyapunov, Periods, cycle, cycle_from, lyapunov};
+pub use cycle::{
+    Cycle, CycleError, Lyapunov, Periods, clock, clock_smooth, cycle, cycle_from, lyapunov,
+};
+pub(crate) use cycle::{cycle_smooth, variations};
 pub use error::HybridError;
 pub use march::{march, march_in};
 pub use motion::{Happened, Motion, Piece};

@@ -1,7 +1,8 @@
 //! A motion through several modes.
 
+use super::HybridError;
 use super::numbers::Numbers;
-use crate::ode::{Statistics, Trajectory};
+use crate::ode::{OdeError, Statistics, Trajectory};
 use crate::stiff::Switch;
 
 /// A stretch of the motion in one mode.
@@ -79,6 +80,22 @@ impl Motion {
                 sides: Numbers::default(),
             }],
         }
+    }
+
+    /// A motion without events, if it was integrated to its end.
+    ///
+    /// # Errors
+    /// [`HybridError::Ode`] with a motion that has not begun.
+    pub(crate) fn smooth(
+        integrated: Result<Trajectory, OdeError>,
+        time: f64,
+        start: &[f64],
+    ) -> Result<Self, HybridError> {
+        integrated.map(Self::of).map_err(|error| HybridError::Ode {
+            error,
+            mode: 0,
+            motion: Box::new(Self::at_rest(time, start)),
+        })
     }
 
     /// The mode and the state at a time; at an event, those after it. Beyond the ends those at the nearest end.

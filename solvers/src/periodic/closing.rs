@@ -142,10 +142,14 @@ impl Closing {
     /// Why there is no useful solution.
     fn failure(&self, expected_error: f64, state: usize) -> PeriodicError {
         let phi = DMatrix::identity(self.matrix.nrows(), self.matrix.ncols()) - &self.matrix;
-        let nearest = multipliers::of(&phi)
+        let nearest = multipliers::of(&phi, None, f64::EPSILON)
             .into_iter()
             .min_by(|a, b| a.distance().total_cmp(&b.distance()));
-        let multiplier = nearest.unwrap_or(Multiplier { re: 1.0, im: 0.0 });
+        let multiplier = nearest.unwrap_or(Multiplier {
+            re: 1.0,
+            im: 0.0,
+            error: 0.0,
+        });
         let (distance, condition) = (multiplier.distance(), self.condition());
         if distance > FAR {
             return PeriodicError::Inaccurate {

@@ -1,6 +1,7 @@
 //! Why no repeating motion was found.
 
 use super::multipliers::Multiplier;
+use crate::hybrid::CycleError;
 use crate::ode::OdeError;
 use std::fmt;
 
@@ -35,6 +36,8 @@ pub enum PeriodicError {
         /// Largest change of a state after one period that remained, over its scale.
         residual: f64,
     },
+    /// The motion from the start values does not settle into one that repeats, and shooting from there finds none.
+    NotSettled(Box<CycleError>),
     /// The integration ended early.
     Ode(OdeError),
     /// The period is not a finite number above zero.
@@ -75,6 +78,7 @@ impl fmt::Display for PeriodicError {
                 "no repeating motion was found in {iterations} integrations, a change of {residual:.2e} scales per \
                  period remained; try other start values, or approach the wanted speed in steps"
             ),
+            Self::NotSettled(error) => error.fmt(formatter),
             Self::Ode(error) => error.fmt(formatter),
             Self::BadPeriod { period } => write!(
                 formatter,
@@ -87,6 +91,7 @@ impl fmt::Display for PeriodicError {
 impl std::error::Error for PeriodicError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
+            Self::NotSettled(error) => Some(error),
             Self::Ode(error) => Some(error),
             _ => None,
         }

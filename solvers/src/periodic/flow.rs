@@ -2,6 +2,7 @@
 
 use super::error::PeriodicError;
 use crate::dispatch::{Task, dispatch};
+use crate::hybrid::{Cycle, CycleError, Motion, cycle_smooth, variations};
 use crate::ode::{
     Bundle, Dop853, Method, Observer, OdeError, Options, Step, Trajectory, Tsit5, Varied,
     Workspace, bad_start, integrate, march_called, state_from,
@@ -28,6 +29,12 @@ pub(super) trait Flow {
 
     /// Integrates the motion alone over one period.
     fn march(&self, start: &DVector<f64>, rtol: f64) -> Result<Trajectory, OdeError>;
+
+    /// The motion that attracts the one from a start.
+    fn attractor(&self, start: &DVector<f64>, rtol: f64) -> Result<Cycle, CycleError>;
+
+    /// The same scene over several periods.
+    fn over(&self, periods: usize) -> Box<dyn Flow + '_>;
 }
 
 /// A scene with its period.
@@ -83,24 +90,70 @@ impl<C: Scene> Flow for Period<'_, C> {
     }
 
     fn turn(&self, start: &DVector<f64>, rtol: f64) -> Result<Return, OdeError> {
-        dispatch(Turn {
-            flow: self,
-            start,
-            rtol,
-        })
+        use registry::Method;
+        match self.method {
+            // A steady state shows no transient that an automatic choice would have to look out for.
+            Method::Tsit5 | Method::Dop853 | Method::Auto => dispatch(Turn {
+                flow: self,
+                start,
+                rtol,
+            }),
+            Method::Radau | Method::Rosenbrock | Method::Taylor => self.turn_apart(start, rtol),
+        }
     }
 
     fn march(&self, start: &DVector<f64>, rtol: f64) -> Result<Trajectory, OdeError> {
-        let settings = Settings {
-            method: self.method,
-            rtol,
-        };
+        let times = (0.0, self.period);
         march_called(
             self.scene,
-            (0.0, self.period),
+            times,
             &unscaled::<C>(start),
-            &settings,
+            &self.settings(rtol),
         )
+    }
+
+    fn attractor(&self, start: &DVector<f64>, rtol: f64) -> Result<Cycle, CycleError> {
+        let start = unscaled::<C>(start);
+        cycle_smooth(self.scene, &start, self.period, &self.settings(rtol))
+    }
+
+    fn over(&self, periods: usize) -> Box<dyn Flow + '_> {
+        Box::new(Self {
+            period: self.period * periods as f64,
+            ..*self
+        })
+    }
+}
+
+impl<C: Scene> Period<'_, C> {
+    fn settings(&self, rtol: f64) -> Settings {
+        Settings {
+            method: self.method,
+            rtol,
+        }
+    }
+
+    /// [`Flow::turn`] by a method that integrates no variations: they follow along the motion.
+    fn turn_apart(&self, start: &DVector<f64>, rtol: f64) -> Result<Return, OdeError> {
+        let motion = Motion::of(self.march(start, rtol)?);
+        let matrix = variations(self.scene, &motion, &self.settings(rtol))?;
+        let trajectory = motion.pieces.iter().map(|piece| &piece.trajectory);
+        let mut peak = start.abs();
+        for (trajectory, time) in
+            trajectory.flat_map(|one| one.times().iter().map(move |t| (one, *t)))
+        {
+            let state = over_scales::<C, f64>(&trajectory.at(time));
+            peak.zip_apply(&state, |size, value| *size = size.max(value.abs()));
+        }
+        let scaled = |row: usize, column: usize| {
+            matrix[(row, column)] * (C::SCALES[column] / C::SCALES[row])
+        };
+        Ok(Return {
+            start: start.clone(),
+            end: over_scales::<C, f64>(&motion.end),
+            matrix: DMatrix::from_fn(C::STATES, C::STATES, scaled),
+            peak,
+        })
     }
 }
 
@@ -118,17 +171,7 @@ impl<C: Scene> Task for Turn<'_, '_, C> {
     fn run<S: Scalar>(self) -> Self::Output {
         match self.flow.method {
             registry::Method::Tsit5 => self.turn::<S, Tsit5>(),
-            // A steady state shows no transient that an automatic choice would have to look out for.
-            registry::Method::Dop853 | registry::Method::Auto => self.turn::<S, Dop853>(),
-            registry::Method::Radau | registry::Method::Rosenbrock | registry::Method::Taylor => {
-                Err(OdeError::BadOption {
-                    name: "method",
-                    reason:
-                        "a steady state is sought together with its variations, which dop853 and \
-                         tsit5 integrate; take one of them, or follow the motion from a start"
-                            .to_string(),
-                })
-            }
+            _ => self.turn::<S, Dop853>(),
         }
     }
 }

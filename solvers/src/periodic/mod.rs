@@ -5,6 +5,11 @@
 //! this is the *method of initial parameters* (superposition of `N` free motions and a forced one). For others the step
 //! is repeated, *shooting*. All of it in states over [`Scene::SCALES`].
 //!
+//! Equations that are not affine may have several motions that repeat, and Newton's method finds one near enough only. So
+//! with losses the motion from the start values is followed until it repeats, after the period or after several
+//! ([`crate::hybrid::cycle`] does it): they pick the motion among those that attract. Without losses nothing attracts, and
+//! shooting begins at the start values.
+//!
 //! Everything is computed twice, at `rtol` and at `rtol / 30`. The second result is returned; its difference from the
 //! first is the error estimate, and the difference of the two `Φ` says how well `I - Φ` is known. Where that is not well
 //! enough for the solution, near a resonance, the solver says so instead of returning numbers.
@@ -30,12 +35,22 @@ use nalgebra::DVector;
 const REFINEMENT: f64 = 30.0;
 /// Smallest tolerance of the second computation.
 const SMALLEST_RTOL: f64 = 1e-14;
+/// Difference of the determinant of `Φ` from 1 that counts as none,
+const LOSSLESS: f64 = 1e-6;
+/// and the same in tolerances.
+const LOSSLESS_TOLERANCES: f64 = 100.0;
 
 /// A motion that repeats.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Orbit {
-    /// The motion from time 0 over one period.
+    /// The motion from time 0 until it repeats. One of several periods begins in the period at whose begin the first
+    /// state is largest; the next state decides where that is the same in several of them.
     pub trajectory: Trajectory,
+    /// Periods after which it repeats.
+    pub multiple: usize,
+    /// Periods that the motion from the start values was followed until it repeats: they pick it where several attract.
+    /// None where nothing attracts, or the equations are affine and have one motion.
+    pub followed: Option<usize>,
     /// The Floquet multipliers, eigenvalues of `Φ`, the largest modulus first.
     pub multipliers: Vec<Multiplier>,
     /// Amplification of relative errors of `Φ` into the motion, `(1 + ‖Φ‖) / σ` with the smallest singular value `σ`
@@ -81,21 +96,50 @@ pub fn solve<C: Scene>(
         period,
         method: settings.method,
     };
-    solve_with(&flow, period, settings.rtol)
-}
-
-/// The motion that repeats, by superposition or by shooting.
-fn solve_with(flow: &dyn Flow, period: f64, rtol: f64) -> Result<Orbit, PeriodicError> {
     if !(period.is_finite() && period > 0.0) {
         return Err(PeriodicError::BadPeriod { period });
     }
+    begin(&flow, settings.rtol)
+}
+
+/// Finds where to begin, and closes the motion.
+fn begin(flow: &dyn Flow, rtol: f64) -> Result<Orbit, PeriodicError> {
+    if flow.is_linear() {
+        return close(flow, DVector::zeros(flow.scales().len()), rtol);
+    }
+    let guess = flow.guess()?;
+    let turn = flow.turn(&guess, rtol);
+    if turn.is_ok_and(|back| is_lossless(&back, rtol)) {
+        return close(flow, guess, rtol);
+    }
+    match flow.attractor(&guess, rtol) {
+        Ok(cycle) => {
+            let start = DVector::from_vec(cycle.start());
+            let start = start.component_div(&DVector::from_column_slice(flow.scales()));
+            let orbit = close(flow.over(cycle.multiple).as_ref(), start, rtol)?;
+            Ok(Orbit {
+                multiple: cycle.multiple,
+                followed: Some(cycle.followed),
+                ..orbit
+            })
+        }
+        // One that is not stable, or hardly, may be there all the same.
+        Err(error) => close(flow, guess, rtol).map_err(|failure| match failure {
+            PeriodicError::NotConverged { .. } => PeriodicError::NotSettled(Box::new(error)),
+            _ => failure,
+        }),
+    }
+}
+
+/// Whether a turn keeps volumes in the space of states (Liouville): then nothing is lost, and nothing attracts.
+fn is_lossless(back: &Return, rtol: f64) -> bool {
+    (back.matrix.determinant() - 1.0).abs() <= LOSSLESS.max(LOSSLESS_TOLERANCES * rtol)
+}
+
+/// The motion that repeats, by superposition or by shooting from a guess.
+fn close(flow: &dyn Flow, mut guess: DVector<f64>, rtol: f64) -> Result<Orbit, PeriodicError> {
     let scales = flow.scales();
     let tolerances = [rtol, (rtol / REFINEMENT).max(SMALLEST_RTOL)];
-    let mut guess = if flow.is_linear() {
-        DVector::zeros(scales.len())
-    } else {
-        flow.guess()?
-    };
     let mut iterations = 0;
     let mut returns = Vec::with_capacity(tolerances.len());
     for rtol in tolerances {
@@ -109,18 +153,18 @@ fn solve_with(flow: &dyn Flow, period: f64, rtol: f64) -> Result<Orbit, Periodic
         returns.push(back);
     }
     let [coarse, fine] = returns.as_slice() else {
-        return Err(PeriodicError::BadPeriod { period });
+        return Err(PeriodicError::BadPeriod { period: f64::NAN });
     };
     let closing = Closing::new(&fine.matrix);
     let uncertainty = rtol.max(closing.uncertainty(&(&fine.matrix - &coarse.matrix)));
     let noise = closing.length(&(fine.gap() - coarse.gap()));
     let load = 10.0 * (noise + rtol * closing.length(&fine.peak.add_scalar(1.0)));
-    let close = |back: &Return, closing: &Closing| {
-        let closed = closing.solve(&back.gap(), uncertainty, load)?;
-        Ok::<_, PeriodicError>((&back.start + closed.change, closed.free))
+    let closed = |back: &Return, closing: &Closing| {
+        let found = closing.solve(&back.gap(), uncertainty, load)?;
+        Ok::<_, PeriodicError>((&back.start + found.change, found.free))
     };
-    let (first, _) = close(coarse, &Closing::new(&coarse.matrix))?;
-    let (second, free) = close(fine, &closing)?;
+    let (first, _) = closed(coarse, &Closing::new(&coarse.matrix))?;
+    let (second, free) = closed(fine, &closing)?;
     let mut starts = [first, second];
     if flow.is_linear() && !free.is_empty() {
         starts = smallest::settle(flow, starts, &free, tolerances)?;
@@ -130,7 +174,7 @@ fn solve_with(flow: &dyn Flow, period: f64, rtol: f64) -> Result<Orbit, Periodic
         motions.push(flow.march(start, rtol)?);
     }
     let (Some(trajectory), Some(other)) = (motions.pop(), motions.pop()) else {
-        return Err(PeriodicError::BadPeriod { period });
+        return Err(PeriodicError::BadPeriod { period: f64::NAN });
     };
     let start = trajectory.at(0.0);
     let changes = trajectory.end().iter().zip(&start).zip(scales);
@@ -140,7 +184,9 @@ fn solve_with(flow: &dyn Flow, period: f64, rtol: f64) -> Result<Orbit, Periodic
             .fold(0.0, f64::max),
         estimated_error: largest_differences(&trajectory, &other, closing.condition()),
         trajectory,
-        multipliers: multipliers::of(&fine.matrix),
+        multiple: 1,
+        followed: None,
+        multipliers: multipliers::of(&fine.matrix, Some(&coarse.matrix), SMALLEST_RTOL),
         condition: closing.condition(),
         iterations,
         free: free.len(),

@@ -1,5 +1,7 @@
 //! Tests of the periodic solver against closed forms and known facts.
 
+mod attracted;
+
 use super::{Orbit, PeriodicError, solve};
 use crate::problem::{Equations, Refused, Scene, Span};
 use crate::registry::{Method, Settings};
@@ -95,7 +97,12 @@ impl<S: Scalar, const LINEAR: bool> Equations<S> for Oscillator<LINEAR> {
         }
     }
 
-    fn jacobian(&self, _cosine: &S, _state: &[S; 2], _columns: &mut [[S; 2]]) {}
+    fn jacobian(&self, cosine: &S, state: &[S; 2], columns: &mut [[S; 2]]) {
+        let (one, zero) = (S::from_f64(1.0), S::from_f64(0.0));
+        let mut rate = *state;
+        let unit = [[one, zero], [zero, one]];
+        self.variation(cosine, state, &mut rate, &unit, columns);
+    }
 
     fn outputs(&self, _time: S, _state: &[S; 2], _values: &mut [S]) {}
 
@@ -166,27 +173,27 @@ fn tsit5_finds_the_same_within_its_tolerance() {
 }
 
 #[test]
-fn methods_without_variations_are_refused_and_the_choice_is_an_explicit_one() {
+fn every_method_finds_it() {
     let scene = Oscillator::<true>::FORCED;
-    let solved = |method| {
-        solve(
-            &scene,
-            TAU,
-            &Settings {
-                method,
-                rtol: 1e-10,
-            },
-        )
-    };
-    for method in [Method::Radau, Method::Rosenbrock, Method::Taylor] {
-        let message = solved(method).unwrap_err().to_string();
-        assert!(
-            message.contains("which dop853 and tsit5 integrate"),
-            "{message}"
-        );
+    for method in [
+        Method::Radau,
+        Method::Rosenbrock,
+        Method::Auto,
+        Method::Taylor,
+    ] {
+        let settings = Settings {
+            method,
+            rtol: 1e-10,
+        };
+        match solve(&scene, TAU, &settings) {
+            Ok(orbit) => assert!(error(&scene, &orbit) < 1e-7, "{method:?}"),
+            Err(failure) => {
+                assert_eq!(method, Method::Taylor);
+                let message = failure.to_string();
+                assert!(message.contains("too long for their Taylor"), "{message}");
+            }
+        }
     }
-    let orbit = solved(Method::Auto).unwrap();
-    assert!(error(&scene, &orbit) < 1e-8);
 }
 
 #[test]
@@ -298,6 +305,47 @@ fn multipliers_of_the_mathieu_equation_multiply_to_one() {
         // At half the frequency of the modulation the rest position is unstable.
         assert_eq!(first.modulus() > 1.1, frequency == 0.5);
     }
+}
+
+#[test]
+fn a_double_multiplier_is_known_to_the_square_root_of_the_error() {
+    // On the boundary of the first tongue of Mathieu's equation both are −1 (DLMF 28.6.2); within it none.
+    let of = |frequency: f64, modulation: f64| {
+        let scene = Oscillator::<true> {
+            damping: 0.0,
+            frequency,
+            modulation,
+            cubic: 0.0,
+            force: 0.0,
+            start: 0.0,
+        };
+        solve(&scene, TAU, &SETTINGS).expect("at rest").multipliers
+    };
+    let terms = [
+        1.0,
+        1.0,
+        -1.0 / 8.0,
+        -1.0 / 64.0,
+        -1.0 / 1536.0,
+        11.0 / 36864.0,
+    ];
+    let more = [49.0 / 589_824.0, 55.0 / 9_437_184.0, -83.0 / 35_389_440.0];
+    let boundary = terms
+        .iter()
+        .chain(&more)
+        .rev()
+        .fold(0.0, |sum, term| sum * 0.2 + term);
+    for one in of(f64::sqrt(boundary / 4.0), 0.1) {
+        let off = (one.re + 1.0).hypot(one.im);
+        assert!(
+            off <= 3.0 * one.error + 3e-6,
+            "{one} {off:e} {:e}",
+            one.error
+        );
+        assert!(one.error > 1e-8 && one.error < 1e-4, "{:e}", one.error);
+    }
+    let within = of(0.5, 0.3);
+    assert!(within.iter().all(|one| one.error < 1e-9), "{within:?}");
 }
 
 #[test]

@@ -10,6 +10,8 @@ const HALVINGS: usize = 80;
 pub enum Span {
     /// The steady state that repeats after this period, in seconds.
     Periodic(f64),
+    /// The steady state of what nothing drives, whose period is a result.
+    Autonomous,
     /// A motion from the first time to the second, in seconds.
     Run(f64, f64),
     /// Nothing is stated: positions are evaluated where they are asked for.
@@ -17,12 +19,12 @@ pub enum Span {
 }
 
 impl Span {
-    /// First and last time. Where nothing is stated, the first second, because a search needs an interval to search.
+    /// First and last time. Where nothing is stated, or not known yet, the first second, because a search needs an interval to search.
     pub fn limits(self) -> (f64, f64) {
         match self {
             Self::Periodic(period) => (0.0, period),
             Self::Run(from, to) => (from, to),
-            Self::Open => (0.0, 1.0),
+            Self::Autonomous | Self::Open => (0.0, 1.0),
         }
     }
 

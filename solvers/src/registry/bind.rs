@@ -2,7 +2,7 @@
 
 use super::{Constant, Run, Settings};
 use crate::dispatch::{Task, dispatch};
-use crate::hybrid::{HybridError, Motion};
+use crate::hybrid::{self, Cycle, CycleError, HybridError, Motion};
 use crate::measure::{self, Missing, Wanted};
 use crate::ode::{self, OdeError, Trajectory};
 use crate::periodic::{self, Orbit, PeriodicError};
@@ -100,6 +100,10 @@ impl<C: Scene + 'static> Run for Bound<C> {
         periodic::solve(&self.scene, period, settings)
     }
 
+    fn clock(&self, settings: &Settings) -> Result<Cycle, CycleError> {
+        hybrid::clock_smooth(&self.scene, settings)
+    }
+
     fn march(
         &self,
         times: (f64, f64),
@@ -115,14 +119,8 @@ impl<C: Scene + 'static> Run for Bound<C> {
         start: &[f64],
         settings: &Settings,
     ) -> Result<Motion, HybridError> {
-        match ode::march_called(&self.scene, times, start, settings) {
-            Ok(trajectory) => Ok(Motion::of(trajectory)),
-            Err(error) => Err(HybridError::Ode {
-                error,
-                mode: 0,
-                motion: Box::new(Motion::at_rest(times.0, start)),
-            }),
-        }
+        let integrated = ode::march_called(&self.scene, times, start, settings);
+        Motion::smooth(integrated, times.0, start)
     }
 
     fn measure(&self, motion: &Motion) -> Vec<Result<f64, Missing>> {

@@ -46,7 +46,10 @@ where
 {
     scene.check()?;
     let modes = in_each_mode(&scene);
-    let cycle: Finder<C> = |scene, period, settings| hybrid::cycle(scene, period, settings);
+    let cycle: Finder<C> = |scene, period, settings| match period {
+        Some(period) => hybrid::cycle(scene, period, settings),
+        None => hybrid::clock(scene, settings),
+    };
     let cycle = Some(cycle);
     Ok(Box::new(Bound {
         scene,
@@ -55,8 +58,8 @@ where
     }))
 }
 
-/// Finds a motion that repeats.
-type Finder<C> = fn(&C, f64, &Settings) -> Result<Cycle, CycleError>;
+/// Finds a motion that repeats, after a period or by itself.
+type Finder<C> = fn(&C, Option<f64>, &Settings) -> Result<Cycle, CycleError>;
 
 /// A scene with modes and its values.
 struct Bound<C: Hybrid> {
@@ -119,7 +122,14 @@ impl<C: Hybrid + 'static> Run for Bound<C> {
 
     fn cycle(&self, period: f64, settings: &Settings) -> Result<Cycle, CycleError> {
         match self.cycle {
-            Some(find) => find(&self.scene, period, settings),
+            Some(find) => find(&self.scene, Some(period), settings),
+            None => Err(CycleError::NoTask),
+        }
+    }
+
+    fn clock(&self, settings: &Settings) -> Result<Cycle, CycleError> {
+        match self.cycle {
+            Some(find) => find(&self.scene, None, settings),
             None => Err(CycleError::NoTask),
         }
     }

@@ -51,6 +51,12 @@ pub fn motion(run: &dyn Run, settings: &Settings) -> Result<Motion, String> {
                 .map(|cycle| cycle.motion)
                 .map_err(|error| error.to_string())
         }
+        Span::Autonomous => {
+            let cycle = run.clock(settings);
+            cycle
+                .map(|cycle| cycle.motion)
+                .map_err(|error| error.to_string())
+        }
         Span::Periodic(period) => {
             let orbit = run.periodic(period, settings);
             orbit

@@ -16,6 +16,23 @@ pub enum CycleError {
         /// The period, in seconds.
         period: f64,
     },
+    /// A motion was to repeat by itself, and the equations depend on the time.
+    Driven {
+        /// The state whose rate does.
+        component: usize,
+    },
+    /// A motion was to repeat by itself, and comes to rest.
+    Rest {
+        /// When, in seconds.
+        time: f64,
+    },
+    /// A motion was to repeat by itself, and did not come back to where it has been.
+    NoReturn {
+        /// Seconds that it was followed.
+        time: f64,
+        /// How near it came to a state that it had been in, over the sizes of the states; none if it never passed near.
+        nearest: Option<f64>,
+    },
     /// The motion could not be followed.
     Motion(Box<HybridError>),
     /// The variational equations could not be integrated.
@@ -54,6 +71,29 @@ impl fmt::Display for CycleError {
                 formatter,
                 "the period is {period} s; it has to be a finite number above zero"
             ),
+            Self::Driven { component } => write!(
+                formatter,
+                "the rate of state {component} depends on the time, so that the motion cannot repeat by itself; state its \
+                 period, `periodic over …`"
+            ),
+            Self::Rest { time } => write!(
+                formatter,
+                "the motion from the start values comes to rest within {time} s; give it other start values, or more to \
+                 drive it"
+            ),
+            Self::NoReturn { time, nearest } => {
+                write!(
+                    formatter,
+                    "the motion from the start values was followed for {time} s and does not repeat"
+                )?;
+                match nearest {
+                    Some(distance) => write!(
+                        formatter,
+                        "; it came back to where it had been to {distance:.1e} of its size"
+                    ),
+                    None => write!(formatter, "; it never came back to where it had been"),
+                }
+            }
             Self::Motion(error) => error.fmt(formatter),
             Self::Variation(error) => write!(formatter, "the variations along the motion: {error}"),
             Self::Grazing { time, mode, event } => write!(

@@ -6,7 +6,7 @@ use super::super::{HybridError, Modes, Motion};
 use crate::problem::{Equations, Storage};
 use crate::registry::Settings;
 
-/// A motion with modes, to be followed and varied.
+/// A motion, to be followed and varied.
 pub(super) trait Flow {
     /// Sizes of the states: absolute tolerances per unit of `rtol`.
     fn scales(&self) -> &'static [f64];
@@ -24,7 +24,7 @@ pub(super) trait Flow {
     fn local(&self, mode: usize, sides: &[f64]) -> Box<dyn Local + '_>;
 }
 
-/// The equations of a mode.
+/// The equations of a mode. What concerns events is asked only where one has happened.
 pub(super) trait Local {
     /// Writes the rates of the state.
     fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]);
@@ -33,21 +33,27 @@ pub(super) trait Local {
     fn jacobian(&self, time: f64, state: &[f64], columns: &mut [f64]);
 
     /// Writes the derivatives of the guard of an event by the state, and gives its rate.
-    fn guard(&self, event: usize, time: f64, state: &[f64], slopes: &mut [f64]) -> f64;
+    fn guard(&self, _event: usize, _time: f64, _state: &[f64], _slopes: &mut [f64]) -> f64 {
+        f64::NAN
+    }
 
     /// The guard of an event.
-    fn value(&self, event: usize, time: f64, state: &[f64]) -> f64;
+    fn value(&self, _event: usize, _time: f64, _state: &[f64]) -> f64 {
+        f64::NAN
+    }
 
     /// Writes the derivatives of the state after an event by that before it, column by column, and its total time
     /// derivative. False where the event sets nothing.
     fn jump(
         &self,
-        event: usize,
-        time: f64,
-        state: &[f64],
-        columns: &mut [f64],
-        rate: &mut [f64],
-    ) -> bool;
+        _event: usize,
+        _time: f64,
+        _state: &[f64],
+        _columns: &mut [f64],
+        _rate: &mut [f64],
+    ) -> bool {
+        false
+    }
 }
 
 /// A scene with its values.

@@ -9,19 +9,24 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `flow` | a scene, without its type |
+//! | `flow`, `smooth` | a scene with events, and one without, without their types |
 //! | `variation` | the matrix `M` of a motion |
 //! | `returns` | after how many periods a motion comes near to its past |
 //! | `newton` | closes a motion |
+//! | `phase` | where a motion begins that may be begun in several places |
+//! | `clock` | motions whose period is not known |
 //! | `search` | follows, compares, closes; and what is said if nothing repeats |
 //! | `lyapunov` | what becomes of disturbances in the long run, whether the motion repeats or not |
 
+mod clock;
 mod error;
 mod flow;
 mod lyapunov;
 mod newton;
+mod phase;
 mod returns;
 mod search;
+mod smooth;
 mod variation;
 
 pub use error::CycleError;
@@ -29,9 +34,13 @@ pub use lyapunov::{Lyapunov, Periods, lyapunov};
 
 use super::Motion;
 use super::problem::{Hybrid, Sensitive};
+use crate::ode::OdeError;
 use crate::periodic::Multiplier;
+use crate::problem::Scene;
 use crate::registry::Settings;
-use flow::Bound;
+use flow::{Bound, Flow};
+use nalgebra::DMatrix;
+use smooth::Smooth;
 
 /// Periods that a motion is followed before it is closed, unless it closes by itself.
 pub const FOLLOWED: usize = 80;
@@ -43,7 +52,8 @@ pub const MULTIPLES: usize = 12;
 /// A motion through events that repeats.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle {
-    /// The motion from time 0 until it repeats.
+    /// The motion from time 0 until it repeats. One of several periods begins in the period at whose begin the first
+    /// state is largest; the next state decides where that is the same in several of them.
     pub motion: Motion,
     /// Periods after which it repeats.
     pub multiple: usize,
@@ -60,6 +70,16 @@ pub struct Cycle {
 }
 
 impl Cycle {
+    /// The period, in seconds.
+    pub fn period(&self) -> f64 {
+        self.motion.time / self.multiple as f64
+    }
+
+    /// The state at time 0, SI units.
+    pub fn start(&self) -> Vec<f64> {
+        self.motion.at(0.0).1
+    }
+
     /// Whether small disturbances die out.
     pub fn is_stable(&self) -> bool {
         self.multipliers.iter().all(|one| one.modulus() < 1.0)
@@ -94,3 +114,52 @@ where
 {
     search::search(&Bound::new(scene), start, period, settings)
 }
+
+/// The motion of a scene that nothing drives and that repeats, such as that of a clock. Its period is a result,
+/// [`Cycle::period`]. It begins where the first state is largest, and its multipliers are those beside the one of the
+/// phase, which is 1.
+///
+/// # Errors
+/// [`CycleError`]; [`CycleError::Driven`] if the equations depend on the time, [`CycleError::Rest`] if the motion from the
+/// declared start comes to rest.
+pub fn clock<C: Hybrid>(scene: &C, settings: &Settings) -> Result<Cycle, CycleError>
+where
+    C::Modal<f64>: Sensitive<f64>,
+{
+    clock::find(&Bound::new(scene), (C::FIRST, &scene.start()), settings)
+}
+
+/// The same of a scene without events.
+///
+/// # Errors
+/// As [`clock`].
+pub fn clock_smooth<C: Scene>(scene: &C, settings: &Settings) -> Result<Cycle, CycleError> {
+    clock::find(&Smooth::new(scene), (0, &scene.start()), settings)
+}
+
+/// The motion of a scene without events that repeats after the period, or after several, and attracts that from a start.
+pub(crate) fn cycle_smooth<C: Scene>(
+    scene: &C,
+    start: &[f64],
+    period: f64,
+    settings: &Settings,
+) -> Result<Cycle, CycleError> {
+    search::search(&Smooth::new(scene), (0, start), period, settings)
+}
+
+/// The derivatives of the end of a motion of a scene without events by its begin, SI units.
+pub(crate) fn variations<C: Scene>(
+    scene: &C,
+    motion: &Motion,
+    settings: &Settings,
+) -> Result<DMatrix<f64>, OdeError> {
+    let flow = Smooth::new(scene);
+    let start = DMatrix::identity(C::STATES, C::STATES);
+    let local = flow.local(motion.mode, &[]);
+    motion.pieces.iter().try_fold(start, |matrix, piece| {
+        variation::along(local.as_ref(), piece, C::SCALES, matrix, settings)
+    })
+}
+
+#[cfg(test)]
+mod tests;

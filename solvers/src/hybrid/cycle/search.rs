@@ -6,7 +6,7 @@ use super::flow::Flow;
 use super::lyapunov::{Stretch, frame};
 use super::newton::Gap;
 use super::returns::Past;
-use super::{Cycle, FOLLOWED, PATIENCE};
+use super::{Cycle, FOLLOWED, PATIENCE, phase};
 use crate::ode::OdeError;
 use crate::registry::Settings;
 
@@ -91,7 +91,7 @@ pub(super) fn search(
             tried = walk.followed;
             match walk.close(multiple)? {
                 Some(cycle) if !cycle.is_stable() => unstable = Some(cycle),
-                Some(cycle) if walk.is_within(FAR, &cycle) => return Ok(cycle),
+                Some(cycle) if walk.is_within(FAR, &cycle) => return walk.begun(cycle),
                 _ => {}
             }
         }
@@ -120,15 +120,6 @@ pub(super) fn search(
         growth: walk.growth()?,
         unstable: unstable.map(Box::new),
     })
-}
-
-/// The state in which a motion that repeats begins.
-fn start_of(cycle: &Cycle) -> Vec<f64> {
-    let first = cycle.motion.pieces.first();
-    first.map_or_else(
-        || cycle.motion.end.clone(),
-        |piece| piece.trajectory.at(piece.trajectory.times()[0]),
-    )
 }
 
 /// The events of a motion, each with its mode.
@@ -191,14 +182,7 @@ impl Walk<'_> {
         mode: usize,
         state: &[f64],
     ) -> Result<Option<Cycle>, CycleError> {
-        let of = |multiple: usize| Gap {
-            flow: self.flow,
-            mode,
-            period: self.period,
-            multiple,
-            sizes: self.past.sizes(),
-            settings: self.settings,
-        };
+        let of = |multiple: usize| self.gap(multiple, mode);
         let mut divisors = (1..multiple).filter(|one| multiple.is_multiple_of(*one));
         let found = of(multiple).close(state, self.followed)?;
         let Some(cycle) = &found else {
@@ -208,10 +192,10 @@ impl Walk<'_> {
         };
         // What repeats sooner is not several motions. Just beyond a doubling of the period the shorter motion is near as
         // well, and no longer stable.
-        let alike = SAME.max(1e3 * self.settings.rtol);
+        let alike = self.alike();
         for divisor in divisors {
-            if let Some(sooner) = of(divisor).close(&start_of(cycle), self.followed)?
-                && self.apart(&start_of(&sooner), &start_of(cycle)) <= alike
+            if let Some(sooner) = of(divisor).close(&cycle.start(), self.followed)?
+                && self.apart(&sooner.start(), &cycle.start()) <= alike
             {
                 return Ok(Some(sooner));
             }
@@ -219,10 +203,43 @@ impl Walk<'_> {
         Ok(found)
     }
 
+    /// Difference of motions, over the sizes of the states, up to which they are one.
+    fn alike(&self) -> f64 {
+        SAME.max(1e3 * self.settings.rtol)
+    }
+
+    /// A motion of several periods, begun in the one that `phase` states.
+    fn begun(&self, cycle: Cycle) -> Result<Cycle, CycleError> {
+        let begin = |number: usize| cycle.motion.at(number as f64 * self.period);
+        let begins: Vec<_> = (0..cycle.multiple).map(begin).collect();
+        let number = phase::first(&begins, self.past.sizes(), self.alike());
+        if number == 0 {
+            return Ok(cycle);
+        }
+        let (mode, state) = &begins[number];
+        let moved = self
+            .gap(cycle.multiple, *mode)
+            .close(state, self.followed)?;
+        Ok(moved.unwrap_or(cycle))
+    }
+
+    /// The motion over so many periods from a mode, to be closed.
+    fn gap(&self, multiple: usize, mode: usize) -> Gap<'_> {
+        Gap {
+            flow: self.flow,
+            mode,
+            period: self.period,
+            multiple,
+            is_free: false,
+            sizes: self.past.sizes(),
+            settings: self.settings,
+        }
+    }
+
     /// Whether the motion comes nearer to one that repeats, as quickly as its multipliers say, and through the same events.
     /// What dies out slowly is far away for long; what is irregular may come nearer for a while, but not so.
     fn comes_to(&mut self, cycle: &Cycle) -> Result<bool, CycleError> {
-        let (start, expected) = (start_of(cycle), passed(&cycle.motion));
+        let (start, expected) = (cycle.start(), passed(&cycle.motion));
         let slowest = cycle.multipliers.first().map_or(0.0, |one| one.modulus());
         let fall = slowest.ln() * (GROWTH + BEATS) as f64;
         let mut before = self.farthest(&start)?;
@@ -252,7 +269,7 @@ impl Walk<'_> {
 
     /// Whether a motion that repeats is as near to the one that was followed, over the sizes of the states.
     fn is_within(&self, limit: f64, cycle: &Cycle) -> bool {
-        self.apart(&start_of(cycle), &self.state) <= limit
+        self.apart(&cycle.start(), &self.state) <= limit
     }
 
     /// How far two states are from each other, over the sizes of the states.

@@ -17,7 +17,7 @@ use nalgebra::{DMatrix, DVector};
 use super::super::{Happened, Motion, Piece};
 use super::error::CycleError;
 use super::flow::{Flow, Local};
-use crate::ode::{AbsoluteTolerance, Dop853, Options, System, Workspace, integrate};
+use crate::ode::{AbsoluteTolerance, Dop853, OdeError, Options, System, Workspace, integrate};
 use crate::registry::Settings;
 
 /// The matrix of derivatives of the end of a motion by its begin, SI units.
@@ -39,7 +39,8 @@ pub(super) fn of(
             events = &events[due..];
         }
         let local = flow.local(piece.mode, &piece.sides);
-        matrix = along(local.as_ref(), piece, flow.scales(), matrix, settings)?;
+        matrix = along(local.as_ref(), piece, flow.scales(), matrix, settings)
+            .map_err(CycleError::Variation)?;
         before = &piece.sides;
     }
     if !events.is_empty() {
@@ -199,13 +200,13 @@ impl Passage<'_> {
 }
 
 /// Carries the columns of a matrix along a piece of the motion.
-fn along(
+pub(super) fn along(
     local: &dyn Local,
     piece: &Piece,
     scales: &[f64],
     start: DMatrix<f64>,
     settings: &Settings,
-) -> Result<DMatrix<f64>, CycleError> {
+) -> Result<DMatrix<f64>, OdeError> {
     let times = piece.trajectory.times();
     let (from, to) = (times[0], times[times.len() - 1]);
     if to - from <= 4.0 * f64::EPSILON * from.abs() {
@@ -241,8 +242,7 @@ fn along(
         &options,
         &mut workspace,
         &mut (),
-    )
-    .map_err(CycleError::Variation)?;
+    )?;
     let end = DMatrix::from_column_slice(states, states, workspace.state());
     Ok(scaled(&end, false))
 }
