@@ -31,9 +31,11 @@ pub fn per_second(unit: &Unit) -> Option<Unit> {
     let dimension = unit.dimension.div(&second())?;
     let symbol = match unit.symbol.as_str() {
         "" => "1/s".to_string(),
-        "rad/s" => "rad/s^2".to_string(),
-        symbol if symbol.contains('/') => return Some(Unit::for_dimension(&dimension)),
-        symbol => format!("{symbol}/s"),
+        symbol => match symbol.strip_suffix("/s") {
+            Some(moved) => format!("{moved}/s^2"),
+            None if symbol.contains('/') => return Some(Unit::for_dimension(&dimension)),
+            None => format!("{symbol}/s"),
+        },
     };
     let read = unit::parse_unit_text(&symbol)
         .ok()
@@ -447,4 +449,25 @@ impl Lowering<'_> {
 fn kind_times_second(kind: Kind) -> Option<Kind> {
     let inverse = over(Kind::NUMBER, Kind::Of(second()))?;
     over(kind, inverse)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check_per_second(unit: &str, expected: &str) {
+        let unit = unit::parse_unit_text(unit).expect("a unit");
+        assert_eq!(per_second(&unit).expect("a unit").symbol, expected);
+    }
+
+    /// A coordinate in degrees has an acceleration in degrees.
+    #[test]
+    fn derivatives_keep_the_unit_of_what_they_are_of() {
+        check_per_second("deg", "deg/s");
+        check_per_second("deg/s", "deg/s^2");
+        check_per_second("mm/s", "mm/s^2");
+        check_per_second("rad/s", "rad/s^2");
+        check_per_second("rpm", "rpm/s");
+    }
 }
