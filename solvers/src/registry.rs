@@ -291,6 +291,15 @@ pub struct Settings {
     pub rtol: f64,
 }
 
+/// What an integration may take, whatever its tolerance asks for.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Limits {
+    /// Most steps, rejected ones included.
+    pub steps: Option<usize>,
+    /// Length of the first step, in seconds.
+    pub first_step: Option<f64>,
+}
+
 /// Name of an integration method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
@@ -399,6 +408,19 @@ pub trait Run: Send + Sync {
         times: (f64, f64),
         start: &[f64],
         settings: &Settings,
+    ) -> Result<crate::hybrid::Motion, crate::hybrid::HybridError> {
+        self.follow_within(times, start, settings, &Limits::default())
+    }
+    /// The same, within limits.
+    ///
+    /// # Errors
+    /// See [`crate::hybrid::HybridError`].
+    fn follow_within(
+        &self,
+        times: (f64, f64),
+        start: &[f64],
+        settings: &Settings,
+        limits: &Limits,
     ) -> Result<crate::hybrid::Motion, crate::hybrid::HybridError>;
     /// The same from a start in another mode than the first.
     ///

@@ -115,6 +115,8 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             motion.time = trajectory.times()[trajectory.times().len() - 1];
             motion.end.copy_from_slice(trajectory.end());
             motion.statistics.add(&statistics);
+            let tried = statistics.steps + statistics.rejected;
+            self.options.max_steps = self.options.max_steps.saturating_sub(tried);
             if motion.time > trajectory.times()[0] {
                 motion.pieces.push(Piece {
                     mode: self.equations.mode(),

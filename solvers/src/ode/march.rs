@@ -12,7 +12,7 @@ use super::tsit5::Tsit5;
 use super::workspace::Workspace;
 use crate::dispatch::{Task, dispatch};
 use crate::problem::{Equations, Scene, Stages, Storage};
-use crate::registry::{self, Settings};
+use crate::registry::{self, Limits, Settings};
 use crate::scalar::Scalar;
 use crate::stiff;
 
@@ -118,12 +118,23 @@ pub(crate) fn march_called<C: Scene>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Trajectory, OdeError> {
+    march_within(scene, times, start, settings, &Limits::default())
+}
+
+/// The same within limits.
+pub(crate) fn march_within<C: Scene>(
+    scene: &C,
+    times: (f64, f64),
+    start: &[f64],
+    settings: &Settings,
+    limits: &Limits,
+) -> Result<Trajectory, OdeError> {
+    let options = Options::scaled(settings.rtol, C::SCALES).within(limits);
     if let Some(method) = settings.method.stiff() {
-        return stiff::march(scene, times, start, settings.rtol, method);
+        return stiff::march(scene, times, start, &options, method);
     }
     let equations = scene.prepare::<f64>();
     let start = state_from::<f64, _>(&equations, start)?;
-    let options = Options::scaled(settings.rtol, C::SCALES);
     let single = &Single(&equations);
     follow(single, times, start.as_ref(), settings.method, &options)
 }

@@ -1,6 +1,7 @@
 //! How accurately to integrate.
 
 use super::error::OdeError;
+use crate::registry::Limits;
 
 /// Error of a state that is permitted whatever the size of the state.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,6 +48,15 @@ impl Options {
             rtol,
             atol,
             ..Self::default()
+        }
+    }
+
+    /// The same within limits.
+    pub(crate) fn within(self, limits: &Limits) -> Self {
+        Self {
+            first_step: limits.first_step.or(self.first_step),
+            max_steps: limits.steps.unwrap_or(self.max_steps),
+            ..self
         }
     }
 

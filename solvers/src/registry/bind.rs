@@ -1,6 +1,6 @@
 //! A scene with its values behind [`Run`]: the names are gone, whole runs are left.
 
-use super::{Constant, Run, Settings};
+use super::{Constant, Limits, Run, Settings};
 use crate::dispatch::{Task, dispatch};
 use crate::hybrid::{self, Cycle, CycleError, HybridError, Motion};
 use crate::measure::{self, Missing, Wanted};
@@ -113,13 +113,14 @@ impl<C: Scene + 'static> Run for Bound<C> {
         ode::march_called(&self.scene, times, start, settings)
     }
 
-    fn follow(
+    fn follow_within(
         &self,
         times: (f64, f64),
         start: &[f64],
         settings: &Settings,
+        limits: &Limits,
     ) -> Result<Motion, HybridError> {
-        let integrated = ode::march_called(&self.scene, times, start, settings);
+        let integrated = ode::march_within(&self.scene, times, start, settings, limits);
         Motion::smooth(integrated, times.0, start)
     }
 

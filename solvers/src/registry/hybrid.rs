@@ -1,7 +1,7 @@
 //! A scene with modes and its values behind [`Run`].
 
 use super::bind::Timing;
-use super::{Run, Settings};
+use super::{Limits, Run, Settings};
 use crate::dispatch::Task;
 use crate::hybrid::{
     self, Cycle, CycleError, EventEntry, Hybrid, HybridError, Motion, Sensitive, in_each_mode,
@@ -143,13 +143,14 @@ impl<C: Hybrid + 'static> Run for Bound<C> {
         Err(has_modes())
     }
 
-    fn follow(
+    fn follow_within(
         &self,
         times: (f64, f64),
         start: &[f64],
         settings: &Settings,
+        limits: &Limits,
     ) -> Result<Motion, HybridError> {
-        hybrid::march(&self.scene, times, start, settings)
+        hybrid::march_within(&self.scene, times, start, settings, limits)
     }
 
     fn follow_in(

@@ -5,7 +5,7 @@ use super::{Method, Workspace, integrate};
 use crate::ode::{OdeError, Options, Recorder, Trajectory};
 use crate::problem::Scene;
 
-/// The motion of a scene from a start. The absolute tolerances are `rtol * Scene::SCALES`.
+/// The motion of a scene from a start.
 ///
 /// # Errors
 /// [`OdeError`], with the time that was reached.
@@ -14,18 +14,11 @@ pub(crate) fn march<C: Scene>(
     scene: &C,
     times: (f64, f64),
     start: &[f64],
-    rtol: f64,
+    options: &Options,
     method: Method,
 ) -> Result<Trajectory, OdeError> {
     let equations = scene.prepare::<f64>();
-    let options = Options::scaled(rtol, C::SCALES);
-    record(
-        &mut Emitted::new(&equations),
-        times,
-        start,
-        &options,
-        method,
-    )
+    record(&mut Emitted::new(&equations), times, start, options, method)
 }
 
 /// The motion from a start.
