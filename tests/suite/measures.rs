@@ -1,7 +1,7 @@
 //! Numbers of a whole run, of a ball that falls and stays, against closed forms.
 
 use approx::assert_relative_eq;
-use assur::measure::{self, Missing};
+use assur::measure::{self, ALWAYS, Missing};
 use assur::prelude::*;
 
 assur::mechanism! {
@@ -119,5 +119,73 @@ fn an_extreme_beside_the_end_of_a_step_is_found() {
             let found = *measure::of(&scene, &motion)[index].as_ref().unwrap();
             assert_relative_eq!(found, expected, max_relative = 1e-10);
         }
+    }
+}
+
+/// Half a second of a motor's run-up in ten minutes of its warming up.
+mod motor {
+    assur::mechanism! {
+        /// Direct current motor, gear, flexible coupling, load; the winding heats up.
+        Motor from "made up";
+        parameter U = 24 V, R20 = 0.5 ohm, L = 1 mH, k = 0.05 [N m/A], J1 = 2e-5 [kg m^2];
+        parameter i_g = 10, c = 200 [N m/rad], d = 0.2 [N m s/rad], J2 = 5e-2 [kg m^2], M_L = 3 [N m];
+        parameter C_th = 50 [J/K], G_th = 0.5 [W/K], alpha = 0.0039 [1/K], T_a = 293 K;
+        state I: A = 0;
+        state T: K = 293 K;
+        coordinate phi1: rad = 0, phi2: rad = 0;
+        let R = R20*(1 + alpha*(T - 293 K));
+        motion electric: L*dot(I) + R*I + k*dot(phi1) = U;
+        motion thermal: C_th*dot(T) = R*I^2 - G_th*(T - T_a);
+        let twist = phi1/i_g - phi2;
+        kinetic J1*dot(phi1)^2/2 + J2*dot(phi2)^2/2;
+        potential c*twist^2/2;
+        dissipation d*dot(twist)^2/2;
+        force k*I on phi1, -M_L*tanh(dot(phi2)/(0.01 [rad/s])) on phi2;
+        output ddot(phi1);
+        measure largest = peak(ddot(phi1)), smallest = lowest(ddot(phi1));
+        scene hot { run time 0 s .. 60 s; }
+    }
+}
+
+/// A step of a stiff method is a second long, and what is sought lasts milliseconds: all methods find it, and it is what the
+/// measures find.
+#[test]
+fn extremes_of_a_long_run_are_found_in_its_short_beginning() {
+    let run = assur::registry::bind(motor::Hot::default()).expect("its values are good");
+    for method in [
+        Method::Dop853,
+        Method::Tsit5,
+        Method::Taylor,
+        Method::Radau,
+        Method::Rosenbrock,
+        Method::Auto,
+    ] {
+        let settings = Settings { method, rtol: 1e-9 };
+        let motion = run.follow((0.0, 60.0), &run.start(), &settings);
+        let motion = motion.expect("a motion");
+        let sample = |mode: usize, time: f64, state: &[f64], values: &mut [f64]| {
+            values.copy_from_slice(&run.outputs_in(mode, time, state));
+        };
+        let found = measure::extremes(&motion, ALWAYS, 1, &sample)[0].clone();
+        let found = found.expect("there are some");
+        let (lowest, highest) = (found.lowest, found.highest);
+        assert!(
+            (highest.value - 56_962.739_1).abs() < 1e-2,
+            "{method:?}: {highest:?}"
+        );
+        assert!(
+            (highest.time - 0.002_101_900_62).abs() < 1e-9,
+            "{method:?}: {highest:?}"
+        );
+        assert!(
+            (lowest.value + 37_360.330).abs() < 1e-1,
+            "{method:?}: {lowest:?}"
+        );
+        let measures = run.measure(&motion);
+        assert_eq!(
+            measures,
+            [Ok(highest.value), Ok(lowest.value)],
+            "{method:?}"
+        );
     }
 }

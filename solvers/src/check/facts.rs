@@ -2,20 +2,19 @@
 
 use super::{Failed, positions};
 use crate::hybrid;
-use crate::ode::Trajectory;
+use crate::measure::{self, Extremes};
 use crate::problem::{Refused, Span};
 use crate::registry::{
     At, Bind, Constant, Expectation, Mechanism, Method, Quantity, Run, SceneEntry, Settings,
     Subject,
 };
+use crate::study;
 
 /// How the motion is found: far more accurately than anything is published.
 const SETTINGS: Settings = Settings {
     method: Method::Dop853,
     rtol: 1e-11,
 };
-/// Samples along a task when an extreme is sought.
-const SAMPLES: usize = 2048;
 
 /// Solves a scene and checks one of its published facts, by its place in the list of the scene.
 ///
@@ -85,42 +84,25 @@ fn text(mechanism: &Mechanism, fact: &Expectation, quantity: &Quantity, computed
 struct Motion {
     run: Box<dyn Run>,
     span: Span,
-    /// None where the scene has no task, or no state.
-    path: Option<Path>,
-}
-
-enum Path {
-    Orbit(Trajectory),
-    Through(hybrid::Motion),
+    /// At rest where the scene has no task.
+    path: hybrid::Motion,
 }
 
 impl Motion {
     fn of(run: Box<dyn Run>) -> Result<Self, Failed> {
         let span = run.span();
-        let unsolved = |error: &dyn std::fmt::Display| Failed(format!("no motion: {error}"));
         let path = match span {
-            _ if run.start().is_empty() => None,
-            Span::Open => None,
-            Span::Periodic(period) if run.mode_count() > 0 => {
-                let cycle = run.cycle(period, &SETTINGS);
-                let cycle = cycle.map_err(|error| unsolved(&error))?;
-                Some(Path::Through(cycle.motion))
-            }
-            Span::Autonomous => {
-                let cycle = run.clock(&SETTINGS);
-                let cycle = cycle.map_err(|error| unsolved(&error))?;
-                Some(Path::Through(cycle.motion))
-            }
-            Span::Periodic(period) => {
-                let orbit = run.periodic(period, &SETTINGS);
-                let orbit = orbit.map_err(|error| unsolved(&error))?;
-                Some(Path::Orbit(orbit.trajectory))
-            }
-            Span::Run(from, to) => {
-                let motion = run.follow((from, to), &run.start(), &SETTINGS);
-                Some(Path::Through(motion.map_err(|error| unsolved(&error))?))
-            }
+            Span::Open => Ok(hybrid::Motion {
+                mode: run.first_mode(),
+                ..hybrid::Motion::at_rest(0.0, &run.start())
+            }),
+            _ if run.start().is_empty() => Ok(hybrid::Motion::without_states(
+                run.first_mode(),
+                span.limits(),
+            )),
+            _ => study::motion(run.as_ref(), &SETTINGS),
         };
+        let path = path.map_err(|error| Failed(format!("no motion: {error}")))?;
         Ok(Self { run, span, path })
     }
 
@@ -132,11 +114,9 @@ impl Motion {
                 let time = self.run.time_of(driver, position).ok()?;
                 self.at(time, fact.subject)
             }
-            At::Maximum => self.largest(fact.subject, |value| value),
-            At::Minimum => self
-                .largest(fact.subject, |value| -value)
-                .map(|value| -value),
-            At::Amplitude => self.largest(fact.subject, f64::abs),
+            At::Maximum => Some(self.extremes(fact.subject)?.highest.value),
+            At::Minimum => Some(self.extremes(fact.subject)?.lowest.value),
+            At::Amplitude => Some(self.extremes(fact.subject)?.amplitude()),
             At::Run => self.measured(fact.subject),
             At::Position(_) => None,
         }
@@ -147,23 +127,20 @@ impl Motion {
         let Subject::Measure(index) = subject else {
             return None;
         };
-        let measures = match self.path.as_ref()? {
-            Path::Orbit(orbit) => self.run.measure(&hybrid::Motion::of(orbit.clone())),
-            Path::Through(motion) => self.run.measure(motion),
-        };
-        measures.get(index)?.ok()
+        self.run.measure(&self.path).get(index)?.ok()
     }
 
     /// A state or output at a time.
     fn at(&self, time: f64, subject: Subject) -> Option<f64> {
-        let (mode, state) = match &self.path {
-            Some(Path::Orbit(orbit)) => (0, orbit.at(time)),
-            Some(Path::Through(motion)) => motion.at(time),
-            None => (self.run.first_mode(), self.run.start()),
-        };
+        let (mode, state) = self.path.at(time);
+        self.of_state(mode, time, &state, subject)
+    }
+
+    /// A state or output in a mode at a time and state.
+    fn of_state(&self, mode: usize, time: f64, state: &[f64], subject: Subject) -> Option<f64> {
         match subject {
             Subject::Output(index) => {
-                let outputs = self.run.outputs_in(mode, time, &state);
+                let outputs = self.run.outputs_in(mode, time, state);
                 outputs.get(index).copied()
             }
             Subject::State(index) => state.get(index).copied(),
@@ -171,37 +148,14 @@ impl Motion {
         }
     }
 
-    /// Times along the task.
-    fn times(&self) -> Vec<f64> {
-        let (from, to) = self.span.limits();
-        let at = |index: usize| from + (to - from) * index as f64 / SAMPLES as f64;
-        (0..=SAMPLES).map(at).collect()
-    }
-
-    /// The largest of what is made of a quantity over the task.
-    fn largest(&self, subject: Subject, size: impl Fn(f64) -> f64) -> Option<f64> {
-        let times = self.times();
-        let at = |time: f64| self.at(time, subject).map(&size);
-        let mut best = (0, f64::NEG_INFINITY);
-        for (index, time) in times.iter().enumerate() {
-            let here = at(*time)?;
-            if here > best.1 {
-                best = (index, here);
-            }
-        }
-        // Between its neighbours the largest sample is beside one hill, which thirds close in on.
-        let (mut low, mut high) = (
-            times[best.0.saturating_sub(1)],
-            times[(best.0 + 1).min(SAMPLES)],
-        );
-        for _ in 0..60 {
-            let third = (high - low) / 3.0;
-            if at(low + third)? < at(high - third)? {
-                low += third;
-            } else {
-                high -= third;
-            }
-        }
-        Some(best.1.max(at(low + (high - low) / 2.0)?))
+    /// Smallest and largest value of a quantity over the task.
+    fn extremes(&self, subject: Subject) -> Option<Extremes> {
+        let sample = |mode: usize, time: f64, state: &[f64], values: &mut [f64]| {
+            values[0] = self
+                .of_state(mode, time, state, subject)
+                .unwrap_or(f64::NAN);
+        };
+        let found = measure::extremes(&self.path, measure::ALWAYS, 1, &sample);
+        found.into_iter().next()?
     }
 }

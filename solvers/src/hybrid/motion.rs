@@ -2,8 +2,11 @@
 
 use super::HybridError;
 use super::numbers::Numbers;
-use crate::ode::{OdeError, Statistics, Trajectory};
+use crate::ode::{Basis, Observer, OdeError, Recorder, Statistics, Step, Trajectory};
 use crate::stiff::Switch;
+
+/// Steps of what has no state.
+const PARTS: usize = 180;
 
 /// A stretch of the motion in one mode.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,6 +99,27 @@ impl Motion {
             mode: 0,
             motion: Box::new(Self::at_rest(time, start)),
         })
+    }
+
+    /// What moves with the time alone: nothing has a state. It is as if it had been integrated in even steps.
+    pub fn without_states(mode: usize, (from, to): (f64, f64)) -> Self {
+        let mut recorder = Recorder::<f64>::new(from, &Vec::new());
+        let time = |index: usize| from + (to - from) * (index as f64 / PARTS as f64);
+        for index in 0..PARTS {
+            recorder.step(&Step {
+                from: time(index),
+                to: time(index + 1),
+                before: &Vec::new(),
+                after: &Vec::new(),
+                polynomial: &[],
+                basis: Basis::Alternating,
+            });
+        }
+        let trajectory = recorder.finish(Statistics::default());
+        let mut motion = Self::of(trajectory);
+        motion.mode = mode;
+        motion.pieces[0].mode = mode;
+        motion
     }
 
     /// The mode and the state at a time; at an event, those after it. Beyond the ends those at the nearest end.

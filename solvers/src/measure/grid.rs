@@ -3,6 +3,42 @@
 use super::GRID;
 use crate::hybrid::{Motion, Piece};
 
+/// Halvings of a step at most where quantities do something that the state does not feel.
+const DEEPEST: usize = 10;
+/// Halvings of the steps of a run at most: so many, and as many for each step.
+const HALVINGS: (usize, usize) = (10_000, 4);
+/// How far quantities may be from the quartic through every second point, over what they span. A step in which they are
+/// farther is halved.
+const DEVIATION: f64 = 0.05;
+/// Deviations that are rounding, over the size of a quantity.
+const NOISE: f64 = 1e-12;
+/// Where in a step quantities are looked at: multiples of the golden section, which keep out of step with whatever swings.
+const PLACES: [f64; GRID + 1] = [0.0, 0.09, 0.236, 0.382, 0.5, 0.618, 0.764, 0.91, 1.0];
+/// For every second place what the others count in the quartic through them.
+const QUARTIC: [[f64; GRID / 2 + 1]; GRID / 2] = quartic();
+
+const fn quartic() -> [[f64; GRID / 2 + 1]; GRID / 2] {
+    let mut weights = [[1.0; GRID / 2 + 1]; GRID / 2];
+    let mut row = 0;
+    while row < GRID / 2 {
+        let at = PLACES[2 * row + 1];
+        let mut own = 0;
+        while own <= GRID / 2 {
+            let mut other = 0;
+            while other <= GRID / 2 {
+                if other != own {
+                    let beside = PLACES[2 * other];
+                    weights[row][own] *= (at - beside) / (PLACES[2 * own] - beside);
+                }
+                other += 1;
+            }
+            own += 1;
+        }
+        row += 1;
+    }
+    weights
+}
+
 /// Writes the quantities in a mode at a time and state.
 pub type Sample<'a> = dyn Fn(usize, f64, &[f64], &mut [f64]) + 'a;
 
@@ -13,21 +49,30 @@ pub(super) struct Sampler<'a> {
     sample: &'a Sample<'a>,
     state: Vec<f64>,
     values: Vec<f64>,
+    halvings: usize,
+    /// The step in which was looked last.
+    step: usize,
 }
 
 impl<'a> Sampler<'a> {
     pub(super) fn new(motion: &'a Motion, count: usize, sample: &'a Sample<'a>) -> Self {
+        let steps = motion.pieces.iter();
+        let steps = steps.map(|piece| piece.trajectory.times().len());
         Self {
             motion,
             sample,
             state: motion.end.clone(),
             values: vec![0.0; count],
+            halvings: HALVINGS.0 + HALVINGS.1 * steps.sum::<usize>(),
+            step: 0,
         }
     }
 
     /// All quantities at a time in a piece, in the mode of that piece even at its ends.
     pub(super) fn at(&mut self, piece: &Piece, time: f64) -> &[f64] {
-        piece.trajectory.at_into(time, &mut self.state);
+        piece
+            .trajectory
+            .at_beside(&mut self.step, time, &mut self.state);
         (self.sample)(piece.mode, time, &self.state, &mut self.values);
         &self.values
     }
@@ -38,30 +83,80 @@ impl<'a> Sampler<'a> {
         &self.values
     }
 
-    /// The quantities along a step.
-    pub(super) fn grid(&mut self, piece: &'a Piece, (from, to): (f64, f64)) -> Grid<'a> {
+    /// Goes through the run between two times, step by step. One in which quantities are more than smooth is gone through
+    /// in parts.
+    pub(super) fn walk(
+        &mut self,
+        (from, to): (f64, f64),
+        visit: &mut dyn FnMut(&Grid<'a>, &mut Self),
+    ) {
+        for (number, piece) in self.motion.pieces.iter().enumerate() {
+            let times = piece.trajectory.times();
+            let first = times
+                .partition_point(|time| *time <= from)
+                .saturating_sub(1);
+            for step in times[first..].windows(2) {
+                let part = (step[0].max(from), step[1].min(to));
+                if part.0 < part.1 {
+                    self.walk_step((number, piece), part, 0, visit);
+                } else if step[0] > to {
+                    break;
+                }
+            }
+        }
+    }
+
+    fn walk_step(
+        &mut self,
+        piece: (usize, &'a Piece),
+        (from, to): (f64, f64),
+        depth: usize,
+        visit: &mut dyn FnMut(&Grid<'a>, &mut Self),
+    ) {
+        let grid = self.grid(piece, (from, to));
+        let middle = grid.times[GRID / 2];
+        let may_halve = depth < DEEPEST && self.halvings > 0 && from < middle && middle < to;
+        if may_halve && !grid.is_resolved() {
+            self.halvings -= 1;
+            self.walk_step(piece, (from, middle), depth + 1, visit);
+            self.walk_step(piece, (middle, to), depth + 1, visit);
+        } else {
+            visit(&grid, self);
+        }
+    }
+
+    /// The quantities along a part of a step.
+    fn grid(&mut self, (number, piece): (usize, &'a Piece), (from, to): (f64, f64)) -> Grid<'a> {
         let time = |index: usize| match index {
             GRID => to,
-            _ => from + (to - from) * (index as f64 / GRID as f64),
+            _ => from + (to - from) * PLACES[index],
         };
         let times: [f64; GRID + 1] = std::array::from_fn(time);
-        let rows = times.iter().map(|time| self.at(piece, *time).to_vec());
+        let mut values = Vec::with_capacity(times.len() * self.values.len());
+        for time in times {
+            values.extend_from_slice(self.at(piece, time));
+        }
         Grid {
             piece,
-            rows: rows.collect(),
+            number,
+            count: self.values.len(),
+            values,
             times,
         }
     }
 }
 
-/// The quantities along a step.
+/// The quantities along a step, or along a part of it.
 pub(super) struct Grid<'a> {
     /// The piece that the step belongs to.
     pub(super) piece: &'a Piece,
+    /// Its number.
+    pub(super) number: usize,
     /// Times from the begin of the step to its end.
     pub(super) times: [f64; GRID + 1],
+    count: usize,
     /// For each time all quantities.
-    rows: Vec<Vec<f64>>,
+    values: Vec<f64>,
 }
 
 impl Grid<'_> {
@@ -72,6 +167,26 @@ impl Grid<'_> {
 
     /// A quantity along the step.
     pub(super) fn column(&self, index: usize) -> [f64; GRID + 1] {
-        std::array::from_fn(|row| self.rows[row][index])
+        std::array::from_fn(|row| self.values[row * self.count + index])
     }
+
+    /// Whether every second point of each quantity says where the others lie.
+    fn is_resolved(&self) -> bool {
+        (0..self.count).all(|index| is_smooth(&self.column(index)))
+    }
+}
+
+/// Whether every second value says where the others lie. What is no number cannot be resolved any further.
+fn is_smooth(values: &[f64; GRID + 1]) -> bool {
+    let (low, high) = values
+        .iter()
+        .fold((f64::MAX, f64::MIN), |(low, high), one| {
+            (low.min(*one), high.max(*one))
+        });
+    let permitted = f64::max(DEVIATION * (high - low), NOISE * high.abs().max(low.abs()));
+    QUARTIC.iter().enumerate().all(|(row, weights)| {
+        let terms = weights.iter().enumerate();
+        let said: f64 = terms.map(|(own, weight)| weight * values[2 * own]).sum();
+        !((said - values[2 * row + 1]).abs() > permitted)
+    })
 }

@@ -1,28 +1,36 @@
 //! Numbers of a whole run: peaks, means, durations, values at events, harmonics.
 //!
-//! A measure looks at the continuous solution between the steps, not at samples of it: extremes are refined to the
-//! last digits that their flatness leaves, integrals are taken by a Gauss–Kronrod rule on every step and halved until
+//! A measure looks at the continuous solution between the steps, not at samples of it: extremes lie where the slope is zero, to
+//! the last digits that this leaves, integrals are taken by a Gauss–Kronrod rule on every step and halved until
 //! both its orders agree, and where a condition begins and ends to hold is bisected to neighbouring numbers. Every
 //! stretch between events is looked at in its own mode up to its very ends, so that a force that jumps at an event has
 //! both its values.
 //!
-//! Each step is looked at in eight parts; what lies within one of them is found as long as it shows there: as a change of sign or
-//! as a point that its neighbours surround. The steps of an integration are short against whatever the motion does.
+//! Each step is looked at in eight parts, and in halves where every second of these points does not say where the others are;
+//! what lies within one of them is found as long as it shows there: as a change of sign or as a point that its neighbours
+//! surround. The steps of an integration are short against whatever the motion does; a function of the time alone that the
+//! motion does not feel, and that is zero to all digits at all these points, is not seen.
 
 mod extreme;
 mod grid;
 mod harmonic;
+mod hill;
 mod moment;
 mod primitive;
 mod quadrature;
 mod window;
 
+pub use extreme::{Extreme, Extremes};
+pub use grid::Sample;
 pub use primitive::{Kind, Missing, Moment, Primitive};
 
 use crate::hybrid::{Hybrid, Motion, in_each_mode};
 use crate::problem::{Equations, Scene, Storage};
-use grid::{Sample, Sampler};
+use extreme::{Hunt, Sense};
+use grid::Sampler;
 
+/// From the begin of a run to its end.
+pub const ALWAYS: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 /// Parts of a step at whose ends quantities are looked at.
 const GRID: usize = 8;
 
@@ -37,15 +45,13 @@ pub fn find(
     sample: &Sample<'_>,
 ) -> Vec<Result<f64, Missing>> {
     let mut sampler = Sampler::new(motion, count, sample);
-    let mut tallies: Vec<primitive::Tally> = vec![primitive::Tally::default(); primitives.len()];
-    for piece in &motion.pieces {
-        for step in piece.trajectory.times().windows(2) {
-            let grid = sampler.grid(piece, (step[0], step[1]));
-            for (primitive, tally) in primitives.iter().zip(&mut tallies) {
-                tally.add(primitive, &grid, &mut sampler);
-            }
+    let tallies = primitives.iter().map(primitive::Tally::new);
+    let mut tallies: Vec<_> = tallies.collect();
+    sampler.walk(ALWAYS, &mut |grid, sampler| {
+        for (primitive, tally) in primitives.iter().zip(&mut tallies) {
+            tally.add(primitive, grid, sampler);
         }
-    }
+    });
     let found = primitives.iter().zip(tallies);
     found
         .map(|(primitive, tally)| {
@@ -60,6 +66,35 @@ pub fn find(
             }
         })
         .collect()
+}
+
+/// Smallest and largest value between two times of a run, of each quantity that `sample` gives, `count` of them; SI units. None
+/// where there is no time between.
+pub fn extremes(
+    motion: &Motion,
+    times: (f64, f64),
+    count: usize,
+    sample: &Sample<'_>,
+) -> Vec<Option<Extremes>> {
+    let mut sampler = Sampler::new(motion, count, sample);
+    let hunt = |index| [Sense::Smallest, Sense::Largest].map(|sense| Hunt::new(index, sense));
+    let mut hunts: Vec<_> = (0..count).map(hunt).collect();
+    sampler.walk(times, &mut |grid, sampler| {
+        for hunt in hunts.iter_mut().flatten() {
+            hunt.look(grid.ends(), grid, sampler);
+        }
+    });
+    let found = hunts.into_iter().map(|[lowest, highest]| {
+        let (lowest, low_rivals) = lowest.finish(&mut sampler)?;
+        let (highest, high_rivals) = highest.finish(&mut sampler)?;
+        Some(Extremes {
+            lowest,
+            highest,
+            low_rivals,
+            high_rivals,
+        })
+    });
+    found.collect()
 }
 
 /// What a scene wants to have measured.

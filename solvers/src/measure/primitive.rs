@@ -1,6 +1,6 @@
 //! What is asked of a run, and what has been found of it so far.
 
-use super::extreme::{self, Sense};
+use super::extreme::{Hunt, Sense};
 use super::grid::{Grid, Sampler};
 use super::harmonic;
 use super::quadrature::integral;
@@ -110,19 +110,33 @@ impl Missing {
 }
 
 /// What has been found so far.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
-    /// The extreme, or the integral.
+    /// The search for the extreme, if that is what is to be found.
+    hunt: Option<Hunt>,
+    /// The integral.
     value: f64,
     /// The time that has been looked at.
     time: f64,
     /// The size of what was added up: sums are as exact as this allows.
     size: f64,
-    /// Whether anything has been found.
-    some: bool,
 }
 
 impl Tally {
+    /// Nothing yet.
+    pub(super) fn new(primitive: &Primitive) -> Self {
+        let hunt = |sense| Some(Hunt::new(primitive.argument, sense));
+        let hunt = match primitive.kind {
+            Kind::Peak => hunt(Sense::Largest),
+            Kind::Lowest => hunt(Sense::Smallest),
+            _ => None,
+        };
+        Self {
+            hunt,
+            ..Self::default()
+        }
+    }
+
     /// Looks at a step.
     pub(super) fn add(
         &mut self,
@@ -139,17 +153,11 @@ impl Tally {
         for (from, to) in windows(window, grid, sampler) {
             self.time += to - from;
             let times = (from, to);
+            if let Some(hunt) = &mut self.hunt {
+                hunt.look(times, grid, sampler);
+                continue;
+            }
             let sum = match primitive.kind {
-                Kind::Peak | Kind::Lowest => {
-                    let sense = match primitive.kind {
-                        Kind::Peak => Sense::Largest,
-                        _ => Sense::Smallest,
-                    };
-                    let best = self.some.then_some(self.value);
-                    self.value = extreme::of(index, sense, times, best, grid, sampler);
-                    self.some = true;
-                    continue;
-                }
                 Kind::Mean | Kind::Integral => {
                     integral(times, grid, sampler, self.size, &|values| values[index])
                 }
@@ -166,17 +174,16 @@ impl Tally {
                         values[index] * (f64::from(order) * values[angle.0]).sin() * values[angle.1]
                     })
                 }
-                Kind::Duration | Kind::Value(_) | Kind::Count(_) => (0.0, 0.0),
+                _ => (0.0, 0.0),
             };
             self.value += sum.0;
             self.size += sum.1;
-            self.some = true;
         }
     }
 
     /// The number, once all steps have been looked at.
     pub(super) fn result(
-        &self,
+        self,
         primitive: &Primitive,
         sampler: &mut Sampler<'_>,
     ) -> Result<f64, Missing> {
@@ -184,10 +191,13 @@ impl Tally {
             Some(_) => Missing::NeverHolds,
             None => Missing::Empty,
         };
+        if let Some(hunt) = self.hunt {
+            let (extreme, _) = hunt.finish(sampler).ok_or(nothing)?;
+            return Ok(extreme.value);
+        }
         match primitive.kind {
             Kind::Duration => Ok(self.time),
             Kind::Integral => Ok(self.value),
-            Kind::Peak | Kind::Lowest if self.some => Ok(self.value),
             Kind::Mean if self.time > 0.0 => Ok(self.value / self.time),
             Kind::Rms if self.time > 0.0 => Ok((self.value / self.time).sqrt()),
             Kind::Cosine { angle, order } | Kind::Sine { angle, order } => Ok(harmonic::scaled(

@@ -82,6 +82,88 @@ fn a_peak_is_found_wherever_it_lies_in_a_step() {
     }
 }
 
+/// The largest value of a function of the time, with its time.
+fn highest(motion: &Motion, of: &dyn Fn(f64) -> f64) -> Extreme {
+    let sample = |_: usize, time: f64, _: &[f64], values: &mut [f64]| values[0] = of(time);
+    let found = extremes(motion, ALWAYS, 1, &sample)[0].clone();
+    found.unwrap().highest
+}
+
+/// From values alone it has half of the digits: the quantity is flat there.
+#[test]
+fn the_time_of_an_extreme_has_nearly_all_digits() {
+    let motion = run(0.0, 3.0, 7);
+    for place in 1..300 {
+        let top = f64::from(place) / 100.0 + 1.234e-5;
+        let wave = |time: f64| 3.0 + (2.0 * (time - top)).cos() - 0.001 * (time - top).powi(3);
+        let found = highest(&motion, &wave);
+        let wrong = (found.time - top).abs();
+        assert!(
+            wrong < 1e-12 && wrong <= found.blur,
+            "{top}: {wrong:e} {found:?}"
+        );
+        assert!(
+            (found.value - 4.0).abs() < 2e-15 && found.blur < 1e-11,
+            "{found:?}"
+        );
+    }
+}
+
+#[test]
+fn where_it_is_flat_the_time_of_an_extreme_says_so() {
+    let motion = run(0.0, 3.0, 7);
+    for power in [4, 6] {
+        let flat = |time: f64| 1.0 - (time - 1.234_567).powi(power);
+        let found = highest(&motion, &flat);
+        let wrong = (found.time - 1.234_567).abs();
+        assert!(
+            wrong <= found.blur && found.blur < 0.1,
+            "{wrong:e} {found:?}"
+        );
+        assert!(found.blur > 1e-6, "{found:?}");
+    }
+}
+
+/// Which of them is the largest is up to rounding, so all are told.
+#[test]
+fn places_at_which_a_quantity_is_as_large_are_rivals() {
+    let motion = run(0.0, 3.0, 7);
+    let wave = |time: f64| (2.0 * PI * (time - 0.3)).cos();
+    let sample = |_: usize, time: f64, _: &[f64], values: &mut [f64]| values[0] = wave(time);
+    let found = extremes(&motion, ALWAYS, 1, &sample)[0].clone().unwrap();
+    let mut rivals: Vec<f64> = found.high_rivals.iter().map(|one| one.time).collect();
+    rivals.sort_by(f64::total_cmp);
+    assert_eq!(rivals.len(), 3, "{rivals:?}");
+    for (found, expected) in rivals.iter().zip([0.3, 1.3, 2.3]) {
+        assert!((found - expected).abs() < 1e-12, "{rivals:?}");
+    }
+}
+
+/// It lasts a fiftieth of a step, of which there are few: eight points of one see next to nothing of it.
+#[test]
+fn a_pulse_that_no_step_feels_is_found() {
+    let motion = run(0.0, 5000.0, 10_000);
+    for at in [0.007, 1234.567, 4999.9] {
+        let pulse = |time: f64| (-((time - at) / 0.01).powi(2)).exp();
+        let found = highest(&motion, &pulse);
+        assert!((found.value - 1.0).abs() < 1e-12, "{at} {found:?}");
+        assert!((found.time - at).abs() < 1e-9, "{at} {found:?}");
+    }
+}
+
+/// Thirty swings of a step: every eighth part sees the same.
+#[test]
+fn swings_that_the_steps_do_not_resolve_are_counted_out() {
+    let motion = run(0.0, 1.0, 1);
+    let wave = |time: f64| (2.0 * PI * 30.0 * time).sin() * (1.0 + 0.1 * time);
+    let found = highest(&motion, &wave);
+    let top = 29.25 / 30.0;
+    assert!(
+        (found.time - top).abs() < 1e-4 && found.value > 1.0 + 0.1 * top,
+        "{found:?}"
+    );
+}
+
 /// Half of the digits of its time are not enough where a quantity is not flat.
 #[test]
 fn a_corner_is_found_to_the_last_digits() {

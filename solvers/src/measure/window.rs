@@ -1,8 +1,9 @@
 //! Where a condition holds.
 
 use super::GRID;
-use super::extreme::{self, Sense};
+use super::extreme::Sense;
 use super::grid::{Grid, Sampler};
+use super::hill;
 
 /// The parts of a step in which a quantity is positive; the whole step where there is none.
 pub(super) fn windows(
@@ -29,10 +30,16 @@ pub(super) fn windows(
         if sense.better(before, here) || sense.better(after, here) {
             continue;
         }
+        // Beyond its points it moves by less than between them.
+        if (here - before).abs().max((here - after).abs()) < here.abs() {
+            continue;
+        }
         let times = (grid.times[middle - 1], grid.times[middle + 1]);
-        let (time, value) = extreme::refine(index, sense, times, grid, sampler);
-        if (value > 0.0) != holds {
-            points.push((time, value));
+        let top = hill::top(sense, times, &mut |time| {
+            sampler.at(grid.piece, time)[index]
+        });
+        if (top.value > 0.0) != holds {
+            points.push((top.time, top.value));
         }
     }
     points.sort_by(|a, b| a.0.total_cmp(&b.0));

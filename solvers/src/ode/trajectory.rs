@@ -46,10 +46,16 @@ impl Trajectory {
 
     /// The same, written into `state`.
     pub fn at_into(&self, time: f64, state: &mut [f64]) {
-        let Some((step, part)) = self.locate(time) else {
+        self.at_beside(&mut 0, time, state);
+    }
+
+    /// The same, looked for at a step first, which is left where the time has been found.
+    pub(crate) fn at_beside(&self, near: &mut usize, time: f64, state: &mut [f64]) {
+        let Some((step, part)) = self.locate_beside(*near, time) else {
             state.copy_from_slice(self.end());
             return;
         };
+        *near = step;
         for (index, value) in state.iter_mut().enumerate() {
             *value = self.coefficient(step, 0, index) + self.change(step, index, part).0;
         }
@@ -102,6 +108,26 @@ impl Trajectory {
         self.states
     }
 
+    /// The step in which a time lies, if it is one or the next one.
+    fn locate_beside(&self, near: usize, time: f64) -> Option<(usize, f64)> {
+        let begins = self.times.get(near..near + 3);
+        match begins.and_then(|begins| {
+            begins
+                .windows(2)
+                .position(|step| step[0] <= time && time < step[1])
+        }) {
+            Some(more) => Some((near + more, self.part(near + more, time))),
+            None => self.locate(time),
+        }
+    }
+
+    /// Where in a step a time lies, from 0 to 1.
+    fn part(&self, step: usize, time: f64) -> f64 {
+        let (from, to) = (self.times[step], self.times[step + 1]);
+        let length = self.length(step);
+        ((time - from) / length).clamp(0.0, (to - from) / length)
+    }
+
     /// The step in which a time lies, and where in it, from 0 to 1. `None` if there are no steps.
     fn locate(&self, time: f64) -> Option<(usize, f64)> {
         let steps = self.times.len() - 1;
@@ -114,10 +140,7 @@ impl Trajectory {
             }
         });
         let step = passed.saturating_sub(1).min(steps.checked_sub(1)?);
-        let (from, to) = (self.times[step], self.times[step + 1]);
-        let length = self.length(step);
-        let end = (to - from) / length;
-        Some((step, ((time - from) / length).clamp(0.0, end)))
+        Some((step, self.part(step, time)))
     }
 
     /// Length of a step as it was computed.
