@@ -79,9 +79,10 @@ One JSON object is printed with --format json. Its fields:
   task         kind (periodic, run or open), from, to, unit
   settings     method, rtol
   status       \"complete\"; \"incomplete\" when a value is missing (null), that of a measure too;
-               \"not unique\" when free motions that nothing drives could be added
+               \"not unique\" when free motions that nothing drives could be added; \"inaccurate\" when
+               solutions with other tolerances differ by a hundredth of the amplitude, exit code 1
   results      each: name, unit, value and estimated_error at the beginning of the task;
-               minimum and maximum over it, with their times
+               minimum and maximum over it: value, time, and an error of each
   at           each --at: place, time, drivers, results
   modes        each: name, summary
   first_mode   name of the mode at the beginning; null where there are no modes
@@ -93,7 +94,7 @@ One JSON object is printed with --format json. Its fields:
   conclusions  what the multipliers say, in words
   statistics   steps, rejected, evaluations, jacobians, stiff_steps, switches (time, to),
                condition, residual, seconds, seconds_with_error_estimate,
-               largest_estimated_error, work_for_ten_times_more_accuracy
+               largest_estimated_error, work_for_ten_times_more_accuracy, error_estimate_cut_off
   figure       path of the figure, or null
 Of a linkage there are besides (and no settings, multipliers, conclusions):
   drivers      each: name, unit, from, to, start

@@ -81,7 +81,7 @@ impl Case {
 
     /// All variables at a time of the task, SI units.
     pub fn sample(&self, motion: &Motion, time: f64) -> Vec<f64> {
-        let (mode, state) = motion.place(self, time);
+        let (mode, state) = motion.place(time);
         variables::evaluate(&self.variables, self.run(), mode, time, &state)
     }
 }

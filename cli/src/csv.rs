@@ -1,14 +1,11 @@
 //! The curves over the task as comma-separated values (RFC 4180): one heading with names and units, one row a sample,
-//! no comments. Columns: the time, the mode if there are modes, the drivers, then every variable; numbers with all the
+//! no comments. Samples are even in time, and there are those of short steps of the solution and of all extremes. Columns: the time, the mode if there are modes, the drivers, then every variable; numbers with all the
 //! digits of a double. An event has two rows, right before and after it. With `--rows events` the events instead, one a
 //! row.
 
 use crate::events;
 use crate::report::Report;
 use crate::values::TIME;
-
-/// Rows of a revolution unless the motion needs more: every half degree.
-const ROWS: usize = 720;
 
 /// The whole table; a scene without a task gives the places of `--at`.
 pub fn render(report: &Report) -> String {
@@ -35,7 +32,7 @@ pub fn render(report: &Report) -> String {
     let row = |time: f64, drivers: &[f64], values: &[f64]| {
         let mut cells = vec![cell(time)];
         if has_modes {
-            let (mode, _) = report.motion.place(&report.case, time);
+            let (mode, _) = report.motion.place(time);
             cells.push(report.case.mode(mode).to_owned());
         }
         cells.extend(
@@ -52,17 +49,8 @@ pub fn render(report: &Report) -> String {
         );
         cells.join(",") + "\n"
     };
-    let stride = if scene.states.is_empty() || report.is_cycle() {
-        (curves.times.len().saturating_sub(1) / ROWS).max(1)
-    } else {
-        1
-    };
-    for index in (0..curves.times.len()).step_by(stride) {
-        text += &row(
-            curves.times[index],
-            &curves.drivers[index],
-            &curves.values[index],
-        );
+    for (index, time) in curves.times.iter().enumerate() {
+        text += &row(*time, &curves.drivers[index], &curves.values[index]);
     }
     if curves.times.is_empty() {
         for place in &report.places {
@@ -84,7 +72,7 @@ pub fn events(report: &Report) -> String {
     }
     heading.extend(["guard", "guard unit"].map(str::to_owned));
     let mut text = heading.join(",") + "\n";
-    for (event, entry) in events::happened(report) {
+    for (event, entry, _) in events::happened(report) {
         let (from, to) = (report.case.mode(event.from), report.case.mode(event.to));
         let mut cells = vec![
             cell(event.time),

@@ -58,13 +58,13 @@ pub fn are_stated(scene: &SceneEntry) -> bool {
     events.any(|entry| entry.surface.is_none())
 }
 
-/// What happened, in order, each with its statement.
-pub fn happened(report: &Report) -> impl Iterator<Item = (&Happened, &'static EventEntry)> {
+/// What happened, in order, each with its statement and the error of its time.
+pub fn happened(report: &Report) -> impl Iterator<Item = (&Happened, &'static EventEntry, f64)> {
     let modes = report.case.scene.modes;
-    let events = report.motion.events().iter();
-    events.filter_map(|event| {
+    let events = report.motion.events().iter().zip(&report.events);
+    events.filter_map(|(event, error)| {
         let entry = modes.get(event.from)?.events.get(event.event)?;
-        entry.surface.is_none().then_some((event, entry))
+        entry.surface.is_none().then_some((event, entry, *error))
     })
 }
 
@@ -99,12 +99,12 @@ pub fn section(page: &mut Page, report: &Report) {
     }
     let count = events.len();
     let left_out = count.saturating_sub(MOST);
-    for (index, (event, entry)) in events.into_iter().enumerate() {
+    for (index, (event, entry, error)) in events.into_iter().enumerate() {
         if left_out > 0 && (MOST / 2..MOST / 2 + left_out).contains(&index) {
             continue;
         }
         table.row([
-            number::significant(event.time, 12),
+            number::with_error(event.time, error.max(1e-11 * event.time)),
             match event.to == event.from {
                 true => String::new(),
                 false => report.case.mode(event.to).to_owned(),
@@ -141,9 +141,10 @@ pub fn list(report: &Report) -> Value {
         let one = |(state, value): (&Quantity, &f64)| json!({ "name": state.name, "unit": state.unit, "value": value / state.factor });
         states.map(one).collect()
     };
-    let one = |(event, entry): (&Happened, &EventEntry)| {
+    let one = |(event, entry, error): (&Happened, &EventEntry, f64)| {
         json!({
             "time": event.time,
+            "estimated_error": error,
             "from": report.case.mode(event.from),
             "to": report.case.mode(event.to),
             "event": entry.text,

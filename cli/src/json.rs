@@ -8,17 +8,17 @@
 //! | `parameters` | each `name`, `kind` (`dimension` or `parameter`), `unit`, `value`, `default`, `changed` |
 //! | `task` | `kind` (`periodic`, `run` or `open`), `from`, `to`, `unit`, `periods` (after how many it repeats), `period` (`value`, `estimated_error`; null unless it is a result: nothing drives the motion) |
 //! | `settings` | `method`, `rtol` |
-//! | `status` | `"complete"`; `"not unique"` when free motions repeat after the same period and nothing drives them, so that any amount could be added (`conclusions` says it); or `"incomplete"` when a value of `results`, `at` or `measures` below is null because it is not a finite number or a measure is missing |
-//! | `results` | each `name`, `unit`, `value` and `estimated_error` at the beginning of the task, and `minimum` and `maximum` over it, each with `value` and `time` |
+//! | `status` | `"complete"`; `"not unique"` when free motions repeat after the same period and nothing drives them, so that any amount could be added (`conclusions` says it); `"inaccurate"` when the `largest_estimated_error` is more than a hundredth of its amplitude, as where errors grow without bound, and the exit code is 1; or `"incomplete"` when a value of `results`, `at` or `measures` below is null because it is not a finite number or a measure is missing |
+//! | `results` | each `name`, `unit`, `value` and `estimated_error` at the beginning of the task, and `minimum` and `maximum` over it, each with `value`, `time`, `estimated_error` and `estimated_error_of_time`: the first time at which it is reached, and within how much later the value comes so near again that it cannot be told from it |
 //! | `at` | for each `--at`: `place` in words, `time`, `mode` (null where there are none), `drivers` (`name`, `unit`, `value`), `results` as above without the extremes |
 //! | `modes` | of a motion with modes or events: each `name` (empty where there are events and no modes), `summary` |
 //! | `first_mode` | name of the mode at the beginning of the task, null where there are none |
-//! | `events` | what happened, in order: each `time`, `from` and `to` (names of modes), `event` (the statement), `line` of the equation file, `guard` (its `value` there, `unit`), `before` and `after` (the state, each `name`, `unit`, `value`) |
+//! | `events` | what happened, in order: each `time`, `estimated_error` of it (null where other tolerances lead to other events), `from` and `to` (names of modes), `event` (the statement), `line` of the equation file, `guard` (its `value` there, `unit`), `before` and `after` (the state, each `name`, `unit`, `value`) |
 //! | `measures` | numbers of the whole task, each `name`, `unit`, `value` and `estimated_error`, or a `value` of null and why it is `missing` |
 //! | `published` | each `name`, `unit`, `place`, `published`, `tolerance`, `computed`, `estimated_error`, `deviation`, `relative_deviation`, `within` (null when published for other values), `remark`, `line` of the equation file |
 //! | `multipliers` | over all `periods` of the task: each `re`, `im`, `modulus`, `angle`, `angle_unit`, `estimated_error` (of `re` and `im` together), `meaning`; none unless the task is periodic |
 //! | `conclusions` | what the multipliers say, a sentence each |
-//! | `statistics` | `steps`, `rejected`, `evaluations`, `jacobians`, `stiff_steps` (by a stiff method), `switches` (of `auto`, each `time`, `to`), `condition` (number of the steady state), `residual` (after a period, over the scales), `seconds`, `seconds_with_error_estimate`, `largest_estimated_error` (`name`, `relative_to_amplitude`), `work_for_ten_times_more_accuracy` |
+//! | `statistics` | `steps`, `rejected`, `evaluations`, `jacobians`, `stiff_steps` (by a stiff method), `switches` (of `auto`, each `time`, `to`), `condition` (number of the steady state), `residual` (after a period, over the scales), `seconds`, `seconds_with_error_estimate`, `largest_estimated_error` (`name`, `relative_to_amplitude`), `work_for_ten_times_more_accuracy`, `error_estimate_cut_off` (whether ten times more accuracy took too long to be tried) |
 //! | `figure` | path of the figure, or null |
 //!
 //! Values stand in the unit beside them, times in seconds. A run that does not come out prints no object: the message
@@ -31,6 +31,7 @@ use assur::registry::{Mechanism, Quantity};
 use serde_json::{Value, json};
 
 use crate::constants::Constants;
+use crate::doubt::End;
 use crate::events;
 use crate::measures;
 use crate::published::Comparison;
@@ -67,7 +68,7 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
             "method": method_name(report.motion.settings.method),
             "rtol": report.motion.settings.rtol,
         },
-        "status": status(complete, report.free()),
+        "status": status(complete, report),
         "results": results,
         "at": places,
         "modes": events::modes(report),
@@ -159,16 +160,18 @@ fn task(report: &Report) -> Value {
 /// Every variable at the beginning of the task, with its extremes over the task.
 fn results(report: &Report) -> Value {
     let mut list = readings(report, &report.start);
-    for (result, (variable, extreme)) in list
-        .iter_mut()
-        .zip(report.case.variables.iter().zip(&report.extremes))
-    {
-        let end =
-            |(time, value): (f64, f64)| json!({ "value": variable.in_unit(value), "time": time });
-        if !report.curves.times.is_empty() {
-            result["minimum"] = end(extreme.minimum);
-            result["maximum"] = end(extreme.maximum);
-        }
+    let results = list.iter_mut().zip(&report.case.variables);
+    for ((result, variable), extremes) in results.zip(&report.extremes) {
+        let end = |end: End| {
+            json!({
+                "value": variable.in_unit(end.value),
+                "estimated_error": variable.in_unit(end.error),
+                "time": end.time,
+                "estimated_error_of_time": end.reach,
+            })
+        };
+        result["minimum"] = end(extremes.lowest);
+        result["maximum"] = end(extremes.highest);
     }
     Value::Array(list)
 }
@@ -205,7 +208,7 @@ fn snapshot(report: &Report, snapshot: &Snapshot) -> Value {
 
 /// Name of the mode at a time; null where there are no modes.
 fn mode(report: &Report, time: f64) -> Value {
-    let (mode, _) = report.motion.place(&report.case, time);
+    let (mode, _) = report.motion.place(time);
     text(report.case.mode(mode))
 }
 
@@ -250,11 +253,12 @@ fn multipliers(report: &Report) -> Value {
     Value::Array(list)
 }
 
-fn status(complete: bool, free: usize) -> &'static str {
-    match (complete, free) {
+fn status(complete: bool, report: &Report) -> &'static str {
+    match (complete, report.free()) {
         (false, _) => "incomplete",
-        (true, 0) => "complete",
-        (true, _) => "not unique",
+        (true, 1..) => "not unique",
+        _ if report.is_inaccurate() => "inaccurate",
+        _ => "complete",
     }
 }
 
@@ -284,5 +288,6 @@ fn statistics(report: &Report) -> Value {
         "seconds_with_error_estimate": report.cost.total,
         "largest_estimated_error": worst,
         "work_for_ten_times_more_accuracy": report.cost.tenfold,
+        "error_estimate_cut_off": report.cost.is_cut_off,
     })
 }

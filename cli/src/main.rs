@@ -15,6 +15,7 @@ mod check;
 mod constants;
 mod csv;
 mod curves;
+mod doubt;
 mod draw;
 mod effects;
 #[path = "../../macros/src/emit/mod.rs"]

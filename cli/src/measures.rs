@@ -42,7 +42,10 @@ pub fn section(page: &mut Page, report: &Report) {
         let quantity = measure.quantity;
         let (value, error, text) = match measure.value {
             Ok(value) => (
-                number::significant(value / quantity.factor, 9),
+                number::with_error(
+                    value / quantity.factor,
+                    measure.error.max(1e-10 * value.abs()) / quantity.factor,
+                ),
                 number::error(measure.error / quantity.factor),
                 first_line(quantity.summary).to_owned(),
             ),

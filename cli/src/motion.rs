@@ -5,12 +5,15 @@
 use assur::hybrid::{self, CycleError, HybridError};
 use assur::periodic::{self, PeriodicError};
 use assur::problem::Span;
-use assur::registry::{Run, SceneEntry, Settings};
+use assur::registry::{Limits, Run, SceneEntry, Settings};
 
 use crate::case::Case;
 use crate::error::Failure;
 use crate::measures::Measured;
 use crate::unfollowed;
+
+/// Roundings of a time by which it may be wrong when an event happens.
+const BLUR: f64 = 64.0;
 
 impl Case {
     /// Finds the motion.
@@ -18,36 +21,55 @@ impl Case {
     /// # Errors
     /// When the solver does not succeed, with the facts that it gives.
     pub fn solve(&self, settings: Settings) -> Result<Motion, Failure> {
+        self.solve_within(settings, &Limits::default())
+    }
+
+    /// The same within limits, which a steady state does not have.
+    ///
+    /// # Errors
+    /// When the solver does not succeed, with the facts that it gives.
+    pub fn solve_within(&self, settings: Settings, limits: &Limits) -> Result<Motion, Failure> {
         let clock = std::time::Instant::now();
-        let path = if self.scene.states.is_empty() {
-            Path::Positions
-        } else {
-            match self.run().span() {
-                Span::Periodic(period) if !self.scene.modes.is_empty() => Path::Cycle(
-                    self.run()
-                        .cycle(period, &settings)
-                        .map_err(|error| self.no_cycle(&error))?,
-                ),
-                Span::Autonomous => Path::Cycle(
-                    self.run()
-                        .clock(&settings)
-                        .map_err(|error| self.no_cycle(&error))?,
-                ),
-                Span::Periodic(period) => Path::Orbit(
-                    self.run()
-                        .periodic(period, &settings)
-                        .map_err(|error| self.not_periodic(&error))?,
-                ),
-                Span::Run(from, to) => Path::Through(
-                    self.run()
-                        .follow((from, to), &self.run().start(), &settings)
-                        .map_err(|error| self.not_followed(&error))?,
-                ),
-                Span::Open => Path::Start(self.run().start()),
+        let run = self.run();
+        let (from, to) = run.span().limits();
+        let mut steady = None;
+        let path = match run.span() {
+            Span::Open => hybrid::Motion {
+                mode: run.first_mode(),
+                ..hybrid::Motion::at_rest(from, &run.start())
+            },
+            _ if self.scene.states.is_empty() => {
+                hybrid::Motion::without_states(run.first_mode(), (from, to))
+            }
+            Span::Periodic(period) if !self.scene.modes.is_empty() => {
+                let cycle = run.cycle(period, &settings);
+                repeating(cycle.map_err(|error| self.no_cycle(&error))?, &mut steady)
+            }
+            Span::Autonomous => {
+                let cycle = run.clock(&settings);
+                repeating(cycle.map_err(|error| self.no_cycle(&error))?, &mut steady)
+            }
+            Span::Periodic(period) => {
+                let orbit = run.periodic(period, &settings);
+                let orbit = orbit.map_err(|error| self.not_periodic(&error))?;
+                steady = Some(Steady {
+                    condition: orbit.condition,
+                    residual: orbit.residual,
+                    free: orbit.free,
+                    multiple: orbit.multiple,
+                    followed: orbit.followed,
+                    multipliers: orbit.multipliers,
+                });
+                hybrid::Motion::of(orbit.trajectory)
+            }
+            Span::Run(..) => {
+                let motion = run.follow_within((from, to), &run.start(), &settings, limits);
+                motion.map_err(|error| self.not_followed(&error))?
             }
         };
         Ok(Motion {
             path,
+            steady,
             settings,
             seconds: clock.elapsed().as_secs_f64(),
         })
@@ -59,7 +81,7 @@ impl Case {
     /// When the integration does not succeed.
     pub fn time_cycle(&self, motion: &Motion) -> Result<f64, Failure> {
         let (from, to) = self.task.limits();
-        let (mode, start) = motion.place(self, from);
+        let (mode, start) = motion.place(from);
         let clock = std::time::Instant::now();
         self.run()
             .follow_in(mode, (from, to), &start, &motion.settings)
@@ -135,21 +157,36 @@ pub fn over_task(
 
 /// What the solvers found.
 pub struct Motion {
-    path: Path,
+    /// At rest where there is no task, without states where the scene has none.
+    path: hybrid::Motion,
+    steady: Option<Steady>,
     /// How it was found.
     pub settings: Settings,
     /// Seconds that it took.
     pub seconds: f64,
 }
 
-enum Path {
-    /// There is no state.
-    Positions,
-    /// There is no task: the declared start.
-    Start(Vec<f64>),
-    Orbit(periodic::Orbit),
-    Through(hybrid::Motion),
-    Cycle(hybrid::Cycle),
+/// What is known of a motion that repeats.
+struct Steady {
+    condition: f64,
+    residual: f64,
+    free: usize,
+    multiple: usize,
+    followed: Option<usize>,
+    multipliers: Vec<periodic::Multiplier>,
+}
+
+/// The motion of a cycle, and what is known of it.
+fn repeating(cycle: hybrid::Cycle, steady: &mut Option<Steady>) -> hybrid::Motion {
+    *steady = Some(Steady {
+        condition: cycle.condition,
+        residual: cycle.residual,
+        free: 0,
+        multiple: cycle.multiple,
+        followed: Some(cycle.followed),
+        multipliers: cycle.multipliers,
+    });
+    cycle.motion
 }
 
 /// Work of a solution.
@@ -168,38 +205,31 @@ pub struct Effort {
 }
 
 impl Motion {
+    /// The motion as the solvers have it.
+    pub fn path(&self) -> &hybrid::Motion {
+        &self.path
+    }
+
     /// Mode and state at a time of the task.
-    pub fn place(&self, case: &Case, time: f64) -> (usize, Vec<f64>) {
-        let first = case.run().first_mode();
-        match &self.path {
-            Path::Positions => (first, Vec::new()),
-            Path::Start(state) => (first, state.clone()),
-            Path::Orbit(orbit) => (first, orbit.trajectory.at(time)),
-            Path::Through(motion) => motion.at(time),
-            Path::Cycle(cycle) => cycle.motion.at(time),
-        }
+    pub fn place(&self, time: f64) -> (usize, Vec<f64>) {
+        self.path.at(time)
     }
 
     /// The events that have happened, in their order.
     pub fn events(&self) -> &[hybrid::Happened] {
-        match &self.path {
-            Path::Through(motion) => &motion.events,
-            Path::Cycle(cycle) => &cycle.motion.events,
-            _ => &[],
-        }
+        &self.path.events
+    }
+
+    /// Times of the steps.
+    pub fn steps(&self) -> Vec<f64> {
+        let pieces = self.path.pieces.iter();
+        let times = pieces.flat_map(|piece| piece.trajectory.times());
+        times.copied().collect()
     }
 
     /// The measures of the run.
     pub fn measures(&self, case: &Case) -> Vec<Measured> {
-        let found = match &self.path {
-            Path::Orbit(orbit) => {
-                let motion = hybrid::Motion::of(orbit.trajectory.clone());
-                case.run().measure(&motion)
-            }
-            Path::Through(motion) => case.run().measure(motion),
-            Path::Cycle(cycle) => case.run().measure(&cycle.motion),
-            Path::Positions | Path::Start(_) => Vec::new(),
-        };
+        let found = case.run().measure(&self.path);
         let measures = case.scene.measures.iter().zip(found);
         let measures = measures.map(|(quantity, value)| Measured {
             quantity,
@@ -216,77 +246,64 @@ impl Motion {
 
     /// Floquet multipliers; none unless the task is a steady state.
     pub fn multipliers(&self) -> &[periodic::Multiplier] {
-        match &self.path {
-            Path::Orbit(orbit) => &orbit.multipliers,
-            Path::Cycle(cycle) => &cycle.multipliers,
-            _ => &[],
-        }
+        let steady = self.steady.as_ref();
+        steady.map_or(&[], |steady| &steady.multipliers)
     }
 
     /// The time after which the motion repeats, in seconds; none unless the task is a steady state.
     pub fn length(&self) -> Option<f64> {
-        match &self.path {
-            Path::Orbit(orbit) => orbit.trajectory.times().last().copied(),
-            Path::Cycle(cycle) => Some(cycle.motion.time),
-            _ => None,
-        }
+        self.steady.as_ref().map(|_| self.path.time)
     }
 
     /// Periods that the motion from the start values was followed until it repeated; none where they pick nothing.
     pub fn followed(&self) -> Option<usize> {
-        match &self.path {
-            Path::Orbit(orbit) => orbit.followed,
-            Path::Cycle(cycle) => Some(cycle.followed),
-            _ => None,
-        }
+        self.steady.as_ref()?.followed
+    }
+
+    /// Whether a time cannot be told from that of an event.
+    pub fn is_beside_event(&self, time: f64) -> bool {
+        let near = BLUR * f64::EPSILON * time.abs();
+        self.passed(time + near) != self.passed(time - near)
+    }
+
+    /// Whether as much happens in it as in another motion.
+    pub fn is_like(&self, other: &Self) -> bool {
+        self.events().len() == other.events().len() && self.multiple() == other.multiple()
+    }
     }
 
     /// Periods after which the motion repeats.
     pub fn multiple(&self) -> usize {
-        match &self.path {
-            Path::Orbit(orbit) => orbit.multiple,
-            Path::Cycle(cycle) => cycle.multiple,
-            _ => 1,
-        }
+        self.steady.as_ref().map_or(1, |steady| steady.multiple)
     }
 
     /// The mode at the begin.
     pub fn first_mode(&self, case: &Case) -> usize {
-        match &self.path {
-            Path::Cycle(cycle) => cycle.motion.mode,
-            _ => case.run().first_mode(),
+        match self.steady {
+            Some(_) => self.path.mode,
+            None => case.run().first_mode(),
         }
     }
 
     /// Condition number of a steady state, residual after a period over the scales, and number of free motions that
     /// nothing determines; none unless the task is a steady state.
     pub fn closing(&self) -> Option<(f64, f64, usize)> {
-        match &self.path {
-            Path::Orbit(orbit) => Some((orbit.condition, orbit.residual, orbit.free)),
-            Path::Cycle(cycle) => Some((cycle.condition, cycle.residual, 0)),
-            _ => None,
-        }
+        let steady = self.steady.as_ref()?;
+        Some((steady.condition, steady.residual, steady.free))
     }
 
     /// Where `auto` changed the method: the times, and whether to the stiff one.
     pub fn switches(&self) -> Vec<(f64, bool)> {
-        match &self.path {
-            Path::Through(motion) => motion
-                .switches()
-                .map(|switch| (switch.time, switch.stiff))
-                .collect(),
-            _ => Vec::new(),
+        if self.steady.is_some() {
+            return Vec::new();
         }
+        let switches = self.path.switches();
+        switches.map(|switch| (switch.time, switch.stiff)).collect()
     }
 
     /// The work that was done.
     pub fn effort(&self) -> Effort {
-        let statistics = match &self.path {
-            Path::Positions | Path::Start(_) => return Effort::default(),
-            Path::Orbit(orbit) => &orbit.trajectory.statistics,
-            Path::Through(motion) => &motion.statistics,
-            Path::Cycle(cycle) => &cycle.motion.statistics,
-        };
+        let statistics = &self.path.statistics;
         Effort {
             steps: statistics.steps,
             rejected: statistics.rejected,

@@ -1,11 +1,14 @@
 //! Published values beside the computed ones.
 
-use assur::registry::{At, Expectation, Mechanism, Subject};
+use assur::measure::ALWAYS;
+use assur::registry::{At, Expectation, Mechanism, SceneEntry, Settings, Subject};
 
 use crate::case::Case;
 use crate::constants::{Constants, find_preset};
-use crate::curves::{self, Extreme};
+use crate::curves;
+use crate::doubt::{Doubt, Ends};
 use crate::error::Failure;
+use crate::measures::Measured;
 use crate::motion::Motion;
 use crate::number;
 use crate::report::driver_label;
@@ -59,93 +62,117 @@ impl Comparison {
     }
 }
 
-/// A motion with its extremes, for the preset that a fact asks for.
-struct Solved<'a> {
+/// What is known of a motion.
+pub struct Known<'a> {
+    /// The scene with its values.
+    pub case: &'a Case,
+    /// The motion.
+    pub motion: &'a Motion,
+    /// How accurate it is.
+    pub doubt: &'a Doubt,
+    /// Smallest and largest value of each variable.
+    pub ends: &'a [Ends],
+    /// Numbers of the whole task, with their errors.
+    pub measures: &'a [Measured],
+}
+
+/// The same of a motion that was found for the preset that a fact asks for.
+struct Solved {
     preset: &'static str,
-    case: &'a Case,
-    motion: &'a Motion,
-    extremes: &'a [Extreme],
+    case: Case,
+    motion: Motion,
+    doubt: Doubt,
+    ends: Vec<Ends>,
+    measures: Vec<Measured>,
+}
+
+impl Solved {
+    fn new(
+        mechanism: &'static Mechanism,
+        scene: &'static SceneEntry,
+        preset: &'static str,
+        settings: Settings,
+    ) -> Result<Self, Failure> {
+        let mut constants = Constants::declared(scene);
+        constants.apply(find_preset(mechanism, preset)?);
+        let mut case = Case::new(constants)?;
+        let motion = case.solve(settings)?;
+        case.repeat(&motion);
+        let extremes = curves::extremes(&case, &motion, ALWAYS);
+        let curves = curves::sample(&case, &motion, &extremes);
+        let doubt = Doubt::of(&case, &motion)?;
+        let mut measures = motion.measures(&case);
+        doubt.tell(&case, &mut measures);
+        Ok(Self {
+            preset,
+            ends: doubt.extremes(&case, &motion, &curves, &extremes),
+            case,
+            motion,
+            doubt,
+            measures,
+        })
+    }
+
+    fn known(&self) -> Known<'_> {
+        Known {
+            case: &self.case,
+            motion: &self.motion,
+            doubt: &self.doubt,
+            ends: &self.ends,
+            measures: &self.measures,
+        }
+    }
 }
 
 /// Compares all published facts of the scene.
 ///
-/// A fact may ask for a preset; unless the user has chosen values, the scene is solved with it as well. The errors are
-/// the estimated ones of the variables.
+/// A fact may ask for a preset; unless the user has chosen values, the scene is solved with it as well.
 ///
 /// # Errors
 /// When solving with a preset does not succeed.
-pub fn compare(
-    mechanism: &'static Mechanism,
-    case: &Case,
-    motion: &Motion,
-    extremes: &[Extreme],
-    errors: &[f64],
-) -> Result<Vec<Comparison>, Failure> {
-    let changed = case.constants.changed();
-    let wanted = |fact: &Expectation| {
-        if fact.preset.is_empty() {
-            case.scene.preset
-        } else {
-            fact.preset
-        }
+pub fn compare(mechanism: &'static Mechanism, own: &Known<'_>) -> Result<Vec<Comparison>, Failure> {
+    let (scene, constants) = (own.case.scene, &own.case.constants);
+    let changed = constants.changed();
+    let wanted = |fact: &Expectation| match fact.preset.is_empty() {
+        true => scene.preset,
+        false => fact.preset,
     };
-    let mut others: Vec<(&str, Case, Motion, Vec<Extreme>)> = Vec::new();
-    if !changed {
-        for fact in case.scene.expectations {
-            let preset = wanted(fact);
-            if preset != case.constants.preset && others.iter().all(|(known, ..)| *known != preset)
-            {
-                let mut constants = Constants::declared(case.scene);
-                constants.apply(find_preset(mechanism, preset)?);
-                let mut case = Case::new(constants)?;
-                let motion = case.solve(motion.settings)?;
-                case.repeat(&motion);
-                let curves = curves::sample(&case, &motion);
-                let extremes = curves::extremes(&case, &motion, &curves);
-                others.push((preset, case, motion, extremes));
-            }
+    let mut others: Vec<Solved> = Vec::new();
+    for preset in scene.expectations.iter().map(wanted) {
+        let is_known = preset == constants.preset || others.iter().any(|one| one.preset == preset);
+        if !changed && !is_known {
+            others.push(Solved::new(mechanism, scene, preset, own.motion.settings)?);
         }
     }
-    let own = Solved {
-        preset: case.constants.preset,
-        case,
-        motion,
-        extremes,
-    };
-    let facts = case.scene.expectations.iter().filter_map(|fact| {
+    let facts = scene.expectations.iter().filter_map(|fact| {
         let preset = wanted(fact);
-        let other = others.iter().find(|(known, ..)| *known == preset);
-        let compared = match other {
-            Some((preset, case, motion, extremes)) => one(
+        match others.iter().find(|one| one.preset == preset) {
+            Some(other) => one(fact, preset, &other.known(), true),
+            None => one(
                 fact,
-                &Solved {
-                    preset,
-                    case,
-                    motion,
-                    extremes,
-                },
-                true,
+                constants.preset,
+                own,
+                !changed && constants.preset == preset,
             ),
-            None => one(fact, &own, !changed && own.preset == preset),
-        };
-        compared.map(|compared| Comparison {
-            error: compared.variable.map_or(0.0, |variable| errors[variable]),
-            ..compared
-        })
+        }
     });
     Ok(facts.collect())
 }
 
-fn one(fact: &'static Expectation, solved: &Solved<'_>, comparable: bool) -> Option<Comparison> {
-    let case = solved.case;
+fn one(
+    fact: &'static Expectation,
+    preset: &str,
+    known: &Known<'_>,
+    comparable: bool,
+) -> Option<Comparison> {
+    let case = known.case;
     let quantity = case.scene.quantity(fact.subject)?;
-    let own_preset = |place: &str| match solved.preset == case.scene.preset {
+    let own_preset = |place: &str| match preset == case.scene.preset {
         true => place.to_owned(),
-        false => format!("{place}, preset {}", solved.preset),
+        false => format!("{place}, preset {preset}"),
     };
     if let Subject::Measure(index) = fact.subject {
-        let measures = solved.motion.measures(case);
-        let computed = measures.get(index)?.value.unwrap_or(f64::NAN);
+        let measure = known.measures.get(index)?;
         return Some(Comparison {
             fact,
             name: quantity.name.to_owned(),
@@ -154,8 +181,8 @@ fn one(fact: &'static Expectation, solved: &Solved<'_>, comparable: bool) -> Opt
             variable: None,
             place: own_preset("whole run"),
             time: None,
-            computed,
-            error: 0.0,
+            computed: measure.value.unwrap_or(f64::NAN),
+            error: measure.error,
             comparable,
         });
     }
@@ -164,25 +191,40 @@ fn one(fact: &'static Expectation, solved: &Solved<'_>, comparable: bool) -> Opt
         .variables
         .iter()
         .position(|variable| variable.name == name)?;
-    let extreme = solved.extremes.get(variable)?;
-    let (place, time, extreme) = match fact.at {
+    let (place, time) = match fact.at {
         At::Time(time) => (
             format!("time = {} s", number::short(time)),
             case.task.reduce(time),
-            f64::NAN,
         ),
         At::Driver(driver, position) => (
             driver_label(case, driver, position),
             case.run().time_of(driver, position).ok(),
-            f64::NAN,
         ),
-        At::Maximum => ("maximum".to_owned(), None, extreme.maximum.1),
-        At::Minimum => ("minimum".to_owned(), None, extreme.minimum.1),
-        At::Amplitude => ("amplitude".to_owned(), None, extreme.amplitude()),
+        At::Maximum => ("maximum".to_owned(), None),
+        At::Minimum => ("minimum".to_owned(), None),
+        At::Amplitude => ("amplitude".to_owned(), None),
         At::Position(_) | At::Run => return None,
     };
-    let computed = time.map_or(extreme, |time| case.sample(solved.motion, time)[variable]);
-    let place = own_preset(&place);
+    let (computed, error) = match (time, known.ends.get(variable)) {
+        (Some(time), _) => (
+            case.sample(known.motion, time)[variable],
+            known.doubt.at(case, known.motion, time)[variable],
+        ),
+        (None, Some(ends)) => {
+            let end = match fact.at {
+                At::Maximum => ends.highest,
+                At::Minimum => ends.lowest,
+                At::Amplitude => ends.furthest(),
+                _ => return None,
+            };
+            let value = match fact.at {
+                At::Amplitude => end.value.abs(),
+                _ => end.value,
+            };
+            (value, end.error)
+        }
+        (None, None) => (f64::NAN, f64::NAN),
+    };
     let printed = &case.variables[variable];
     Some(Comparison {
         fact,
@@ -190,10 +232,10 @@ fn one(fact: &'static Expectation, solved: &Solved<'_>, comparable: bool) -> Opt
         unit: printed.unit.clone(),
         factor: printed.factor,
         variable: Some(variable),
-        place,
+        place: own_preset(&place),
         time,
         computed,
-        error: 0.0,
+        error,
         comparable,
     })
 }

@@ -2,18 +2,25 @@
 
 use std::time::Instant;
 
+use assur::measure::ALWAYS;
 use assur::problem::Span;
 use assur::registry::{Mechanism, Settings};
 
 use crate::case::Case;
-use crate::curves::{self, Curves, Extreme};
+use crate::curves::{self, Curves};
+use crate::doubt::{Doubt, Ends};
 use crate::error::Failure;
 use crate::measures::Measured;
 use crate::motion::Motion;
 use crate::multipliers::{self, Multiplier};
 use crate::number;
-use crate::published::{self, Comparison};
+use crate::published::{self, Comparison, Known};
 use crate::values::Place;
+
+/// An error that is more than this share of the amplitude of its variable, and more than the tolerance leads to, is too large.
+const INACCURATE: f64 = 1e-2;
+/// What is less than this share of its unit, or of variables of the same dimension, is zero.
+const ZERO: f64 = 1e-9;
 
 /// All results of a run.
 pub struct Report {
@@ -29,8 +36,10 @@ pub struct Report {
     pub errors: Vec<f64>,
     /// Everything at the beginning of the task.
     pub start: Snapshot,
-    /// Smallest and largest value of each variable over the task.
-    pub extremes: Vec<Extreme>,
+    /// Smallest and largest value of each variable over the task; none where it has no length.
+    pub extremes: Vec<Ends>,
+    /// Errors of the times of all events.
+    pub events: Vec<f64>,
     /// Numbers of the whole task.
     pub measures: Vec<Measured>,
     /// Everything at the places that were asked for.
@@ -61,6 +70,32 @@ impl Report {
     pub fn period(&self) -> Option<(f64, f64)> {
         let (_, to) = self.case.task.limits();
         (self.case.run().span() == Span::Autonomous).then_some((to, self.period_error))
+    }
+
+    /// Whether a value may be so wrong that the motion is not to be trusted.
+    pub fn is_inaccurate(&self) -> bool {
+        let permitted = INACCURATE.max(10.0 * self.motion.settings.rtol);
+        self.cost.worst.is_some_and(|(_, share)| share > permitted)
+    }
+
+    /// That the motion is not to be trusted, if it is not.
+    ///
+    /// # Errors
+    /// Which variable is how wrong.
+    pub fn outcome(&self) -> Result<(), Failure> {
+        match self.cost.worst {
+            Some((index, share)) if self.is_inaccurate() => Err(Failure::numerical(format!(
+                "the motion is not accurate: `{}` may be wrong by {} of its amplitude",
+                self.case.variables[index].name,
+                number::error(share)
+            ))
+            .reason("with other tolerances the motion is another one")
+            .remedy(
+                "try a smaller --rtol; where that changes nothing, errors grow without bound, as in a chaotic motion, or \
+                 a spike comes a little earlier or later: look at measures and extremes, which have errors of their own",
+            )),
+            _ => Ok(()),
+        }
     }
 
     /// Whether the task is a steady state that repeats.
@@ -96,6 +131,8 @@ pub struct Cost {
     /// How many times the work of the printed solution ten times more accuracy takes; unknown at the limit of double
     /// precision.
     pub tenfold: Option<f64>,
+    /// Whether that was cut off because it takes too long.
+    pub is_cut_off: bool,
 }
 
 /// Runs a scene and collects what there is to say about it.
@@ -115,40 +152,44 @@ pub fn collect(
         .iter()
         .map(|place| locate(&case, *place))
         .collect::<Result<_, _>>()?;
-    let curves = curves::sample(&case, &motion);
+    let extremes = curves::extremes(&case, &motion, ALWAYS);
+    let curves = curves::sample(&case, &motion, &extremes);
     let mut measures = motion.measures(&case);
-    let estimate = curves::estimate(&case, &motion, &curves, &measures)?;
-    for (measure, error) in measures.iter_mut().zip(&estimate.measures) {
-        measure.error = *error;
-    }
-    let errors = estimate.errors.clone();
-    let extremes = curves::extremes(&case, &motion, &curves);
+    let doubt = Doubt::of(&case, &motion)?;
+    doubt.tell(&case, &mut measures);
+    let errors = doubt.largest(&case, &motion, &curves);
+    let extremes = doubt.extremes(&case, &motion, &curves, &extremes);
     let (from, _) = case.task.limits();
     let snapshot = |time: f64, label: String| Snapshot {
         label,
         time,
         drivers: case.drivers(time),
         values: case.sample(&motion, time),
-        errors: match time == from {
-            true => estimate.start.clone(),
-            false => errors.clone(),
-        },
+        errors: doubt.at(&case, &motion, time),
     };
     let start = snapshot(from, place_label(&case, from));
     let places = times.into_iter();
     let places = places.map(|(time, label)| snapshot(time, label)).collect();
-    let published = published::compare(mechanism, &case, &motion, &extremes, &errors)?;
+    let known = Known {
+        case: &case,
+        motion: &motion,
+        doubt: &doubt,
+        ends: &extremes,
+        measures: &measures,
+    };
+    let published = published::compare(mechanism, &known)?;
+    let events = doubt.events(&motion);
     let multipliers = multipliers::read(motion.multipliers());
-    let worst = (0..errors.len())
-        .map(|index| errors[index] / size(&case, &extremes, index))
-        .enumerate()
-        .filter(|(_, share)| share.is_finite())
+    let worst = errors.iter().enumerate();
+    let worst = worst
+        .filter_map(|(index, error)| Some((index, error / size(&case, &extremes, index)?)))
         .max_by(|(_, a), (_, b)| a.total_cmp(b));
     let cost = Cost {
         solve: motion.seconds,
         total: clock.elapsed().as_secs_f64(),
         worst,
-        tenfold: estimate.tenfold,
+        tenfold: doubt.tenfold,
+        is_cut_off: doubt.is_cut_off,
     };
     Ok(Report {
         mechanism,
@@ -158,24 +199,26 @@ pub fn collect(
         errors,
         start,
         extremes,
+        events,
         measures,
         places,
         published,
         multipliers,
-        period_error: estimate.period,
+        period_error: doubt.period(&motion),
         cost,
     })
 }
 
-/// What the error of a variable is compared with: its amplitude; where that is nothing beside other variables of the
-/// same unit, as a difference that vanishes, a billionth of theirs.
-fn size(case: &Case, extremes: &[Extreme], index: usize) -> f64 {
+/// What the error of a variable is compared with: its amplitude. None where that is nothing, as of a residual or a
+/// difference that vanishes.
+fn size(case: &Case, extremes: &[Ends], index: usize) -> Option<f64> {
+    let own = &case.variables[index];
     let variables = case.variables.iter().zip(extremes);
-    let alike = variables.filter(|(other, _)| other.dimension == case.variables[index].dimension);
-    let largest = alike
-        .map(|(_, extreme)| extreme.amplitude())
-        .fold(0.0, f64::max);
-    extremes[index].amplitude().max(1e-9 * largest)
+    let alike = variables.filter(|(other, _)| other.dimension == own.dimension);
+    let largest = alike.map(|(_, extremes)| extremes.furthest().value.abs());
+    let largest = largest.fold(own.factor, f64::max);
+    let amplitude = extremes.get(index)?.furthest().value.abs();
+    (amplitude > ZERO * largest).then_some(amplitude)
 }
 
 /// The time of a place, with its name.

@@ -18,7 +18,8 @@ use crate::{csv, events, json, linkage, lookup, plot, settings, style, table, va
 /// Runs a scene. Everything is computed first; then the figure is written, then the answer is printed.
 ///
 /// # Errors
-/// A wrong request, or numbers that do not come out. Nothing is written then.
+/// A wrong request, or numbers that do not come out, nothing being written then; or a motion that is not accurate, after all
+/// else is printed.
 pub fn execute(options: &RunArguments) -> Result<(), Failure> {
     let Some(name) = &options.name else {
         return Err(lookup::no_mechanism("run"));
@@ -70,7 +71,8 @@ pub fn execute(options: &RunArguments) -> Result<(), Failure> {
         &report,
         options,
         drawn.as_ref().map(Destination::path),
-    ))
+    ))?;
+    report.outcome()
 }
 
 /// Rows of limits are rows of a linkage, rows of events those of a scene that states some.

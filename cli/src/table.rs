@@ -217,7 +217,12 @@ fn last_line(report: &Report) -> String {
     let error = match cost.worst {
         Some((index, share)) => {
             format!(
-                "Estimated global error {} of the amplitude ({})",
+                "{}Estimated global error {} of the amplitude ({})",
+                if report.is_inaccurate() {
+                    "INACCURATE. "
+                } else {
+                    ""
+                },
                 number::error(share),
                 report.case.variables[index].name
             )
@@ -240,6 +245,9 @@ fn last_line(report: &Report) -> String {
     };
     let more = match cost.tenfold {
         Some(factor) => format!("; ten times more accuracy takes {factor:.2} times as long"),
+        None if cost.is_cut_off => {
+            "; the estimate with a tenth of the tolerance was cut off".to_owned()
+        }
         None if effort.evaluations > 0 => {
             "; double precision has no room for ten times more accuracy".to_owned()
         }

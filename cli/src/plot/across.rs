@@ -26,10 +26,12 @@ impl Across {
                 .drivers
                 .windows(2)
                 .all(|pair| match (pair[0].first(), pair[1].first()) {
-                    (Some(before), Some(after)) => before < after,
+                    (Some(before), Some(after)) => before <= after,
                     _ => false,
                 });
-        match driver.filter(|_| steady && report.is_cycle()) {
+        let ends = (report.curves.drivers.first(), report.curves.drivers.last());
+        let advances = matches!(ends, (Some(first), Some(last)) if first < last);
+        match driver.filter(|_| steady && advances && report.is_cycle()) {
             Some(driver) => Self {
                 driver: true,
                 ..Self::along(driver)

@@ -1,6 +1,7 @@
 //! All variables at one place, and their extremes over the task.
 
 use super::Page;
+use crate::doubt::End;
 use crate::number;
 use crate::report::{Report, Snapshot};
 use crate::text::{Align, Columns};
@@ -48,33 +49,29 @@ pub fn extremes(page: &mut Page, report: &Report) {
         (&place, Align::Point),
         ("unit", Align::Left),
     ]);
-    let time = |time: f64| {
+    let place = |time: f64| {
         let position = report.case.drivers(time).first().copied();
-        let shown = match (position, report.case.scene.drivers.first()) {
+        match (position, report.case.scene.drivers.first()) {
             (Some(position), Some(driver)) => position / driver.factor,
             _ => time,
-        };
-        number::short(number::significant(shown, 5).parse().unwrap_or(shown))
+        }
     };
-    for ((variable, extreme), error) in report
-        .case
-        .variables
-        .iter()
-        .zip(&report.extremes)
-        .zip(&report.errors)
-    {
-        let show = |value: f64| {
-            number::with_error(
-                variable.in_unit(value),
-                variable.in_unit(error.max(1e-8 * extreme.amplitude())),
-            )
+    let variables = report.case.variables.iter();
+    for (variable, extremes) in variables.zip(&report.extremes) {
+        let value = |end: End| {
+            let error = end.error.max(1e-9 * end.value.abs());
+            number::with_error(variable.in_unit(end.value), variable.in_unit(error))
+        };
+        let place = |end: End| {
+            let (here, there) = (place(end.time), place(end.time + end.blur));
+            number::with_error(here, (there - here).abs().max(1e-8 * here.abs()))
         };
         table.row([
             variable.name.clone(),
-            show(extreme.minimum.1),
-            time(extreme.minimum.0),
-            show(extreme.maximum.1),
-            time(extreme.maximum.0),
+            value(extremes.lowest),
+            place(extremes.lowest),
+            value(extremes.highest),
+            place(extremes.highest),
             variable.unit.clone(),
         ]);
     }

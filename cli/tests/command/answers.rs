@@ -266,3 +266,52 @@ fn scenes_are_compared() {
     let table = answer(&["scenes", "batten_table"], &folder("scenes_table"));
     assert!(table.contains("What the preset changes"), "{table}");
 }
+
+/// Samples even in time miss it: it lasts 50 µs.
+#[test]
+fn extremes_are_those_of_the_solution_and_not_of_samples() {
+    let arguments = [
+        "run",
+        "presser_foot",
+        "--scene",
+        "yielding_straight",
+        "--set",
+        "c1=2904.6045207394354 [N/m]",
+        "--rtol",
+        "1e-12",
+    ];
+    let object = json(&arguments, &folder("extremes"));
+    let lowest = &result(&object["results"], "ddot(w)")["minimum"];
+    let number = |name: &str| lowest[name].as_f64().expect("a number");
+    assert!((number("value") + 209.795_197).abs() < 1e-6, "{lowest}");
+    assert!((number("time") - 0.013_990_933).abs() < 1e-9, "{lowest}");
+    assert!(number("estimated_error") < 1e-6, "{lowest}");
+    assert!(number("estimated_error_of_time") < 1e-9, "{lowest}");
+}
+
+/// The first steps grow as fast whatever the tolerance: two solutions with the same steps have the same error.
+#[test]
+fn solutions_that_agree_by_luck_do_not_make_an_error_small() {
+    let start_of_table = |rtol: &str| {
+        let arguments = [
+            "run",
+            "table_drive",
+            "--scene",
+            "table_2",
+            "--set",
+            "Ms=20.87415649141017 [N m]",
+            "--rtol",
+            rtol,
+        ];
+        let object = json(&arguments, &folder("luck"));
+        let measure = result(&object["measures"], "start_of_table");
+        let number = |name: &str| measure[name].as_f64().expect("a number");
+        (number("value"), number("estimated_error"))
+    };
+    let (rough, fine) = (start_of_table("1e-6"), start_of_table("1e-12"));
+    let wrong = (rough.0 - fine.0).abs();
+    assert!(
+        wrong <= rough.1 && rough.1 < 1e3 * wrong,
+        "{wrong:e} {rough:?}"
+    );
+}
