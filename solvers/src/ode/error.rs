@@ -37,6 +37,17 @@ pub enum OdeError {
         /// Steps that were tried.
         steps: usize,
     },
+    /// An explicit method is held at steps that its stability permits, and would take more of them than are permitted.
+    Stiff {
+        /// Time that was reached, in seconds.
+        time: f64,
+        /// Length of the steps, in seconds.
+        step: f64,
+        /// `|λ|`, the fastest rate of change that the equations show, per second.
+        rate: f64,
+        /// Steps that it would take to the end.
+        steps: f64,
+    },
     /// An option or argument has a value that makes no sense.
     BadOption {
         /// The option.
@@ -76,6 +87,17 @@ impl fmt::Display for OdeError {
                 formatter,
                 "{steps} steps were used up at t = {time} s; the equations may be stiff, for which there are the methods radau, \
                  rosenbrock and auto; otherwise permit more steps, take a larger rtol or a shorter time"
+            ),
+            Self::Stiff {
+                time,
+                step,
+                rate,
+                steps,
+            } => write!(
+                formatter,
+                "the equations are stiff: at t = {time} s they know changes as fast as {rate:.1e}/s, which hold the steps of \
+                 an explicit method at {step:.1e} s, and {steps:.0e} steps would be left; take the method radau, rosenbrock \
+                 or auto"
             ),
             Self::BadOption { name, reason } => write!(formatter, "{name}: {reason}"),
         }

@@ -1,6 +1,7 @@
 //! The stepper.
 
 use super::controller::Controller;
+use super::doubt::Doubt;
 use super::error::OdeError;
 use super::norm::{first_bad, worst};
 use super::observer::{Basis, Observer, Step};
@@ -163,6 +164,7 @@ pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
     let mut controller = Controller::new(M::ORDER, M::BETA, M::FACTORS);
     let mut clock = Clock::new(times, options);
     let mut step = workspace.begin(system, times, options)?;
+    let mut doubt = Doubt::new(options.max_steps);
     statistics.evaluations = 2;
     while clock.now != times.1 {
         let tried = statistics.steps + statistics.rejected;
@@ -199,13 +201,18 @@ pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
             continue;
         }
         let dense = observe.wants_dense(clock.now, to);
-        let gauged = observe.wants_stiffness();
+        let is_doubted = doubt.is_due(statistics.steps);
+        let gauged = is_doubted || observe.wants_stiffness();
         if gauged {
             workspace.keep_last_stage();
         }
         statistics.evaluations += workspace.finish(system, &instants, (clock.now, length), dense);
         if gauged {
-            observe.stiffness(length, workspace.fastest_rate(system, options));
+            let rate = workspace.fastest_rate(system, options);
+            observe.stiffness(length, rate);
+            if is_doubted && clock.fixed.is_none() {
+                doubt.judge((times.1 - to) / length, (to, length, rate))?;
+            }
         }
         observe.step(&Step {
             from: clock.now,

@@ -10,6 +10,7 @@
 mod combine;
 mod controller;
 mod dop853;
+mod doubt;
 mod error;
 mod explicit;
 mod march;

@@ -6,6 +6,7 @@
 //! the step are compared with those of the series there, whose difference is the derivative of the first term that was left
 //! out: that is the error of the step.
 
+use super::doubt::Doubt;
 use super::error::OdeError;
 use super::explicit::{Clock, Statistics};
 use super::observer::{Basis, Observer, Step};
@@ -24,6 +25,8 @@ const LARGEST: f64 = 10.0;
 const FIRST: f64 = 1e-3;
 /// What a length is divided by where the terms are too large for numbers.
 const SHORTER: f64 = 1e6;
+/// Slopes of slopes by which the fastest rate of change is estimated.
+const POWERS: usize = 4;
 /// How often.
 const ATTEMPTS: usize = 60;
 
@@ -101,6 +104,7 @@ impl<V: Storage<f64>> Taylor<V> {
         let mut unit = first.min(span.abs()).copysign(span);
         statistics.evaluations += self.begin(expand, clock.now, &mut unit)?;
         let is_fixed = clock.fixed.is_some();
+        let mut doubt = Doubt::new(options.max_steps);
         // A step that the time does not feel would lead nowhere.
         let shortest = SHORTEST * f64::EPSILON * times.0.abs().max(times.1.abs());
         let mut wanted = match (options.fixed_step, options.first_step) {
@@ -152,6 +156,10 @@ impl<V: Storage<f64>> Taylor<V> {
             if observe.has_enough() || to == times.1 {
                 break;
             }
+            if doubt.is_due(statistics.steps) && !is_fixed {
+                let rate = self.fastest_rate(expand, to, options);
+                doubt.judge((times.1 - to) / length, (to, length, rate))?;
+            }
             unit = length;
             statistics.evaluations += self.begin(expand, clock.now, &mut unit)?;
             if !is_fixed {
@@ -182,6 +190,38 @@ impl<V: Storage<f64>> Taylor<V> {
         let strange = self.terms.iter().position(|term| !term.is_finite());
         let component = strange.unwrap_or(0) % states.max(1);
         Err(OdeError::NotFinite { time, component })
+    }
+
+    /// About the fastest rate of change that the equations know where the motion stands: by their slopes along its rates,
+    /// and along what those give, and so on.
+    #[cold]
+    fn fastest_rate(&mut self, expand: &dyn Expand, time: f64, options: &Options) -> f64 {
+        let state = self.before.as_ref();
+        let weight = |index: usize| options.atol.of(index) + options.rtol * state[index].abs();
+        let size = |values: &[f64]| {
+            let terms = values.iter().enumerate();
+            terms
+                .map(|(index, value)| (value / weight(index)).abs())
+                .fold(0.0, f64::max)
+        };
+        let mut first = vec![0.0; state.len()];
+        expand.rate(time, state, &mut first);
+        let (mut along, mut shifted) = (first.clone(), vec![0.0; state.len()]);
+        let mut fastest = 0.0;
+        for _ in 0..POWERS {
+            // Far above rounding and far below the state.
+            let part = 1.0 / (options.rtol.sqrt() * size(&along)).max(f64::MIN_POSITIVE);
+            for (index, value) in shifted.iter_mut().enumerate() {
+                *value = state[index] + part * along[index];
+            }
+            let before = size(&along);
+            expand.rate(time, &shifted, &mut along);
+            for (value, first) in along.iter_mut().zip(&first) {
+                *value = (*value - first) / part;
+            }
+            fastest = size(&along) / before;
+        }
+        fastest
     }
 
     /// The length of a step that the last two terms permit, and a limit.

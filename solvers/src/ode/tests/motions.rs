@@ -195,3 +195,35 @@ fn limits_are_kept() {
     );
     assert_eq!(still.derivative_at(3.0), [0.0, 0.0]);
 }
+
+#[test]
+fn a_motion_whose_steps_stability_holds_ends_and_says_so() {
+    // y follows cos t and knows a decay of 1e6/s: over 1000 s that is 2e8 steps.
+    fn decay(time: f64, state: &[f64; 1], rate: &mut [f64; 1]) {
+        rate[0] = -1e6 * (state[0] - time.cos());
+    }
+    fn check<M: Method>(rtol: f64) {
+        let options = Options {
+            rtol,
+            ..Options::default()
+        };
+        match march::<M, 1>(decay, (0.0, 1000.0), [1.0], &options) {
+            Err(OdeError::Stiff {
+                time,
+                step,
+                rate,
+                steps,
+            }) => {
+                assert!(time < 2.0, "{time}");
+                assert!(step > 1e-7 && step < 1e-5, "{step:e}");
+                assert!(rate > 5e5 && rate < 2e6, "{rate:e}");
+                assert!((steps / (1e3 / step) - 1.0).abs() < 0.01, "{steps:e}");
+            }
+            other => panic!("{rtol:e}: {:?}", other.map(|_| ())),
+        }
+    }
+    for rtol in [1e-4, 1e-10] {
+        check::<Dop853>(rtol);
+        check::<Tsit5>(rtol);
+    }
+}
