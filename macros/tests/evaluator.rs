@@ -118,7 +118,7 @@ fn compare_at<C: Scene>(model: &SceneModel, scene: &C, values: &[f64], time: f64
     let span = match scene.span() {
         Span::Periodic(period) => vec![period],
         Span::Run(from, to) => vec![from, to],
-        Span::Open => Vec::new(),
+        Span::Open | Span::Autonomous => Vec::new(),
     };
     check(&span, &expected.all(&results.span), "time of the task");
 }

@@ -321,7 +321,7 @@ pub struct RequirementInfo {
 /// Task of a scene; its times are values of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpanKind {
-    /// The steady state over a period.
+    /// The steady state over a period, which is a result where no time is given.
     Periodic,
     /// A motion from a time to a time.
     Run,

@@ -235,6 +235,14 @@ pub fn phase(
     if low.moved == Moved::Swept {
         span.kind = SpanKind::Sweep;
     }
+    let is_clock = span.kind == SpanKind::Periodic && span.values.is_empty();
+    let is_still = names.coordinates.is_empty() && names.states.is_empty();
+    if let Some((scene, _)) = task.scene.filter(|_| is_clock && is_still) {
+        low.diagnostics.push(
+            Diagnostic::error(scene.name.span, "nothing in this scene moves by itself")
+                .hint("state the period: `periodic over 2*pi/n;`"),
+        );
+    }
     let free = [outputs.free, measures.free()];
     let is_linkage = low.moved != Moved::InTime;
     let geometry = Geometry::read(statements, &names, &mut low);
@@ -245,7 +253,7 @@ pub fn phase(
         &mut low,
         &names,
         task.scene.map(|(scene, _)| scene),
-        span.kind == SpanKind::Run && begins,
+        (span.kind == SpanKind::Run || is_clock) && begins,
         if begins { &still } else { &[] },
     );
 

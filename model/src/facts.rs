@@ -111,7 +111,7 @@ fn name_kind(text: &str) -> TermKind {
 pub struct TaskValues {
     /// Which task.
     pub kind: SpanKind,
-    /// The period, or start and end.
+    /// The period, nothing if it is a result, or start and end.
     pub values: Vec<Expression>,
 }
 
@@ -123,7 +123,7 @@ pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
     };
     for item in scene.iter().flat_map(|scene| &scene.items) {
         let (kind, terms) = match item {
-            SceneItem::Periodic { period } => (SpanKind::Periodic, vec![period]),
+            SceneItem::Periodic { period } => (SpanKind::Periodic, period.iter().collect()),
             SceneItem::Run { variable, from, to } => {
                 if variable.text != "time" {
                     low.diagnostics.push(

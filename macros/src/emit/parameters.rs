@@ -207,6 +207,7 @@ pub fn span(layout: &Layout<'_>) -> TokenStream {
             let [period] = self.span_::<f64>();
             ::assur::problem::Span::Periodic(period)
         },
+        (SpanKind::Periodic, 0) => quote!(::assur::problem::Span::Autonomous),
         (SpanKind::Run, 2) => quote! {
             let [from, to] = self.span_::<f64>();
             ::assur::problem::Span::Run(from, to)

@@ -181,7 +181,9 @@ impl<'a> Scope<'a> {
 
     fn item(&mut self, item: &mut SceneItem) {
         match item {
-            SceneItem::Periodic { period } => self.term(period),
+            SceneItem::Periodic { period } => {
+                period.iter_mut().for_each(|period| self.term(period))
+            }
             SceneItem::Run { from, to, .. } => {
                 self.term(from);
                 self.term(to);

@@ -64,15 +64,17 @@ impl Parser<'_> {
         )?;
         let items = match keyword.text.as_str() {
             "periodic" => {
-                if !self.take_word("over") {
+                let period = if self.take_word("over") {
+                    Some(self.term()?)
+                } else if self.is_operator(";") {
+                    None
+                } else {
                     return self.wrong(
                         format!("found {}, expected `over`", self.found()),
-                        Some("write `periodic over 2*pi/n;`"),
+                        Some("write `periodic over 2*pi/n;`, or `periodic;` where nothing states the period but the motion"),
                     );
-                }
-                vec![SceneItem::Periodic {
-                    period: self.term()?,
-                }]
+                };
+                vec![SceneItem::Periodic { period }]
             }
             "run" => {
                 let variable = self.name("`time`")?;

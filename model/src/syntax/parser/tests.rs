@@ -263,6 +263,10 @@ fn scenes_say_what_they_show_and_do() {
     );
     assert_eq!(scene.items.len(), 5);
     assert!(matches!(&scene.items[4], SceneItem::Start { values } if values.len() == 2));
+    let StatementKind::Scene(clock) = statement("scene s { periodic; }") else {
+        panic!()
+    };
+    assert_eq!(clock.items, [SceneItem::Periodic { period: None }]);
     let StatementKind::Scene(short) = statement("scene s;") else {
         panic!()
     };

@@ -29,8 +29,8 @@ pub struct Selection {
 #[derive(Clone, Debug, PartialEq)]
 #[expect(missing_docs, reason = "the example of each variant names its parts")]
 pub enum SceneItem {
-    /// `periodic over P;`
-    Periodic { period: Term },
+    /// `periodic over P;`, or `periodic;` where the period is a result.
+    Periodic { period: Option<Term> },
     /// `run time a .. b;`
     Run {
         variable: Name,
