@@ -5,6 +5,7 @@
 
 use crate::events;
 use crate::report::Report;
+use crate::unit;
 use crate::values::TIME;
 
 /// The whole table; a scene without a task gives the places of `--at`.
@@ -39,7 +40,7 @@ pub fn render(report: &Report) -> String {
             drivers
                 .iter()
                 .zip(scene.drivers)
-                .map(|(value, driver)| cell(value / driver.factor)),
+                .map(|(value, driver)| cell(unit::stated(*value, driver.factor))),
         );
         cells.extend(
             values
@@ -82,9 +83,15 @@ pub fn events(report: &Report) -> String {
         ];
         let values = event.before.iter().zip(&event.after).zip(states);
         cells.extend(values.flat_map(|((before, after), state)| {
-            [cell(before / state.factor), cell(after / state.factor)]
+            [
+                cell(unit::stated(*before, state.factor)),
+                cell(unit::stated(*after, state.factor)),
+            ]
         }));
-        cells.extend([cell(event.guard / entry.factor), quoted(entry.unit)]);
+        cells.extend([
+            cell(unit::stated(event.guard, entry.factor)),
+            quoted(entry.unit),
+        ]);
         text += &(cells.join(",") + "\n");
     }
     text

@@ -8,6 +8,7 @@ use crate::number;
 use crate::report::Report;
 use crate::table::Page;
 use crate::text::{Align, Columns};
+use crate::unit;
 
 /// Most events that a table lists.
 const MOST: usize = 40;
@@ -110,7 +111,7 @@ pub fn section(page: &mut Page, report: &Report) {
                 false => report.case.mode(event.to).to_owned(),
             },
             entry.text.to_owned(),
-            number::error(event.guard / entry.factor),
+            number::error(unit::stated(event.guard, entry.factor)),
             entry.unit.to_owned(),
         ]);
     }
@@ -138,7 +139,7 @@ pub fn modes(report: &Report) -> Value {
 pub fn list(report: &Report) -> Value {
     let states = |values: &[f64]| -> Value {
         let states = report.case.scene.states.iter().zip(values);
-        let one = |(state, value): (&Quantity, &f64)| json!({ "name": state.name, "unit": state.unit, "value": value / state.factor });
+        let one = |(state, value): (&Quantity, &f64)| json!({ "name": state.name, "unit": state.unit, "value": unit::stated(*value, state.factor) });
         states.map(one).collect()
     };
     let one = |(event, entry, error): (&Happened, &EventEntry, f64)| {
@@ -149,7 +150,7 @@ pub fn list(report: &Report) -> Value {
             "to": report.case.mode(event.to),
             "event": entry.text,
             "line": entry.line,
-            "guard": { "value": event.guard / entry.factor, "unit": entry.unit },
+            "guard": { "value": unit::stated(event.guard, entry.factor), "unit": entry.unit },
             "before": states(&event.before),
             "after": states(&event.after),
         })

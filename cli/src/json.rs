@@ -37,6 +37,7 @@ use crate::measures;
 use crate::published::Comparison;
 use crate::report::{Report, Snapshot};
 use crate::settings::method_name;
+use crate::unit;
 
 /// Name and version of the format.
 pub const FORMAT: &str = "assur-run/1";
@@ -130,8 +131,8 @@ pub fn parameters(constants: &Constants) -> Value {
             "name": quantity.name,
             "kind": if constant.is_dimension { "dimension" } else { "parameter" },
             "unit": quantity.unit,
-            "value": constants.values[index] / quantity.factor,
-            "default": constant.default / quantity.factor,
+            "value": unit::stated(constants.values[index], quantity.factor),
+            "default": unit::stated(constant.default, quantity.factor),
             "changed": constants.is_changed(index),
         })
     };
@@ -196,7 +197,7 @@ fn readings(report: &Report, snapshot: &Snapshot) -> Vec<Value> {
 }
 
 fn snapshot(report: &Report, snapshot: &Snapshot) -> Value {
-    let driver = |(quantity, value): (&Quantity, &f64)| json!({ "name": quantity.name, "unit": quantity.unit, "value": value / quantity.factor });
+    let driver = |(quantity, value): (&Quantity, &f64)| json!({ "name": quantity.name, "unit": quantity.unit, "value": unit::stated(*value, quantity.factor) });
     json!({
         "place": snapshot.label,
         "time": snapshot.time,

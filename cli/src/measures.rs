@@ -8,6 +8,7 @@ use crate::number;
 use crate::report::Report;
 use crate::table::Page;
 use crate::text::{Align, Columns};
+use crate::unit;
 
 /// A number of the whole task.
 #[derive(Clone, Copy, Debug)]
@@ -43,10 +44,10 @@ pub fn section(page: &mut Page, report: &Report) {
         let (value, error, text) = match measure.value {
             Ok(value) => (
                 number::with_error(
-                    value / quantity.factor,
-                    measure.error.max(1e-10 * value.abs()) / quantity.factor,
+                    unit::stated(value, quantity.factor),
+                    unit::stated(measure.error.max(1e-10 * value.abs()), quantity.factor),
                 ),
-                number::error(measure.error / quantity.factor),
+                number::error(unit::stated(measure.error, quantity.factor)),
                 first_line(quantity.summary).to_owned(),
             ),
             Err(missing) => (
@@ -80,8 +81,8 @@ pub fn list(report: &Report) -> Value {
             Ok(value) => json!({
                 "name": quantity.name,
                 "unit": quantity.unit,
-                "value": value / quantity.factor,
-                "estimated_error": measure.error / quantity.factor,
+                "value": unit::stated(value, quantity.factor),
+                "estimated_error": unit::stated(measure.error, quantity.factor),
             }),
             Err(missing) => json!({
                 "name": quantity.name,

@@ -12,6 +12,7 @@ use crate::measures::Measured;
 use crate::motion::Motion;
 use crate::number;
 use crate::report::driver_label;
+use crate::unit;
 
 /// A published fact and what was computed in its place.
 #[derive(Clone, Debug)]
@@ -42,7 +43,7 @@ pub struct Comparison {
 impl Comparison {
     /// A value in SI units in the unit of the fact.
     pub fn in_unit(&self, value: f64) -> f64 {
-        value / self.factor
+        unit::stated(value, self.factor)
     }
 
     /// Computed less published.

@@ -1,5 +1,7 @@
 //! Positions at round numbers.
 
+use crate::number;
+use crate::unit;
 use assur::registry::Quantity;
 
 /// Steps of an angle in degrees that divide a turn.
@@ -12,7 +14,10 @@ const MOST: usize = 100_000;
 /// Positions between two at round numbers of the unit, both ends included, SI units. The step is the coarsest that
 /// gives at least so many parts.
 pub fn positions(quantity: &Quantity, from: f64, to: f64, parts: usize) -> Vec<f64> {
-    let (first, last) = (from / quantity.factor, to / quantity.factor);
+    let (first, last) = (
+        unit::stated(from, quantity.factor),
+        unit::stated(to, quantity.factor),
+    );
     let width = (last - first).abs();
     if !(width.is_finite() && width > 0.0) {
         return vec![from];
@@ -24,7 +29,7 @@ pub fn positions(quantity: &Quantity, from: f64, to: f64, parts: usize) -> Vec<f
     let index = |value: f64| (value / step).ceil() as i64;
     let between = (index(low + slack)..index(high - slack)).take(MOST);
     let mut list: Vec<f64> = between
-        .map(|index| index as f64 * step * quantity.factor)
+        .map(|index| unit::si(number::rounded(index as f64 * step, 12), quantity.factor))
         .collect();
     if first > last {
         list.reverse();

@@ -16,6 +16,7 @@ use crate::output;
 use crate::style::{self, Style};
 use crate::table::{Page, about};
 use crate::text::{Align, Columns};
+use crate::unit;
 
 /// Name and version of the format.
 const FORMAT: &str = "assur-structure/1";
@@ -188,7 +189,8 @@ fn coordinates(page: &mut Page, case: &Case, start: &Start) {
     let sample = start.as_ref().ok().map(|(sample, _)| sample);
     for (index, driver) in case.drivers.iter().enumerate() {
         let position = sample.and_then(|sample| sample.independents.get(index));
-        let position = position.map(|position| number::short(position / driver.factor));
+        let position =
+            position.map(|position| number::short(unit::stated(*position, driver.factor)));
         table.row([
             driver.name.to_owned(),
             position.unwrap_or_default(),
@@ -199,7 +201,7 @@ fn coordinates(page: &mut Page, case: &Case, start: &Start) {
     }
     for (index, dependent) in case.entry.dependents.iter().enumerate() {
         let value = sample.and_then(|sample| sample.dependents.get(index));
-        let value = value.map(|value| settled(value / dependent.factor));
+        let value = value.map(|value| settled(unit::stated(*value, dependent.factor)));
         table.row([
             dependent.name.to_owned(),
             value.unwrap_or_default(),
@@ -302,7 +304,7 @@ fn json(mechanism: &Mechanism, case: &Case, start: &Start) -> String {
             json!({
                 "name": dependent.name,
                 "unit": dependent.unit,
-                "start": sample.map(|sample| sample.dependents[index] / dependent.factor),
+                "start": sample.map(|sample| unit::stated(sample.dependents[index], dependent.factor)),
             })
         });
     let driver = case.drivers.iter().zip(&case.ranges).enumerate();
@@ -310,9 +312,9 @@ fn json(mechanism: &Mechanism, case: &Case, start: &Start) -> String {
         json!({
             "name": driver.name,
             "unit": driver.unit,
-            "from": range.from / driver.factor,
-            "to": range.to / driver.factor,
-            "start": sample.map(|sample| sample.independents[index] / driver.factor),
+            "from": unit::stated(range.from, driver.factor),
+            "to": unit::stated(range.to, driver.factor),
+            "start": sample.map(|sample| unit::stated(sample.independents[index], driver.factor)),
         })
     });
     let groups = entry.groups.iter().enumerate().map(|(index, of_group)| {

@@ -1,5 +1,6 @@
 //! Everything about a motion that has a value at an instant: coordinates, speeds, accelerations, outputs.
 
+use crate::unit;
 use assur::registry::{LinkageEntry, Quantity, Run, SceneEntry};
 
 /// Exponents of m, kg, s, A, K, mol, cd as numerator and denominator.
@@ -63,7 +64,7 @@ impl Variable {
 
     /// A value in SI units in the unit of the variable.
     pub fn in_unit(&self, value: f64) -> f64 {
-        value / self.factor
+        unit::stated(value, self.factor)
     }
 }
 

@@ -10,6 +10,7 @@ use super::reach;
 use super::report::Report;
 use super::search::Extreme;
 use crate::csv::{cell, title};
+use crate::unit;
 use crate::values::TIME;
 
 /// The whole table; a scene without a task gives the places of `--at`.
@@ -63,7 +64,7 @@ pub fn limits(report: &Report) -> String {
         let time = timed.then(|| extreme.station.first().copied()).flatten();
         let time = time.into_iter().map(cell);
         let drivers = case.drivers.iter().zip(&extreme.independents);
-        time.chain(drivers.map(|(driver, position)| cell(position / driver.factor)))
+        time.chain(drivers.map(|(driver, position)| cell(unit::stated(*position, driver.factor))))
             .collect()
     };
     let mut row = |(name, unit): (&str, &str), what: &str, value: f64, at: Vec<String>| {
@@ -99,7 +100,7 @@ pub fn limits(report: &Report) -> String {
                 (false, Some(_)) => format!("dead point {word}"),
                 (false, None) => format!("reach {word}"),
             };
-            let value = end.at / driver.factor;
+            let value = unit::stated(end.at, driver.factor);
             row((driver.name, driver.unit), &what, value, empty());
         }
     }
@@ -110,7 +111,7 @@ fn row(report: &Report, time: Option<f64>, place: &[f64], sample: Option<&Sample
     let case = &report.case;
     let mut cells: Vec<_> = time.into_iter().map(cell).collect();
     let drivers = case.drivers.iter().zip(place);
-    cells.extend(drivers.map(|(driver, position)| cell(position / driver.factor)));
+    cells.extend(drivers.map(|(driver, position)| cell(unit::stated(*position, driver.factor))));
     let values = match sample {
         Some(sample) => case.values(sample),
         None => vec![f64::NAN; case.variables.len()],

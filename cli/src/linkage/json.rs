@@ -29,6 +29,7 @@ use super::reach;
 use super::report::{Report, Snapshot};
 use super::search::Extreme;
 use crate::json::{FORMAT, compared, mechanism, parameters, scene};
+use crate::unit;
 use crate::variables::Variable;
 
 /// The object, with its last line ended.
@@ -85,9 +86,9 @@ fn drivers(case: &Case) -> Value {
         json!({
             "name": driver.name,
             "unit": driver.unit,
-            "from": range.from / driver.factor,
-            "to": range.to / driver.factor,
-            "start": range.start / driver.factor,
+            "from": unit::stated(range.from, driver.factor),
+            "to": unit::stated(range.to, driver.factor),
+            "start": unit::stated(range.start, driver.factor),
         })
     });
     one.collect()
@@ -129,7 +130,7 @@ fn positions(report: &Report) -> Vec<Value> {
 /// Positions of the drivers, and the time if it runs.
 fn place(case: &Case, station: &[f64], independents: &[f64]) -> Map<String, Value> {
     let drivers = case.drivers.iter().zip(independents).map(|(driver, position)| {
-        json!({ "name": driver.name, "unit": driver.unit, "value": position / driver.factor })
+        json!({ "name": driver.name, "unit": driver.unit, "value": unit::stated(*position, driver.factor) })
     });
     let mut object = Map::new();
     object.insert("drivers".to_owned(), drivers.collect());
@@ -198,7 +199,7 @@ fn reaches(report: &Report) -> Value {
         let end = |end: &End| {
             let dead = end.dead.and_then(|index| case.entry.groups.get(index));
             json!({
-                "at": end.at / driver.factor,
+                "at": unit::stated(end.at, driver.factor),
                 "dead_point": dead.map(|of_group| group::equations(case.entry, of_group)),
             })
         };
@@ -257,7 +258,7 @@ fn snapshot(case: &Case, snapshot: &Snapshot) -> Value {
                 "by": row.variable.name,
                 "of": output.name,
                 "unit": unit,
-                "value": value / factor,
+                "value": unit::stated(*value, factor),
             })
         })
     });
@@ -269,7 +270,7 @@ fn statistics(report: &Report) -> Value {
     let cost = &report.cost;
     let gap = cost.gap.map(|(index, gap)| {
         let of = &report.case.entry.loops[index];
-        json!({ "loop": of.name, "value": gap / of.factor, "unit": of.unit })
+        json!({ "loop": of.name, "value": unit::stated(gap, of.factor), "unit": of.unit })
     });
     json!({
         "positions": cost.positions,

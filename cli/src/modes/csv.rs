@@ -5,6 +5,7 @@
 use super::{Answer, Found, sign};
 use crate::csv::{cell, title};
 use crate::linkage::group;
+use crate::unit;
 use assur::registry::Listed;
 
 /// The whole table.
@@ -35,7 +36,7 @@ fn row(answer: &Answer, found: &Found, mode: &Listed, declared: bool) -> String 
     let case = &answer.case;
     let drivers = case.drivers.iter().zip(&found.place.independents);
     let mut cells: Vec<_> = drivers
-        .map(|(driver, position)| cell(position / driver.factor))
+        .map(|(driver, position)| cell(unit::stated(*position, driver.factor)))
         .collect();
     cells.extend(answer.values(mode).into_iter().map(cell));
     for sine in &mode.sines {
@@ -48,7 +49,7 @@ fn row(answer: &Answer, found: &Found, mode: &Listed, declared: bool) -> String 
         cells.push(cell(group::transmission(*sine)));
     }
     let left = case.entry.loops.iter().zip(&mode.residuals);
-    cells.extend(left.map(|(of, left)| cell(left / of.factor)));
+    cells.extend(left.map(|(of, left)| cell(unit::stated(*left, of.factor))));
     cells.push(u8::from(declared).to_string());
     cells.join(",") + "\n"
 }

@@ -15,6 +15,7 @@ use serde_json::{Value, json};
 use super::{Answer, Found, sign};
 use crate::json::{mechanism, parameters, scene};
 use crate::linkage::group;
+use crate::unit;
 use assur::registry::Listed;
 
 /// The object, with its last line ended.
@@ -39,7 +40,7 @@ fn place(answer: &Answer, found: &Found) -> Value {
     let listing = &found.listing;
     let drivers = answer.case.drivers.iter().zip(&found.place.independents);
     let drivers = drivers.map(|(driver, position)| {
-        json!({ "name": driver.name, "unit": driver.unit, "value": position / driver.factor })
+        json!({ "name": driver.name, "unit": driver.unit, "value": unit::stated(*position, driver.factor) })
     });
     let modes = listing.modes.iter().enumerate();
     let modes = modes.map(|(index, one)| mode(answer, one, listing.declared == Some(index)));
@@ -75,7 +76,7 @@ fn mode(answer: &Answer, mode: &Listed, declared: bool) -> Value {
     });
     let residuals = entry.loops.iter().zip(&mode.residuals);
     let residuals = residuals
-        .map(|(of, left)| json!({ "loop": of.name, "value": left / of.factor, "unit": of.unit }));
+        .map(|(of, left)| json!({ "loop": of.name, "value": unit::stated(*left, of.factor), "unit": of.unit }));
     json!({
         "declared": declared,
         "results": results.collect::<Vec<_>>(),

@@ -4,6 +4,7 @@
 use super::answer::Answer;
 use super::question::{Question, Way};
 use super::table::headed;
+use crate::unit;
 
 /// All rows, with the last line ended.
 pub fn render(question: &Question, answer: &Answer) -> String {
@@ -25,10 +26,14 @@ pub fn render(question: &Question, answer: &Answer) -> String {
         let values = question.values(run);
         let given = varied
             .iter()
-            .map(|index| values[*index] / constants[*index].quantity.factor);
+            .map(|index| unit::stated(values[*index], constants[*index].quantity.factor));
         let found = question.measures.iter();
-        let found =
-            found.map(|index| answer.value(run, *index) / question.scene.measures[*index].factor);
+        let found = found.map(|index| {
+            unit::stated(
+                answer.value(run, *index),
+                question.scene.measures[*index].factor,
+            )
+        });
         let cells = given.chain(found).map(|value| match value.is_finite() {
             true => format!("{value}"),
             false => String::new(),

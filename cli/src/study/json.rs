@@ -19,6 +19,7 @@ use super::answer::Answer;
 use super::question::{Question, Way};
 use crate::json::{mechanism, parameters, scene};
 use crate::settings::method_name;
+use crate::unit;
 
 /// The object, with its last line ended.
 pub fn render(question: &Question, answer: &Answer, figure: Option<&Path>) -> String {
@@ -55,7 +56,7 @@ fn way(question: &Question) -> (Value, Value, Value, Value) {
         Way::Grid(ranges) => {
             let ranges = ranges.iter().map(|range| {
                 let quantity = quantity(range.constant);
-                let values = range.values.iter().map(|value| value / quantity.factor);
+                let values = range.values.iter().map(|value| unit::stated(*value, quantity.factor));
                 json!({ "name": quantity.name, "unit": quantity.unit, "values": values.collect::<Vec<f64>>() })
             });
             (ranges.collect(), Value::Null, Value::Null, Value::Null)
@@ -66,7 +67,7 @@ fn way(question: &Question) -> (Value, Value, Value, Value) {
                 json!({
                     "name": one.quantity.name,
                     "unit": one.quantity.unit,
-                    "tolerance": one.tolerance / one.quantity.factor,
+                    "tolerance": unit::stated(one.tolerance, one.quantity.factor),
                     "distribution": format!("{:?}", one.distribution).to_lowercase(),
                 })
             });
@@ -78,7 +79,7 @@ fn way(question: &Question) -> (Value, Value, Value, Value) {
 fn measure(question: &Question, answer: &Answer, place: usize) -> Value {
     let index = question.measures[place];
     let quantity = &question.scene.measures[index];
-    let of = |value: f64| json!(value / quantity.factor);
+    let of = |value: f64| json!(unit::stated(value, quantity.factor));
     let runs = 0..question.count();
     let mut object = json!({
         "name": quantity.name,

@@ -3,6 +3,7 @@
 use super::answer::{Answer, Unit, label};
 use super::question::Question;
 use crate::csv::{cell, title};
+use crate::unit;
 
 /// The whole table.
 pub fn render(question: &Question, answer: &Answer) -> String {
@@ -23,16 +24,16 @@ pub fn render(question: &Question, answer: &Answer) -> String {
         let mut cells: Vec<f64> = drivers
             .iter()
             .zip(place)
-            .map(|(driver, value)| value / driver.factor)
+            .map(|(driver, value)| unit::stated(*value, driver.factor))
             .collect();
-        cells.push(linear.value / output.factor);
-        cells.push(linear.worst / unit.factor);
-        cells.push(linear.deviation / unit.factor);
+        cells.push(unit::stated(linear.value, output.factor));
+        cells.push(unit::stated(linear.worst, unit.factor));
+        cells.push(unit::stated(linear.deviation, unit.factor));
         cells.extend(
             linear
                 .contributions
                 .iter()
-                .map(|one| one.worst / unit.factor),
+                .map(|one| unit::stated(one.worst, unit.factor)),
         );
         let cells: Vec<String> = cells.into_iter().map(cell).collect();
         text += &(cells.join(",") + "\n");

@@ -21,6 +21,7 @@ use serde_json::{Value, json};
 use super::answer::{Answer, Second, Unit, label};
 use super::question::Question;
 use super::table::distribution;
+use crate::unit;
 
 /// The object, with its last line ended.
 pub fn render(question: &Question, answer: &Answer, figure: Option<&Path>) -> String {
@@ -38,7 +39,7 @@ pub fn render(question: &Question, answer: &Answer, figure: Option<&Path>) -> St
             "named": question.is_named,
             "others": question.other_outputs(),
             "unit": question.output().unit,
-            "value": answer.linear.value / question.output().factor,
+            "value": unit::stated(answer.linear.value, question.output().factor),
             "error_unit": page.unit.name,
         },
         "place": page.place(&answer.place),
@@ -67,7 +68,7 @@ struct Page<'a> {
 
 impl Page<'_> {
     fn error(&self, value: f64) -> Value {
-        json!(value / self.unit.factor)
+        json!(unit::stated(value, self.unit.factor))
     }
 
     fn estimate(&self, estimate: Estimate) -> Value {
@@ -82,7 +83,7 @@ impl Page<'_> {
         let drivers = self.question.drivers.iter().zip(place);
         drivers
             .map(|(driver, value)| {
-                json!({ "name": driver.name, "unit": driver.unit, "value": value / driver.factor })
+                json!({ "name": driver.name, "unit": driver.unit, "value": unit::stated(*value, driver.factor) })
             })
             .collect()
     }
@@ -97,7 +98,7 @@ impl Page<'_> {
                 "name": quantity.name,
                 "play": question.labels[index].is_play,
                 "unit": quantity.unit,
-                "half_width": source.half_width / quantity.factor,
+                "half_width": unit::stated(source.half_width, quantity.factor),
                 "distribution": distribution(source.distribution),
                 "influence": one.influence / self.unit.factor * quantity.factor,
                 "worst": self.error(one.worst),
@@ -191,7 +192,7 @@ impl Page<'_> {
                 json!({
                     "name": quantity.name,
                     "unit": quantity.unit,
-                    "half_width": tolerance / quantity.factor,
+                    "half_width": unit::stated(*tolerance, quantity.factor),
                 })
             })
             .collect();

@@ -315,3 +315,31 @@ fn solutions_that_agree_by_luck_do_not_make_an_error_small() {
         "{wrong:e} {rough:?}"
     );
 }
+
+/// Values are SI inside and printed in the unit of their file: what was declared or is round as it was written.
+#[test]
+fn declared_and_round_values_are_printed_as_they_are_written() {
+    let directory = folder("declared");
+    let set = ["run", "heald_linkage", "--set", "l4=90.3mm"];
+    let object = json(&set, &directory);
+    assert_eq!(result(&object["parameters"], "l4")["value"], 90.3);
+    let driver = result(&object["drivers"], "phi4");
+    assert_eq!(
+        (&driver["from"], &driver["to"]),
+        (&60.0.into(), &120.0.into())
+    );
+    let facts = object["published"].as_array().expect("a list");
+    let fact = facts.iter().find(|fact| fact["published"] == -58.60509);
+    assert!(fact.is_some(), "{facts:?}");
+    let text = answer(&["run", "heald_linkage", "--format", "csv"], &directory);
+    let places: Vec<&str> = text
+        .lines()
+        .skip(1)
+        .filter_map(|row| row.split(',').next())
+        .collect();
+    assert!(
+        places.contains(&"60.2") && places.contains(&"119.9"),
+        "{places:?}"
+    );
+    assert!(places.iter().all(|place| place.len() <= 5), "{places:?}");
+}
