@@ -7,6 +7,7 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::error::Failure;
@@ -14,7 +15,12 @@ use crate::error::Failure;
 /// Exit code after an interrupt, as shells have it: 128 + 2.
 const INTERRUPTED: i32 = 130;
 
+/// Most links that are followed to a file.
+const LINKS: usize = 40;
+
 static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+/// Number of temporary files so far.
+static CREATED: AtomicUsize = AtomicUsize::new(0);
 
 fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
     PENDING.lock().unwrap_or_else(PoisonError::into_inner)
@@ -53,15 +59,17 @@ impl Destination {
         if path.file_name().is_none() {
             return Err(refuse("it does not name a file"));
         }
-        // A link is followed, so that its target is replaced and the link stays.
-        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+        let path = target(path).map_err(|error| refuse(&error.to_string()))?;
         match fs::metadata(&path) {
             Ok(data) if data.is_dir() => return Err(refuse("it is a directory")),
             Ok(data) if !data.is_file() => return Err(refuse("it is not a regular file")),
             _ => {}
         }
+        // Directories that are missing will be made, of names that have to be possible as that of the file.
         let mut directory = directory_of(&path);
-        while !directory.exists() {
+        let mut missing = vec![path.file_name().unwrap_or_default()];
+        while !directory.exists() && !directory.is_symlink() {
+            missing.extend(directory.file_name());
             directory = directory_of(directory);
         }
         if !directory.is_dir() {
@@ -70,8 +78,15 @@ impl Destination {
                 directory.display()
             )));
         }
-        let probe =
-            Temporary::create(directory, "probe").map_err(|error| refuse(&error.to_string()))?;
+        for name in missing {
+            match fs::symlink_metadata(directory.join(name)) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                    return Err(refuse(&error.to_string()));
+                }
+                _ => {}
+            }
+        }
+        let probe = Temporary::create(directory).map_err(|error| refuse(&error.to_string()))?;
         drop(probe);
         Ok(Self { path })
     }
@@ -112,12 +127,23 @@ impl Destination {
     fn replace(&self, contents: &[u8]) -> io::Result<()> {
         let directory = directory_of(&self.path);
         fs::create_dir_all(directory)?;
-        let name = self.path.file_name().unwrap_or_default().to_string_lossy();
-        let mut temporary = Temporary::create(directory, &name)?;
+        let mut temporary = Temporary::create(directory)?;
         temporary.file.write_all(contents)?;
         temporary.file.sync_data()?;
         temporary.rename(&self.path)
     }
+}
+
+/// The file that a path means: a link is followed, also to a file that is not there yet, so that the link stays.
+fn target(path: &Path) -> io::Result<PathBuf> {
+    let mut path = path.to_path_buf();
+    for _ in 0..LINKS {
+        match fs::read_link(&path) {
+            Ok(next) => path = directory_of(&path).join(next),
+            Err(_) => return Ok(path),
+        }
+    }
+    Err(io::Error::other("it is a link that leads back to itself"))
 }
 
 fn directory_of(path: &Path) -> &Path {
@@ -135,9 +161,11 @@ struct Temporary {
 }
 
 impl Temporary {
-    fn create(directory: &Path, name: &str) -> io::Result<Self> {
-        let path = directory.join(format!(".{name}.{}.part", std::process::id()));
+    /// Its name is short, however long that of the file will be.
+    fn create(directory: &Path) -> io::Result<Self> {
         let mut list = pending();
+        let number = CREATED.fetch_add(1, Ordering::Relaxed);
+        let path = directory.join(format!(".assur-{}-{number}.part", std::process::id()));
         let file = OpenOptions::new()
             .write(true)
             .create(true)
@@ -164,16 +192,20 @@ impl Drop for Temporary {
     }
 }
 
-/// Prints the answer. A reader who has closed the pipe has read enough.
+/// Prints the answer.
+///
+/// # Errors
+/// As [`printed`].
+pub fn print(text: &str) -> Result<(), Failure> {
+    printed(io::stdout().write_all(text.as_bytes()))
+}
+
+/// What became of an answer that was printed. A reader who has closed the pipe has read enough.
 ///
 /// # Errors
 /// When standard output refuses for another reason, a full disk for one.
-pub fn print(text: &str) -> Result<(), Failure> {
-    let mut stdout = io::stdout().lock();
-    let written = stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush());
-    match written {
+pub fn printed(written: io::Result<()>) -> Result<(), Failure> {
+    match written.and_then(|()| io::stdout().flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
             Err(Failure::request("cannot write to standard output")
                 .reason(error.to_string())
@@ -233,6 +265,48 @@ mod tests {
                 "{failure:?}"
             );
         }
+        let _ = fs::remove_dir_all(folder);
+    }
+
+    #[test]
+    fn names_may_be_as_long_as_the_system_permits_and_longer_ones_are_refused_at_once() {
+        let folder = folder("long");
+        let longest = folder.join("f".repeat(255));
+        let file = Destination::check(&longest).expect("255 bytes are permitted");
+        file.write(b"whole").expect("writable");
+        assert_eq!(fs::read(&longest).expect("written"), b"whole");
+        for path in [
+            "f".repeat(256),
+            format!("new/{}", "d".repeat(256)),
+            format!("{}/f", "d".repeat(256)),
+        ] {
+            let failure = Destination::check(&folder.join(path)).expect_err("too long");
+            let text = failure.render(crate::style::Style::PLAIN);
+            assert!(text.contains("too long"), "{text}");
+        }
+        assert!(!folder.join("new").exists());
+        let _ = fs::remove_dir_all(folder);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_stay() {
+        use std::os::unix::fs::symlink;
+        let folder = folder("links");
+        for (link, to) in [
+            ("link", "target"),
+            ("circle", "circle"),
+            ("nowhere", "gone/there"),
+        ] {
+            symlink(to, folder.join(link)).expect("links can be made");
+        }
+        let file = Destination::check(&folder.join("link")).expect("it leads to a file to be");
+        file.write(b"new").expect("writable");
+        assert_eq!(fs::read(folder.join("target")).expect("written"), b"new");
+        assert!(folder.join("link").is_symlink());
+        assert!(Destination::check(&folder.join("nowhere")).is_ok());
+        assert!(Destination::check(&folder.join("circle")).is_err());
+        assert!(Destination::check(&folder.join("circle/file")).is_err());
         let _ = fs::remove_dir_all(folder);
     }
 
