@@ -44,6 +44,13 @@ fn wrong_units_are_explained() {
     check_error("five mm", "does not begin with a number");
     check_error("5 [J/kg K]", "J/(kg K)");
     check_error("5 mm mm^", "exponent");
+    check_error(
+        "90 deg deg",
+        "`deg deg` is a product of angles; write one unit",
+    );
+    check_error("90 deg rad", "product of angles");
+    assert!(parse_value("9 [deg^2]").is_ok() && parse_value("9 [deg rad]").is_ok());
+    assert!(parse_value("9 N m/rad").is_ok());
 }
 
 #[test]

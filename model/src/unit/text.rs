@@ -1,6 +1,6 @@
 //! Units and values as a user types them on a command line: `300rpm`, `0.1 [kg m^2]`, `20980 N m/rad`.
 
-use super::{Unit, hint, read};
+use super::{Dimension, Unit, hint, read, table};
 use crate::diagnostic::Diagnostics;
 use crate::lexer;
 use crate::syntax::parser;
@@ -48,6 +48,11 @@ impl Value {
 /// # Errors
 /// What cannot be read, or is no unit.
 pub fn parse_unit_text(text: &str) -> Result<Unit, UnitError> {
+    read_text(text, true)
+}
+
+/// The same; a product of angles, which has no unit either, is refused where it is not `wanted`.
+fn read_text(text: &str, wanted: bool) -> Result<Unit, UnitError> {
     let error = |reason: String| UnitError { reason, hint: None };
     let lexed = lexer::lex_plain(text).map_err(|_| error(format!("`{text}` is not a unit")))?;
     let mut diagnostics = Diagnostics::default();
@@ -61,6 +66,16 @@ pub fn parse_unit_text(text: &str) -> Result<Unit, UnitError> {
             hint: first.and_then(|one| one.hint),
         });
     };
+    let angles = written.factors.iter().filter(|(name, exponent)| {
+        let pure = table::find(&name.text).is_some_and(|(unit, _)| unit == Dimension::NONE);
+        pure && exponent.0 > 0
+    });
+    if !wanted && angles.count() > 1 {
+        return Err(UnitError {
+            reason: format!("`{text}` is a product of angles"),
+            hint: Some("write one unit, or the product in brackets, as in `[deg^2]`".into()),
+        });
+    }
     read(&written.factors).map_err(|(name, reason)| UnitError {
         reason,
         hint: name.and_then(|name| hint(&name.text)),
@@ -78,15 +93,14 @@ pub fn parse_value(text: &str) -> Result<Value, UnitError> {
         hint: Some("write a number and its unit, as in `300rpm` or `0.1 [kg m^2]`".into()),
     })?;
     let rest = rest.trim();
-    let inner = rest
+    let bracketed = rest
         .strip_prefix('[')
-        .and_then(|rest| rest.strip_suffix(']'))
-        .unwrap_or(rest)
-        .trim();
+        .and_then(|rest| rest.strip_suffix(']'));
+    let inner = bracketed.unwrap_or(rest).trim();
     let unit = if inner.is_empty() {
         None
     } else {
-        Some(parse_unit_text(inner)?)
+        Some(read_text(inner, bracketed.is_some())?)
     };
     Ok(Value { number, unit })
 }
