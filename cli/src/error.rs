@@ -5,6 +5,9 @@ use crate::style::Style;
 /// The order in which facts are printed, however they were added.
 const ORDER: [&str; 3] = ["where", "why", "help"];
 
+/// Most characters of a line that is printed.
+const LONGEST: usize = 1000;
+
 /// A request that could not be carried out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
@@ -65,8 +68,12 @@ impl Failure {
         self.fact("help", remedy)
     }
 
+    /// A place that is part of a larger one, which who read that adds, is not said besides.
     fn fact(mut self, label: &'static str, text: impl Into<String>) -> Self {
-        self.facts.push((label, text.into()));
+        let text = text.into();
+        self.facts
+            .retain(|(other, known)| *other != label || !text.starts_with(known.as_str()));
+        self.facts.push((label, text));
         self
     }
 
@@ -83,14 +90,15 @@ impl Failure {
         if self.kind == Kind::Said {
             return String::new();
         }
-        let mut text = format!("{} {}\n", style.error("error:"), self.what);
+        let what: Vec<String> = self.what.lines().map(printable).collect();
+        let mut text = format!("{} {}\n", style.error("error:"), what.join("\n"));
         let ordered = ORDER.into_iter().flat_map(|label| {
             let mut facts = self.facts.iter();
             std::iter::from_fn(move || facts.find(|(other, _)| *other == label))
         });
         for (label, fact) in ordered {
             let label = style.accent(&format!("{label:>5}:"));
-            for (index, line) in fact.lines().enumerate() {
+            for (index, line) in fact.lines().map(printable).enumerate() {
                 if index == 0 {
                     text += &format!(" {label} {line}\n");
                 } else {
@@ -102,9 +110,50 @@ impl Failure {
     }
 }
 
+/// A line with what a terminal would obey, and would not show, written out.
+fn printable(line: &str) -> String {
+    let written = |one: char| match one.is_control() {
+        true => one.escape_default().to_string(),
+        false => one.to_string(),
+    };
+    shortened(&line.chars().map(written).collect::<String>())
+}
+
+/// A line as it is printed: of a longer one, which what was typed has made long, the begin and the end.
+pub fn shortened(line: &str) -> String {
+    let length = line.chars().count();
+    if length <= LONGEST {
+        return line.to_owned();
+    }
+    let begin: String = line.chars().take(LONGEST / 2).collect();
+    let end: String = line.chars().skip(length - LONGEST / 10).collect();
+    let left = length - LONGEST / 2 - LONGEST / 10;
+    format!("{begin} … {left} characters … {end}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_said_twice_is_printed_once() {
+        for part in ["--at a=1,", "--at "] {
+            let failure = Failure::request("wrong").place(part).place("--at a=1,");
+            let text = failure.render(Style::PLAIN);
+            assert_eq!(text, "error: wrong\n where: --at a=1,\n");
+        }
+    }
+
+    #[test]
+    fn long_lines_are_cut() {
+        let long = "é".repeat(300_000);
+        let failure = Failure::request(format!("no `{long}`")).place(&long);
+        let text = failure.render(Style::PLAIN);
+        assert!(text.chars().count() < 2000, "{}", text.len());
+        assert!(text.contains("299400 characters"), "{text}");
+        assert_eq!(shortened("short"), "short");
+        assert_eq!(printable("ba\u{1b}[31mtten"), "ba\\u{1b}[31mtten");
+    }
 
     #[test]
     fn says_what_where_and_remedy() {

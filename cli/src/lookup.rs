@@ -15,12 +15,14 @@ pub fn mechanism(name: &str) -> Result<&'static Mechanism, Failure> {
         return Ok(found);
     }
     let names: Vec<_> = REGISTRY.iter().map(|mechanism| mechanism.name).collect();
-    Err(
-        Failure::request(format!("there is no mechanism `{name}`")).remedy(format!(
-            "{}\n`assur list` shows them with their scenes",
-            suggestion(name, &names)
-        )),
-    )
+    let what = match name.trim() {
+        "" => "the name of the mechanism is empty".to_owned(),
+        _ => format!("there is no mechanism `{name}`"),
+    };
+    Err(Failure::request(what).remedy(format!(
+        "{}\n`assur list` shows them with their scenes",
+        suggestion(name, &names)
+    )))
 }
 
 /// What to say when no mechanism is named.

@@ -61,7 +61,10 @@ use arguments::{Arguments, Command};
 use clap::Parser;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(refused) => return refuse(&refused),
+    };
     output::clean_up_on_interrupt();
     let outcome = match &arguments.command {
         Command::List => list::execute(),
@@ -75,6 +78,11 @@ fn main() -> ExitCode {
         Command::Study(options) => study::execute(options),
         Command::Tolerance(options) => tolerance::execute(options),
     };
+    ended(outcome)
+}
+
+/// The exit code, with why it is another one than 0.
+fn ended(outcome: Result<(), error::Failure>) -> ExitCode {
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
@@ -82,4 +90,18 @@ fn main() -> ExitCode {
             ExitCode::from(failure.code())
         }
     }
+}
+
+/// Prints the help that is asked for, or why the arguments are not understood.
+fn refuse(refused: &clap::Error) -> ExitCode {
+    if !refused.use_stderr() {
+        return ended(output::printed(refused.print()));
+    }
+    let text = match style::stderr().is_coloured() {
+        true => refused.render().ansi().to_string(),
+        false => refused.render().to_string(),
+    };
+    let lines: Vec<String> = text.lines().map(error::shortened).collect();
+    output::complain(&(lines.join("\n") + "\n"));
+    ExitCode::from(2)
 }

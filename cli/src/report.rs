@@ -15,7 +15,7 @@ use crate::motion::Motion;
 use crate::multipliers::{self, Multiplier};
 use crate::number;
 use crate::published::{self, Comparison, Known};
-use crate::values::Place;
+use crate::values::{self, Place};
 
 /// An error that is more than this share of the amplitude of its variable, and more than the tolerance leads to, is too large.
 const INACCURATE: f64 = 1e-2;
@@ -221,10 +221,28 @@ fn size(case: &Case, extremes: &[Ends], index: usize) -> Option<f64> {
     (amplitude > ZERO * largest).then_some(amplitude)
 }
 
+/// Whether a time is known to a part of the period that matters.
+fn known(case: &Case, time: f64) -> Result<(), Failure> {
+    let Span::Periodic(period) = case.task else {
+        return Ok(());
+    };
+    let share = values::rounding(time) / period;
+    if share <= values::FINEST {
+        return Ok(());
+    }
+    Err(Failure::request(format!(
+        "time = {time:?} s is rounded to {} periods, more than the digits that are printed",
+        number::error(share)
+    ))
+    .place("--at")
+    .remedy("give a time within the first periods"))
+}
+
 /// The time of a place, with its name.
 fn locate(case: &Case, place: Place) -> Result<(f64, String), Failure> {
     match place {
         Place::Time(time) => {
+            known(case, time)?;
             let label = format!("time = {} s", number::short(time));
             let reached = case.task.reduce(time).map(|time| (time, label));
             reached.ok_or_else(|| {

@@ -47,7 +47,7 @@ impl Source {
         let bytes = read(path).map_err(|error| {
             Failure::request(format!("cannot read `{name}`"))
                 .reason(error.to_string())
-                .remedy("name an equation file: assur check FILE.eqn")
+                .remedy("name an equation file that is there, as FILE.eqn")
         })?;
         let text = lexer::text(&bytes).map_err(|unreadable| {
             // Of a longer file only the beginning was read.

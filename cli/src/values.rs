@@ -4,7 +4,12 @@ use assur::registry::{Quantity, SceneEntry};
 
 use crate::error::Failure;
 use crate::lookup::suggestion;
+use crate::number;
 use crate::variables::Dimension;
+
+/// Half a unit in the last of the ten digits that are printed of an angle: what its own rounding must stay below, in
+/// radians.
+pub const FINEST: f64 = 1e-10;
 
 /// Where everything is to be printed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,7 +131,40 @@ pub fn quantity(text: &str, quantity: &Quantity) -> Result<f64, Failure> {
             .reason(format!("expected {expected}"))
             .remedy(remedy.clone()));
     }
+    let rounding = rounding(parsed.value);
+    if is_angle(quantity.unit) && rounding > FINEST {
+        return Err(Failure::request(format!(
+            "`{text}` is rounded to {} turns, more than the digits that are printed of an angle",
+            number::error(rounding / std::f64::consts::TAU)
+        ))
+        .remedy("give the angle within a turn"));
+    }
     Ok(parsed.value)
+}
+
+/// Whether a unit is one of angles.
+fn is_angle(unit: &str) -> bool {
+    matches!(unit, "deg" | "rad")
+}
+
+/// By how much a number may miss what was meant: half the distance to the next one.
+pub fn rounding(value: f64) -> f64 {
+    0.5 * (value.abs().next_up() - value.abs())
+}
+
+/// Reads a whole number.
+///
+/// # Errors
+/// When it is none, or out of its range.
+pub fn whole(option: &str, text: &str, (least, most): (u64, u64)) -> Result<u64, Failure> {
+    let number = text.trim().parse().ok();
+    number
+        .filter(|number| (least..=most).contains(number))
+        .ok_or_else(|| {
+            Failure::request(format!("{option} takes a whole number"))
+                .place(format!("{option} {text}"))
+                .remedy(format!("choose from {least} to {most}"))
+        })
 }
 
 /// How to write a value: the number that was typed with the unit of the quantity; where none was, what a number looks

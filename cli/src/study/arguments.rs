@@ -47,14 +47,24 @@ pub struct StudyArguments {
     #[arg(long, value_name = "NAME=VALUE", requires = "samples")]
     pub tolerance: Vec<String>,
     /// Which values are made: the same seed gives the same ones.
-    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
-    pub seed: u64,
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        default_value = "1",
+        allow_hyphen_values = true
+    )]
+    pub seed: String,
     /// The measures, `F_largest,free`; all unless given.
     #[arg(long, value_name = "NAMES")]
     pub measure: Option<String>,
     /// Number of threads; as many as the machine has unless given.
-    #[arg(long, value_name = "NUMBER", default_value_t = 0)]
-    pub threads: usize,
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        default_value = "0",
+        allow_hyphen_values = true
+    )]
+    pub threads: String,
     /// Relative tolerance of the integration, from 1e-14 to 1e-2.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub rtol: Option<String>,

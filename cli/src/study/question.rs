@@ -10,9 +10,12 @@ use crate::constants::Constants;
 use crate::error::Failure;
 use crate::lookup::{self, suggestion};
 use crate::settings;
+use crate::values;
 
 /// Most runs of a study.
 const MOST: usize = 10_000_000;
+/// Most threads.
+const THREADS: u64 = 1024;
 
 /// What is asked.
 pub struct Question {
@@ -67,7 +70,7 @@ impl Question {
                 method: settings::method(options.method.as_deref())?,
                 rtol: settings::rtol(options.rtol.as_deref())?,
             },
-            threads: options.threads,
+            threads: values::whole("--threads", &options.threads, (0, THREADS))? as usize,
         })
     }
 
@@ -162,14 +165,8 @@ fn random(
     values: &Constants,
     samples: &str,
 ) -> Result<Way, Failure> {
-    let count = samples.trim().parse().ok();
-    let count = count
-        .filter(|count| (2..=MOST).contains(count))
-        .ok_or_else(|| {
-            Failure::request(format!("`{samples}` is no number of samples"))
-                .place(format!("--samples {samples}"))
-                .remedy(format!("give a whole number from 2 to {MOST}"))
-        })?;
+    let count = values::whole("--samples", samples, (2, MOST as u64))? as usize;
+    let seed = values::whole("--seed", &options.seed, (0, u64::MAX))?;
     let mut constants = scene.constants.to_vec();
     tolerance::give(&mut constants, &options.tolerance, scene, values)?;
     if constants.iter().all(|one| one.tolerance == 0.0) {
@@ -180,7 +177,7 @@ fn random(
         .place(format!("--samples {samples}"))
         .remedy("give one: --tolerance NAME=10%"));
     }
-    Ok(Way::Random(constants, count, options.seed))
+    Ok(Way::Random(constants, count, seed))
 }
 
 /// The measures that are asked for, by index.

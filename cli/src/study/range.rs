@@ -72,13 +72,19 @@ pub fn read(scene: &SceneEntry, text: &str) -> Result<Range, Failure> {
     // `10..80N` means newtons on both sides.
     let is_number = |one: char| one.is_ascii_digit() || "+-.eE ".contains(one);
     let unit = to.trim_start_matches(is_number);
-    let from = match from.ends_with(is_number) && !unit.is_empty() {
+    let number = &to[..to.len() - unit.len()];
+    let has_unit = !unit.is_empty() && number.contains(|one: char| one.is_ascii_digit());
+    let from = match from.ends_with(is_number) && has_unit {
         true => format!("{from}{unit}"),
         false => from.to_owned(),
     };
     let mut ends = [0.0; 2];
-    for (end, text) in ends.iter_mut().zip([from.as_str(), to]) {
-        *end = quantity(text, &entry.quantity).map_err(|failure| failure.place(place.clone()))?;
+    // The last end is read first: it may have the unit of both.
+    for (end, text) in ends.iter_mut().zip([from.as_str(), to]).rev() {
+        *end = quantity(text, &entry.quantity).map_err(|failure| {
+            let failure = failure.place(place.clone());
+            failure.remedy(format!("for example: --over {EXAMPLE}"))
+        })?;
         permitted(entry, *end).map_err(|failure| failure.place(place.clone()))?;
     }
     let [from, to] = ends;

@@ -53,18 +53,18 @@ pub struct ToleranceArguments {
     #[arg(
         long,
         value_name = "NUMBER",
-        default_value_t = 100_000,
+        default_value = "100000",
         allow_hyphen_values = true
     )]
-    pub samples: u64,
+    pub samples: String,
     /// Which of them: the same seed gives the same ones.
     #[arg(
         long,
         value_name = "NUMBER",
-        default_value_t = 1,
+        default_value = "1",
         allow_hyphen_values = true
     )]
-    pub seed: u64,
+    pub seed: String,
     /// Multiplies all tolerances.
     #[arg(
         long,
@@ -80,7 +80,7 @@ pub struct ToleranceArguments {
     #[arg(long, value_name = "NAME=VALUE")]
     pub play: Vec<String>,
     /// Tolerances of least cost that keep the output within this band over the whole range.
-    #[arg(long, value_name = "BAND")]
+    #[arg(long, value_name = "BAND", allow_hyphen_values = true)]
     pub allocate: Option<String>,
     /// Weight of a tolerance in the cost, `s=2`; may be repeated.
     #[arg(long, value_name = "NAME=WEIGHT", requires = "allocate")]
@@ -89,8 +89,13 @@ pub struct ToleranceArguments {
     #[arg(long, value_name = "NAME=LOW..HIGH", requires = "allocate")]
     pub limit: Vec<String>,
     /// Places over the range.
-    #[arg(long, value_name = "NUMBER", default_value_t = 61)]
-    pub places: usize,
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        default_value = "61",
+        allow_hyphen_values = true
+    )]
+    pub places: String,
     /// What is printed.
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,

@@ -13,11 +13,14 @@ use crate::error::Failure;
 use crate::linkage::case::shown;
 use crate::lookup;
 use crate::number;
+use crate::values;
 use names::Names;
 pub use wanted::Wanted;
 
 /// Most places over the range.
-const PLACES: usize = 10_000;
+const PLACES: u64 = 10_000;
+/// Fewest and most linkages made at random.
+const SAMPLES: (u64, u64) = (2, 100_000_000_000);
 
 /// A question, and what its numbers are called.
 pub struct Question {
@@ -79,17 +82,17 @@ impl Question {
             .reason(refused.to_string())
             .remedy("change the value with --set, or leave it out for the default")
         })?;
-        if !(2..=PLACES).contains(&options.places) {
-            return Err(
-                Failure::request(format!("--places {} cannot be", options.places))
-                    .remedy(format!("choose from 2 to {PLACES}")),
-            );
-        }
+        let places = values::whole("--places", &options.places, (2, PLACES))? as usize;
+        let sampling = Sampling {
+            samples: values::whole("--samples", &options.samples, SAMPLES)?,
+            seed: values::whole("--seed", &options.seed, (0, u64::MAX))?,
+            ..Sampling::default()
+        };
         let names = Names { scene, linkage };
         let (sources, labels) = names.sources(options)?;
         let study = Study {
             output: names.output(options.output.as_deref())?,
-            places: range(&*run, options.places),
+            places: range(&*run, places),
             sources,
         };
         let allocation = match &options.allocate {
@@ -100,7 +103,7 @@ impl Question {
             mechanism,
             scene,
             at: names.place(&*run, &options.at)?,
-            along: along(&*run, options.places),
+            along: along(&*run, places),
             drivers: scene.drivers.iter().map(shown).collect(),
             changed: changed(&constants),
             run,
@@ -108,11 +111,7 @@ impl Question {
             labels,
             is_named: options.output.is_some(),
             kind: options.kind,
-            sampling: Sampling {
-                samples: options.samples,
-                seed: options.seed,
-                ..Sampling::default()
-            },
+            sampling,
             allocation,
         })
     }

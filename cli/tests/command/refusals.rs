@@ -1,6 +1,8 @@
 //! Wrong requests: one message with place, reason and remedy, exit code 2, nothing written.
 
-use super::{check_refused, folder};
+use std::fs::OpenOptions;
+
+use super::{check_refused, command, folder, run};
 
 #[test]
 fn wrong_names() {
@@ -178,4 +180,160 @@ fn a_wrong_request_keeps_the_figure_of_the_last_run() {
     );
     let kept = std::fs::read(directory.join("batten-elastic.svg"));
     assert_eq!(kept.expect("there"), b"old");
+}
+
+#[test]
+fn numbers_that_are_none() {
+    let directory = folder("numbers");
+    let linkage: &[(&[&str], &[&str])] = &[
+        (&["--places", "-1"], &["--places -1", "from 2 to 10000"]),
+        (&["--places", "1e3"], &["--places 1e3", "whole number"]),
+        (&["--places", ""], &["--places"]),
+        (&["--samples", "nan"], &["--samples nan", "from 2 to"]),
+        (&["--seed", "-7"], &["--seed -7", "from 0 to"]),
+        (&["--allocate", "-1mrad"], &["positive"]),
+    ];
+    for (options, words) in linkage {
+        let arguments = [&["tolerance", "heald_linkage"], *options].concat();
+        check_refused(&arguments, words, &directory);
+    }
+    for (option, value) in [("--threads", "-1"), ("--samples", "-5"), ("--seed", "1.5")] {
+        let mut arguments = vec!["study", "needle_impact", "--scene", "made", option, value];
+        if option != "--samples" {
+            arguments.extend(["--samples", "10"]);
+        }
+        let place = format!("{option} {value}");
+        check_refused(
+            &arguments,
+            &[&place, "whole number", "choose from"],
+            &directory,
+        );
+    }
+    let study = |over: &'static str| ["study", "presser_foot", "--over", over];
+    let example = "--over 'omega=200..400[1/s]:41'";
+    check_refused(
+        &study("omega=1..2:2"),
+        &["needs a unit", example],
+        &directory,
+    );
+    check_refused(
+        &study("omega=400..nan[1/s]:2"),
+        &["finite number", "`nan[1/s]`"],
+        &directory,
+    );
+}
+
+#[test]
+fn angles_that_are_no_angles() {
+    let directory = folder("angles");
+    for (at, words) in [
+        ("phi4=90 deg deg", &["product of angles", "phi4=90deg"][..]),
+        ("phi4=90 deg rad", &["product of angles"]),
+        ("phi4=1e17deg", &["rounded to 0.02 turns", "within a turn"]),
+        ("phi4=-1e300deg", &["within a turn"]),
+    ] {
+        for subcommand in ["run", "modes", "tolerance", "draw"] {
+            let arguments = [subcommand, "heald_linkage", "--at", at];
+            check_refused(&arguments, words, &directory);
+        }
+    }
+    let far = ["run", "batten", "--at", "time=1e17s"];
+    check_refused(&far, &["rounded to", "periods"], &directory);
+}
+
+#[test]
+fn a_place_is_printed_once() {
+    let directory = folder("place_once");
+    for at in ["", "phi4", "phi4=90deg,,", ",phi4=90deg"] {
+        let output = run(&["run", "heald_linkage", "--at", at], &directory);
+        let complaint = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(complaint.matches(" where: ").count(), 1, "{complaint}");
+        assert!(complaint.contains(&format!("--at {at}\n")), "{complaint}");
+    }
+}
+
+/// Whatever is typed, the message about it can be read.
+#[test]
+fn long_and_strange_words() {
+    let directory = folder("long_words");
+    let long = "x".repeat(100_000);
+    let [set, option, at] = [
+        format!("n={long}"),
+        format!("--{long}"),
+        format!("{long}=1deg"),
+    ];
+    let cases: [&[&str]; 9] = [
+        &["run", &long],
+        &["run", "batten", &option],
+        &["run", "batten", "--scene", &long],
+        &["run", "batten", "--set", &set],
+        &["run", "batten", "--at", &at],
+        &["run", "batten", "--curves", &long],
+        &["run", "batten", "--format", &long],
+        &["run", "batten", "--plot", &long],
+        &["check", &long],
+    ];
+    for arguments in cases {
+        check_refused(arguments, &["error: "], &directory);
+        let complaint = run(arguments, &directory).stderr;
+        assert!(complaint.len() < 6000, "{} bytes", complaint.len());
+    }
+    for name in ["", "  "] {
+        check_refused(
+            &["run", name],
+            &["name of the mechanism is empty"],
+            &directory,
+        );
+    }
+    check_refused(
+        &["run", "b\u{e4}tten"],
+        &["did you mean `batten`?"],
+        &directory,
+    );
+    check_refused(
+        &["run", "bat\u{1b}[31mten"],
+        &["`bat\\u{1b}[31mten`"],
+        &directory,
+    );
+}
+
+/// Every subcommand says when its answer could not be printed.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_told() {
+    let directory = folder("full_disk");
+    for arguments in [
+        &["list"][..],
+        &["--help"],
+        &["run", "--help"],
+        &["--version"],
+        &["run", "batten", "--format", "csv"],
+        &["structure", "heald_linkage"],
+        &["expand", "batten"],
+    ] {
+        let full = OpenOptions::new().write(true).open("/dev/full");
+        let output = command(arguments, &directory)
+            .stdout(full.expect("a device"))
+            .output()
+            .expect("the command starts");
+        let complaint = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {complaint}");
+        assert!(complaint.contains("standard output"), "{complaint}");
+    }
+}
+
+/// What is around the command does not matter to it.
+#[test]
+fn bare_surroundings() {
+    let directory = folder("surroundings");
+    for columns in ["20", "0", "-1", "x"] {
+        let output = command(&["run", "batten", "--format", "json"], &directory)
+            .env_clear()
+            .envs([("TERM", "dumb"), ("COLUMNS", columns)])
+            .output()
+            .expect("the command starts");
+        let complaint = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{complaint}");
+        assert_eq!(complaint, "");
+    }
 }

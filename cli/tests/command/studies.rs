@@ -231,7 +231,7 @@ fn wrong_studies_are_refused() {
                 "--tolerance",
                 "m=1%",
             ],
-            &["no number of samples"],
+            &["--samples", "choose from 2"],
         ),
         (
             &[
@@ -242,7 +242,7 @@ fn wrong_studies_are_refused() {
                 "--tolerance",
                 "m=1%",
             ],
-            &["no number of samples"],
+            &["--samples", "choose from 2"],
         ),
         (
             &[
