@@ -270,7 +270,6 @@ impl Motion {
     pub fn is_like(&self, other: &Self) -> bool {
         self.events().len() == other.events().len() && self.multiple() == other.multiple()
     }
-    }
 
     /// Periods after which the motion repeats.
     pub fn multiple(&self) -> usize {

@@ -179,6 +179,7 @@ pub fn collect(
     };
     let published = published::compare(mechanism, &known)?;
     let events = doubt.events(&motion);
+    let period_error = doubt.period(&motion);
     let multipliers = multipliers::read(motion.multipliers());
     let worst = errors.iter().enumerate();
     let worst = worst
@@ -204,7 +205,7 @@ pub fn collect(
         places,
         published,
         multipliers,
-        period_error: doubt.period(&motion),
+        period_error,
         cost,
     })
 }
