@@ -4,6 +4,7 @@
 mod emitted {
     mod branches;
     mod chain;
+    mod coupled;
     mod first_order;
     mod groups;
     mod implicit;

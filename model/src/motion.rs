@@ -11,8 +11,8 @@ use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::structure::{Block, Incidence, Matching, blocks};
 use crate::token::Span;
 
-/// Largest block that is not symmetric and still solved.
-const LARGEST_GENERAL: usize = 4;
+/// Largest block that is not symmetric and written out.
+const WRITTEN_OUT: usize = 4;
 
 /// One scalar equation, `residual = 0`.
 #[derive(Clone, Debug)]
@@ -118,10 +118,7 @@ pub fn solve(
     };
     let mut partials: Vec<BTreeMap<usize, Expression>> = vec![BTreeMap::new(); unknowns.len()];
     for block in blocks(&incidence, &matching) {
-        let Some(system) = System::of(&block, &matrix, equations) else {
-            report_too_large(&block, equations, unknowns, diagnostics);
-            return None;
-        };
+        let system = System::of(&block, &matrix, equations);
         solved.pivots.extend(system.pivots());
         let right: Vec<_> = system
             .equations
@@ -199,11 +196,7 @@ struct System {
 }
 
 impl System {
-    fn of(
-        block: &Block,
-        matrix: &Map<(usize, usize), Expression>,
-        equations: &[Equation],
-    ) -> Option<Self> {
+    fn of(block: &Block, matrix: &Map<(usize, usize), Expression>, equations: &[Equation]) -> Self {
         let mut unknowns = block.unknowns.clone();
         let owners: Option<Vec<_>> = block
             .equations
@@ -222,9 +215,6 @@ impl System {
             }
             same
         });
-        if !symmetric && block.equations.len() > LARGEST_GENERAL {
-            return None;
-        }
         let entries = block
             .equations
             .iter()
@@ -235,12 +225,12 @@ impl System {
                     .collect()
             })
             .collect();
-        Some(Self {
+        Self {
             equations: block.equations.clone(),
             unknowns,
             entries,
             symmetric,
-        })
+        }
     }
 
     /// Equations and unknowns with what multiplies the one in the other, where that must not be zero.
@@ -273,6 +263,9 @@ impl System {
                 .flat_map(|(i, row)| row[..=i].to_vec())
                 .collect();
             return graph.solve_symmetric(&lower, right);
+        }
+        if rows.len() > WRITTEN_OUT {
+            return graph.solve_general(&rows, right);
         }
         // Cramer's rule: the block is small.
         let denominator = determinant(graph, &rows);
@@ -418,29 +411,4 @@ pub fn report_imbalance(
         );
     }
     imbalance.overdetermined.is_none() && imbalance.underdetermined.is_none()
-}
-
-fn report_too_large(
-    block: &Block,
-    equations: &[Equation],
-    unknowns: &[UnknownName],
-    diagnostics: &mut Diagnostics,
-) {
-    let named = listed(
-        block
-            .unknowns
-            .iter()
-            .map(|column| unknowns[*column].name.clone()),
-    );
-    let message = format!(
-        "{} equations have to be solved together for {named}",
-        block.equations.len()
-    );
-    let place = block
-        .equations
-        .first()
-        .map_or(Span::default(), |row| equations[*row].span);
-    diagnostics.push(Diagnostic::error(place, message).hint(format!(
-        "up to {LARGEST_GENERAL} written equations can be coupled in their highest derivatives; state the motion by its energies, which has no such limit"
-    )));
 }

@@ -16,7 +16,7 @@ mod surfaces;
 
 pub use crate::linkage::ClosedForm;
 pub use build::{Request, build};
-pub(crate) use evaluate::solve_symmetric;
+pub(crate) use evaluate::solve;
 pub use evaluate::{Place, Values};
 
 use crate::linkage::Closing;
@@ -113,11 +113,13 @@ pub enum OperationKind {
         /// Its value where it does not.
         otherwise: Value,
     },
-    /// The factors of a symmetric positive matrix, entries of the lower triangle row by row.
+    /// The factors of a matrix.
     Factor {
+        /// What kind of matrix it is.
+        form: Form,
         /// Rows of the matrix.
         size: u32,
-        /// Lower triangle, row by row, `size*(size+1)/2` values.
+        /// The entries, as [`Form::place`] says.
         entries: Vec<Value>,
     },
     /// The solution of a factored system, a vector.
@@ -134,6 +136,28 @@ pub enum OperationKind {
         /// Which element, from 0.
         index: u32,
     },
+}
+
+/// What kind of matrix is factored, and so which of its entries are given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Form {
+    /// Symmetric and positive: the lower triangle, row by row.
+    Symmetric,
+    /// Any with an inverse: all entries, row by row. It is factored with pivoting.
+    General,
+}
+
+impl Form {
+    /// Where an entry of a matrix with so many rows stands among those given.
+    pub fn place(self, size: usize, row: usize, column: usize) -> usize {
+        match self {
+            Self::Symmetric => {
+                let (row, column) = (row.max(column), row.min(column));
+                row * (row + 1) / 2 + column
+            }
+            Self::General => row * size + column,
+        }
+    }
 }
 
 /// A function of the language.

@@ -1,11 +1,14 @@
-//! Linear systems: small symmetric ones of fixed size inside equations, general ones of run-time size in solvers.
+//! Linear systems: those of fixed size inside equations, symmetric ones and any others, and those of run-time size in
+//! solvers.
 
 mod complex;
 mod lu;
+mod pivoted;
 
 use crate::scalar::Scalar;
 pub use complex::{Complex, factor_complex, substitute_complex};
 pub use lu::{Lu, Singular};
+pub use pivoted::{Pivoted, factor_pivoted};
 
 /// A symmetric positive definite matrix, factored as `L D Lᵀ` without square roots.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +42,26 @@ pub fn factor<S: Scalar, const N: usize>(matrix: [[S; N]; N]) -> Factor<S, N> {
         reciprocals[j] = S::ONE / pivot;
     }
     Factor { lower, reciprocals }
+}
+
+/// A matrix inside equations, factored.
+pub trait Factored<S, const N: usize>: Copy {
+    /// Factors a matrix.
+    fn of(matrix: [[S; N]; N]) -> Self;
+    /// Solves `A x = right` for `x`.
+    fn solution(&self, right: [S; N]) -> [S; N];
+}
+
+impl<S: Scalar, const N: usize> Factored<S, N> for Factor<S, N> {
+    #[inline(always)]
+    fn of(matrix: [[S; N]; N]) -> Self {
+        factor(matrix)
+    }
+
+    #[inline(always)]
+    fn solution(&self, right: [S; N]) -> [S; N] {
+        self.solve(right)
+    }
 }
 
 impl<S: Scalar, const N: usize> Factor<S, N> {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use assur_model::program::{Function, OperationKind, Relation, Value};
+use assur_model::program::{Form, Function, OperationKind, Relation, Value};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -183,7 +183,7 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
         Kind::Or(..) => (quote!(S::or(#(#text),*)), Whole),
         Kind::Not(_) => (quote!(S::not(#(#text),*)), Whole),
         Kind::Select { .. } => (quote!(S::select(#(#text),*)), Whole),
-        Kind::Factor { size, .. } => (factor(*size as usize, &text), Whole),
+        Kind::Factor { form, size, .. } => (factor(*form, *size as usize, &text), Whole),
         Kind::Solve { .. } => {
             let (factor, right) = (text[0], &text[1..]);
             (quote!(#factor.solve([#(#right),*])), Whole)
@@ -232,15 +232,33 @@ fn fused(adds: bool, all: &[Expression]) -> TokenStream {
     }
 }
 
-/// The factors of a symmetric matrix, of which the lower triangle is given.
-fn factor(rows: usize, entries: &[&TokenStream]) -> TokenStream {
+/// The factors of a matrix.
+fn factor(form: Form, rows: usize, entries: &[&TokenStream]) -> TokenStream {
     let row = |i: usize| {
-        let entry = |j: usize| entries[triangle(i.max(j), i.min(j))];
+        let entry = |j: usize| entries[form.place(rows, i, j)];
         let row = (0..rows).map(entry);
         quote!([#(#row),*])
     };
     let (count, matrix) = (size(rows), (0..rows).map(row));
-    quote!(::assur::dense::factor::<S, #count>([#(#matrix),*]))
+    let factor = factoring(form);
+    quote!(::assur::dense::#factor::<S, #count>([#(#matrix),*]))
+}
+
+/// The function that factors a matrix.
+pub fn factoring(form: Form) -> TokenStream {
+    match form {
+        Form::Symmetric => quote!(factor),
+        Form::General => quote!(factor_pivoted),
+    }
+}
+
+/// The type of the factors of a matrix with so many rows.
+pub fn factors(form: Form, rows: usize) -> TokenStream {
+    let rows = size(rows);
+    match form {
+        Form::Symmetric => quote!(::assur::dense::Factor<S, #rows>),
+        Form::General => quote!(::assur::dense::Pivoted<S, #rows>),
+    }
 }
 
 /// Where an entry of a lower triangle stands.

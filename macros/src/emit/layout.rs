@@ -8,7 +8,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::body::Body;
-use super::expression::size as whole;
+use super::expression::{self, size as whole};
 use super::names::{self, Names};
 use super::schedule::{self, Shape};
 use super::{docs, formula};
@@ -249,10 +249,7 @@ impl<'a> Layout<'a> {
         match schedule::shape(self.program(), value) {
             Shape::Number => quote!(S),
             Shape::Mask => quote!(S::Mask),
-            Shape::Factor(size) => {
-                let size = whole(size);
-                quote!(::assur::dense::Factor<S, #size>)
-            }
+            Shape::Factor(form, size) => expression::factors(form, size),
             Shape::Vector(size) => {
                 let size = whole(size);
                 quote!([S; #size])
@@ -265,9 +262,9 @@ impl<'a> Layout<'a> {
         match schedule::shape(self.program(), value) {
             Shape::Number => quote!(S::ZERO),
             Shape::Mask => quote!(S::less(S::ZERO, S::ZERO)),
-            Shape::Factor(size) => {
-                let size = whole(size);
-                quote!(::assur::dense::factor::<S, #size>([[S::ONE; #size]; #size]))
+            Shape::Factor(form, size) => {
+                let (factor, size) = (expression::factoring(form), whole(size));
+                quote!(::assur::dense::#factor::<S, #size>([[S::ONE; #size]; #size]))
             }
             Shape::Vector(size) => {
                 let size = whole(size);

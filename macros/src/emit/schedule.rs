@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use assur_model::program::{Function, OperationKind, Program, Stage, Value};
+use assur_model::program::{Form, Function, OperationKind, Program, Stage, Value};
 
 /// What kind of thing a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,7 +12,7 @@ pub enum Shape {
     /// A condition.
     Mask,
     /// The factors of a matrix with this many rows.
-    Factor(usize),
+    Factor(Form, usize),
     /// The solution of a system with this many rows.
     Vector(usize),
 }
@@ -22,7 +22,7 @@ pub fn shape(program: &Program, value: Value) -> Shape {
     use OperationKind as Kind;
     match &program.operations[value.0 as usize].kind {
         Kind::Compare(..) | Kind::And(..) | Kind::Or(..) | Kind::Not(_) => Shape::Mask,
-        Kind::Factor { size, .. } => Shape::Factor(*size as usize),
+        Kind::Factor { form, size, .. } => Shape::Factor(*form, *size as usize),
         Kind::Solve { right, .. } => Shape::Vector(right.len()),
         _ => Shape::Number,
     }
@@ -120,9 +120,13 @@ pub fn count(program: &Program, values: &BTreeSet<Value>) -> usize {
     let cost = |value: &Value| match &program.operations[value.0 as usize].kind {
         Kind::Number(_) | Kind::Input(_) | Kind::Element { .. } => 0,
         Kind::MultiplyAdd(..) | Kind::MultiplySubtract(..) | Kind::NegateMultiplyAdd(..) => 2,
-        Kind::Factor { size, .. } => {
+        Kind::Factor { form, size, .. } => {
             let size = *size as usize;
-            size * (size + 1) * (2 * size + 1) / 6
+            let symmetric = size * (size + 1) * (2 * size + 1) / 6;
+            match form {
+                Form::Symmetric => symmetric,
+                Form::General => 2 * symmetric,
+            }
         }
         Kind::Solve { right, .. } => 2 * right.len() * right.len(),
         _ => 1,

@@ -6,7 +6,7 @@ use assur_model::program::{Function, Input, OperationKind, Stage, Value};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::expression::{self, Expression, scalar, size, triangle};
+use super::expression::{self, Expression, scalar, size};
 use super::layout::Layout;
 use super::schedule;
 
@@ -363,6 +363,7 @@ impl<'a> Series<'a> {
     fn solve(&mut self, factor: Value, right: &[Value]) -> TokenStream {
         let right: Vec<TokenStream> = right.iter().map(|value| self.term(*value)).collect();
         let OperationKind::Factor {
+            form,
             size: rows,
             entries,
         } = self.kind(factor)
@@ -374,14 +375,14 @@ impl<'a> Series<'a> {
             let factor = self.constant(factor);
             return quote!(#factor.solve([#(#right),*]));
         }
-        let rows = *rows as usize;
+        let (form, rows) = (*form, *rows as usize);
         let matrix = (0..rows).map(|i| {
-            let row = (0..rows).map(|j| self.term(entries[triangle(i.max(j), i.min(j))]));
+            let row = (0..rows).map(|j| self.term(entries[form.place(rows, i, j)]));
             quote!([#(#row),*])
         });
         let matrix: Vec<TokenStream> = matrix.collect();
-        let count = size(rows);
-        let memory = self.made(quote!(Matrix::<S, #count>));
+        let (count, factors) = (size(rows), expression::factors(form, rows));
+        let memory = self.made(quote!(Matrix::<S, #factors, #count>));
         quote!(#memory.next(k_, [#(#matrix),*], [#(#right),*]))
     }
 

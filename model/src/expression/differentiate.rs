@@ -76,7 +76,7 @@ impl Graph {
         rates: &Map<Expression, Expression>,
     ) -> Vec<Expression> {
         let zero = self.zero();
-        let Node::Factor(size, entries) = self.node(factor).clone() else {
+        let Node::Factor(form, size, entries) = self.node(factor).clone() else {
             return vec![zero; right.len()];
         };
         let size = size as usize;
@@ -88,14 +88,13 @@ impl Graph {
         for (row, right) in right.iter().enumerate() {
             let mut list = vec![of(right)];
             for (column, element) in elements.iter().enumerate() {
-                let (i, j) = (row.max(column), row.min(column));
-                let rate = of(&entries[i * (i + 1) / 2 + j]);
+                let rate = of(&entries[form.place(size, row, column)]);
                 let share = self.mul(rate, *element);
                 list.push(self.neg(share));
             }
             new_right.push(self.sum(&list));
         }
-        self.solve_symmetric(&entries, &new_right)
+        self.solve_factored(factor, &new_right)
     }
 
     /// Gradient of `Σ weight·value` with respect to some symbols, by one sweep from the values to the symbols.

@@ -89,7 +89,7 @@ impl Writer<'_> {
             Node::Or(a, b) => (format!("or({})", list(&[*a, *b])), 9),
             Node::Not(a) => (format!("not({})", list(&[*a])), 9),
             Node::Select(c, a, b) => (format!("select({})", list(&[*c, *a, *b])), 9),
-            Node::Factor(size, entries) => (format!("factor{size}({})", list(entries)), 9),
+            Node::Factor(_, size, entries) => (format!("factor{size}({})", list(entries)), 9),
             Node::Solve(factor, right) => (
                 format!("solve({}, {})", self.write(*factor, 0, false), list(right)),
                 9,

@@ -36,13 +36,10 @@ impl Graph {
                 }
                 Node::Factor(..) => f64::NAN,
                 Node::Solve(factor, right) => {
-                    if let Node::Factor(size, entries) = self.node(*factor) {
+                    if let Node::Factor(form, _, entries) = self.node(*factor) {
                         let entries: Vec<f64> = entries.iter().map(at).collect();
                         let right: Vec<f64> = right.iter().map(at).collect();
-                        solutions.insert(
-                            one,
-                            crate::program::solve_symmetric(*size as usize, &entries, &right),
-                        );
+                        solutions.insert(one, crate::program::solve(*form, &entries, &right));
                     }
                     f64::NAN
                 }

@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use super::budget::Budget;
 use super::hash::Map;
-use crate::program::{Function, Relation};
+use crate::program::{Form, Function, Relation};
 
 /// Nodes may stand in each other this deep: what walks through them goes as deep.
 const DEEPEST: u32 = 20_000;
@@ -89,8 +89,8 @@ pub enum Node {
     Not(Expression),
     /// The second where the first holds, else the third.
     Select(Expression, Expression, Expression),
-    /// Factors of a symmetric matrix: its size and lower triangle.
-    Factor(u32, Box<[Expression]>),
+    /// Factors of a matrix: its form, its size and the entries that the form asks for.
+    Factor(Form, u32, Box<[Expression]>),
     /// Solution of a factored system.
     Solve(Expression, Box<[Expression]>),
     /// An element of a solution.
@@ -108,9 +108,10 @@ impl Node {
     /// Number of operands.
     fn count(&self) -> usize {
         match self {
-            Node::Sum(list) | Node::Product(list) | Node::Call(_, list) | Node::Factor(_, list) => {
-                list.len()
-            }
+            Node::Sum(list)
+            | Node::Product(list)
+            | Node::Call(_, list)
+            | Node::Factor(_, _, list) => list.len(),
             Node::Solve(_, right) => 1 + right.len(),
             _ => 3,
         }
@@ -120,7 +121,10 @@ impl Node {
     fn each_operand(&self, mut take: impl FnMut(Expression)) {
         match self {
             Node::Symbol(_) | Node::Number(_) => {}
-            Node::Sum(list) | Node::Product(list) | Node::Call(_, list) | Node::Factor(_, list) => {
+            Node::Sum(list)
+            | Node::Product(list)
+            | Node::Call(_, list)
+            | Node::Factor(_, _, list) => {
                 list.iter().for_each(|one| take(*one));
             }
             Node::Power(a, b) | Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
@@ -363,9 +367,9 @@ impl Graph {
             Node::Or(a, b) => self.or(operand(*a), operand(*b)),
             Node::Not(a) => self.not(operand(*a)),
             Node::Select(c, a, b) => self.select(operand(*c), operand(*a), operand(*b)),
-            Node::Factor(size, entries) => {
+            Node::Factor(form, size, entries) => {
                 let entries = list(entries).into();
-                self.intern(Node::Factor(*size, entries))
+                self.intern(Node::Factor(*form, *size, entries))
             }
             Node::Solve(factor, right) => {
                 let right = list(right).into();

@@ -1,6 +1,7 @@
-//! Symmetric systems: small ones written out, large ones as operations of their own.
+//! Linear systems: small symmetric ones written out, others as operations of their own.
 
 use super::graph::{Expression, Graph, Node};
+use crate::program::Form;
 
 /// Largest system that is written out.
 const WRITTEN_OUT: usize = 3;
@@ -16,9 +17,29 @@ impl Graph {
         if size <= WRITTEN_OUT {
             return self.written_out(lower, right);
         }
-        let factor = self.intern(Node::Factor(size as u32, lower.into()));
+        let factor = self.intern(Node::Factor(Form::Symmetric, size as u32, lower.into()));
+        self.solve_factored(factor, right)
+    }
+
+    /// Solves any system with one solution, given by its rows, by factors with pivoting.
+    pub fn solve_general(
+        &mut self,
+        rows: &[Vec<Expression>],
+        right: &[Expression],
+    ) -> Vec<Expression> {
+        let entries = rows.concat().into();
+        let factor = self.intern(Node::Factor(Form::General, right.len() as u32, entries));
+        self.solve_factored(factor, right)
+    }
+
+    /// Solves a system whose matrix is factored.
+    pub(super) fn solve_factored(
+        &mut self,
+        factor: Expression,
+        right: &[Expression],
+    ) -> Vec<Expression> {
         let solution = self.intern(Node::Solve(factor, right.into()));
-        (0..size as u32)
+        (0..right.len() as u32)
             .map(|index| self.intern(Node::Element(solution, index)))
             .collect()
     }

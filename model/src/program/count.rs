@@ -1,7 +1,7 @@
 //! Counts operations.
 
 use super::order::reach;
-use super::{OperationKind, Program, Stage, Value};
+use super::{Form, OperationKind, Program, Stage, Value};
 
 impl OperationKind {
     /// Arithmetic operations in it: none for what is given or only named, two for a product that is added.
@@ -10,9 +10,13 @@ impl OperationKind {
             Self::Number(_) | Self::Input(_) | Self::Element { .. } => 0,
             Self::MultiplyAdd(..) | Self::MultiplySubtract(..) | Self::NegateMultiplyAdd(..) => 2,
             // L·D·Lᵀ: n³/6 products with their differences, and the two triangular systems.
-            Self::Factor { size, .. } => {
+            Self::Factor { form, size, .. } => {
                 let size = *size as usize;
-                size * (size * size + 3 * size + 2) / 3
+                let symmetric = size * (size * size + 3 * size + 2) / 3;
+                match form {
+                    Form::Symmetric => symmetric,
+                    Form::General => 2 * symmetric,
+                }
             }
             Self::Solve { right, .. } => 2 * right.len() * right.len(),
             _ => 1,

@@ -143,9 +143,13 @@ impl<'a> Emitter<'a> {
                     otherwise,
                 })
             }
-            Node::Factor(size, entries) => {
+            Node::Factor(form, size, entries) => {
                 let entries = self.values(&entries);
-                self.combine(OperationKind::Factor { size, entries })
+                self.combine(OperationKind::Factor {
+                    form,
+                    size,
+                    entries,
+                })
             }
             Node::Solve(factor, right) => {
                 let factor = self.value(factor);

@@ -1,6 +1,6 @@
 //! A program on numbers: what the emitted Rust computes, without compiling it.
 
-use super::{Function, Input, OperationKind, Program, Relation, Value};
+use super::{Form, Function, Input, OperationKind, Program, Relation, Value};
 
 /// Values of all operations at one instant and state.
 #[derive(Clone, Debug)]
@@ -97,15 +97,12 @@ impl Program {
                 }
                 OperationKind::Factor { .. } => f64::NAN,
                 OperationKind::Solve { factor, right } => {
-                    if let OperationKind::Factor { size, entries } =
+                    if let OperationKind::Factor { form, entries, .. } =
                         &self.operations[factor.0 as usize].kind
                     {
                         let entries: Vec<f64> = entries.iter().map(at).collect();
                         let right: Vec<f64> = right.iter().map(at).collect();
-                        solutions.insert(
-                            index as u32,
-                            solve_symmetric(*size as usize, &entries, &right),
-                        );
+                        solutions.insert(index as u32, solve(*form, &entries, &right));
                     }
                     f64::NAN
                 }
@@ -121,8 +118,48 @@ impl Program {
     }
 }
 
+/// Solves a linear system.
+pub(crate) fn solve(form: Form, entries: &[f64], right: &[f64]) -> Vec<f64> {
+    match form {
+        Form::Symmetric => solve_symmetric(right.len(), entries, right),
+        Form::General => solve_general(entries, right),
+    }
+}
+
+/// Solves a system with all entries given row by row, by elimination with partial pivoting.
+fn solve_general(entries: &[f64], right: &[f64]) -> Vec<f64> {
+    let size = right.len();
+    let mut rows: Vec<Vec<f64>> = entries.chunks(size).map(<[f64]>::to_vec).collect();
+    let mut solution = right.to_vec();
+    for column in 0..size {
+        let larger = |a: &usize, b: &usize| rows[*a][column].abs() < rows[*b][column].abs();
+        let best = (column..size).fold(column, |best, row| match larger(&best, &row) {
+            true => row,
+            false => best,
+        });
+        rows.swap(column, best);
+        solution.swap(column, best);
+        let (above, below) = rows.split_at_mut(column + 1);
+        let pivot = &above[column];
+        for (row, other) in below.iter_mut().enumerate() {
+            let multiple = other[column] / pivot[column];
+            for (entry, above) in other.iter_mut().zip(pivot) {
+                *entry -= multiple * above;
+            }
+            solution[column + 1 + row] -= multiple * solution[column];
+        }
+    }
+    for row in (0..size).rev() {
+        for column in row + 1..size {
+            solution[row] -= rows[row][column] * solution[column];
+        }
+        solution[row] /= rows[row][row];
+    }
+    solution
+}
+
 /// Solves a symmetric system, given by its lower triangle row by row, by `L·D·Lᵀ`.
-pub(crate) fn solve_symmetric(size: usize, lower: &[f64], right: &[f64]) -> Vec<f64> {
+fn solve_symmetric(size: usize, lower: &[f64], right: &[f64]) -> Vec<f64> {
     let at = |row: usize, column: usize| row * (row + 1) / 2 + column;
     let mut factor = lower.to_vec();
     for row in 0..size {

@@ -1,18 +1,18 @@
 //! Linear systems of series.
 
 use super::{Terms, none};
-use crate::dense::{Factor, factor};
+use crate::dense::Factored;
 use crate::scalar::Scalar;
 
-/// A symmetric positive matrix with its factors at the begin, `N` rows.
+/// A matrix of `N` rows with its factors `F` at the begin.
 #[derive(Clone, Debug)]
-pub struct Matrix<S, const N: usize> {
+pub struct Matrix<S, F, const N: usize> {
     entries: [[Terms<S>; N]; N],
-    factor: Option<Factor<S, N>>,
+    factor: Option<F>,
     solution: [Terms<S>; N],
 }
 
-impl<S: Scalar, const N: usize> Default for Matrix<S, N> {
+impl<S: Scalar, F, const N: usize> Default for Matrix<S, F, N> {
     fn default() -> Self {
         Self {
             entries: [[none(); N]; N],
@@ -22,7 +22,7 @@ impl<S: Scalar, const N: usize> Default for Matrix<S, N> {
     }
 }
 
-impl<S: Scalar, const N: usize> Matrix<S, N> {
+impl<S: Scalar, F: Factored<S, N>, const N: usize> Matrix<S, F, N> {
     /// The next term of the solution of `M x = b`: that of `M₀ x_k = b_k - Σ M_j x_(k-j)`.
     #[inline(always)]
     pub fn next(&mut self, k: usize, matrix: [[S; N]; N], right: [S; N]) -> [S; N] {
@@ -35,8 +35,8 @@ impl<S: Scalar, const N: usize> Matrix<S, N> {
                 }
             }
         }
-        let factor = self.factor.get_or_insert_with(|| factor(matrix));
-        let solution = factor.solve(rest);
+        let factor = self.factor.get_or_insert_with(|| F::of(matrix));
+        let solution = factor.solution(rest);
         for (terms, value) in self.solution.iter_mut().zip(solution) {
             terms[k] = value;
         }

@@ -1,6 +1,7 @@
 //! Series against what they are the series of.
 
 use super::*;
+use crate::dense::Factor;
 use crate::scalar::Scalar;
 
 /// Terms of `u = 0.4 + 0.7 θ - 0.2 θ² + 0.1 θ³`.
@@ -132,7 +133,7 @@ fn solutions_of_systems_are_their_series() {
         ][row]
     };
     for row in 0..2 {
-        let mut system = Matrix::<f64, 2>::default();
+        let mut system = Matrix::<f64, Factor<f64, 2>, 2>::default();
         check(
             "solve",
             |u| solved(u, row),
