@@ -25,17 +25,17 @@ pub struct Batten {
 
 /// What the equations need of the time.
 #[derive(Clone, Copy, Debug)]
-pub struct Instant {
+pub struct Instant<S = f64> {
     /// `X'`
-    x1: f64,
+    x1: S,
     /// `ω²X''`, acceleration of the pin.
-    pin: f64,
+    pin: S,
     /// `2ωX''`
-    coriolis: f64,
+    coriolis: S,
     /// `ω²X'''`
-    rate: f64,
+    rate: S,
     /// Inverse of the inertia `J2 + m2 X'²`.
-    inverse_inertia: f64,
+    inverse_inertia: S,
 }
 
 impl Default for Batten {
@@ -78,49 +78,69 @@ impl Batten {
         if !KERNEL {
             return times.map(|time| self.instant_by::<false>(time));
         }
-        let (sines, cosines) = f64::sin_cos_all(times.map(|time| self.n * time));
-        std::array::from_fn(|k| self.instant_from((sines[k], cosines[k])))
+        self.instants(times)
+    }
+
+    /// The same on any numbers, packed.
+    #[inline(always)]
+    pub fn instants<S: Scalar, const K: usize>(&self, times: [S; K]) -> [Instant<S>; K] {
+        let mut angles = times;
+        for angle in &mut angles {
+            *angle = S::from_f64(self.n) * *angle;
+        }
+        let (sines, cosines) = S::sin_cos_all(angles);
+        let mut instants = [self.instant_from((sines[0], cosines[0])); K];
+        for k in 1..K {
+            instants[k] = self.instant_from((sines[k], cosines[k]));
+        }
+        instants
     }
 
     /// The same from sine and cosine of the crank angle.
     #[inline(always)]
-    pub fn instant_from(&self, (s, c): (f64, f64)) -> Instant {
-        let (sin2, cos2) = (2.0 * s * c, 1.0 - 2.0 * s * s);
-        let x1 = self.r * s - self.q * sin2;
-        let x2 = self.r * c - 2.0 * self.q * cos2;
-        let x3 = -self.r * s + 4.0 * self.q * sin2;
-        let w2 = self.n * self.n;
+    pub fn instant_from<S: Scalar>(&self, (s, c): (S, S)) -> Instant<S> {
+        let [one, two, r, q] = [1.0, 2.0, self.r, self.q].map(S::from_f64);
+        let [q2, q4, w2, n2] =
+            [2.0 * self.q, 4.0 * self.q, self.n * self.n, 2.0 * self.n].map(S::from_f64);
+        let (sin2, cos2) = (two * s * c, (-two * s).mul_add(s, one));
+        let x1 = r.mul_add(s, -(q * sin2));
+        let x2 = r.mul_add(c, -(q2 * cos2));
+        let x3 = (-r).mul_add(s, q4 * sin2);
+        let [j2, m2] = [self.j2, self.m2].map(S::from_f64);
         Instant {
             x1,
             pin: w2 * x2,
-            coriolis: 2.0 * self.n * x2,
+            coriolis: n2 * x2,
             rate: w2 * x3,
-            inverse_inertia: 1.0 / (self.j2 + self.m2 * x1 * x1),
+            inverse_inertia: one / (m2 * x1).mul_add(x1, j2),
         }
     }
 
     /// Elastic forces on the ends of the bar.
     #[inline(always)]
-    fn bar(&self, u3: f64, u4: f64) -> (f64, f64) {
-        (self.k33 * u3 + self.k34 * u4, self.k34 * u3 + self.k44 * u4)
+    fn bar<S: Scalar>(&self, u3: S, u4: S) -> (S, S) {
+        let [k33, k34, k44] = [self.k33, self.k34, self.k44].map(S::from_f64);
+        (k33.mul_add(u3, k34 * u4), k34.mul_add(u3, k44 * u4))
     }
 
     /// `y'`
     #[inline(always)]
-    pub fn derivative(&self, at: &Instant, y: &[f64; 6], rate: &mut [f64; 6]) {
+    pub fn derivative<S: Scalar>(&self, at: &Instant<S>, y: &[S; 6], rate: &mut [S; 6]) {
         let [phi, w3, w4, dphi, dw3, dw4] = *y;
+        let [low, high, m2, c] = [self.lambda, 1.0 + self.lambda, self.m2, self.c].map(S::from_f64);
+        let [inverse_m3, inverse_m4] = [self.inverse_m3, self.inverse_m4].map(S::from_f64);
         let slip = at.x1 * phi;
-        let (g3, g4) = self.bar(w3 - self.lambda * slip, w4 + (1.0 + self.lambda) * slip);
-        let free = at.pin - at.rate * phi - at.coriolis * dphi;
-        let torque =
-            at.x1 * (self.m2 * free + self.lambda * g3 - (1.0 + self.lambda) * g4) - self.c * phi;
+        let (g3, g4) = self.bar((-low).mul_add(slip, w3), high.mul_add(slip, w4));
+        let free = (-at.coriolis).mul_add(dphi, (-at.rate).mul_add(phi, at.pin));
+        let forces = (-high).mul_add(g4, m2.mul_add(free, low * g3));
+        let torque = at.x1.mul_add(forces, -(c * phi));
         *rate = [
             dphi,
             dw3,
             dw4,
             torque * at.inverse_inertia,
-            -g3 * self.inverse_m3 - at.pin,
-            -g4 * self.inverse_m4 - at.pin,
+            (-g3).mul_add(inverse_m3, -at.pin),
+            (-g4).mul_add(inverse_m4, -at.pin),
         ];
     }
 

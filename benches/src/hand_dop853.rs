@@ -1,7 +1,10 @@
 //! A step of DOP853 written out by hand: each stage one expression, as in a program made for one purpose.
+//! Numbers are plain, or fused where the loop around it is dispatched.
 //!
 //! Hairer, Nørsett, Wanner: *Solving Ordinary Differential Equations I*, section II.5. `I` is what the equations need of
 //! a time, computed for all stages beforehand.
+
+use assur::scalar::Scalar;
 
 /// Times of stages 2 to 12, in parts of the step.
 const NODES: [f64; 11] = [
@@ -22,13 +25,13 @@ const EXTRA_NODES: [f64; 3] = [0.1, 0.2, 0.7777777777777778];
 
 /// A step that was tried: what its end, its error and its continuous solution need.
 #[derive(Clone, Copy, Debug)]
-pub struct Attempt<const N: usize> {
+pub struct Attempt<const N: usize, S = f64> {
     /// State at the end.
-    pub end: [f64; N],
+    pub end: [S; N],
     /// The error in tolerances.
     pub error: f64,
     /// The slopes of stages 1 and 6 to 12.
-    slopes: [[f64; N]; 8],
+    slopes: [[S; N]; 8],
 }
 
 /// The times of the stages.
@@ -43,29 +46,43 @@ pub fn extra_times(t: f64, h: f64) -> [f64; 3] {
     EXTRA_NODES.map(|node| t + node * h)
 }
 
+/// A weighted sum of slopes in one component: `a·k + …`.
+macro_rules! weighted {
+    ($i:ident, ($a:literal, $k:ident) $(, ($b:literal, $l:ident))* $(,)?) => {{
+        let sum = S::from_f64($a) * $k[$i];
+        $(let sum = S::from_f64($b).mul_add($l[$i], sum);)*
+        sum
+    }};
+}
+
 /// One stage: `y + h·(a·k + …)`.
 macro_rules! stage {
-    ($y:ident, $h:ident, ($a:literal, $k:ident) $(, ($b:literal, $l:ident))* $(,)?) => {
-        std::array::from_fn::<f64, N, _>(|i| $y[i] + $h * ($a * $k[i] $(+ $b * $l[i])*))
-    };
+    ($y:ident, $h:ident, $($term:tt),* $(,)?) => {{
+        let mut stage = *$y;
+        for (i, stage) in stage.iter_mut().enumerate() {
+            *stage = weighted!(i, $($term),*).mul_add($h, *stage);
+        }
+        stage
+    }};
 }
 
 /// A weighted sum of slopes: `h·(a·k + …)`.
 macro_rules! sum {
-    ($h:ident, ($a:literal, $k:ident) $(, ($b:literal, $l:ident))* $(,)?) => {
-        std::array::from_fn::<f64, N, _>(|i| $h * ($a * $k[i] $(+ $b * $l[i])*))
+    ($h:ident, $($term:tt),* $(,)?) => {
+        std::array::from_fn(|i| $h * weighted!(i, $($term),*))
     };
 }
 
 /// Tries a step of length `h` from `y`, where the slope is `k1`; absolute tolerances `rtol·scale`.
 #[inline(always)]
-pub fn attempt<const N: usize, I>(
-    f: impl Fn(&I, &[f64; N]) -> [f64; N],
+pub fn attempt<S: Scalar, const N: usize, I>(
+    f: impl Fn(&I, &[S; N]) -> [S; N],
     at: &[I; 11],
-    (y, k1): (&[f64; N], &[f64; N]),
-    h: f64,
+    (y, k1): (&[S; N], &[S; N]),
+    length: f64,
     (rtol, scale): (f64, f64),
-) -> Attempt<N> {
+) -> Attempt<N, S> {
+    let h = S::from_f64(length);
     let stage = stage!(y, h, (0.05260015195876773, k1));
     let k2 = f(&at[0], &stage);
     let stage = stage!(y, h, (0.0197250569845379, k1), (0.0591751709536137, k2));
@@ -171,29 +188,37 @@ pub fn attempt<const N: usize, I>(
     );
     let (mut sum5, mut sum3) = (0.0, 0.0);
     for i in 0..N {
-        let tolerance = rtol * (scale + y[i].abs().max(next[i].abs()));
-        let e5 = 0.01312004499419488 * k1[i]
-            + -1.2251564463762044 * k6[i]
-            + -0.4957589496572502 * k7[i]
-            + 1.6643771824549864 * k8[i]
-            + -0.35032884874997366 * k9[i]
-            + 0.3341791187130175 * k10[i]
-            + 0.08192320648511571 * k11[i]
-            + -0.022355307863886294 * k12[i];
-        let e3 = -0.18980075407240762 * k1[i]
-            + 4.450312892752409 * k6[i]
-            + 1.8915178993145003 * k7[i]
-            + -5.801203960010585 * k8[i]
-            + -0.4226823213237919 * k9[i]
-            + -0.1521609496625161 * k10[i]
-            + 0.20136540080403034 * k11[i]
-            + 0.02265179219836082 * k12[i];
+        let tolerance = rtol * (scale + y[i].to_f64().abs().max(next[i].to_f64().abs()));
+        let e5 = weighted!(
+            i,
+            (0.01312004499419488, k1),
+            (-1.2251564463762044, k6),
+            (-0.4957589496572502, k7),
+            (1.6643771824549864, k8),
+            (-0.35032884874997366, k9),
+            (0.3341791187130175, k10),
+            (0.08192320648511571, k11),
+            (-0.022355307863886294, k12)
+        )
+        .to_f64();
+        let e3 = weighted!(
+            i,
+            (-0.18980075407240762, k1),
+            (4.450312892752409, k6),
+            (1.8915178993145003, k7),
+            (-5.801203960010585, k8),
+            (-0.4226823213237919, k9),
+            (-0.1521609496625161, k10),
+            (0.20136540080403034, k11),
+            (0.02265179219836082, k12)
+        )
+        .to_f64();
         sum5 += (e5 / tolerance) * (e5 / tolerance);
         sum3 += (e3 / tolerance) * (e3 / tolerance);
     }
     let denominator = sum5 + 0.01 * sum3;
     let error = if denominator > 0.0 {
-        h * sum5 / (N as f64 * denominator).sqrt()
+        length * sum5 / (N as f64 * denominator).sqrt()
     } else {
         0.0
     };
@@ -214,6 +239,7 @@ impl<const N: usize> Attempt<N> {
         (y, k13): (&[f64; N], &[f64; N]),
         h: f64,
     ) -> [[f64; N]; 7] {
+        type S = f64;
         let [k1, k6, k7, k8, k9, k10, k11, k12] = self.slopes;
         let stage = stage!(
             y,

@@ -7,6 +7,7 @@ mod count;
 mod evaluate;
 mod foot;
 mod hand;
+mod hand_best;
 mod hand_dop853;
 mod hand_ends;
 mod hand_event;
