@@ -2,6 +2,7 @@
 
 mod bounce;
 mod branches;
+mod clocks;
 mod cycles;
 mod hard;
 mod kinks;
