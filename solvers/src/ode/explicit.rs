@@ -26,6 +26,9 @@ pub struct Statistics {
     pub factorizations: usize,
     /// Those of the accepted steps that a stiff method took.
     pub stiff_steps: usize,
+    /// Those of the accepted steps whose error is that of rounding and above the tolerance: how large the state is leaves
+    /// no room for so many digits. A smaller tolerance changes nothing there.
+    pub rounded_steps: usize,
     /// Length of the longest step, in seconds.
     pub largest_step: f64,
     /// Length of the shortest step but the last one, in seconds.
@@ -44,6 +47,7 @@ impl Default for Statistics {
             jacobians: 0,
             factorizations: 0,
             stiff_steps: 0,
+            rounded_steps: 0,
             largest_step: 0.0,
             smallest_step: f64::INFINITY,
             estimated_error: 0.0,
@@ -71,6 +75,7 @@ impl Statistics {
         self.jacobians += more.jacobians;
         self.factorizations += more.factorizations;
         self.stiff_steps += more.stiff_steps;
+        self.rounded_steps += more.rounded_steps;
         self.largest_step = self.largest_step.max(more.largest_step);
         self.smallest_step = self.smallest_step.min(more.smallest_step);
         self.estimated_error += more.estimated_error;

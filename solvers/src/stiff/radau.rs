@@ -31,6 +31,8 @@ const E: [f64; 3] = [
 const FACTORS: (f64, f64) = (0.2, 8.0);
 /// Factors up to this are not worth new factors of the matrices.
 const WORTH: f64 = 1.2;
+/// Roundings of the states that rates may be wrong by.
+const ROUNDINGS: f64 = 4.0;
 /// Contraction of Newton's method above which the Jacobian is evaluated anew.
 const CONTRACTION: f64 = 1e-3;
 /// Relative change of the step that the factors of the matrices bear.
@@ -81,6 +83,11 @@ pub(super) struct Radau {
     previous: Option<(f64, f64)>,
     /// Whether the last attempt was rejected.
     rejected: bool,
+    /// Whether the error of the last attempt is that of rounding, and above the tolerance.
+    is_rounded: bool,
+    /// Room for what rounding makes of a step.
+    right: Vec<f64>,
+    rounded: Vec<f64>,
 }
 
 impl Radau {
@@ -98,6 +105,9 @@ impl Radau {
             before: None,
             previous: None,
             rejected: false,
+            is_rounded: false,
+            right: vec![0.0; states],
+            rounded: vec![0.0; states],
         }
     }
 
@@ -172,10 +182,35 @@ impl Radau {
                 }
             }
             if self.jacobian == Jacobian::Fresh {
-                return Ok(false);
+                let is_factored = self.factored.is_some();
+                let rounding = if is_factored {
+                    self.rounding(here, options)
+                } else {
+                    0.0
+                };
+                return Ok(is_factored && self.newton.has_come_to(rounding));
             }
             self.jacobian = Jacobian::Missing;
         }
+    }
+
+    /// What rounding makes of a step, in tolerances: the states of which the rates are made are known to a rounding each,
+    /// and what the rates make of that goes through the same linear system as the error does.
+    #[cold]
+    fn rounding(&mut self, here: &Here, options: &Options) -> f64 {
+        let n = here.state.len();
+        self.rounded.fill(0.0);
+        for (column, value) in here.state.iter().enumerate() {
+            let slopes = &here.jacobian[column * n..(column + 1) * n];
+            for (target, slope) in self.right.iter_mut().zip(slopes) {
+                *target = slope * f64::EPSILON * value;
+            }
+            Lu::substitute(&self.real.entries, &self.real.pivots, &mut self.right);
+            for (sum, one) in self.rounded.iter_mut().zip(&self.right) {
+                *sum += one.abs();
+            }
+        }
+        ROUNDINGS * scaled_size(options, (&here.state, &here.state), &self.rounded)
     }
 
     /// The error estimate (8.19): `((γ/h) I - J)⁻¹ (f(t, y₀) + (1/h) Σ eᵢ Zᵢ)`. RADAU5 puts (8.20) in its place at the first
@@ -235,10 +270,18 @@ impl Stepper for Radau {
         for (index, trial) in here.trial.iter_mut().enumerate() {
             *trial = here.state[index] + last[index];
         }
-        Ok(Attempt::Done(match options.fixed_step {
-            Some(_) => 0.0,
-            None => self.estimate(here, options, length),
-        }))
+        if options.fixed_step.is_some() {
+            return Ok(Attempt::Done(0.0));
+        }
+        let error = self.estimate(here, options, length);
+        self.is_rounded = false;
+        if error > 1.0 {
+            // An error that is that of rounding does not fall with the step: the tolerance is what rounding permits.
+            let rounding = self.rounding(here, options);
+            self.is_rounded = error <= rounding;
+            return Ok(Attempt::Done(error / rounding.max(1.0)));
+        }
+        Ok(Attempt::Done(error))
     }
 
     /// The polynomial of degree 3 through the begin and the three stages, by divided differences.
@@ -253,6 +296,10 @@ impl Stepper for Radau {
             here.polynomial[1][index] = first - C[0] * slope;
             here.polynomial[2][index] = slope;
         }
+    }
+
+    fn is_rounded(&self) -> bool {
+        self.is_rounded
     }
 
     fn accept(&mut self, length: f64, error: f64) -> f64 {

@@ -34,6 +34,11 @@ pub(super) trait Stepper {
     /// Writes the continuous solution of the step into [`Here::polynomial`].
     fn interpolate(&mut self, here: &mut Here);
 
+    /// Whether the error of the last step is that of rounding, and above the tolerance.
+    fn is_rounded(&self) -> bool {
+        false
+    }
+
     /// Factor to the next step after a step of this length and error.
     fn accept(&mut self, length: f64, error: f64) -> f64;
 
@@ -100,6 +105,7 @@ pub(super) fn drive<M: Stepper>(
         });
         here.statistics.count(length, error, to == times.1);
         here.statistics.stiff_steps += 1;
+        here.statistics.rounded_steps += usize::from(method.is_rounded());
         std::mem::swap(&mut here.state, &mut here.trial);
         std::mem::swap(&mut here.rate, &mut here.next);
         (clock.now, here.time) = (to, to);

@@ -20,6 +20,8 @@ pub(super) const ITERATIONS: usize = 7;
 
 /// Changes in tolerances with which an iteration that gets no nearer is done.
 const ROUNDING: f64 = 0.03;
+/// Contraction from which on it gets no nearer.
+const STALLED: f64 = 0.5;
 
 /// `T` of RADAU5: the eigenvectors of `A⁻¹`, their last row `1, 1, 0`.
 const T: [[f64; 3]; 3] = [
@@ -47,6 +49,8 @@ pub(super) struct Newton {
     pub iterations: usize,
     /// How much each brought it nearer.
     pub contraction: f64,
+    /// Size of the last change, in tolerances.
+    last: f64,
     /// `W₁, W₂, W₃`.
     transformed: Vec<f64>,
     /// The rates at the stages.
@@ -66,12 +70,19 @@ impl Newton {
             stages: vec![0.0; 3 * states],
             iterations: 0,
             contraction: 0.0,
+            last: f64::INFINITY,
             transformed: vec![0.0; 3 * states],
             rates: vec![0.0; 3 * states],
             changes: vec![0.0; 3 * states],
             right: vec![[0.0; 2]; states],
             state: vec![0.0; states],
         }
+    }
+
+    /// Whether an iteration that did not converge came to changes that small and no smaller, in tolerances: those of
+    /// rounding, if the Jacobian is that of this state.
+    pub fn has_come_to(&self, rounding: f64) -> bool {
+        self.last <= rounding || self.last <= ROUNDING && self.contraction >= STALLED
     }
 
     /// Iterates from the stages that stand there; false if they do not converge.
@@ -88,6 +99,7 @@ impl Newton {
         let limit = (10.0 * f64::EPSILON / options.rtol).max(options.rtol.sqrt().min(0.03));
         let mut before: Option<f64> = None;
         self.contraction = 0.0;
+        self.last = f64::INFINITY;
         multiply(&INVERSE, &self.stages, &mut self.transformed, n);
         for iteration in 0..ITERATIONS {
             self.iterations = iteration + 1;
@@ -96,6 +108,7 @@ impl Newton {
             }
             self.improve(length, real, complex);
             let size = change(options, here, &self.changes);
+            self.last = size;
             if !size.is_finite() {
                 here.bad = first_bad(&self.changes).map(|place| place % n);
                 return false;
@@ -107,9 +120,8 @@ impl Newton {
                 // The error that will be left after all iterations (8.11).
                 if contraction >= 1.0 || contraction.powi(left) / (1.0 - contraction) * size > limit
                 {
-                    // Changes that small and no smaller are the rounding of the rates.
                     here.error.copy_from_slice(&self.changes[..n]);
-                    return size <= ROUNDING;
+                    return false;
                 }
             }
             for (target, change) in self.transformed.iter_mut().zip(&self.changes) {

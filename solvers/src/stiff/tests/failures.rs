@@ -139,3 +139,51 @@ fn options_that_make_no_sense_are_refused() {
         assert_eq!(none.unwrap().end(), [1.0, 1.0]);
     }
 }
+
+/// Two wheels on a soft shaft that have turned far: the twist is a difference of large angles.
+const WHEELS: Problem<4> = Problem {
+    rate: |_, y, rate| {
+        let torque = 200.0 * (y[0] - y[1]) + 0.2 * (y[2] - y[3]);
+        rate[0] = y[2];
+        rate[1] = y[3];
+        rate[2] = (2.0 - torque) / 2e-5;
+        rate[3] = (torque - 2.0 * (y[3] / 400.0)) / 5e-2;
+    },
+    rows: |_, _| {
+        let (light, heavy) = (1.0 / 2e-5, 1.0 / 5e-2);
+        [
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, 1.0],
+            [-200.0 * light, 200.0 * light, -0.2 * light, 0.2 * light],
+            [
+                200.0 * heavy,
+                -200.0 * heavy,
+                0.2 * heavy,
+                -0.2 * heavy - 0.005 * heavy,
+            ],
+        ]
+    },
+};
+
+#[test]
+fn where_the_state_has_no_room_for_the_tolerance_rounding_is_said_to_limit() {
+    let start = [2.5e5 + 0.01, 2.5e5, 300.0, 300.0];
+    let run = |rtol: f64| {
+        let options = tolerances(rtol, 1e-3 * rtol);
+        let motion = WHEELS.march(Method::Radau, (0.0, 100.0), start, &options);
+        motion.expect("it gets to the end")
+    };
+    let (fine, coarse) = (run(1e-12), run(1e-8));
+    assert_eq!(coarse.statistics.rounded_steps, 0);
+    assert!(fine.statistics.rounded_steps > 0);
+    assert!(fine.statistics.steps < 20_000, "{:?}", fine.statistics);
+    // The speeds end where the torque of the motor is that of the load.
+    for motion in [&fine, &coarse] {
+        assert!(
+            (motion.end()[2] / 400.0 - 1.0).abs() < 1e-4,
+            "{:?}",
+            motion.end()
+        );
+    }
+    assert!((fine.end()[2] - coarse.end()[2]).abs() < 1e-5);
+}
