@@ -59,7 +59,7 @@ pub(super) fn top(
             inner((place + 2).min(DEGREE)),
             inner(place.saturating_sub(2)),
         );
-        if narrower == (from, to) || !(narrower.0 < narrower.1) {
+        if narrower == (from, to) || narrower.0 >= narrower.1 {
             break;
         }
         (from, to) = narrower;
@@ -164,7 +164,7 @@ impl Stretch {
     /// polynomial does not fit.
     fn turns(&self, place: usize) -> Option<(f64, f64)> {
         let span: f64 = self.coefficients[1..].iter().map(|one| one.abs()).sum();
-        if place == 0 || place == DEGREE || !(self.deviation() <= FITS * span) {
+        if place == 0 || place == DEGREE || self.deviation() > FITS * span || span.is_nan() {
             return None;
         }
         let slope = derivative(&self.coefficients);
