@@ -5,7 +5,7 @@ use assur::problem::Span;
 
 use crate::case::Case;
 use crate::motion::Motion;
-use crate::variables;
+use crate::variables::{self, Variable};
 
 /// Fewest samples over a task; 720 gives every half degree of a revolution.
 const SAMPLES: usize = 720;
@@ -89,9 +89,13 @@ fn furthest(case: &Case, motion: &Motion, times: &[f64]) -> Vec<f64> {
     ends.into_iter().flatten().map(|(_, time)| time).collect()
 }
 
-/// Smallest and largest value of each variable between two times of the task; none unless there is time between.
-pub fn extremes(case: &Case, motion: &Motion, times: (f64, f64)) -> Vec<Extremes> {
-    let variables = &case.variables;
+/// Smallest and largest value of some variables between two times of the task; none unless there is time between.
+pub fn extremes(
+    case: &Case,
+    motion: &Motion,
+    variables: &[Variable],
+    times: (f64, f64),
+) -> Vec<Extremes> {
     let sample = |mode: usize, time: f64, state: &[f64], values: &mut [f64]| {
         values.copy_from_slice(&variables::evaluate(
             variables,

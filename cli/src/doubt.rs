@@ -227,9 +227,17 @@ impl Doubt {
             highest: self.end(case, motion, &steps, index, (own, |own| own.highest)),
         });
         let mut ends: Vec<_> = ends.collect();
+        let at = |time: f64| self.exactly_at(case, motion, time);
         for ((ends, own), index) in ends.iter_mut().zip(extremes).zip(0..) {
-            widen(&mut ends.lowest, &own.low_rivals, curves, index);
-            widen(&mut ends.highest, &own.high_rivals, curves, index);
+            let rounding = f64::EPSILON * own.amplitude();
+            for (end, rivals) in [
+                (&mut ends.lowest, &own.low_rivals),
+                (&mut ends.highest, &own.high_rivals),
+            ] {
+                end.error = larger(end.error, rounding);
+                let error = |time: f64| at(time).map_or(0.0, |errors| errors[index]);
+                widen(end, rivals, &error, curves, index);
+            }
         }
         ends
     }
@@ -245,8 +253,9 @@ impl Doubt {
         let own = end(own);
         let times = around(steps, own);
         let theirs = self.others.iter().filter_map(|other| {
-            let found = curves::extremes(case, &other.motion, times);
-            found.get(index).map(end)
+            let variable = &case.variables[index..=index];
+            let found = curves::extremes(case, &other.motion, variable, times);
+            found.first().map(end)
         });
         let theirs: Vec<_> = theirs.collect();
         let of = |part: fn(&Extreme) -> f64| theirs.iter().map(part).collect::<Vec<_>>();
@@ -324,10 +333,18 @@ fn larger(a: f64, b: f64) -> f64 {
     }
 }
 
-/// Takes the first of the places that cannot be told from an extreme by their values.
-fn widen(end: &mut End, rivals: &[Extreme], curves: &Curves, index: usize) {
+/// Takes the first of the places that cannot be told from an extreme by their values, which have errors of their own.
+fn widen(
+    end: &mut End,
+    rivals: &[Extreme],
+    error: &dyn Fn(f64) -> f64,
+    curves: &Curves,
+    index: usize,
+) {
     let is_like = |value: f64| (value - end.value).abs() <= end.error;
-    let tops = rivals.iter().filter(|rival| is_like(rival.value));
+    let may_be_like =
+        |rival: &Extreme| (rival.value - end.value).abs() <= end.error + error(rival.time);
+    let tops = rivals.iter().filter(|rival| may_be_like(rival));
     let tops: Vec<f64> = tops.map(|rival| rival.time).collect();
     let samples = curves.times.iter().zip(&curves.values);
     let samples = samples.filter(|(_, values)| is_like(values[index]));

@@ -99,7 +99,7 @@ impl Solved {
         let mut case = Case::new(constants)?;
         let motion = case.solve(settings)?;
         case.repeat(&motion);
-        let extremes = curves::extremes(&case, &motion, ALWAYS);
+        let extremes = curves::extremes(&case, &motion, &case.variables, ALWAYS);
         let curves = curves::sample(&case, &motion, &extremes);
         let doubt = Doubt::of(&case, &motion)?;
         let mut measures = motion.measures(&case);

@@ -152,7 +152,7 @@ pub fn collect(
         .iter()
         .map(|place| locate(&case, *place))
         .collect::<Result<_, _>>()?;
-    let extremes = curves::extremes(&case, &motion, ALWAYS);
+    let extremes = curves::extremes(&case, &motion, &case.variables, ALWAYS);
     let curves = curves::sample(&case, &motion, &extremes);
     let mut measures = motion.measures(&case);
     let doubt = Doubt::of(&case, &motion)?;
