@@ -116,7 +116,8 @@ pub fn quantity(text: &str, quantity: &Quantity) -> Result<f64, Failure> {
         ))
         .remedy(remedy.clone()));
     }
-    if !same(parsed.dimension, quantity.dimension) {
+    let is_zero = parsed.bare && parsed.value == 0.0;
+    if !is_zero && !same(parsed.dimension, quantity.dimension) {
         let what = if parsed.bare {
             format!("`{}` needs a unit", quantity.name)
         } else {

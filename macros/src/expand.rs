@@ -11,7 +11,7 @@ use quote::quote;
 use crate::emit::{self, Origin};
 use crate::parts::Parts;
 use crate::report;
-use crate::tokens::{Source, refused_words};
+use crate::tokens::Source;
 
 /// Expands the macro.
 pub fn mechanism(input: TokenStream) -> TokenStream {
@@ -26,8 +26,6 @@ pub fn mechanism(input: TokenStream) -> TokenStream {
         ..
     } = assur_model::compile_with(&source.tokens, &mut |wanted| parts.load(wanted, &source));
     let mut all = Diagnostics::default();
-    all.extend(refused_words(&source.tokens, 0));
-    all.extend(parts.refused);
     all.extend(diagnostics);
     (source.parts, source.texts) = (files, parts.texts);
     let diagnostics: Vec<Diagnostic> = all.into_sorted();

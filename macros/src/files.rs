@@ -66,18 +66,24 @@ fn module(file: &LitStr, others: &[Ident]) -> Result<(Ident, TokenStream), Strin
         ));
     }
     let summary = format!(" The equation file `{path}`.");
-    let analyzed = analyzed(&name, &summary, place);
+    let (items, text) = analyzed(place).map_or_else(
+        || {
+            (
+                quote!(::core::include!(#file);),
+                quote!(::core::include_str!(#file)),
+            )
+        },
+        |tokens| (tokens, quote!("")),
+    );
     Ok((
         name.clone(),
         quote! {
             #[doc = #summary]
-            #[cfg(not(rust_analyzer))]
             pub mod #name {
-                ::core::include!(#file);
+                #items
                 /// Text of the equation file.
-                pub const TEXT: &str = ::core::include_str!(#file);
+                pub const TEXT: &str = #text;
             }
-            #analyzed
         },
     ))
 }
@@ -91,19 +97,15 @@ fn beside(file: &LitStr, path: &str) -> Option<PathBuf> {
     Some(source.parent()?.join(path))
 }
 
-/// The same module for rust-analyzer, which includes `.rs` files only: the tokens of the file themselves.
-fn analyzed(name: &Ident, summary: &str, place: Option<PathBuf>) -> Option<TokenStream> {
-    let text = std::fs::read_to_string(place?).ok()?;
-    let tokens: TokenStream = text.parse().ok()?;
-    Some(quote! {
-        #[doc = #summary]
-        #[cfg(rust_analyzer)]
-        pub mod #name {
-            #tokens
-            /// Text of the equation file.
-            pub const TEXT: &str = "";
-        }
-    })
+/// The tokens of the file themselves, for rust-analyzer, which includes `.rs` files only. It runs macros in a server of
+/// its own; a `cfg` would be one that the crates of users do not know.
+fn analyzed(place: Option<PathBuf>) -> Option<TokenStream> {
+    let server = std::env::current_exe().ok()?;
+    let name = server.file_stem()?.to_str()?;
+    if !name.starts_with("rust-analyzer") {
+        return None;
+    }
+    std::fs::read_to_string(place?).ok()?.parse().ok()
 }
 
 /// The table of all mechanisms.

@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use assur_model::diagnostic::Diagnostic;
 use assur_model::flatten::Wanted;
 use assur_model::lexer::Unreadable;
 use assur_model::texts::Texts;
@@ -10,19 +9,15 @@ use assur_model::token::Token;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote_spanned;
 
-use crate::tokens::{Source, refused_words};
+use crate::tokens::Source;
 
 /// What was read of the files of parts.
 #[derive(Default)]
 pub struct Parts {
     /// Their texts.
     pub texts: Texts,
-    /// What is said about words that cannot be names in Rust.
-    pub refused: Vec<Diagnostic>,
     /// Items that name the files, so that an edit of one compiles the mechanism anew.
     pub used: TokenStream,
-    /// How many tokens they have.
-    count: usize,
 }
 
 impl Parts {
@@ -42,11 +37,7 @@ impl Parts {
             let item = quote_spanned!(named=> const _: &[u8] = ::core::include_bytes!(#path););
             self.used.extend(item);
         }
-        let tokens = self.texts.read(&folder, &wanted.path)?;
-        let first = source.tokens.len() + self.count;
-        self.refused.extend(refused_words(&tokens, first));
-        self.count += tokens.len();
-        Ok(tokens)
+        self.texts.read(&folder, &wanted.path)
     }
 }
 

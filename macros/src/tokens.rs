@@ -1,7 +1,6 @@
 //! rustc's tokens as the language's own: a flat list, and beside it the table of their places.
 
 use assur_model::checked::PartFile;
-use assur_model::diagnostic::Diagnostic;
 use assur_model::texts::{self, Texts};
 use assur_model::token::{Span, Token, TokenKind};
 use proc_macro2::{Delimiter, Group, Literal, Spacing, TokenStream, TokenTree};
@@ -151,35 +150,4 @@ fn read_literal(literal: Literal) -> (TokenKind, String) {
         _ if text.starts_with(|first: char| first.is_ascii_digit()) => (TokenKind::Number, text),
         _ => (TokenKind::Other, text),
     }
-}
-
-/// Words that cannot be names in emitted Rust, in a file whose first token is counted as `first`: the names that Rust keeps in every spelling, and names with an
-/// underscore at an end, which mark what the printer adds.
-pub fn refused_words(tokens: &[Token], first: usize) -> Vec<Diagnostic> {
-    let words = tokens
-        .iter()
-        .enumerate()
-        .filter(|(_, token)| token.kind == TokenKind::Word);
-    words
-        .filter_map(|(index, token)| {
-            let (word, span) = (&token.text, Span::token((first + index) as u32));
-            if matches!(word.as_str(), "self" | "Self" | "super" | "crate") {
-                let report = Diagnostic::error(
-                    span,
-                    format!("`{word}` cannot be a name, because Rust keeps it"),
-                );
-                return Some(report.hint("choose another name"));
-            }
-            if word.starts_with('_') || word.ends_with('_') {
-                let report =
-                    Diagnostic::error(span, format!("`{word}` begins or ends with an underscore"));
-                return Some(
-                    report.hint(
-                        "such names are kept for what the compiler adds; choose another name",
-                    ),
-                );
-            }
-            None
-        })
-        .collect()
 }

@@ -170,6 +170,8 @@ pub fn phase(
         None
     };
 
+    low.loops_are_wrong = linkage.is_none();
+
     // Abbreviations in the order of the file, used or not, so that each mistake is found.
     for statement in statements {
         if let StatementKind::Let {
@@ -464,7 +466,7 @@ pub fn phase(
     })
 }
 
-/// What a mode holds or does not have stands still; Lagrange's equation of a coordinate that is held says what holds it.
+/// What a mode holds or does not have stands still; the equation of a coordinate that is held says what holds it.
 fn stand_still(
     low: &mut Lowering<'_>,
     names: &Names,
@@ -473,6 +475,27 @@ fn stand_still(
 ) {
     let still = modes::still(names, phase);
     equations.retain(|equation| equation.lagrange.is_none_or(|one| !still.contains(&one)));
+    let unknowns = names.coordinates.len() + names.states.len();
+    for index in &still {
+        if equations.len() + still.len() <= unknowns {
+            break;
+        }
+        // Of the equations of all modes the one that determines what is held, and nothing else, gives way.
+        let own = Symbol::Acceleration(*index as u32);
+        let common = &phase.statements[..phase.common];
+        let alone = |equation: &Equation| {
+            if common.iter().all(|one| one.span != equation.span) {
+                return false;
+            }
+            let symbols = low.graph.symbols_of(equation.residual).iter();
+            let mut highest = symbols.filter(|one| matches!(one, Symbol::Acceleration(_)));
+            highest.next() == Some(&own) && highest.next().is_none()
+        };
+        let mut found = (0..equations.len()).filter(|place| alone(&equations[*place]));
+        if let (Some(place), None) = (found.next(), found.next()) {
+            equations.remove(place);
+        }
+    }
     let all: Vec<_> = names.coordinates.iter().chain(&names.states).collect();
     for index in still {
         let name = &all[index].name;

@@ -220,8 +220,9 @@ impl<'a> Lexer<'a> {
             }
             _ => {
                 let hint = match first {
+                    '°' if rest.starts_with("°C") => "write a temperature in kelvin: `293.15 K`",
                     '°' => "write `deg`",
-                    '²' | '³' => "write a power as `^2`",
+                    '²' | '³' => "write a power as `^2`, that of a unit in brackets: `5 [mm^2]`",
                     '≤' | '≥' => "write `<=` or `>=`",
                     '·' | '×' => "write a product as `*`",
                     '−' | '–' => "write a minus as `-`",
@@ -363,7 +364,8 @@ impl<'a> Lexer<'a> {
 
 /// Length of the word at the beginning, in bytes.
 fn word_length(text: &str) -> usize {
-    text.find(|c: char| !c.is_alphanumeric() && c != '_')
+    // Raised and lowered digits are numbers to Unicode and no part of a name to Rust.
+    text.find(|c: char| !c.is_alphabetic() && !c.is_ascii_digit() && c != '_')
         .unwrap_or(text.len())
 }
 

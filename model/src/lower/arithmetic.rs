@@ -73,6 +73,11 @@ impl Lowering<'_> {
     }
 
     pub(super) fn binary(&mut self, operator: BinaryOperator, left: &Term, right: &Term) -> Typed {
+        if operator == BinaryOperator::Multiply
+            && (self.hides_product(left) || self.hides_product(right))
+        {
+            return Typed::Wrong;
+        }
         if operator == BinaryOperator::Divide && self.is_ambiguous(left, right) {
             return Typed::Wrong;
         }
@@ -130,6 +135,35 @@ impl Lowering<'_> {
             Some(span) => report.related(span, "the quantity"),
             None => report,
         });
+        true
+    }
+
+    /// Reports `2m` in a product, where `m` is a quantity and may be meant.
+    fn hides_product(&mut self, number: &Term) -> bool {
+        let TermKind::Number {
+            value,
+            unit: Some(unit),
+        } = &number.kind
+        else {
+            return false;
+        };
+        let [(name, (1, 1))] = unit.factors.as_slice() else {
+            return false;
+        };
+        let Some(declared) = self.names.table.get(&name.text) else {
+            return false;
+        };
+        if unit.span != number.span {
+            return false;
+        }
+        let name = &name.text;
+        let message = format!("`{name}` is a quantity of the file here, and a unit as well");
+        let report = Diagnostic::error(number.span, message)
+            .related(declared.span, "the quantity")
+            .hint(format!(
+                "write `{value} {name}` for the unit, or `{value}*{name}` for the product"
+            ));
+        self.error(report);
         true
     }
 

@@ -108,6 +108,10 @@ impl Lowering<'_> {
             let known = own
                 .map(|(one, _)| one.as_str())
                 .chain(FUNCTIONS.iter().copied());
+            let report = match super::elsewhere(&name.text) {
+                Some(hint) => return self.error(report.hint(hint)),
+                None => report,
+            };
             return self.error(match nearest(&name.text, known) {
                 Some(near) => report.hint(format!("did you mean `{near}`?")),
                 None => report.hint("declare it with `let`, as in `let f(x) = …;`"),
@@ -160,6 +164,9 @@ impl Lowering<'_> {
                         (argument.span, kind),
                     ));
                 }
+            }
+            if let Function::Sin | Function::Cos | Function::Tan = function {
+                self.check_angle(argument, value);
             }
             values.push(value);
         }

@@ -195,6 +195,9 @@ impl Lowering<'_> {
         let dependent = occurs(&self.graph, &|symbol| {
             matches!(symbol, Symbol::Dependent(_))
         });
+        if dependent && self.loops_are_wrong {
+            return true;
+        }
         if dependent && self.slopes.is_none() {
             let message = "a closure binds positions, and this is a time derivative";
             self.error(Diagnostic::error(span, message));

@@ -7,6 +7,7 @@ mod call;
 mod derivative;
 mod literal;
 mod measure;
+mod turns;
 mod typed;
 mod vector;
 mod written;
@@ -40,6 +41,24 @@ const DEPTH: usize = 64;
 /// Most terms that the sums of a scene may come to.
 const SUMMANDS: usize = 100_000;
 
+/// How something is written here that other notations have under this name.
+fn elsewhere(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "log" => "write `ln(x)` for the natural logarithm, `log10(x)` for the decimal one",
+        "e" => "write `exp(x)` for a power of e",
+        "pow" => "write a power as `x^2`",
+        "arcsin" | "arccos" | "arctan" | "arctan2" => "write `asin`, `acos`, `atan` or `atan2`",
+        "sgn" | "signum" => "write `sign(x)`",
+        "fabs" => "write `abs(x)`",
+        "der" | "ddt" => "write `dot(x)`, or `ddot(x)` for the second derivative",
+        "cot" => "write `1/tan(x)`",
+        "sec" => "write `1/cos(x)`",
+        "t" => "the time is called `time`",
+        "PI" | "Pi" => "write `pi`",
+        _ => return None,
+    })
+}
+
 /// Dimension of a time.
 pub fn second() -> Dimension {
     Dimension::base(2)
@@ -66,6 +85,8 @@ pub struct Lowering<'a> {
     pub derived: Set<Expression>,
     /// How the dependent coordinates change, once the closures are read.
     pub slopes: Option<Slopes>,
+    /// Whether the loops cannot be closed, which has been reported.
+    pub loops_are_wrong: bool,
     /// What moves the drivers.
     pub moved: Moved,
     /// The first number with a length, mass or time in its unit in what has been lowered, abbreviations included.
@@ -103,6 +124,7 @@ impl<'a> Lowering<'a> {
             rates: Set::default(),
             derived: Set::default(),
             slopes: None,
+            loops_are_wrong: false,
             moved: Moved::InTime,
             literal: None,
             measured: Measuring::default(),
@@ -386,7 +408,9 @@ impl<'a> Lowering<'a> {
             .chain(QUANTITIES.iter().copied())
             .chain(locals);
         let of_part = name.contains('.');
-        if functions {
+        if let Some(hint) = elsewhere(name) {
+            report = report.hint(hint);
+        } else if functions {
             report = report.hint(format!(
                 "`{name}` is a function: give it its argument in parentheses"
             ));

@@ -184,6 +184,7 @@ impl Lowering<'_> {
             );
             return self.error(Diagnostic::error(argument.span, message));
         }
+        self.check_angle(argument, angle);
         let (sine, cosine) = (
             self.graph.call(Function::Sin, &[angle]),
             self.graph.call(Function::Cos, &[angle]),

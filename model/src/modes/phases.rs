@@ -17,8 +17,10 @@ pub struct Phase {
     pub summary: String,
     /// Where it is declared.
     pub span: Span,
-    /// The statements that hold.
+    /// The statements that hold: first those that hold in all modes.
     pub statements: Vec<Statement>,
+    /// How many of them hold in all modes; none in a scene that has no modes.
+    pub common: usize,
     /// Coordinates that only another mode has, with the name of that mode.
     pub absent: BTreeMap<String, String>,
 }
@@ -86,6 +88,7 @@ impl Phases {
                 name: mode.name.text.clone(),
                 summary: mode.summary.clone(),
                 span: mode.name.span,
+                common: common.len(),
                 statements: common.iter().chain(own.copied()).cloned().collect(),
                 absent: foreign
                     .map(|(name, owner)| (name.clone(), owner.to_string()))

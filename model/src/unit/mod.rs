@@ -122,12 +122,29 @@ fn hint(name: &str) -> Option<String> {
         "kilogram" => "kg",
         "meter" | "metre" => "m",
         "micron" | "microns" => "um",
+        _ if factors_in(name).is_some() => {
+            return factors_in(name).map(|factors| format!("write `[{factors}]`"));
+        }
         _ => {
             let near = nearest(name, table::UNITS.iter().map(|unit| unit.symbol))?;
             return Some(format!("did you mean `{near}`?"));
         }
     };
     Some(format!("write `{instead}`"))
+}
+
+/// The factors of a unit that is written in one word: `N m` of `Nm`, `mm^2` of `mm2`.
+fn factors_in(name: &str) -> Option<String> {
+    let base = name.trim_end_matches(|last: char| last.is_ascii_digit());
+    if base.len() < name.len() && is_unit(base) {
+        return Some(format!("{base}^{}", &name[base.len()..]));
+    }
+    let mut cuts = name
+        .char_indices()
+        .skip(1)
+        .map(|(cut, _)| name.split_at(cut));
+    let found = cuts.find(|(first, second)| is_unit(first) && is_unit(second));
+    found.map(|(first, second)| format!("{first} {second}"))
 }
 
 /// `kg m^2/s`, `1/(m^2 s^2)`, `m^(1/2)`.

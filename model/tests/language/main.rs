@@ -13,6 +13,7 @@ mod parts;
 mod programs;
 mod right;
 mod scenes;
+mod slips;
 mod wrong;
 
 use std::fmt::Write;

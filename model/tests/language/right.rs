@@ -82,7 +82,7 @@ fn expressions_have_their_values() {
         ("output y = 30 rpm/(1 [rad/s]);", std::f64::consts::PI),
         ("output y = 180 deg;", std::f64::consts::PI),
         ("output y = 0 + x;", 0.5),
-        ("parameter if_ = 3; output y = if_;", 3.0),
+        ("parameter if1 = 3; output y = if1;", 3.0),
     ] {
         check_output(statements, expected);
     }

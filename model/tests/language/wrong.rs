@@ -188,8 +188,8 @@ fn balance() {
             ("1 equation (`Lagrange's equation of y`) would have to determine 0 unknowns", "kinetic m*dot(x)^2/2;", ""),
             ("nothing determines `ddot(y)`", "y", "a coordinate without mass is a `state`"),
         ]),
-        ("state a: 1 = 0, b: 1 = 0; motion sum_: dot(a) + dot(b) = 1 [1/s];", &[(
-            "2 unknowns (`dot(a)`, `dot(b)`) have to be determined by 1 equation (`sum_`)",
+        ("state a: 1 = 0, b: 1 = 0; motion total: dot(a) + dot(b) = 1 [1/s];", &[(
+            "2 unknowns (`dot(a)`, `dot(b)`) have to be determined by 1 equation (`total`)",
             "a",
             "add a `motion` equation",
         )]),

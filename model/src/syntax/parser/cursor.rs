@@ -145,7 +145,30 @@ impl Parser<'_> {
     /// Reports the next token, which is not what is expected.
     pub(super) fn expected<T>(&mut self, what: &str) -> Read<T> {
         let message = format!("found {}, expected {what}", self.found());
-        self.wrong(message, None)
+        self.wrong(message, self.slip())
+    }
+
+    /// What stands here in other notations, and how it is written.
+    fn slip(&self) -> Option<&'static str> {
+        let kind_before = |count: usize| {
+            let place = self.cursor.at.checked_sub(count)?;
+            self.cursor.tokens.get(place).map(|token| token.kind)
+        };
+        let comma = Some(TokenKind::Punctuation {
+            character: ',',
+            joint: false,
+        });
+        let number = Some(TokenKind::Number);
+        let next = self.cursor.ahead(0)?;
+        match next.kind {
+            TokenKind::Other if next.text == "'" => {
+                Some("a derivative is `dot(x)`, a second one `ddot(x)`")
+            }
+            TokenKind::Number if kind_before(1) == comma && kind_before(2) == number => {
+                Some("a decimal number is written with a point: `1.5`")
+            }
+            _ => None,
+        }
     }
 
     /// Reports a mistake at the next token.

@@ -13,9 +13,9 @@ mod unit;
 
 use std::collections::BTreeSet;
 
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::syntax::tree::{File, Term, UnitTerm};
-use crate::token::Token;
+use crate::token::{Span, Token, TokenKind};
 use cursor::Cursor;
 
 /// Brackets, signs and branches may nest this deep.
@@ -29,9 +29,32 @@ type Read<T> = Result<T, Reported>;
 /// Reads the tokens of a mechanism, the first of which is counted as `first`. Reports every mistake; there is no tree
 /// when not even the name can be read.
 pub fn parse(tokens: &[Token], first: u32, diagnostics: &mut Diagnostics) -> Option<File> {
+    refuse_words(tokens, first, diagnostics);
     let mut parser = Parser::new(tokens, first, diagnostics);
     let file = parser.file().ok()?;
     Some(file)
+}
+
+/// Reports words that cannot be names in emitted Rust: those that Rust keeps in every spelling, and those with an
+/// underscore at an end, which mark what the printer adds.
+fn refuse_words(tokens: &[Token], first: u32, diagnostics: &mut Diagnostics) {
+    for (index, token) in tokens.iter().enumerate() {
+        let (word, span) = (&token.text, Span::token(first + index as u32));
+        let report = match word.as_str() {
+            _ if token.kind != TokenKind::Word => continue,
+            "self" | "Self" | "super" | "crate" => {
+                let message = format!("`{word}` cannot be a name, because Rust keeps it");
+                Diagnostic::error(span, message).hint("choose another name")
+            }
+            _ if word.starts_with('_') || word.ends_with('_') => {
+                let message = format!("`{word}` begins or ends with an underscore");
+                Diagnostic::error(span, message)
+                    .hint("such names are kept for what the compiler adds; choose another name")
+            }
+            _ => continue,
+        };
+        diagnostics.push(report);
+    }
 }
 
 /// Reads a unit without brackets, `N m/rad`, and nothing else.

@@ -9,7 +9,7 @@ use crate::syntax::tree::{Alternative, EnergyKind, File, Name, Statement, Statem
 use crate::token::Span;
 
 /// Words that begin a statement.
-const KEYWORDS: &[&str] = &[
+pub(super) const KEYWORDS: &[&str] = &[
     "dimension",
     "parameter",
     "preset",
@@ -202,7 +202,6 @@ impl Parser<'_> {
             () if operator("=") => {
                 Some("an equation of motion begins with `motion`, an abbreviation with `let`")
             }
-            () if operator("'") => Some("a derivative is `dot(x)` or `ddot(x)`"),
             () => None,
         }
     }

@@ -1,6 +1,7 @@
 //! Expressions, by precedence climbing.
 
 use super::cursor::within;
+use super::statement::KEYWORDS;
 use super::{DEPTH, Parser, Read};
 use crate::syntax::tree::{BinaryOperator, Name, Term, TermKind, UnaryOperator, UnitTerm};
 use crate::token::TokenKind;
@@ -48,6 +49,15 @@ impl Parser<'_> {
     fn binary(&mut self, least: u8) -> Read<Term> {
         let mut left = self.unary()?;
         for _ in 0..CHAIN {
+            if self.is_operator("+/") && self.is_operator_ahead(2, "-") {
+                return self.wrong(
+                    "a tolerance begins with `+-`",
+                    Some("write `75 mm +- 0.05 mm`"),
+                );
+            }
+            if self.is_operator("**") {
+                return self.wrong("a power is written with `^`", Some("write `x^2`"));
+            }
             // `+-` begins a tolerance, `->` says what follows an event.
             if self.is_operator("+-") || self.is_operator("->") {
                 return Ok(left);
@@ -133,7 +143,11 @@ impl Parser<'_> {
             return self.expected("an expression");
         };
         let kind = match token.kind {
-            TokenKind::Number => return self.number(),
+            TokenKind::Number => return self.number(""),
+            _ if self.is_operator(".") && !self.is_operator("..") && self.is_number_ahead(1) => {
+                self.advance();
+                return self.number("0.");
+            }
             TokenKind::Open('(') => {
                 self.advance();
                 let mut inner = self.term()?;
@@ -169,11 +183,20 @@ impl Parser<'_> {
         Ok(items)
     }
 
-    /// A number with its unit.
-    fn number(&mut self) -> Read<Term> {
-        let start = self.here();
+    fn is_number_ahead(&self, count: usize) -> bool {
+        let token = self.cursor.ahead(count);
+        token.is_some_and(|token| token.kind == TokenKind::Number)
+    }
+
+    /// A number with its unit; `before` is what is left out before its first digit.
+    fn number(&mut self, before: &str) -> Read<Term> {
+        let start = match before.is_empty() {
+            true => self.here(),
+            false => self.before(),
+        };
         let text = self.cursor.ahead(0).map_or("", |token| token.text.as_str());
-        let (digits, suffix) = split(text);
+        let text = format!("{before}{text}");
+        let (digits, suffix) = split(&text);
         let Ok(value) = digits.replace('_', "").parse::<f64>() else {
             return self.wrong(
                 format!("`{text}` is not a number"),
@@ -196,6 +219,17 @@ impl Parser<'_> {
             None if self.is_open_ahead(0, '[') => Some(self.bracketed_unit()?),
             None => self.following_unit(),
         };
+        let keyword = self
+            .cursor
+            .ahead(0)
+            .filter(|token| KEYWORDS.contains(&token.text.as_str()));
+        if let (true, Some(keyword)) = (unit.is_some(), keyword)
+            && keyword.text.len() > 2
+            && !NOT_UNITS.contains(&keyword.text.as_str())
+        {
+            let message = format!("a `;` is missing before `{}`", keyword.text);
+            return self.wrong(message, Some("a statement ends with `;`"));
+        }
         if unit.is_some() && self.is_any_word() && !NOT_UNITS.iter().any(|word| self.is_word(word))
         {
             return self.wrong(
