@@ -5,6 +5,7 @@ mod equation_files;
 mod events;
 mod linkages;
 mod modes;
+mod record;
 mod refusals;
 mod shipped;
 #[cfg(unix)]
