@@ -4,7 +4,7 @@
 //!
 //!     cargo run --example linkage
 
-use assur::closure::{Assembly, AtDeadPoint, Axis, ClosureError, strokes, sweep};
+use assur::closure::{Along, Assembly, AtDeadPoint, Axis, ClosureError, strokes, sweep};
 use std::f64::consts::{PI, TAU};
 
 assur::mechanism! {
@@ -37,7 +37,7 @@ fn main() -> Result<(), ClosureError> {
         println!("{crank:5.0}° {rocker:9.4}° {angle:9.4}°");
     }
 
-    let strokes = strokes(&four_bar, 0, (0.0, TAU))?;
+    let strokes = strokes(&four_bar, Along::Driver(0, (0.0, TAU)))?;
     let rocker = &strokes[THETA];
     println!("\n  limit positions         crank     rocker      exact");
     let Turn { crank, rod, .. } = four_bar;

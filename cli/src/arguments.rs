@@ -100,8 +100,9 @@ Of a linkage there are besides (and no settings, multipliers, conclusions):
   drivers      each: name, unit, from, to, start
   task         kind may be sweep, over: names of the drivers
   status       may be \"stopped\"; stopped then lists place and reason, and the exit code is 1
-  results      each: name, unit, minimum and maximum, with value and at (drivers), stroke,
-               limit_positions (kind, value, at; of outputs over a single driver)
+  results      each: name, unit, minimum and maximum, with value, unbounded and at (drivers),
+               stroke, limit_positions (kind, value, at; over a task with one axis),
+               breaks (kind: jump, pole or end; before, after, at)
   positions    at round positions: drivers, time if it runs, results (null: not reached)
   transmission each: loops, unknowns, kind, smallest_angle, unit, at
   reach        each: driver, unit, turns, low and high (at, dead_point)

@@ -72,7 +72,7 @@ pub fn limits(report: &Report) -> String {
             title(name, ""),
             unit.to_owned(),
             what.to_owned(),
-            cell(value),
+            bounded(value),
         ];
         text += &(start.into_iter().chain(at).collect::<Vec<_>>().join(",") + "\n");
     };
@@ -83,12 +83,27 @@ pub fn limits(report: &Report) -> String {
         row(named, "maximum", variable.in_unit(high.value), at(high));
         let stroke = variable.in_unit(high.value - low.value);
         row(named, "stroke", stroke, empty());
-        let stroke = reach::stroke(report.strokes.as_ref(), variable);
-        let turns = stroke.map(|stroke| reach::turns(case, stroke));
-        for turn in turns.unwrap_or_default() {
-            let what = if turn.is_largest { "highest" } else { "lowest" };
+        let Some(stroke) = reach::stroke(case, report.strokes.as_ref(), variable) else {
+            continue;
+        };
+        for turn in reach::turns(case, stroke) {
             let value = variable.in_unit(turn.place.value);
-            row(named, what, value, at(&turn.place));
+            row(named, turn.kind(), value, at(&turn.place));
+        }
+        for gap in reach::gaps(case, stroke) {
+            let [before, after] = [gap.place.value, gap.after].map(|one| variable.in_unit(one));
+            row(
+                named,
+                &format!("before {}", gap.kind()),
+                before,
+                at(&gap.place),
+            );
+            row(
+                named,
+                &format!("after {}", gap.kind()),
+                after,
+                at(&gap.place),
+            );
         }
     }
     for reach in &report.reach {
@@ -105,6 +120,14 @@ pub fn limits(report: &Report) -> String {
         }
     }
     text
+}
+
+/// A number, `inf` or `-inf` beyond all bounds.
+fn bounded(value: f64) -> String {
+    match value.is_infinite() {
+        true => value.to_string(),
+        false => cell(value),
+    }
 }
 
 fn row(report: &Report, time: Option<f64>, place: &[f64], sample: Option<&Sample>) -> String {

@@ -7,7 +7,7 @@
 //! | `task` | `kind` (`sweep`, `periodic`, `run` or `open`); of a sweep `over`, the names of its drivers, else `from`, `to`, `unit` of the time |
 //! | `status` | `"complete"`; `"stopped"` when positions of the task are not reached (`stopped` says why, the exit code is 1); or `"incomplete"` when a value below is null because it is not a finite number |
 //! | `stopped` | each `place`, `reason` |
-//! | `results` | each `name`, `unit`, and `minimum` and `maximum` over the task, each with `value` and `at` (`drivers`; `time` if it runs), `stroke`, and `limit_positions` where it turns round inside the range of a single driver (each `kind`, `value`, `at`; null where they are not sought) |
+//! | `results` | each `name`, `unit`, and `minimum` and `maximum` over the task, each with `value` and `at` (`drivers`; `time` if it runs; `unbounded` beside a null `value` at a pole), `stroke`, `limit_positions` where it turns round inside a task with one axis (each `kind`, `value`, `at`; null over a grid), and `breaks` (each `kind`: `jump`, `pole` or `end` of what has a value, `before`, `after`, `at`; `"inf"` or `"-inf"` beyond all bounds) |
 //! | `positions` | at round positions, each `drivers` (`name`, `unit`, `value`), `time` if it runs, `results` (`name`, `unit`, `value`; null where the linkage does not get) |
 //! | `transmission` | for each group that has one `loops`, `unknowns`, `kind`, `smallest_angle`, `unit`, `at` |
 //! | `reach` | how far each driver goes in this assembly mode: `driver`, `unit`, `turns` (all round), `low` and `high` (`at`, `dead_point`: the loops, or null), or `reason` |
@@ -161,7 +161,11 @@ fn limits(report: &Report) -> Value {
     let variables = case.variables.iter().zip(&report.limits);
     let one = variables.map(|(variable, limits)| {
         let end = |extreme: Option<&Extreme>| match extreme {
-            Some(one) => json!({ "value": variable.in_unit(one.value), "at": at(case, one) }),
+            Some(one) => json!({
+                "value": variable.in_unit(one.value),
+                "unbounded": one.value.is_infinite(),
+                "at": at(case, one),
+            }),
             None => Value::Null,
         };
         json!({
@@ -171,25 +175,48 @@ fn limits(report: &Report) -> Value {
             "maximum": end(limits.as_ref().map(|limits| &limits.1)),
             "stroke": limits.as_ref().map(|(low, high)| variable.in_unit(high.value - low.value)),
             "limit_positions": turns(report, variable),
+            "breaks": breaks(report, variable),
         })
     });
     one.collect()
 }
 
-/// Where a variable turns round, null unless it is an output over a single driver.
+/// Where a variable turns round, null unless the task has one axis.
 fn turns(report: &Report, variable: &Variable) -> Value {
     let case = &report.case;
-    let Some(stroke) = reach::stroke(report.strokes.as_ref(), variable) else {
+    let Some(stroke) = reach::stroke(case, report.strokes.as_ref(), variable) else {
         return Value::Null;
     };
     let turns = reach::turns(case, stroke).into_iter().map(|turn| {
         json!({
-            "kind": if turn.is_largest { "highest" } else { "lowest" },
+            "kind": turn.kind(),
             "value": variable.in_unit(turn.place.value),
             "at": at(case, &turn.place),
         })
     });
     turns.collect()
+}
+
+/// Where a variable jumps, goes beyond all bounds or has no value, null unless the task has one axis.
+fn breaks(report: &Report, variable: &Variable) -> Value {
+    let case = &report.case;
+    let Some(stroke) = reach::stroke(case, report.strokes.as_ref(), variable) else {
+        return Value::Null;
+    };
+    let side = |value: f64| match value {
+        f64::INFINITY => json!("inf"),
+        f64::NEG_INFINITY => json!("-inf"),
+        value => json!(variable.in_unit(value)),
+    };
+    let gaps = reach::gaps(case, stroke).into_iter().map(|gap| {
+        json!({
+            "kind": gap.kind(),
+            "before": side(gap.place.value),
+            "after": side(gap.after),
+            "at": at(case, &gap.place),
+        })
+    });
+    gaps.collect()
 }
 
 fn reaches(report: &Report) -> Value {

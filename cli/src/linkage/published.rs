@@ -1,12 +1,13 @@
 //! Published values of a linkage beside the computed ones.
 
+use assur::closure::Stroke;
 use assur::registry::{At, Expectation, Mechanism, Sample, Subject};
 
 use super::case::{Case, Task, amount};
 use super::influence;
 use super::line::{Grid, Line};
 use super::place::time_of;
-use super::search::{Extreme, largest, smallest};
+use super::reach;
 use crate::constants::{Constants, find_preset};
 use crate::error::Failure;
 use crate::number;
@@ -21,9 +22,10 @@ pub fn compare(
     mechanism: &'static Mechanism,
     case: &Case,
     lines: &[Line],
+    strokes: Option<&Vec<Stroke>>,
 ) -> Result<Vec<Comparison>, Failure> {
     let changed = case.constants.changed();
-    let mut others: Vec<(Case, Vec<Line>)> = Vec::new();
+    let mut others: Vec<(Case, Vec<Line>, Option<Vec<Stroke>>)> = Vec::new();
     let mut list = Vec::new();
     for fact in case.scene.expectations {
         let preset = match fact.preset {
@@ -32,25 +34,27 @@ pub fn compare(
         };
         let own = preset == case.constants.preset;
         if own || changed {
-            list.extend(one(fact, case, lines, own && !changed));
+            list.extend(one(fact, case, (lines, strokes), own && !changed));
             continue;
         }
         if others
             .iter()
-            .all(|(other, _)| other.constants.preset != preset)
+            .all(|(other, ..)| other.constants.preset != preset)
         {
             let mut constants = Constants::declared(case.scene);
             constants.apply(find_preset(mechanism, preset)?);
             let other = Case::new(constants)?;
             // What does not close has no value, which the comparison shows.
             let lines = other.grid(&Grid::fine(&other)).unwrap_or_default();
-            others.push((other, lines));
+            let strokes = reach::strokes(&other);
+            others.push((other, lines, strokes));
         }
         let found = others
             .iter()
-            .find(|(other, _)| other.constants.preset == preset);
-        if let Some((other, lines)) = found {
-            list.extend(one(fact, other, lines, true).map(|compared| Comparison {
+            .find(|(other, ..)| other.constants.preset == preset);
+        if let Some((other, lines, strokes)) = found {
+            let known = (&lines[..], strokes.as_ref());
+            list.extend(one(fact, other, known, true).map(|compared| Comparison {
                 place: format!("{}, preset {preset}", compared.place),
                 ..compared
             }));
@@ -62,7 +66,7 @@ pub fn compare(
 fn one(
     fact: &'static Expectation,
     case: &Case,
-    lines: &[Line],
+    (lines, strokes): (&[Line], Option<&Vec<Stroke>>),
     comparable: bool,
 ) -> Option<Comparison> {
     let quantity = case.scene.quantity(fact.subject)?;
@@ -79,13 +83,17 @@ fn one(
         }
         _ => case.at(place).map_or(f64::NAN, |sample| value(&sample)),
     };
-    let of = |extreme: Option<Extreme>| extreme.map_or(f64::NAN, |extreme| extreme.value);
-    let low = || of(smallest(case, lines, value));
-    let high = || of(largest(case, lines, value));
+    let limits = || match reach::extremes(case, lines, strokes, variable) {
+        Some((low, high)) => (low.value, high.value),
+        None => (f64::NAN, f64::NAN),
+    };
     let (place, time, computed) = match fact.at {
-        At::Maximum => ("maximum".to_owned(), None, high()),
-        At::Minimum => ("minimum".to_owned(), None, low()),
-        At::Amplitude => ("amplitude".to_owned(), None, low().abs().max(high().abs())),
+        At::Maximum => ("maximum".to_owned(), None, limits().1),
+        At::Minimum => ("minimum".to_owned(), None, limits().0),
+        At::Amplitude => {
+            let (low, high) = limits();
+            ("amplitude".to_owned(), None, low.abs().max(high.abs()))
+        }
         At::Run => return None,
         At::Position(positions) => {
             let mut place = case.standing();

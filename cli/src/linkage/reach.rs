@@ -4,18 +4,17 @@
 
 use std::f64::consts::TAU;
 
-use assur::closure::{Extreme as Limit, Range, Stretch, Stroke};
-use assur::problem::Span;
+use assur::closure::{Along, Break, Extreme as Place, Stretch, Stroke};
+use assur::registry::Sample;
 
 use super::case::{Case, Task};
-use super::search::Extreme;
+use super::line::Line;
+use super::search::{Extreme, largest, smallest};
 use super::wording::{Names, Told, tell};
 use crate::variables::{Origin, Variable};
 
 /// A driver that does not turn is followed so many widths of its range beyond its ends.
 const BEYOND: f64 = 10.0;
-/// At so many times it is looked whether a driver moves back.
-const LOOKS: usize = 360;
 
 /// How far a driver goes, the others standing where they start.
 pub struct Reach {
@@ -31,8 +30,38 @@ pub struct Reach {
 pub struct Turn {
     /// Where it is, and the output there.
     pub place: Extreme,
-    /// Whether the output is largest there among its neighbours.
-    pub is_largest: bool,
+    /// Whether the output is larger there than beside it.
+    pub is_highest: bool,
+}
+
+impl Turn {
+    /// What it is in a word.
+    pub fn kind(&self) -> &'static str {
+        if self.is_highest { "highest" } else { "lowest" }
+    }
+}
+
+/// A place where an output jumps, goes beyond all bounds, or has no value.
+pub struct Gap {
+    /// Where it is. The value is what the output tends to below.
+    pub place: Extreme,
+    /// What the output tends to above.
+    pub after: f64,
+}
+
+impl Gap {
+    /// What it is in a word.
+    pub fn kind(&self) -> &'static str {
+        let sides = [self.place.value, self.after];
+        match (
+            sides.iter().any(|side| side.is_infinite()),
+            sides.iter().any(|side| side.is_nan()),
+        ) {
+            (true, _) => "pole",
+            (false, true) => "end",
+            (false, false) => "jump",
+        }
+    }
 }
 
 /// How far each driver goes that has a start position.
@@ -71,126 +100,122 @@ fn of_driver(case: &Case, driver: usize) -> Reach {
     }
 }
 
-/// A driver that moves alone, and never back.
-#[derive(Clone, Copy)]
-pub struct Single {
-    /// Its index.
-    pub driver: usize,
-    /// Where it begins.
-    from: f64,
-    /// Where it ends.
-    to: f64,
-}
-
-impl Single {
-    /// The only driver that is swept, or that moves in time.
-    pub fn of(case: &Case) -> Option<Self> {
-        match &case.task {
-            Task::Sweep(drivers) if drivers.len() == 1 => {
-                let driver = *drivers.first()?;
-                let Range { from, to, .. } = case.ranges[driver];
-                Some(Self { driver, from, to })
-            }
-            Task::Time(span) if case.drivers.len() == 1 => {
-                let (first, last) = span.limits();
-                let time = |part: usize| first + (last - first) * part as f64 / LOOKS as f64;
-                let position = |part| case.place(&[time(part)]).first().copied();
-                let positions = (0..=LOOKS).map(position).collect::<Option<Vec<_>>>()?;
-                let (from, to) = (*positions.first()?, *positions.last()?);
-                let advances = |pair: &[f64]| (pair[1] - pair[0]) * (to - from) > 0.0;
-                let is_single = positions.windows(2).all(advances);
-                is_single.then_some(Self {
-                    driver: 0,
-                    from,
-                    to,
-                })
-            }
-            _ => None,
-        }
-    }
-
-    fn width(self) -> f64 {
-        (self.to - self.from).abs()
-    }
-
-    /// An extreme as one of the task.
-    fn place(self, case: &Case, found: Limit) -> Extreme {
-        let at = settled(found.at, self.width());
-        let mut independents = case.standing();
-        independents[self.driver] = at;
-        let station = match &case.task {
-            Task::Time(span) => {
-                let (from, to) = span.limits();
-                let position = |time: f64| case.place(&[time])[self.driver];
-                let time = Span::Run(from, to).time_of(position, at);
-                time.unwrap_or(f64::NAN)
-            }
-            _ => at,
-        };
-        Extreme {
-            station: vec![station],
-            independents,
-            value: found.value,
-        }
-    }
-}
-
-/// The strokes of the outputs over a driver that moves alone; none otherwise. Outputs that depend on how it moves have
-/// none.
+/// The strokes over a task with one axis, of the outputs and behind them of the dependent coordinates. None over a grid, and
+/// where the linkage does not get through the task in time.
 pub fn strokes(case: &Case) -> Option<Vec<Stroke>> {
-    let Single { driver, from, to } = Single::of(case)?;
-    let bounds = (from.min(to), from.max(to));
-    case.run().strokes(driver, bounds).ok()
+    case.run().strokes(along(case)?).ok()
 }
 
-/// The stroke of a variable, if it is an output whose stroke is known.
-pub fn stroke<'a>(strokes: Option<&'a Vec<Stroke>>, variable: &Variable) -> Option<&'a Stroke> {
-    let Origin::Output(index) = variable.origin else {
-        return None;
+/// What moves the linkage through a task with one axis.
+fn along(case: &Case) -> Option<Along> {
+    match (&case.task, &case.axes()[..]) {
+        (Task::Time(_), [axis]) => Some(Along::Time(axis.from, axis.to)),
+        (Task::Sweep(drivers), [axis]) => {
+            let bounds = (axis.from.min(axis.to), axis.from.max(axis.to));
+            Some(Along::Driver(*drivers.first()?, bounds))
+        }
+        _ => None,
+    }
+}
+
+/// The stroke of a variable.
+pub fn stroke<'a>(
+    case: &Case,
+    strokes: Option<&'a Vec<Stroke>>,
+    variable: &Variable,
+) -> Option<&'a Stroke> {
+    let index = match variable.origin {
+        Origin::Output(index) => index,
+        Origin::State(index) => case.scene.outputs.len() + index,
+        Origin::Rate(_) => return None,
     };
     let stroke = strokes?.get(index)?;
-    (stroke.length() > 0.0).then_some(stroke)
+    (!stroke.length().is_nan()).then_some(stroke)
 }
 
-/// The ends of a stroke as extremes of the task.
-pub fn extremes(case: &Case, stroke: &Stroke) -> Option<(Extreme, Extreme)> {
-    let single = Single::of(case)?;
-    let [least, greatest] = [stroke.least, stroke.greatest].map(|one| single.place(case, one));
-    Some((least, greatest))
+/// The smallest and the largest value of a variable over the task: exact where there is one axis, else the best of the
+/// positions of the lines, refined.
+pub fn extremes(
+    case: &Case,
+    lines: &[Line],
+    strokes: Option<&Vec<Stroke>>,
+    index: usize,
+) -> Option<(Extreme, Extreme)> {
+    if let Some(stroke) = stroke(case, strokes, &case.variables[index]) {
+        return Some((place(case, stroke.least), place(case, stroke.greatest)));
+    }
+    let value = |sample: &Sample| case.values(sample)[index];
+    Some((smallest(case, lines, value)?, largest(case, lines, value)?))
+}
+
+/// Where a sweep of a single driver ends at a dead point of a group, its sine zero.
+pub fn dead_end(case: &Case, group: usize) -> Option<Extreme> {
+    let Along::Driver(driver, bounds) = along(case)? else {
+        return None;
+    };
+    let found = case.run().stretch(driver, bounds).ok()?;
+    let end = [found.low, found.high]
+        .into_iter()
+        .find(|end| end.dead == Some(group))?;
+    Some(place(
+        case,
+        Place {
+            at: end.at,
+            value: 0.0,
+        },
+    ))
+}
+
+/// A place of a stroke as one of the task.
+fn place(case: &Case, found: Place) -> Extreme {
+    let width = case.axes().first().map_or(0.0, |axis| axis.to - axis.from);
+    let station = vec![settled(found.at, width.abs())];
+    let mut independents = case.place(&station);
+    independents.truncate(case.drivers.len());
+    Extreme {
+        station,
+        independents,
+        value: found.value,
+    }
 }
 
 /// Beside the stroke, and beside the range of the driver, this part of them is rounding.
 const NOISE: f64 = 1e-12;
 
-/// The limit positions inside the range of the driver that moves alone, in the order of its positions.
+/// The limit positions inside the task, in their order.
 pub fn turns(case: &Case, stroke: &Stroke) -> Vec<Turn> {
-    let Some(single) = Single::of(case) else {
-        return Vec::new();
-    };
-    let turn = |(one, is_largest): (&Limit, bool)| {
-        let value = settled(one.value, stroke.length());
-        let place = single.place(case, Limit { value, ..*one });
-        Turn { place, is_largest }
-    };
-    stroke
-        .limits
-        .iter()
-        .zip(are_largest(stroke))
-        .map(turn)
-        .collect()
+    let length = Some(stroke.length()).filter(|length| length.is_finite());
+    let turns = stroke.limits.iter().map(|limit| {
+        let value = settled(limit.place.value, length.unwrap_or(0.0));
+        Turn {
+            place: place(
+                case,
+                Place {
+                    value,
+                    ..limit.place
+                },
+            ),
+            is_highest: limit.is_highest,
+        }
+    });
+    turns.collect()
 }
 
-/// Which limit positions are largest among their neighbours: largest and smallest ones take turns.
-fn are_largest(stroke: &Stroke) -> Vec<bool> {
-    let limits = &stroke.limits;
-    let is_largest = |(index, one): (usize, &Limit)| {
-        let neighbour = index.checked_sub(1).unwrap_or(index + 1);
-        match limits.get(neighbour) {
-            Some(other) => one.value > other.value,
-            None => one.value == stroke.greatest.value,
+/// Where an output jumps, goes beyond all bounds or has no value, in the order of the task.
+pub fn gaps(case: &Case, stroke: &Stroke) -> Vec<Gap> {
+    let length = Some(stroke.length()).filter(|length| length.is_finite());
+    let value = |value: f64| settled(value, length.unwrap_or(0.0));
+    let gap = |found: &Break| {
+        let below = Place {
+            at: found.at,
+            value: value(found.before),
+        };
+        Gap {
+            place: place(case, below),
+            after: value(found.after),
         }
     };
-    limits.iter().enumerate().map(is_largest).collect()
+    stroke.breaks.iter().map(gap).collect()
 }
 
 /// A value, zero if it is rounding beside a size.
@@ -198,31 +223,5 @@ pub fn settled(value: f64, size: f64) -> f64 {
     match value.abs() <= NOISE * size {
         true => 0.0,
         false => value,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn found(at: f64, value: f64) -> Limit {
-        Limit { at, value }
-    }
-
-    #[track_caller]
-    fn check(limits: Vec<Limit>, expected: &[bool]) {
-        let stroke = Stroke {
-            least: found(2.0, -1.0),
-            greatest: found(0.0, 3.0),
-            limits,
-        };
-        assert_eq!(are_largest(&stroke), expected);
-    }
-
-    #[test]
-    fn limit_positions_take_turns() {
-        let all = [found(1.0, 2.0), found(2.0, -1.0), found(3.0, 0.5)];
-        check(all.to_vec(), &[true, false, true]);
-        check(all[1..2].to_vec(), &[false]);
     }
 }

@@ -13,7 +13,7 @@ use super::line::{Grid, Line};
 use super::place::Place;
 use super::published;
 use super::reach::{self, Reach};
-use super::search::{Extreme, largest, smallest};
+use super::search::{Extreme, smallest};
 use super::wording::{Names, Told, event, tell};
 use crate::error::Failure;
 use crate::published::Comparison;
@@ -32,7 +32,7 @@ pub struct Report {
     pub limits: Vec<Option<(Extreme, Extreme)>>,
     /// How far each driver goes in this assembly mode.
     pub reach: Vec<Reach>,
-    /// Strokes of the outputs over the task, where a single driver moves and never back.
+    /// Strokes over the task where it has one axis, see [`reach::strokes`].
     pub strokes: Option<Vec<Stroke>>,
     /// Where each group transmits worst, its sine being smallest.
     pub transmissions: Vec<(usize, Extreme)>,
@@ -125,23 +125,16 @@ pub fn collect(
         .into_iter()
         .map(|place| snapshot(&case, place))
         .collect::<Result<_, _>>()?;
-    let of = |index: usize| move |sample: &Sample, case: &Case| case.values(sample)[index];
     let strokes = reach::strokes(&case);
-    let limits = (0..case.variables.len()).map(|index| {
-        // A limit position is known better than the best of many positions.
-        if let Some(stroke) = reach::stroke(strokes.as_ref(), &case.variables[index]) {
-            return reach::extremes(&case, stroke);
-        }
-        let of = of(index);
-        let low = smallest(&case, &lines, |sample| of(sample, &case))?;
-        Some((low, largest(&case, &lines, |sample| of(sample, &case))?))
-    });
+    let variables = 0..case.variables.len();
+    let limits = variables.map(|index| reach::extremes(&case, &lines, strokes.as_ref(), index));
     let limits = limits.collect();
     let transmissions = (0..case.entry.groups.len())
         .filter(|&index| group::transmits(&case.entry.groups[index]))
         .filter_map(|index| {
-            let worst = smallest(&case, &lines, |sample| sample.sines[index].abs())?;
-            Some((index, worst))
+            let dead = strokes.as_ref().and_then(|_| reach::dead_end(&case, index));
+            let worst = || smallest(&case, &lines, |sample| sample.sines[index].abs());
+            Some((index, dead.or_else(worst)?))
         });
     let transmissions = transmissions.collect();
     let mut met: Vec<_> = lines
@@ -160,7 +153,7 @@ pub fn collect(
             stops.push(told);
         }
     }
-    let published = published::compare(mechanism, &case, &lines)?;
+    let published = published::compare(mechanism, &case, &lines, strokes.as_ref())?;
     let reach = reach::of(&case);
     let cost = Cost {
         positions: lines.iter().map(|line| line.stations.len()).sum(),

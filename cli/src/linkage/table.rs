@@ -145,7 +145,7 @@ fn decimals(report: &Report) -> Vec<Option<usize>> {
         let ends = limits
             .as_ref()
             .map(|(low, high)| low.value.abs().max(high.value.abs()));
-        ends.unwrap_or(0.0)
+        ends.filter(|most| most.is_finite()).unwrap_or(0.0)
     };
     let variables = &report.case.variables;
     let of = |(variable, limits): (&Variable, &Option<(Extreme, Extreme)>)| {

@@ -1,5 +1,6 @@
 //! What the command says about linkages.
 
+use std::f64::consts::TAU;
 use std::path::Path;
 
 use serde_json::Value;
@@ -86,6 +87,7 @@ fn json_has_its_documented_fields() {
         "task",
         "status",
         "stopped",
+        "note",
         "results",
         "positions",
         "transmission",
@@ -336,7 +338,14 @@ fn a_timed_run_knows_limit_positions_as_a_sweep_does() {
     let run = |scene| json(&["run", "selvedge_linkage", "--scene", scene], &directory);
     let (timed, swept) = (run("turning"), run("crank"));
     for name in ["chi", "gamma2", "mu"] {
-        assert_eq!(turns(&timed, name), turns(&swept, name), "{name}");
+        let pairs: Vec<_> = turns(&timed, name)
+            .into_iter()
+            .zip(turns(&swept, name))
+            .collect();
+        assert!(pairs.len() >= 2, "{name}");
+        for (one, other) in pairs {
+            assert!((one - other).abs() < 1e-12 * 360.0, "{name}: {one} {other}");
+        }
     }
     // Crank and rod in line.
     let stretched = (115f64.powi(2) + 100f64.powi(2) - 60f64.powi(2)) / (2.0 * 115.0 * 100.0);
@@ -344,9 +353,54 @@ fn a_timed_run_knows_limit_positions_as_a_sweep_does() {
     let highest = &named(&timed["results"], "chi")["maximum"]["at"];
     check_near(&highest["drivers"][0]["value"], expected, 1e-10);
     check_near(&highest["time"], 0.1 * expected / 360.0, 1e-14);
-    // How fast the lever turns depends on the drive: that is not sought.
-    let fast = named(&timed["results"], "dot(chi)");
-    assert_eq!(fast["limit_positions"], Value::Null);
+    // How fast the lever turns follows from the drive: at 600 rpm by the speed times the ratio.
+    let speed = 600.0 * TAU / 60.0;
+    let (fast, ratio) = (
+        named(&timed["results"], "dot(chi)"),
+        named(&swept["results"], "ratio"),
+    );
+    for end in ["minimum", "maximum"] {
+        let expected = ratio[end]["value"].as_f64().expect("a number") * speed;
+        check_near(&fast[end]["value"], expected, 1e-11 * speed);
+    }
+}
+
+#[test]
+fn an_extreme_that_decides_has_its_own_kind_beside_a_pole() {
+    // The least convex pitch radius, which decides about undercut, lies between poles and rests.
+    let object = json(
+        &["run", "selvedge_linkage", "--scene", "cam"],
+        &folder("linkage_pole"),
+    );
+    let radius = named(&object["results"], "pitch_radius");
+    let turns = radius["limit_positions"].as_array().expect("a list");
+    let convex = turns
+        .iter()
+        .filter(|turn| turn["value"].as_f64() > Some(0.0));
+    let least = convex.min_by(|a, b| {
+        let value = |one: &Value| one["value"].as_f64().unwrap_or(f64::NAN);
+        value(a).total_cmp(&value(b))
+    });
+    let least = least.expect("a turn");
+    assert_eq!(least["kind"], "lowest");
+    check_near(&least["value"], 28.192_205_69, 1e-8);
+    // Where the profile is straight the radius is infinite: that is said, and where.
+    for (end, expected) in [("minimum", Value::Null), ("maximum", Value::Null)] {
+        assert_eq!(radius[end]["value"], expected);
+        assert_eq!(radius[end]["unbounded"], true);
+        check_near(
+            &radius[end]["at"]["drivers"][0]["value"],
+            240.246_480_6,
+            1e-7,
+        );
+    }
+    let breaks = radius["breaks"].as_array().expect("a list");
+    let kinds: Vec<_> = breaks
+        .iter()
+        .map(|one| (&one["before"], &one["after"]))
+        .collect();
+    let (up, down) = (Value::from("inf"), Value::from("-inf"));
+    assert_eq!(kinds, [(&up, &down), (&down, &up)]);
 }
 
 #[test]

@@ -1,13 +1,9 @@
 //! Published facts of a linkage.
 
 use super::Failed;
+use crate::closure::{Along, Stroke};
 use crate::problem::Span;
 use crate::registry::{At, Expectation, RunLinkage, Sample, SceneEntry, Subject};
-
-/// Samples over a range when an extreme is sought.
-const SAMPLES: usize = 400;
-/// How often the neighbourhood of the largest is looked at more closely.
-const ROUNDS: usize = 5;
 
 /// The computed value of what a fact speaks of.
 pub(super) fn value(
@@ -16,9 +12,12 @@ pub(super) fn value(
     fact: &Expectation,
 ) -> Result<f64, Failed> {
     match fact.at {
-        At::Maximum => largest(run, fact, |value| value),
-        At::Minimum => largest(run, fact, |value| -value).map(|value| -value),
-        At::Amplitude => largest(run, fact, f64::abs),
+        At::Maximum => Ok(stroke(scene, run, fact)?.greatest.value),
+        At::Minimum => Ok(stroke(scene, run, fact)?.least.value),
+        At::Amplitude => {
+            let found = stroke(scene, run, fact)?;
+            Ok(found.least.value.abs().max(found.greatest.value.abs()))
+        }
         At::Position(positions) => {
             let mut place: Vec<f64> = run.ranges().iter().map(|range| range.start).collect();
             for (driver, position) in positions {
@@ -80,41 +79,22 @@ fn along(
     values.ok_or_else(|| nowhere(fact))
 }
 
-/// The largest of what is made of a value over the range of the first driver, or over the time of the task.
-fn largest(
-    run: &dyn RunLinkage,
-    fact: &Expectation,
-    size: impl Fn(f64) -> f64,
-) -> Result<f64, Failed> {
-    let (mut from, mut to) = match (run.span(), run.ranges().first()) {
-        (Span::Open, Some(range)) => (range.from, range.to),
-        (span, _) => span.limits(),
-    };
-    let place = |share: f64| {
-        if let Some(place) = run.drive(share) {
-            return place;
+/// The stroke of a value over the range of the first driver, or over the time of the task.
+fn stroke(scene: &SceneEntry, run: &dyn RunLinkage, fact: &Expectation) -> Result<Stroke, Failed> {
+    let task = match (run.span(), run.ranges().first()) {
+        (Span::Open, Some(range)) => {
+            Along::Driver(0, (range.from.min(range.to), range.from.max(range.to)))
         }
-        let mut place: Vec<f64> = run.ranges().iter().map(|range| range.start).collect();
-        place[0] = share;
-        place
+        (span, _) => {
+            let (from, to) = span.limits();
+            Along::Time(from, to)
+        }
     };
-    let mut best = f64::NEG_INFINITY;
-    for _ in 0..ROUNDS {
-        let share = |index: usize| from + (to - from) * index as f64 / SAMPLES as f64;
-        let shares: Vec<f64> = (0..=SAMPLES).map(share).collect();
-        let places: Vec<Vec<f64>> = shares.iter().map(|share| place(*share)).collect();
-        let values = along(run, fact, &places)?;
-        let sizes = values.into_iter().map(&size).enumerate();
-        let (index, value) = sizes.fold((0, f64::NEG_INFINITY), |best, one| match one.1 > best.1 {
-            true => one,
-            false => best,
-        });
-        best = best.max(value);
-        // Between its neighbours the largest sample is beside one hill.
-        (from, to) = (
-            shares[index.saturating_sub(1)],
-            shares[(index + 1).min(SAMPLES)],
-        );
-    }
-    Ok(best)
+    let index = match fact.subject {
+        Subject::Output(index) => index,
+        Subject::State(index) => scene.outputs.len() + index,
+        Subject::Influence(..) | Subject::Measure(_) => return Err(nowhere(fact)),
+    };
+    let strokes = run.strokes(task).map_err(|error| failed(&error))?;
+    strokes.into_iter().nth(index).ok_or_else(|| nowhere(fact))
 }

@@ -22,6 +22,20 @@ pub struct End {
     pub dead: Option<usize>,
     /// The outputs there.
     pub outputs: Vec<f64>,
+    /// The dependent coordinates there.
+    pub dependents: Vec<f64>,
+}
+
+impl End {
+    /// An output, or behind all of them a dependent coordinate.
+    pub(super) fn value(&self, channel: usize) -> f64 {
+        let behind = |index| self.dependents.get(index).copied();
+        let value = match channel.checked_sub(self.outputs.len()) {
+            Some(index) => behind(index),
+            None => self.outputs.get(channel).copied(),
+        };
+        value.unwrap_or(f64::NAN)
+    }
 }
 
 /// Finds how far one independent variable can go within bounds.
@@ -51,33 +65,26 @@ fn end<L: Linkage>(linkage: &L, variable: usize, bound: f64) -> Result<End, Clos
     assembly.start()?;
     let mut place = assembly.independents().to_vec();
     place[variable] = bound;
-    let mut outputs = vec![0.0; L::OUTPUTS];
-    if Assembly::<L, f64>::LOOSE {
-        assembly.travel(&place)?;
-        assembly.outputs(&mut outputs);
-        return Ok(End {
-            at: bound,
-            dead: None,
-            outputs,
-        });
-    }
     match assembly.travel(&place) {
         Ok(()) => {
+            let mut outputs = vec![0.0; L::OUTPUTS];
             assembly.outputs(&mut outputs);
             Ok(End {
                 at: bound,
                 dead: None,
                 outputs,
+                dependents: assembly.coordinates(),
             })
         }
         Err(ClosureError::DeadPoint {
             group, at, wanted, ..
         }) => {
-            assembly.outputs_at_dead_point(&wanted, &mut outputs);
+            let (outputs, dependents) = assembly.at_dead_point(&wanted);
             Ok(End {
                 at: at[variable],
                 dead: Some(group),
                 outputs,
+                dependents,
             })
         }
         Err(error) => Err(error),
@@ -85,11 +92,11 @@ fn end<L: Linkage>(linkage: &L, variable: usize, bound: f64) -> Result<End, Clos
 }
 
 impl<L: Linkage> Assembly<L, f64> {
-    /// Writes the outputs at the dead point on the way to these independent variables.
-    fn outputs_at_dead_point(&mut self, wanted: &[f64], values: &mut [f64]) {
-        values.fill(f64::NAN);
+    /// The outputs and the dependent coordinates at the dead point on the way to these independent variables.
+    fn at_dead_point(&mut self, wanted: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let mut outputs = vec![f64::NAN; L::OUTPUTS];
         let Some((at, coordinates)) = self.dead_position(wanted) else {
-            return;
+            return (outputs, vec![f64::NAN; L::DEPENDENTS]);
         };
         let instant = self.closure.instant(&at);
         self.trial.clone_from(&self.position);
@@ -98,6 +105,7 @@ impl<L: Linkage> Assembly<L, f64> {
             self.newton
                 .sine(&self.closure, group, &instant, &mut self.trial);
         }
-        self.closure.outputs(&instant, &self.trial, values);
+        self.closure.outputs(&instant, &self.trial, &mut outputs);
+        (outputs, coordinates)
     }
 }

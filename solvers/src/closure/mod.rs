@@ -6,15 +6,18 @@
 //! | `newton`, `scaled` | one group that has no closed form |
 //! | `assembly`, `start`, `step`, `predict` | [`Assembly`]: all groups in their modes, put together and moved |
 //! | `continuation`, `crossing`, `meeting`, `stand` | the same where a step is not certain to keep the modes |
+//! | `undetermined` | what has no value where modes meet |
 //! | `arc`, `turn` | dead points, and passing through them by the length of the curve of positions |
 //! | `sweep`, `positions` | positions over a grid |
 //! | `limits` | how far a driver can go |
-//! | `strokes`, `extremes`, `rates` | limit positions and strokes of the outputs |
+//! | `strokes`, `track`, `rates` | limit positions and strokes of outputs and dependent coordinates |
+//! | `extremes`, `breaks`, `noise` | where a function turns round, jumps, or goes beyond all bounds |
 //! | `modes`, `branch` | all assembly modes at one position |
 
 mod arc;
 mod assembly;
 mod branch;
+mod breaks;
 mod continuation;
 mod crossing;
 mod error;
@@ -23,6 +26,7 @@ mod limits;
 mod meeting;
 mod modes;
 mod newton;
+mod noise;
 mod positions;
 mod predict;
 mod problem;
@@ -36,11 +40,14 @@ mod strokes;
 mod sweep;
 #[cfg(test)]
 mod tests;
+mod track;
 mod turn;
+mod undetermined;
 
 pub use assembly::{Assembly, Event};
+pub use breaks::Break;
 pub use error::ClosureError;
-pub use extremes::Extreme;
+pub use extremes::{Extreme, Limit};
 pub use limits::{End, Stretch, stretch};
 pub use modes::{Mode, Modes, Search, modes};
 pub use newton::{Closed, Failure, Newton, Stop};
@@ -49,3 +56,4 @@ pub use problem::{Closure, Group, GroupKind, Linkage, Range, Variable};
 pub use start::Start;
 pub use strokes::{Stroke, strokes};
 pub use sweep::{AtDeadPoint, Axis, sweep};
+pub use track::Along;

@@ -1,10 +1,25 @@
-//! Rates of the outputs by an independent variable, with the loops closed.
+//! Outputs and dependent coordinates with their rates by whatever moves the linkage, the loops closed.
 
 use super::assembly::Assembly;
 use super::newton::{Newton, Position};
 use super::problem::{Closure, Linkage};
 use crate::problem::Storage;
 use crate::scalar::{Dual, Scalar};
+
+/// Makes NaN of the outputs that have no value where modes of a group meet.
+fn strike<L: Linkage>(assembly: &mut Assembly<L, f64>, place: &[Dual], outputs: &mut [Dual]) {
+    let place: Vec<f64> = place.iter().map(|x| x.value).collect();
+    let (independents, motion) = place.split_at(L::INDEPENDENTS);
+    let instant = match motion.is_empty() {
+        true => assembly.closure.instant(independents),
+        false => assembly.closure.moving(independents, motion),
+    };
+    let mut values: Vec<f64> = outputs.iter().map(|one| one.value).collect();
+    assembly.strike_undetermined(&instant, &mut values);
+    for (output, value) in outputs.iter_mut().zip(values) {
+        output.value = value;
+    }
+}
 
 /// The loops on dual numbers, and the memory for them.
 pub(super) struct Rates<L: Linkage> {
@@ -13,7 +28,6 @@ pub(super) struct Rates<L: Linkage> {
     position: Position<L, Dual>,
     row: <L::Closure<Dual> as Closure<Dual>>::Row,
     square: <L::Closure<Dual> as Closure<Dual>>::Matrix,
-    values: Vec<Dual>,
 }
 
 impl<L: Linkage> Rates<L> {
@@ -29,29 +43,29 @@ impl<L: Linkage> Rates<L> {
             position: closure.zeros(),
             row: Storage::zeros(size),
             square: Storage::zeros(size * size),
-            values: vec![Dual::ZERO; L::OUTPUTS],
             closure,
         }
     }
 
-    /// Writes the rates at the position of an assembly.
-    pub fn of(&mut self, assembly: &Assembly<L, f64>, variable: usize, rates: &mut [f64]) {
+    /// The outputs and behind them the dependent coordinates where an assembly stands, with their rates; its independent
+    /// variables, and behind them how they move where that is known, are given with theirs.
+    pub fn of(&mut self, assembly: &mut Assembly<L, f64>, place: &[Dual]) -> Vec<Dual> {
         assembly
             .closure
             .coefficients(&assembly.instant, &assembly.position, &mut self.columns);
-        let mut place: Vec<Dual> = assembly
-            .independents
-            .iter()
-            .map(|x| Dual::constant(*x))
-            .collect();
-        place[variable].slope = 1.0;
-        let instant = self.closure.instant(&place);
-        let slopes = self.columns[variable].as_ref();
-        for (j, slope) in slopes[..L::DEPENDENTS].iter().enumerate() {
-            let value = assembly.position.as_ref()[j];
+        let (independents, motion) = place.split_at(L::INDEPENDENTS);
+        let instant = match motion.is_empty() {
+            true => self.closure.instant(independents),
+            false => self.closure.moving(independents, motion),
+        };
+        for j in 0..L::DEPENDENTS {
+            let by = |(column, x): (&Position<L, f64>, &Dual)| match x.slope {
+                0.0 => 0.0,
+                slope => column.as_ref()[j] * slope,
+            };
             self.position.as_mut()[j] = Dual {
-                value,
-                slope: *slope,
+                value: assembly.position.as_ref()[j],
+                slope: self.columns.iter().zip(independents).map(by).sum(),
             };
         }
         // What the position holds beside the coordinates follows from them.
@@ -64,10 +78,15 @@ impl<L: Linkage> Rates<L> {
                 &mut self.square,
             );
         }
-        self.closure
-            .outputs(&instant, &self.position, &mut self.values);
-        for (rate, value) in rates.iter_mut().zip(&self.values) {
-            *rate = value.slope;
+        let mut values = vec![Dual::ZERO; L::OUTPUTS];
+        self.closure.outputs(&instant, &self.position, &mut values);
+        if assembly.is_singular() {
+            strike(assembly, place, &mut values);
         }
+        values.extend_from_slice(&self.position.as_ref()[..L::DEPENDENTS]);
+        if assembly.is_singular() {
+            values.iter_mut().for_each(|value| value.slope = f64::NAN);
+        }
+        values
     }
 }

@@ -23,19 +23,23 @@ pub struct Start {
 }
 
 impl<L: Linkage, S: Scalar> Assembly<L, S> {
-    /// Puts the linkage together where the start values of the mechanism are meant.
+    /// Puts the linkage together where the start values of the mechanism are meant: where the drivers start, or, if they
+    /// move in time and no start is stated, where they are when the task begins.
     ///
     /// # Errors
     /// [`ClosureError`] if it does not assemble there, or if the start values do not tell which mode is meant.
     pub fn start(&mut self) -> Result<Start, ClosureError> {
-        let at: Vec<f64> = self
-            .linkage
-            .ranges()
-            .iter()
-            .map(|range| range.start)
-            .collect();
+        let moving = self.linkage.drive(self.linkage.span().limits().0);
+        let ranges = self.linkage.ranges();
+        let at = ranges.iter().enumerate().map(|(index, range)| {
+            let first = moving.as_ref().and_then(|place| place.get(index).copied());
+            match first.filter(|_| range.start.is_nan()) {
+                Some(first) => first,
+                None => range.start,
+            }
+        });
         let near = self.linkage.start();
-        self.start_at(&at, &near)
+        self.start_at(&at.collect::<Vec<_>>(), &near)
     }
 
     /// Puts the linkage together at these values of the independent variables, in the modes nearest to rough values of

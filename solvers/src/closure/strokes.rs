@@ -1,29 +1,37 @@
-//! Limit positions and strokes of the outputs.
+//! Limit positions and strokes of the outputs and of the dependent coordinates.
 //!
-//! A limit position is a zero of the rate of an output, which the kinematic coefficients give: it is found to the last
-//! bits, where a search for the greatest value would lose half of the digits.
+//! A limit position is a zero of the rate, which the kinematic coefficients give: it is found to the last bits, where a
+//! search for the greatest value would lose half of the digits. Where an output jumps or goes beyond all bounds it is
+//! looked what it tends to on either side.
 
-use super::assembly::Assembly;
+use super::breaks::{Break, unbounded};
 use super::error::ClosureError;
-use super::extremes::{self, Extreme, Sample};
+use super::extremes::{self, Course, Extreme, Limit, Sample};
 use super::limits::{End, Stretch, stretch};
 use super::problem::Linkage;
-use super::rates::Rates;
+use super::track::{Along, Track};
 
 /// Number of parts of a range in which limit positions are looked for.
-const PARTS: usize = 180;
+const PARTS: usize = 360;
 /// By this part of a stroke a sample lies clearly beyond it.
 const CLEAR: f64 = 1e-9;
+/// Distance from a dead point, in parts of the range, at which a linkage can stand.
+const BESIDE: f64 = 1e-9;
 
-/// The extremes of one output over a stretch.
+/// Part of a range on either side of a change point in which what hangs on rates is not looked at.
+const AROUND: f64 = 0.01;
+
+/// The extremes of an output or a dependent coordinate over a task.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stroke {
-    /// The smallest value, at a limit position or an end; beside a pole or a jump as far as it was looked.
+    /// The smallest value, at a limit position or an end, or beside a jump; infinite at a pole.
     pub least: Extreme,
     /// The greatest value.
     pub greatest: Extreme,
     /// All limit positions inside, in order.
-    pub limits: Vec<Extreme>,
+    pub limits: Vec<Limit>,
+    /// Where it jumps, goes beyond all bounds or has no value, in order.
+    pub breaks: Vec<Break>,
 }
 
 impl Stroke {
@@ -33,47 +41,120 @@ impl Stroke {
     }
 }
 
-/// Finds the limit positions and the strokes of all outputs over the stretch of one independent variable within bounds.
+/// Finds the limit positions and the strokes over a task: of all outputs, and behind them of all dependent coordinates.
 ///
 /// # Errors
-/// As [`stretch`].
-pub fn strokes<L: Linkage>(
-    linkage: &L,
-    variable: usize,
-    bounds: (f64, f64),
-) -> Result<Vec<Stroke>, ClosureError> {
-    let stretch = stretch(linkage, variable, bounds)?;
-    let mut track = Track::new(linkage, variable)?;
-    let looks = inside(&stretch)
+/// As [`stretch`]; or, in time, why the linkage does not get through the task.
+pub fn strokes<L: Linkage>(linkage: &L, along: Along) -> Result<Vec<Stroke>, ClosureError> {
+    let stretch = match along {
+        Along::Driver(index, bounds) => Some(stretch(linkage, index, bounds)?),
+        Along::Time(..) => None,
+    };
+    let mut track = Track::new(linkage, along)?;
+    let looks = places(along, stretch.as_ref())
         .map(|at| track.look(at))
         .collect::<Result<Vec<_>, _>>()?;
-    let stroke = |output: usize| {
-        let samples: Vec<_> = looks.iter().map(|look| look.of(output)).collect();
-        let look = |at| Ok(track.look(at)?.of(output));
-        let ends = [&stretch.low, &stretch.high].map(|end| Extreme {
-            at: end.at,
-            value: end.outputs[output],
+    let (from, to) = along.bounds();
+    let points = std::mem::take(&mut track.change_points);
+    let met = points.iter().map(|at| track.look(*at));
+    let met = met.collect::<Result<Vec<_>, _>>()?;
+    let stroke = |channel: usize| {
+        // What hangs on rates is zero over zero at a change point, and rounding about it.
+        let is_lost = met.iter().any(|look| look.of(channel).value.is_nan());
+        let near = |at: f64| {
+            points
+                .iter()
+                .any(|point| (at - point).abs() < AROUND * (to - from))
+        };
+        let seen = |sample: Sample| match is_lost && near(sample.at) {
+            true => sample.unknown(),
+            false => sample,
+        };
+        let samples: Vec<_> = looks.iter().map(|look| seen(look.of(channel))).collect();
+        let mut look = |at| Ok(seen(track.look(at)?.of(channel)));
+        let mut course = extremes::follow(&samples, &mut look)?;
+        course.breaks.retain(|one| {
+            let ends_there = one.before.is_nan() || one.after.is_nan();
+            let edge = points
+                .iter()
+                .any(|point| (one.at - point).abs() < 1.01 * AROUND * (to - from));
+            !(is_lost && ends_there && edge)
         });
-        Ok(over(extremes::find(&samples, look)?, ends, &samples))
+        let ends = match &stretch {
+            Some(found) => at_ends(found, channel, &mut course, look)?,
+            None => samples
+                .first()
+                .into_iter()
+                .chain(samples.last())
+                .map(Sample::place)
+                .collect(),
+        };
+        Ok(over(course, ends, &samples))
     };
-    (0..L::OUTPUTS).map(stroke).collect()
+    (0..L::OUTPUTS + L::DEPENDENTS).map(stroke).collect()
 }
 
-/// Equally spaced places over a stretch. Ends at dead points cannot be stood on; the rates of outputs do not vanish
-/// beside them.
-fn inside(stretch: &Stretch) -> impl Iterator<Item = f64> {
-    let (low, high) = (stretch.low.at, stretch.high.at);
-    let beside = |end: &End| if end.dead.is_some() { 1e-9 } else { 0.0 };
-    let first = low + beside(&stretch.low) * (high - low);
-    let last = high - beside(&stretch.high) * (high - low);
+/// Equally spaced places over a task, as far as the linkage gets. Ends at dead points cannot be stood on; the rates of
+/// outputs do not vanish beside them.
+fn places(along: Along, stretch: Option<&Stretch>) -> impl Iterator<Item = f64> {
+    let (low, high) = stretch.map_or(along.bounds(), |found| (found.low.at, found.high.at));
+    let beside = |end: Option<&End>| match end.and_then(|end| end.dead) {
+        Some(_) => BESIDE * (high - low),
+        None => 0.0,
+    };
+    let first = low + beside(stretch.map(|found| &found.low));
+    let last = high - beside(stretch.map(|found| &found.high));
     let between = move |k| first + (last - first) * k as f64 / PARTS as f64;
     (0..PARTS).map(between).chain([last])
 }
 
-/// The stroke over limit positions and ends, and over samples that lie clearly beyond them: beside a pole or a jump.
-fn over(limits: Vec<Extreme>, ends: [Extreme; 2], samples: &[Sample]) -> Stroke {
-    let mut least = ends[0];
-    let mut greatest = ends[0];
+/// The values at both ends. Towards a dead point an output may go beyond all bounds.
+fn at_ends(
+    stretch: &Stretch,
+    channel: usize,
+    course: &mut Course,
+    mut look: impl FnMut(f64) -> Result<Sample, ClosureError>,
+) -> Result<Vec<Extreme>, ClosureError> {
+    let width = stretch.high.at - stretch.low.at;
+    let mut ends = Vec::new();
+    for (end, inwards) in [(&stretch.low, width), (&stretch.high, -width)] {
+        let (at, mut value) = (end.at, end.value(channel));
+        if end.dead.is_some() {
+            let mut values = [0.0; 3];
+            for (value, part) in values.iter_mut().zip([1.0, 1e2, 1e4]) {
+                *value = look(at + part * BESIDE * inwards)?.value;
+            }
+            if let Some(infinite) = unbounded(values) {
+                value = infinite;
+                let side = |is_here: bool| if is_here { infinite } else { f64::NAN };
+                course.breaks.push(Break {
+                    at,
+                    before: side(inwards < 0.0),
+                    after: side(inwards > 0.0),
+                });
+            }
+        }
+        ends.push(Extreme { at, value });
+    }
+    course
+        .breaks
+        .sort_by(|one, other| one.at.total_cmp(&other.at));
+    Ok(ends)
+}
+
+/// The stroke over limit positions, breaks and ends, and over samples that lie clearly beyond them.
+fn over(course: Course, ends: Vec<Extreme>, samples: &[Sample]) -> Stroke {
+    let Course { limits, breaks } = course;
+    let beside = |one: &Break| [one.before, one.after].map(|value| Extreme { at: one.at, value });
+    let known = limits.iter().map(|limit| limit.place);
+    let known = known.chain(ends).chain(breaks.iter().flat_map(beside));
+    let known: Vec<_> = known.filter(|one| !one.value.is_nan()).collect();
+    let nowhere = Extreme {
+        at: f64::NAN,
+        value: f64::NAN,
+    };
+    let mut least = known.first().copied().unwrap_or(nowhere);
+    let mut greatest = least;
     let mut reach = |one: Extreme, clearance: f64| {
         if one.value < least.value - clearance {
             least = one;
@@ -83,10 +164,7 @@ fn over(limits: Vec<Extreme>, ends: [Extreme; 2], samples: &[Sample]) -> Stroke 
         }
         greatest.value - least.value
     };
-    let mut length = 0.0;
-    for one in limits.iter().chain(&ends) {
-        length = reach(*one, 0.0);
-    }
+    let length = known.iter().fold(0.0, |_, one| reach(*one, 0.0));
     for &Sample { at, value, .. } in samples {
         reach(Extreme { at, value }, CLEAR * length);
     }
@@ -94,56 +172,7 @@ fn over(limits: Vec<Extreme>, ends: [Extreme; 2], samples: &[Sample]) -> Stroke 
         least,
         greatest,
         limits,
-    }
-}
-
-/// All outputs with their rates at one place.
-struct Look {
-    at: f64,
-    values: Vec<f64>,
-    rates: Vec<f64>,
-}
-
-impl Look {
-    fn of(&self, output: usize) -> Sample {
-        Sample {
-            at: self.at,
-            value: self.values[output],
-            rate: self.rates[output],
-        }
-    }
-}
-
-/// A linkage that is moved along one of its independent variables.
-struct Track<L: Linkage> {
-    assembly: Assembly<L, f64>,
-    rates: Rates<L>,
-    variable: usize,
-    place: Vec<f64>,
-}
-
-impl<L: Linkage> Track<L> {
-    fn new(linkage: &L, variable: usize) -> Result<Self, ClosureError> {
-        let mut assembly = Assembly::new(linkage);
-        assembly.start()?;
-        let place = assembly.independents().to_vec();
-        Ok(Self {
-            assembly,
-            rates: Rates::new(linkage),
-            variable,
-            place,
-        })
-    }
-
-    /// Moves to a place and looks at the outputs.
-    fn look(&mut self, at: f64) -> Result<Look, ClosureError> {
-        self.place[self.variable] = at;
-        self.assembly.travel(&self.place)?;
-        let mut values = vec![0.0; L::OUTPUTS];
-        let mut rates = vec![0.0; L::OUTPUTS];
-        self.assembly.outputs(&mut values);
-        self.rates.of(&self.assembly, self.variable, &mut rates);
-        Ok(Look { at, values, rates })
+        breaks,
     }
 }
 
@@ -152,23 +181,30 @@ mod tests {
     use super::*;
 
     #[test]
-    fn beside_a_pole_samples_count() {
+    fn samples_clearly_beyond_all_else_count() {
         let extreme = |at: f64, value: f64| Extreme { at, value };
         let sample = |at: f64, value: f64| Sample {
             at,
             value,
             rate: 1.0,
         };
-        let ends = [extreme(0.0, 1.0), extreme(4.0, 2.0)];
-        let limits = vec![extreme(1.0, 0.5)];
+        let ends = vec![extreme(0.0, 1.0), extreme(4.0, 2.0)];
+        let lowest = Limit {
+            place: extreme(1.0, 0.5),
+            is_highest: false,
+        };
+        let course = Course {
+            limits: vec![lowest],
+            breaks: Vec::new(),
+        };
         let samples = [
             sample(1.1, 0.5 - 1e-12),
             sample(2.0, 90.0),
             sample(3.0, -80.0),
         ];
-        let stroke = over(limits.clone(), ends, &samples[..1]);
-        assert_eq!((stroke.least, stroke.greatest), (limits[0], ends[1]));
-        let stroke = over(limits, ends, &samples);
+        let stroke = over(course.clone(), ends.clone(), &samples[..1]);
+        assert_eq!((stroke.least, stroke.greatest), (lowest.place, ends[1]));
+        let stroke = over(course, ends, &samples);
         assert_eq!((stroke.least.at, stroke.greatest.at), (3.0, 2.0));
     }
 }

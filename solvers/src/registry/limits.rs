@@ -3,9 +3,8 @@
 use std::f64::consts::TAU;
 
 use super::linkage::Bound;
-use super::path;
 use crate::closure::{
-    self, Closure, ClosureError, Linkage, Newton, Search, Start, Stretch, Stroke,
+    self, Along, Closure, ClosureError, Linkage, Newton, Search, Stretch, Stroke,
 };
 
 /// Solutions nearer to each other than this are the same, in radians, metres or whatever a coordinate is in.
@@ -54,11 +53,12 @@ pub trait RunLimits {
     /// # Errors
     /// As there.
     fn stretch(&self, driver: usize, bounds: (f64, f64)) -> Result<Stretch, ClosureError>;
-    /// Limit positions and strokes of the outputs, see [`fn@closure::strokes`].
+    /// Limit positions and strokes of the outputs, and behind them of the dependent coordinates, see
+    /// [`fn@closure::strokes`].
     ///
     /// # Errors
     /// As there.
-    fn strokes(&self, driver: usize, bounds: (f64, f64)) -> Result<Vec<Stroke>, ClosureError>;
+    fn strokes(&self, along: Along) -> Result<Vec<Stroke>, ClosureError>;
 }
 
 impl<L: Linkage + 'static, const MADE: bool> RunLimits for Bound<L, MADE> {
@@ -91,8 +91,8 @@ impl<L: Linkage + 'static, const MADE: bool> RunLimits for Bound<L, MADE> {
         closure::stretch(&self.linkage, driver, bounds)
     }
 
-    fn strokes(&self, driver: usize, bounds: (f64, f64)) -> Result<Vec<Stroke>, ClosureError> {
-        closure::strokes(&self.linkage, driver, bounds)
+    fn strokes(&self, along: Along) -> Result<Vec<Stroke>, ClosureError> {
+        closure::strokes(&self.linkage, along)
     }
 }
 
@@ -129,7 +129,7 @@ fn listed<L: Linkage>(
 /// The dependent coordinates at a place in the mode that the start values pick.
 fn there<L: Linkage>(linkage: &L, place: &[f64]) -> Result<Vec<f64>, ClosureError> {
     let mut assembly = closure::Assembly::<L, f64>::new(linkage);
-    let _: Start = path::put_together(linkage, &mut assembly)?;
+    assembly.start()?;
     assembly.travel(place)?;
     Ok(assembly.position().as_ref()[..L::DEPENDENTS].to_vec())
 }

@@ -45,7 +45,7 @@ pub struct Path {
 /// Why it cannot be put together. Where the way ends before the last place the path says so.
 pub fn follow<L: Linkage>(linkage: &L, places: &[Vec<f64>]) -> Result<Path, ClosureError> {
     let mut assembly = Assembly::<L, f64>::new(linkage);
-    let start = put_together(linkage, &mut assembly)?;
+    let start = assembly.start()?;
     let mut path = Path {
         start,
         samples: Vec::with_capacity(places.len()),
@@ -70,44 +70,32 @@ pub fn follow<L: Linkage>(linkage: &L, places: &[Vec<f64>]) -> Result<Path, Clos
             path.stopped = Some(error);
             break;
         }
-        path.samples.push(sample(&assembly, motion));
+        path.samples.push(sample(&mut assembly, motion));
     }
     Ok(path)
 }
 
-/// Puts a linkage together where its start values are meant: where the drivers start, or, if they move in time and no
-/// start is stated, where they are when the task begins.
-pub(super) fn put_together<L: Linkage>(
-    linkage: &L,
-    assembly: &mut Assembly<L, f64>,
-) -> Result<Start, ClosureError> {
-    let stated = linkage.ranges();
-    let moving = linkage.drive(linkage.span().limits().0);
-    let at = stated.iter().enumerate().map(|(index, range)| {
-        let first = moving.as_ref().and_then(|place| place.get(index).copied());
-        match first.filter(|_| range.start.is_nan()) {
-            Some(first) => first,
-            None => range.start,
-        }
-    });
-    let at: Vec<f64> = at.collect();
-    assembly.start_at(&at, &linkage.start())
-}
-
-fn sample<L: Linkage>(assembly: &Assembly<L, f64>, motion: &[f64]) -> Sample {
+fn sample<L: Linkage>(assembly: &mut Assembly<L, f64>, motion: &[f64]) -> Sample {
+    let closure = assembly.closure();
+    let instant = match motion.len() == L::MOTION {
+        true => closure.moving(assembly.independents(), motion),
+        false => closure.instant(assembly.independents()),
+    };
+    let mut outputs = vec![0.0; L::OUTPUTS];
+    closure.outputs(&instant, assembly.position(), &mut outputs);
+    assembly.strike_undetermined(&instant, &mut outputs);
     let closure = assembly.closure();
     let position = assembly.position();
     let independents = assembly.independents();
-    let instant = match motion.len() == L::MOTION {
-        true => closure.moving(independents, motion),
-        false => closure.instant(independents),
-    };
-    let mut outputs = vec![0.0; L::OUTPUTS];
-    closure.outputs(&instant, position, &mut outputs);
     let mut points = vec![0.0; 2 * L::POINTS];
     closure.points(&instant, position, &mut points);
     let mut columns = vec![closure.zeros(); L::INDEPENDENTS];
     closure.coefficients(&instant, position, &mut columns);
+    if assembly.is_singular() {
+        columns
+            .iter_mut()
+            .for_each(|column| column.as_mut().fill(f64::NAN));
+    }
     let dependents = |position: &<L::Closure<f64> as Closure<f64>>::Position| {
         position.as_ref()[..L::DEPENDENTS].to_vec()
     };
@@ -132,7 +120,7 @@ fn sample<L: Linkage>(assembly: &Assembly<L, f64>, motion: &[f64]) -> Sample {
 /// Why the linkage does not get there.
 pub fn influence<L: Linkage>(linkage: &L, place: &[f64]) -> Result<Vec<f64>, ClosureError> {
     let mut assembly = Assembly::<L, f64>::new(linkage);
-    put_together(linkage, &mut assembly)?;
+    assembly.start()?;
     let (drivers, motion) = place.split_at(place.len().min(L::INDEPENDENTS));
     assembly.move_to(drivers)?;
     let closure = assembly.closure();
@@ -142,6 +130,9 @@ pub fn influence<L: Linkage>(linkage: &L, place: &[f64]) -> Result<Vec<f64>, Clo
     };
     let mut values = vec![0.0; L::OUTPUTS * L::VARIABLES.len()];
     closure.influence(&instant, assembly.position(), &mut values);
+    if assembly.is_singular() {
+        values.fill(f64::NAN);
+    }
     Ok(values)
 }
 
@@ -151,7 +142,7 @@ const PLACES: usize = 256;
 /// Nanoseconds of one move between neighbouring positions of the task, outputs included; NaN if it has no two of them.
 pub fn time_position<L: Linkage>(linkage: &L, moves: usize) -> f64 {
     let mut assembly = Assembly::<L, f64>::new(linkage);
-    if put_together(linkage, &mut assembly).is_err() {
+    if assembly.start().is_err() {
         return f64::NAN;
     }
     let reached = |place: &Vec<f64>| assembly.move_to(&place[..L::INDEPENDENTS]).is_ok();

@@ -86,14 +86,17 @@ fn limits(page: &mut Page, report: &Report) {
         .zip(decimals);
     for ((variable, limits), decimals) in rows {
         let Some((low, high)) = limits else { continue };
-        let show = |extreme: &Extreme| fixed(variable.in_unit(extreme.value), decimals);
+        let show = |value: f64| match value.is_infinite() {
+            true => "unbounded".to_owned(),
+            false => fixed(variable.in_unit(value), decimals),
+        };
         table.row([
             variable.name.clone(),
-            show(low),
+            show(low.value),
             station(report, low),
-            show(high),
+            show(high.value),
             station(report, high),
-            fixed(variable.in_unit(high.value - low.value), decimals),
+            show(high.value - low.value),
             variable.unit.clone(),
             variable.summary.clone(),
         ]);
@@ -104,41 +107,83 @@ fn limits(page: &mut Page, report: &Report) {
     }
 }
 
-/// Where outputs turn round inside the range.
+/// Where outputs turn round inside the task, and where they jump or go beyond all bounds.
 fn turns(page: &mut Page, report: &Report) {
     let case = &report.case;
-    let Some(moving) = reach::Single::of(case).map(|single| single.driver) else {
-        return;
-    };
-    let driver = &case.drivers[moving];
-    let place = format!("at {}, {}", driver.name, driver.unit);
-    let mut table = Columns::new([
+    let place = station_heading(report);
+    let mut turns = Columns::new([
         ("", Align::Left),
         ("", Align::Left),
         ("value", Align::Point),
         ("unit", Align::Left),
-        (place.trim_end_matches(", "), Align::Point),
+        (&place, Align::Point),
     ]);
-    let mut count = 0;
-    for variable in &case.variables {
-        let stroke = reach::stroke(report.strokes.as_ref(), variable);
-        let turns = stroke.map(|stroke| reach::turns(case, stroke));
-        for turn in turns.unwrap_or_default() {
-            let kind = if turn.is_largest { "highest" } else { "lowest" };
-            table.row([
+    let mut gaps = Columns::new([
+        ("", Align::Left),
+        ("", Align::Left),
+        ("before", Align::Point),
+        ("after", Align::Point),
+        ("unit", Align::Left),
+        (&place, Align::Point),
+    ]);
+    let (mut turning, mut broken) = (false, false);
+    for (index, variable) in case.variables.iter().enumerate() {
+        let Some(stroke) = reach::stroke(case, report.strokes.as_ref(), variable) else {
+            continue;
+        };
+        let is_output = index < case.scene.outputs.len();
+        for turn in reach::turns(case, stroke).iter().filter(|_| is_output) {
+            turning = true;
+            turns.row([
                 variable.name.clone(),
-                kind.to_owned(),
+                turn.kind().to_owned(),
                 number::significant(variable.in_unit(turn.place.value), EXACT),
                 variable.unit.clone(),
-                number::significant(turn.place.independents[moving] / driver.factor, EXACT),
+                exactly(report, &turn.place),
             ]);
-            count += 1;
+        }
+        for gap in reach::gaps(case, stroke) {
+            broken = true;
+            let side = |value: f64| match value {
+                f64::INFINITY => "+infinity".to_owned(),
+                f64::NEG_INFINITY => "-infinity".to_owned(),
+                value => number::significant(variable.in_unit(value), EXACT),
+            };
+            gaps.row([
+                variable.name.clone(),
+                gap.kind().to_owned(),
+                side(gap.place.value),
+                side(gap.after),
+                variable.unit.clone(),
+                exactly(report, &gap.place),
+            ]);
         }
     }
-    if count > 0 {
-        page.section("Limit positions, where an output turns round", &table);
+    if turning {
+        page.section("Limit positions, where an output turns round", &turns);
         page.line("");
     }
+    if broken {
+        page.section("Jumps, poles and ends of what has a value", &gaps);
+        page.line("");
+    }
+}
+
+/// A place of a task with one axis, to the last digits: of the first driver.
+fn exactly(report: &Report, extreme: &Extreme) -> String {
+    let case = &report.case;
+    let value = match (&case.task, case.drivers.first()) {
+        (Task::Time(_), Some(driver)) => extreme
+            .independents
+            .first()
+            .map(|position| position / driver.factor),
+        _ => {
+            let axes = case.axes();
+            let axis = axes.first().zip(extreme.station.first());
+            axis.map(|(axis, value)| value / axis.quantity.factor)
+        }
+    };
+    number::significant(value.unwrap_or(f64::NAN), EXACT)
 }
 
 /// How far the drivers go.

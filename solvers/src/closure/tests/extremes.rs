@@ -1,7 +1,7 @@
 //! Dead points, limit positions and strokes against closed forms and published numbers.
 
 use super::linkages::{FourBar, Heald, SliderCrank};
-use crate::closure::{stretch, strokes};
+use crate::closure::{Along, stretch, strokes};
 use std::f64::consts::{PI, TAU};
 
 #[test]
@@ -30,7 +30,7 @@ fn straight_guide_ends_where_links_are_in_line() {
 
 #[test]
 fn swing_of_the_selvedge_linkage() {
-    let strokes = strokes(&FourBar::default(), 0, (0.0, TAU)).expect("it assembles");
+    let strokes = strokes(&FourBar::default(), Along::Driver(0, (0.0, TAU))).expect("it assembles");
     let rocker = &strokes[1];
     // χ = 180° - θ
     assert!((rocker.length().to_degrees() - 49.58438).abs() < 1e-5);
@@ -53,9 +53,8 @@ fn swing_of_the_selvedge_linkage() {
 fn stroke_of_a_slider() {
     let mut linkage = SliderCrank::default();
     linkage.values[2] = 0.03;
-    let [stroke] = &strokes(&linkage, 0, (0.1, TAU + 0.1)).expect("it assembles")[..] else {
-        panic!("one output")
-    };
+    let along = Along::Driver(0, (0.1, TAU + 0.1));
+    let stroke = &strokes(&linkage, along).expect("it assembles")[0];
     let reach = |rho: f64| (rho * rho - 0.0009f64).sqrt();
     let (outer, inner) = (reach(0.346), reach(0.196));
     assert!((stroke.greatest.value - outer).abs() < 1e-15);
@@ -70,7 +69,7 @@ fn stroke_of_a_slider() {
 #[test]
 fn stroke_up_to_dead_points() {
     let linkage = FourBar::new([0.08, 0.05, 0.05, 0.1], 0.8, [0.5, 2.0]);
-    let strokes = strokes(&linkage, 0, (0.0, 1.5)).expect("it assembles");
+    let strokes = strokes(&linkage, Along::Driver(0, (0.0, 1.5))).expect("it assembles");
     // Rod and rocker in line with the span at the upper end.
     let end = (0.0064f64 / 0.016).acos();
     let expected = (-0.08 * end.sin()).atan2(0.1 - 0.08 * end.cos());

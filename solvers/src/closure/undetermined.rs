@@ -1,0 +1,47 @@
+//! What has no value where two modes of a group meet: rates through the group are there zero over zero.
+
+use super::assembly::Assembly;
+use super::newton::Instant;
+use super::problem::{Closure, Linkage};
+
+/// Sine of a transmission angle below which less than half of the digits of a rate are left.
+const SINGULAR: f64 = 1e-5;
+/// Move of the unknowns of such a group, in radians or metres, that hangs together with rounding.
+const MOVE: f64 = 1e-9;
+/// Relative change by that move that only a rate can have.
+const LOST: f64 = 1e-3;
+
+impl<L: Linkage> Assembly<L, f64> {
+    /// The groups that stand so near to where two modes meet that rates through them are rounding.
+    fn singular(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..L::GROUPS.len()).filter(|&group| self.sine(group).abs() < SINGULAR)
+    }
+
+    /// Whether rates of the dependent coordinates are rounding, because two modes of a group meet.
+    pub fn is_singular(&self) -> bool {
+        self.singular().next().is_some()
+    }
+
+    /// Makes NaN of those outputs that hang on rates which are rounding. The others do not change when the unknowns of the
+    /// group do by very little.
+    pub(crate) fn strike_undetermined(&mut self, instant: &Instant<L, f64>, outputs: &mut [f64]) {
+        let groups: Vec<usize> = self.singular().collect();
+        let mut moved = vec![0.0; outputs.len()];
+        for group in groups {
+            let mut position = self.position.clone();
+            for &j in L::GROUPS[group].unknowns {
+                position.as_mut()[j] += MOVE;
+            }
+            // What the position holds beside the unknowns follows from them.
+            self.newton
+                .sine(&self.closure, group, instant, &mut position);
+            self.closure.outputs(instant, &position, &mut moved);
+            for (value, moved) in outputs.iter_mut().zip(&moved) {
+                let is_kept = (*moved - *value).abs() <= LOST * value.abs() + MOVE.sqrt();
+                if !is_kept {
+                    *value = f64::NAN;
+                }
+            }
+        }
+    }
+}
