@@ -419,3 +419,31 @@ fn an_output_that_stands_for_a_moment_does_not_turn() {
     assert_eq!(turns(&object, "tooth.y").len(), 0);
     assert_eq!(turns(&object, "gamma").len(), 1);
 }
+
+#[test]
+fn a_change_point_is_passed_and_what_has_no_value_there_is_left_out() {
+    let directory = folder("linkage_change_point");
+    let sizes = ["--set", "l1=40mm", "--set", "l2=100mm", "--set", "l3=40mm"];
+    let object = json(
+        &[&["run", "selvedge_linkage"], &sizes[..]].concat(),
+        &directory,
+    );
+    let events = object["events"].as_array().expect("a list");
+    assert_eq!(events[0]["place"], "beta = 180 deg");
+    assert!(
+        events[0]["event"]
+            .as_str()
+            .is_some_and(|text| text.starts_with("change point"))
+    );
+    // The open branch, chi = 180 deg - beta, all the way; its rate is zero over zero where the modes meet.
+    for position in object["positions"].as_array().expect("a list") {
+        let beta = position["drivers"][0]["value"].as_f64().expect("a number");
+        let results = &position["results"];
+        check_near(&named(results, "chi")["value"], 180.0 - beta, 1e-9);
+        let ratio = &named(results, "ratio")["value"];
+        match beta % 180.0 == 0.0 {
+            true => assert_eq!(ratio, &Value::Null),
+            false => check_near(ratio, -1.0, 1e-9),
+        }
+    }
+}
