@@ -100,6 +100,7 @@ Of a linkage there are besides (and no settings, multipliers, conclusions):
   drivers      each: name, unit, from, to, start
   task         kind may be sweep, over: names of the drivers
   status       may be \"stopped\"; stopped then lists place and reason, and the exit code is 1
+  note         that it is put together far from the start values of its file, or null
   results      each: name, unit, minimum and maximum, with value, unbounded and at (drivers),
                stroke, limit_positions (kind, value, at; over a task with one axis),
                breaks (kind: jump, pole or end; before, after, at)

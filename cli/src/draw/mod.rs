@@ -27,7 +27,7 @@ use crate::linkage::case::{Case, Task};
 use crate::linkage::line::Line;
 use crate::linkage::place;
 use crate::linkage::report::snapshot;
-use crate::linkage::wording::{Names, tell};
+use crate::linkage::wording::{Names, contradiction, tell};
 use crate::output::{self, Destination};
 use crate::plot::name;
 use crate::{lookup, number};
@@ -95,6 +95,9 @@ pub fn execute(options: &DrawArguments) -> Result<(), Failure> {
         picture.label,
         still.path().display()
     );
+    if let Some(note) = contradiction(mechanism, scene, case.run()) {
+        text += &format!("Note:      {note}\n");
+    }
     let frames = way.frames(&case, &geometry);
     if frames.len() > 1 {
         moving.write(moving::draw(&picture, &frames).as_bytes())?;

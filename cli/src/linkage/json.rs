@@ -7,6 +7,7 @@
 //! | `task` | `kind` (`sweep`, `periodic`, `run` or `open`); of a sweep `over`, the names of its drivers, else `from`, `to`, `unit` of the time |
 //! | `status` | `"complete"`; `"stopped"` when positions of the task are not reached (`stopped` says why, the exit code is 1); or `"incomplete"` when a value below is null because it is not a finite number |
 //! | `stopped` | each `place`, `reason` |
+//! | `note` | that the linkage is put together far from the start values of its file, in words; or null |
 //! | `results` | each `name`, `unit`, and `minimum` and `maximum` over the task, each with `value` and `at` (`drivers`; `time` if it runs; `unbounded` beside a null `value` at a pole), `stroke`, `limit_positions` where it turns round inside a task with one axis (each `kind`, `value`, `at`; null over a grid), and `breaks` (each `kind`: `jump`, `pole` or `end` of what has a value, `before`, `after`, `at`; `"inf"` or `"-inf"` beyond all bounds) |
 //! | `positions` | at round positions, each `drivers` (`name`, `unit`, `value`), `time` if it runs, `results` (`name`, `unit`, `value`; null where the linkage does not get) |
 //! | `transmission` | for each group that has one `loops`, `unknowns`, `kind`, `smallest_angle`, `unit`, `at` |
@@ -66,6 +67,7 @@ pub fn render(report: &Report, figure: Option<&Path>) -> String {
         "task": task(case),
         "status": status,
         "stopped": stopped.collect::<Vec<_>>(),
+        "note": report.note,
         "results": limits(report),
         "positions": positions,
         "transmission": transmissions(report),

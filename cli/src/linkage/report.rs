@@ -14,7 +14,7 @@ use super::place::Place;
 use super::published;
 use super::reach::{self, Reach};
 use super::search::{Extreme, smallest};
-use super::wording::{Names, Told, event, tell};
+use super::wording::{Names, Told, contradiction, event, tell};
 use crate::error::Failure;
 use crate::published::Comparison;
 
@@ -36,6 +36,8 @@ pub struct Report {
     pub strokes: Option<Vec<Stroke>>,
     /// Where each group transmits worst, its sine being smallest.
     pub transmissions: Vec<(usize, Extreme)>,
+    /// That it is put together far from its start values, in words.
+    pub note: Option<String>,
     /// What happened on the way, place and event in words.
     pub met: Vec<(String, String)>,
     /// Why positions of the task are not reached, in words, each once.
@@ -155,6 +157,7 @@ pub fn collect(
     }
     let published = published::compare(mechanism, &case, &lines, strokes.as_ref())?;
     let reach = reach::of(&case);
+    let note = contradiction(mechanism, case.scene, case.run());
     let cost = Cost {
         positions: lines.iter().map(|line| line.stations.len()).sum(),
         reached: lines.iter().map(|line| line.reached().count()).sum(),
@@ -170,6 +173,7 @@ pub fn collect(
         reach,
         strokes,
         transmissions,
+        note,
         met,
         stops,
         places,

@@ -31,6 +31,13 @@ pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
         task(&report.case)
     );
     about(&mut page, &title, &report.case.constants);
+    if let Some(note) = &report.note {
+        for line in wrap(note, WIDTH - 2) {
+            let line = page.style.warn(&format!("  {line}"));
+            page.line(&line);
+        }
+        page.line("");
+    }
     drivers(&mut page, report);
     parameters(&mut page, &report.case.constants);
     positions(&mut page, report);

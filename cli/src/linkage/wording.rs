@@ -1,9 +1,9 @@
 //! Why a linkage does not get to a position, in the names and units of the equation file.
 
-use assur::closure::{ClosureError, Event, GroupKind};
-use assur::registry::{LinkageEntry, Quantity};
+use assur::closure::{ClosureError, Contradiction, Event, GroupKind};
+use assur::registry::{LinkageEntry, Mechanism, Quantity, RunLinkage, SceneEntry};
 
-use super::case::label;
+use super::case::{amount as quantity_text, label, shown};
 use super::group;
 use crate::error::Failure;
 use crate::number;
@@ -148,6 +148,35 @@ pub fn tell(names: Names<'_>, error: &ClosureError) -> Told {
             remedy: "check the positions given with --at and the ranges in the equation file",
         },
     }
+}
+
+/// That a linkage is put together far from its start values, in words; none if it is not.
+pub fn contradiction(
+    mechanism: &Mechanism,
+    scene: &SceneEntry,
+    run: &dyn RunLinkage,
+) -> Option<String> {
+    let entry = scene.linkage.as_ref()?;
+    // Why it does not go together at all is told where that matters.
+    let start = run.follow(&[]).ok()?.start;
+    let one = |found: &Contradiction| {
+        let quantity = entry.dependents.get(found.dependent).map(shown)?;
+        let [declared, assembled] =
+            [found.declared, found.assembled].map(|value| quantity_text(&quantity, value));
+        Some(format!(
+            "{} ~ {declared} is assembled at {assembled}",
+            quantity.name
+        ))
+    };
+    let list: Vec<_> = start.contradicted.iter().filter_map(one).collect();
+    (!list.is_empty()).then(|| {
+        format!(
+            "far from the start values of the file: {}; `assur modes {} --scene {}` lists all assemblies",
+            list.join(", "),
+            mechanism.name,
+            scene.name
+        )
+    })
 }
 
 /// The independent variables that an error is about.

@@ -421,6 +421,31 @@ fn an_output_that_stands_for_a_moment_does_not_turn() {
 }
 
 #[test]
+fn start_values_far_from_the_position_are_told() {
+    let directory = folder("linkage_far_start");
+    let usual = json(&["run", "dwell_six_bar"], &directory);
+    assert_eq!(usual["note"], Value::Null);
+    let sizes = [
+        "L2=95mm",
+        "L3=58mm",
+        "L4=86mm",
+        "X_C=-11mm",
+        "Y_C=87mm",
+        "L6=109mm",
+        "L7=24mm",
+        "X_3=-38mm",
+        "Y_3=-21mm",
+    ];
+    let sets = sizes.iter().flat_map(|size| ["--set", size]);
+    let far: Vec<&str> = ["dwell_six_bar"].into_iter().chain(sets).collect();
+    let found = json(&[&["run"], &far[..]].concat(), &directory);
+    let note = found["note"].as_str().expect("a note");
+    assert!(note.contains("`assur modes dwell_six_bar"), "{note}");
+    let drawn = answer(&[&["draw"], &far[..]].concat(), &directory);
+    assert!(drawn.contains("assur modes"), "{drawn}");
+}
+
+#[test]
 fn a_change_point_is_passed_and_what_has_no_value_there_is_left_out() {
     let directory = folder("linkage_change_point");
     let sizes = ["--set", "l1=40mm", "--set", "l2=100mm", "--set", "l3=40mm"];

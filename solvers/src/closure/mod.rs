@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`problem`](self) | what is asked of a linkage: [`Closure`], [`Linkage`] |
 //! | `newton`, `scaled` | one group that has no closed form |
-//! | `assembly`, `start`, `step`, `predict` | [`Assembly`]: all groups in their modes, put together and moved |
+//! | `assembly`, `start`, `nearest`, `step`, `predict` | [`Assembly`]: all groups in their modes, put together and moved |
 //! | `continuation`, `crossing`, `meeting`, `stand` | the same where a step is not certain to keep the modes |
 //! | `undetermined` | what has no value where modes meet |
 //! | `arc`, `turn` | dead points, and passing through them by the length of the curve of positions |
@@ -25,6 +25,7 @@ mod extremes;
 mod limits;
 mod meeting;
 mod modes;
+mod nearest;
 mod newton;
 mod noise;
 mod positions;
@@ -53,7 +54,7 @@ pub use modes::{Mode, Modes, Search, modes};
 pub use newton::{Closed, Failure, Newton, Stop};
 pub use positions::Positions;
 pub use problem::{Closure, Group, GroupKind, Linkage, Range, Variable};
-pub use start::Start;
+pub use start::{Contradiction, Start};
 pub use strokes::{Stroke, strokes};
 pub use sweep::{AtDeadPoint, Axis, sweep};
 pub use track::Along;

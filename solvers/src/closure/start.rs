@@ -20,6 +20,20 @@ pub struct Start {
     /// Groups without any start value: mode +1 was taken, or −1 where +1 does not lead to an assembled linkage. Groups
     /// that are iterated began at zero.
     pub assumed: Vec<usize>,
+    /// Start values that are far from where the linkage has been put together.
+    pub contradicted: Vec<Contradiction>,
+}
+
+/// A start value far from the position that the linkage has been put together in: by more than a radian, or than what
+/// moves the equations as far as a radian of the longest link does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contradiction {
+    /// The dependent coordinate.
+    pub dependent: usize,
+    /// Its start value.
+    pub declared: f64,
+    /// Its value in the position, of an angle that nearest to the start value.
+    pub assembled: f64,
 }
 
 impl<L: Linkage, S: Scalar> Assembly<L, S> {
@@ -73,33 +87,47 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             .filter(|&group| L::GROUPS[group].kind.has_modes())
             .collect();
         let kept = self.groups.modes.clone();
+        let outcome = self.place_freely(at, &instant, near, &choices);
+        let is_near = outcome.is_ok() && self.is_near(&instant, near);
+        if !is_near && !self.place_nearest(at, &instant, near, outcome.is_ok()) {
+            outcome.inspect_err(|_| self.groups.modes.clone_from(&kept))?;
+        }
+        let contradicted = self.contradicted(&instant, near);
+        self.settle(&independents, &instant);
+        let assumed = free
+            .into_iter()
+            .filter(|&group| L::GROUPS[group].kind != GroupKind::Linear);
+        Ok(Start {
+            assumed: assumed.collect(),
+            contradicted,
+        })
+    }
+
+    /// Closes all groups near rough values, those without any in the first modes that lead to an assembled linkage.
+    fn place_freely(
+        &mut self,
+        at: &[f64],
+        instant: &Instant<L, S>,
+        near: &[f64],
+        choices: &[usize],
+    ) -> Result<(), ClosureError> {
         let mut first = Ok(());
         for bits in 0..1u64 << choices.len().min(16) {
             for (k, &group) in choices.iter().enumerate() {
                 self.groups.modes.as_mut()[group] =
                     S::from_f64(if bits >> k & 1 == 0 { 1.0 } else { -1.0 });
             }
-            let outcome = self.place_all(at, &instant, near);
+            let outcome = self.place_all(at, instant, near);
             if outcome.is_ok() {
-                self.settle(&independents, &instant);
-                let assumed = free
-                    .iter()
-                    .copied()
-                    .filter(|&group| L::GROUPS[group].kind != GroupKind::Linear);
-                return Ok(Start {
-                    assumed: assumed.collect(),
-                });
+                return outcome;
             }
             first = first.and(outcome);
         }
-        self.groups.modes = kept;
-        Err(first.err().unwrap_or(ClosureError::BadRange {
-            reason: "nothing to start".into(),
-        }))
+        first
     }
 
     /// Closes all groups near rough values.
-    fn place_all(
+    pub(super) fn place_all(
         &mut self,
         at: &[f64],
         instant: &Instant<L, S>,

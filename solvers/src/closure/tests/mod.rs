@@ -4,5 +4,6 @@ mod all_modes;
 mod extremes;
 mod hard;
 mod linkages;
+mod nearest;
 mod published;
 mod speed;
