@@ -63,9 +63,10 @@ pub fn solved(kind: GroupKind) -> &'static str {
     }
 }
 
-/// Whether the sine of a group says how well it transmits forces.
+/// Whether the sine of a group says how well it transmits forces. A single equation, unless it is solved as that of an
+/// angle, has a Jacobian of one entry, which is square to nothing.
 pub fn transmits(group: &Group) -> bool {
-    group.kind != GroupKind::Linear || group.equations.len() > 1
+    group.kind == GroupKind::Angle || group.equations.len() > 1
 }
 
 /// The transmission angle of a sine, in degrees from 0 to 90.

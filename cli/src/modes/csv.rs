@@ -39,14 +39,15 @@ fn row(answer: &Answer, found: &Found, mode: &Listed, declared: bool) -> String 
         .map(|(driver, position)| cell(unit::stated(*position, driver.factor)))
         .collect();
     cells.extend(answer.values(mode).into_iter().map(cell));
-    for sine in &mode.sines {
+    for (one, sine) in case.entry.groups.iter().zip(&mode.sines) {
         let sign = match sign(*sine) {
             "+" => "1",
             "-" => "-1",
             _ => "0",
         };
         cells.push(sign.to_owned());
-        cells.push(cell(group::transmission(*sine)));
+        let angle = group::transmits(one).then(|| group::transmission(*sine));
+        cells.push(cell(angle.unwrap_or(f64::NAN)));
     }
     let left = case.entry.loops.iter().zip(&mode.residuals);
     cells.extend(left.map(|(of, left)| cell(unit::stated(*left, of.factor))));

@@ -70,7 +70,7 @@ fn mode(answer: &Answer, mode: &Listed, declared: bool) -> Value {
             "kind": group::kind(one.kind),
             "sign": match sign(*sine) { "+" => 1, "-" => -1, _ => 0 },
             "sine": sine,
-            "transmission": group::transmission(*sine),
+            "transmission": group::transmits(one).then(|| group::transmission(*sine)),
             "unit": "deg",
         })
     });
