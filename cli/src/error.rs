@@ -77,6 +77,11 @@ impl Failure {
         self
     }
 
+    /// What was not done, without the facts about it.
+    pub fn what(&self) -> &str {
+        &self.what
+    }
+
     /// The exit code of the command.
     pub fn code(&self) -> u8 {
         match self.kind {

@@ -51,6 +51,23 @@ pub struct Second {
     pub differences: Differences,
 }
 
+/// Share of the error above which what an order misses is pointed out.
+pub const MISSED: f64 = 0.05;
+
+impl Second {
+    /// Whether mean, standard deviation and worst case of the second order can be trusted: it misses little of linkages
+    /// made at random and of the extremes, and all of them assemble. Near a dead point it cannot.
+    pub fn is_trusted(&self) -> bool {
+        let differences = &self.differences;
+        let follows = differences.quadratic.rms <= MISSED * differences.errors.rms;
+        let reaches = self.extremes.is_none_or(|all| {
+            let (form, exact) = (all.quadratic.worst(), all.exact.worst());
+            all.exact.failed == 0 && (form - exact).abs() <= MISSED * exact
+        });
+        differences.failed == 0 && follows && reaches
+    }
+}
+
 /// Finds everything.
 ///
 /// # Errors
@@ -81,6 +98,12 @@ pub fn find(question: &Question) -> Result<Answer, Failure> {
         ..study.clone()
     };
     let at_place = linear(&there).map_err(said)?.swap_remove(0);
+    if !(at_place.worst.is_finite() && (at_place.deviation * at_place.deviation).is_finite()) {
+        return Err(Failure::request(
+            "the tolerances are too large to compute with: the sum of their squares is not finite",
+        )
+        .remedy("choose a smaller --scale, or smaller tolerances with --tolerance"));
+    }
     let second = match question.kind.wants(Kind::Second) {
         true => Some(second(question, &there).map_err(said)?),
         false => None,
@@ -235,6 +258,20 @@ fn out_of_reach(question: &Question, error: AllocationError) -> Failure {
         AllocationError::BadBand { .. } => {
             Failure::request("the band must be positive").place("--allocate")
         }
+        AllocationError::NotSolved {
+            at,
+            status,
+            iterations,
+        } => Failure::numerical("no tolerances of least cost are found")
+            .place(format!("at {}, where the output errs most", place_text(question, &at)))
+            .reason(format!(
+                "the conic programme stops after {iterations} iterations: {status}; beside a dead point the influences \
+                 are too far apart"
+            ))
+            .remedy(
+                "let the drivers go less near to their dead points (their range in the equation file), or give upper \
+                 limits with --limit",
+            ),
         other => Failure::numerical(other.to_string()),
     }
 }

@@ -7,9 +7,10 @@
 //! | `output` | `name`, whether it was `named` (else it is the last one of the scene), `others`, `unit` of its `value`, `error_unit` of all errors |
 //! | `place` | the drivers, each `name`, `unit`, `value` |
 //! | `contributions` | each `name`, `play`, `unit`, `half_width`, `distribution`, `influence` (error unit per unit), `worst`, `deviation`, `share`, `variance_share` |
-//! | `bands` | `worst`, `deviation`; `second` and `monte_carlo` where asked for |
+//! | `bands` | `worst`, `deviation`; `second` (whether it can be `trusted`: near a dead point it cannot) and `monte_carlo` where asked for |
 //! | `range` | `worst`, where (`at`), and the `ranking` of the sources |
 //! | `allocation` | `band`, `tolerances`, `cost`, `price`, `greatest`, `active`; or null |
+//! | `notes` | what the numbers do not say, each in words: a tolerance that leads out of the range of its dimension, a linkage put together far from its start values |
 //! | `changed` | the values that were given with --set, in words |
 //! | `status` | `"complete"`; `"conditional"` when linkages made at random do not assemble, so that `monte_carlo` speaks of the others alone; `"empty"` when none does |
 
@@ -53,6 +54,7 @@ pub fn render(question: &Question, answer: &Answer, figure: Option<&Path>) -> St
         "range": page.range(),
         "allocation": answer.allocation.as_ref().map(|one| page.allocation(one)),
         "changed": question.changed,
+        "notes": question.notes,
         "status": page.status(),
         "seconds": answer.seconds,
         "figure": figure.map(|path| path.display().to_string()),
@@ -128,6 +130,7 @@ impl Page<'_> {
             "extremes_closed": second.extremes.map(|one| corners(&one.exact)),
             "missed_by_first_order": difference(second.differences.linear),
             "missed_by_second_order": difference(second.differences.quadratic),
+            "trusted": second.is_trusted(),
         })
     }
 

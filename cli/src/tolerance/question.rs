@@ -4,15 +4,17 @@ mod names;
 mod wanted;
 
 use assur::registry::{LinkageEntry, Mechanism, Quantity, RunLinkage, SceneEntry};
-use assur::tolerance::{Sampling, Study};
+use assur::tolerance::{Sampling, Source, Study};
 
 use super::arguments::{Kind, ToleranceArguments};
 use super::places::{along, range};
 use crate::constants::Constants;
 use crate::error::Failure;
 use crate::linkage::case::shown;
+use crate::linkage::wording::contradiction;
 use crate::lookup;
 use crate::number;
+use crate::permitted::permitted;
 use crate::values;
 use names::Names;
 pub use wanted::Wanted;
@@ -50,6 +52,8 @@ pub struct Question {
     pub sampling: Sampling,
     /// What is to be chosen.
     pub allocation: Option<Wanted>,
+    /// What the numbers do not say, in words.
+    pub notes: Vec<String>,
 }
 
 /// What a source of error is called.
@@ -99,7 +103,12 @@ impl Question {
             Some(band) => Some(names.wanted(options, band, &study, &labels)?),
             None => None,
         };
+        let notes = contradiction(mechanism, scene, &*run)
+            .into_iter()
+            .chain(beyond(&constants, &labels, &study))
+            .collect();
         Ok(Self {
+            notes,
             mechanism,
             scene,
             at: names.place(&*run, &options.at)?,
@@ -127,6 +136,32 @@ impl Question {
         let others = outputs.filter(|(index, _)| *index != self.study.output);
         others.map(|(_, one)| one.name).collect()
     }
+}
+
+/// The dimensions whose tolerances lead out of their declared ranges, each in words.
+fn beyond(constants: &Constants, labels: &[Label], study: &Study) -> Vec<String> {
+    let own = labels
+        .iter()
+        .zip(&study.sources)
+        .filter(|(one, _)| !one.is_play);
+    let note = |(label, source): (&Label, &Source)| {
+        let all = constants.scene.constants;
+        let index = all
+            .iter()
+            .position(|one| one.quantity.name == label.quantity.name)?;
+        let (value, half_width) = (constants.values[index], source.half_width);
+        let extremes = [value - half_width, value + half_width];
+        let refused = extremes
+            .into_iter()
+            .find_map(|extreme| permitted(&all[index], extreme).err())?;
+        let half_width = number::declared(half_width / label.quantity.factor);
+        Some(format!(
+            "{}, which +- {half_width} {} leads to: what lies there is counted all the same",
+            refused.what(),
+            label.quantity.unit
+        ))
+    };
+    own.filter_map(note).collect()
 }
 
 /// The values that were given with --set, in words.

@@ -11,7 +11,8 @@ use super::answer::{Answer, Unit, label, place_text};
 use super::question::Question;
 use crate::number;
 use crate::style::Style;
-use crate::text::{Align, Columns};
+use crate::table::WIDTH;
+use crate::text::{Align, Columns, wrap};
 
 /// Digits of an error.
 const DIGITS: usize = 5;
@@ -48,6 +49,11 @@ impl Page<'_> {
         self.line(&self.style.heading(&title));
         if !question.changed.is_empty() {
             self.line(&format!("  with {}", question.changed));
+        }
+        for note in &question.notes {
+            for line in wrap(note, WIDTH - 2) {
+                self.line(&self.style.warn(&format!("  {line}")));
+            }
         }
         let others = question.other_outputs();
         let others = match others.is_empty() {

@@ -294,3 +294,45 @@ fn the_answer_says_which_output_it_is_about() {
     let figure = std::fs::read_to_string(folder.join("bands.svg")).expect("a figure");
     assert!(figure.contains("the error of φ₅") && !figure.contains("phi"));
 }
+
+#[test]
+fn beside_a_dead_point_the_orders_are_not_trusted_and_what_is_closed_is_no_turns_away() {
+    let folder = folder("tolerance_dead_point");
+    let place = ["--at", "phi4=-65.3297deg", "--kind", "second"];
+    let second = &heald(&place, &folder)["bands"]["second"];
+    assert_eq!(second["trusted"], false);
+    let greatest = second["extremes_closed"]["greatest"].as_f64();
+    assert!(
+        greatest.is_some_and(|one| one > 50.0 && one < 60.0),
+        "{second}"
+    );
+    let usual = &heald(&["--at", "phi4=90deg", "--kind", "second"], &folder)["bands"]["second"];
+    assert_eq!(usual["trusted"], true);
+}
+
+#[test]
+fn a_tolerance_that_leaves_the_range_of_its_dimension_is_told() {
+    let folder = folder("tolerance_range");
+    let wide = [
+        "--at",
+        "phi4=90deg",
+        "--kind",
+        "rss",
+        "--tolerance",
+        "l5=300mm",
+    ];
+    let found = heald(&wide, &folder);
+    let note = found["notes"][0].as_str().expect("a note");
+    assert!(note.contains("`l5` cannot be -70 mm"), "{note}");
+    let usual = heald(&wide[..4], &folder);
+    assert_eq!(usual["notes"], Value::Array(Vec::new()));
+    let huge = [
+        "tolerance",
+        "heald_linkage",
+        "--at",
+        "phi4=90deg",
+        "--scale",
+        "1e308",
+    ];
+    check_refused(&huge, &["too large to compute", "--scale"], &folder);
+}

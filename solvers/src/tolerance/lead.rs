@@ -12,6 +12,9 @@ use crate::problem::Storage;
 const SHORTEST: f64 = 1.0 / (1 << 24) as f64;
 /// Largest number of steps.
 const STEPS: usize = 400;
+/// Largest first correction in a step, in radians or turns of the longest link: what lies farther may be another mode, or
+/// the same one some turns away.
+const LONGEST: f64 = 0.25;
 /// Largest number of corrections in a step.
 const ITERATIONS: usize = 20;
 
@@ -96,7 +99,7 @@ impl<L: Linkage> Lead<'_, L> {
         let unknowns = L::GROUPS[index].unknowns;
         let mut residual = <L::Closure<f64> as Closure<f64>>::Row::zeros(largest::<L>());
         let mut jacobian = <L::Closure<f64> as Closure<f64>>::Matrix::zeros(largest::<L>().pow(2));
-        let mut before = f64::INFINITY;
+        let mut before = LONGEST / CONTRACTION;
         for _ in 0..ITERATIONS {
             closure.trial(index, instant, position, &mut residual, &mut jacobian);
             let determinant = small::solve(unknowns.len(), jacobian.as_mut(), residual.as_mut());
@@ -110,6 +113,12 @@ impl<L: Linkage> Lead<'_, L> {
                 return None;
             }
             if length <= NOTHING {
+                // What is left of this correction is its square over the sine: one more comes down to rounding.
+                closure.trial(index, instant, position, &mut residual, &mut jacobian);
+                small::solve(unknowns.len(), jacobian.as_mut(), residual.as_mut());
+                for (step, &j) in residual.as_ref().iter().zip(unknowns) {
+                    position.as_mut()[j] -= step;
+                }
                 closure.trial(index, instant, position, &mut residual, &mut jacobian);
                 return Some(());
             }

@@ -22,6 +22,8 @@ pub(super) const CONTRACTION: f64 = 0.25;
 const ACCURACY: f64 = 1e-8;
 /// Move that counts as none, in radians.
 pub(super) const NOTHING: f64 = 1e-11;
+/// Largest predicted move, in radians: a larger one may lead to the same mode some turns away.
+const LONGEST: f64 = 0.5;
 /// Largest number of corrections.
 const ITERATIONS: usize = 6;
 
@@ -185,6 +187,9 @@ impl<L: Linkage, S: Scalar, const W: usize> Place<L, S, W> {
             let moved = moves[j][sample];
             position.as_mut()[j] = self.position.as_ref()[j] + moved;
             before = larger(before, (moved * scales[j]).abs());
+        }
+        if !S::holds(S::less_equal(before, S::from_f64(LONGEST))) {
+            return false;
         }
         let (nothing, contraction) = (S::from_f64(NOTHING), S::from_f64(CONTRACTION));
         let enough = S::from_f64(ACCURACY) * before + nothing;

@@ -5,11 +5,8 @@ use assur::tolerance::{Corners, Estimate, Status};
 use super::Page;
 use crate::number;
 use crate::text::{Align, Columns};
-use crate::tolerance::answer::Second;
+use crate::tolerance::answer::{MISSED, Second};
 use crate::tolerance::arguments::Kind;
-
-/// Share of the error above which what the first order misses is pointed out.
-const MISSED: f64 = 0.05;
 
 impl Page<'_> {
     /// The bands that are wanted.
@@ -176,6 +173,13 @@ impl Page<'_> {
                 "The first order misses {} % of the error: worst case, standard deviation and shares above mislead here.",
                 number::significant(100.0 * share, 2)
             )));
+            self.line("");
+        }
+        if !second.is_trusted() {
+            self.line(&self.style.warn(
+                "The second order does not describe these errors, as near a dead point: trust what is closed again and \
+                 made at random alone.",
+            ));
             self.line("");
         }
     }

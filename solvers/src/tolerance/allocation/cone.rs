@@ -172,6 +172,7 @@ fn run(objective: &[f64], rows: Rows) -> Result<(Vec<f64>, Vec<f64>), Allocation
     match solution.status {
         SolverStatus::Solved | SolverStatus::AlmostSolved => Ok((solution.x, solution.z)),
         status => Err(AllocationError::NotSolved {
+            at: Vec::new(),
             status: format!("{status:?}"),
             iterations: solution.iterations,
         }),

@@ -53,6 +53,8 @@ pub enum AllocationError {
     },
     /// The conic programme was not solved.
     NotSolved {
+        /// The place where the output errs most per tolerance.
+        at: Vec<f64>,
         /// How the solver describes that.
         status: String,
         /// Iterations spent.
@@ -109,9 +111,14 @@ impl fmt::Display for AllocationError {
                  {band:e}; {:.0} % of it comes from tolerance {candidate}: lower its limit, or widen the band",
                 100.0 * share
             ),
-            Self::NotSolved { status, iterations } => write!(
+            Self::NotSolved {
+                at,
+                status,
+                iterations,
+            } => write!(
                 formatter,
-                "the conic programme was not solved: {status} after {iterations} iterations"
+                "the conic programme was not solved: {status} after {iterations} iterations; the output errs most at \
+                 {at:?}: a dead point may be there, go less near to it"
             ),
             Self::NotSettled { rounds, excess } => write!(
                 formatter,

@@ -200,6 +200,36 @@ fn between(places: &[Vec<f64>], part: f64) -> Vec<f64> {
     pairs.map(|(from, to)| from + share * (to - from)).collect()
 }
 
+/// A programme that is not solved, with the place where the output errs most.
+fn unsolved(
+    error: AllocationError,
+    kept: &[Peak],
+    at: &dyn Fn(f64) -> Vec<f64>,
+) -> AllocationError {
+    let size = |peak: &Peak| {
+        peak.influence
+            .iter()
+            .map(|one| one.abs())
+            .fold(0.0, f64::max)
+    };
+    let hardest = kept
+        .iter()
+        .max_by(|one, other| size(one).total_cmp(&size(other)));
+    match (error, hardest) {
+        (
+            AllocationError::NotSolved {
+                status, iterations, ..
+            },
+            Some(peak),
+        ) => AllocationError::NotSolved {
+            at: at(peak.part),
+            status,
+            iterations,
+        },
+        (error, _) => error,
+    }
+}
+
 /// Solves programmes until no place along the way leaves the band.
 fn choose(
     mut way: Way<'_>,
@@ -221,7 +251,8 @@ fn choose(
     let mut kept = way.peaks(&ones)?;
     for round in 1..=ROUNDS {
         let rows: Vec<Vec<f64>> = kept.iter().map(|one| one.influence.clone()).collect();
-        let optimum = cone::solve(candidates, way.rule, band, &rows)?;
+        let optimum = cone::solve(candidates, way.rule, band, &rows);
+        let optimum = optimum.map_err(|error| unsolved(error, &kept, at))?;
         let peaks = way.peaks(&optimum.tolerances)?;
         let excess = greatest(&peaks).error / band;
         if excess <= 1.0 + EXCESS {

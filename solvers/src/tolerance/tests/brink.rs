@@ -1,7 +1,7 @@
 //! Tolerances at the brink of what assembles, beside the naive way.
 
 use super::super::random::Random;
-use super::super::{Sampling, Status, monte_carlo, small};
+use super::super::{Sampling, Status, corners, monte_carlo, small};
 use super::{Heald, at};
 use crate::closure::{Assembly, Closure, Linkage, Variable};
 
@@ -42,7 +42,7 @@ fn naive(heald: &Heald, place: &[f64], errors: &[f64], from: &[f64; 9]) -> Optio
         closure.trial(0, &instant, &mut position, &mut row, &mut matrix);
         if row.iter().all(|one| one.abs() < 1e-13) {
             let determinant = small::solve(3, &mut matrix, &mut row);
-            return Some((position[2], determinant));
+            return Some((position[2] - row[2], determinant));
         }
         small::solve(3, &mut matrix, &mut row);
         for (unknown, step) in position.iter_mut().zip(row) {
@@ -85,4 +85,45 @@ fn the_naive_way_averages_over_other_modes() {
         "{found} {others} {}",
         ours.assembled
     );
+}
+
+/// All errors at their extremes, as the corner says.
+fn signed(half_widths: impl Iterator<Item = f64>, corner: u32) -> Vec<f64> {
+    let sign = |bit: usize| if corner >> bit & 1 == 0 { -1.0 } else { 1.0 };
+    half_widths
+        .enumerate()
+        .map(|(bit, one)| sign(bit) * one)
+        .collect()
+}
+
+#[test]
+fn extremes_just_before_the_dead_centre_are_no_turns_away() {
+    for degrees in [-65.3297, -65.3, 220.213, 220.222] {
+        let (heald, study) = at(degrees);
+        let exact = corners(&heald, &study).expect("the nominal linkage assembles")[0].exact;
+        assert!(exact.failed > 0 && exact.failed < exact.tried, "{exact:?}");
+        assert!(exact.worst() < 0.2, "{degrees}: {exact:?}");
+    }
+}
+
+#[test]
+fn extremes_are_closed_to_rounding() {
+    let (heald, study) = at(90.0);
+    let exact = corners(&heald, &study).expect("the nominal linkage assembles")[0].exact;
+    let mut assembly = Assembly::<Heald, f64>::new(&heald);
+    assembly.start().expect("it assembles");
+    assembly.move_to(&study.places[0]).expect("it gets there");
+    let nominal = *assembly.position();
+    for (error, corner) in [
+        (exact.least, exact.least_at),
+        (exact.greatest, exact.greatest_at),
+    ] {
+        let errors = signed(study.sources.iter().map(|one| one.half_width), corner);
+        let (value, _) = naive(&heald, &study.places[0], &errors, &nominal).expect("it closes");
+        assert!(
+            (value - nominal[2] - error).abs() < 2e-15,
+            "{error} {}",
+            value - nominal[2]
+        );
+    }
 }
