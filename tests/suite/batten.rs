@@ -4,5 +4,6 @@ mod laws;
 mod limits;
 mod losses;
 mod reference;
+mod untwisted;
 
 pub use laws::bending_alone;
