@@ -187,7 +187,7 @@ fn every_scene_comes_out() {
                 "start",
             ][..],
         ),
-        ("batten_table", &["table", "identity"]),
+        ("batten_table", &["table", "identity", "own"]),
     ] {
         for scene in scenes {
             let object = json(
