@@ -1,5 +1,6 @@
 //! Linkages: loops closed, their derivatives, their assembly modes.
 
 mod carried;
+mod extremes;
 mod misprints;
 mod reference;
