@@ -76,7 +76,7 @@ One JSON object is printed with --format json. Its fields:
   mechanism    name, title, source
   scene        name, effects, choices, preset
   parameters   each: name, kind, unit, value, default, changed
-  task         kind (periodic, run or open), from, to, unit
+  task         kind (periodic, run or open), from, to, unit, periods, period (where it is a result)
   settings     method, rtol
   status       \"complete\"; \"incomplete\" when a value is missing (null), that of a measure too;
                \"not unique\" when free motions that nothing drives could be added; \"inaccurate\" when
@@ -90,10 +90,10 @@ One JSON object is printed with --format json. Its fields:
   measures     numbers of the whole task, each: name, unit, value, estimated_error; or missing
   published    each: name, unit, place, published, tolerance, computed, estimated_error,
                deviation, relative_deviation, within (null when not comparable), remark, line
-  multipliers  each: re, im, modulus, angle, angle_unit, meaning
+  multipliers  each: re, im, modulus, angle, angle_unit, estimated_error, meaning
   conclusions  what the multipliers say, in words
-  statistics   steps, rejected, evaluations, jacobians, stiff_steps, switches (time, to),
-               condition, residual, seconds, seconds_with_error_estimate,
+  statistics   steps, rejected, evaluations, jacobians, stiff_steps, rounded_steps,
+               switches (time, to), condition, residual, seconds, seconds_with_error_estimate,
                largest_estimated_error, work_for_ten_times_more_accuracy, error_estimate_cut_off
   figure       path of the figure, or null
 Of a linkage there are besides (and no settings, multipliers, conclusions):

@@ -18,7 +18,7 @@
 //! | `published` | each `name`, `unit`, `place`, `published`, `tolerance`, `computed`, `estimated_error`, `deviation`, `relative_deviation`, `within` (null when published for other values), `remark`, `line` of the equation file |
 //! | `multipliers` | over all `periods` of the task: each `re`, `im`, `modulus`, `angle`, `angle_unit`, `estimated_error` (of `re` and `im` together), `meaning`; none unless the task is periodic |
 //! | `conclusions` | what the multipliers say, a sentence each |
-//! | `statistics` | `steps`, `rejected`, `evaluations`, `jacobians`, `stiff_steps` (by a stiff method), `switches` (of `auto`, each `time`, `to`), `condition` (number of the steady state), `residual` (after a period, over the scales), `seconds`, `seconds_with_error_estimate`, `largest_estimated_error` (`name`, `relative_to_amplitude`), `work_for_ten_times_more_accuracy`, `error_estimate_cut_off` (whether ten times more accuracy took too long to be tried) |
+//! | `statistics` | `steps`, `rejected`, `evaluations`, `jacobians`, `stiff_steps` (by a stiff method), `rounded_steps` (whose error is that of rounding, above the tolerance), `switches` (of `auto`, each `time`, `to`), `condition` (number of the steady state), `residual` (after a period, over the scales), `seconds`, `seconds_with_error_estimate`, `largest_estimated_error` (`name`, `relative_to_amplitude`), `work_for_ten_times_more_accuracy`, `error_estimate_cut_off` (whether ten times more accuracy took too long to be tried) |
 //! | `figure` | path of the figure, or null |
 //!
 //! Values stand in the unit beside them, times in seconds. A run that does not come out prints no object: the message
@@ -282,6 +282,7 @@ fn statistics(report: &Report) -> Value {
         "evaluations": effort.evaluations,
         "jacobians": effort.jacobians,
         "stiff_steps": effort.stiff_steps,
+        "rounded_steps": effort.rounded_steps,
         "switches": switches,
         "condition": report.motion.closing().map(|closing| closing.0),
         "residual": report.motion.closing().map(|closing| closing.1),

@@ -202,6 +202,8 @@ pub struct Effort {
     pub jacobians: usize,
     /// Steps taken by a stiff method.
     pub stiff_steps: usize,
+    /// Steps whose error is that of rounding and above the tolerance.
+    pub rounded_steps: usize,
 }
 
 impl Motion {
@@ -309,6 +311,7 @@ impl Motion {
             evaluations: statistics.evaluations,
             jacobians: statistics.jacobians,
             stiff_steps: statistics.stiff_steps,
+            rounded_steps: statistics.rounded_steps,
         }
     }
 }

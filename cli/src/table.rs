@@ -244,6 +244,10 @@ fn last_line(report: &Report) -> String {
         format!("evaluated in {}", number::duration(cost.total))
     };
     let more = match cost.tenfold {
+        _ if effort.rounded_steps > 0 => format!(
+            "; in {} steps rounding is larger than the tolerance, so that a smaller --rtol gains nothing there",
+            number::count(effort.rounded_steps)
+        ),
         Some(factor) => format!("; ten times more accuracy takes {factor:.2} times as long"),
         None if cost.is_cut_off => {
             "; the estimate with a tenth of the tolerance was cut off".to_owned()
