@@ -279,8 +279,8 @@ mod tests {
 
     #[test]
     fn a_motion_that_repeats_after_several_periods_is_counted_in_turns_of_them() {
-        let list = list(&[(0.6, 0.0), (-0.95, 0.0)]);
-        let all: Vec<String> = list.iter().map(|one| one.meaning(TWICE)).collect();
+        let read = list(&[(0.6, 0.0), (-0.95, 0.0)]);
+        let all: Vec<String> = read.iter().map(|one| one.meaning(TWICE)).collect();
         assert_eq!(
             all,
             [
@@ -288,7 +288,7 @@ mod tests {
                 "dies out, halved every 1.36 turns of 2 periods",
             ]
         );
-        let lines = conclusions(&list, TWICE, 0, None);
+        let lines = conclusions(&read, TWICE, 0, None);
         assert!(lines[0].ends_with("a hundredth in 90 turns of 2 periods"));
         assert!(lines[2].ends_with("only every second turn of 2 periods"));
         let quick = conclusions(&list(&[(0.01, 0.0)]), ONCE, 0, None);

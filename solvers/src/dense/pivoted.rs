@@ -29,10 +29,11 @@ pub fn factor_pivoted<S: Scalar, const N: usize>(matrix: [[S; N]; N]) -> Pivoted
         // The largest entry comes to the diagonal by exchanges, because the lanes exchange different rows.
         for row in column + 1..N {
             let is_larger = S::less(factors[column][column].abs(), factors[row][column].abs());
-            for k in 0..N {
-                let (upper, lower) = (factors[column][k], factors[row][k]);
-                factors[column][k] = S::select(is_larger, lower, upper);
-                factors[row][k] = S::select(is_larger, upper, lower);
+            let (above, below) = factors.split_at_mut(row);
+            for (upper, lower) in above[column].iter_mut().zip(&mut below[0]) {
+                let (a, b) = (*upper, *lower);
+                *upper = S::select(is_larger, b, a);
+                *lower = S::select(is_larger, a, b);
             }
             let (upper, lower) = (origins[column], origins[row]);
             origins[column] = S::select(is_larger, lower, upper);
@@ -41,10 +42,12 @@ pub fn factor_pivoted<S: Scalar, const N: usize>(matrix: [[S; N]; N]) -> Pivoted
         reciprocals[column] = S::ONE / factors[column][column];
         for row in column + 1..N {
             let multiple = factors[row][column] * reciprocals[column];
-            factors[row][column] = multiple;
-            for k in column + 1..N {
-                factors[row][k] = factors[column][k].mul_add(-multiple, factors[row][k]);
+            let (above, below) = factors.split_at_mut(row);
+            let pairs = above[column].iter().zip(&mut below[0]);
+            for (upper, lower) in pairs.skip(column + 1) {
+                *lower = upper.mul_add(-multiple, *lower);
             }
+            factors[row][column] = multiple;
         }
     }
     Pivoted {
