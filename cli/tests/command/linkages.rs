@@ -1,6 +1,5 @@
 //! What the command says about linkages.
 
-use std::f64::consts::TAU;
 use std::path::Path;
 
 use serde_json::Value;
@@ -353,8 +352,8 @@ fn a_timed_run_knows_limit_positions_as_a_sweep_does() {
     let highest = &named(&timed["results"], "chi")["maximum"]["at"];
     check_near(&highest["drivers"][0]["value"], expected, 1e-10);
     check_near(&highest["time"], 0.1 * expected / 360.0, 1e-14);
-    // How fast the lever turns follows from the drive: at 600 rpm by the speed times the ratio.
-    let speed = 600.0 * TAU / 60.0;
+    // How fast the lever turns, in degrees per second, is the speed of 600 rpm times the ratio.
+    let speed = 600.0 * 360.0 / 60.0;
     let (fast, ratio) = (
         named(&timed["results"], "dot(chi)"),
         named(&swept["results"], "ratio"),
