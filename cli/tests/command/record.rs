@@ -1,9 +1,9 @@
 //! A record of all that the command answers, to be compared between two commits:
 //!
 //! ```text
-//! ASSUR_RECORD=/tmp/before cargo test --release -p assur-cli --test command record -- --ignored
-//! ASSUR_RECORD=/tmp/after  …
-//! diff -r /tmp/before /tmp/after
+//! ASSUR_RECORD=before cargo test --release -p assur-cli --test command record -- --ignored
+//! ASSUR_RECORD=after  …
+//! diff -r before after
 //! ```
 //!
 //! A file an answer, named after what was asked, with exit code and messages; figures and drawings beside it. Times that
