@@ -66,14 +66,27 @@ fn text(mechanism: &Mechanism, fact: &Expectation, quantity: &Quantity, computed
             .trim_end()
             .to_owned()
     };
+    // Digits below a hundredth of the tolerance say nothing about the fact.
+    let rounded = |value: f64| {
+        let decimals = 2.0 - (fact.tolerance / quantity.factor).log10();
+        let text = format!(
+            "{:.*}",
+            decimals.ceil().clamp(0.0, 17.0) as usize,
+            value / quantity.factor
+        );
+        shown(
+            text.parse()
+                .map_or(value, |digits: f64| digits * quantity.factor),
+        )
+    };
     format!(
         "{} at {:?}: computed {}, published {} ± {}, deviation {} ({}:{}) {}",
         quantity.name,
         fact.at,
-        shown(computed),
+        rounded(computed),
         shown(fact.value),
         shown(fact.tolerance),
-        shown(computed - fact.value),
+        rounded(computed - fact.value),
         mechanism.file,
         fact.line,
         fact.remark,
