@@ -26,10 +26,7 @@ const PUBLISHED: [(f64, &str, f64, f64); 9] = [
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let batten = Elastic::default();
-    let settings = Settings {
-        method: Method::Dop853,
-        rtol: 1e-10,
-    };
+    let settings = Settings::new(Method::Dop853, 1e-10);
     let period = TAU / batten.n;
     let orbit = periodic::solve(&batten, period, &settings)?;
 

@@ -30,10 +30,7 @@ fn main() {
 
 /// The period of the swing from rest at an angle: four times the time to the lowest point.
 fn period(angle: f64) -> f64 {
-    let settings = Settings {
-        method: Method::Dop853,
-        rtol: 1e-13,
-    };
+    let settings = Settings::new(Method::Dop853, 1e-13);
     let motion = ode::march(&Swing::default(), (0.0, 2.0), &[angle, 0.0], &settings).unwrap();
     let (mut above, mut below) = (0.0, motion.times().iter().copied());
     let mut below = below.find(|time| motion.at(*time)[0] < 0.0).unwrap();

@@ -233,10 +233,7 @@ fn line<C: Hybrid>(name: &str, drive: &C) -> RunUp {
 }
 
 fn run<C: Hybrid>(drive: &C) -> RunUp {
-    let settings = Settings {
-        method: Method::Dop853,
-        rtol: 1e-10,
-    };
+    let settings = Settings::new(Method::Dop853, 1e-10);
     let motion = march(drive, (0.0, 0.4), &drive.start(), &settings).unwrap();
     let read = Reader {
         drive,

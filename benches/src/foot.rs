@@ -46,7 +46,7 @@ pub fn assur_by(method: Method, turns: f64, rtol: f64) -> Run {
     end_of(&motion(
         &Elliptic::default(),
         turns,
-        &Settings { method, rtol },
+        &Settings::new(method, rtol),
     ))
 }
 
@@ -73,7 +73,7 @@ fn taylor(turns: f64, rtol: f64) -> Run {
 #[inline(never)]
 fn by_hand(turns: f64, rtol: f64) -> Run {
     let method = Method::Dop853;
-    end_of(&motion(&HandFoot, turns, &Settings { method, rtol }))
+    end_of(&motion(&HandFoot, turns, &Settings::new(method, rtol)))
 }
 
 /// The same by hand.
@@ -149,7 +149,7 @@ pub fn cases() -> Vec<Case<'static>> {
 /// The motion that repeats, looked for from the declared start.
 fn repeating() -> Cycle {
     let method = Method::Dop853;
-    let settings = Settings { method, rtol: RTOL };
+    let settings = Settings::new(method, RTOL);
     hybrid::cycle(&Elliptic::default(), PERIOD, &settings)
         .expect("the foot has a motion that repeats")
 }
@@ -186,7 +186,7 @@ pub fn report() {
 /// By how much the instants of the events differ, and the kept motions on the way.
 fn kept_apart(rtol: f64) -> (f64, f64) {
     let method = Method::Dop853;
-    let ours = motion(&Elliptic::default(), 1.0, &Settings { method, rtol });
+    let ours = motion(&Elliptic::default(), 1.0, &Settings::new(method, rtol));
     let hand = hand_walk::run::<true, true>(&Foot::default(), START, PERIOD, rtol);
     let changes = ours.events.iter().filter(|one| one.from != one.to);
     let times: Vec<f64> = changes.map(|one| one.time).collect();

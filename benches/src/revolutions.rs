@@ -102,10 +102,7 @@ fn periodic_motion() -> periodic::Orbit {
     let Span::Periodic(period) = scene.span() else {
         panic!("the scene is not periodic");
     };
-    let settings = Settings {
-        method: registry::Method::Dop853,
-        rtol: RTOL,
-    };
+    let settings = Settings::new(registry::Method::Dop853, RTOL);
     periodic::solve(&scene, period, &settings).expect("the batten has a periodic motion")
 }
 

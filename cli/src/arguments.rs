@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::settings::Accuracy;
+
 /// Mechanisms as equation files: run, check and explain them.
 #[derive(Debug, Parser)]
 #[command(
@@ -63,6 +65,7 @@ const RUN_EXAMPLES: &str = "Examples:
   assur run batten
   assur run batten --scene exact --set n=300rpm --at theta=110deg
   assur run batten --rtol 1e-12 --format json
+  assur run batten --scene start --rtol 1e-8 --atol 'phi2=1e-12 rad'
   assur run batten --format csv > batten.csv
   assur run heald_linkage --at phi4=75deg --set l4=91mm
   assur run heald_linkage --format csv --rows limits
@@ -77,7 +80,7 @@ One JSON object is printed with --format json. Its fields:
   scene        name, effects, choices, preset
   parameters   each: name, kind, unit, value, default, changed
   task         kind (periodic, run or open), from, to, unit, periods, period (where it is a result)
-  settings     method, rtol
+  settings     method, rtol, atol (each that is given: name, unit, value)
   status       \"complete\"; \"incomplete\" when a value is missing (null), that of a measure too;
                \"not unique\" when free motions that nothing drives could be added; \"inaccurate\" when
                solutions with other tolerances differ by a hundredth of the amplitude, exit code 1
@@ -138,12 +141,8 @@ pub struct RunArguments {
     /// A position of the drivers or a time at which to print everything, `theta=110deg`, `time=0.1s`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub at: Vec<String>,
-    /// Relative tolerance of the integration, from 1e-14 to 1e-2.
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
-    pub rtol: Option<String>,
-    /// Integration method: dop853, tsit5 or taylor, for stiff motions radau or rosenbrock, or auto, which finds out.
-    #[arg(long, value_name = "METHOD")]
-    pub method: Option<String>,
+    #[command(flatten)]
+    pub accuracy: Accuracy,
     /// What is printed.
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,
@@ -291,7 +290,7 @@ mod tests {
                 panic!("{words:?} is not understood");
             };
             assert_eq!(options.name.as_deref(), Some("batten"));
-            assert_eq!(options.rtol.as_deref(), Some("1e-9"));
+            assert_eq!(options.accuracy.rtol.as_deref(), Some("1e-9"));
         }
     }
 }

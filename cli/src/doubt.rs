@@ -7,7 +7,7 @@
 
 use assur::measure::{Extreme, Extremes};
 use assur::problem::Span;
-use assur::registry::{Limits, Settings};
+use assur::registry::Settings;
 
 use crate::case::Case;
 use crate::curves::{self, Curves};
@@ -96,24 +96,22 @@ impl Doubt {
             });
         }
         let rtol = motion.settings.rtol;
-        let again = |rtol: f64, limits: &Limits| {
-            let settings = Settings {
-                rtol,
-                ..motion.settings
-            };
-            case.solve_within(settings, limits)
-        };
         let effort = motion.effort();
-        let limits = Limits {
-            steps: Some(MOST.0 * (effort.steps + effort.rejected) + MOST.1),
-            // Else the first steps, which do not grow any faster, would be the same whatever the tolerance.
-            first_step: motion
-                .steps()
-                .get(..2)
-                .map(|steps| FIRST * (steps[1] - steps[0])),
+        let again = |rtol: f64| motion.settings.at(rtol);
+        let finer = |rtol: f64| match case.task {
+            Span::Run(..) => Settings {
+                max_steps: Some(MOST.0 * (effort.steps + effort.rejected) + MOST.1),
+                // Else the first steps, which do not grow any faster, would be the same whatever the tolerance.
+                first_step: motion
+                    .steps()
+                    .get(..2)
+                    .map(|steps| FIRST * (steps[1] - steps[0])),
+                ..again(rtol)
+            },
+            _ => again(rtol),
         };
-        let finer = (rtol / 10.0 >= RTOL.0).then(|| again(rtol / 10.0, &limits));
-        let coarser = again(10.0 * rtol, &Limits::default());
+        let finer = (rtol / 10.0 >= RTOL.0).then(|| case.solve(finer(rtol / 10.0)));
+        let coarser = case.solve(again(10.0 * rtol));
         let is_cut_off = matches!(finer, Some(Err(_)));
         let (finer, coarser) = match (finer, coarser) {
             (Some(Err(_)) | None, Err(failure)) => return Err(failure),

@@ -27,7 +27,7 @@
 use std::path::Path;
 
 use assur::problem::Span;
-use assur::registry::{Mechanism, Quantity};
+use assur::registry::{Mechanism, Quantity, SceneEntry, Settings};
 use serde_json::{Value, json};
 
 use crate::constants::Constants;
@@ -36,7 +36,7 @@ use crate::events;
 use crate::measures;
 use crate::published::Comparison;
 use crate::report::{Report, Snapshot};
-use crate::settings::method_name;
+use crate::settings::{given_atol, method_name};
 use crate::unit;
 
 /// Name and version of the format.
@@ -65,10 +65,7 @@ fn object(report: &Report, figure: Option<&Path>) -> Value {
         "scene": scene(&report.case.constants),
         "parameters": parameters(&report.case.constants),
         "task": task(report),
-        "settings": {
-            "method": method_name(report.motion.settings.method),
-            "rtol": report.motion.settings.rtol,
-        },
+        "settings": settings(&report.motion.settings, report.case.scene),
         "status": status(complete, report),
         "results": results,
         "at": places,
@@ -120,6 +117,18 @@ fn lacks(value: &Value) -> bool {
     let list = value.get("results").unwrap_or(value);
     list.as_array()
         .is_some_and(|list| list.iter().any(|result| result["value"].is_null()))
+}
+
+/// How a motion was integrated.
+pub fn settings(settings: &Settings, scene: &SceneEntry) -> Value {
+    let atol = given_atol(settings, scene).into_iter();
+    let atol =
+        atol.map(|(name, unit, value)| json!({ "name": name, "unit": unit, "value": value }));
+    json!({
+        "method": method_name(settings.method),
+        "rtol": settings.rtol,
+        "atol": atol.collect::<Value>(),
+    })
 }
 
 /// The dimensions and parameters.

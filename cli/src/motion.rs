@@ -5,7 +5,7 @@
 use assur::hybrid::{self, CycleError, HybridError};
 use assur::periodic::{self, PeriodicError};
 use assur::problem::Span;
-use assur::registry::{Limits, Run, SceneEntry, Settings};
+use assur::registry::{Run, SceneEntry, Settings};
 
 use crate::case::Case;
 use crate::error::Failure;
@@ -21,14 +21,6 @@ impl Case {
     /// # Errors
     /// When the solver does not succeed, with the facts that it gives.
     pub fn solve(&self, settings: Settings) -> Result<Motion, Failure> {
-        self.solve_within(settings, &Limits::default())
-    }
-
-    /// The same within limits, which a steady state does not have.
-    ///
-    /// # Errors
-    /// When the solver does not succeed, with the facts that it gives.
-    pub fn solve_within(&self, settings: Settings, limits: &Limits) -> Result<Motion, Failure> {
         let clock = std::time::Instant::now();
         let run = self.run();
         let (from, to) = run.span().limits();
@@ -63,7 +55,7 @@ impl Case {
                 hybrid::Motion::of(orbit.trajectory)
             }
             Span::Run(..) => {
-                let motion = run.follow_within((from, to), &run.start(), &settings, limits);
+                let motion = run.follow((from, to), &run.start(), &settings);
                 motion.map_err(|error| self.not_followed(&error))?
             }
         };

@@ -142,7 +142,12 @@ pub fn compare(mechanism: &'static Mechanism, own: &Known<'_>) -> Result<Vec<Com
     for preset in scene.expectations.iter().map(wanted) {
         let is_known = preset == constants.preset || others.iter().any(|one| one.preset == preset);
         if !changed && !is_known {
-            others.push(Solved::new(mechanism, scene, preset, own.motion.settings)?);
+            others.push(Solved::new(
+                mechanism,
+                scene,
+                preset,
+                own.motion.settings.clone(),
+            )?);
         }
     }
     let facts = scene.expectations.iter().filter_map(|fact| {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use assur::problem::Span;
-use assur::registry::{Mechanism, SceneEntry, Settings};
+use assur::registry::{Mechanism, SceneEntry};
 
 use crate::arguments::{Format, Rows, RunArguments};
 use crate::case::Case;
@@ -13,7 +13,7 @@ use crate::output::{self, Destination};
 use crate::plot::Selection;
 use crate::progress::Progress;
 use crate::report::{self, Report};
-use crate::{csv, events, json, linkage, lookup, plot, settings, style, table, values};
+use crate::{csv, events, json, linkage, lookup, plot, style, table, values};
 
 /// Runs a scene. Everything is computed first; then the figure is written, then the answer is printed.
 ///
@@ -37,10 +37,7 @@ pub fn execute(options: &RunArguments) -> Result<(), Failure> {
         .iter()
         .map(|text| values::place(scene, text))
         .collect::<Result<Vec<_>, _>>()?;
-    let settings = Settings {
-        method: settings::method(options.method.as_deref())?,
-        rtol: settings::rtol(options.rtol.as_deref())?,
-    };
+    let settings = options.accuracy.settings(scene)?;
     let curves = Selection::read(scene, options.curves.as_deref())?;
     let figure = match figure_path(options, mechanism, scene) {
         Some(path) => Some(Destination::figure(&path)?),

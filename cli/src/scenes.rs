@@ -38,10 +38,7 @@ pub fn execute(options: &ScenesArguments) -> Result<(), Failure> {
         return Err(lookup::no_mechanism("scenes"));
     };
     let mechanism = lookup::mechanism(name)?;
-    let settings = Settings {
-        method: method(None)?,
-        rtol: DEFAULT_RTOL,
-    };
+    let settings = Settings::new(method(None)?, DEFAULT_RTOL);
     let of_kind = |linkages: bool| {
         let scenes = mechanism.scenes.iter();
         scenes.filter(move |scene| scene.linkage.is_some() == linkages)
@@ -56,7 +53,7 @@ pub fn execute(options: &ScenesArguments) -> Result<(), Failure> {
     let progress = Progress::start(format!("{name}, all scenes"), parts);
     let mut measured = Vec::new();
     for case in &cases {
-        measured.push(Measured::of(case, settings));
+        measured.push(Measured::of(case, settings.clone()));
         progress.advance();
     }
     let mut moved = Vec::new();

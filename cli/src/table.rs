@@ -14,7 +14,7 @@ use crate::list::composition;
 use crate::measures;
 use crate::number;
 use crate::report::Report;
-use crate::settings::method_name;
+use crate::settings::{given_atol, method_name};
 use crate::style::Style;
 use crate::text::{Align, Columns, wrap};
 
@@ -232,10 +232,11 @@ fn last_line(report: &Report) -> String {
     let effort = report.motion.effort();
     let work = if effort.evaluations > 0 {
         format!(
-            "solved in {} by {} with rtol {:e} ({} steps{}, {} evaluations)",
+            "solved in {} by {} with rtol {:e}{} ({} steps{}, {} evaluations)",
             number::duration(cost.solve),
             method_name(report.motion.settings.method),
             report.motion.settings.rtol,
+            atol_part(report),
             number::count(effort.steps),
             stiff_part(report),
             number::count(effort.evaluations)
@@ -258,6 +259,14 @@ fn last_line(report: &Report) -> String {
         None => String::new(),
     };
     format!("{error}; {work}{more}.")
+}
+
+/// The absolute tolerances that are given.
+fn atol_part(report: &Report) -> String {
+    let given = given_atol(&report.motion.settings, report.case.scene);
+    let parts = given.into_iter();
+    let parts = parts.map(|(name, unit, value)| format!(", atol {value:e} {unit} of {name}"));
+    parts.collect::<String>().replace("  ", " ")
 }
 
 /// How many of the steps were stiff ones, where `auto` chose.

@@ -8,6 +8,7 @@ mod hybrid;
 mod limits;
 mod linkage;
 mod path;
+mod settings;
 mod tolerance;
 
 pub use bind::{bind, check_values};
@@ -17,6 +18,7 @@ pub use linkage::{
     Distribution, Link, LinkageEntry, Loop, RunLinkage, Subject, bind_exact, bind_linkage,
 };
 pub use path::{Path, Sample};
+pub use settings::{Method, Settings};
 pub use tolerance::RunTolerance;
 
 use crate::hybrid::{Cycle, CycleError};
@@ -282,53 +284,6 @@ pub enum At {
     Run,
 }
 
-/// Which method integrates, and how accurately.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// The method.
-    pub method: Method,
-    /// Relative tolerance of a step.
-    pub rtol: f64,
-}
-
-/// What an integration may take, whatever its tolerance asks for.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Limits {
-    /// Most steps, rejected ones included.
-    pub steps: Option<usize>,
-    /// Length of the first step, in seconds.
-    pub first_step: Option<f64>,
-}
-
-/// Name of an integration method.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// Explicit Runge–Kutta pair of order 5(4), Tsitouras.
-    Tsit5,
-    /// Explicit Runge–Kutta method of order 8 with errors of order 5 and 3, Dormand and Prince.
-    Dop853,
-    /// Taylor series of the motion, of an order that follows from the tolerance.
-    Taylor,
-    /// Implicit Runge–Kutta method of order 5 for stiff motions, Radau IIA.
-    Radau,
-    /// Rosenbrock method of order 5 for stiff motions, Rodas5P.
-    Rosenbrock,
-    /// The method of Dormand and Prince, and a stiff one where the motion turns out to be stiff.
-    Auto,
-}
-
-impl Method {
-    /// The method among those that solve stiff motions; none if it is explicit.
-    pub fn stiff(self) -> Option<crate::stiff::Method> {
-        match self {
-            Self::Tsit5 | Self::Dop853 | Self::Taylor => None,
-            Self::Radau => Some(crate::stiff::Method::Radau),
-            Self::Rosenbrock => Some(crate::stiff::Method::Rosenbrock),
-            Self::Auto => Some(crate::stiff::Method::Automatic),
-        }
-    }
-}
-
 /// A scene whose parameter values are fixed, ready to run.
 pub trait Run: Send + Sync {
     /// The task of the scene.
@@ -408,19 +363,6 @@ pub trait Run: Send + Sync {
         times: (f64, f64),
         start: &[f64],
         settings: &Settings,
-    ) -> Result<crate::hybrid::Motion, crate::hybrid::HybridError> {
-        self.follow_within(times, start, settings, &Limits::default())
-    }
-    /// The same, within limits.
-    ///
-    /// # Errors
-    /// See [`crate::hybrid::HybridError`].
-    fn follow_within(
-        &self,
-        times: (f64, f64),
-        start: &[f64],
-        settings: &Settings,
-        limits: &Limits,
     ) -> Result<crate::hybrid::Motion, crate::hybrid::HybridError>;
     /// The same from a start in another mode than the first.
     ///

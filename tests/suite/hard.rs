@@ -4,4 +4,5 @@ mod absurd;
 mod cancellation;
 mod long;
 mod resonance;
+mod tolerances;
 mod units;

@@ -73,14 +73,7 @@ fn render(report: &Report, options: &RunArguments, figure: Option<&Path>) -> Str
 
 /// Loops are closed to the last digit, and nothing is integrated.
 fn without_integration(options: &RunArguments) -> Result<(), Failure> {
-    let given = [
-        ("--rtol", options.rtol.as_deref()),
-        ("--method", options.method.as_deref()),
-    ];
-    let given = given
-        .into_iter()
-        .find_map(|(option, text)| Some((option, text?)));
-    match given {
+    match options.accuracy.given().next() {
         Some((option, text)) => Err(Failure::request(format!("a linkage takes no {option}"))
             .place(format!("{option} {text}"))
             .reason("its loops are closed to rounding; nothing is integrated")

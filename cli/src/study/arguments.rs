@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::arguments::Format;
+use crate::settings::Accuracy;
 
 /// Examples, and what the formats contain.
 pub const EXAMPLES: &str = "Examples:
@@ -65,12 +66,8 @@ pub struct StudyArguments {
         allow_hyphen_values = true
     )]
     pub threads: String,
-    /// Relative tolerance of the integration, from 1e-14 to 1e-2.
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
-    pub rtol: Option<String>,
-    /// Integration method, as for `assur run`.
-    #[arg(long, value_name = "METHOD")]
-    pub method: Option<String>,
+    #[command(flatten)]
+    pub accuracy: Accuracy,
     /// What is printed.
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,

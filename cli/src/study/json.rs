@@ -17,8 +17,7 @@ use serde_json::{Value, json};
 
 use super::answer::Answer;
 use super::question::{Question, Way};
-use crate::json::{mechanism, parameters, scene};
-use crate::settings::method_name;
+use crate::json::{mechanism, parameters, scene, settings};
 use crate::unit;
 
 /// The object, with its last line ended.
@@ -34,10 +33,7 @@ pub fn render(question: &Question, answer: &Answer, figure: Option<&Path>) -> St
         "mechanism": mechanism(question.mechanism),
         "scene": scene(&question.constants),
         "parameters": parameters(&question.constants),
-        "settings": {
-            "method": method_name(question.settings.method),
-            "rtol": question.settings.rtol,
-        },
+        "settings": settings(&question.settings, question.scene),
         "over": over,
         "samples": samples,
         "seed": seed,

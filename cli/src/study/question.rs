@@ -9,7 +9,6 @@ use super::tolerance;
 use crate::constants::Constants;
 use crate::error::Failure;
 use crate::lookup::{self, suggestion};
-use crate::settings;
 use crate::values;
 
 /// Most runs of a study.
@@ -66,10 +65,7 @@ impl Question {
             constants,
             way,
             measures: measures(scene, options.measure.as_deref())?,
-            settings: Settings {
-                method: settings::method(options.method.as_deref())?,
-                rtol: settings::rtol(options.rtol.as_deref())?,
-            },
+            settings: options.accuracy.settings(scene)?,
             threads: values::whole("--threads", &options.threads, (0, THREADS))? as usize,
         })
     }

@@ -145,6 +145,49 @@ fn tolerances_out_of_range() {
 }
 
 #[test]
+fn absolute_tolerances_that_cannot_be() {
+    let directory = folder("absolute");
+    let cases: [(&str, &[&str]); 6] = [
+        (
+            "phi2",
+            &["--atol takes NAME=VALUE", "--atol 'phi2=1e-12[rad]'"],
+        ),
+        (
+            "phy2=1 rad",
+            &["`phy2` is no state of scene `start`", "did you mean"],
+        ),
+        ("phi2=1mm", &["`1mm` has the wrong unit for `phi2`"]),
+        ("phi2=0", &["a tolerance of `phi2` is a number above 0"]),
+        (
+            "phi2=-1 rad",
+            &["a tolerance of `phi2` is a number above 0"],
+        ),
+        ("phi2=nan", &["help:"]),
+    ];
+    for (atol, words) in cases {
+        let asked = ["run", "batten", "--scene", "start", "--atol", atol];
+        check_refused(&asked, words, &directory);
+    }
+    let twice = [
+        "run",
+        "batten",
+        "--scene",
+        "start",
+        "--atol",
+        "phi2=1e-9 rad",
+        "--atol",
+        "phi2=1e-8 rad",
+    ];
+    check_refused(
+        &twice,
+        &["the tolerance of `phi2` is given twice"],
+        &directory,
+    );
+    let linkage = ["run", "heald_linkage", "--atol", "phi4=1 deg"];
+    check_refused(&linkage, &["a linkage takes no --atol"], &directory);
+}
+
+#[test]
 fn outputs_that_cannot_be_written() {
     let directory = folder("outputs");
     std::fs::write(directory.join("file"), "kept").expect("writable");

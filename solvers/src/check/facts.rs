@@ -11,10 +11,7 @@ use crate::registry::{
 use crate::study;
 
 /// How the motion is found: far more accurately than anything is published.
-const SETTINGS: Settings = Settings {
-    method: Method::Dop853,
-    rtol: 1e-11,
-};
+const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-11);
 
 /// Solves a scene and checks one of its published facts, by its place in the list of the scene.
 ///

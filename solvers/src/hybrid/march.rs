@@ -9,7 +9,7 @@ use super::run::Run;
 use super::start;
 use crate::ode::{Dop853, OdeError, Options, Taylor, Tsit5, state_from};
 use crate::problem::Storage;
-use crate::registry::{self, Limits, Settings};
+use crate::registry::{self, Settings};
 
 /// The motion of a scene with modes from a start.
 ///
@@ -22,28 +22,6 @@ pub fn march<C: Hybrid>(
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
     march_in(scene, C::FIRST, times, start, settings)
-}
-
-/// The same within limits.
-///
-/// # Errors
-/// [`HybridError`], with the motion so far.
-pub(crate) fn march_within<C: Hybrid>(
-    scene: &C,
-    times: (f64, f64),
-    start: &[f64],
-    settings: &Settings,
-    limits: &Limits,
-) -> Result<Motion, HybridError> {
-    Way {
-        mode: C::FIRST,
-        times,
-        start,
-        settings,
-        limits: *limits,
-        is_checked: true,
-    }
-    .of(scene)
 }
 
 /// The same from a start in any mode.
@@ -62,7 +40,6 @@ pub fn march_in<C: Hybrid>(
         times,
         start,
         settings,
-        limits: Limits::default(),
         is_checked: true,
     }
     .of(scene)
@@ -74,7 +51,6 @@ pub(super) struct Way<'a> {
     pub times: (f64, f64),
     pub start: &'a [f64],
     pub settings: &'a Settings,
-    pub limits: Limits,
     /// Whether the start has to fit to the mode.
     pub is_checked: bool,
 }
@@ -122,7 +98,7 @@ impl Way<'_> {
             mode,
             ..Motion::at_rest(times.0, self.start)
         };
-        let options = Options::scaled(settings.rtol, table.scales).within(&self.limits);
+        let options = Options::of(settings, table.scales);
         let begun = (|| {
             options.check(times, table.scales.len())?;
             if times.1 < times.0 {

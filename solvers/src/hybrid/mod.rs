@@ -74,7 +74,6 @@ pub use cycle::{
 };
 pub(crate) use cycle::{cycle_smooth, variations};
 pub use error::HybridError;
-pub(crate) use march::march_within;
 pub use march::{march, march_in};
 pub use motion::{Happened, Motion, Piece};
 pub use numbers::Numbers;

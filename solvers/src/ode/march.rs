@@ -12,12 +12,12 @@ use super::tsit5::Tsit5;
 use super::workspace::Workspace;
 use crate::dispatch::{Task, dispatch};
 use crate::problem::{Equations, Scene, Stages, Storage};
-use crate::registry::{self, Limits, Settings};
+use crate::registry::{self, Settings};
 use crate::scalar::Scalar;
 use crate::stiff;
 
-/// The motion of a scene from a start, on the scalar type that is fastest on the machine at hand. The absolute tolerances
-/// are `rtol * Scene::SCALES`.
+/// The motion of a scene from a start, on the scalar type that is fastest on the machine at hand. Where the settings
+/// give no absolute tolerances they are `rtol * Scene::SCALES`.
 ///
 /// # Errors
 /// [`OdeError`], with the time that was reached.
@@ -56,8 +56,8 @@ impl<C: Scene> Task for Marching<'_, C> {
     }
 }
 
-/// The motion of a scene from a start, evaluated on a scalar type. The absolute tolerances are
-/// `rtol * Scene::SCALES`.
+/// The motion of a scene from a start, evaluated on a scalar type. Where the settings give no
+/// absolute tolerances they are `rtol * Scene::SCALES`.
 ///
 /// # Errors
 /// [`OdeError`], with the time that was reached.
@@ -73,7 +73,7 @@ pub fn march_on<C: Scene, S: Scalar>(
         // The others take no numbers but `f64`.
         return march_called(scene, times, start, settings);
     }
-    let options = Options::scaled(settings.rtol, C::SCALES);
+    let options = Options::of(settings, C::SCALES);
     let equations = scene.prepare::<S>();
     let start = state_from::<S, _>(&equations, start)?;
     match settings.method {
@@ -118,18 +118,7 @@ pub(crate) fn march_called<C: Scene>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Trajectory, OdeError> {
-    march_within(scene, times, start, settings, &Limits::default())
-}
-
-/// The same within limits.
-pub(crate) fn march_within<C: Scene>(
-    scene: &C,
-    times: (f64, f64),
-    start: &[f64],
-    settings: &Settings,
-    limits: &Limits,
-) -> Result<Trajectory, OdeError> {
-    let options = Options::scaled(settings.rtol, C::SCALES).within(limits);
+    let options = Options::of(settings, C::SCALES);
     if let Some(method) = settings.method.stiff() {
         return stiff::march(scene, times, start, &options, method);
     }

@@ -30,7 +30,7 @@ pub use dop853::Dop853;
 pub use error::OdeError;
 pub(crate) use explicit::Clock;
 pub use explicit::{Statistics, integrate};
-pub(crate) use march::{bad_start, march_called, march_within, state_from};
+pub(crate) use march::{bad_start, march_called, state_from};
 pub use march::{march, march_on};
 pub use observer::{Basis, Observer, Step};
 pub use options::{AbsoluteTolerance, Options};

@@ -1,7 +1,7 @@
 //! How accurately to integrate.
 
 use super::error::OdeError;
-use crate::registry::Limits;
+use crate::registry::Settings;
 
 /// Error of a state that is permitted whatever the size of the state.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,12 +51,18 @@ impl Options {
         }
     }
 
-    /// The same within limits.
-    pub(crate) fn within(self, limits: &Limits) -> Self {
+    /// The options that settings stand for where the states have these scales.
+    pub fn of(settings: &Settings, scales: &[f64]) -> Self {
+        let given = settings.atol.iter().copied().chain(std::iter::repeat(None));
+        let atol = scales.iter().zip(given);
+        let atol = atol.map(|(scale, given)| given.unwrap_or(settings.rtol * scale));
+        let usual = Self::default();
         Self {
-            first_step: limits.first_step.or(self.first_step),
-            max_steps: limits.steps.unwrap_or(self.max_steps),
-            ..self
+            rtol: settings.rtol,
+            atol: AbsoluteTolerance::Each(atol.collect()),
+            first_step: settings.first_step,
+            max_steps: settings.max_steps.unwrap_or(usual.max_steps),
+            ..usual
         }
     }
 

@@ -43,8 +43,8 @@ pub(super) struct Period<'a, C: Scene> {
     pub scene: &'a C,
     /// The period.
     pub period: f64,
-    /// The method.
-    pub method: registry::Method,
+    /// The method, and its accuracy where nothing else is asked for.
+    pub settings: &'a Settings,
 }
 
 /// What one period makes of a start. All vectors in states over their scales.
@@ -91,7 +91,7 @@ impl<C: Scene> Flow for Period<'_, C> {
 
     fn turn(&self, start: &DVector<f64>, rtol: f64) -> Result<Return, OdeError> {
         use registry::Method;
-        match self.method {
+        match self.settings.method {
             // A steady state shows no transient that an automatic choice would have to look out for.
             Method::Tsit5 | Method::Dop853 | Method::Auto => dispatch(Turn {
                 flow: self,
@@ -108,13 +108,13 @@ impl<C: Scene> Flow for Period<'_, C> {
             self.scene,
             times,
             &unscaled::<C>(start),
-            &self.settings(rtol),
+            &self.settings.at(rtol),
         )
     }
 
     fn attractor(&self, start: &DVector<f64>, rtol: f64) -> Result<Cycle, CycleError> {
         let start = unscaled::<C>(start);
-        cycle_smooth(self.scene, &start, self.period, &self.settings(rtol))
+        cycle_smooth(self.scene, &start, self.period, &self.settings.at(rtol))
     }
 
     fn over(&self, periods: usize) -> Box<dyn Flow + '_> {
@@ -126,17 +126,10 @@ impl<C: Scene> Flow for Period<'_, C> {
 }
 
 impl<C: Scene> Period<'_, C> {
-    fn settings(&self, rtol: f64) -> Settings {
-        Settings {
-            method: self.method,
-            rtol,
-        }
-    }
-
     /// [`Flow::turn`] by a method that integrates no variations: they follow along the motion.
     fn turn_apart(&self, start: &DVector<f64>, rtol: f64) -> Result<Return, OdeError> {
         let motion = Motion::of(self.march(start, rtol)?);
-        let matrix = variations(self.scene, &motion, &self.settings(rtol))?;
+        let matrix = variations(self.scene, &motion, &self.settings.at(rtol))?;
         let trajectory = motion.pieces.iter().map(|piece| &piece.trajectory);
         let mut peak = start.abs();
         for (trajectory, time) in
@@ -169,7 +162,7 @@ impl<C: Scene> Task for Turn<'_, '_, C> {
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> Self::Output {
-        match self.flow.method {
+        match self.flow.settings.method {
             registry::Method::Tsit5 => self.turn::<S, Tsit5>(),
             _ => self.turn::<S, Dop853>(),
         }
@@ -186,7 +179,7 @@ impl<C: Scene> Turn<'_, '_, C> {
         };
         let state = state_from::<S, _>(&equations, &unscaled::<C>(self.start))?;
         let begin = varied.start::<S>(&state);
-        let options = Options::scaled(self.rtol, C::SCALES);
+        let options = Options::of(&self.flow.settings.at(self.rtol), C::SCALES);
         let mut workspace = Workspace::<Bundle<_>, M>::new::<S, _>(&varied);
         let mut peak = Peak::<C, S> {
             sizes: self.start.abs(),

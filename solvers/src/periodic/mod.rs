@@ -94,7 +94,7 @@ pub fn solve<C: Scene>(
     let flow = Period {
         scene,
         period,
-        method: settings.method,
+        settings,
     };
     if !(period.is_finite() && period > 0.0) {
         return Err(PeriodicError::BadPeriod { period });

@@ -1,6 +1,6 @@
 //! A scene with its values behind [`Run`]: the names are gone, whole runs are left.
 
-use super::{Constant, Limits, Run, Settings};
+use super::{Constant, Run, Settings};
 use crate::dispatch::{Task, dispatch};
 use crate::hybrid::{self, Cycle, CycleError, HybridError, Motion};
 use crate::measure::{self, Missing, Wanted};
@@ -113,14 +113,13 @@ impl<C: Scene + 'static> Run for Bound<C> {
         ode::march_called(&self.scene, times, start, settings)
     }
 
-    fn follow_within(
+    fn follow(
         &self,
         times: (f64, f64),
         start: &[f64],
         settings: &Settings,
-        limits: &Limits,
     ) -> Result<Motion, HybridError> {
-        let integrated = ode::march_within(&self.scene, times, start, settings, limits);
+        let integrated = ode::march_called(&self.scene, times, start, settings);
         Motion::smooth(integrated, times.0, start)
     }
 

@@ -1,7 +1,7 @@
 //! A scene with modes and its values behind [`Run`].
 
 use super::bind::Timing;
-use super::{Limits, Run, Settings};
+use super::{Run, Settings};
 use crate::dispatch::Task;
 use crate::hybrid::{
     self, Cycle, CycleError, EventEntry, Hybrid, HybridError, Motion, Sensitive, in_each_mode,
@@ -143,14 +143,13 @@ impl<C: Hybrid + 'static> Run for Bound<C> {
         Err(has_modes())
     }
 
-    fn follow_within(
+    fn follow(
         &self,
         times: (f64, f64),
         start: &[f64],
         settings: &Settings,
-        limits: &Limits,
     ) -> Result<Motion, HybridError> {
-        hybrid::march_within(&self.scene, times, start, settings, limits)
+        hybrid::march(&self.scene, times, start, settings)
     }
 
     fn follow_in(

@@ -20,10 +20,7 @@ mod clock {
 
 /// Settings with a tolerance.
 fn fine(rtol: f64) -> Settings {
-    Settings {
-        method: Method::Dop853,
-        rtol,
-    }
+    Settings::new(Method::Dop853, rtol)
 }
 
 #[test]

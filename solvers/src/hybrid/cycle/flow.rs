@@ -4,7 +4,7 @@ use super::super::march::Way;
 use super::super::problem::{Hybrid, Sensitive, in_each_mode, written};
 use super::super::{HybridError, Modes, Motion};
 use crate::problem::{Equations, Storage};
-use crate::registry::{Limits, Settings};
+use crate::registry::Settings;
 
 /// A motion, to be followed and varied.
 pub(super) trait Flow {
@@ -92,7 +92,6 @@ where
             times,
             start,
             settings,
-            limits: Limits::default(),
             is_checked: false,
         };
         way.of(self.scene)

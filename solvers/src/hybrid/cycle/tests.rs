@@ -98,7 +98,7 @@ impl<S: Scalar> Equations<S> for Oscillator {
 }
 
 fn found(scene: &Oscillator, method: Method, rtol: f64) -> Result<Cycle, CycleError> {
-    clock_smooth(scene, &Settings { method, rtol })
+    clock_smooth(scene, &Settings::new(method, rtol))
 }
 
 /// Checks the period of van der Pol's oscillator with a gain.

@@ -159,7 +159,7 @@ const RISES: EventEntry = EventEntry {
 };
 
 fn fall(ball: Ball, method: Method, rtol: f64, end: f64) -> Motion {
-    let settings = Settings { method, rtol };
+    let settings = Settings::new(method, rtol);
     march(&ball, (0.0, end), &[1.0, 0.0], &settings).unwrap()
 }
 
