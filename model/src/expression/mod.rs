@@ -7,6 +7,7 @@
 mod breaks;
 mod budget;
 mod build;
+mod cancel;
 mod differentiate;
 mod display;
 mod evaluate;

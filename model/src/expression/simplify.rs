@@ -1,8 +1,8 @@
 //! Simplifies what has been derived: opens sums that are used once, collects again, puts in forms that do not cancel.
 
+use super::cancel;
 use super::graph::{Expression, Graph, Node};
 use super::hash::Map;
-use super::stable;
 
 /// Rounds until nothing changes, at most.
 const ROUNDS: usize = 6;
@@ -66,6 +66,10 @@ impl Graph {
         uses: &Map<Expression, usize>,
         new: &Map<Expression, Expression>,
     ) -> Expression {
+        // What cancels is looked for in what was derived, before the terms take forms of their own.
+        if let Some(better) = cancel::sum(self, terms) {
+            return self.sum(&better);
+        }
         let mut list = Vec::new();
         for term in terms {
             let value = new[term];
@@ -85,7 +89,7 @@ impl Graph {
                 _ => list.push(value),
             }
         }
-        while let Some(better) = stable::sum(self, &list) {
+        while let Some(better) = cancel::sum(self, &list) {
             list = better;
         }
         self.sum(&list)

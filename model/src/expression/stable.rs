@@ -14,11 +14,12 @@
 //! | `ln(1 + x)` | `ln1p(x)` | small `x` |
 //! | `acos(1 - y)` | `2*asin(sqrt(y/2))` | small `y` |
 //! | `x^2 - y^2` | `(x - y)*(x + y)` | `x` near `y` |
+//! | `sin(x)^2 - sin(y)^2` | `sin(x + y)*sin(x - y)` | equal parts of `x` and `y` |
+//! | `k*(a + b) - k*(a + c)` | `k*(b - c)` | large `a` |
 //!
-//! They are put in after everything is derived, by [`Graph::simplify`].
+//! They are put in after everything is derived, by [`Graph::simplify`]; [`super::cancel`] finds the terms.
 
 use super::graph::{Expression, Graph, Node};
-use super::hash::Map;
 use crate::program::Function;
 
 /// The stable form of a function.
@@ -48,49 +49,12 @@ pub fn function(
     }
 }
 
-/// The stable form of a sum of terms, two of which may cancel.
-pub fn sum(graph: &mut Graph, terms: &[Expression]) -> Option<Vec<Expression>> {
-    let parts: Vec<(f64, Expression)> = terms.iter().map(|term| split(graph, *term)).collect();
-    // Only `c*f - c*g` can cancel.
-    let mut places: Map<u64, Vec<usize>> = Map::default();
-    for (place, (coefficient, _)) in parts.iter().enumerate() {
-        places.entry(coefficient.to_bits()).or_default().push(place);
-    }
-    for (i, (c, f)) in parts.iter().enumerate() {
-        let opposite = places.get(&(-*c).to_bits()).into_iter().flatten();
-        for &j in opposite.filter(|place| **place > i) {
-            let (_, g) = &parts[j];
-            graph.budget().spend(1);
-            let found = if *c > 0.0 {
-                difference(graph, *f, *g)
-            } else {
-                difference(graph, *g, *f)
-            };
-            if let Some(stable) = found {
-                let others = terms
-                    .iter()
-                    .enumerate()
-                    .filter(|(index, _)| *index != i && *index != j);
-                let mut rest: Vec<_> = others.map(|(_, term)| *term).collect();
-                rest.push(graph.scale(c.abs(), stable));
-                return Some(rest);
-            }
-        }
-    }
-    None
-}
-
-/// As [`Graph::split_coefficient`], with a number as a multiple of one.
-fn split(graph: &mut Graph, term: Expression) -> (f64, Expression) {
-    match graph.as_number(term) {
-        Some(number) => (number, graph.one()),
-        None => graph.split_coefficient(term),
-    }
-}
-
 /// `f - g`, if it has a stable form.
-fn difference(graph: &mut Graph, f: Expression, g: Expression) -> Option<Expression> {
+pub fn difference(graph: &mut Graph, f: Expression, g: Expression) -> Option<Expression> {
     let one = graph.one();
+    if f == g {
+        return Some(graph.zero());
+    }
     match (graph.node(f).clone(), graph.node(g).clone()) {
         (_, Node::Call(Function::Cos, angle)) if f == one => Some(versine(graph, angle[0])),
         (Node::Call(Function::Cos, angle), _) if g == one => {
@@ -112,10 +76,7 @@ fn difference(graph: &mut Graph, f: Expression, g: Expression) -> Option<Express
         }
         (Node::Power(a, p), Node::Power(b, q)) if p == q => match graph.as_number(p) {
             Some(0.5) => roots(graph, (f, a), (g, b)),
-            Some(2.0) => {
-                let (less, more) = (graph.sub(a, b), graph.add(a, b));
-                (shares(graph, a, b)).then(|| graph.mul(less, more))
-            }
+            Some(2.0) => squares(graph, a, b),
             _ => None,
         },
         (_, Node::Power(b, q)) if f == one && graph.as_number(q) == Some(0.5) => {
@@ -124,16 +85,27 @@ fn difference(graph: &mut Graph, f: Expression, g: Expression) -> Option<Express
         (Node::Power(a, p), _) if g == one && graph.as_number(p) == Some(0.5) => {
             roots(graph, (f, a), (g, one))
         }
+        (Node::Sum(_), Node::Sum(_)) if shares(graph, f, g) => Some(graph.sub(f, g)),
         _ => None,
     }
 }
 
 /// `1 - cos(x) = 2*sin(x/2)^2`
 fn versine(graph: &mut Graph, angle: Expression) -> Expression {
-    let half = graph.scale(0.5, angle);
+    let half = half(graph, angle);
     let sine = graph.call(Function::Sin, &[half]);
     let square = graph.powi(sine, 2);
     graph.scale(2.0, square)
+}
+
+/// Half of an angle; of a sum the sum of halves, so that equal parts of two such angles are seen.
+fn half(graph: &mut Graph, angle: Expression) -> Expression {
+    let terms = match graph.node(angle) {
+        Node::Sum(terms) => terms.to_vec(),
+        _ => vec![angle],
+    };
+    let halves: Vec<_> = terms.iter().map(|term| graph.scale(0.5, *term)).collect();
+    graph.sum(&halves)
 }
 
 /// `2*f((x + y)/2)*sin((x - y)/2)`, where `x - y` is shorter than `x` and `y`.
@@ -147,13 +119,28 @@ fn prosthaphaeresis(
         return None;
     }
     let (less, more) = (graph.sub(x, y), graph.add(x, y));
-    let (less, more) = (graph.scale(0.5, less), graph.scale(0.5, more));
+    let (less, more) = (half(graph, less), half(graph, more));
     let factors = [
         graph.call(function, &[more]),
         graph.call(Function::Sin, &[less]),
     ];
     let product = graph.product(&factors);
     Some(graph.scale(2.0, product))
+}
+
+/// `a^2 - b^2`, where `a - b` is shorter than `a` and `b`.
+fn squares(graph: &mut Graph, a: Expression, b: Expression) -> Option<Expression> {
+    let factors = match (graph.node(a).clone(), graph.node(b).clone()) {
+        (Node::Call(Function::Sin, x), Node::Call(Function::Sin, y))
+            if shares(graph, x[0], y[0]) =>
+        {
+            let (less, more) = (graph.sub(x[0], y[0]), graph.add(x[0], y[0]));
+            [less, more].map(|angle| graph.call(Function::Sin, &[angle]))
+        }
+        _ if shares(graph, a, b) => [graph.sub(a, b), graph.add(a, b)],
+        _ => return None,
+    };
+    Some(graph.mul(factors[0], factors[1]))
 }
 
 /// `sqrt(a) - sqrt(b) = (a - b)/(sqrt(a) + sqrt(b))`, where equal parts of `a` and `b` drop out.

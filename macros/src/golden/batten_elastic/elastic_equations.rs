@@ -482,6 +482,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let dot_w4 = state[5];
         let theta = self.n * time;
         let shaft = self.c * phi2;
+        let x_difference = w3 - w4;
         let v_difference = dot_w3 - dot_w4;
         let ([sin_theta_, sin_v134_], [cos_theta_, _]) = S::sin_cos_all([
             theta,
@@ -549,7 +550,6 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             S::mul_add(-self.v76_, ddot_x3, self.v77_ * ddot_x4),
         );
         let drive_torque = S::mul_add(v102_, F1, shaft);
-        let x_difference = x3 - x4;
         let F_difference = F1 - F2;
         values[0] = x1;
         values[1] = x2;

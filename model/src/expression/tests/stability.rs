@@ -140,7 +140,56 @@ const CASES: &[Case] = &[
         exact: |x, y| x * (2.0 * y + x),
         written: |x, y| (y + x).powi(2) - y.powi(2),
     },
+    Case {
+        name: "y*sin(y)^2 - y*sin(y - x)^2",
+        build: |g, x, y| {
+            let lag = g.sub(y, x);
+            let mut term = |angle| {
+                let sine = call(g, Function::Sin, angle);
+                let square = g.powi(sine, 2);
+                g.mul(y, square)
+            };
+            let (near, far) = (term(y), term(lag));
+            g.sub(near, far)
+        },
+        exact: |x, y| y * (2.0 * y - x).sin() * x.sin(),
+        written: |x, y| y * y.sin().powi(2) - y * (y - x).sin().powi(2),
+    },
+    Case {
+        name: "X(y) - X(y - x), X(a) = 3*(1 - cos(a)) + y*(1 - sqrt(1 - sin(a)^2/16))",
+        build: |g, x, y| {
+            let lag = g.sub(y, x);
+            let (near, far) = (crank(g, y, y), crank(g, lag, y));
+            g.sub(near, far)
+        },
+        exact: |x, y| {
+            let root = |a: f64| (1.0 - a.sin().powi(2) / 16.0).sqrt();
+            let squares = (2.0 * y - x).sin() * x.sin() / 16.0;
+            6.0 * (y - x / 2.0).sin() * (x / 2.0).sin() + y * squares / (root(y) + root(y - x))
+        },
+        written: |x, y| {
+            let root = |a: f64| (1.0 - a.sin().powi(2) / 16.0).sqrt();
+            let travel = |a: f64| 3.0 * (1.0 - a.cos()) + y * (1.0 - root(a));
+            travel(y) - travel(y - x)
+        },
+    },
 ];
+
+/// The travel of a slider-crank: a sum whose parts cancel with those of another.
+fn crank(graph: &mut Graph, angle: Expression, length: Expression) -> Expression {
+    let one = graph.one();
+    let cosine = call(graph, Function::Cos, angle);
+    let versine = graph.sub(one, cosine);
+    let first = graph.scale(3.0, versine);
+    let sine = call(graph, Function::Sin, angle);
+    let quarter = graph.scale(0.25, sine);
+    let square = graph.powi(quarter, 2);
+    let inner = graph.sub(one, square);
+    let root = graph.sqrt(inner);
+    let rest = graph.sub(one, root);
+    let second = graph.mul(length, rest);
+    graph.add(first, second)
+}
 
 #[test]
 fn differences_keep_their_digits() {
