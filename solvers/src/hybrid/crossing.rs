@@ -12,7 +12,8 @@ const TRUST: f64 = 4.0;
 const GOOD: f64 = 0.2;
 /// Halvings after which a guard that is nothing but rounding is taken for zero.
 const FEW: u32 = 3;
-/// What the largest slope counts in each half of a part of the step in which the guard is a cubic.
+/// What the largest slope counts in each half of a part of the step in which the guard is a cubic. In each half of that, and
+/// so on, it is this times the square: beside a pole the slope is larger by any factor than elsewhere.
 const FADE: f64 = 0.5;
 /// Where a guard is looked at whose slopes may be larger than those at the ends of a step: multiples of the golden section,
 /// which keep out of step with whatever swings.
@@ -164,7 +165,7 @@ impl Search<'_> {
             };
         }
         // Where the cubic is good the largest slope is that of elsewhere.
-        let trust = if agrees { FADE * trust } else { trust };
+        let trust = if agrees { FADE * trust * trust } else { trust };
         let first = self.between(from, middle, trust, depth + 1);
         match first {
             Some(_) => first,

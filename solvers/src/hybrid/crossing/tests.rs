@@ -1,6 +1,8 @@
 //! Crossings of functions that are known.
 
 use super::*;
+use crate::tolerance::Random;
+use std::cell::Cell;
 
 /// What a search finds of a function on the way from 0 to 1, the samples at both ends.
 fn search<T>(
@@ -20,7 +22,7 @@ fn search<T>(
         noise: 1e-15,
         sign,
         armed,
-        slope: 0.0,
+        slope: from.slope.abs().max(to.slope.abs()),
         instants: Instants::new(0.0, 1.0),
         sample: &mut sample,
         permits: &|_| true,
@@ -134,4 +136,48 @@ fn a_guard_that_stays_zero_passes_nothing() {
         crossing(Direction::Crosses, 0.0, true, |_| 0.0, |_| 0.0),
         None
     );
+}
+
+/// Beside a pole a guard is steeper by any factor than elsewhere, where it is an easy curve all the same.
+#[test]
+fn a_guard_beside_a_pole_is_not_looked_at_everywhere() {
+    let looks = Cell::new(0);
+    let value = |x: f64| {
+        looks.set(looks.get() + 1);
+        1.0 / (x + 1e-9).powi(2) - 0.5
+    };
+    let slope = |x: f64| -2.0 / (x + 1e-9).powi(3);
+    let found = crossing(Direction::Crosses, 1.0, true, value, slope);
+    assert_eq!(found, None);
+    assert!(looks.get() < 5_000, "{looks:?}");
+}
+
+/// Lines with swings on them, up to ten in a step: a crossing is where 4000 samples say that the first one is.
+#[test]
+fn crossings_of_random_guards_are_not_missed() {
+    let mut random = Random::new(1, 0);
+    let (mut crossed, mut missed) = (0, 0);
+    for _ in 0..20_000 {
+        let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+        let (start, tilt) = (between(-1.0, 1.0), between(-2.0, 2.0));
+        let (height, phase) = (between(0.0, 1.0), between(0.0, 6.3));
+        let pace = (60.0_f64 / 0.1).powf(between(0.0, 1.0)) * 0.1;
+        let value = |x: f64| start + tilt * x + height * (pace * x + phase).sin();
+        let slope = |x: f64| tilt + height * pace * (pace * x + phase).cos();
+        let sign = value(0.0).signum();
+        let first = (1..=4000).find(|k| value(f64::from(*k) / 4000.0).signum() != sign);
+        let Some(first) = first else { continue };
+        crossed += 1;
+        let kind = (Direction::Crosses, sign, true);
+        let found = search(kind, value, slope, |search, from, to| {
+            search.run_warily(from, to).0
+        });
+        // Between two samples it may have passed twice before.
+        let found = found
+            .map(|found| found.at.part)
+            .filter(|at| value(*at).signum() != sign);
+        missed += usize::from(found.is_none_or(|at| at > f64::from(first) / 4000.0));
+    }
+    assert!(crossed > 9_000, "{crossed}");
+    assert_eq!(missed, 0);
 }
