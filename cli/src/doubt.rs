@@ -233,7 +233,14 @@ impl Doubt {
                 (&mut ends.highest, &own.high_rivals),
             ] {
                 end.error = larger(end.error, rounding);
-                let error = |time: f64| at(time).map_or(0.0, |errors| errors[index]);
+                end.error = larger(
+                    end.error,
+                    jitter(case, motion, index, (end.time, end.value)),
+                );
+                let error = |rival: &Extreme| {
+                    let own = at(rival.time).map_or(0.0, |errors| errors[index]);
+                    own + jitter(case, motion, index, (rival.time, rival.value))
+                };
                 widen(end, rivals, &error, curves, index);
             }
         }
@@ -335,13 +342,12 @@ fn larger(a: f64, b: f64) -> f64 {
 fn widen(
     end: &mut End,
     rivals: &[Extreme],
-    error: &dyn Fn(f64) -> f64,
+    error: &dyn Fn(&Extreme) -> f64,
     curves: &Curves,
     index: usize,
 ) {
     let is_like = |value: f64| (value - end.value).abs() <= end.error;
-    let may_be_like =
-        |rival: &Extreme| (rival.value - end.value).abs() <= end.error + error(rival.time);
+    let may_be_like = |rival: &Extreme| (rival.value - end.value).abs() <= end.error + error(rival);
     let tops = rivals.iter().filter(|rival| may_be_like(rival));
     let tops: Vec<f64> = tops.map(|rival| rival.time).collect();
     let samples = curves.times.iter().zip(&curves.values);
@@ -352,6 +358,21 @@ fn widen(
     });
     end.time = tops.into_iter().fold(end.time, f64::min);
     end.reach = end.blur.max(to - end.time).max(end.time - from);
+}
+
+/// What the rounding of the time of an event makes of a value there, which the motion may leave with any slope.
+fn jitter(case: &Case, motion: &Motion, index: usize, (time, value): (f64, f64)) -> f64 {
+    if !motion.is_beside_event(time) {
+        return 0.0;
+    }
+    let rounding = ROUNDINGS * time.abs();
+    let near = near(motion, time).into_iter();
+    let near = near.filter(|near| (near - time).abs() > rounding);
+    let slopes = near.map(|near| {
+        let there = case.sample(motion, near)[index];
+        ((there - value) / (near - time)).abs()
+    });
+    rounding * slopes.fold(0.0, f64::max)
 }
 
 /// From the begin of the step before an extreme to the end of the one after it.
