@@ -1,15 +1,15 @@
 //! Messages of the language as messages of rustc, underlined in the equation file.
 //!
 //! rustc gives a macro one place and one text for each message. So the second place, and the hint, are part of the
-//! text. A warning is the use of a deprecated item, the only warning that a macro can cause. A note is left to the
-//! command.
+//! text. A macro cannot warn, so a warning is an expectation that rustc finds unfulfilled: of all that rustc warns of, the
+//! one that claims nothing about the equations. A note is left to the command.
 
 use std::path::PathBuf;
 
 use assur_model::diagnostic::{Diagnostic, Severity};
 use assur_model::texts::Place;
 use assur_model::token::Span;
-use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
 use crate::tokens::Source;
@@ -46,18 +46,13 @@ pub fn error(first: proc_macro2::Span, last: proc_macro2::Span, text: &str) -> T
     quote!(#path #exclamation #group)
 }
 
+/// A lint that cannot occur here is expected, and rustc gives the text as the reason why it was. The name of the lint has
+/// the place as rustc gave it: a place of the expansion would make this a lint of a foreign macro, which rustc drops.
 fn warning(place: proc_macro2::Span, text: &str) -> TokenStream {
-    let name = Ident::new(
-        "equation_file",
-        place.resolved_at(proc_macro2::Span::call_site()),
-    );
+    let lint = quote_spanned!(place=> while_true);
     quote! {
-        const _: () = {
-            #[deprecated(note = #text)]
-            #[allow(non_upper_case_globals)]
-            const #name: () = ();
-            #name
-        };
+        #[expect(#lint, reason = #text)]
+        const _: () = ();
     }
 }
 

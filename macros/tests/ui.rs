@@ -121,6 +121,17 @@ fn what_is_not_used_is_a_warning_in_the_equation_file() {
     check_warned("unused");
 }
 
+/// A reader of equations has used nothing that is deprecated, and has expanded no macro.
+#[test]
+fn a_warning_does_not_speak_of_how_the_macro_gives_it() {
+    let (said, accepted) = compile("unused");
+    assert!(accepted, "{said}");
+    for word in ["deprecated", "macro", "constant", "equation_file"] {
+        assert!(!said.contains(word), "{said}");
+    }
+    assert!(said.contains("= note: nothing uses `spare`\n"), "{said}");
+}
+
 #[test]
 fn mistakes_in_the_file_of_a_part_are_told_at_the_part() {
     check("in_part");
