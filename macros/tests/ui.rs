@@ -36,6 +36,11 @@ fn output(name: &str, extension: &str) -> PathBuf {
 
 /// What rustc says about a file; whether it accepts it.
 fn compile(name: &str) -> (String, bool) {
+    compile_with(name, &[])
+}
+
+/// The same with further arguments of rustc.
+fn compile_with(name: &str, arguments: &[&str]) -> (String, bool) {
     let libraries = libraries();
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let output = Command::new(rustc)
@@ -50,6 +55,7 @@ fn compile(name: &str) -> (String, bool) {
         .arg(format!("assur={}", facade(&libraries).display()))
         .arg("-L")
         .arg(format!("dependency={}", libraries.display()))
+        .args(arguments)
         .arg(format!("{name}.rs"))
         .output()
         .expect("rustc can be started");
@@ -119,6 +125,16 @@ fn mistakes_are_underlined_in_the_equation_file() {
 #[test]
 fn what_is_not_used_is_a_warning_in_the_equation_file() {
     check_warned("unused");
+}
+
+/// The `cfg`s that cargo declares are all that the crate of a user knows, and nothing that is emitted may ask for others.
+#[test]
+fn the_crate_of_a_user_sees_no_warning() {
+    let declared = "--check-cfg=cfg(docsrs,test)";
+    for arguments in [&[declared][..], &[declared, "--test"]] {
+        let (found, accepted) = compile_with("right_crate", arguments);
+        assert!(accepted && found.is_empty(), "{arguments:?}: {found}");
+    }
 }
 
 /// A reader of equations has used nothing that is deprecated, and has expanded no macro.
