@@ -12,6 +12,7 @@ use crate::syntax::print;
 use crate::syntax::tree::{EnergyKind, Statement, StatementKind, Term};
 use crate::token::Span;
 use crate::unit::Unit;
+use crate::unroll::equation_name;
 
 /// Energies, equations and conditions, read from the statements.
 #[derive(Default)]
@@ -40,10 +41,7 @@ impl Parts {
             }
             StatementKind::Force { value, on } => self.force(value, on, statement, low),
             StatementKind::Motion { label, left, right } => {
-                let name = label.as_ref().map_or_else(
-                    || format!("{} = {}", print::term(left), print::term(right)),
-                    |label| label.text.clone(),
-                );
+                let name = equation_name(label, (left, right), low.diagnostics);
                 if let Some((residuals, kind)) = low.balance(left, right) {
                     for residual in residuals {
                         self.written.push(Equation {

@@ -1,6 +1,7 @@
 //! Repetition: `for` blocks and `sum` are written out, and indexed names get their whole numbers.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::syntax::print;
 use crate::syntax::tree::{
     BinaryOperator, Name, Statement, StatementKind, Target, Term, TermKind, UnaryOperator,
 };
@@ -69,7 +70,7 @@ pub fn with_index(term: &Term, index: &str, value: i64) -> Term {
         TermKind::Number { .. } | TermKind::Name(_) => term.kind.clone(),
         TermKind::Index { name, index: inner } => TermKind::Index {
             name: name.clone(),
-            index: again(inner),
+            index: Box::new(index_with(inner, index, value)),
         },
         TermKind::Member { base, name } => TermKind::Member {
             base: again(base),
@@ -133,6 +134,21 @@ pub fn with_index(term: &Term, index: &str, value: i64) -> Term {
     }
 }
 
+/// An index with `index` replaced by a whole number: a number itself once nothing else is in it.
+fn index_with(term: &Term, index: &str, value: i64) -> Term {
+    let replaced = with_index(term, index, value);
+    match fold(&replaced) {
+        Some(number) => Term {
+            span: term.span,
+            kind: TermKind::Number {
+                value: number as f64,
+                unit: None,
+            },
+        },
+        None => replaced,
+    }
+}
+
 /// The name of a target: `x`, or `x[3]`.
 pub fn target_name(target: &Target, diagnostics: &mut Diagnostics) -> Option<Name> {
     match &target.index {
@@ -147,6 +163,20 @@ pub fn target_name(target: &Target, diagnostics: &mut Diagnostics) -> Option<Nam
     }
 }
 
+/// The name of an equation; what it says, if it has none.
+pub fn equation_name(
+    label: &Option<Target>,
+    (left, right): (&Term, &Term),
+    diagnostics: &mut Diagnostics,
+) -> String {
+    let label = label.as_ref();
+    let named = label.and_then(|label| target_name(label, diagnostics));
+    named.map_or_else(
+        || format!("{} = {}", print::term(left), print::term(right)),
+        |name| name.text,
+    )
+}
+
 /// A statement with `index` replaced by a whole number.
 pub fn statement_with_index(statement: &Statement, index: &str, value: i64) -> Statement {
     let term = |inner: &Term| with_index(inner, index, value);
@@ -155,7 +185,7 @@ pub fn statement_with_index(statement: &Statement, index: &str, value: i64) -> S
         index: inner
             .index
             .as_ref()
-            .map(|number| Box::new(with_index(number, index, value))),
+            .map(|number| Box::new(index_with(number, index, value))),
     };
     let list = |inner: &[Statement]| {
         inner
@@ -207,7 +237,6 @@ pub fn statement_with_index(statement: &Statement, index: &str, value: i64) -> S
             dependent.target = target(&dependent.target);
             dependent.start = dependent.start.as_ref().map(term);
         }
-        StatementKind::Closure { left, right, .. } => (*left, *right) = (term(left), term(right)),
         StatementKind::Point {
             target: name,
             value: position,
@@ -227,7 +256,11 @@ pub fn statement_with_index(statement: &Statement, index: &str, value: i64) -> S
             unknown.start = unknown.start.as_ref().map(term);
             unknown.start_rate = unknown.start_rate.as_ref().map(term);
         }
-        StatementKind::Motion { left, right, .. } => (*left, *right) = (term(left), term(right)),
+        StatementKind::Closure { label, left, right }
+        | StatementKind::Motion { label, left, right } => {
+            *label = label.as_ref().map(target);
+            (*left, *right) = (term(left), term(right));
+        }
         StatementKind::Energy { value: energy, .. } => *energy = term(energy),
         StatementKind::Force { value: force, on } => (*force, *on) = (term(force), term(on)),
         StatementKind::Require { condition, .. } => *condition = term(condition),

@@ -110,7 +110,7 @@ impl<'a> Scope<'a> {
             }
             StatementKind::Closure { label, left, right }
             | StatementKind::Motion { label, left, right } => {
-                label.iter_mut().for_each(|label| self.declared(label));
+                label.iter_mut().for_each(|label| self.target(label));
                 self.term(left);
                 self.term(right);
             }

@@ -9,6 +9,7 @@ use crate::syntax::print;
 use crate::syntax::tree::{Statement, StatementKind, Term};
 use crate::token::Span;
 use crate::unit::Unit;
+use crate::unroll::equation_name;
 
 /// The loop equations of a scene.
 #[derive(Default)]
@@ -27,10 +28,7 @@ impl Loops {
         let mut loops = Self::default();
         for statement in statements {
             if let StatementKind::Closure { label, left, right } = &statement.kind {
-                let name = label.as_ref().map_or_else(
-                    || format!("{} = {}", print::term(left), print::term(right)),
-                    |label| label.text.clone(),
-                );
+                let name = equation_name(label, (left, right), low.diagnostics);
                 low.begin(Some(statement.span));
                 loops.take(&name, left, right, statement, low);
             }

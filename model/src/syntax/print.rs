@@ -18,7 +18,8 @@ pub fn statement(statement: &Statement) -> String {
             left,
             right,
         } => {
-            format!("motion {}: {} = {}", label.text, term(left), term(right))
+            let label = target(label);
+            format!("motion {label}: {} = {}", term(left), term(right))
         }
         StatementKind::Motion {
             label: None,
@@ -28,7 +29,7 @@ pub fn statement(statement: &Statement) -> String {
         StatementKind::Closure { label, left, right } => {
             let label = label
                 .as_ref()
-                .map_or(String::new(), |label| format!("{}: ", label.text));
+                .map_or(String::new(), |label| format!("{}: ", target(label)));
             format!("closure {label}{} = {}", term(left), term(right))
         }
         StatementKind::Energy { kind, value } => {

@@ -92,7 +92,7 @@ pub enum StatementKind {
     Dependent(Dependent),
     /// `closure loop: l4*dir(phi4) + l5*dir(phi5) = [b, a];`
     Closure {
-        label: Option<Name>,
+        label: Option<Target>,
         left: Term,
         right: Term,
     },
@@ -114,9 +114,9 @@ pub enum StatementKind {
     Coordinate(Unknown),
     /// `state i: A = 0;`
     State(Unknown),
-    /// `motion rotor: J*ddot(phi) = M;`
+    /// `motion rotor: J*ddot(phi) = M;`, `motion floor[k]: …`
     Motion {
-        label: Option<Name>,
+        label: Option<Target>,
         left: Term,
         right: Term,
     },

@@ -6,6 +6,7 @@ mod derivatives;
 mod fuzz;
 mod grammar;
 mod growth;
+mod labels;
 mod literals;
 mod measures;
 mod modes;

@@ -128,6 +128,26 @@ impl Parser<'_> {
         found
     }
 
+    /// How many tokens the index has that begins so many places ahead; none if there is none.
+    pub(super) fn index_length(&self, count: usize) -> usize {
+        if !self.is_open_ahead(count, '[') {
+            return 0;
+        }
+        let mut depth = 0_usize;
+        for (length, token) in self.cursor.tokens[self.cursor.at + count..]
+            .iter()
+            .enumerate()
+        {
+            match token.kind {
+                TokenKind::Open(_) => depth += 1,
+                TokenKind::Close(_) if depth == 1 => return length + 1,
+                TokenKind::Close(_) => depth -= 1,
+                _ => {}
+            }
+        }
+        0
+    }
+
     /// The next token in words.
     pub(super) fn found(&self) -> String {
         match self.cursor.ahead(0) {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::{Parser, Read};
 use crate::diagnostic::Diagnostic;
 use crate::nearest::nearest;
-use crate::syntax::tree::{Alternative, EnergyKind, File, Name, Statement, StatementKind, Term};
+use crate::syntax::tree::{Alternative, EnergyKind, File, Statement, StatementKind, Target, Term};
 use crate::token::Span;
 
 /// Words that begin a statement.
@@ -234,19 +234,21 @@ impl Parser<'_> {
     }
 
     /// `name: left = right`; the name may be missing.
-    fn equation(&mut self) -> Read<(Option<Name>, Term, Term)> {
-        let labelled = self.is_any_word() && self.is_operator_ahead(1, ":");
-        let label = if labelled {
-            Some(self.name("a name")?)
-        } else {
-            None
-        };
-        if labelled {
-            self.advance();
-        }
+    fn equation(&mut self) -> Read<(Option<Target>, Term, Term)> {
+        let label = self.label()?;
         let left = self.term()?;
         self.operator("=")?;
         Ok((label, left, self.term()?))
+    }
+
+    /// `name:` or `name[k]:`, if one follows.
+    pub(super) fn label(&mut self) -> Read<Option<Target>> {
+        if !self.is_any_word() || !self.is_operator_ahead(1 + self.index_length(1), ":") {
+            return Ok(None);
+        }
+        let target = self.target()?;
+        self.operator(":")?;
+        Ok(Some(target))
     }
 
     fn energy(&mut self, kind: EnergyKind) -> Read<StatementKind> {
