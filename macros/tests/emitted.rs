@@ -5,6 +5,7 @@ mod emitted {
     mod branches;
     mod chain;
     mod coupled;
+    mod events;
     mod first_order;
     mod groups;
     mod implicit;

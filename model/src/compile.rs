@@ -229,7 +229,8 @@ pub fn phase(
     let measures = match task.runs() {
         true => {
             let modes = phases.all.iter().map(|phase| phase.name.clone());
-            measures::read(&mut low, &names, modes.collect())
+            let moments = (modes.collect(), phases.event_names());
+            measures::read(&mut low, &names, moments)
         }
         false => Measures::default(),
     };

@@ -44,11 +44,16 @@ impl Measures {
     }
 }
 
-/// Lowers the measures of a scene that runs through these modes.
-pub fn read(low: &mut Lowering<'_>, names: &Names, modes: Vec<String>) -> Measures {
+/// Lowers the measures of a scene that runs through these modes and has events of these names.
+pub fn read(
+    low: &mut Lowering<'_>,
+    names: &Names,
+    (modes, events): (Vec<String>, Vec<String>),
+) -> Measures {
     let mut measures = Measures::default();
     low.measured = Measuring {
         modes,
+        events,
         ..Measuring::default()
     };
     for measure in &names.measures {

@@ -299,6 +299,7 @@ pub fn statement_with_index(statement: &Statement, index: &str, value: i64) -> S
         StatementKind::Mode { body, .. } => *body = list(body),
         StatementKind::Hold { target } => *target = term(target),
         StatementKind::When(event) => {
+            event.label = event.label.as_ref().map(target);
             event.guard = term(&event.guard);
             event.condition = event.condition.as_ref().map(term);
             for (target, value) in &mut event.resets {

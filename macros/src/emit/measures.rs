@@ -1,6 +1,6 @@
 //! The measures of a scene as constants of its type.
 
-use assur_model::checked::{Moment, Primitive, PrimitiveKind, SceneModel};
+use assur_model::checked::{ModeModel, Moment, Primitive, PrimitiveKind, SceneModel};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -13,7 +13,8 @@ pub fn constants(scene: &SceneModel) -> Option<TokenStream> {
     }
     let program = scene.modes.get(scene.first).map(|mode| &mode.program);
     let count = size(program.unwrap_or(&scene.program).results.measured.len());
-    let primitives = scene.primitives.iter().map(primitive);
+    let primitives = scene.primitives.iter();
+    let primitives = primitives.map(|one| primitive(one, &scene.modes));
     let uses = scene.measures.iter().map(|measure| {
         let uses = measure.uses.iter().map(|index| size(*index));
         quote!(&[#(#uses),*])
@@ -25,7 +26,7 @@ pub fn constants(scene: &SceneModel) -> Option<TokenStream> {
     })
 }
 
-fn primitive(primitive: &Primitive) -> TokenStream {
+fn primitive(primitive: &Primitive, modes: &[ModeModel]) -> TokenStream {
     let argument = size(primitive.argument);
     let window = match primitive.window {
         Some(index) => {
@@ -38,7 +39,7 @@ fn primitive(primitive: &Primitive) -> TokenStream {
         let (angle, rate, order) = (size(angle), size(rate), size(order as usize));
         quote!({ angle: (#angle, #rate), order: #order })
     };
-    let kind = match primitive.kind {
+    let kind = match &primitive.kind {
         PrimitiveKind::Peak => quote!(Peak),
         PrimitiveKind::Lowest => quote!(Lowest),
         PrimitiveKind::Mean => quote!(Mean),
@@ -46,19 +47,19 @@ fn primitive(primitive: &Primitive) -> TokenStream {
         PrimitiveKind::Integral => quote!(Integral),
         PrimitiveKind::Duration => quote!(Duration),
         PrimitiveKind::Value(when) => {
-            let moment = moment(when);
+            let moment = moment(when, modes);
             quote!(Value(#moment))
         }
         PrimitiveKind::Count(when) => {
-            let moment = moment(when);
+            let moment = moment(when, modes);
             quote!(Count(#moment))
         }
         PrimitiveKind::Cosine(angle, rate, order) => {
-            let fields = harmonic(angle, rate, order);
+            let fields = harmonic(*angle, *rate, *order);
             quote!(Cosine #fields)
         }
         PrimitiveKind::Sine(angle, rate, order) => {
-            let fields = harmonic(angle, rate, order);
+            let fields = harmonic(*angle, *rate, *order);
             quote!(Sine #fields)
         }
     };
@@ -71,10 +72,14 @@ fn primitive(primitive: &Primitive) -> TokenStream {
     }
 }
 
-fn moment(moment: Moment) -> TokenStream {
-    let of = |mode: usize, last: bool| {
-        let mode = size(mode);
+fn moment(moment: &Moment, modes: &[ModeModel]) -> TokenStream {
+    let of = |mode: &usize, last: &bool| {
+        let mode = size(*mode);
         quote!({ mode: #mode, last: #last })
+    };
+    let at = |name: &str, last: &bool| {
+        let event = named(name, modes);
+        quote!({ event: #event, last: #last })
     };
     let moment = match moment {
         Moment::Start => quote!(Start),
@@ -87,6 +92,27 @@ fn moment(moment: Moment) -> TokenStream {
             let fields = of(mode, last);
             quote!(Leave #fields)
         }
+        Moment::Before(event, last) => {
+            let fields = at(event, last);
+            quote!(Before #fields)
+        }
+        Moment::After(event, last) => {
+            let fields = at(event, last);
+            quote!(After #fields)
+        }
     };
     quote!(::assur::measure::Moment::#moment)
+}
+
+/// The events of a name.
+fn named(name: &str, modes: &[ModeModel]) -> TokenStream {
+    let places = modes.iter().enumerate().flat_map(|(mode, one)| {
+        let events = one.events.iter().enumerate();
+        let own = events.filter(|(_, event)| event.label.as_deref() == Some(name));
+        own.map(move |(event, _)| {
+            let (mode, event) = (size(mode), size(event));
+            quote!((#mode, #event))
+        })
+    });
+    quote!(::assur::measure::NamedEvent { name: #name, places: &[#(#places),*] })
 }

@@ -145,6 +145,7 @@ impl<'a> Scope<'a> {
             | StatementKind::Mode { name, .. } => self.declared(name),
             StatementKind::Hold { target } => self.term(target),
             StatementKind::When(event) => {
+                event.label.iter_mut().for_each(|label| self.target(label));
                 self.term(&mut event.guard);
                 self.some(&mut event.condition);
                 event.target.iter_mut().for_each(|one| self.declared(one));

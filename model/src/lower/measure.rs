@@ -7,6 +7,7 @@ use crate::homogeneity::{agree, describe, times};
 use crate::lower::second;
 use crate::nearest::nearest;
 use crate::program::Relation;
+use crate::syntax::print;
 use crate::syntax::tree::{Name, Term, TermKind};
 use crate::token::Span;
 
@@ -29,7 +30,7 @@ pub const FUNCTIONS: &[&str] = &[
 const HARMONICS: u32 = 1000;
 
 /// A number of a run that is found by looking at it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Primitive {
     /// What is found.
     pub kind: PrimitiveKind,
@@ -40,7 +41,7 @@ pub struct Primitive {
 }
 
 /// What is found of a quantity.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum PrimitiveKind {
     /// The largest value.
     Peak,
@@ -65,7 +66,7 @@ pub enum PrimitiveKind {
 }
 
 /// A moment of a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Moment {
     /// Its begin.
     Start,
@@ -75,6 +76,10 @@ pub enum Moment {
     Enter(usize, bool),
     /// Just before a mode is left; the last time, or the first.
     Leave(usize, bool),
+    /// Just before an event of this name; the last time, or the first.
+    Before(String, bool),
+    /// Just after an event of this name; the last time, or the first.
+    After(String, bool),
 }
 
 /// What the measures of a scene have asked for so far.
@@ -84,6 +89,8 @@ pub struct Measuring {
     pub is_open: bool,
     /// Names of the modes.
     pub modes: Vec<String>,
+    /// Names of the events.
+    pub events: Vec<String>,
     /// The quantities that measures look at.
     pub looked_at: Vec<Expression>,
     /// What is found of them.
@@ -130,7 +137,7 @@ impl Lowering<'_> {
         if !counts.contains(&arguments.len()) {
             let shape = match word {
                 "duration" => "duration(x > y)",
-                "count" => "count(enter(mode))",
+                "count" => "count(event), or count(enter(mode))",
                 "value" => "value(x, enter(mode))",
                 "cosine" | "sine" | "amplitude" => "amplitude(x, angle, 1)",
                 _ => "peak(x), or peak(x, y > z) where only a part of the run counts",
@@ -148,7 +155,10 @@ impl Lowering<'_> {
                 return Some(Typed::scalar(value, Kind::Of(second())));
             }
             "count" => {
-                let moment = self.moment(first)?;
+                let moment = match first.kind {
+                    TermKind::Call { .. } => self.moment(first)?,
+                    _ => Moment::After(self.event(first)?, false),
+                };
                 let value = self.primitive(Is::Count(moment), 0, None);
                 return Some(Typed::number(value));
             }
@@ -252,38 +262,87 @@ impl Lowering<'_> {
         })
     }
 
-    /// `enter(mode)`, `leave(mode)`, `last(enter(mode))`, `start` or `end`.
+    /// `enter(mode)`, `leave(mode)`, `before(event)`, `after(event)`, `last(enter(mode))`, `start` or `end`.
     fn moment(&mut self, term: &Term) -> Option<Moment> {
         match &term.kind {
             TermKind::Name(word) if word == "start" => return Some(Moment::Start),
             TermKind::Name(word) if word == "end" => return Some(Moment::End),
             TermKind::Call { name, arguments } => {
                 match (name.text.as_str(), arguments.as_slice()) {
-                    ("last", [inner]) => match self.moment(inner)? {
-                        Moment::Enter(mode, _) => return Some(Moment::Enter(mode, true)),
-                        Moment::Leave(mode, _) => return Some(Moment::Leave(mode, true)),
-                        _ => {}
-                    },
-                    (word @ ("enter" | "leave"), [mode]) => {
-                        let mode = self.mode_index(mode)?;
-                        return Some(match word {
-                            "enter" => Moment::Enter(mode, false),
-                            _ => Moment::Leave(mode, false),
-                        });
+                    ("last", [inner]) => {
+                        if let Some(last) = last_time(self.moment(inner)?) {
+                            return Some(last);
+                        }
+                    }
+                    ("enter", [mode]) => return Some(Moment::Enter(self.mode(mode)?, false)),
+                    ("leave", [mode]) => return Some(Moment::Leave(self.mode(mode)?, false)),
+                    ("before", [event]) => {
+                        return Some(Moment::Before(self.event(event)?, false));
+                    }
+                    ("after", [event]) => {
+                        return Some(Moment::After(self.event(event)?, false));
                     }
                     _ => {}
                 }
             }
             _ => {}
         }
+        let hint = self.moments(term);
         let report = Diagnostic::error(term.span, "a moment of the run is expected here");
-        self.diagnostics.push(report.hint(
-            "write `start`, `end`, `enter(mode)`, `leave(mode)`, or `last(enter(mode))` for the last time",
-        ));
+        self.diagnostics.push(report.hint(hint));
         None
     }
 
-    fn mode_index(&mut self, term: &Term) -> Option<usize> {
+    /// Which moments there are; of the event or mode that a term names, if it names one.
+    fn moments(&self, term: &Term) -> String {
+        let measured = &self.measured;
+        let name = print::term(term);
+        if measured.events.contains(&name) {
+            return format!("write `before({name})` or `after({name})`");
+        }
+        if measured.modes.contains(&name) {
+            return format!("write `enter({name})` or `leave({name})`");
+        }
+        let mut moments = vec!["`start`", "`end`"];
+        if measured.modes.iter().any(|mode| !mode.is_empty()) {
+            moments.extend(["`enter(mode)`", "`leave(mode)`"]);
+        }
+        if measured.events.is_empty() {
+            return format!(
+                "write {}; an event has moments once it has a name, `when hit: x falls …`: `before(hit)`, `after(hit)`",
+                moments.join(", ")
+            );
+        }
+        moments.extend(["`before(event)`", "`after(event)`"]);
+        format!(
+            "write {}, and around one of them `last(…)` for the last time",
+            moments.join(", ")
+        )
+    }
+
+    /// The event that a term names.
+    fn event(&mut self, term: &Term) -> Option<String> {
+        let name = print::term(term);
+        let Measuring { events, modes, .. } = &self.measured;
+        if events.contains(&name) {
+            return Some(name);
+        }
+        let hint = match nearest(&name, events.iter().map(String::as_str)) {
+            _ if modes.contains(&name) => {
+                format!("`{name}` is a mode: write `enter({name})` or `leave({name})`")
+            }
+            Some(near) => format!("did you mean `{near}`?"),
+            None if events.is_empty() => {
+                "give the event a name, `when hit: x falls …`, and write `count(hit)`".to_owned()
+            }
+            None => format!("the events with a name are {}", events.join(", ")),
+        };
+        let report = Diagnostic::error(term.span, "the name of an event is expected here");
+        self.diagnostics.push(report.hint(hint));
+        None
+    }
+
+    fn mode(&mut self, term: &Term) -> Option<usize> {
         let wanted = match &term.kind {
             TermKind::Name(name) => name.clone(),
             _ => String::new(),
@@ -299,7 +358,9 @@ impl Lowering<'_> {
         let near = nearest(&wanted, modes.iter().map(String::as_str));
         let hint = match near {
             Some(near) if !near.is_empty() => format!("did you mean `{near}`?"),
-            _ if modes.iter().all(String::is_empty) => "this scene has no modes".to_string(),
+            _ if modes.iter().all(String::is_empty) => {
+                "this scene has no modes; an event is counted by its name: `when hit: x falls …`, `count(hit)`".to_string()
+            }
             _ => format!("its modes are {}", modes.join(", ")),
         };
         self.diagnostics.push(report.hint(hint));
@@ -341,5 +402,16 @@ impl Lowering<'_> {
             }
             _ => None,
         }
+    }
+}
+
+/// The last time that a moment comes, if it may come several times.
+fn last_time(moment: Moment) -> Option<Moment> {
+    match moment {
+        Moment::Enter(mode, _) => Some(Moment::Enter(mode, true)),
+        Moment::Leave(mode, _) => Some(Moment::Leave(mode, true)),
+        Moment::Before(event, _) => Some(Moment::Before(event, true)),
+        Moment::After(event, _) => Some(Moment::After(event, true)),
+        Moment::Start | Moment::End => None,
     }
 }

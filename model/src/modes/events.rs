@@ -11,6 +11,7 @@ use crate::resolve::{Names, Role};
 use crate::syntax::print;
 use crate::syntax::tree::{Direction, StatementKind, Term, TermKind, When};
 use crate::token::Span;
+use crate::unroll::target_name;
 
 /// What an event computes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -82,6 +83,8 @@ impl<T: Copy> Event<T> {
 /// What the tables say of an event.
 #[derive(Clone, Debug)]
 pub struct EventInfo {
+    /// What measures call it.
+    pub label: Option<String>,
     /// The statement as text.
     pub text: String,
     /// In which direction the guard passes zero.
@@ -131,6 +134,7 @@ impl EventInfo {
     /// Where a branch goes over to its other side.
     pub fn surface(index: usize, guard: &str, mode: usize, span: Span) -> Self {
         Self {
+            label: None,
             text: format!("{guard} passes zero"),
             direction: Direction::Crosses,
             unit: String::new(),
@@ -171,7 +175,10 @@ impl Reader<'_> {
         }
         let after = self.after(event, target, low)?;
         let unit = low.natural_unit(&event.guard, kind);
+        let label = event.label.as_ref();
+        let label = label.and_then(|label| target_name(label, low.diagnostics));
         let info = EventInfo {
+            label: label.map(|label| label.text),
             text: print::event(event),
             direction: event.direction,
             factor: unit.scale(),

@@ -1,6 +1,6 @@
 //! Which statements hold in each mode of a scene.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::nearest::nearest;
@@ -111,6 +111,19 @@ impl Phases {
         };
         let mut all = self.all.iter();
         all.any(|phase| !phase.name.is_empty() || phase.statements.iter().any(eventful))
+    }
+
+    /// The names of events, each once.
+    pub fn event_names(&self) -> Vec<String> {
+        let statements = self.all.iter().flat_map(|phase| &phase.statements);
+        let labels = statements.filter_map(|one| match &one.kind {
+            StatementKind::When(event) => event.label.as_ref(),
+            _ => None,
+        });
+        // A wrong index is reported where the event is read.
+        let name = |label| target_name(label, &mut Diagnostics::default());
+        let names: BTreeSet<String> = labels.filter_map(name).map(|name| name.text).collect();
+        names.into_iter().collect()
     }
 
     /// The mode of a name.

@@ -55,7 +55,10 @@ pub fn statement(statement: &Statement) -> String {
 
 /// An event as text.
 pub fn event(event: &When) -> String {
-    let mut text = format!("when {} {}", term(&event.guard), direction(event.direction));
+    let label = event.label.as_ref();
+    let label = label.map_or(String::new(), |label| format!("{}: ", target(label)));
+    let watched = term(&event.guard);
+    let mut text = format!("when {label}{watched} {}", direction(event.direction));
     if let Some(condition) = &event.condition {
         text += &format!(" if {}", term(condition));
     }

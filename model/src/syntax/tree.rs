@@ -139,7 +139,7 @@ pub enum StatementKind {
     /// `hold phi2;`: the coordinate stays where it is while the mode lasts. Several after commas become several
     /// statements.
     Hold { target: Term },
-    /// `when x - l rises if dot(x) > 0 -> run { set dot(x) = 0; }`: an event.
+    /// `when hit: x - l rises if dot(x) > 0 -> run { set dot(x) = 0; }`: an event.
     When(When),
     /// `effect torsion "text" { … } else { … }`
     Effect {
@@ -252,6 +252,8 @@ impl StatementKind {
 /// An event: where a quantity passes zero, the mode may change, and coordinates may jump.
 #[derive(Clone, Debug, PartialEq)]
 pub struct When {
+    /// What measures call it; several events may have one name.
+    pub label: Option<Target>,
     /// The quantity that passes zero.
     pub guard: Term,
     /// In which direction.

@@ -1,12 +1,21 @@
-//! Names of equations.
+//! Names of equations and of events.
 
-use super::{check, compiled, mistakes};
+use assur_model::checked::{Moment, PrimitiveKind};
+
+use super::{Expected, check, compiled, mistakes};
 
 /// Three rockers on one crank, each closed by a loop of its own.
 const LEGS: &str = "Sample; dimension r = 20 mm, l = 90 mm, c = 60 mm, a = 80 mm; driver phi ~ 90 deg in 0 deg .. 360 deg; \
                     for k in 1..3 { dependent gamma[k] ~ 20 deg, psi[k] ~ 100 deg; \
                     closure leg[k]: r*dir(phi + k*(120 deg)) + l*dir(gamma[k]) = [a, 0] + c*dir(psi[k]); } \
                     output psi[1], psi[2], psi[3]; ";
+
+/// A ball that jumps, in a scene without modes.
+const BALL: &str = "Sample; parameter g = 9.81 [m/s^2], m = 1 kg; coordinate x: m = 1 m; kinetic m*dot(x)^2/2; \
+                    potential m*g*x; output x; scene fall { run time 0 s .. 2 s; } ";
+const HIT: &str = "when hit: x falls { set dot(x) = -dot(x); } ";
+const MODES: &str =
+    "mode up { when x - 1 m falls -> down; } mode down { when x - 1 m rises -> up; } ";
 
 /// The equations of the first scene of a file without mistakes.
 #[track_caller]
@@ -64,4 +73,61 @@ fn the_index_of_a_name_is_a_whole_number() {
             "the index of a `for` or `sum`",
         )],
     );
+}
+
+#[test]
+fn an_event_of_a_scene_without_modes_is_counted_by_its_name() {
+    let text = format!(
+        "{BALL}{HIT}measure hits = count(hit), speed = value(dot(x), last(before(hit))), top = value(x, after(hit));"
+    );
+    let (compiled, _) = compiled(&text);
+    let problems = mistakes(&compiled);
+    assert!(problems.is_empty(), "{problems:#?}");
+    let scene = compiled.model.unwrap().scenes.remove(0);
+    let event = || "hit".to_owned();
+    let kinds: Vec<_> = scene.primitives.into_iter().map(|one| one.kind).collect();
+    assert_eq!(
+        kinds,
+        [
+            PrimitiveKind::Count(Moment::After(event(), false)),
+            PrimitiveKind::Value(Moment::Before(event(), true)),
+            PrimitiveKind::Value(Moment::After(event(), false)),
+        ]
+    );
+    assert_eq!(scene.modes[0].events[0].label, Some(event()));
+    assert!(
+        scene.modes[0].events[0]
+            .text
+            .starts_with("when hit: x falls")
+    );
+}
+
+#[test]
+fn events_of_a_repetition_are_counted_one_by_one() {
+    check(
+        &format!(
+            "{BALL} for k in 1..3 {{ when pass[k]: x - k*(0.2 m) falls {{ set dot(x) = dot(x)/2; }} \
+             measure passes[k] = count(pass[k]); }}"
+        ),
+        &[],
+    );
+}
+
+#[test]
+#[rustfmt::skip]
+fn what_is_counted_is_an_event_with_a_name() {
+    let cases: &[(String, &[Expected])] = &[
+        ("when x falls { set dot(x) = -dot(x); } measure n = count(x);".into(), &[("the name of an event is expected here", "x", "`when hit: x falls …`, and write `count(hit)`")]),
+        ("when x falls { set dot(x) = -dot(x); } measure n = count(x < 0);".into(), &[("the name of an event is expected here", "x < 0", "`when hit: x falls …`")]),
+        ("when x falls { set dot(x) = -dot(x); } measure n = count(x falls);".into(), &[("found `falls`, expected `)`", "falls", "`count(hit)`")]),
+        (format!("{HIT}measure n = count(hot);"), &[("the name of an event is expected here", "hot", "did you mean `hit`?")]),
+        (format!("{HIT}measure n = count(enter(hit));"), &[("a mode of this scene is expected here", "hit", "this scene has no modes; an event is counted by its name")]),
+        (format!("{HIT}measure n = value(x, hit);"), &[("a moment of the run is expected here", "hit", "write `before(hit)` or `after(hit)`")]),
+        (format!("{HIT}measure n = value(x, 1 s);"), &[("a moment of the run is expected here", "1 s", "`before(event)`")]),
+        (format!("{MODES}measure n = count(up);"), &[("the name of an event is expected here", "up", "`up` is a mode: write `enter(up)`")]),
+        ("when hit[m]: x falls { set dot(x) = -dot(x); }".into(), &[("has to be a whole number", "m", "")]),
+    ];
+    for (text, expected) in cases {
+        check(&format!("{BALL}{text}"), expected);
+    }
 }

@@ -22,7 +22,7 @@ mod window;
 
 pub use extreme::{Extreme, Extremes};
 pub use grid::Sample;
-pub use primitive::{Kind, Missing, Moment, Primitive};
+pub use primitive::{Kind, Missing, Moment, NamedEvent, Primitive};
 
 use crate::hybrid::{Hybrid, Motion, in_each_mode};
 use crate::problem::{Equations, Scene, Storage};

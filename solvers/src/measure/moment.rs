@@ -21,6 +21,16 @@ pub(super) fn value(
             let event = pick(events(moment, motion), last).ok_or(Missing::NeverEntered(mode))?;
             Ok(sampler.of(event.to, event.time, &event.after)[index])
         }
+        Moment::After { event: named, last } => {
+            let event = pick(events(moment, motion), last);
+            let event = event.ok_or(Missing::NeverHappens(named.name))?;
+            Ok(sampler.of(event.to, event.time, &event.after)[index])
+        }
+        Moment::Before { event: named, last } => {
+            let event = pick(events(moment, motion), last);
+            let event = event.ok_or(Missing::NeverHappens(named.name))?;
+            Ok(sampler.of(event.from, event.time, &event.before)[index])
+        }
         Moment::Leave { mode, last } => {
             let event = pick(events(moment, motion), last).ok_or(Missing::NeverLeft(mode))?;
             Ok(sampler.of(event.from, event.time, &event.before)[index])
@@ -43,14 +53,17 @@ fn pick<'a>(mut events: impl Iterator<Item = &'a Happened>, last: bool) -> Optio
     }
 }
 
-/// The events that enter or leave a mode. One that leads back into its own mode does neither.
+/// The events that enter or leave a mode, or have a name. One that leads back into its own mode enters and leaves none.
 fn events(moment: Moment, motion: &Motion) -> impl Iterator<Item = &Happened> {
     motion.events.iter().filter(move |event| {
-        event.from != event.to
-            && match moment {
-                Moment::Enter { mode, .. } => event.to == mode,
-                Moment::Leave { mode, .. } => event.from == mode,
-                Moment::Start | Moment::End => false,
+        let leads_on = event.from != event.to;
+        match moment {
+            Moment::Enter { mode, .. } => leads_on && event.to == mode,
+            Moment::Leave { mode, .. } => leads_on && event.from == mode,
+            Moment::Before { event: named, .. } | Moment::After { event: named, .. } => {
+                named.places.contains(&(event.from, event.event))
             }
+            Moment::Start | Moment::End => false,
+        }
     })
 }

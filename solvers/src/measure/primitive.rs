@@ -73,6 +73,29 @@ pub enum Moment {
         /// The last time.
         last: bool,
     },
+    /// Just before an event of a name happens, the first or the last time.
+    Before {
+        /// The event.
+        event: NamedEvent,
+        /// The last time.
+        last: bool,
+    },
+    /// Just after an event of a name has happened, the first or the last time.
+    After {
+        /// The event.
+        event: NamedEvent,
+        /// The last time.
+        last: bool,
+    },
+}
+
+/// What a scene calls by one name: an event, or several.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NamedEvent {
+    /// The name.
+    pub name: &'static str,
+    /// Each by its mode and its index in that mode.
+    pub places: &'static [(usize, usize)],
 }
 
 /// Why a run has no such number.
@@ -82,6 +105,8 @@ pub enum Missing {
     NeverEntered(usize),
     /// The mode is never left.
     NeverLeft(usize),
+    /// No event of this name happens.
+    NeverHappens(&'static str),
     /// The condition holds at no time.
     NeverHolds,
     /// The run has no length.
@@ -99,6 +124,7 @@ impl Missing {
         match self {
             Self::NeverEntered(mode) => format!("the mode `{}` is never entered", name(mode)),
             Self::NeverLeft(mode) => format!("the mode `{}` is never left", name(mode)),
+            Self::NeverHappens(event) => format!("the event `{event}` never happens"),
             Self::NeverHolds => "its condition never holds".to_string(),
             Self::Empty => "the run has no length".to_string(),
             Self::NotWhole(turns) => format!(

@@ -278,8 +278,8 @@ fn harmonics_over_an_angle_are_those_of_the_angle_and_not_of_the_time() {
     assert!(matches!(missing, Err(Missing::NotWhole(turns)) if (turns - 2.5).abs() < 1e-12));
 }
 
-#[test]
-fn values_at_events_are_those_before_and_after_them() {
+/// From the mode 0 to the mode 1 at 1 s, where the state jumps from 2 to -3, and on to 3 s.
+fn through_an_event() -> Motion {
     let (first, second) = (run(0.0, 1.0, 2), run(1.0, 3.0, 2));
     let piece = |mode: usize, motion: Motion| Piece {
         mode,
@@ -295,17 +295,50 @@ fn values_at_events_are_those_before_and_after_them() {
         after: Numbers::new(&[-3.0]),
         guard: 0.0,
     };
-    let motion = Motion {
+    Motion {
         pieces: vec![piece(0, first), piece(1, second)],
         events: vec![event],
         mode: 1,
         end: vec![7.0],
         time: 3.0,
         statistics: Default::default(),
+    }
+}
+
+/// The state, a hundred more in the mode 1.
+fn state_and_mode(mode: usize, _: f64, state: &[f64], values: &mut [f64]) {
+    values[0] = state[0] + 100.0 * mode as f64;
+}
+
+#[test]
+fn an_event_is_known_by_its_name_in_every_mode() {
+    let hit = NamedEvent {
+        name: "hit",
+        places: &[(1, 0), (0, 0)],
     };
-    let sample = |mode: usize, _: f64, state: &[f64], values: &mut [f64]| {
-        values[0] = state[0] + 100.0 * mode as f64;
+    let other = NamedEvent {
+        name: "other",
+        places: &[(1, 0), (0, 1)],
     };
+    let (before, after) = (
+        |event| Moment::Before { event, last: false },
+        |event| Moment::After { event, last: true },
+    );
+    let primitives = [
+        Kind::Count(after(hit)),
+        Kind::Value(before(hit)),
+        Kind::Value(after(hit)),
+        Kind::Count(after(other)),
+        Kind::Value(before(other)),
+    ]
+    .map(of);
+    let found = find(&through_an_event(), &primitives, 1, &state_and_mode);
+    assert_eq!(found[..4], [1.0, 2.0, 97.0, 0.0].map(Ok));
+    assert_eq!(found[4], Err(Missing::NeverHappens("other")));
+}
+
+#[test]
+fn values_at_events_are_those_before_and_after_them() {
     let (enter, leave) = (
         |mode| Moment::Enter { mode, last: false },
         |mode| Moment::Leave { mode, last: true },
@@ -320,7 +353,7 @@ fn values_at_events_are_those_before_and_after_them() {
         Kind::Count(leave(1)),
     ]
     .map(of);
-    let found = find(&motion, &primitives, 1, &sample);
+    let found = find(&through_an_event(), &primitives, 1, &state_and_mode);
     let expected = [97.0, 2.0, 107.0, 0.0, 1.0].map(Ok);
     assert_eq!(found[..5], expected);
     assert_eq!(found[5..], [Err(Missing::NeverLeft(1)), Ok(0.0)]);

@@ -184,6 +184,9 @@ impl Parser<'_> {
             TokenKind::Other if next.text == "'" => {
                 Some("a derivative is `dot(x)`, a second one `ddot(x)`")
             }
+            TokenKind::Word if matches!(next.text.as_str(), "rises" | "falls" | "crosses") => Some(
+                "an event gets a name where it is declared, `when hit: x falls …`, and is counted by it: `count(hit)`",
+            ),
             TokenKind::Number if kind_before(1) == comma && kind_before(2) == number => {
                 Some("a decimal number is written with a point: `1.5`")
             }

@@ -4,8 +4,9 @@ use super::{Parser, Read};
 use crate::syntax::tree::{Direction, StatementKind, Term, When};
 
 impl Parser<'_> {
-    /// `x - l rises if dot(x) > 0 -> run { set dot(x) = 0; }`, and the `;` where no `}` ends it.
+    /// `hit: x - l rises if dot(x) > 0 -> run { set dot(x) = 0; }`, and the `;` where no `}` ends it.
     pub(super) fn event(&mut self) -> Read<StatementKind> {
+        let label = self.label()?;
         let guard = self.term()?;
         let direction = self.direction()?;
         let condition = match self.take_word("if") {
@@ -33,6 +34,7 @@ impl Parser<'_> {
             }
         }
         Ok(StatementKind::When(When {
+            label,
             guard,
             direction,
             condition,
