@@ -3,6 +3,7 @@
 
 mod chain;
 mod derivatives;
+mod documentation;
 mod fuzz;
 mod grammar;
 mod growth;

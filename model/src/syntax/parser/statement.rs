@@ -42,6 +42,34 @@ pub(super) const KEYWORDS: &[&str] = &[
     "when",
 ];
 
+/// A member of a list, with the documentation that stands before it in the list.
+struct Member {
+    documentation: Vec<String>,
+    kind: StatementKind,
+}
+
+impl Member {
+    fn alone(kind: StatementKind) -> Self {
+        Self {
+            documentation: Vec::new(),
+            kind,
+        }
+    }
+}
+
+/// Gives members what stands before their statement: to each, or to the first one where others have documentation of
+/// their own.
+fn document(members: &mut [Member], documentation: Vec<String>) {
+    let mut all = members.iter();
+    if all.all(|member| member.documentation.is_empty()) {
+        for member in members {
+            member.documentation.clone_from(&documentation);
+        }
+    } else if let Some(first) = members.first_mut() {
+        first.documentation.splice(..0, documentation);
+    }
+}
+
 impl Parser<'_> {
     /// Documentation, name, source, statements.
     pub(super) fn file(&mut self) -> Read<File> {
@@ -122,20 +150,21 @@ impl Parser<'_> {
         let start = self.here();
         let begin = self.cursor.at;
         match self.kinds() {
-            Ok(kinds) => {
+            Ok(mut members) => {
                 let span = self.since(start);
-                let one = |kind| Statement {
-                    documentation: documentation.clone(),
+                document(&mut members, documentation);
+                let one = |member: Member| Statement {
+                    documentation: member.documentation,
                     span,
-                    kind,
+                    kind: member.kind,
                 };
-                list.extend(kinds.into_iter().map(one));
+                list.extend(members.into_iter().map(one));
             }
             Err(_) => self.skip_statement(begin),
         }
     }
 
-    fn kinds(&mut self) -> Read<Vec<StatementKind>> {
+    fn kinds(&mut self) -> Read<Vec<Member>> {
         let keyword = self.name("a statement")?;
         let start = keyword.span;
         let block = match keyword.text.as_str() {
@@ -151,36 +180,36 @@ impl Parser<'_> {
             _ => None,
         };
         if let Some(kind) = block {
-            return Ok(vec![kind]);
+            return Ok(vec![Member::alone(kind)]);
         }
-        let kinds = match keyword.text.as_str() {
-            "dimension" => self.commas(|parser| parser.constant(true))?,
-            "parameter" => self.commas(|parser| parser.constant(false))?,
-            "let" => self.commas(Self::abbreviation)?,
-            "driver" => self.commas(Self::driver)?,
-            "dependent" => self.commas(Self::dependent)?,
-            "closure" => vec![self.closure()?],
-            "point" => self.commas(Self::point)?,
-            "link" => self.commas(Self::link)?,
+        let members = match keyword.text.as_str() {
+            "dimension" => self.listed(|parser| parser.constant(true))?,
+            "parameter" => self.listed(|parser| parser.constant(false))?,
+            "let" => self.listed(Self::abbreviation)?,
+            "driver" => self.listed(Self::driver)?,
+            "dependent" => self.listed(Self::dependent)?,
+            "closure" => vec![Member::alone(self.closure()?)],
+            "point" => self.listed(Self::point)?,
+            "link" => self.listed(Self::link)?,
             "coordinate" => {
-                self.commas(|parser| Ok(StatementKind::Coordinate(parser.unknown(true)?)))?
+                self.listed(|parser| Ok(StatementKind::Coordinate(parser.unknown(true)?)))?
             }
-            "state" => self.commas(|parser| Ok(StatementKind::State(parser.unknown(false)?)))?,
-            "motion" => vec![self.motion()?],
-            "kinetic" => vec![self.energy(EnergyKind::Kinetic)?],
-            "potential" => vec![self.energy(EnergyKind::Potential)?],
-            "dissipation" => vec![self.energy(EnergyKind::Dissipation)?],
-            "force" => self.commas(Self::force)?,
-            "require" => vec![self.requirement()?],
-            "output" => self.commas(|parser| Ok(StatementKind::Output(parser.output()?)))?,
-            "measure" => self.commas(Self::measure)?,
-            "hold" => self.commas(|parser| {
+            "state" => self.listed(|parser| Ok(StatementKind::State(parser.unknown(false)?)))?,
+            "motion" => vec![Member::alone(self.motion()?)],
+            "kinetic" => vec![Member::alone(self.energy(EnergyKind::Kinetic)?)],
+            "potential" => vec![Member::alone(self.energy(EnergyKind::Potential)?)],
+            "dissipation" => vec![Member::alone(self.energy(EnergyKind::Dissipation)?)],
+            "force" => self.listed(Self::force)?,
+            "require" => vec![Member::alone(self.requirement()?)],
+            "output" => self.listed(|parser| Ok(StatementKind::Output(parser.output()?)))?,
+            "measure" => self.listed(Self::measure)?,
+            "hold" => self.listed(|parser| {
                 Ok(StatementKind::Hold {
                     target: parser.term()?,
                 })
             })?,
-            "mark" => vec![self.mark()?],
-            "expect" => vec![StatementKind::Expect(self.expect()?)],
+            "mark" => vec![Member::alone(self.mark()?)],
+            "expect" => vec![Member::alone(StatementKind::Expect(self.expect()?))],
             other => return self.unknown_statement(other, start),
         };
         if !self.take_operator(";") {
@@ -189,7 +218,20 @@ impl Parser<'_> {
                 self.missing_hint(),
             );
         }
-        Ok(kinds)
+        Ok(members)
+    }
+
+    /// Members of a list, each perhaps with documentation.
+    fn listed(
+        &mut self,
+        mut one: impl FnMut(&mut Self) -> Read<StatementKind>,
+    ) -> Read<Vec<Member>> {
+        self.commas(|parser| {
+            Ok(Member {
+                documentation: parser.documentation(),
+                kind: one(parser)?,
+            })
+        })
     }
 
     /// What a reader may have meant where a statement should end.
