@@ -230,6 +230,16 @@ mod tests {
         }
     }
 
+    #[test]
+    fn zero_needs_no_unit() {
+        for zero in ["0", "-0", "0.0", "0e3", "0 s"] {
+            assert_eq!(quantity(zero, &TIME), Ok(0.0), "{zero}");
+        }
+        for wrong in ["1", "1e-300", "0 kg"] {
+            assert!(quantity(wrong, &TIME).is_err(), "{wrong}");
+        }
+    }
+
     #[track_caller]
     fn check_number(text: &str, expected: Option<&str>) {
         assert_eq!(number(text), expected, "{text}");

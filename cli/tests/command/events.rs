@@ -126,6 +126,8 @@ fn a_decay_rate_may_be_zero_where_its_range_begins_there() {
     let mut parameters = run["parameters"].as_array().expect("a list").iter();
     let rate = parameters.find(|one| one["name"] == "lambda1");
     assert_eq!(rate.expect("a rate")["value"], 0.0);
+    let bare = object(&[&free[..], &["--set", "lambda1=0"]].concat());
+    assert_eq!(bare["parameters"], run["parameters"], "zero needs no unit");
     let below = [&free[..], &["--set", "lambda1=-1[1/s]"]].concat();
     check_refused(&below, &["the file permits from 0 1/s"], &folder("rate"));
 }

@@ -1,4 +1,4 @@
-//! Events with names, one of them in each of two modes. The facts are tests that the macro emits.
+//! Events with names, one of them in each of two modes, and the rate of a point. The facts are tests that the macro emits.
 
 mod ball {
     assur::mechanism! {
@@ -13,8 +13,12 @@ mod ball {
 
         measure hits = count(hit);
         measure speed = value(dot(x), before(hit)), again = value(dot(x), last(after(hit)));
-        output x;
+        point P = [0 m, x];
+        measure fastest = peak(dot(P).y);
+        output x, dot(P).y;
         scene fall { run time 0 s .. 3 s; }
+        expect at time = 0.3 s: dot(P).y = -3 [m/s] +- 1e-6 [m/s];
+        expect at run: fastest = 4.4721359549996 [m/s] +- 1e-6 [m/s];
         expect at run: hits = 3 +- 0.01;
         expect at run: speed = -4.4721359549996 [m/s] +- 1e-6 [m/s];
         expect at run: again = 4.4721359549996 [m/s] +- 1e-6 [m/s];

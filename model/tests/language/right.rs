@@ -281,3 +281,21 @@ fn blocks_inside_a_repetition_see_the_index() {
         |scene: &SceneModel| values(scene, 0.0, &[0.5, 2.0]).get(scene.program.results.outputs[1]);
     assert_eq!((last(&scenes[0]), last(&scenes[1])), (3.0, 1.5));
 }
+
+#[test]
+fn components_of_rates_are_reported_measured_and_published() {
+    let scene = &scenes(
+        &format!(
+            "{SPRING} point P = [0 m, 2*x]; output dot(P) [mm/s], speed = dot(P).y; measure top = peak(dot(P).y); \
+         scene s {{ run time 0 s .. 1 s; }} expect at time = 0 s: dot(P).y = 0 [m/s] +- 1 [mm/s]; \
+         expect at maximum: dot(P).x = 0 [m/s] +- 1 [mm/s]; expect at run: top = 0.4 [m/s] +- 1 [mm/s];"
+        )[..],
+    )[0];
+    let names: Vec<_> = scene.outputs.iter().map(|one| one.name.as_str()).collect();
+    assert_eq!(names, ["x", "dot(P).x", "dot(P).y", "speed"]);
+    let facts: Vec<_> = scene.expectations.iter().map(|one| one.quantity).collect();
+    let expected = [Subject::Output(2), Subject::Output(1), Subject::Measure(0)];
+    assert_eq!(facts, expected);
+    let found = values(scene, 0.0, &[0.5, 2.0]).all(&scene.program.results.outputs);
+    assert_eq!(found, [0.5, 0.0, 4.0, 4.0]);
+}
