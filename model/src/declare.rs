@@ -6,6 +6,7 @@ use crate::expression::{Expression, Map, Symbol};
 use crate::homogeneity::{agree, describe, disagreement, over};
 use crate::lower::{Kind, Lowering, Typed, second};
 use crate::resolve::{Declared, Names};
+use crate::syntax::print;
 use crate::syntax::tree::{
     Constant, Dependent, Distribution, Driver, Term, TermKind, Tolerance, Unknown,
 };
@@ -128,7 +129,13 @@ impl Lowering<'_> {
                 describe(kind.dimension()),
                 describe(found.dimension())
             );
-            self.diagnostics.push(Diagnostic::error(term.span, message));
+            let unit = Unit::for_dimension(&kind.dimension()).symbol;
+            let hint = match unit.as_str() {
+                "" => "give it as a pure number or an angle".to_owned(),
+                unit => format!("give it in {unit}"),
+            };
+            self.diagnostics
+                .push(Diagnostic::error(term.span, message).hint(hint));
             return None;
         }
         Some(value)
@@ -156,10 +163,12 @@ impl Lowering<'_> {
                         declared.name.text
                     ),
                 )
-                .hint(format!(
-                    "a value that follows from others is a `let {} = …;`",
-                    declared.name.text
-                )),
+                .hint(in_brackets(value).unwrap_or_else(|| {
+                    format!(
+                        "a value that follows from others is a `let {} = …;`",
+                        declared.name.text
+                    )
+                })),
             );
             return None;
         }
@@ -196,7 +205,8 @@ impl Lowering<'_> {
             if !(low_value..=high_value).contains(&default) {
                 self.diagnostics.push(
                     Diagnostic::error(value.span, "the default lies outside the permitted range")
-                        .related(low.span.to(high.span), "the range"),
+                        .related(low.span.to(high.span), "the range")
+                        .hint("change the default, or make the range wider"),
                 );
                 return None;
             }
@@ -449,6 +459,16 @@ impl Lowering<'_> {
 fn kind_times_second(kind: Kind) -> Option<Kind> {
     let inverse = over(Kind::NUMBER, Kind::Of(second()))?;
     over(kind, inverse)
+}
+
+/// How a number is written whose unit stands behind it without brackets, `9.81 m/s^2`.
+fn in_brackets(value: &Term) -> Option<String> {
+    let text = print::term(value);
+    let (number, unit) = text.split_once(' ')?;
+    let is_meant = number.parse::<f64>().is_ok() && unit::parse_unit_text(unit).is_ok();
+    is_meant.then(|| {
+        format!("a unit that is more than one name stands in brackets: `{number} [{unit}]`")
+    })
 }
 
 #[cfg(test)]

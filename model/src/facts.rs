@@ -153,10 +153,11 @@ pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
                         "a time is expected here, and this is {}",
                         describe(found.dimension())
                     );
-                    low.diagnostics.push(
-                        Diagnostic::error(term.span, message)
-                            .hint("a period in terms of a speed `n` is `2*pi/n`"),
-                    );
+                    low.diagnostics
+                        .push(Diagnostic::error(term.span, message).hint(match task.kind {
+                            SpanKind::Run => "a time has a unit: `run time 0 s .. 3 s;`",
+                            _ => "a period in terms of a speed `n` is `2*pi/n`",
+                        }));
                 } else if !low.is_constant(value) {
                     low.diagnostics.push(Diagnostic::error(
                         term.span,

@@ -114,7 +114,15 @@ impl Parts {
         // A coordinate may have any unit, but an energy is an energy.
         if agree(found, Kind::Of(expected)).is_none() {
             let message = format!("{word}, and this is {}", describe(found.dimension()));
-            low.diagnostics.push(Diagnostic::error(value.span, message));
+            let hint = match kind {
+                EnergyKind::Kinetic => {
+                    "of a mass it is `m*dot(x)^2/2`, of a moment of inertia `J*dot(phi)^2/2`"
+                }
+                EnergyKind::Potential => "of a spring it is `c*x^2/2`, of a weight `m*g*y`",
+                EnergyKind::Dissipation => "of a damper it is `d*dot(x)^2/2`",
+            };
+            low.diagnostics
+                .push(Diagnostic::error(value.span, message).hint(hint));
             return;
         }
         if !low.has_forces(kind, expression, value, span) {
@@ -170,8 +178,10 @@ impl Parts {
                 "a force times its position has to be an energy (J), and this is {}",
                 describe(work.dimension())
             );
-            low.diagnostics
-                .push(Diagnostic::error(statement.span, message));
+            low.diagnostics.push(
+                Diagnostic::error(statement.span, message)
+                    .hint("a force in N works on a position in m, a moment in N m on an angle"),
+            );
             return;
         }
         if !low.has_directions(&positions, on, statement.span) {

@@ -176,6 +176,12 @@ impl<'a> Survey<'a> {
                             Diagnostic::error(base.span, format!("there is no choice `{wanted}`"));
                         let known = choices().chain(self.parts.iter().copied());
                         Some(match nearest(wanted, known) {
+                            _ if matches!(name.text.as_str(), "dot" | "ddot" | "diff") => {
+                                report.hint("a time derivative is `dot(x)`, a second one `ddot(x)`")
+                            }
+                            _ if name.text.chars().count() == 1 => {
+                                report.hint("the components of a vector are `.x`, `.y` and `.z`")
+                            }
                             Some(near) => report.hint(format!("did you mean `{near}`?")),
                             None => report.hint(
                                 "`choice.alternative` asks which alternative of a choice holds",

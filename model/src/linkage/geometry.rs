@@ -133,6 +133,9 @@ impl Ranges {
                 low.diagnostics
                     .push(match nearest(&one.driver.text, known()) {
                         Some(near) => report.hint(format!("did you mean `{near}`?")),
+                        None if names.drivers.is_empty() => report.hint(
+                            "what moves by itself is followed in time: `run time 0 s .. 1 s;`",
+                        ),
                         None => report.hint(format!(
                             "the drivers are {}",
                             known().collect::<Vec<_>>().join(", ")

@@ -1,9 +1,9 @@
 //! Functions: those of the language, as a table of what they take and give, and those of the file.
 
-use super::{Kind, Lowering, MEASURING, Typed};
+use super::{Kind, Lowering, MEASURING, Typed, second};
 use crate::diagnostic::Diagnostic;
 use crate::expression::Expression;
-use crate::homogeneity::{agree, describe, disagreement, power};
+use crate::homogeneity::{agree, describe, disagreement, over, power};
 use crate::nearest::nearest;
 use crate::program::Function;
 use crate::resolve::{FUNCTIONS, Role};
@@ -108,7 +108,7 @@ impl Lowering<'_> {
             let known = own
                 .map(|(one, _)| one.as_str())
                 .chain(FUNCTIONS.iter().copied());
-            let report = match super::elsewhere(&name.text) {
+            let report = match super::notation::elsewhere(&name.text) {
                 Some(hint) => return self.error(report.hint(hint)),
                 None => report,
             };
@@ -133,7 +133,12 @@ impl Lowering<'_> {
             "`{}` takes {expected} argument{plural}, and this gives it {found}",
             name.text
         );
-        self.diagnostics.push(Diagnostic::error(span, message));
+        let report = Diagnostic::error(span, message);
+        self.diagnostics
+            .push(match super::notation::other_count(&name.text, found) {
+                Some(hint) => report.hint(hint),
+                None => report,
+            });
         false
     }
 
@@ -149,9 +154,12 @@ impl Lowering<'_> {
                     "a pure number or an angle is expected here, and this is {}",
                     describe(kind.dimension())
                 );
+                let is_rate = over(Kind::NUMBER, Kind::Of(second())) == Some(kind);
                 return self.error(
-                    Diagnostic::error(argument.span, message)
-                        .hint("divide its unit out, as in `exp(-time/(1 s))`"),
+                    Diagnostic::error(argument.span, message).hint(match is_rate {
+                        true => "the angle that a constant speed `n` has turned is `n*time`",
+                        false => "divide its unit out, as in `exp(-time/(1 s))`",
+                    }),
                 );
             }
             match agree(common, kind) {

@@ -5,6 +5,7 @@
 
 use super::{Kind, Lowering, Typed};
 use crate::checked::LiteralInfo;
+use crate::diagnostic::Diagnostic;
 use crate::syntax::print;
 use crate::syntax::tree::{Term, UnitTerm};
 use crate::unit;
@@ -37,6 +38,12 @@ impl Lowering<'_> {
         let (value, kind) = match unit {
             None if value == 0.0 => (value, Kind::Any),
             None => (value, Kind::NUMBER),
+            Some(written) if self.is_factor(written) => {
+                let factor = &written.factors[0].0.text;
+                let message = format!("`{factor}` is a quantity of the file, and no unit");
+                let report = Diagnostic::error(written.span, message);
+                return self.error(report.hint(format!("a product needs `*`: `{value}*{factor}`")));
+            }
             Some(written) => match unit::resolve(written, self.diagnostics) {
                 Some(unit) => {
                     // Zero is zero in all units.
@@ -52,5 +59,13 @@ impl Lowering<'_> {
             },
         };
         Typed::scalar(self.graph.number(value), kind)
+    }
+
+    /// Whether what stands behind a number is a quantity, and the `*` before it is missing.
+    fn is_factor(&self, written: &UnitTerm) -> bool {
+        let [(name, (1, 1))] = written.factors.as_slice() else {
+            return false;
+        };
+        !unit::is_unit(&name.text) && self.names.table.contains_key(&name.text)
     }
 }

@@ -7,6 +7,7 @@ mod call;
 mod derivative;
 mod literal;
 mod measure;
+mod notation;
 mod turns;
 mod typed;
 mod vector;
@@ -40,24 +41,6 @@ const DEPTH: usize = 64;
 
 /// Most terms that the sums of a scene may come to.
 const SUMMANDS: usize = 100_000;
-
-/// How something is written here that other notations have under this name.
-fn elsewhere(name: &str) -> Option<&'static str> {
-    Some(match name {
-        "log" => "write `ln(x)` for the natural logarithm, `log10(x)` for the decimal one",
-        "e" => "write `exp(x)` for a power of e",
-        "pow" => "write a power as `x^2`",
-        "arcsin" | "arccos" | "arctan" | "arctan2" => "write `asin`, `acos`, `atan` or `atan2`",
-        "sgn" | "signum" => "write `sign(x)`",
-        "fabs" => "write `abs(x)`",
-        "der" | "ddt" => "write `dot(x)`, or `ddot(x)` for the second derivative",
-        "cot" => "write `1/tan(x)`",
-        "sec" => "write `1/cos(x)`",
-        "t" => "the time is called `time`",
-        "PI" | "Pi" => "write `pi`",
-        _ => return None,
-    })
-}
 
 /// Dimension of a time.
 pub fn second() -> Dimension {
@@ -210,7 +193,13 @@ impl<'a> Lowering<'a> {
                     "a number is expected here, and this is {}",
                     other.describe()
                 );
-                self.diagnostics.push(Diagnostic::error(term.span, message));
+                let report = Diagnostic::error(term.span, message);
+                self.diagnostics.push(match other {
+                    Typed::Vector { .. } => {
+                        report.hint("its length is `norm(v)`, its components are `v.x` and `v.y`")
+                    }
+                    _ => report,
+                });
                 None
             }
         }
@@ -408,7 +397,9 @@ impl<'a> Lowering<'a> {
             .chain(QUANTITIES.iter().copied())
             .chain(locals);
         let of_part = name.contains('.');
-        if let Some(hint) = elsewhere(name) {
+        if let Some(hint) = notation::elsewhere(name) {
+            report = report.hint(hint);
+        } else if let Some(hint) = self.derivative_named(name) {
             report = report.hint(hint);
         } else if functions {
             report = report.hint(format!(
@@ -422,6 +413,8 @@ impl<'a> Lowering<'a> {
                 .hint("it is declared in a block that does not hold here: say in `else` what takes its place");
         } else if let Some(near) = nearest(name, known) {
             report = report.hint(format!("did you mean `{near}`?"));
+        } else if let Some(hint) = notation::unit_name(name) {
+            report = report.hint(hint);
         } else if of_part {
             report = report.hint("a part has the names that its file declares; what comes from outside is bound in `part … { … }`");
         } else {

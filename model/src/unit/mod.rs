@@ -119,8 +119,16 @@ fn hint(name: &str) -> Option<String> {
         "sec" | "second" | "seconds" => "s",
         "hr" | "hour" | "hours" => "h",
         "degree" | "degrees" => "deg",
-        "kilogram" => "kg",
-        "meter" | "metre" => "m",
+        "minutes" | "minute" | "mins" => "min",
+        "kilogram" | "kilograms" | "kilo" | "kilos" => "kg",
+        "gram" | "grams" => "g",
+        "meter" | "metre" | "meters" | "metres" => "m",
+        "millimeter" | "millimetre" | "millimeters" | "millimetres" => "mm",
+        "newton" | "newtons" | "Newton" => "N",
+        "radian" | "radians" => "rad",
+        "hertz" | "Hertz" | "hz" | "HZ" => "Hz",
+        "watt" | "watts" | "Watt" => "W",
+        "Sec" | "S" | "secs" => "s",
         "micron" | "microns" => "um",
         _ if factors_in(name).is_some() => {
             return factors_in(name).map(|factors| format!("write `[{factors}]`"));

@@ -69,7 +69,7 @@ fn units() {
         ("parameter k = 5 [kg inches]; output k;", &[("`inches` is not a unit", "inches", "write `inch`")]),
         ("coordinate y: metre = 0;", &[("`metre` is not a unit", "metre", "write `m`")]),
         ("preset p { m = 3 s; }", &[("`m` is a mass (kg), and this is a time (s)", "3 s", "")]),
-        ("scene s { run time 0 .. x; }", &[("a time is expected here, and this is a length (m)", "x", "2*pi/n")]),
+        ("scene s { run time 0 .. x; }", &[("a time is expected here, and this is a length (m)", "x", "`run time 0 s .. 3 s;`")]),
         ("expect at maximum: x = 1 s +- 1 mm;", &[("the quantity is a length (m), and this is a time (s)", "1 s", "")]),
     ]);
 }

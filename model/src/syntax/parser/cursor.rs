@@ -28,6 +28,11 @@ impl<'a> Cursor<'a> {
         self.tokens.get(self.at + count)
     }
 
+    /// The token so many places before the next one.
+    pub fn behind(&self, count: usize) -> Option<&'a Token> {
+        self.tokens.get(self.at.checked_sub(count)?)
+    }
+
     fn kind(&self, count: usize) -> Option<TokenKind> {
         self.ahead(count).map(|token| token.kind)
     }
@@ -166,32 +171,6 @@ impl Parser<'_> {
     pub(super) fn expected<T>(&mut self, what: &str) -> Read<T> {
         let message = format!("found {}, expected {what}", self.found());
         self.wrong(message, self.slip())
-    }
-
-    /// What stands here in other notations, and how it is written.
-    fn slip(&self) -> Option<&'static str> {
-        let kind_before = |count: usize| {
-            let place = self.cursor.at.checked_sub(count)?;
-            self.cursor.tokens.get(place).map(|token| token.kind)
-        };
-        let comma = Some(TokenKind::Punctuation {
-            character: ',',
-            joint: false,
-        });
-        let number = Some(TokenKind::Number);
-        let next = self.cursor.ahead(0)?;
-        match next.kind {
-            TokenKind::Other if next.text == "'" => {
-                Some("a derivative is `dot(x)`, a second one `ddot(x)`")
-            }
-            TokenKind::Word if matches!(next.text.as_str(), "rises" | "falls" | "crosses") => Some(
-                "an event gets a name where it is declared, `when hit: x falls …`, and is counted by it: `count(hit)`",
-            ),
-            TokenKind::Number if kind_before(1) == comma && kind_before(2) == number => {
-                Some("a decimal number is written with a point: `1.5`")
-            }
-            _ => None,
-        }
     }
 
     /// Reports a mistake at the next token.

@@ -195,6 +195,13 @@ impl Parser<'_> {
     /// `D - E - F "rod"`
     pub(super) fn link(&mut self) -> Read<StatementKind> {
         let begin = self.here();
+        if self.text().is_some() {
+            return self.wrong_at(
+                begin,
+                "a link begins with a point",
+                Some("its text stands behind the points: `link A - B \"rod\";`"),
+            );
+        }
         let mut points = vec![self.place()?];
         while self.take_operator("-") {
             points.push(self.place()?);
@@ -274,7 +281,14 @@ impl Parser<'_> {
     pub(super) fn unknown(&mut self, has_rate: bool) -> Read<Unknown> {
         let target = self.target()?;
         if !self.take_operator(":") {
-            let hint = format!("write `{}: m`", target.name.text);
+            let name = &target.name.text;
+            let hint = match name.as_str() {
+                "dot" | "speed" | "velocity" => {
+                    "the start value of the rate is called `rate`: `x: m = 0, rate = 2 [m/s]`"
+                        .into()
+                }
+                _ => format!("each has a unit of its own: write `{name}: m`"),
+            };
             return self.wrong(
                 format!("found {}, expected `:` and a unit", self.found()),
                 Some(&hint),

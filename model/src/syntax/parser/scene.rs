@@ -77,6 +77,12 @@ impl Parser<'_> {
                 vec![SceneItem::Periodic { period }]
             }
             "run" => {
+                if !self.is_any_word() {
+                    return self.wrong(
+                        format!("found {}, expected `time`", self.found()),
+                        Some("write `run time 0 s .. 1 s;`"),
+                    );
+                }
                 let variable = self.name("`time`")?;
                 let (from, to) = self.range()?;
                 vec![SceneItem::Run { variable, from, to }]
@@ -138,6 +144,14 @@ impl Parser<'_> {
         } else {
             None
         };
+        if let (None, Some(TermKind::Number { .. })) = (&name, value.as_ref().map(|one| &one.kind))
+        {
+            return self.wrong_at(
+                self.since(start),
+                "a number is reported here",
+                Some("a decimal number is written with a point, `0.5`; what is reported of a number has a name, `n = 5`"),
+            );
+        }
         Ok(Output {
             name,
             value,
@@ -243,9 +257,19 @@ impl Parser<'_> {
         } else {
             ExpectAt::Extreme(place)
         };
-        self.operator(":")?;
+        if !self.take_operator(":") {
+            return self.wrong(
+                format!("found {}, expected `:`", self.found()),
+                Some("a colon stands between where and what: `expect at time = 1 s: x = …`"),
+            );
+        }
         let quantity = self.term()?;
-        self.operator("=")?;
+        if !self.take_operator("=") {
+            return self.wrong(
+                format!("found {}, expected `=`", self.found()),
+                Some("a fact has one `=`: `x = 1 mm +- 0.1 mm`"),
+            );
+        }
         let value = self.term()?;
         if !self.take_operator("+-") {
             let report = Diagnostic::error(

@@ -2,9 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::{Parser, Read};
+use super::{Parser, Read, slip};
 use crate::diagnostic::Diagnostic;
-use crate::nearest::nearest;
 use crate::syntax::tree::{Alternative, EnergyKind, File, Statement, StatementKind, Target, Term};
 use crate::token::Span;
 
@@ -238,26 +237,20 @@ impl Parser<'_> {
     fn missing_hint(&self) -> Option<&'static str> {
         let operator = |text| self.is_operator(text);
         match () {
+            () if self.slip().is_some() => self.slip(),
             () if self.is_any_word() || self.is_open_ahead(0, '(') => {
                 Some("a product needs `*`, a statement ends with `;`")
             }
             () if operator("=") => {
                 Some("an equation of motion begins with `motion`, an abbreviation with `let`")
             }
+            () if self.is_close('}') || self.at_end() => Some("a statement ends with `;`"),
             () => None,
         }
     }
 
     fn unknown_statement<T>(&mut self, keyword: &str, start: Span) -> Read<T> {
-        let near = nearest(keyword, KEYWORDS.iter().copied())
-            .map(|near| format!("did you mean `{near}`?"));
-        let hint = match near {
-            Some(hint) => hint,
-            None if self.is_operator("=") => {
-                format!("an abbreviation begins with `let`: `let {keyword} = …;`")
-            }
-            None => format!("a statement begins with one of {}", KEYWORDS.join(", ")),
-        };
+        let hint = slip::statement(keyword, self.is_operator("=") || self.is_operator(":="));
         self.wrong_at(
             start,
             format!("`{keyword}` begins no statement"),
@@ -279,7 +272,14 @@ impl Parser<'_> {
     fn equation(&mut self) -> Read<(Option<Target>, Term, Term)> {
         let label = self.label()?;
         let left = self.term()?;
-        self.operator("=")?;
+        if !self.take_operator("=") {
+            return self.wrong(
+                format!("found {}, expected `=`", self.found()),
+                self.slip().or(Some(
+                    "an equation has two sides and one `=`: `left = right`",
+                )),
+            );
+        }
         Ok((label, left, self.term()?))
     }
 
@@ -294,6 +294,13 @@ impl Parser<'_> {
     }
 
     fn energy(&mut self, kind: EnergyKind) -> Read<StatementKind> {
+        let named = usize::from(self.is_any_word());
+        if self.is_operator_ahead(named, "=") && !self.is_operator_ahead(named, "==") {
+            return self.wrong(
+                format!("found {}, expected an energy", self.found()),
+                Some("it has no name and no `=`: `kinetic m*dot(x)^2/2;`"),
+            );
+        }
         Ok(StatementKind::Energy {
             kind,
             value: self.term()?,
@@ -381,7 +388,7 @@ impl Parser<'_> {
             alternatives.push(Alternative {
                 name,
                 text,
-                body: self.block()?,
+                body: self.alternative()?,
             });
         }
         self.close('}')?;
@@ -397,6 +404,16 @@ impl Parser<'_> {
             text,
             alternatives,
         })
+    }
+
+    fn alternative(&mut self) -> Read<Vec<Statement>> {
+        if !self.is_open_ahead(0, '{') {
+            return self.wrong(
+                format!("found {}, expected `{{`", self.found()),
+                Some("each alternative has a block: `choice rod { long { … } real { … } }`"),
+            );
+        }
+        self.block()
     }
 
     fn condition(&mut self) -> Read<StatementKind> {

@@ -38,6 +38,11 @@ const NOT_UNITS: &[&str] = &[
     "falls",
     "crosses",
     "if",
+    // Words of other notations, which are answered where they stand.
+    "then",
+    "and",
+    "or",
+    "to",
 ];
 
 impl Parser<'_> {
@@ -234,9 +239,9 @@ impl Parser<'_> {
         {
             return self.wrong(
                 format!("found {} after a unit", self.found()),
-                Some(
+                self.slip().or(Some(
                     "a compound unit stands in brackets, as in `0.1 [kg m^2]`; a product needs `*`",
-                ),
+                )),
             );
         }
         Ok(Term {
@@ -384,7 +389,12 @@ impl Parser<'_> {
     /// `a .. b`, both ends included.
     pub(super) fn range(&mut self) -> Read<(Term, Term)> {
         let from = self.term()?;
-        self.operator("..")?;
+        if !self.take_operator("..") {
+            return self.wrong(
+                format!("found {}, expected `..`", self.found()),
+                Some("a range is written `a .. b`: `for k in 1..5 { … }`, `run time 0 s .. 1 s;`"),
+            );
+        }
         if self.is_operator("=") {
             return self.wrong("a range includes both its ends", Some("write `a .. b`"));
         }
@@ -420,7 +430,12 @@ impl Parser<'_> {
     }
 
     fn block_of_term(&mut self) -> Read<Term> {
-        self.open('{')?;
+        if !self.take_open('{') {
+            return self.wrong(
+                format!("found {}, expected `{{`", self.found()),
+                Some("write `if c { x } else { y }`"),
+            );
+        }
         let term = self.term()?;
         self.close('}')?;
         Ok(term)

@@ -23,6 +23,12 @@ impl Parser<'_> {
             });
         }
         let name = self.name("a unit, as in `: rad` or `: [kg m^2]`")?;
+        if self.is_operator("/") || self.is_operator("*") || self.is_operator("^") {
+            return self.wrong(
+                format!("found {} after a unit", self.found()),
+                Some("a unit that is more than one name stands in brackets: `v: [m/s]`"),
+            );
+        }
         Ok(UnitTerm {
             span: start,
             factors: vec![(name, (1, 1))],
