@@ -5,8 +5,9 @@ use crate::hybrid::{Motion, Piece};
 
 /// Halvings of a step at most where quantities do something that the state does not feel.
 const DEEPEST: usize = 10;
-/// Halvings of the steps that are looked at: so many, and as many for each step. What is nothing but rounding takes all.
-const HALVINGS: (usize, usize) = (128, 8);
+/// Halvings of the steps that are looked at: so many, and as many for each step, but no more in all than the last. What is
+/// nothing but rounding takes all.
+const HALVINGS: (f64, f64, f64) = (128.0, 8.0, 50_000.0);
 /// How far quantities may be from the quartic through every second point, over what they span. A step in which they are
 /// farther is halved.
 const DEVIATION: f64 = 0.05;
@@ -49,19 +50,22 @@ pub(super) struct Sampler<'a> {
     sample: &'a Sample<'a>,
     state: Vec<f64>,
     values: Vec<f64>,
-    halvings: usize,
+    /// Halvings that are left, and how many more there are for each step.
+    halvings: (f64, f64),
     /// The step in which was looked last.
     step: usize,
 }
 
 impl<'a> Sampler<'a> {
     pub(super) fn new(motion: &'a Motion, count: usize, sample: &'a Sample<'a>) -> Self {
+        let times = motion.pieces.iter().map(|piece| piece.trajectory.times());
+        let steps: usize = times.map(<[f64]>::len).sum();
         Self {
             motion,
             sample,
             state: motion.end.clone(),
             values: vec![0.0; count],
-            halvings: HALVINGS.0,
+            halvings: (HALVINGS.0, HALVINGS.1.min(HALVINGS.2 / steps.max(1) as f64)),
             step: 0,
         }
     }
@@ -96,7 +100,7 @@ impl<'a> Sampler<'a> {
             for step in times[first..].windows(2) {
                 let part = (step[0].max(from), step[1].min(to));
                 if part.0 < part.1 {
-                    self.halvings += HALVINGS.1;
+                    self.halvings.0 += self.halvings.1;
                     self.walk_step((number, piece), part, 0, visit);
                 } else if step[0] > to {
                     break;
@@ -114,9 +118,9 @@ impl<'a> Sampler<'a> {
     ) {
         let grid = self.grid(piece, (from, to));
         let middle = grid.times[GRID / 2];
-        let may_halve = depth < DEEPEST && self.halvings > 0 && from < middle && middle < to;
+        let may_halve = depth < DEEPEST && self.halvings.0 >= 1.0 && from < middle && middle < to;
         if may_halve && !grid.is_resolved() {
-            self.halvings -= 1;
+            self.halvings.0 -= 1.0;
             self.walk_step(piece, (from, middle), depth + 1, visit);
             self.walk_step(piece, (middle, to), depth + 1, visit);
         } else {
