@@ -32,6 +32,7 @@ mod march;
 mod radau;
 mod rates;
 mod rosenbrock;
+mod rounding;
 mod spectrum;
 mod stepper;
 

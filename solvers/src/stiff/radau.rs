@@ -12,6 +12,7 @@ mod newton;
 
 use super::here::{Here, scaled_size};
 use super::rates::Rates;
+use super::rounding::Rounding;
 use super::stepper::{Attempt, Stepper};
 use crate::dense::{Complex, Lu, factor_complex};
 use crate::ode::{OdeError, Options};
@@ -31,8 +32,6 @@ const E: [f64; 3] = [
 const FACTORS: (f64, f64) = (0.2, 8.0);
 /// Factors up to this are not worth new factors of the matrices.
 const WORTH: f64 = 1.2;
-/// Roundings of the states that rates may be wrong by.
-const ROUNDINGS: f64 = 4.0;
 /// Contraction of Newton's method above which the Jacobian is evaluated anew.
 const CONTRACTION: f64 = 1e-3;
 /// Relative change of the step that the factors of the matrices bear.
@@ -83,11 +82,7 @@ pub(super) struct Radau {
     previous: Option<(f64, f64)>,
     /// Whether the last attempt was rejected.
     rejected: bool,
-    /// Whether the error of the last attempt is that of rounding, and above the tolerance.
-    is_rounded: bool,
-    /// Room for what rounding makes of a step.
-    right: Vec<f64>,
-    rounded: Vec<f64>,
+    rounding: Rounding,
 }
 
 impl Radau {
@@ -105,9 +100,7 @@ impl Radau {
             before: None,
             previous: None,
             rejected: false,
-            is_rounded: false,
-            right: vec![0.0; states],
-            rounded: vec![0.0; states],
+            rounding: Rounding::new(states),
         }
     }
 
@@ -184,7 +177,8 @@ impl Radau {
             if self.jacobian == Jacobian::Fresh {
                 let is_factored = self.factored.is_some();
                 let rounding = if is_factored {
-                    self.rounding(here, options)
+                    let system = (&self.real.entries[..], &self.real.pivots[..]);
+                    self.rounding.of(here, options, system)
                 } else {
                     0.0
                 };
@@ -192,25 +186,6 @@ impl Radau {
             }
             self.jacobian = Jacobian::Missing;
         }
-    }
-
-    /// What rounding makes of a step, in tolerances: the states of which the rates are made are known to a rounding each,
-    /// and what the rates make of that goes through the same linear system as the error does.
-    #[cold]
-    fn rounding(&mut self, here: &Here, options: &Options) -> f64 {
-        let n = here.state.len();
-        self.rounded.fill(0.0);
-        for (column, value) in here.state.iter().enumerate() {
-            let slopes = &here.jacobian[column * n..(column + 1) * n];
-            for (target, slope) in self.right.iter_mut().zip(slopes) {
-                *target = slope * f64::EPSILON * value;
-            }
-            Lu::substitute(&self.real.entries, &self.real.pivots, &mut self.right);
-            for (sum, one) in self.rounded.iter_mut().zip(&self.right) {
-                *sum += one.abs();
-            }
-        }
-        ROUNDINGS * scaled_size(options, (&here.state, &here.state), &self.rounded)
     }
 
     /// The error estimate (8.19): `((γ/h) I - J)⁻¹ (f(t, y₀) + (1/h) Σ eᵢ Zᵢ)`. RADAU5 puts (8.20) in its place at the first
@@ -274,14 +249,9 @@ impl Stepper for Radau {
             return Ok(Attempt::Done(0.0));
         }
         let error = self.estimate(here, options, length);
-        self.is_rounded = false;
-        if error > 1.0 {
-            // An error that is that of rounding does not fall with the step: the tolerance is what rounding permits.
-            let rounding = self.rounding(here, options);
-            self.is_rounded = error <= rounding;
-            return Ok(Attempt::Done(error / rounding.max(1.0)));
-        }
-        Ok(Attempt::Done(error))
+        let system = (&self.real.entries[..], &self.real.pivots[..]);
+        let judged = self.rounding.judge(error, here, options, system);
+        Ok(Attempt::Done(judged))
     }
 
     /// The polynomial of degree 3 through the begin and the three stages, by divided differences.
@@ -299,7 +269,7 @@ impl Stepper for Radau {
     }
 
     fn is_rounded(&self) -> bool {
-        self.is_rounded
+        self.rounding.limits
     }
 
     fn accept(&mut self, length: f64, error: f64) -> f64 {

@@ -12,6 +12,7 @@ mod tableau;
 
 use super::here::{Here, first_bad};
 use super::rates::Rates;
+use super::rounding::Rounding;
 use super::stepper::{Attempt, Stepper};
 use crate::dense::Lu;
 use crate::ode::{Controller, OdeError, Options};
@@ -34,6 +35,7 @@ pub(super) struct Rosenbrock {
     state: Vec<f64>,
     rate: Vec<f64>,
     controller: Controller,
+    rounding: Rounding,
     /// Whether Jacobian and time derivative are those of this state.
     is_fresh: bool,
 }
@@ -51,6 +53,7 @@ impl Rosenbrock {
             state: vec![0.0; states],
             rate: vec![0.0; states],
             controller: control(),
+            rounding: Rounding::new(states),
             is_fresh: false,
         }
     }
@@ -148,10 +151,17 @@ impl Stepper for Rosenbrock {
         if !self.factor(here, length) || !self.stages(rates, here, length) {
             return Ok(Attempt::Failed(0.5));
         }
-        Ok(Attempt::Done(match options.fixed_step {
-            Some(_) => 0.0,
-            None => here.scaled_error(options),
-        }))
+        if options.fixed_step.is_some() {
+            return Ok(Attempt::Done(0.0));
+        }
+        let error = here.scaled_error(options);
+        let system = (&self.matrix.0[..], &self.matrix.1[..]);
+        let judged = self.rounding.judge(error, here, options, system);
+        Ok(Attempt::Done(judged))
+    }
+
+    fn is_rounded(&self) -> bool {
+        self.rounding.limits
     }
 
     fn interpolate(&mut self, here: &mut Here) {
