@@ -83,19 +83,30 @@ impl Report {
     /// # Errors
     /// Which variable is how wrong.
     pub fn outcome(&self) -> Result<(), Failure> {
-        match self.cost.worst {
-            Some((index, share)) if self.is_inaccurate() => Err(Failure::numerical(format!(
-                "the motion is not accurate: `{}` may be wrong by {} of its amplitude",
-                self.case.variables[index].name,
-                number::error(share)
-            ))
-            .reason("with other tolerances the motion is another one")
-            .remedy(
-                "try a smaller --rtol; where that changes nothing, errors grow without bound, as in a chaotic motion, or \
-                 a spike comes a little earlier or later: look at measures and extremes, which have errors of their own",
-            )),
-            _ => Ok(()),
-        }
+        let Some((index, share)) = self.cost.worst.filter(|_| self.is_inaccurate()) else {
+            return Ok(());
+        };
+        let failure = Failure::numerical(format!(
+            "the motion is not accurate: `{}` may be wrong by {} of its amplitude",
+            self.case.variables[index].name,
+            number::error(share)
+        ));
+        Err(match self.motion.effort().rounded_steps {
+            0 => failure
+                .reason("with other tolerances the motion is another one")
+                .remedy(
+                    "try a smaller --rtol; where that changes nothing, errors grow without bound, as in a chaotic motion, \
+                     or a spike comes a little earlier or later: look at measures and extremes, which have errors of their \
+                     own",
+                ),
+            rounded => failure
+                .reason(format!(
+                    "in {} steps rounding is larger than the tolerance: states that are large are told from each other by \
+                     their last digits",
+                    number::count(rounded)
+                ))
+                .remedy("take the small difference as a coordinate, and one of the large ones as what follows from it"),
+        })
     }
 
     /// Whether the task is a steady state that repeats.
