@@ -1,9 +1,11 @@
 //! Turns terms into typed expressions: names get their meaning, kinds of quantities are checked, time derivatives are
 //! taken.
 
+mod ambiguous;
 mod arithmetic;
 mod breaks;
 mod call;
+mod condition;
 mod derivative;
 mod literal;
 mod measure;
