@@ -172,7 +172,11 @@ fn every_method_finds_it() {
     ] {
         let settings = Settings::new(method, 1e-10);
         match solve(&scene, TAU, &settings) {
-            Ok(orbit) => assert!(error(&scene, &orbit) < 1e-7, "{method:?}"),
+            Ok(orbit) => {
+                // The automatic choice is the explicit method of order 8 here, the others are of order 5.
+                let bound = if method == Method::Auto { 1e-8 } else { 1e-7 };
+                assert!(error(&scene, &orbit) < bound, "{method:?}");
+            }
             Err(failure) => {
                 assert_eq!(method, Method::Taylor);
                 let message = failure.to_string();
