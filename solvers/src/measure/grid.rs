@@ -11,6 +11,9 @@ const HALVINGS: (f64, f64, f64) = (128.0, 8.0, 50_000.0);
 /// How far quantities may be from the quartic through every second point, over what they span. A step in which they are
 /// farther is halved.
 const DEVIATION: f64 = 0.05;
+/// Parts of the first and the last step of a piece that are looked at by themselves. Elsewhere the next step shows whether
+/// a quantity that bends turns there; next to an end nothing else would.
+const ENDS: [f64; 2] = [1e-4, 1e-2];
 /// Deviations that are rounding, over the size of a quantity.
 const NOISE: f64 = 1e-12;
 /// Where in a step quantities are looked at: multiples of the golden section, which keep out of step with whatever swings.
@@ -101,7 +104,10 @@ impl<'a> Sampler<'a> {
                 let part = (step[0].max(from), step[1].min(to));
                 if part.0 < part.1 {
                     self.halvings.0 += self.halvings.1;
-                    self.walk_step((number, piece), part, 0, visit);
+                    let ends = (part.0 == times[0], Some(&part.1) == times.last());
+                    for part in parts(part, ends).windows(2) {
+                        self.walk_step((number, piece), (part[0], part[1]), 0, visit);
+                    }
                 } else if step[0] > to {
                     break;
                 }
@@ -147,6 +153,28 @@ impl<'a> Sampler<'a> {
             times,
         }
     }
+}
+
+/// The ends of the parts of a step that may be the first or the last of its piece.
+fn parts((from, to): (f64, f64), (first, last): (bool, bool)) -> Vec<f64> {
+    let length = to - from;
+    let begins = ENDS
+        .iter()
+        .filter(|_| first)
+        .map(|part| from + part * length);
+    let ends = ENDS
+        .iter()
+        .rev()
+        .filter(|_| last)
+        .map(|part| to - part * length);
+    let mut all: Vec<f64> = begins
+        .chain(ends)
+        .filter(|time| from < *time && *time < to)
+        .collect();
+    all.insert(0, from);
+    all.push(to);
+    all.dedup();
+    all
 }
 
 /// The quantities along a step, or along a part of it.

@@ -174,6 +174,19 @@ fn a_corner_is_found_to_the_last_digits() {
     }
 }
 
+/// Between the last places in a step a quantity rises to a corner and falls again, and it is larger at the end than before:
+/// nothing but the slope at the end would say so.
+#[test]
+fn a_corner_next_to_an_end_is_found() {
+    let motion = run(0.0, 1.0, 1);
+    for corner in [0.9757, 0.994, 0.9993, 0.99996] {
+        let late = |time: f64| time - 1.5 * (time - corner).max(0.0);
+        is(found(&motion, of(Kind::Peak), &[&late]), corner, 1e-15);
+        let early = |time: f64| late(1.0 - time);
+        is(found(&motion, of(Kind::Peak), &[&early]), corner, 1e-15);
+    }
+}
+
 #[test]
 fn means_are_integrals_and_not_means_of_samples() {
     let motion = run(0.0, 2.0 * PI, 7);
