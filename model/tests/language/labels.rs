@@ -2,7 +2,7 @@
 
 use assur_model::checked::{Moment, PrimitiveKind};
 
-use super::{Expected, check, compiled, mistakes};
+use super::{Expected, check, first_scene};
 
 /// Three rockers on one crank, each closed by a loop of its own.
 const LEGS: &str = "Sample; dimension r = 20 mm, l = 90 mm, c = 60 mm, a = 80 mm; driver phi ~ 90 deg in 0 deg .. 360 deg; \
@@ -20,13 +20,7 @@ const MODES: &str =
 /// The equations of the first scene of a file without mistakes.
 #[track_caller]
 fn equations(text: &str) -> Vec<String> {
-    let (compiled, _) = compiled(text);
-    assert!(
-        mistakes(&compiled).is_empty(),
-        "{:#?}",
-        compiled.diagnostics
-    );
-    let scene = compiled.model.unwrap().scenes.remove(0);
+    let scene = first_scene(text);
     let linkage = scene.linkage.map(|linkage| linkage.loops);
     let of_linkage = linkage.into_iter().flatten().map(|one| one.name);
     of_linkage
@@ -80,10 +74,7 @@ fn an_event_of_a_scene_without_modes_is_counted_by_its_name() {
     let text = format!(
         "{BALL}{HIT}measure hits = count(hit), speed = value(dot(x), last(before(hit))), top = value(x, after(hit));"
     );
-    let (compiled, _) = compiled(&text);
-    let problems = mistakes(&compiled);
-    assert!(problems.is_empty(), "{problems:#?}");
-    let scene = compiled.model.unwrap().scenes.remove(0);
+    let scene = first_scene(&text);
     let event = || "hit".to_owned();
     let kinds: Vec<_> = scene.primitives.into_iter().map(|one| one.kind).collect();
     assert_eq!(

@@ -20,7 +20,7 @@ mod wrong;
 
 use std::fmt::Write;
 
-use assur_model::checked::Compiled;
+use assur_model::checked::{Compiled, SceneModel};
 use assur_model::diagnostic::{Diagnostic, Severity};
 use assur_model::lexer::{Lexed, lex_plain};
 use assur_model::token::Span;
@@ -49,6 +49,15 @@ fn words<'a>(text: &'a str, lexed: &Lexed, span: Span) -> &'a str {
 fn mistakes(compiled: &Compiled) -> Vec<&Diagnostic> {
     let all = compiled.diagnostics.iter();
     all.filter(|one| one.severity != Severity::Note).collect()
+}
+
+/// The first scene of a file without mistakes.
+#[track_caller]
+fn first_scene(text: &str) -> SceneModel {
+    let (compiled, _) = compiled(text);
+    let problems = mistakes(&compiled);
+    assert!(problems.is_empty(), "{problems:#?}");
+    compiled.model.unwrap().scenes.remove(0)
 }
 
 /// Checks that a file gives these messages and no others, notes apart.

@@ -2,7 +2,7 @@
 
 use assur_model::checked::{Moment, Primitive, PrimitiveKind, SceneModel};
 
-use super::{Expected, check, compiled, mistakes};
+use super::{Expected, check, first_scene};
 
 /// A mass that is pushed until it meets a wall.
 const MASS: &str = "Sample; parameter F = 1 N, m = 2 kg, l = 1 m; coordinate x: m = 0; driver phi = 2*pi*time/(1 s); \
@@ -11,13 +11,7 @@ const MASS: &str = "Sample; parameter F = 1 N, m = 2 kg, l = 1 m; coordinate x: 
 
 #[track_caller]
 fn scene(text: &str) -> SceneModel {
-    let (compiled, _) = compiled(&format!("{MASS}{text}"));
-    assert!(
-        mistakes(&compiled).is_empty(),
-        "{:#?}",
-        compiled.diagnostics
-    );
-    compiled.model.unwrap().scenes.remove(0)
+    first_scene(&format!("{MASS}{text}"))
 }
 
 fn primitive(kind: PrimitiveKind, argument: usize, window: Option<usize>) -> Primitive {

@@ -3,7 +3,7 @@
 use assur_model::checked::{Direction, SceneModel};
 use assur_model::program::Stage;
 
-use super::{Expected, SPRING, check, compiled, mistakes};
+use super::{Expected, SPRING, check, compiled, first_scene, mistakes};
 
 /// Two masses, of which the second is at rest until the first arrives.
 const MASSES: &str = "Sample; parameter F = 1 N, m = 2 kg, l = 1 m; coordinate x: m = 0, y: m = 0; \
@@ -19,13 +19,7 @@ fn check_all(cases: &[(&str, &[Expected])]) {
 /// The only scene of a file that is right.
 #[track_caller]
 fn scene(text: &str) -> SceneModel {
-    let (compiled, _) = compiled(&format!("{MASSES}{text}"));
-    assert!(
-        mistakes(&compiled).is_empty(),
-        "{:#?}",
-        compiled.diagnostics
-    );
-    compiled.model.unwrap().scenes.remove(0)
+    first_scene(&format!("{MASSES}{text}"))
 }
 
 #[test]

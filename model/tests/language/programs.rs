@@ -2,7 +2,7 @@
 
 use assur_model::program::{Function, OperationKind, Value};
 
-use super::{compiled, mistakes};
+use super::first_scene;
 
 /// A sum waits for its slowest term alone: that is added last.
 #[test]
@@ -10,13 +10,7 @@ fn what_takes_longest_is_added_last() {
     let text = "Sample; parameter a = 1 [1/s], b = 2 [1/s], c = 3 [1/s]; state x: 1 = 0, y: 1 = 0; \
                 motion one: dot(x) = c + a*sin(y) - b*x; motion other: dot(y) = b*x; output x; \
                 scene go { run time 0 s .. 1 s; }";
-    let (compiled, _) = compiled(text);
-    assert!(
-        mistakes(&compiled).is_empty(),
-        "{:#?}",
-        compiled.diagnostics
-    );
-    let scene = compiled.model.unwrap().scenes.remove(0);
+    let scene = first_scene(text);
     let program = &scene.program;
     let kind = |value: Value| &program.operations[value.0 as usize].kind;
     let OperationKind::MultiplyAdd(first, second, _) = kind(program.results.derivative[0]) else {
