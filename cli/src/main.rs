@@ -50,6 +50,7 @@ mod table;
 mod text;
 mod tolerance;
 mod turn;
+mod unclosed;
 mod unfollowed;
 mod unit;
 mod values;

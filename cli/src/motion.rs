@@ -87,7 +87,7 @@ impl Case {
     }
 
     fn not_followed(&self, error: &HybridError) -> Failure {
-        let told = unfollowed::tell(self.scene, error);
+        let told = unfollowed::tell(self.scene, self.run(), error);
         Failure::numerical("the motion could not be followed to its end")
             .reason(told.reason)
             .remedy(told.remedy)
@@ -97,7 +97,7 @@ impl Case {
         if let CycleError::Motion(inner) = error {
             return self.not_followed(inner);
         }
-        let told = unfollowed::tell_cycle(self.scene, error);
+        let told = unfollowed::tell_cycle(self.scene, self.run(), error);
         Failure::numerical("no motion that repeats was found")
             .reason(told.reason)
             .remedy(told.remedy)
@@ -107,9 +107,10 @@ impl Case {
         if let PeriodicError::NotSettled(inner) = error {
             return self.no_cycle(inner);
         }
+        let told = unfollowed::tell_periodic(self.scene, self.run(), error);
         Failure::numerical("no steady state was found")
-            .reason(error.to_string())
-            .remedy("near a resonance move the speed a little, or choose a scene with damping; else try a smaller --rtol")
+            .reason(told.reason)
+            .remedy(told.remedy)
     }
 }
 
@@ -125,22 +126,22 @@ pub fn over_task(
     match run.span() {
         Span::Periodic(period) if run.mode_count() > 0 => {
             let cycle = run.cycle(period, settings);
-            let told = |error: CycleError| unfollowed::tell_cycle(scene, &error).reason;
+            let told = |error: CycleError| unfollowed::tell_cycle(scene, run, &error).reason;
             cycle.map(|cycle| cycle.motion).map_err(told)
         }
         Span::Autonomous => {
             let cycle = run.clock(settings);
-            let told = |error: CycleError| unfollowed::tell_cycle(scene, &error).reason;
+            let told = |error: CycleError| unfollowed::tell_cycle(scene, run, &error).reason;
             cycle.map(|cycle| cycle.motion).map_err(told)
         }
         Span::Periodic(period) => {
             let orbit = run.periodic(period, settings);
             orbit
                 .map(|orbit| hybrid::Motion::of(orbit.trajectory))
-                .map_err(|error| error.to_string())
+                .map_err(|error| unfollowed::tell_periodic(scene, run, &error).reason)
         }
         Span::Run(from, to) => {
-            let told = |error: HybridError| unfollowed::tell(scene, &error).reason;
+            let told = |error: HybridError| unfollowed::tell(scene, run, &error).reason;
             run.follow((from, to), &run.start(), settings).map_err(told)
         }
         Span::Open => Err("the scene has no task".to_owned()),

@@ -2,7 +2,10 @@
 
 use assur::hybrid::{CycleError, HybridError};
 use assur::ode::OdeError;
-use assur::registry::SceneEntry;
+use assur::periodic::PeriodicError;
+use assur::registry::{Run, SceneEntry};
+
+use crate::unclosed;
 
 /// What to say.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,13 +17,17 @@ pub struct Told {
 }
 
 impl Told {
-    fn new(reason: String, remedy: &'static str) -> Self {
+    pub fn new(reason: String, remedy: &'static str) -> Self {
         Self { reason, remedy }
     }
 }
 
 /// Of a motion that could not be followed to its end.
-pub fn tell(scene: &SceneEntry, error: &HybridError) -> Told {
+pub fn tell(scene: &SceneEntry, run: &dyn Run, error: &HybridError) -> Told {
+    unclosed::tell(scene, run).unwrap_or_else(|| of_motion(scene, error))
+}
+
+fn of_motion(scene: &SceneEntry, error: &HybridError) -> Told {
     match error {
         HybridError::Ode { error, mode, .. } => ended(scene, error, *mode),
         HybridError::Loop {
@@ -79,10 +86,20 @@ pub fn tell(scene: &SceneEntry, error: &HybridError) -> Told {
 }
 
 /// Of a motion that was to repeat.
-pub fn tell_cycle(scene: &SceneEntry, error: &CycleError) -> Told {
+pub fn tell_cycle(scene: &SceneEntry, run: &dyn Run, error: &CycleError) -> Told {
+    unclosed::tell(scene, run).unwrap_or_else(|| of_cycle(scene, error))
+}
+
+/// Of a motion without events that was to repeat.
+pub fn tell_periodic(scene: &SceneEntry, run: &dyn Run, error: &PeriodicError) -> Told {
+    const AWAY: &str = "near a resonance move the speed a little, or choose a scene with damping; else try a smaller --rtol";
+    unclosed::tell(scene, run).unwrap_or_else(|| Told::new(error.to_string(), AWAY))
+}
+
+fn of_cycle(scene: &SceneEntry, error: &CycleError) -> Told {
     const NEARBY: &str = "change a value with --set a little; else try another --rtol";
     match error {
-        CycleError::Motion(inner) => tell(scene, inner),
+        CycleError::Motion(inner) => of_motion(scene, inner),
         CycleError::Grazing { time, mode, event } => Told::new(
             format!(
                 "at time = {time} s `{}` is touched{} and not passed, so that the motion does not depend smoothly on where it begins",
@@ -163,7 +180,7 @@ mod tests {
             mode: wind,
             event: 0,
         };
-        let told = tell_cycle(scene(), &touched);
+        let told = of_cycle(scene(), &touched);
         let statement = scene().modes[wind].events[0].text;
         let words = format!("at time = 0.5 s `{statement}` is touched in mode wind");
         assert!(told.reason.starts_with(&words), "{told:?}");

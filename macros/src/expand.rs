@@ -100,6 +100,7 @@ fn stub(name: &str, scenes: &[String]) -> Model {
         marks: Vec::new(),
         expectations: Vec::new(),
         linkage: None,
+        carried: Vec::new(),
         modes: Vec::new(),
         first: 0,
         program: Program::default(),

@@ -326,6 +326,7 @@ pub fn phase(
         marks: published::marks(&mut low, statements),
         expectations: Vec::new(),
         linkage: None,
+        carried: Vec::new(),
         modes: Vec::new(),
         first: 0,
         program: program::Program::default(),
@@ -386,7 +387,7 @@ pub fn phase(
         }
     }
     if !is_linkage {
-        linkage.carry(&mut low, &names, &drives, &values, &mut request)?;
+        model.carried = linkage.carry(&mut low, &names, &drives, &values, &mut request)?;
     }
     for (index, symbol) in given.iter().enumerate() {
         request.inputs.insert(*symbol, Input::State(index as u32));

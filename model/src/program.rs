@@ -236,6 +236,8 @@ pub struct Results {
     pub measured: Vec<Value>,
     /// The measures, from what has been found of a run.
     pub measures: Vec<Value>,
+    /// By how much the loops that the motion carries along close, in the order of the scene's `carried`.
+    pub margins: Vec<Value>,
     /// What the events of a mode compute, the switching surfaces behind them, then the kinks of guards, and last the angles
     /// that turn in them.
     pub events: Vec<Event<Value>>,

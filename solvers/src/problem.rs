@@ -130,6 +130,10 @@ pub trait Equations<S: Scalar> {
     /// Writes the positions of the drivers at a time, in their declared order.
     fn drivers(&self, time: S, values: &mut [S]);
 
+    /// Writes by how much the loops that the motion carries along close at a time, see
+    /// [`Run::margins`](crate::registry::Run::margins).
+    fn margins(&self, _time: S, _values: &mut [S]) {}
+
     /// Writes what the measures of the scene look at. Shape: `Scene::MEASURED`.
     fn measured(&self, _time: S, _state: &Self::State, _values: &mut [S]) {}
 

@@ -163,6 +163,8 @@ pub struct SceneEntry {
     pub bind: Bind,
     /// The loops, if the scene is a linkage.
     pub linkage: Option<LinkageEntry>,
+    /// The loops that the motion carries along, one entry for each group that may fail to close, named by its equations.
+    pub carried: &'static [Loop],
     /// The modes; none where the motion has neither modes nor events.
     pub modes: &'static [ModeEntry],
 }
@@ -292,6 +294,9 @@ pub trait Run: Send + Sync {
     fn start(&self) -> Vec<f64>;
     /// Positions of the drivers at a time.
     fn drivers(&self, time: f64) -> Vec<f64>;
+    /// Writes by how much the loops that the motion carries along close at a time, in SI units: less than zero where they
+    /// do not, not a number where one before does not. Shape: [`SceneEntry::carried`].
+    fn margins(&self, time: f64, values: &mut [f64]);
     /// The first time of the task at which a driver has a position, see [`Span::time_of`].
     ///
     /// # Errors

@@ -255,12 +255,19 @@ fn amount(entry: &LinkageEntry, group: usize, residual: f64) -> String {
         .iter()
         .map(|&index| (entry.loops[index].unit, entry.loops[index].factor));
     let first = units.next();
-    let (unit, factor) = match first.filter(|first| units.all(|other| other == *first)) {
-        Some(("m", _)) => ("mm", 1e-3),
-        Some(known) => known,
-        None => ("(SI units)", 1.0),
+    match first.filter(|first| units.all(|other| other == *first)) {
+        Some((unit, factor)) => gap(residual, unit, factor),
+        None => gap(residual, "(SI units)", 1.0),
+    }
+}
+
+/// What is missing in a loop equation whose sides have this unit: lengths in millimetres.
+pub fn gap(value: f64, unit: &str, factor: f64) -> String {
+    let (unit, factor) = match unit {
+        "m" => ("mm", 1e-3),
+        _ => (unit, factor),
     };
-    let shown = number::short(number::rounded(residual / factor, 4));
+    let shown = number::short(number::rounded(value / factor, 4));
     format!("{shown} {unit}").trim_end().to_owned()
 }
 

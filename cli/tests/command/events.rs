@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{answer, check_refused, folder};
+use super::{answer, check_refused, folder, run};
 
 /// What a command prints, in a directory of its own.
 fn printed(arguments: &[&str], more: &[&str]) -> String {
@@ -185,4 +185,20 @@ fn multipliers_over_two_periods_count_by_two_periods() {
     }
     let once = answer(&["run", "presser_foot"], &folder("turns_once"));
     assert!(once.contains("what one period does") && !once.contains("turn of"));
+}
+
+#[test]
+fn a_carried_loop_that_stays_open_is_named_with_its_gap() {
+    // E_v and D come as near as 72.528 mm to each other, and the link between them is the only one that changes.
+    for (length, gap) in [("60mm", "a gap of up to 12.53 mm"), ("70mm", "2.528 mm")] {
+        let value = format!("machine.lift.l_v={length}");
+        let arguments = ["run", "presser_foot", "--scene", "machine", "--set", &value];
+        let output = run(&arguments, &folder("open_loop"));
+        let complaint = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{complaint}");
+        let words = ["the links do not meet", gap, "machine.lift.lift.x"];
+        for word in words {
+            assert!(complaint.contains(word), "no {word:?} in\n{complaint}");
+        }
+    }
 }

@@ -106,6 +106,7 @@ impl<'a> Layout<'a> {
             &results.energy,
             &results.measured,
             &results.measures,
+            &results.margins,
         ];
         let all: Vec<Value> = evaluated
             .iter()

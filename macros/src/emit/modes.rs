@@ -15,9 +15,10 @@ use super::{Origin, docs, equations, instant, names, outputs, parameters, slopes
 pub fn split(model: &Model) -> Vec<Vec<SceneModel>> {
     let mode = |scene: &SceneModel, index: usize| {
         let mut program = scene.modes[index].program.clone();
-        // What is made of a whole run is no matter of modes: the first one computes it.
+        // What is made of a whole run, or of the time alone, is no matter of modes: the first one computes it.
         if index != scene.first {
             program.results.measures.clear();
+            program.results.margins.clear();
         }
         SceneModel {
             program,
@@ -68,8 +69,16 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
     let instants: Vec<&Ident> = layout.modes.iter().map(|mode| &mode.instant).collect();
     let numbers: Vec<_> = (0..fields.len()).map(size).collect();
     let states = size(layout.states());
+    let first = &fields[layout.scene.first];
+    let margins = (!layout.scene.carried.is_empty()).then(|| {
+        quote! {
+            #[inline(always)]
+            fn margins(&self, time: S, values: &mut [S]) {
+                self.#first.margins(time, values);
+            }
+        }
+    });
     let measures = (!layout.scene.measures.is_empty()).then(|| {
-        let first = &fields[layout.scene.first];
         quote! {
             #[inline(always)]
             fn measured(&self, time: S, state: &Self::State, values: &mut [S]) {
@@ -205,6 +214,7 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
                 }
             }
 
+            #margins
             #measures
         }
 

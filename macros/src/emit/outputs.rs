@@ -17,7 +17,7 @@ pub fn methods(layout: &Layout<'_>) -> TokenStream {
     let outputs = layout.body(writes(layout, &results.outputs));
     let drivers = layout.body(writes(layout, &results.drivers));
     let text = docs::operations(counts::of(layout).outputs);
-    let measures = measures(layout);
+    let (margins, measures) = (margins(layout), measures(layout));
     quote! {
         #text
         #[inline(always)]
@@ -30,8 +30,23 @@ pub fn methods(layout: &Layout<'_>) -> TokenStream {
             #drivers
         }
 
+        #margins
         #measures
     }
+}
+
+/// The method of `Equations` for loops that are carried along, where there are any.
+fn margins(layout: &Layout<'_>) -> Option<TokenStream> {
+    let wanted = &layout.program().results.margins;
+    let margins = outlined(writes(layout, wanted));
+    (!wanted.is_empty()).then(|| {
+        quote! {
+            #[inline(always)]
+            fn margins(&self, time: S, values: &mut [S]) {
+                #margins
+            }
+        }
+    })
 }
 
 /// The methods of `Equations` for measures, where the scene has any.

@@ -1,8 +1,8 @@
 //! The mechanism as data: `MECHANISM`, and how a scene is bound to values without knowing its type.
 
 use assur_model::checked::{
-    Distribution, ExpectInfo, ExpectPlace, LinkageInfo, Model, QuantityInfo, SceneModel, Subject,
-    VariableInfo,
+    Distribution, ExpectInfo, ExpectPlace, LinkageInfo, LoopInfo, Model, QuantityInfo, SceneModel,
+    Subject, VariableInfo,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -85,6 +85,7 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
             }
         }
     });
+    let carried = scene.carried.iter().map(|one| loop_entry(one, origin));
     let linkage = match &scene.linkage {
         Some(loops) => linkage(layout, loops, origin),
         None => quote!(::core::option::Option::None),
@@ -137,6 +138,7 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
             expectations: &[#(#expectations),*],
             bind: #bind,
             linkage: #linkage,
+            carried: &[#(#carried),*],
             modes: &[#(#modes),*],
         }
     }
@@ -146,15 +148,7 @@ fn entry(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
 fn linkage(layout: &Layout<'_>, linkage: &LinkageInfo, origin: &Origin<'_>) -> TokenStream {
     let name = &layout.parameters;
     let dependents = linkage.dependents.iter().map(|one| quantity(&one.quantity));
-    let loops = linkage.loops.iter().map(|one| {
-        let (name, unit, factor, line) = (
-            &one.name,
-            &one.unit,
-            number(one.factor),
-            line(origin, one.span),
-        );
-        quote!(::assur::registry::Loop { name: #name, unit: #unit, factor: #factor, line: #line })
-    });
+    let loops = linkage.loops.iter().map(|one| loop_entry(one, origin));
     let tolerances = linkage.ranges.iter().map(|range| {
         let (half_width, kind) = (number(range.tolerance.0), distribution(range.tolerance.1));
         quote!((#half_width, #kind))
@@ -175,6 +169,12 @@ fn linkage(layout: &Layout<'_>, linkage: &LinkageInfo, origin: &Origin<'_>) -> T
             links: &[#(#links),*],
         })
     }
+}
+
+fn loop_entry(one: &LoopInfo, origin: &Origin<'_>) -> TokenStream {
+    let (name, unit, factor) = (&one.name, &one.unit, number(one.factor));
+    let line = line(origin, one.span);
+    quote!(::assur::registry::Loop { name: #name, unit: #unit, factor: #factor, line: #line })
 }
 
 fn distribution(distribution: Distribution) -> TokenStream {

@@ -432,6 +432,7 @@ mod pendulum_ {
                 ],
                 bind: ::assur::registry::Bind::Motion(bind_Swing_),
                 linkage: ::core::option::Option::None,
+                carried: &[],
                 modes: &[],
             },
         ],

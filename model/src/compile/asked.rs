@@ -83,6 +83,7 @@ pub fn kept_constants(low: &Lowering<'_>, request: &Request) -> Vec<usize> {
         &request.start,
         &request.measured,
         &request.measures,
+        &request.margins,
     ] {
         all.extend(list);
     }

@@ -2,6 +2,7 @@
 //! themselves. Its dependent coordinates are then functions of the time, put in as closed forms.
 
 use super::{Closed, Linkage, Slot};
+use crate::checked::LoopInfo;
 use crate::declare::Drive;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Graph, Map, Symbol};
@@ -11,7 +12,7 @@ use crate::resolve::Names;
 
 impl Linkage {
     /// Binds the dependent coordinates to their closed forms, on the assembly modes that the declared start values pick
-    /// with these values of the constants.
+    /// with these values of the constants. Asks for the margins of the groups that may fail to close, and names these.
     pub fn carry(
         &self,
         low: &mut Lowering<'_>,
@@ -19,7 +20,7 @@ impl Linkage {
         drives: &[Drive],
         constants: &[f64],
         request: &mut Request,
-    ) -> Option<()> {
+    ) -> Option<Vec<LoopInfo>> {
         let mut given = Given {
             constants: constants.to_vec(),
             drivers: Vec::new(),
@@ -37,6 +38,7 @@ impl Linkage {
             };
             given.drivers.push(start);
         }
+        let mut carried = Vec::new();
         for (number, group) in self.groups.iter().enumerate() {
             let Some(closed) = &group.closed else {
                 let first = &self.equations[group.equations[0]];
@@ -89,17 +91,26 @@ impl Linkage {
             for (index, value) in values {
                 given.dependents[index] = value;
             }
+            let chosen = Map::from_iter([(mode, sign)]);
             for (slot, value) in &closed.values {
                 if let Slot::Value(index) = slot {
-                    let fixed = low
-                        .graph
-                        .substitute(&[*value], &Map::from_iter([(mode, sign)]))[0];
+                    let fixed = low.graph.substitute(&[*value], &chosen)[0];
                     let symbol = Symbol::Dependent(*index as u32);
                     request.bindings.insert(symbol, fixed);
                 }
             }
+            if low.graph.as_number(closed.margin).is_none() {
+                request.margins.push(closed.margin);
+                let mut info = self.loop_info(group.equations[0]);
+                let names = group.equations.iter();
+                let names: Vec<&str> = names
+                    .map(|index| self.equations[*index].name.as_str())
+                    .collect();
+                info.name = names.join(", ");
+                carried.push(info);
+            }
         }
-        Some(())
+        Some(carried)
     }
 
     /// How far values are from the declared ones; angles are the same after a turn.

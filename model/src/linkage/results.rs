@@ -179,6 +179,18 @@ impl Linkage {
         }
     }
 
+    /// What one of the equations says of itself.
+    pub fn loop_info(&self, index: usize) -> LoopInfo {
+        let (equation, kind) = (&self.equations[index], &self.kinds[index]);
+        let unit = Unit::for_dimension(&kind.dimension());
+        LoopInfo {
+            name: equation.name.clone(),
+            factor: unit.scale(),
+            unit: unit.symbol,
+            span: equation.span,
+        }
+    }
+
     /// What the linkage says of itself.
     pub fn info(
         &self,
@@ -218,19 +230,7 @@ impl Linkage {
                 })
             },
         );
-        let loops = self
-            .equations
-            .iter()
-            .zip(&self.kinds)
-            .map(|(equation, kind)| {
-                let unit = Unit::for_dimension(&kind.dimension());
-                LoopInfo {
-                    name: equation.name.clone(),
-                    factor: unit.scale(),
-                    unit: unit.symbol,
-                    span: equation.span,
-                }
-            });
+        let loops = (0..self.equations.len()).map(|index| self.loop_info(index));
         let groups = self.groups.iter().map(|group| GroupInfo {
             kind: group.kind,
             equations: group.equations.clone(),

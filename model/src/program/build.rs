@@ -9,7 +9,7 @@ use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::linkage::Closing;
 
 /// The function that computes events, by number.
-const EVENTS: usize = 11;
+const EVENTS: usize = 12;
 
 /// What a program is to compute.
 #[derive(Clone, Debug, Default)]
@@ -36,6 +36,8 @@ pub struct Request {
     pub measured: Vec<Expression>,
     /// The measures, from what has been found of a run.
     pub measures: Vec<Expression>,
+    /// By how much the loops that are carried along close.
+    pub margins: Vec<Expression>,
     /// What a linkage computes.
     pub closing: Closing<Expression>,
     /// What events compute.
@@ -88,6 +90,7 @@ impl Request {
             &self.start,
             &self.measured,
             &self.measures,
+            &self.margins,
         ] {
             roots.extend(list);
         }
@@ -110,6 +113,7 @@ impl Request {
             self.start.len(),
             self.measured.len(),
             self.measures.len(),
+            self.margins.len(),
         ];
         let lists = lists.into_iter().enumerate();
         let mut functions: Vec<usize> = lists
@@ -195,6 +199,7 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
         start: take(request.start.len()),
         measured: take(request.measured.len()),
         measures: take(request.measures.len()),
+        margins: take(request.margins.len()),
         closing: {
             let mut closing = take(request.closing.all().len()).into_iter();
             request.closing.map(|_| closing.next().unwrap_or(Value(0)))

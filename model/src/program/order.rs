@@ -128,6 +128,7 @@ fn for_each(program: &mut Program, apply: &mut dyn FnMut(&mut Value)) {
         &mut results.start,
         &mut results.measured,
         &mut results.measures,
+        &mut results.margins,
     ] {
         list.iter_mut().for_each(&mut *apply);
     }

@@ -122,6 +122,7 @@ const FREE: SceneEntry = SceneEntry {
     expectations: &[],
     bind: Bind::Motion(|_| bind(Oscillator::<RIGHT>)),
     linkage: None,
+    carried: &[],
     modes: &[],
 };
 

@@ -82,6 +82,10 @@ impl<C: Scene + 'static> Run for Bound<C> {
         values
     }
 
+    fn margins(&self, time: f64, values: &mut [f64]) {
+        self.equations.margins(time, values);
+    }
+
     fn outputs_in(&self, _mode: usize, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; C::OUTPUTS];
         self.equations

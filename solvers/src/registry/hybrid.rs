@@ -103,6 +103,10 @@ impl<C: Hybrid + 'static> Run for Bound<C> {
         values
     }
 
+    fn margins(&self, time: f64, values: &mut [f64]) {
+        self.modes[C::FIRST].margins(time, values);
+    }
+
     fn outputs_in(&self, mode: usize, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; C::OUTPUTS];
         self.modes[mode].outputs(time, &Self::state(state), &mut values);
