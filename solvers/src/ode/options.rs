@@ -53,9 +53,12 @@ impl Options {
 
     /// The options that settings stand for where the states have these scales.
     pub fn of(settings: &Settings, scales: &[f64]) -> Self {
-        let given = settings.atol.iter().copied().chain(std::iter::repeat(None));
-        let atol = scales.iter().zip(given);
-        let atol = atol.map(|(scale, given)| given.unwrap_or(settings.rtol * scale));
+        let given = |state: usize| settings.atol.get(state).copied().flatten();
+        // A state that there is none of keeps its tolerance, for the check to find.
+        let atol = (0..scales.len().max(settings.atol.len())).map(|state| {
+            let scale = scales.get(state).copied().unwrap_or(0.0);
+            given(state).unwrap_or(settings.rtol * scale)
+        });
         let usual = Self::default();
         Self {
             rtol: settings.rtol,
@@ -79,7 +82,7 @@ impl Options {
         }
         let tolerances = match &self.atol {
             AbsoluteTolerance::Same(value) => std::slice::from_ref(value),
-            AbsoluteTolerance::Each(values) if values.len() < states => {
+            AbsoluteTolerance::Each(values) if values.len() != states => {
                 return bad(
                     "atol",
                     format!("{} values are given for {states} states", values.len()),

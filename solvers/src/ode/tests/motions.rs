@@ -1,6 +1,7 @@
 //! Motions against closed forms, and what happens where there is none.
 
 use super::super::{Dop853, Method, OdeError, Options, Tsit5};
+use crate::registry::Settings;
 use super::{end, march, tolerance};
 use std::f64::consts::TAU;
 
@@ -161,6 +162,12 @@ fn options_that_make_no_sense_are_refused() {
         name((0.0, 1.0), 1.0, &Options::scaled(1e-6, &[1.0, -1.0])),
         "atol"
     );
+    let three = Settings {
+        atol: vec![None, None, Some(1e-9)],
+        ..Settings::default()
+    };
+    let options = Options::of(&three, &[1.0, 1.0]);
+    assert_eq!(name((0.0, 1.0), 1.0, &options), "atol");
     assert_eq!(name((0.0, f64::INFINITY), 1.0, &tolerance(1e-6)), "times");
     assert_eq!(name((0.0, 1.0), f64::NAN, &tolerance(1e-6)), "start");
     let zero = Options {
