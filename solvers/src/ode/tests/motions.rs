@@ -1,8 +1,8 @@
 //! Motions against closed forms, and what happens where there is none.
 
 use super::super::{Dop853, Method, OdeError, Options, Tsit5};
-use crate::registry::Settings;
 use super::{end, march, tolerance};
+use crate::registry::Settings;
 use std::f64::consts::TAU;
 
 /// A free oscillator of frequency 1.
