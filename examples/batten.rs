@@ -7,7 +7,7 @@
 //!     cargo run --example batten
 
 use assur::prelude::*;
-use assur::{ode, periodic};
+use assur::{ode, periodic, shape};
 use assur_equations::batten::Elastic;
 use std::f64::consts::TAU;
 
@@ -59,9 +59,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 /// An output of the scene by its name.
 fn output(batten: &Elastic, time: f64, state: &[f64], name: &str) -> f64 {
-    let mut values = [0.0; Elastic::OUTPUTS];
+    let mut values = vec![0.0; Elastic::shape().outputs.len()];
     let state = state.try_into().expect("a state of the scene");
     batten.prepare::<f64>().outputs(time, &state, &mut values);
-    let place = Elastic::OUTPUT_NAMES.iter().position(|it| *it == name);
+    let place = shape::find(Elastic::shape().outputs, name);
     values[place.expect("an output of the scene")]
 }

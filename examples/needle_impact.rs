@@ -20,7 +20,7 @@ use assur::closure::{Assembly, Linkage};
 use assur::hybrid::{Hybrid, Motion, march};
 use assur::measure;
 use assur::prelude::*;
-use assur::registry::Quantity;
+use assur::shape::Quantity;
 use assur_equations::needle_impact::*;
 
 const RPM: f64 = std::f64::consts::TAU / 60.0;
@@ -215,7 +215,7 @@ fn forces() {
         let [[a, b], [c, d], [_, f], [_, h]] = [&full, &once, &slides, &plain].map(both);
         let events = full.motion.events.iter();
         let contacts = events
-            .filter(|event| UnselectedFull::MODE_NAMES[event.to] == "press")
+            .filter(|event| UnselectedFull::shape().modes[event.to].name == "press")
             .count();
         println!(
             "  {speed:10.2} {a:8.2} {b:7.2} {c:9.2} {d:7.2} {f:18.2} {h:12.2}   {contacts} contacts with the wedge"

@@ -19,6 +19,7 @@
 use assur::hybrid::{Hybrid, Modes, Motion, march};
 use assur::prelude::*;
 use assur::problem::Storage;
+use assur::shape;
 use assur_equations::table_drive::*;
 
 /// What a run-up comes to.
@@ -248,11 +249,11 @@ fn run<C: Hybrid>(drive: &C) -> RunUp {
     let started = motion
         .events
         .iter()
-        .find(|event| C::MODE_NAMES[event.to] == "run");
+        .find(|event| C::shape().modes[event.to].name == "run");
     let contact = motion
         .events
         .iter()
-        .find(|event| C::MODE_NAMES[event.from] == "gap");
+        .find(|event| C::shape().modes[event.from].name == "gap");
     RunUp {
         twist,
         time,
@@ -279,11 +280,11 @@ impl<C: Hybrid> Reader<'_, C> {
         let (mode, values) = self.motion.at(time);
         let mut equations = self.drive.modal::<f64>();
         equations.enter(mode);
-        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
+        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::shape().states.len());
         state.as_mut().copy_from_slice(&values);
-        let mut outputs = vec![0.0; C::OUTPUTS];
+        let mut outputs = vec![0.0; C::shape().outputs.len()];
         equations.outputs(time, &state, &mut outputs);
-        outputs[C::OUTPUT_NAMES.iter().position(|one| *one == name).unwrap()]
+        outputs[shape::find(C::shape().outputs, name).unwrap()]
     }
 
     /// Times in every stretch between events, closely.

@@ -6,7 +6,7 @@
 //!     cargo run --release --example tolerance
 
 use assur::closure::{Linkage, Variable};
-use assur::registry::Distribution;
+use assur::shape::Distribution;
 use assur::tolerance::{
     Candidate, Cost, Rule, Sampling, Source, Study, allocate, influences, linear, monte_carlo,
 };
@@ -82,7 +82,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// The error of a variable by the tolerance of the equation file; that of the knives is a tenth of a degree.
 fn source((variable, of): (usize, &Variable)) -> Source {
     let half_width = match of {
-        Variable::Constant(index) => Printed::CONSTANTS[*index].tolerance,
+        Variable::Constant(index) => Printed::shape().constants[*index].tolerance,
         Variable::Driver(_) => 0.1f64.to_radians(),
     };
     Source {
@@ -110,7 +110,7 @@ fn candidate(source: &Source) -> Candidate {
 /// What a variable is called.
 fn name(variable: usize) -> &'static str {
     match Printed::VARIABLES[variable] {
-        Variable::Constant(index) => Printed::CONSTANTS[index].quantity.name,
+        Variable::Constant(index) => Printed::shape().constants[index].quantity.name,
         Variable::Driver(_) => "phi4",
     }
 }

@@ -15,7 +15,7 @@ extern crate self as assur;
 pub use assur_macros::{equations, mechanism};
 pub use assur_solvers::{
     check, closure, dense, dispatch, hybrid, measure, ode, periodic, problem, registry, scalar,
-    series, stiff, study, tolerance,
+    series, shape, stiff, study, tolerance,
 };
 
 /// What most programs need: `use assur::prelude::*;`.

@@ -61,8 +61,8 @@ impl<C: Scene + Default, M: Method> Task for Revolutions<C, M> {
             panic!("the scene has another task");
         };
         let equations = scene.prepare::<S>();
-        let start = State::<C, S>::zeros(C::STATES);
-        let options = Options::scaled(1e-10, C::SCALES);
+        let start = State::<C, S>::zeros(C::shape().states.len());
+        let options = Options::scaled(1e-10, C::shape().scales);
         let system = Plain(&equations);
         let mut workspace = Workspace::<_, M>::new::<S, _>(&system);
         let mut steps = 0;
@@ -98,12 +98,12 @@ fn ten_revolutions_allocate_nothing() {
 /// All functions of prepared equations.
 fn evaluate<C: Scene + Default>() -> usize {
     let equations = C::default().prepare::<f64>();
-    let state = State::<C, f64>::zeros(C::STATES);
+    let state = State::<C, f64>::zeros(C::shape().states.len());
     let mut rate = state.clone();
-    let mut columns = vec![state.clone(); C::STATES];
+    let mut columns = vec![state.clone(); C::shape().states.len()];
     let mut products = columns.clone();
-    let mut outputs = vec![0.0; C::OUTPUTS];
-    let mut drivers = vec![0.0; C::DRIVERS];
+    let mut outputs = vec![0.0; C::shape().outputs.len()];
+    let mut drivers = vec![0.0; C::shape().drivers.len()];
     allocations(|| {
         let instant = equations.instant(0.01);
         let [_, later] = equations.instants([0.02, 0.03]);
@@ -129,10 +129,10 @@ fn variational_equations_allocate_nothing_per_step() {
     let equations = scene.prepare::<f64>();
     let varied = Varied {
         equations: &equations,
-        scales: Some(Elastic::SCALES),
+        scales: Some(Elastic::shape().scales),
     };
     let start = varied.start::<f64>(&[0.0; 6]);
-    let options = Options::scaled(1e-8, Elastic::SCALES);
+    let options = Options::scaled(1e-8, Elastic::shape().scales);
     let mut workspace = Workspace::<_, Dop853>::new::<f64, _>(&varied);
     let counts = [0.24, 2.4].map(|end| {
         allocations(|| {

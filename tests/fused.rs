@@ -123,19 +123,23 @@ impl<C: Hybrid + Default> Task for Modal<C> {
     fn run<S: Scalar>(self) -> f64 {
         let scene = C::default();
         let mut equations = scene.modal::<S>();
-        let mut state = <C::Modal<S> as Equations<S>>::State::zeros(C::STATES);
+        let mut state = <C::Modal<S> as Equations<S>>::State::zeros(C::shape().states.len());
         for (slot, value) in state.as_mut().iter_mut().zip(scene.start()) {
             *slot = S::from_f64(value + 1e-3);
         }
         let (mut rate, mut after) = (state.clone(), state.clone());
-        let mut columns = vec![state.clone(); C::STATES];
+        let mut columns = vec![state.clone(); C::shape().states.len()];
         let time = S::from_f64(1e-3);
         let mut sum = S::ZERO;
-        for mode in 0..C::EVENTS.len() {
+        for mode in 0..C::shape().modes.len() {
             equations.enter(mode);
-            let of = |counts: &[usize]| counts.get(mode).copied().unwrap_or(0);
-            let guards = C::EVENTS[mode].len() + of(C::KINKS) + of(C::TURNS);
-            let mut values = vec![S::ZERO; guards.max(C::OUTPUTS).max(C::MEASURED)];
+            let guards = C::shape().modes[mode].written();
+            let mut values = vec![
+                S::ZERO;
+                guards
+                    .max(C::shape().outputs.len())
+                    .max(C::shape().measured)
+            ];
             let mut rates = values.clone();
             let [instant] = equations.instants([time]);
             equations.derivative(&instant, &state, &mut rate);
@@ -146,7 +150,7 @@ impl<C: Hybrid + Default> Task for Modal<C> {
             equations.outputs(time, &state, &mut values);
             equations.measured(time, &state, &mut values);
             equations.guards(&instant, &state, &mut values, &mut rates);
-            for (event, entry) in C::EVENTS[mode].iter().enumerate() {
+            for (event, entry) in C::shape().modes[mode].events.iter().enumerate() {
                 let permits = !entry.conditional || equations.permits(event, &instant, &state);
                 if entry.sets && permits {
                     equations.jump(event, &instant, &state, &mut after);

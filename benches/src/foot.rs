@@ -156,7 +156,7 @@ fn repeating() -> Cycle {
 
 /// Measures and prints.
 pub fn report() {
-    assert_eq!(Elliptic::MODE_NAMES[AIR], "flight");
+    assert_eq!(Elliptic::shape().modes[AIR].name, "flight");
     let measures = measure("foot", &mut cases(), 300);
     let (runs, search) = measures.split_at(2 * KINDS.len());
     let (one, many) = runs.split_at(KINDS.len());

@@ -1,7 +1,9 @@
 //! The presser foot by hand for the solvers of Assur: what the macro emits from `presser_foot.eqn`, scene `elliptic`, as
 //! an engineer would write it. So the emitted code is compared with hand-written code in the same loop.
 
-use assur::hybrid::{Direction, EventEntry, Hybrid, Modes};
+use assur::shape::{ModeEntry, Quantity, Shape, Unit};
+use assur::hybrid::{Hybrid, Modes};
+use assur::shape::{Direction, EventEntry};
 use assur::problem::{Equations, Refused, Scene, Span};
 use assur::scalar::Scalar;
 
@@ -223,13 +225,11 @@ impl<S: Scalar> Modes<S> for Moving<S> {
 impl Scene for HandFoot {
     type Equations<S: Scalar> = Moving<S>;
 
-    const LINEAR: bool = false;
-    const STATES: usize = 2;
-    const OUTPUTS: usize = 0;
-    const DRIVERS: usize = 1;
-    const SCALES: &'static [f64] = &[1e-3; 2];
-    const STATE_NAMES: &'static [&'static str] = &["w", "dot(w)"];
-    const OUTPUT_NAMES: &'static [&'static str] = &[];
+    fn shape() -> &'static Shape {
+        const STATES: &[Quantity] = &[Quantity::new("w", "", Unit::NONE), Quantity::new("dot(w)", "", Unit::NONE)];
+        const DRIVERS: &[Quantity] = &[Quantity::new("phi", "", Unit::NONE)];
+        const { &Shape::named("foot").drivers(DRIVERS).states(STATES, &[1e-3; 2]).modes(MODES, CONTACT) }
+    }
 
     fn prepare<S: Scalar>(&self) -> Moving<S> {
         let m = 0.15;
@@ -265,46 +265,24 @@ impl Scene for HandFoot {
 
 /// An event of the foot.
 const fn event(text: &'static str, direction: Direction, target: usize, line: u32) -> EventEntry {
-    EventEntry {
-        text,
-        direction,
-        unit: "",
-        factor: 1.0,
-        target,
-        surface: None,
-        conditional: false,
-        sets: false,
-        line,
-    }
+    EventEntry::new(line, text, direction, "", 1.0, target)
 }
+
+const MODES: &[ModeEntry] = &[
+    ModeEntry::new("contact", "", &[
+        event("the force falls to zero", Direction::Falls, FLIGHT, 1),
+        event("the rack passes the plate", Direction::Crosses, CONTACT, 4).surface(0),
+    ])
+    .bends(0, 1),
+    ModeEntry::new("flight", "", &[
+        event("the fabric is reached", Direction::Rises, CONTACT, 2).conditional(),
+        event("the force rises", Direction::Rises, CONTACT, 3).conditional(),
+    ])
+    .bends(1, 1),
+];
 
 impl Hybrid for HandFoot {
     type Modal<S: Scalar> = Moving<S>;
-
-    const EVENTS: &'static [&'static [EventEntry]] = &[
-        &[
-            event("the force falls to zero", Direction::Falls, FLIGHT, 1),
-            EventEntry {
-                surface: Some(0),
-                ..event("the rack passes the plate", Direction::Crosses, CONTACT, 4)
-            },
-        ],
-        &[
-            EventEntry {
-                conditional: true,
-                ..event("the fabric is reached", Direction::Rises, CONTACT, 2)
-            },
-            EventEntry {
-                conditional: true,
-                ..event("the force rises", Direction::Rises, CONTACT, 3)
-            },
-        ],
-    ];
-    const MODE_NAMES: &'static [&'static str] = &["contact", "flight"];
-    const FIRST: usize = CONTACT;
-    const HELD: &'static [&'static [usize]] = &[&[], &[]];
-    const KINKS: &'static [usize] = &[0, 1];
-    const TURNS: &'static [usize] = &[1, 1];
 
     fn modal<S: Scalar>(&self) -> Moving<S> {
         self.prepare()

@@ -56,7 +56,7 @@ impl Task for Revolutions {
 pub fn emitted_with<S: Scalar, M: Method>(rtol: f64) -> Run {
     let equations = Elastic::default().prepare::<S>();
     let system = Plain(&equations);
-    let options = Options::scaled(rtol, Elastic::SCALES);
+    let options = Options::scaled(rtol, Elastic::shape().scales);
     let mut start = [S::ZERO; 6];
     for (target, value) in start.iter_mut().zip(START) {
         *target = S::from_f64(value);

@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use assur::closure::{Assembly, Linkage};
 use assur::dispatch::{Task, dispatch};
-use assur::registry::Distribution;
+use assur::shape::Distribution;
 use assur::scalar::Scalar;
 use assur::tolerance::{Sampling, Source, Study, monte_carlo};
 use assur_equations::heald_linkage::Printed;

@@ -1,7 +1,9 @@
 //! The modes of a motion and the events between them, for the tables and formats of `assur run`.
 
-use assur::hybrid::{EventEntry, Happened};
-use assur::registry::{Quantity, SceneEntry};
+use assur::hybrid::Happened;
+use assur::registry::SceneEntry;
+use assur::shape::EventEntry;
+use assur::shape::Quantity;
 use serde_json::{Value, json};
 
 use crate::number;

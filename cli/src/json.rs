@@ -27,7 +27,8 @@
 use std::path::Path;
 
 use assur::problem::Span;
-use assur::registry::{Mechanism, Quantity, SceneEntry, Settings};
+use assur::registry::{Mechanism, SceneEntry, Settings};
+use assur::shape::Quantity;
 use serde_json::{Value, json};
 
 use crate::constants::Constants;

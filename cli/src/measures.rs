@@ -1,7 +1,7 @@
 //! Numbers of the whole task, for the tables and formats of `assur run`.
 
 use assur::measure::Missing;
-use assur::registry::Quantity;
+use assur::shape::Quantity;
 use serde_json::{Value, json};
 
 use crate::number;

@@ -1,6 +1,6 @@
 //! Which values a dimension or parameter may take.
 
-use assur::registry::Constant;
+use assur::shape::Constant;
 
 use crate::error::Failure;
 use crate::number;
@@ -68,7 +68,7 @@ fn kind(dimension: Dimension, is_dimension: bool) -> Option<&'static str> {
 mod tests {
     use super::*;
     use crate::style::Style;
-    use assur::registry::{Distribution, Quantity};
+    use assur::shape::{Distribution, Quantity};
 
     /// A decay rate of 30 1/s.
     fn rate(range: (f64, f64)) -> Constant {

@@ -1,7 +1,8 @@
 //! Published values beside the computed ones.
 
 use assur::measure::ALWAYS;
-use assur::registry::{At, Expectation, Mechanism, SceneEntry, Settings, Subject};
+use assur::registry::{Mechanism, SceneEntry, Settings};
+use assur::shape::{At, Expectation, Subject};
 
 use crate::case::Case;
 use crate::constants::{Constants, find_preset};

@@ -2,7 +2,7 @@
 
 use crate::number;
 use crate::unit;
-use assur::registry::Quantity;
+use assur::shape::Quantity;
 
 /// Steps of an angle in degrees that divide a turn.
 const DEGREES: [f64; 13] = [

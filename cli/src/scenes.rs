@@ -2,7 +2,8 @@
 
 use assur::closure::ClosureError;
 use assur::problem::Span;
-use assur::registry::{LinkageEntry, Mechanism, SceneEntry, Settings};
+use assur::registry::{Mechanism, SceneEntry, Settings};
+use assur::shape::LinkageEntry;
 
 use crate::arguments::ScenesArguments;
 use crate::case::Case;

@@ -1,7 +1,8 @@
 //! `assur structure`: the loops of a linkage, and the order in which they are solved.
 
 use assur::closure::{ClosureError, Group};
-use assur::registry::{EquationText, Mechanism, Sample};
+use assur::registry::{Mechanism, Sample};
+use assur::shape::EquationText;
 use serde_json::{Value, json};
 
 use crate::arguments::{StructureArguments, StructureFormat};

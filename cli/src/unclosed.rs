@@ -1,6 +1,7 @@
 //! A loop that a motion carries along and that does not close, in words.
 
-use assur::registry::{Loop, Run, SceneEntry};
+use assur::registry::{Run, SceneEntry};
+use assur::shape::Loop;
 
 use crate::linkage::wording;
 use crate::number;

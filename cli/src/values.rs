@@ -1,6 +1,7 @@
 //! Values with their units as options give them, and what stands behind `--at`.
 
-use assur::registry::{Quantity, SceneEntry};
+use assur::registry::SceneEntry;
+use assur::shape::Quantity;
 
 use crate::error::Failure;
 use crate::lookup::suggestion;

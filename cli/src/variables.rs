@@ -1,7 +1,8 @@
 //! Everything about a motion that has a value at an instant: coordinates, speeds, accelerations, outputs.
 
 use crate::unit;
-use assur::registry::{LinkageEntry, Quantity, Run, SceneEntry};
+use assur::registry::{Run, SceneEntry};
+use assur::shape::{LinkageEntry, Quantity};
 
 /// Exponents of m, kg, s, A, K, mol, cd as numerator and denominator.
 pub type Dimension = [(i8, i8); 7];

@@ -4,6 +4,7 @@ use assur::hybrid::{self, Cycle, CycleError, Hybrid, Modes, Motion, Periods, Sen
 use assur::measure;
 use assur::prelude::*;
 use assur::problem::Storage;
+use assur::shape;
 use assur_equations::presser_foot as scenes;
 use std::f64::consts::TAU;
 
@@ -212,10 +213,10 @@ where
         let (mode, values) = motion.at(time);
         let mut equations = self.modal::<f64>();
         equations.enter(mode);
-        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
+        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::shape().states.len());
         state.as_mut().copy_from_slice(&values);
-        let mut outputs = vec![0.0; C::OUTPUTS];
+        let mut outputs = vec![0.0; C::shape().outputs.len()];
         equations.outputs(time, &state, &mut outputs);
-        outputs[C::OUTPUT_NAMES.iter().position(|one| *one == name).unwrap()]
+        outputs[shape::find(C::shape().outputs, name).unwrap()]
     }
 }

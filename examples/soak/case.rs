@@ -1,7 +1,8 @@
 //! A scene with values, a method and a tolerance made at random.
 
 use assur::problem::Span;
-use assur::registry::{Bind, Constant, SceneEntry};
+use assur::registry::{Bind, SceneEntry};
+use assur::shape::Constant;
 use assur::tolerance::Random;
 
 /// Numbers that a case may take from its sequence.

@@ -51,6 +51,9 @@ fn pieces(file: syn::File) -> Vec<(String, String)> {
                 let name = emit::names::snake(&one.ident.to_string());
                 pieces.push((name, syn::parse_quote!(#item)));
             }
+            (syn::Item::Mod(one), _) if one.ident == "shapes_" => {
+                pieces.push(("shapes".to_owned(), syn::parse_quote!(#item)));
+            }
             (syn::Item::Impl(_) | syn::Item::Type(_), Some((_, piece))) => {
                 piece.items.push(item);
             }

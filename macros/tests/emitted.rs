@@ -32,17 +32,22 @@ mod emitted {
 
     /// The outputs with the declared values.
     pub fn outputs<C: Scene + Default>(time: f64, state: &[f64]) -> Vec<f64> {
-        let mut values = vec![f64::NAN; C::OUTPUTS];
+        let mut values = vec![f64::NAN; C::shape().outputs.len()];
         let equations = C::default().prepare::<f64>();
         equations.outputs(time, &fill::<C>(state), &mut values);
         values
+    }
+
+    /// Names of the states.
+    pub fn names<C: Scene>() -> Vec<&'static str> {
+        C::shape().states.iter().map(|state| state.name).collect()
     }
 
     type State<C> = <<C as Scene>::Equations<f64> as Equations<f64>>::State;
 
     fn fill<C: Scene>(values: &[f64]) -> State<C> {
         use assur::problem::Storage;
-        let mut state = State::<C>::zeros(C::STATES);
+        let mut state = State::<C>::zeros(C::shape().states.len());
         for (slot, value) in state.as_mut().iter_mut().zip(values) {
             *slot = *value;
         }

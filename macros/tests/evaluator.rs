@@ -64,7 +64,8 @@ fn compare<C: Scene>(model: &SceneModel, from_values: impl Fn(&[f64]) -> C) {
             .map(|constant| constant.default * (1.0 + 0.05 * scatter.next()))
             .collect();
         let time = scatter.next();
-        let state: Vec<f64> = C::SCALES
+        let state: Vec<f64> = C::shape()
+            .scales
             .iter()
             .map(|scale| scale * scatter.next())
             .collect();
@@ -78,7 +79,7 @@ fn compare_at<C: Scene>(model: &SceneModel, scene: &C, values: &[f64], time: f64
     let results = &model.program.results;
     let expected = model.program.evaluate(values, time, state);
     let equations = scene.prepare::<Standard>();
-    let mut here = State::<C>::zeros(C::STATES);
+    let mut here = State::<C>::zeros(C::shape().states.len());
     let slots = here.as_mut().iter_mut().zip(state);
     slots.for_each(|(slot, value)| *slot = Standard(*value));
     let mut rate = here.clone();
@@ -90,9 +91,9 @@ fn compare_at<C: Scene>(model: &SceneModel, scene: &C, values: &[f64], time: f64
         "rate",
     );
 
-    let mut slopes = vec![here.clone(); C::STATES];
+    let mut slopes = vec![here.clone(); C::shape().states.len()];
     equations.jacobian(&instant, &here, &mut slopes);
-    let mut jacobian = vec![vec![0.0; C::STATES]; C::STATES];
+    let mut jacobian = vec![vec![0.0; C::shape().states.len()]; C::shape().states.len()];
     for (row, column, value) in &results.jacobian {
         jacobian[*column as usize][*row as usize] = expected.get(*value);
     }
@@ -100,14 +101,14 @@ fn compare_at<C: Scene>(model: &SceneModel, scene: &C, values: &[f64], time: f64
         check(&numbers(column.as_ref()), wanted, "slope");
     }
 
-    let mut outputs = vec![Standard(f64::NAN); C::OUTPUTS];
+    let mut outputs = vec![Standard(f64::NAN); C::shape().outputs.len()];
     equations.outputs(Standard(time), &here, &mut outputs);
     check(
         &numbers(&outputs),
         &expected.all(&results.outputs),
         "output",
     );
-    let mut drivers = vec![Standard(f64::NAN); C::DRIVERS];
+    let mut drivers = vec![Standard(f64::NAN); C::shape().drivers.len()];
     equations.drivers(Standard(time), &mut drivers);
     check(
         &numbers(&drivers),

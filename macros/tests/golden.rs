@@ -6,9 +6,17 @@
 mod pendulum;
 
 /// The pieces of one emitted module, which has the same attributes.
-#[allow(clippy::all, rustdoc::all, non_snake_case, dead_code, unused_variables)]
+#[allow(
+    clippy::all,
+    rustdoc::all,
+    non_snake_case,
+    non_upper_case_globals,
+    dead_code,
+    unused_variables
+)]
 mod batten_elastic {
     include!("../src/golden/batten_elastic/elastic.rs");
     include!("../src/golden/batten_elastic/elastic_equations.rs");
     include!("../src/golden/batten_elastic/elastic_instant.rs");
+    include!("../src/golden/batten_elastic/shapes.rs");
 }

@@ -100,17 +100,17 @@ fn places<C: Scene>(scene: &C) -> impl Iterator<Item = (f64, Vec<f64>)> {
         // Never the start itself: at rest two branches may meet there, which have two derivatives.
         let size = [1.0, 30.0, 300.0][index % 3];
         let time = from + (to - from) * (index as f64 * 0.618 + 0.137).fract();
-        (time, beside(&start, C::SCALES, index, size))
+        (time, beside(&start, C::shape().scales, index, size))
     })
 }
 
 /// The declared start, or where nothing moves from there, one a little beside it.
 fn moving_start<C: Scene>(scene: &C, equations: &C::Equations<f64>, time: f64) -> Vec<f64> {
     let start = scene.start();
-    let mut rate = State::<C>::zeros(C::STATES);
+    let mut rate = State::<C>::zeros(C::shape().states.len());
     equations.derivative(&equations.instant(time), &state::<C>(&start), &mut rate);
     match rate.as_ref().iter().all(|value| *value == 0.0) {
-        true => beside(&start, C::SCALES, 1, 100.0),
+        true => beside(&start, C::shape().scales, 1, 100.0),
         false => start,
     }
 }
@@ -132,7 +132,7 @@ fn beside(state: &[f64], scales: &[f64], index: usize, size: f64) -> Vec<f64> {
 
 /// The numbers as a state of the scene.
 fn state<C: Scene>(values: &[f64]) -> State<C> {
-    let mut state = State::<C>::zeros(C::STATES);
+    let mut state = State::<C>::zeros(C::shape().states.len());
     state
         .as_mut()
         .iter_mut()

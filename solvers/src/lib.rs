@@ -16,6 +16,7 @@
 //! | [`tolerance`](mod@tolerance) | errors of a linkage from tolerances, and tolerances of least cost |
 //! | [`dense`] | small linear systems |
 //! | [`check`] | what the generated tests of a mechanism ask of it |
+//! | [`shape`] | what a scene is made of |
 //! | [`scalar`], [`dispatch`] | the numbers that all of it runs on, and the choice of the instruction set |
 
 pub mod check;
@@ -30,6 +31,7 @@ pub mod problem;
 pub mod registry;
 pub mod scalar;
 pub mod series;
+pub mod shape;
 pub mod stiff;
 pub mod study;
 pub mod tolerance;

@@ -7,8 +7,8 @@ mod span;
 
 pub use span::Span;
 
-use crate::measure::Primitive;
 use crate::scalar::Scalar;
+use crate::shape::Shape;
 
 /// A vector of scalars, of fixed or of run-time length: one text of each algorithm serves both.
 pub trait Storage<S>: Clone + AsRef<[S]> + AsMut<[S]> {
@@ -124,7 +124,7 @@ pub trait Equations<S: Scalar> {
     /// Writes the columns of `∂f/∂y`: `columns[j].as_ref()[i] = ∂f_i/∂y_j`.
     fn jacobian(&self, instant: &Self::Instant, state: &Self::State, columns: &mut [Self::State]);
 
-    /// Writes the outputs of the scene, in their declared order. Shape: `Scene::outputs`.
+    /// Writes the outputs of the scene, in their declared order. Shape: [`Shape::outputs`].
     fn outputs(&self, time: S, state: &Self::State, values: &mut [S]);
 
     /// Writes the positions of the drivers at a time, in their declared order.
@@ -134,10 +134,10 @@ pub trait Equations<S: Scalar> {
     /// [`Run::margins`](crate::registry::Run::margins).
     fn margins(&self, _time: S, _values: &mut [S]) {}
 
-    /// Writes what the measures of the scene look at. Shape: `Scene::MEASURED`.
+    /// Writes what the measures of the scene look at. Length: [`Shape::measured`].
     fn measured(&self, _time: S, _state: &Self::State, _values: &mut [S]) {}
 
-    /// Writes the measures, from what has been found for `Scene::PRIMITIVES`. Shape: `Scene::MEASURES`.
+    /// Writes the measures, from what has been found for [`Shape::primitives`]. Shape: [`Shape::measures`].
     fn measures(&self, _found: &[S], _values: &mut [S]) {}
 }
 
@@ -146,27 +146,8 @@ pub trait Scene: Clone + Send + Sync {
     /// The equations, prepared for a scalar type.
     type Equations<S: Scalar>: Equations<S> + Send + Sync;
 
-    /// Whether `f` is affine in the state, so that superposition holds.
-    const LINEAR: bool;
-
-    /// Length of the state vector.
-    const STATES: usize;
-    /// Number of outputs.
-    const OUTPUTS: usize;
-    /// Number of drivers.
-    const DRIVERS: usize;
-    /// Absolute tolerance of each state per unit of `rtol`, from the state's unit; length `STATES`.
-    const SCALES: &'static [f64];
-    /// Names of the states, `phi2` or `dot(phi2)`; length `STATES`.
-    const STATE_NAMES: &'static [&'static str];
-    /// Names of the outputs; length `OUTPUTS`.
-    const OUTPUT_NAMES: &'static [&'static str];
-    /// Number of quantities that measures look at.
-    const MEASURED: usize = 0;
-    /// What measures find of them in a run.
-    const PRIMITIVES: &'static [Primitive] = &[];
-    /// For each measure the primitives that it is made of.
-    const MEASURES: &'static [&'static [usize]] = &[];
+    /// What the scene is made of.
+    fn shape() -> &'static Shape;
 
     /// Computes what depends on the parameters alone.
     fn prepare<S: Scalar>(&self) -> Self::Equations<S>;
@@ -180,7 +161,7 @@ pub trait Scene: Clone + Send + Sync {
     /// The task of the scene with these parameter values.
     fn span(&self) -> Span;
 
-    /// The declared start values of the state, SI units; length `STATES`.
+    /// The declared start values of the state, SI units. Shape: [`Shape::states`].
     fn start(&self) -> Vec<f64>;
 }
 

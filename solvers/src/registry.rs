@@ -11,12 +11,10 @@ mod path;
 mod settings;
 mod tolerance;
 
-pub use bind::{bind, check_values};
-pub use hybrid::{ModeEntry, bind_cycle, bind_hybrid};
+pub use bind::{bind, check_values, with};
+pub use hybrid::{bind_cycle, bind_hybrid};
 pub use limits::{Listed, Listing, RunLimits};
-pub use linkage::{
-    Distribution, Link, LinkageEntry, Loop, RunLinkage, Subject, bind_exact, bind_linkage,
-};
+pub use linkage::{RunLinkage, bind_exact, bind_linkage};
 pub use path::{Path, Sample};
 pub use settings::{Method, Settings};
 pub use tolerance::RunTolerance;
@@ -24,6 +22,7 @@ pub use tolerance::RunTolerance;
 use crate::hybrid::{Cycle, CycleError};
 use crate::measure::Missing;
 use crate::problem::{Refused, Span};
+use crate::shape::Shape;
 
 /// One equation file.
 #[derive(Clone, Copy)]
@@ -128,162 +127,21 @@ fn other_kind(reason: &str) -> Refused {
     }
 }
 
-/// One scene of a mechanism.
+/// One scene of a mechanism: its shape, and what fixes its values.
 #[derive(Clone, Copy)]
 pub struct SceneEntry {
-    /// Name of the scene.
-    pub name: &'static str,
-    /// What the scene shows.
-    pub summary: &'static str,
-    /// Names of the effects that are present.
-    pub effects: &'static [&'static str],
-    /// For each choice its name and the alternative that holds.
-    pub choices: &'static [(&'static str, &'static str)],
-    /// The preset that the scene starts from; empty for the declared defaults.
-    pub preset: &'static str,
-    /// Dimensions and parameters that the scene depends on, in the order that `bind` takes their values.
-    pub constants: &'static [Constant],
-    /// Prescribed coordinates.
-    pub drivers: &'static [Quantity],
-    /// The state vector.
-    pub states: &'static [Quantity],
-    /// What the scene reports.
-    pub outputs: &'static [Quantity],
-    /// Numbers of a whole run.
-    pub measures: &'static [Quantity],
-    /// The equations as text.
-    pub equations: &'static [EquationText],
-    /// Operations of one call of each emitted function.
-    pub operations: Operations,
-    /// Places that plots show.
-    pub marks: &'static [Mark],
-    /// Published facts about this scene.
-    pub expectations: &'static [Expectation],
-    /// Fixes the parameter values.
+    /// What it is made of.
+    pub shape: &'static Shape,
+    /// Fixes its values.
     pub bind: Bind,
-    /// The loops, if the scene is a linkage.
-    pub linkage: Option<LinkageEntry>,
-    /// The loops that the motion carries along, one entry for each group that may fail to close, named by its equations.
-    pub carried: &'static [Loop],
-    /// The modes; none where the motion has neither modes nor events.
-    pub modes: &'static [ModeEntry],
 }
 
-impl SceneEntry {
-    /// What a published fact speaks of; of an influence coefficient the output that is influenced.
-    pub fn quantity(&self, subject: Subject) -> Option<&'static Quantity> {
-        match (subject, &self.linkage) {
-            (Subject::Output(index) | Subject::Influence(index, _), _) => self.outputs.get(index),
-            (Subject::State(index), Some(linkage)) => linkage.dependents.get(index),
-            (Subject::State(index), None) => self.states.get(index),
-            (Subject::Measure(index), _) => self.measures.get(index),
-        }
+impl std::ops::Deref for SceneEntry {
+    type Target = Shape;
+
+    fn deref(&self) -> &Shape {
+        self.shape
     }
-}
-
-/// A dimension or parameter.
-#[derive(Clone, Copy, Debug)]
-pub struct Constant {
-    /// Name, unit and documentation.
-    pub quantity: Quantity,
-    /// Whether it is a made dimension.
-    pub is_dimension: bool,
-    /// Value in SI units unless another is given (the scene's preset applied).
-    pub default: f64,
-    /// Permitted error of the made size, SI units; zero if none is stated.
-    pub tolerance: f64,
-    /// How the made sizes are distributed.
-    pub distribution: Distribution,
-    /// Permitted range in SI units, from `in lo .. hi`; infinite where open.
-    pub range: (f64, f64),
-}
-
-/// A named quantity with the unit in which it is printed.
-#[derive(Clone, Copy, Debug)]
-pub struct Quantity {
-    /// Name as the equation file writes it, `dot(phi2)` for a derivative.
-    pub name: &'static str,
-    /// Documentation.
-    pub summary: &'static str,
-    /// Unit in which the value is printed, `1/s`; empty for a pure number.
-    pub unit: &'static str,
-    /// SI value of one such unit.
-    pub factor: f64,
-    /// Exponents of m, kg, s, A, K, mol, cd as numerator and denominator.
-    pub dimension: [(i8, i8); 7],
-}
-
-/// An equation as text.
-#[derive(Clone, Copy, Debug)]
-pub struct EquationText {
-    /// The equation.
-    pub text: &'static str,
-    /// Unit of each of its sides.
-    pub unit: &'static str,
-    /// Line in the equation file, from 1.
-    pub line: u32,
-}
-
-/// Numbers of arithmetic operations, functions and selections per call.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Operations {
-    /// Once per parameter set.
-    pub prepare: usize,
-    /// Once per instant.
-    pub instant: usize,
-    /// Per evaluation of the derivative; of a linkage per position, a group without closed form being iterated once.
-    pub derivative: usize,
-    /// Per evaluation of the Jacobian; of a linkage of the influence coefficients.
-    pub jacobian: usize,
-    /// Per evaluation of all outputs.
-    pub outputs: usize,
-}
-
-/// A place that plots show.
-#[derive(Clone, Copy, Debug)]
-pub struct Mark {
-    /// What is there.
-    pub text: &'static str,
-    /// A time, or a position of a driver.
-    pub at: At,
-}
-
-/// A published fact, stated beside the equations.
-#[derive(Clone, Copy, Debug)]
-pub struct Expectation {
-    /// Where in the motion.
-    pub at: At,
-    /// What it speaks of.
-    pub subject: Subject,
-    /// Published value, SI units.
-    pub value: f64,
-    /// Half-width of the band in which the computed value must lie, SI units.
-    pub tolerance: f64,
-    /// Name of the preset to run with; empty for the scene's own values.
-    pub preset: &'static str,
-    /// What the published value is and how far to trust it.
-    pub remark: &'static str,
-    /// Line in the equation file, from 1.
-    pub line: u32,
-}
-
-/// A place in a motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum At {
-    /// At a time, in seconds.
-    Time(f64),
-    /// Where the driver of this index first reaches a position, SI units.
-    Driver(usize, f64),
-    /// At these positions of the drivers of these indices, the others standing where they start.
-    Position(&'static [(usize, f64)]),
-    /// The largest value over the task.
-    Maximum,
-    /// The smallest value over the task.
-    Minimum,
-    /// The largest absolute value over the task.
-    Amplitude,
-    /// The whole run, of which it is a measure.
-    Run,
 }
 
 /// A scene whose parameter values are fixed, ready to run.
@@ -295,7 +153,7 @@ pub trait Run: Send + Sync {
     /// Positions of the drivers at a time.
     fn drivers(&self, time: f64) -> Vec<f64>;
     /// Writes by how much the loops that the motion carries along close at a time, in SI units: less than zero where they
-    /// do not, not a number where one before does not. Shape: [`SceneEntry::carried`].
+    /// do not, not a number where one before does not. Shape: [`Shape::carried`].
     fn margins(&self, time: f64, values: &mut [f64]);
     /// The first time of the task at which a driver has a position, see [`Span::time_of`].
     ///

@@ -1,6 +1,7 @@
 //! The points of a linkage along its way: which stand, which move, which move straight.
 
-use assur::registry::{LinkageEntry, Sample};
+use assur::registry::Sample;
+use assur::shape::LinkageEntry;
 
 use crate::linkage::case::Case;
 

@@ -18,7 +18,8 @@ use std::f64::consts::PI;
 use std::path::PathBuf;
 
 use assur::closure::ClosureError;
-use assur::registry::{Mechanism, Quantity, Sample};
+use assur::registry::{Mechanism, Sample};
+use assur::shape::Quantity;
 
 use crate::arguments::DrawArguments;
 use crate::constants::Constants;

@@ -2,7 +2,8 @@
 
 use assur::closure::{ClosureError, Range};
 use assur::problem::Span;
-use assur::registry::{LinkageEntry, Path, Quantity, RunLinkage, Sample, SceneEntry};
+use assur::registry::{Path, RunLinkage, Sample, SceneEntry};
+use assur::shape::{LinkageEntry, Quantity};
 
 use crate::case;
 use crate::constants::Constants;

@@ -1,7 +1,7 @@
 //! Groups of loop equations in the words of mechanism theory.
 
 use assur::closure::{Group, GroupKind};
-use assur::registry::LinkageEntry;
+use assur::shape::LinkageEntry;
 
 /// Names of the loop equations of a group, `loop.x, loop.y`.
 pub fn equations(entry: &LinkageEntry, group: &Group) -> String {

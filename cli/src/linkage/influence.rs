@@ -1,7 +1,7 @@
 //! Influence coefficients: what each dimension and each driver does to each output.
 
 use assur::closure::Variable;
-use assur::registry::Quantity;
+use assur::shape::Quantity;
 
 use super::case::Case;
 use crate::variables::Variable as Result;

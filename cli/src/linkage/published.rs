@@ -1,7 +1,8 @@
 //! Published values of a linkage beside the computed ones.
 
 use assur::closure::Stroke;
-use assur::registry::{At, Expectation, Mechanism, Sample, Subject};
+use assur::registry::{Mechanism, Sample};
+use assur::shape::{At, Expectation, Subject};
 
 use super::case::{Case, Task, amount};
 use super::influence;

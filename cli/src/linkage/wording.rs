@@ -1,7 +1,8 @@
 //! Why a linkage does not get to a position, in the names and units of the equation file.
 
 use assur::closure::{ClosureError, Contradiction, Event, GroupKind};
-use assur::registry::{LinkageEntry, Mechanism, Quantity, RunLinkage, SceneEntry};
+use assur::registry::{Mechanism, RunLinkage, SceneEntry};
+use assur::shape::{LinkageEntry, Quantity};
 
 use super::case::{amount as quantity_text, label, shown};
 use super::group;
@@ -286,7 +287,7 @@ mod tests {
     use super::*;
     use crate::values::TIME;
     use assur::closure::Group;
-    use assur::registry::Loop;
+    use assur::shape::Loop;
 
     const fn length(name: &'static str) -> Loop {
         Loop {

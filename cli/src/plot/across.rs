@@ -1,6 +1,6 @@
 //! The horizontal axis that all panels share.
 
-use assur::registry::Quantity;
+use assur::shape::Quantity;
 
 use super::axis::Axis;
 use super::name;

@@ -2,7 +2,7 @@
 //! dimensions on them.
 
 use assur::closure::Variable as By;
-use assur::registry::{At, Quantity, Subject};
+use assur::shape::{At, Quantity, Subject};
 
 use super::across::Across;
 use super::kind::Kind;

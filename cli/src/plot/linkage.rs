@@ -1,6 +1,6 @@
 //! The figure of a linkage: its outputs over the first driver, of a grid a family of curves for each output.
 
-use assur::registry::At;
+use assur::shape::At;
 
 use super::across::Across;
 use super::coefficients;

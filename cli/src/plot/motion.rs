@@ -1,6 +1,6 @@
 //! The figure of a motion.
 
-use assur::registry::At;
+use assur::shape::At;
 
 use super::across::Across;
 use super::bands::Band;

@@ -1,7 +1,8 @@
 //! Which curves a figure shows: those that matter most unless others are asked for.
 
 use assur::closure::Variable as By;
-use assur::registry::{Quantity, SceneEntry};
+use assur::registry::SceneEntry;
+use assur::shape::Quantity;
 
 use crate::error::Failure;
 use crate::lookup::suggestion;

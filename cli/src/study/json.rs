@@ -12,7 +12,7 @@
 
 use std::path::Path;
 
-use assur::registry::Quantity;
+use assur::shape::Quantity;
 use serde_json::{Value, json};
 
 use super::answer::Answer;

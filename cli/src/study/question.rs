@@ -1,6 +1,7 @@
 //! The request, read and checked.
 
-use assur::registry::{Constant, Mechanism, SceneEntry, Settings};
+use assur::registry::{Mechanism, SceneEntry, Settings};
+use assur::shape::Constant;
 use assur::study;
 
 use super::arguments::StudyArguments;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use assur::registry::Quantity;
+use assur::shape::Quantity;
 use assur::study;
 
 use super::answer::{Answer, CONFIDENCE};

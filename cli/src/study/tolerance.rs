@@ -1,6 +1,7 @@
 //! What stands behind `--tolerance` of a study.
 
-use assur::registry::{Constant, Distribution, SceneEntry};
+use assur::registry::SceneEntry;
+use assur::shape::{Constant, Distribution};
 
 use super::range;
 use crate::constants::Constants;

@@ -3,7 +3,8 @@
 mod names;
 mod wanted;
 
-use assur::registry::{LinkageEntry, Mechanism, Quantity, RunLinkage, SceneEntry};
+use assur::registry::{Mechanism, RunLinkage, SceneEntry};
+use assur::shape::{LinkageEntry, Quantity};
 use assur::tolerance::{Sampling, Source, Study};
 
 use super::arguments::{Kind, ToleranceArguments};

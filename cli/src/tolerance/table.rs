@@ -5,7 +5,7 @@ mod bands;
 
 use std::path::Path;
 
-use assur::registry::Distribution;
+use assur::shape::Distribution;
 
 use super::answer::{Answer, Unit, label, place_text};
 use super::question::Question;

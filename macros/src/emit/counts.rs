@@ -21,6 +21,19 @@ pub struct Counts {
     pub outputs: usize,
 }
 
+impl Counts {
+    /// All of them.
+    pub fn all(&self) -> [usize; 5] {
+        [
+            self.prepare,
+            self.instant,
+            self.derivative,
+            self.jacobian,
+            self.outputs,
+        ]
+    }
+}
+
 /// Counts the operations of a scene.
 pub fn of(layout: &Layout<'_>) -> Counts {
     let program = layout.program();

@@ -51,6 +51,10 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
         impl ::assur::closure::Linkage for #name {
             type Closure<S: ::assur::scalar::Scalar> = #closure<S>;
 
+            fn shape() -> &'static ::assur::shape::Shape {
+                &shapes_::#name
+            }
+
             const INDEPENDENTS: usize = #independents;
             const MOTION: usize = #motion;
             const DEPENDENTS: usize = #dependents;

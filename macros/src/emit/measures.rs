@@ -1,4 +1,4 @@
-//! The measures of a scene as constants of its type.
+//! The measures of a scene as data.
 
 use assur_model::checked::{ModeModel, Moment, Primitive, PrimitiveKind, SceneModel};
 use proc_macro2::TokenStream;
@@ -6,8 +6,8 @@ use quote::quote;
 
 use super::expression::size;
 
-/// The constants of `Scene` for measures, where the scene has any.
-pub fn constants(scene: &SceneModel) -> Option<TokenStream> {
+/// The call that puts the measures into a shape, where the scene has any.
+pub fn call(scene: &SceneModel, measures: &TokenStream) -> Option<TokenStream> {
     if scene.measures.is_empty() {
         return None;
     }
@@ -19,22 +19,15 @@ pub fn constants(scene: &SceneModel) -> Option<TokenStream> {
         let uses = measure.uses.iter().map(|index| size(*index));
         quote!(&[#(#uses),*])
     });
-    Some(quote! {
-        const MEASURED: usize = #count;
-        const PRIMITIVES: &'static [::assur::measure::Primitive] = &[#(#primitives),*];
-        const MEASURES: &'static [&'static [usize]] = &[#(#uses),*];
-    })
+    Some(quote!(.measures(#measures, &[#(#uses),*], &[#(#primitives),*], #count)))
 }
 
 fn primitive(primitive: &Primitive, modes: &[ModeModel]) -> TokenStream {
     let argument = size(primitive.argument);
-    let window = match primitive.window {
-        Some(index) => {
-            let index = size(index);
-            quote!(::core::option::Option::Some(#index))
-        }
-        None => quote!(::core::option::Option::None),
-    };
+    let window = primitive.window.map(|index| {
+        let index = size(index);
+        quote!(.within(#index))
+    });
     let harmonic = |angle: usize, rate: usize, order: u32| {
         let (angle, rate, order) = (size(angle), size(rate), size(order as usize));
         quote!({ angle: (#angle, #rate), order: #order })
@@ -63,13 +56,7 @@ fn primitive(primitive: &Primitive, modes: &[ModeModel]) -> TokenStream {
             quote!(Sine #fields)
         }
     };
-    quote! {
-        ::assur::measure::Primitive {
-            kind: ::assur::measure::Kind::#kind,
-            argument: #argument,
-            window: #window,
-        }
-    }
+    quote!(Primitive::of(Kind::#kind, #argument) #window)
 }
 
 fn moment(moment: &Moment, modes: &[ModeModel]) -> TokenStream {
@@ -101,7 +88,7 @@ fn moment(moment: &Moment, modes: &[ModeModel]) -> TokenStream {
             quote!(After #fields)
         }
     };
-    quote!(::assur::measure::Moment::#moment)
+    quote!(Moment::#moment)
 }
 
 /// The events of a name.
@@ -114,5 +101,5 @@ fn named(name: &str, modes: &[ModeModel]) -> TokenStream {
             quote!((#mode, #event))
         })
     });
-    quote!(::assur::measure::NamedEvent { name: #name, places: &[#(#places),*] })
+    quote!(NamedEvent { name: #name, places: &[#(#places),*] })
 }

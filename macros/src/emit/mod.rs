@@ -3,7 +3,7 @@
 //! It knows only the model and proc-macro2, so that the command prints the same text for `assur expand`. The order is
 //! that of the output: for each scene the parameters that a user fills in ([`parameters`]), the equations prepared for
 //! a scalar type ([`equations`]), what depends on the time alone ([`instant`]), outputs and energies ([`outputs`]);
-//! then the tables ([`registry`]) and the tests ([`tests`]). The functions are straight lines of statements
+//! then the shapes ([`shape`]), the tables ([`registry`]) and the tests ([`tests`]). The functions are straight lines of statements
 //! ([`body`]); which values they need and in which order is found in [`schedule`], what is stored where in [`layout`];
 //! [`formula`] says in the fields' documentation what they are.
 
@@ -29,6 +29,7 @@ mod requirements;
 mod scene;
 mod schedule;
 mod series;
+mod shape;
 mod slopes;
 mod tests;
 mod values;
@@ -79,6 +80,7 @@ pub fn mechanism(model: &Model, origin: &Origin<'_>) -> TokenStream {
         quote!(#text pub type #name = #target;)
     });
     let table = registry::table(model, &layouts, origin);
+    let shapes = shape::module(&layouts, origin);
     let tests = tests::module(&layouts, origin);
     let module = format_ident!("{}_", names::snake(&model.name).trim_end_matches('_'));
     let text = docs::lines(&docs::mechanism(model, origin));
@@ -91,6 +93,7 @@ pub fn mechanism(model: &Model, origin: &Origin<'_>) -> TokenStream {
         mod #module {
             #(#scenes)*
             #alias_item
+            #shapes
             #table
             #tests
         }

@@ -1,15 +1,15 @@
 //! A scene with modes: equations for each, and the equations of the scene, which are those of the mode that it is in.
 
-use assur_model::checked::{Direction, Model, SceneModel};
+use assur_model::checked::{Model, SceneModel};
 use assur_model::program::{Event, Value};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::body::{Body, Place};
 use super::equations::first;
-use super::expression::{number, size};
+use super::expression::size;
 use super::layout::Layout;
-use super::{Origin, docs, equations, instant, names, outputs, parameters, slopes};
+use super::{docs, equations, instant, names, outputs, parameters, slopes};
 
 /// For each scene its modes as scenes of their own; none where there are none.
 pub fn split(model: &Model) -> Vec<Vec<SceneModel>> {
@@ -273,65 +273,11 @@ fn composite(layout: &Layout<'_>) -> TokenStream {
 }
 
 /// What the solvers ask of the parameters.
-pub fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
+pub fn implementation(layout: &Layout<'_>) -> TokenStream {
     let (name, equations) = (&layout.parameters, &layout.equations);
-    let names = layout.scene.modes.iter().map(|mode| &mode.name);
-    let held = layout.scene.modes.iter().map(|mode| {
-        let places = mode.held.iter().map(|place| size(*place));
-        quote!(&[#(#places),*])
-    });
-    let kinks = layout.modes.iter().map(|mode| size(mode.program().kinks));
-    let turns = layout.modes.iter().map(|mode| size(mode.program().turns));
-    let start = size(layout.scene.first);
-    let tables = layout.scene.modes.iter().map(|mode| {
-        let programs = &mode.program.results.events;
-        let entries = mode.events.iter().zip(programs).map(|(event, program)| {
-            let direction = match event.direction {
-                Direction::Rises => quote!(Rises),
-                Direction::Falls => quote!(Falls),
-                Direction::Crosses => quote!(Crosses),
-            };
-            let (text, unit, factor) = (&event.text, &event.unit, number(event.factor));
-            let target = size(event.target);
-            // A surface is no statement: its number, from the end, tells it from others.
-            let line = match event.surface {
-                Some(index) => u32::MAX - index as u32,
-                None => (origin.line_of)(event.span),
-            };
-            let surface = match event.surface {
-                Some(index) => {
-                    let index = size(index);
-                    quote!(::core::option::Option::Some(#index))
-                }
-                None => quote!(::core::option::Option::None),
-            };
-            let (conditional, sets) = (program.condition.is_some(), !program.after.is_empty());
-            quote! {
-                ::assur::hybrid::EventEntry {
-                    text: #text,
-                    direction: ::assur::hybrid::Direction::#direction,
-                    unit: #unit,
-                    factor: #factor,
-                    target: #target,
-                    surface: #surface,
-                    conditional: #conditional,
-                    sets: #sets,
-                    line: #line,
-                }
-            }
-        });
-        quote!(&[#(#entries),*])
-    });
     quote! {
         impl ::assur::hybrid::Hybrid for #name {
             type Modal<S: ::assur::scalar::Scalar> = #equations<S>;
-
-            const EVENTS: &'static [&'static [::assur::hybrid::EventEntry]] = &[#(#tables),*];
-            const MODE_NAMES: &'static [&'static str] = &[#(#names),*];
-            const FIRST: usize = #start;
-            const HELD: &'static [&'static [usize]] = &[#(#held),*];
-            const KINKS: &'static [usize] = &[#(#kinks),*];
-            const TURNS: &'static [usize] = &[#(#turns),*];
 
             fn modal<S: ::assur::scalar::Scalar>(&self) -> Self::Modal<S> {
                 <Self as ::assur::problem::Scene>::prepare(self)

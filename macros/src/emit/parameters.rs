@@ -6,9 +6,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::{Body, Place};
-use super::expression::{number, size};
+use super::expression::size;
 use super::layout::Layout;
-use super::{Origin, docs, linkage, modes, registry, requirements, values};
+use super::{Origin, docs, linkage, modes, requirements, values};
 
 /// The parameter struct of a scene with its methods.
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
@@ -22,18 +22,10 @@ pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenSt
             let text = docs::lines(&values::field(constant));
             quote!(#text pub #field: f64)
         });
-    let defaults = layout
-        .constants
-        .iter()
-        .zip(constants)
-        .map(|(field, constant)| {
-            let value = number(constant.default);
-            quote!(#field: #value)
-        });
     let inherent = inherent(layout);
     let implementation = match &layout.scene.linkage {
         Some(loops) => linkage::implementation(layout, loops),
-        None => implementation(layout, origin),
+        None => implementation(layout),
     };
     quote! {
         #text
@@ -42,7 +34,7 @@ pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenSt
 
         impl ::core::default::Default for #name {
             fn default() -> Self {
-                Self { #(#defaults),* }
+                Self::from_values(&shapes_::#name.defaults())
             }
         }
 
@@ -56,7 +48,6 @@ fn inherent(layout: &Layout<'_>) -> TokenStream {
     let (name, fields) = (&layout.parameters, &layout.constants);
     let count = size(fields.len());
     let places = (0..fields.len()).map(size);
-    let constants = registry::constants(layout.scene);
     let results = &layout.program().results;
     let requirements = computed(
         layout,
@@ -82,9 +73,6 @@ fn inherent(layout: &Layout<'_>) -> TokenStream {
     let motion = linkage::motion(layout);
     quote! {
         impl #name {
-            /// Names, units, defaults and ranges of the fields, in their order.
-            pub const CONSTANTS: &'static [::assur::registry::Constant] = #constants;
-
             /// Sets all values, SI units, in the order of the fields.
             pub fn from_values(values: &[f64; #count]) -> Self {
                 Self { #(#fields: values[#places]),* }
@@ -128,40 +116,24 @@ fn computed(
 }
 
 /// What the solvers ask of a scene.
-fn implementation(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
+fn implementation(layout: &Layout<'_>) -> TokenStream {
     let (name, equations) = (&layout.parameters, &layout.equations);
-    let scene = layout.scene;
-    let (states, outputs, drivers) = (
-        size(scene.states.len()),
-        size(scene.outputs.len()),
-        size(scene.drivers.len()),
-    );
-    let linear = layout.program().linear;
-    let scales = scene.scales.iter().map(|value| number(*value));
-    let state_names = scene.states.iter().map(|state| &state.name);
-    let output_names = scene.outputs.iter().map(|output| &output.name);
     let (prepare, modes) = match layout.modes.is_empty() {
         true => (prepare(layout), TokenStream::new()),
         false => {
             let (prepare, each) = modes::prepare(layout);
-            let hybrid = modes::implementation(layout, origin);
+            let hybrid = modes::implementation(layout);
             (prepare, quote!(#each #hybrid))
         }
     };
-    let measures = super::measures::constants(layout.scene);
     let (check, span, start) = (requirements::check(layout), span(layout), start(layout));
     quote! {
         impl ::assur::problem::Scene for #name {
             type Equations<S: ::assur::scalar::Scalar> = #equations<S>;
 
-            const LINEAR: bool = #linear;
-            const STATES: usize = #states;
-            const OUTPUTS: usize = #outputs;
-            const DRIVERS: usize = #drivers;
-            const SCALES: &'static [f64] = &[#(#scales),*];
-            const STATE_NAMES: &'static [&'static str] = &[#(#state_names),*];
-            const OUTPUT_NAMES: &'static [&'static str] = &[#(#output_names),*];
-            #measures
+            fn shape() -> &'static ::assur::shape::Shape {
+                &shapes_::#name
+            }
 
             #prepare
             #check

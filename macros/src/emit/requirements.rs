@@ -9,7 +9,7 @@ use super::layout::Layout;
 
 /// The method of `Scene` that checks them.
 pub fn check(layout: &Layout<'_>) -> TokenStream {
-    let requirements = &layout.scene.requirements;
+    let (name, requirements) = (&layout.parameters, &layout.scene.requirements);
     let names = (0..requirements.len()).map(|index| quote::format_ident!("require_{index}_"));
     let compute = (!requirements.is_empty()).then(|| {
         let names = names.clone();
@@ -21,7 +21,7 @@ pub fn check(layout: &Layout<'_>) -> TokenStream {
     });
     quote! {
         fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
-            ::assur::registry::check_values(Self::CONSTANTS, &self.values())?;
+            ::assur::registry::check_values(shapes_::#name.constants, &self.values())?;
             #compute
             #(#each)*
             ::core::result::Result::Ok(())

@@ -59,55 +59,10 @@ mod pendulum_ {
     }
     impl ::core::default::Default for Swing {
         fn default() -> Self {
-            Self { l: 1.0, m: 2.0, g: 9.81 }
+            Self::from_values(&shapes_::Swing.defaults())
         }
     }
     impl Swing {
-        /// Names, units, defaults and ranges of the fields, in their order.
-        pub const CONSTANTS: &'static [::assur::registry::Constant] = &[
-            ::assur::registry::Constant {
-                quantity: ::assur::registry::Quantity {
-                    name: "l",
-                    summary: "Length of the rod.",
-                    unit: "m",
-                    factor: 1.0,
-                    dimension: [(1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-                },
-                is_dimension: true,
-                default: 1.0,
-                tolerance: 0.0,
-                distribution: ::assur::registry::Distribution::Normal,
-                range: (0.001, 100.0),
-            },
-            ::assur::registry::Constant {
-                quantity: ::assur::registry::Quantity {
-                    name: "m",
-                    summary: "",
-                    unit: "kg",
-                    factor: 1.0,
-                    dimension: [(0, 1), (1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-                },
-                is_dimension: false,
-                default: 2.0,
-                tolerance: 0.0,
-                distribution: ::assur::registry::Distribution::Normal,
-                range: (f64::NEG_INFINITY, f64::INFINITY),
-            },
-            ::assur::registry::Constant {
-                quantity: ::assur::registry::Quantity {
-                    name: "g",
-                    summary: "",
-                    unit: "m/s^2",
-                    factor: 1.0,
-                    dimension: [(1, 1), (0, 1), (-2, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-                },
-                is_dimension: false,
-                default: 9.81,
-                tolerance: 0.0,
-                distribution: ::assur::registry::Distribution::Normal,
-                range: (f64::NEG_INFINITY, f64::INFINITY),
-            },
-        ];
         /// Sets all values, SI units, in the order of the fields.
         pub fn from_values(values: &[f64; 3]) -> Self {
             Self {
@@ -136,13 +91,9 @@ mod pendulum_ {
     }
     impl ::assur::problem::Scene for Swing {
         type Equations<S: ::assur::scalar::Scalar> = SwingEquations<S>;
-        const LINEAR: bool = false;
-        const STATES: usize = 2;
-        const OUTPUTS: usize = 1;
-        const DRIVERS: usize = 0;
-        const SCALES: &'static [f64] = &[0.001, 0.001];
-        const STATE_NAMES: &'static [&'static str] = &["phi", "dot(phi)"];
-        const OUTPUT_NAMES: &'static [&'static str] = &["pull"];
+        fn shape() -> &'static ::assur::shape::Shape {
+            &shapes_::Swing
+        }
         #[inline(always)]
         fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
             let g = <S as ::assur::scalar::Scalar>::from_f64(self.g);
@@ -160,7 +111,7 @@ mod pendulum_ {
             }
         }
         fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
-            ::assur::registry::check_values(Self::CONSTANTS, &self.values())?;
+            ::assur::registry::check_values(shapes_::Swing.constants, &self.values())?;
             let [require_0_] = self.requirements_::<f64>();
             if !<f64 as ::assur::scalar::Scalar>::holds(require_0_) {
                 return ::core::result::Result::Err(::assur::problem::Refused {
@@ -328,6 +279,63 @@ mod pendulum_ {
     }
     /// The first scene of the mechanism, `Swing`.
     pub type Pendulum = Swing;
+    mod shapes_ {
+        use ::assur::shape::tables::*;
+        const unit_0_: Unit = Unit::new("m", 1.0, [1, 0, 0, 0, 0, 0, 0]);
+        const unit_1_: Unit = Unit::new("kg", 1.0, [0, 1, 0, 0, 0, 0, 0]);
+        const unit_2_: Unit = Unit::new("m/s^2", 1.0, [1, 0, -2, 0, 0, 0, 0]);
+        const unit_3_: Unit = Unit::new("N", 1.0, [1, 1, -2, 0, 0, 0, 0]);
+        const unit_4_: Unit = Unit::new("rad", 1.0, [0, 0, 0, 0, 0, 0, 0]);
+        const unit_5_: Unit = Unit::new("rad/s", 1.0, [0, 0, -1, 0, 0, 0, 0]);
+        const constants_: [Constant; 3] = [
+            Constant::dimension(
+                Quantity::new("l", "Length of the rod.", unit_0_),
+                0.001,
+                100.0,
+            ),
+            Constant::parameter(
+                Quantity::new("m", "", unit_1_),
+                f64::NEG_INFINITY,
+                f64::INFINITY,
+            ),
+            Constant::parameter(
+                Quantity::new("g", "", unit_2_),
+                f64::NEG_INFINITY,
+                f64::INFINITY,
+            ),
+        ];
+        static list_0_: &[Quantity] = &[
+            Quantity::new("pull", "Force in the rod.", unit_3_),
+        ];
+        static list_1_: &[Quantity] = &[
+            Quantity::new("phi", "", unit_4_),
+            Quantity::new("dot(phi)", "", unit_5_),
+        ];
+        pub static Swing: Shape = Shape::named("swing")
+            .summary("two swings or so")
+            .constants(&Constant::some(&constants_, [0, 1, 2], [1.0, 2.0, 9.81]))
+            .states(list_1_, &[0.001, 0.001])
+            .outputs(list_0_)
+            .equations(
+                &[
+                    EquationText::new(11, "kinetic m*(l*dot(phi))^2/2", "N m"),
+                    EquationText::new(12, "potential -m*g*l*cos(phi)", "N m"),
+                ],
+            )
+            .operations(Operations::of([7, 0, 3, 3, 6]))
+            .expectations(
+                &[
+                    Expectation::new(
+                            19,
+                            Subject::Output(0),
+                            At::Maximum,
+                            37.65854,
+                            0.0001,
+                        )
+                        .remark("energy"),
+                ],
+            );
+    }
     /// The mechanism `Pendulum` as data.
     pub static MECHANISM: ::assur::registry::Mechanism = ::assur::registry::Mechanism {
         name: "pendulum",
@@ -342,115 +350,15 @@ mod pendulum_ {
         presets: &[],
         scenes: &[
             ::assur::registry::SceneEntry {
-                name: "swing",
-                summary: "two swings or so",
-                effects: &[],
-                choices: &[],
-                preset: "",
-                constants: Swing::CONSTANTS,
-                drivers: &[],
-                states: &[
-                    ::assur::registry::Quantity {
-                        name: "phi",
-                        summary: "",
-                        unit: "rad",
-                        factor: 1.0,
-                        dimension: [
-                            (0, 1),
-                            (0, 1),
-                            (0, 1),
-                            (0, 1),
-                            (0, 1),
-                            (0, 1),
-                            (0, 1),
-                        ],
-                    },
-                    ::assur::registry::Quantity {
-                        name: "dot(phi)",
-                        summary: "",
-                        unit: "rad/s",
-                        factor: 1.0,
-                        dimension: [
-                            (0, 1),
-                            (0, 1),
-                            (-1, 1),
-                            (0, 1),
-                            (0, 1),
-                            (0, 1),
-                            (0, 1),
-                        ],
-                    },
-                ],
-                outputs: &[
-                    ::assur::registry::Quantity {
-                        name: "pull",
-                        summary: "Force in the rod.",
-                        unit: "N",
-                        factor: 1.0,
-                        dimension: [
-                            (1, 1),
-                            (1, 1),
-                            (-2, 1),
-                            (0, 1),
-                            (0, 1),
-                            (0, 1),
-                            (0, 1),
-                        ],
-                    },
-                ],
-                measures: &[],
-                equations: &[
-                    ::assur::registry::EquationText {
-                        text: "kinetic m*(l*dot(phi))^2/2",
-                        unit: "N m",
-                        line: 11,
-                    },
-                    ::assur::registry::EquationText {
-                        text: "potential -m*g*l*cos(phi)",
-                        unit: "N m",
-                        line: 12,
-                    },
-                ],
-                operations: ::assur::registry::Operations {
-                    prepare: 7,
-                    instant: 0,
-                    derivative: 3,
-                    jacobian: 3,
-                    outputs: 6,
-                },
-                marks: &[],
-                expectations: &[
-                    ::assur::registry::Expectation {
-                        at: ::assur::registry::At::Maximum,
-                        subject: ::assur::registry::Subject::Output(0),
-                        value: 37.65854,
-                        tolerance: 0.0001,
-                        preset: "",
-                        remark: "energy",
-                        line: 19,
-                    },
-                ],
-                bind: ::assur::registry::Bind::Motion(bind_Swing_),
-                linkage: ::core::option::Option::None,
-                carried: &[],
-                modes: &[],
+                shape: &shapes_::Swing,
+                bind: ::assur::registry::Bind::Motion(|values| {
+                    ::assur::registry::bind(
+                        ::assur::registry::with(values, Swing::from_values)?,
+                    )
+                }),
             },
         ],
     };
-    fn bind_Swing_(
-        values: &[f64],
-    ) -> ::core::result::Result<
-        ::std::boxed::Box<dyn ::assur::registry::Run>,
-        ::assur::problem::Refused,
-    > {
-        let ::core::result::Result::Ok(values) = values.try_into() else {
-            return ::core::result::Result::Err(::assur::problem::Refused {
-                name: ::std::string::String::from("number of values"),
-                reason: ::std::format!("found {}, expected 3", values.len()),
-            });
-        };
-        ::assur::registry::bind(Swing::from_values(values))
-    }
     #[cfg(test)]
     #[allow(unnameable_test_items)]
     mod tests_ {

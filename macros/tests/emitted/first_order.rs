@@ -1,7 +1,6 @@
 //! First-order states beside coordinates.
 
-use super::{check, rate};
-use assur::problem::Scene;
+use super::{check, names, rate};
 
 assur::mechanism! {
     /// A motor whose current needs time to rise.
@@ -16,7 +15,7 @@ assur::mechanism! {
 
 #[test]
 fn current_and_speed_drive_each_other() {
-    assert_eq!(Starting::STATE_NAMES, ["angle", "dot(angle)", "current"]);
+    assert_eq!(names::<Starting>(), ["angle", "dot(angle)", "current"]);
     let rate = rate::<Starting>(0.0, &[0.3, 8.0, 2.0]);
     check(&rate, &[8.0, 100.0, (24.0 - 4.0 - 4.0) / 0.1]);
 }

@@ -30,6 +30,6 @@ fn names_keep_their_meaning() {
     let second = -3.0 * (0.2 - 0.1_f64.sin());
     check(&rate::<Default>(0.0, &state), &[0.3, 0.4, -1.3, second]);
     check(&outputs::<Clone>(0.0, &state), &[0.3, 1.2, 0.3]);
-    assert_eq!(Some::STATE_NAMES[0], "φ2");
+    assert_eq!(Some::shape().states[0].name, "φ2");
     assert_eq!(Names::from_values(&names.values()), names);
 }

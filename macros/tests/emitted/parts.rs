@@ -1,6 +1,7 @@
 //! Parts of parts, in files of their own.
 
 use super::{check, outputs, rate};
+use assur::problem::Scene;
 
 assur::mechanism! {
     /// A mass between springs.
@@ -33,7 +34,10 @@ fn names_of_parts_are_names_in_rust() {
         pair_second_c: 1.0,
         ..Damped::default()
     };
-    let names = Damped::CONSTANTS.iter().map(|one| one.quantity.name);
+    let names = Damped::shape()
+        .constants
+        .iter()
+        .map(|one| one.quantity.name);
     let expected = [
         "m",
         "pair_first_k",
@@ -76,7 +80,10 @@ mod linkage {
         assert_eq!(linkage.links.len(), 7);
         assert_eq!(linkage.links[6].points, [2, 6]);
         assert_eq!(linkage.loops[0].name, "left.loop.x");
-        let constants = Shaker::CONSTANTS.iter().map(|one| one.quantity.name);
+        let constants = <Shaker as assur::closure::Linkage>::shape()
+            .constants
+            .iter()
+            .map(|one| one.quantity.name);
         let all = [
             "r", "left.l1", "left.l2", "left.l3", "left.a", "right.l1", "right.l2", "right.a",
         ];

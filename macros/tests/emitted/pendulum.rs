@@ -1,6 +1,6 @@
 //! Energies give the equations; the generated tests of this module check them as well.
 
-use super::{check, rate_of};
+use super::{check, names, rate_of};
 use assur::problem::{Scene, Span};
 
 assur::mechanism! {
@@ -32,7 +32,7 @@ fn the_pendulum_swings() {
 #[test]
 fn the_scene_is_described() {
     assert_eq!(Pendulum::default().span(), Span::Run(0.0, 4.0));
-    assert_eq!(Swing::STATE_NAMES, ["phi", "dot(phi)"]);
+    assert_eq!(names::<Swing>(), ["phi", "dot(phi)"]);
     assert_eq!(Swing::default().start(), [0.1, 0.0]);
     assert_eq!(MECHANISM.name, "pendulum");
     assert_eq!(MECHANISM.scenes[0].name, "swing");

@@ -48,24 +48,24 @@ impl<C: Scene> Point<'_, C> {
     fn check(&self, time: f64, values: &[f64]) -> Result<bool, Failed> {
         let place = format!("time {time} s, state {values:?}");
         let here = state::<C>(values);
-        let zeros = || State::<C>::zeros(C::STATES);
+        let zeros = || State::<C>::zeros(C::shape().states.len());
         let mut rate = zeros();
         let instant = self.plain.instant(time);
         self.plain.derivative(&instant, &here, &mut rate);
         if !rate.as_ref().iter().all(|value| value.is_finite()) {
             return Ok(false);
         }
-        let mut slopes = vec![zeros(); C::STATES];
+        let mut slopes = vec![zeros(); C::shape().states.len()];
         self.plain.jacobian(&instant, &here, &mut slopes);
-        let expected: Vec<Vec<Dual>> = (0..C::STATES)
+        let expected: Vec<Vec<Dual>> = (0..C::shape().states.len())
             .map(|column| self.dual_rate(time, values, column))
             .collect();
-        for column in 0..C::STATES {
-            for row in 0..C::STATES {
+        for column in 0..C::shape().states.len() {
+            for row in 0..C::shape().states.len() {
                 let (found, wanted) = (slopes[column].as_ref()[row], expected[column][row].slope);
                 let scale = self.row(&expected, row, column);
                 near(found, wanted, DEVIATION * scale, || {
-                    let (of, to) = (C::STATE_NAMES[row], C::STATE_NAMES[column]);
+                    let (of, to) = (C::shape().states[row].name, C::shape().states[column].name);
                     format!("Jacobian, rate of {of} with respect to {to}, at {place}")
                 })?;
             }
@@ -73,8 +73,8 @@ impl<C: Scene> Point<'_, C> {
         let (varied, products) = self.variation(&instant, &here, &slopes);
         let duals = expected.first().map_or(&[][..], Vec::as_slice);
         let again = self.several(time, &here);
-        for row in 0..C::STATES {
-            let (wanted, name) = (rate.as_ref()[row], C::STATE_NAMES[row]);
+        for row in 0..C::shape().states.len() {
+            let (wanted, name) = (rate.as_ref()[row], C::shape().states[row].name);
             for (found, way, share) in [
                 (varied.as_ref()[row], "variation", ROUNDING),
                 (duals[row].value, "dual numbers", DEVIATION),
@@ -96,7 +96,7 @@ impl<C: Scene> Point<'_, C> {
 
     /// The derivative of the state on dual numbers along one component.
     fn dual_rate(&self, time: f64, values: &[f64], column: usize) -> Vec<Dual> {
-        let mut here = DualState::<C>::zeros(C::STATES);
+        let mut here = DualState::<C>::zeros(C::shape().states.len());
         for (index, (slot, value)) in here.as_mut().iter_mut().zip(values).enumerate() {
             let slope = if index == column { 1.0 } else { 0.0 };
             *slot = Dual {
@@ -104,7 +104,7 @@ impl<C: Scene> Point<'_, C> {
                 slope,
             };
         }
-        let mut rate = DualState::<C>::zeros(C::STATES);
+        let mut rate = DualState::<C>::zeros(C::shape().states.len());
         let instant = self.dual.instant(Dual::from_f64(time));
         self.dual.derivative(&instant, &here, &mut rate);
         rate.as_ref().to_vec()
@@ -112,9 +112,9 @@ impl<C: Scene> Point<'_, C> {
 
     /// The size of an entry, or of the largest of its row as far as the state's scales make them comparable.
     fn row(&self, slopes: &[Vec<Dual>], row: usize, column: usize) -> f64 {
-        let sized = |other: usize| slopes[other][row].slope.abs() * C::SCALES[other];
-        let largest = (0..C::STATES).map(sized).fold(0.0, f64::max);
-        largest / C::SCALES[column]
+        let sized = |other: usize| slopes[other][row].slope.abs() * C::shape().scales[other];
+        let largest = (0..C::shape().states.len()).map(sized).fold(0.0, f64::max);
+        largest / C::shape().scales[column]
     }
 
     /// The derivative as the variation gives it, and for each row the products with columns beside the expected ones.
@@ -124,8 +124,10 @@ impl<C: Scene> Point<'_, C> {
         here: &State<C>,
         slopes: &[State<C>],
     ) -> (State<C>, Vec<Vec<(f64, f64)>>) {
-        let columns: Vec<State<C>> = (0..=C::STATES).map(unit_column::<C>).collect();
-        let mut rate = State::<C>::zeros(C::STATES);
+        let columns: Vec<State<C>> = (0..=C::shape().states.len())
+            .map(unit_column::<C>)
+            .collect();
+        let mut rate = State::<C>::zeros(C::shape().states.len());
         let mut products = columns.clone();
         self.plain
             .variation(instant, here, &mut rate, &columns, &mut products);
@@ -135,7 +137,7 @@ impl<C: Scene> Point<'_, C> {
                 .map(|(slope, factor)| slope.as_ref()[row] * factor)
                 .sum()
         };
-        let rows = (0..C::STATES).map(|row| {
+        let rows = (0..C::shape().states.len()).map(|row| {
             let pairs = columns.iter().zip(&products);
             pairs
                 .map(|(column, product)| (product.as_ref()[row], expected(row, column)))
@@ -148,7 +150,7 @@ impl<C: Scene> Point<'_, C> {
     fn several(&self, time: f64, here: &State<C>) -> State<C> {
         let (from, _) = self.scene.span().limits();
         let [_, instant] = self.plain.instants([from, time]);
-        let mut rate = State::<C>::zeros(C::STATES);
+        let mut rate = State::<C>::zeros(C::shape().states.len());
         self.plain.derivative(&instant, here, &mut rate);
         rate
     }
@@ -157,11 +159,15 @@ impl<C: Scene> Point<'_, C> {
 /// A column of the unit matrix, and after the last a mixture of all.
 fn unit_column<C: Scene>(column: usize) -> State<C> {
     let entry = |row: usize| match column {
-        _ if column == C::STATES => 1.0 / (1.0 + row as f64),
+        _ if column == C::shape().states.len() => 1.0 / (1.0 + row as f64),
         _ if column == row => 1.0,
         _ => 0.0,
     };
-    state::<C>(&(0..C::STATES).map(entry).collect::<Vec<f64>>())
+    state::<C>(
+        &(0..C::shape().states.len())
+            .map(entry)
+            .collect::<Vec<f64>>(),
+    )
 }
 
 fn near(found: f64, wanted: f64, tolerance: f64, place: impl Fn() -> String) -> Result<(), Failed> {

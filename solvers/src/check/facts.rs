@@ -4,10 +4,8 @@ use super::{Failed, positions};
 use crate::hybrid;
 use crate::measure::{self, Extremes};
 use crate::problem::{Refused, Span};
-use crate::registry::{
-    At, Bind, Constant, Expectation, Mechanism, Method, Quantity, Run, SceneEntry, Settings,
-    Subject,
-};
+use crate::registry::{Bind, Mechanism, Method, Run, SceneEntry, Settings};
+use crate::shape::{At, Constant, Expectation, Quantity, Subject};
 use crate::study;
 
 /// How the motion is found: far more accurately than anything is published.

@@ -3,7 +3,8 @@
 use super::Failed;
 use crate::closure::{Along, Stroke};
 use crate::problem::Span;
-use crate::registry::{At, Expectation, RunLinkage, Sample, SceneEntry, Subject};
+use crate::registry::{RunLinkage, Sample, SceneEntry};
+use crate::shape::{At, Expectation, Subject};
 
 /// The computed value of what a fact speaks of.
 pub(super) fn value(

@@ -24,8 +24,9 @@ pub use closure::closure_scaling;
 
 use super::{Failed, places};
 use crate::problem::{Equations, Scene, Storage};
-use crate::registry::{Constant, Mechanism, Quantity, SceneEntry};
+use crate::registry::{Mechanism, SceneEntry};
 use crate::scalar::{Bounded, Scalar};
+use crate::shape::{Constant, Quantity};
 
 /// Exponents of the seven base units, as in [`Quantity::dimension`].
 type Dimension = [(i8, i8); 7];
@@ -115,15 +116,15 @@ fn values<C: Scene>(scene: &C, time: f64, state: &[f64]) -> Vec<Bounded> {
     type State<C> = <<C as Scene>::Equations<Bounded> as Equations<Bounded>>::State;
     let equations = scene.prepare::<Bounded>();
     let time = Bounded::from_f64(time);
-    let mut here = State::<C>::zeros(C::STATES);
+    let mut here = State::<C>::zeros(C::shape().states.len());
     for (slot, value) in here.as_mut().iter_mut().zip(state) {
         *slot = Bounded::from_f64(*value);
     }
-    let mut rate = State::<C>::zeros(C::STATES);
+    let mut rate = State::<C>::zeros(C::shape().states.len());
     equations.derivative(&equations.instant(time), &here, &mut rate);
-    let mut outputs = vec![Bounded::ZERO; C::OUTPUTS];
+    let mut outputs = vec![Bounded::ZERO; C::shape().outputs.len()];
     equations.outputs(time, &here, &mut outputs);
-    let mut drivers = vec![Bounded::ZERO; C::DRIVERS];
+    let mut drivers = vec![Bounded::ZERO; C::shape().drivers.len()];
     equations.drivers(time, &mut drivers);
     [rate.as_ref(), &outputs, &drivers].concat()
 }

@@ -4,10 +4,10 @@ mod scaling;
 
 use super::{energy, fact, jacobian};
 use crate::problem::{Equations, Refused, Scene, Span};
-use crate::registry::{
-    At, Bind, Expectation, Mechanism, Operations, Quantity, SceneEntry, Subject, bind,
-};
+use crate::registry::{Bind, Mechanism, SceneEntry, bind};
 use crate::scalar::Scalar;
+use crate::shape::Shape;
+use crate::shape::{At, Expectation, Quantity, Subject};
 
 /// An oscillator of unit frequency whose spring hardens; with a mistake in its Jacobian or a leak in its energy.
 #[derive(Clone, Default)]
@@ -64,13 +64,9 @@ impl<S: Scalar, const MISTAKE: u8> Equations<S> for Prepared<MISTAKE> {
 
 impl<const MISTAKE: u8> Scene for Oscillator<MISTAKE> {
     type Equations<S: Scalar> = Prepared<MISTAKE>;
-    const LINEAR: bool = false;
-    const STATES: usize = 2;
-    const OUTPUTS: usize = 0;
-    const DRIVERS: usize = 1;
-    const SCALES: &'static [f64] = &[1.0, 1.0];
-    const STATE_NAMES: &'static [&'static str] = &["x", "dot(x)"];
-    const OUTPUT_NAMES: &'static [&'static str] = &[];
+    fn shape() -> &'static Shape {
+        &FREE_SHAPE
+    }
 
     fn prepare<S: Scalar>(&self) -> Prepared<MISTAKE> {
         Prepared
@@ -99,31 +95,13 @@ const LENGTH: Quantity = Quantity {
     dimension: [(0, 1); 7],
 };
 
+const FREE_SHAPE: Shape = Shape::named("free")
+    .drivers(&[LENGTH])
+    .states(&[LENGTH, LENGTH], &[1.0, 1.0]);
+
 const FREE: SceneEntry = SceneEntry {
-    name: "free",
-    summary: "",
-    effects: &[],
-    choices: &[],
-    preset: "",
-    constants: &[],
-    drivers: &[LENGTH],
-    states: &[LENGTH, LENGTH],
-    measures: &[],
-    outputs: &[],
-    equations: &[],
-    operations: Operations {
-        prepare: 0,
-        instant: 0,
-        derivative: 0,
-        jacobian: 0,
-        outputs: 0,
-    },
-    marks: &[],
-    expectations: &[],
+    shape: &FREE_SHAPE,
     bind: Bind::Motion(|_| bind(Oscillator::<RIGHT>)),
-    linkage: None,
-    carried: &[],
-    modes: &[],
 };
 
 const OSCILLATOR: Mechanism = Mechanism {
@@ -142,19 +120,10 @@ const OSCILLATOR: Mechanism = Mechanism {
 
 /// Checks that `x` has this value, in metres.
 fn fact_about(at: At, value: f64) -> Result<(), super::Failed> {
-    let expectations = Box::leak(Box::new([Expectation {
-        at,
-        subject: Subject::State(0),
-        value,
-        tolerance: 1e-9,
-        preset: "",
-        remark: "",
-        line: 7,
-    }]));
-    let scenes = Box::leak(Box::new([SceneEntry {
-        expectations,
-        ..FREE
-    }]));
+    let expected = Expectation::new(7, Subject::State(0), at, value, 1e-9);
+    let expectations = Box::leak(Box::new([expected]));
+    let shape = Box::leak(Box::new(FREE_SHAPE.expectations(expectations)));
+    let scenes = Box::leak(Box::new([SceneEntry { shape, ..FREE }]));
     let mechanism = Mechanism {
         scenes,
         ..OSCILLATOR

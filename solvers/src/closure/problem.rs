@@ -7,6 +7,7 @@
 
 use crate::problem::{Refused, Span, Storage};
 use crate::scalar::Scalar;
+use crate::shape::Shape;
 
 /// How the unknowns of a group are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -171,6 +172,9 @@ pub enum Variable {
 pub trait Linkage: Clone + Send + Sync {
     /// The loops, prepared for a scalar type.
     type Closure<S: Scalar>: Closure<S> + Send + Sync;
+
+    /// What the linkage is made of.
+    fn shape() -> &'static Shape;
 
     /// Number of independent variables: the positions of the drivers.
     const INDEPENDENTS: usize;

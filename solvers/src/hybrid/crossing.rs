@@ -2,7 +2,7 @@
 
 use super::cubic::{Sample, cubic, hull, is_far, is_resolved, range};
 use super::narrow::Instants;
-use super::problem::Direction;
+use crate::shape::Direction;
 
 /// Halvings of a step before a touch without a crossing is taken for what it is.
 const DEEPEST: u32 = 40;

@@ -4,7 +4,7 @@
 use std::cell::RefCell;
 use std::marker::PhantomData;
 
-use super::problem::{EventEntry, Hybrid, Modes};
+use super::problem::Modes;
 use crate::ode::{Expand, System};
 use crate::problem::{Equations, Stages, Storage};
 
@@ -170,63 +170,6 @@ impl<E: Modes<f64> + Clone> Model for Own<E> {
         let mut next = E::State::zeros(values.len());
         one.jump(event, &one.instant(time), &state(one, values), &mut next);
         after.copy_from_slice(next.as_ref());
-    }
-}
-
-/// The tables of a scene.
-#[derive(Clone, Copy)]
-pub(super) struct Table {
-    /// The events of each mode.
-    pub(super) events: &'static [&'static [EventEntry]],
-    /// For each mode the number of kinks of its guards, and of angles that turn in them.
-    kinks: &'static [usize],
-    turns: &'static [usize],
-    /// For each mode the speeds that are zero in it.
-    pub(super) held: &'static [&'static [usize]],
-    /// Absolute tolerances per unit of `rtol`.
-    pub(super) scales: &'static [f64],
-    /// Names of the states.
-    pub(super) names: &'static [&'static str],
-    /// Names of the modes.
-    pub(super) modes: &'static [&'static str],
-}
-
-impl Table {
-    pub(super) fn of<C: Hybrid>() -> Self {
-        Self {
-            events: C::EVENTS,
-            kinks: C::KINKS,
-            turns: C::TURNS,
-            held: C::HELD,
-            scales: C::SCALES,
-            names: C::STATE_NAMES,
-            modes: C::MODE_NAMES,
-        }
-    }
-
-    /// The number of guards of a mode, its kinks among them.
-    pub(super) fn guards(&self, mode: usize) -> usize {
-        self.events[mode].len() + self.kinks.get(mode).unwrap_or(&0)
-    }
-
-    /// The same with the angles behind them.
-    pub(super) fn written(&self, mode: usize) -> usize {
-        self.guards(mode) + self.turns.get(mode).unwrap_or(&0)
-    }
-
-    /// The largest number of what a mode writes.
-    pub(super) fn most_written(&self) -> usize {
-        self.most(Self::written)
-    }
-
-    /// The largest number of guards of a mode.
-    pub(super) fn most_guards(&self) -> usize {
-        self.most(Self::guards)
-    }
-
-    fn most(&self, count: fn(&Self, usize) -> usize) -> usize {
-        let modes = 0..self.events.len();
-        modes.map(|mode| count(self, mode)).max().unwrap_or(0)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The motion of a scene with modes: what is asked for, by which method.
 
 use super::carry::{Carry, Explicit, Stiff};
-use super::erased::{Erased, Model, Own, Table};
+use super::erased::{Erased, Model, Own};
 use super::error::HybridError;
 use super::motion::Motion;
 use super::problem::{Hybrid, Modes};
@@ -10,6 +10,7 @@ use super::start;
 use crate::ode::{Dop853, OdeError, Options, Taylor, Tsit5, state_from};
 use crate::problem::Storage;
 use crate::registry::{self, Settings};
+use crate::shape::Shape;
 
 /// The motion of a scene with modes from a start.
 ///
@@ -21,7 +22,7 @@ pub fn march<C: Hybrid>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
-    march_in(scene, C::FIRST, times, start, settings)
+    march_in(scene, C::shape().first, times, start, settings)
 }
 
 /// The same from a start in any mode.
@@ -58,49 +59,49 @@ pub(super) struct Way<'a> {
 impl Way<'_> {
     /// The motion of a scene.
     pub fn of<C: Hybrid>(&self, scene: &C) -> Result<Motion, HybridError> {
-        self.follow(&mut Own::new(scene.modal::<f64>()), &Table::of::<C>())
+        self.follow(&mut Own::new(scene.modal::<f64>()), C::shape())
     }
 
     /// The motion of any equations. States of a usual length, one to three coordinates with their speeds, are arrays.
     #[inline(never)]
-    fn follow(&self, model: &mut dyn Model, table: &Table) -> Result<Motion, HybridError> {
+    fn follow(&self, model: &mut dyn Model, shape: &Shape) -> Result<Motion, HybridError> {
         match model.states() {
-            2 => self.by_method::<[f64; 2]>(model, table),
-            4 => self.by_method::<[f64; 4]>(model, table),
-            6 => self.by_method::<[f64; 6]>(model, table),
-            _ => self.by_method::<Vec<f64>>(model, table),
+            2 => self.by_method::<[f64; 2]>(model, shape),
+            4 => self.by_method::<[f64; 4]>(model, shape),
+            6 => self.by_method::<[f64; 6]>(model, shape),
+            _ => self.by_method::<Vec<f64>>(model, shape),
         }
     }
 
     fn by_method<V: Storage<f64>>(
         &self,
         model: &mut dyn Model,
-        table: &Table,
+        shape: &Shape,
     ) -> Result<Motion, HybridError> {
         match self.settings.method {
-            registry::Method::Tsit5 => self.march::<V, Explicit<V, Tsit5>>(model, table),
-            registry::Method::Dop853 => self.march::<V, Explicit<V, Dop853>>(model, table),
-            registry::Method::Taylor => self.march::<V, Taylor<V>>(model, table),
-            _ => self.march::<V, Stiff>(model, table),
+            registry::Method::Tsit5 => self.march::<V, Explicit<V, Tsit5>>(model, shape),
+            registry::Method::Dop853 => self.march::<V, Explicit<V, Dop853>>(model, shape),
+            registry::Method::Taylor => self.march::<V, Taylor<V>>(model, shape),
+            _ => self.march::<V, Stiff>(model, shape),
         }
     }
 
     fn march<'a, V: Storage<f64>, M: Carry<Erased<'a, V>>>(
         &self,
         model: &'a mut dyn Model,
-        table: &Table,
+        shape: &Shape,
     ) -> Result<Motion, HybridError> {
         let (mode, times, settings) = (self.mode, self.times, self.settings);
         let mut equations = Erased::<V>::new(model);
-        start::check_mode(table, mode)?;
+        start::check_mode(shape, mode)?;
         equations.enter(mode);
         let mut motion = Motion {
             mode,
             ..Motion::at_rest(times.0, self.start)
         };
-        let options = Options::of(settings, table.scales);
+        let options = Options::of(settings, shape.scales);
         let begun = (|| {
-            options.check(times, table.scales.len())?;
+            options.check(times, shape.scales.len())?;
             if times.1 < times.0 {
                 return Err(OdeError::BadOption {
                     name: "times",
@@ -123,10 +124,10 @@ impl Way<'_> {
             }
         };
         if self.is_checked {
-            start::check(&equations, table, times.0, &state)?;
+            start::check(&equations, shape, times.0, &state)?;
         }
         let mut method = M::new(&equations, settings);
-        let mut run = Run::new(equations, table, state, options, times);
+        let mut run = Run::new(equations, shape, state, options, times);
         match run.through(&mut motion, &mut method) {
             Ok(()) => Ok(motion),
             Err(end) => Err(end.with(motion)),

@@ -69,6 +69,7 @@ mod start;
 mod watch;
 mod within;
 
+pub use crate::shape::{Direction, EventEntry};
 pub use cycle::{
     Cycle, CycleError, Lyapunov, Periods, clock, clock_smooth, cycle, cycle_from, lyapunov,
 };
@@ -78,7 +79,7 @@ pub use march::{march, march_in};
 pub use motion::{Happened, Motion, Piece};
 pub use numbers::Numbers;
 pub(crate) use problem::in_each_mode;
-pub use problem::{Direction, EventEntry, Hybrid, Modes, Sensitive};
+pub use problem::{Hybrid, Modes, Sensitive};
 
 /// Roundings of its terms that a guard may have where it counts as zero.
 pub const NOISE: f64 = 16.0;

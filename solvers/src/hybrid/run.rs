@@ -2,7 +2,7 @@
 
 use super::carry::Carry;
 use super::end::End;
-use super::erased::{Erased, Table};
+use super::erased::Erased;
 use super::guard::Guard;
 use super::motion::{Happened, Motion, Piece};
 use super::numbers::Numbers;
@@ -12,11 +12,12 @@ use super::watch::Watch;
 use super::{CHATTER, SOON, TURNS};
 use crate::ode::{Options, Recorder, Statistics};
 use crate::problem::{Equations, Storage};
+use crate::shape::Shape;
 
 /// A motion under way.
 pub(super) struct Run<'a, 'b, V> {
     pub(super) equations: Erased<'a, V>,
-    pub(super) table: &'b Table,
+    pub(super) shape: &'b Shape,
     pub(super) state: V,
     options: Options,
     times: (f64, f64),
@@ -44,30 +45,30 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
     /// A motion at its start.
     pub(super) fn new(
         equations: Erased<'a, V>,
-        table: &'b Table,
+        shape: &'b Shape,
         state: V,
         options: Options,
         times: (f64, f64),
     ) -> Self {
         let mut room = Room::default();
         // What the largest mode needs is taken at once.
-        room.resize(table.most_written());
-        room.resize(table.written(equations.mode()));
+        room.resize(shape.most_written());
+        room.resize(shape.modes[equations.mode()].written());
         Self {
             equations,
-            table,
+            shape,
             recorder: Recorder::new(times.0, &state),
             state,
             options,
             times,
-            guards: vec![Guard::default(); table.most_guards()],
-            looked: vec![vec![0.0; table.most_guards()]; table.events.len()],
+            guards: vec![Guard::default(); shape.most_guards()],
+            looked: vec![vec![0.0; shape.most_guards()]; shape.modes.len()],
             room,
             is_known: false,
             since: (times.0, 0),
             arrival: 0.0,
             turns: 0,
-            sides: vec![0.0; table.most_guards()],
+            sides: vec![0.0; shape.most_guards()],
             bounce: None,
         }
     }
@@ -85,7 +86,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         // The statement that has happened with it and is still to be carried out.
         let mut with: Option<u32> = None;
         while motion.time < self.times.1 {
-            let events = self.table.events[self.equations.mode()];
+            let events = self.shape.modes[self.equations.mode()].events;
             if let Some(event) = self.begin(motion.time, events, last, with.take())? {
                 let begin = &self.room.begin;
                 let guard = (begin.values()[event], begin.rates()[event]);
@@ -98,7 +99,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
                 (motion.time, &self.state),
                 &mut self.guards,
                 (&mut self.room, &mut self.recorder),
-                self.table.guards(self.equations.mode()),
+                self.shape.modes[self.equations.mode()].guards(),
             );
             let done = method.carry(
                 (motion.time, self.times.1),
@@ -151,7 +152,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         last: &mut Option<u32>,
     ) -> Result<(), End> {
         let from = self.equations.mode();
-        let entry = &self.table.events[from][event];
+        let entry = &self.shape.modes[from].events[event];
         self.arrival = rate;
         let mut after = self.state.clone();
         if entry.sets {
@@ -188,12 +189,13 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
                     ..Guard::default()
                 };
             }
-            self.room.resize(self.table.written(entry.target));
+            self.room.resize(self.shape.modes[entry.target].written());
         }
         *last = Some(entry.line);
         self.count(motion, before)?;
         // Between this event and the last of the same kind the guard rose above zero by less than it can be told from.
-        let same = self.table.events[entry.target]
+        let same = self.shape.modes[entry.target]
+            .events
             .iter()
             .position(|one| one.line == entry.line);
         let lost = self.bounce.filter(|(line, time, rate)| {

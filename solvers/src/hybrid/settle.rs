@@ -3,12 +3,13 @@
 use super::NOISE;
 use super::end::End;
 use super::numbers::Numbers;
-use super::problem::{EventEntry, Modes};
+use super::problem::Modes;
 use super::room::Room;
 use super::rounding::terms;
 use super::run::Run;
 use super::watch::NEAR;
 use crate::problem::{Equations, Storage};
+use crate::shape::EventEntry;
 
 /// Part of the rate with which a guard passed zero that counts as none after the event.
 const STOPPED: f64 = 1e-9;
@@ -80,7 +81,7 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
                 due = is_permitted.then_some(event);
             }
         }
-        let kinks = events.len()..self.table.guards(self.equations.mode());
+        let kinks = events.len()..self.shape.modes[self.equations.mode()].guards();
         for (guard, value) in self.guards[kinks.clone()]
             .iter_mut()
             .zip(&begin.values()[kinks])
@@ -97,7 +98,7 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
 
     /// Chooses the side of every switching surface where a mode begins, or where the state has jumped.
     pub(super) fn settle(&mut self, time: f64) -> Result<(), End> {
-        let events = self.table.events[self.equations.mode()];
+        let events = self.shape.modes[self.equations.mode()].events;
         for surface in events.iter().filter_map(|entry| entry.surface) {
             self.put(surface, 0.0);
         }

@@ -1,15 +1,15 @@
 //! Whether a motion may begin where it is to.
 
-use super::erased::Table;
 use super::error::HybridError;
 use super::problem::Modes;
 use super::room::Room;
 use super::rounding::terms;
 use super::{Direction, NOISE};
+use crate::shape::Shape;
 
 /// Whether there is such a mode.
-pub(super) fn check_mode(table: &Table, mode: usize) -> Result<(), HybridError> {
-    let count = table.events.len();
+pub(super) fn check_mode(shape: &Shape, mode: usize) -> Result<(), HybridError> {
+    let count = shape.modes.len();
     match mode < count {
         true => Ok(()),
         false => refused(format!(
@@ -21,22 +21,22 @@ pub(super) fn check_mode(table: &Table, mode: usize) -> Result<(), HybridError> 
 /// Whether what the mode holds stands still, and no event that leads to another mode has happened already.
 pub(super) fn check<E: Modes<f64>>(
     equations: &E,
-    table: &Table,
+    shape: &Shape,
     time: f64,
     state: &E::State,
 ) -> Result<(), HybridError> {
     let mode = equations.mode();
-    let held = table.held[mode].iter();
-    for (name, value) in held.map(|place| (table.names[*place], state.as_ref()[*place])) {
+    let held = shape.modes[mode].held.iter();
+    for (name, value) in held.map(|place| (shape.states[*place].name, state.as_ref()[*place])) {
         if value != 0.0 {
             return refused(format!(
                 "{name} is {value} in SI units, and the mode in which the motion begins holds it at zero"
             ));
         }
     }
-    let events = table.events[mode];
+    let events = shape.modes[mode].events;
     let mut room = Room::default();
-    room.resize(table.written(mode));
+    room.resize(shape.modes[mode].written());
     room.begin.look(equations, time, state);
     let Room {
         begin,
@@ -65,11 +65,11 @@ pub(super) fn check<E: Modes<f64>>(
             return refused(format!(
                 "it is to begin in the mode `{}`, where `{}` has happened already: what that watches is {}{unit}{}; begin \
                  in the mode that follows, with `start {}` in the scene, or with other values",
-                table.modes[mode],
+                shape.modes[mode].name,
                 entry.text,
                 value / entry.factor,
                 entry.unit,
-                table.modes[entry.target],
+                shape.modes[entry.target].name,
             ));
         }
     }

@@ -3,11 +3,12 @@
 use super::crossing::Crossing;
 use super::cubic::{Sample, is_resolved, larger};
 use super::guard::{Guard, Way};
-use super::problem::{EventEntry, Modes};
+use super::problem::Modes;
 use super::room::Room;
 use super::rounding::terms;
 use super::within::{at, between};
 use crate::ode::{Observer, Recorder, Step};
+use crate::shape::EventEntry;
 use std::ops::Range;
 
 /// Parts of a step in which an angle turns by no more, in radians, are looked at.

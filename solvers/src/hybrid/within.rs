@@ -4,11 +4,12 @@ use super::crossing::{Crossing, Search};
 use super::cubic::Sample;
 use super::guard::Way;
 use super::narrow::Instants;
-use super::problem::{Direction, Modes};
+use super::problem::Modes;
 use super::room::{Guards, Room, Seen};
 use super::watch::Watch;
 use crate::ode::{Basis, Step};
 use crate::problem::Storage;
+use crate::shape::Direction;
 
 /// Bends of guards in a step that are told apart. More are found as what they are to a guard.
 const BENDS: usize = 4;

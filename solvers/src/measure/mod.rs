@@ -25,7 +25,8 @@ pub use grid::Sample;
 pub use primitive::{Kind, Missing, Moment, NamedEvent, Primitive};
 
 use crate::hybrid::{Hybrid, Motion, in_each_mode};
-use crate::problem::{Equations, Scene, Storage};
+use crate::problem::{Equations, Storage};
+use crate::shape::Shape;
 use extreme::{Hunt, Sense};
 use grid::Sampler;
 
@@ -97,41 +98,19 @@ pub fn extremes(
     found.collect()
 }
 
-/// What a scene wants to have measured.
-#[derive(Clone, Copy, Debug)]
-pub struct Wanted {
-    /// Number of quantities that the primitives speak of.
-    pub count: usize,
-    /// What is found of them.
-    pub primitives: &'static [Primitive],
-    /// For each measure the primitives that it is made of.
-    pub measures: &'static [&'static [usize]],
-}
-
-impl Wanted {
-    /// That of a scene.
-    pub fn of<C: Scene>() -> Self {
-        Self {
-            count: C::MEASURED,
-            primitives: C::PRIMITIVES,
-            measures: C::MEASURES,
-        }
-    }
-}
-
 /// The measures of a run: what `measures` makes of the primitives that are found. A measure that needs one which the
 /// run does not have says why it is missing.
 pub fn all(
     motion: &Motion,
-    wanted: &Wanted,
+    shape: &Shape,
     sample: &Sample<'_>,
     measures: &dyn Fn(&[f64], &mut [f64]),
 ) -> Vec<Result<f64, Missing>> {
-    let found = find(motion, wanted.primitives, wanted.count, sample);
+    let found = find(motion, shape.primitives, shape.measured, sample);
     let numbers: Vec<f64> = found.iter().map(|one| one.unwrap_or(f64::NAN)).collect();
-    let mut values = vec![0.0; wanted.measures.len()];
+    let mut values = vec![0.0; shape.uses.len()];
     measures(&numbers, &mut values);
-    let measures = wanted.measures.iter().zip(values);
+    let measures = shape.uses.iter().zip(values);
     measures
         .map(|(uses, value)| {
             if let Some(missing) = uses.iter().find_map(|index| found[*index].err()) {
@@ -149,12 +128,13 @@ pub fn all(
 pub fn of<C: Hybrid>(scene: &C, motion: &Motion) -> Vec<Result<f64, Missing>> {
     let modes = in_each_mode(scene);
     let sample = |mode: usize, time: f64, values: &[f64], measured: &mut [f64]| {
-        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
+        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::shape().states.len());
         state.as_mut().copy_from_slice(values);
         modes[mode].measured(time, &state, measured);
     };
-    let measures = |found: &[f64], values: &mut [f64]| modes[C::FIRST].measures(found, values);
-    all(motion, &Wanted::of::<C>(), &sample, &measures)
+    let measures =
+        |found: &[f64], values: &mut [f64]| modes[C::shape().first].measures(found, values);
+    all(motion, C::shape(), &sample, &measures)
 }
 
 #[cfg(test)]

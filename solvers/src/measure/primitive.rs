@@ -17,6 +17,25 @@ pub struct Primitive {
     pub window: Option<usize>,
 }
 
+impl Primitive {
+    /// A number of the whole run.
+    #[doc(hidden)]
+    pub const fn of(kind: Kind, argument: usize) -> Self {
+        Self {
+            kind,
+            argument,
+            window: None,
+        }
+    }
+
+    /// Only where this quantity is positive.
+    #[doc(hidden)]
+    pub const fn within(mut self, window: usize) -> Self {
+        self.window = Some(window);
+        self
+    }
+}
+
 /// What is found of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {

@@ -17,7 +17,7 @@ use crate::scalar::Scalar;
 use crate::stiff;
 
 /// The motion of a scene from a start, on the scalar type that is fastest on the machine at hand. Where the settings
-/// give no absolute tolerances they are `rtol * Scene::SCALES`.
+/// give no absolute tolerances they are `rtol` times the scales of the shape.
 ///
 /// # Errors
 /// [`OdeError`], with the time that was reached.
@@ -57,7 +57,7 @@ impl<C: Scene> Task for Marching<'_, C> {
 }
 
 /// The motion of a scene from a start, evaluated on a scalar type. Where the settings give no
-/// absolute tolerances they are `rtol * Scene::SCALES`.
+/// absolute tolerances they are `rtol` times the scales of the shape.
 ///
 /// # Errors
 /// [`OdeError`], with the time that was reached.
@@ -73,7 +73,7 @@ pub fn march_on<C: Scene, S: Scalar>(
         // The others take no numbers but `f64`.
         return march_called(scene, times, start, settings);
     }
-    let options = Options::of(settings, C::SCALES);
+    let options = Options::of(settings, C::shape().scales);
     let equations = scene.prepare::<S>();
     let start = state_from::<S, _>(&equations, start)?;
     match settings.method {
@@ -118,7 +118,7 @@ pub(crate) fn march_called<C: Scene>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Trajectory, OdeError> {
-    let options = Options::of(settings, C::SCALES);
+    let options = Options::of(settings, C::shape().scales);
     if let Some(method) = settings.method.stiff() {
         return stiff::march(scene, times, start, &options, method);
     }

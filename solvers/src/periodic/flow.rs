@@ -73,19 +73,19 @@ impl Return {
 
 impl<C: Scene> Flow for Period<'_, C> {
     fn is_linear(&self) -> bool {
-        C::LINEAR
+        C::shape().is_linear
     }
 
     fn scales(&self) -> &'static [f64] {
-        C::SCALES
+        C::shape().scales
     }
 
     fn guess(&self) -> Result<DVector<f64>, PeriodicError> {
         let start = self.scene.start();
         match start.len() {
-            0 => Ok(DVector::zeros(C::STATES)),
-            states if states == C::STATES => Ok(over_scales::<C, f64>(&start)),
-            states => Err(bad_start(states, C::STATES).into()),
+            0 => Ok(DVector::zeros(C::shape().states.len())),
+            states if states == C::shape().states.len() => Ok(over_scales::<C, f64>(&start)),
+            states => Err(bad_start(states, C::shape().states.len()).into()),
         }
     }
 
@@ -139,12 +139,12 @@ impl<C: Scene> Period<'_, C> {
             peak.zip_apply(&state, |size, value| *size = size.max(value.abs()));
         }
         let scaled = |row: usize, column: usize| {
-            matrix[(row, column)] * (C::SCALES[column] / C::SCALES[row])
+            matrix[(row, column)] * (C::shape().scales[column] / C::shape().scales[row])
         };
         Ok(Return {
             start: start.clone(),
             end: over_scales::<C, f64>(&motion.end),
-            matrix: DMatrix::from_fn(C::STATES, C::STATES, scaled),
+            matrix: DMatrix::from_fn(C::shape().states.len(), C::shape().states.len(), scaled),
             peak,
         })
     }
@@ -175,11 +175,11 @@ impl<C: Scene> Turn<'_, '_, C> {
         let equations = self.flow.scene.prepare::<S>();
         let varied = Varied {
             equations: &equations,
-            scales: Some(C::SCALES),
+            scales: Some(C::shape().scales),
         };
         let state = state_from::<S, _>(&equations, &unscaled::<C>(self.start))?;
         let begin = varied.start::<S>(&state);
-        let options = Options::of(&self.flow.settings.at(self.rtol), C::SCALES);
+        let options = Options::of(&self.flow.settings.at(self.rtol), C::shape().scales);
         let mut workspace = Workspace::<Bundle<_>, M>::new::<S, _>(&varied);
         let mut peak = Peak::<C, S> {
             sizes: self.start.abs(),
@@ -195,12 +195,13 @@ impl<C: Scene> Turn<'_, '_, C> {
         )?;
         let Bundle { motion, columns } = workspace.state();
         let scaled = |row: usize, column: usize| {
-            columns[column].as_ref()[row].to_f64() * (C::SCALES[column] / C::SCALES[row])
+            columns[column].as_ref()[row].to_f64()
+                * (C::shape().scales[column] / C::shape().scales[row])
         };
         Ok(Return {
             start: self.start.clone(),
             end: over_scales::<C, S>(motion.as_ref()),
-            matrix: DMatrix::from_fn(C::STATES, C::STATES, scaled),
+            matrix: DMatrix::from_fn(C::shape().states.len(), C::shape().states.len(), scaled),
             peak: peak.sizes,
         })
     }
@@ -208,7 +209,7 @@ impl<C: Scene> Turn<'_, '_, C> {
 
 /// A state from a vector over its scales.
 fn unscaled<C: Scene>(scaled: &DVector<f64>) -> Vec<f64> {
-    let states = scaled.iter().zip(C::SCALES);
+    let states = scaled.iter().zip(C::shape().scales);
     states.map(|(value, scale)| value * scale).collect()
 }
 
@@ -218,7 +219,7 @@ fn over_scales<C: Scene, S: Scalar>(state: &[S]) -> DVector<f64> {
         state.len(),
         state
             .iter()
-            .zip(C::SCALES)
+            .zip(C::shape().scales)
             .map(|(value, scale)| value.to_f64() / scale),
     )
 }
@@ -234,7 +235,7 @@ struct Peak<C, S> {
 impl<C: Scene, S: Scalar, Y: Storage<S>> Observer<Bundle<Y>> for Peak<C, S> {
     #[inline(always)]
     fn step(&mut self, step: &Step<'_, Bundle<Y>>) {
-        let states = step.after.motion.as_ref().iter().zip(C::SCALES);
+        let states = step.after.motion.as_ref().iter().zip(C::shape().scales);
         for (size, (value, scale)) in self.sizes.iter_mut().zip(states) {
             *size = size.max(value.to_f64().abs() / scale);
         }

@@ -3,7 +3,7 @@
 //! A motion from `v` repeats if `y(T; v) = v`. With `Φ = ∂y(T)/∂v`, integrated beside the motion, one step of Newton's
 //! method is `(I - Φ) δ = y(T; v) - v`. For equations that are affine in the state one such step from rest is exact:
 //! this is the *method of initial parameters* (superposition of `N` free motions and a forced one). For others the step
-//! is repeated, *shooting*. All of it in states over [`Scene::SCALES`].
+//! is repeated, *shooting*. All of it in states over their scales.
 //!
 //! Equations that are not affine may have several motions that repeat, and Newton's method finds one near enough only. So
 //! with losses the motion from the start values is followed until it repeats, after the period or after several

@@ -6,6 +6,7 @@ use super::{Orbit, PeriodicError, solve};
 use crate::problem::{Equations, Refused, Scene, Span};
 use crate::registry::{Method, Settings};
 use crate::scalar::Scalar;
+use crate::shape::{Quantity, Shape, Unit};
 use std::f64::consts::TAU;
 
 /// `x'' + 2 d x' + (w² + m cos t) x + c x³ = f cos t` in state `x` and `x'`.
@@ -32,13 +33,18 @@ impl<const LINEAR: bool> Oscillator<LINEAR> {
 
 impl<const LINEAR: bool> Scene for Oscillator<LINEAR> {
     type Equations<S: Scalar> = Self;
-    const LINEAR: bool = LINEAR;
-    const STATES: usize = 2;
-    const OUTPUTS: usize = 0;
-    const DRIVERS: usize = 0;
-    const SCALES: &'static [f64] = &[1e-3, 1.0];
-    const STATE_NAMES: &'static [&'static str] = &["x", "dot(x)"];
-    const OUTPUT_NAMES: &'static [&'static str] = &[];
+    fn shape() -> &'static Shape {
+        const STATES: &[Quantity] = &[
+            Quantity::new("x", "", Unit::NONE),
+            Quantity::new("dot(x)", "", Unit::NONE),
+        ];
+        const {
+            &Shape {
+                is_linear: LINEAR,
+                ..Shape::named("oscillator").states(STATES, &[1e-3, 1.0])
+            }
+        }
+    }
 
     fn prepare<S: Scalar>(&self) -> Self {
         *self

@@ -1,13 +1,14 @@
 //! A scene with its values behind [`Run`]: the names are gone, whole runs are left.
 
-use super::{Constant, Run, Settings};
+use super::{Run, Settings};
 use crate::dispatch::{Task, dispatch};
 use crate::hybrid::{self, Cycle, CycleError, HybridError, Motion};
-use crate::measure::{self, Missing, Wanted};
+use crate::measure::{self, Missing};
 use crate::ode::{self, OdeError, Trajectory};
 use crate::periodic::{self, Orbit, PeriodicError};
 use crate::problem::{Equations, Refused, Scene, Span, Storage};
 use crate::scalar::Scalar;
+use crate::shape::Constant;
 
 /// Checks the values of a scene and prepares it.
 ///
@@ -17,6 +18,21 @@ pub fn bind<C: Scene + 'static>(scene: C) -> Result<Box<dyn Run>, Refused> {
     scene.check()?;
     let equations = scene.prepare::<f64>();
     Ok(Box::new(Bound { scene, equations }))
+}
+
+/// The scene with these values, SI units.
+///
+/// # Errors
+/// If there are not as many as the scene has constants.
+#[doc(hidden)]
+pub fn with<C, const N: usize>(values: &[f64], make: fn(&[f64; N]) -> C) -> Result<C, Refused> {
+    match values.try_into() {
+        Ok(values) => Ok(make(values)),
+        Err(_) => Err(Refused {
+            name: "number of values".to_owned(),
+            reason: format!("found {}, expected {N}", values.len()),
+        }),
+    }
 }
 
 /// Checks that values are finite and in their ranges.
@@ -59,7 +75,8 @@ struct Bound<C: Scene> {
 
 impl<C: Scene> Bound<C> {
     fn state(&self, values: &[f64]) -> <C::Equations<f64> as Equations<f64>>::State {
-        let mut state = <C::Equations<f64> as Equations<f64>>::State::zeros(C::STATES);
+        let mut state =
+            <C::Equations<f64> as Equations<f64>>::State::zeros(C::shape().states.len());
         for (slot, value) in state.as_mut().iter_mut().zip(values) {
             *slot = *value;
         }
@@ -77,7 +94,7 @@ impl<C: Scene + 'static> Run for Bound<C> {
     }
 
     fn drivers(&self, time: f64) -> Vec<f64> {
-        let mut values = vec![0.0; C::DRIVERS];
+        let mut values = vec![0.0; C::shape().drivers.len()];
         self.equations.drivers(time, &mut values);
         values
     }
@@ -87,7 +104,7 @@ impl<C: Scene + 'static> Run for Bound<C> {
     }
 
     fn outputs_in(&self, _mode: usize, time: f64, state: &[f64]) -> Vec<f64> {
-        let mut values = vec![0.0; C::OUTPUTS];
+        let mut values = vec![0.0; C::shape().outputs.len()];
         self.equations
             .outputs(time, &self.state(state), &mut values);
         values
@@ -132,7 +149,7 @@ impl<C: Scene + 'static> Run for Bound<C> {
             self.equations.measured(time, &self.state(state), values);
         };
         let measures = |found: &[f64], values: &mut [f64]| self.equations.measures(found, values);
-        measure::all(motion, &Wanted::of::<C>(), &sample, &measures)
+        measure::all(motion, C::shape(), &sample, &measures)
     }
 
     fn time_evaluation(&self, calls: usize) -> f64 {
@@ -154,7 +171,7 @@ impl<C: Scene> Task for Timing<'_, C> {
     #[inline(always)]
     fn run<S: Scalar>(self) -> f64 {
         let equations = self.scene.prepare::<S>();
-        let mut state = <C::Equations<S> as Equations<S>>::State::zeros(C::STATES);
+        let mut state = <C::Equations<S> as Equations<S>>::State::zeros(C::shape().states.len());
         for (slot, value) in state.as_mut().iter_mut().zip(self.scene.start()) {
             *slot = S::from_f64(value);
         }
@@ -174,7 +191,7 @@ impl<C: Scene> Task for Timing<'_, C> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::registry::Quantity;
+    use crate::shape::Quantity;
 
     const MASS: Constant = Constant {
         quantity: Quantity {
@@ -187,7 +204,7 @@ mod tests {
         is_dimension: false,
         default: 1e-3,
         tolerance: 0.0,
-        distribution: crate::registry::Distribution::Normal,
+        distribution: crate::shape::Distribution::Normal,
         range: (1e-6, 10.0),
     };
 

@@ -4,23 +4,12 @@ use super::bind::Timing;
 use super::{Run, Settings};
 use crate::dispatch::Task;
 use crate::hybrid::{
-    self, Cycle, CycleError, EventEntry, Hybrid, HybridError, Motion, Sensitive, in_each_mode,
+    self, Cycle, CycleError, Hybrid, HybridError, Motion, Sensitive, in_each_mode,
 };
-use crate::measure::{self, Missing, Wanted};
+use crate::measure::{self, Missing};
 use crate::ode::{OdeError, Trajectory};
 use crate::periodic::{Orbit, PeriodicError};
 use crate::problem::{Equations, Refused, Span, Storage};
-
-/// A mode as data.
-#[derive(Clone, Copy, Debug)]
-pub struct ModeEntry {
-    /// Name of the mode; empty where a motion has events and no modes.
-    pub name: &'static str,
-    /// What it is.
-    pub summary: &'static str,
-    /// What ends it, or makes it jump.
-    pub events: &'static [EventEntry],
-}
 
 /// Checks the values of a scene with modes and prepares it.
 ///
@@ -72,7 +61,7 @@ struct Bound<C: Hybrid> {
 
 impl<C: Hybrid> Bound<C> {
     fn state(values: &[f64]) -> <C::Modal<f64> as Equations<f64>>::State {
-        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
+        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::shape().states.len());
         for (slot, value) in state.as_mut().iter_mut().zip(values) {
             *slot = *value;
         }
@@ -90,25 +79,25 @@ impl<C: Hybrid + 'static> Run for Bound<C> {
     }
 
     fn first_mode(&self) -> usize {
-        C::FIRST
+        C::shape().first
     }
 
     fn mode_count(&self) -> usize {
-        C::EVENTS.len()
+        C::shape().modes.len()
     }
 
     fn drivers(&self, time: f64) -> Vec<f64> {
-        let mut values = vec![0.0; C::DRIVERS];
-        self.modes[C::FIRST].drivers(time, &mut values);
+        let mut values = vec![0.0; C::shape().drivers.len()];
+        self.modes[C::shape().first].drivers(time, &mut values);
         values
     }
 
     fn margins(&self, time: f64, values: &mut [f64]) {
-        self.modes[C::FIRST].margins(time, values);
+        self.modes[C::shape().first].margins(time, values);
     }
 
     fn outputs_in(&self, mode: usize, time: f64, state: &[f64]) -> Vec<f64> {
-        let mut values = vec![0.0; C::OUTPUTS];
+        let mut values = vec![0.0; C::shape().outputs.len()];
         self.modes[mode].outputs(time, &Self::state(state), &mut values);
         values
     }
@@ -170,9 +159,10 @@ impl<C: Hybrid + 'static> Run for Bound<C> {
         let sample = |mode: usize, time: f64, state: &[f64], values: &mut [f64]| {
             self.modes[mode].measured(time, &Self::state(state), values);
         };
-        let measures =
-            |found: &[f64], values: &mut [f64]| self.modes[C::FIRST].measures(found, values);
-        measure::all(motion, &Wanted::of::<C>(), &sample, &measures)
+        let measures = |found: &[f64], values: &mut [f64]| {
+            self.modes[C::shape().first].measures(found, values)
+        };
+        measure::all(motion, C::shape(), &sample, &measures)
     }
 
     fn time_evaluation(&self, calls: usize) -> f64 {

@@ -1,77 +1,10 @@
 //! What a scene has and does that is a linkage.
 
-use super::Quantity;
 use super::limits::RunLimits;
 use super::path::{self, Path};
 use super::tolerance::RunTolerance;
-use crate::closure::{ClosureError, Group, Linkage, Range, Variable};
+use crate::closure::{ClosureError, Linkage, Range};
 use crate::problem::{Refused, Span};
-
-/// The loops of a scene as data.
-#[derive(Clone, Copy)]
-pub struct LinkageEntry {
-    /// The coordinates that the loops determine.
-    pub dependents: &'static [Quantity],
-    /// The scalar loop equations.
-    pub loops: &'static [Loop],
-    /// Equations that are closed together, each group after those it needs.
-    pub groups: &'static [Group],
-    /// What influence coefficients are taken by.
-    pub variables: &'static [Variable],
-    /// Permitted error of each driver, SI units (zero if none is stated), with its distribution.
-    pub tolerances: &'static [(f64, Distribution)],
-    /// Names of the points.
-    pub points: &'static [&'static str],
-    /// Lines between them.
-    pub links: &'static [Link],
-}
-
-/// A scalar loop equation.
-#[derive(Clone, Copy, Debug)]
-pub struct Loop {
-    /// Name, `loop.x`.
-    pub name: &'static str,
-    /// Unit of its sides.
-    pub unit: &'static str,
-    /// SI value of one such unit.
-    pub factor: f64,
-    /// Line in the equation file, from 1.
-    pub line: u32,
-}
-
-/// Points that are joined.
-#[derive(Clone, Copy, Debug)]
-pub struct Link {
-    /// Indices of the points, in the order of the line.
-    pub points: &'static [usize],
-    /// What it is; may be empty.
-    pub text: &'static str,
-}
-
-/// Distribution of a made size.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Distribution {
-    /// Half-width is three standard deviations.
-    #[default]
-    Normal,
-    /// All within the half-width alike.
-    Uniform,
-    /// Normal with the half-width as three standard deviations, cut off there.
-    Truncated,
-}
-
-/// What a published fact speaks of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Subject {
-    /// A component of the state, of a linkage a dependent coordinate.
-    State(usize),
-    /// An output.
-    Output(usize),
-    /// The influence of a variable of a linkage on an output: output, variable.
-    Influence(usize, usize),
-    /// A measure of the whole run.
-    Measure(usize),
-}
 
 /// A linkage whose dimensions are fixed, ready to be moved.
 pub trait RunLinkage: RunLimits + RunTolerance + Send + Sync {

@@ -2,9 +2,10 @@
 
 use super::linkage::Bound;
 use crate::closure::Linkage;
+#[cfg(feature = "allocation")]
+use crate::tolerance::{Allocation, AllocationError, Candidate, Rule};
 use crate::tolerance::{
-    self, Allocation, AllocationError, Candidate, Differences, Extremes, Influences, MonteCarlo,
-    Quadratic, Rule, Sampling, Study, ToleranceError,
+    self, Differences, Extremes, Influences, MonteCarlo, Quadratic, Sampling, Study, ToleranceError,
 };
 
 /// A linkage whose dimensions are fixed, but for their tolerances. Each run is explained where the solvers have it, in
@@ -45,6 +46,7 @@ pub trait RunTolerance {
         sampling: &Sampling,
         progress: &(dyn Fn(u64) + Sync),
     ) -> Result<MonteCarlo, ToleranceError>;
+    #[cfg(feature = "allocation")]
     /// Tolerances of least cost, see [`fn@tolerance::allocate`].
     ///
     /// # Errors
@@ -90,6 +92,7 @@ impl<L: Linkage> RunTolerance for Bound<L, true> {
         tolerance::monte_carlo(&self.linkage, study, sampling, progress)
     }
 
+    #[cfg(feature = "allocation")]
     fn allocate(
         &self,
         study: &Study,
@@ -133,6 +136,7 @@ impl<L: Linkage> RunTolerance for Bound<L, false> {
         Err(ToleranceError::NoSource)
     }
 
+    #[cfg(feature = "allocation")]
     fn allocate(
         &self,
         _study: &Study,

@@ -1,6 +1,6 @@
 //! Values made at random.
 
-use crate::registry::Constant;
+use crate::shape::Constant;
 use crate::tolerance::Random;
 
 /// The values of made number `index`: those that have a tolerance are drawn from their distribution around the nominal

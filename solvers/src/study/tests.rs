@@ -1,7 +1,7 @@
 //! Many runs.
 
 use super::*;
-use crate::registry::{Constant, Distribution, Quantity};
+use crate::shape::{Constant, Distribution, Quantity};
 
 const WIDE: Constant = Constant {
     quantity: Quantity {

@@ -1,7 +1,7 @@
 //! Moments and deviates of the distributions, for a half-width of one.
 
 use super::normal;
-use crate::registry::Distribution;
+use crate::shape::Distribution;
 
 /// Half-widths are this many standard deviations of the normal distribution.
 const SPREAD: f64 = 3.0;

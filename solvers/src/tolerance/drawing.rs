@@ -11,8 +11,8 @@ use super::source::Source;
 use super::tally::{CLASSES, Classes, Sums};
 use crate::closure::Linkage;
 use crate::dispatch::Task;
-use crate::registry::Distribution;
 use crate::scalar::Scalar;
+use crate::shape::Distribution;
 use std::marker::PhantomData;
 
 /// Samples in a batch.

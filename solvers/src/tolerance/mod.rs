@@ -15,6 +15,7 @@
 //! | `tally`, `estimate` | what is kept of them |
 //! | `variation` | derivatives by dual numbers |
 
+#[cfg(feature = "allocation")]
 mod allocation;
 mod corners;
 mod differences;
@@ -42,6 +43,7 @@ mod tests;
 mod variation;
 mod varied;
 
+#[cfg(feature = "allocation")]
 pub use allocation::{
     Active, Allocation, AllocationError, Candidate, Cost, Limit, Rule, allocate, allocate_along,
 };

@@ -168,7 +168,7 @@ fn varied<L: Linkage>(stand: &Stand<'_>, output: usize) -> Result<Vec<f64>, Sing
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::registry::Distribution;
+    use crate::shape::Distribution;
 
     /// `y = x²` of an error that is uniform within ±1: mean 1/3, variance 4/45, third central moment 16/945.
     #[test]

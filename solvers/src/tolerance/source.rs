@@ -2,7 +2,7 @@
 
 use super::error::ToleranceError;
 use crate::closure::Linkage;
-use crate::registry::Distribution;
+use crate::shape::Distribution;
 
 /// An independent error of one variable. A variable may have several: a tolerance, and play in its joints.
 #[derive(Clone, Copy, Debug, PartialEq)]

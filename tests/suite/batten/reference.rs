@@ -41,7 +41,7 @@ fn computed(solved: &Solved, angle: f64, name: &str) -> Option<f64> {
             motion.unwrap().end().to_vec()
         }
     };
-    let named = |quantities: &[assur::registry::Quantity], values: &[f64]| {
+    let named = |quantities: &[assur::shape::Quantity], values: &[f64]| {
         let place = quantities.iter().position(|it| it.name == name)?;
         Some(values[place])
     };

@@ -1,7 +1,8 @@
 //! Values that no machine has.
 
 use crate::solved::{accepts, bind, values};
-use assur::registry::{Bind, Constant, SceneEntry};
+use assur::registry::{Bind, SceneEntry};
+use assur::shape::Constant;
 use assur_equations::REGISTRY;
 
 /// Every constant of every scene.

@@ -78,7 +78,7 @@ fn drift<M: Method>(periods: f64, rtol: f64) -> f64 {
     let system = Plain(&equations);
     let options = Options {
         max_steps: usize::MAX,
-        ..Options::scaled(rtol, Swing::SCALES)
+        ..Options::scaled(rtol, Swing::shape().scales)
     };
     let mut workspace = Workspace::<_, M>::new::<f64, _>(&system);
     let times = (0.0, 2.67 * periods);

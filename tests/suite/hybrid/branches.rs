@@ -192,7 +192,7 @@ mod lift {
 #[test]
 fn a_guard_that_jumps_passes_zero_at_its_kink() {
     let lift = lift::Go::default();
-    assert_eq!(<lift::Go as assur::hybrid::Hybrid>::KINKS, [1]);
+    assert_eq!(lift::Go::shape().modes[0].kinks, 1);
     let motion = march(&lift, (0.0, 40.0), &[0.0], &SETTINGS).expect("it turns");
     let rises = 0.25f64.asin();
     let count = ((40.0 * 5.0 - rises) / std::f64::consts::TAU).ceil() as usize;

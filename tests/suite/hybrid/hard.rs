@@ -7,8 +7,12 @@ const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-9);
 
 /// Texts of the events that happened, with their times.
 fn log<C: assur::hybrid::Hybrid>(motion: &Motion) -> Vec<(&'static str, f64)> {
-    let one =
-        |event: &assur::hybrid::Happened| (C::EVENTS[event.from][event.event].text, event.time);
+    let one = |event: &assur::hybrid::Happened| {
+        (
+            C::shape().modes[event.from].events[event.event].text,
+            event.time,
+        )
+    };
     motion.events.iter().map(one).collect()
 }
 

@@ -53,7 +53,7 @@ where
         settling,
         counted: 50,
     };
-    let start = (C::FIRST, &scene.start()[..]);
+    let start = (C::shape().first, &scene.start()[..]);
     let found = hybrid::lyapunov(scene, start, period, periods, &FINE).unwrap();
     assert_eq!(found.exponents.len(), expected.len());
     for (found, expected) in found.exponents.iter().zip(expected) {

@@ -9,7 +9,8 @@ mod strength;
 
 use crate::solved::{FINE, entry, values};
 use assur::hybrid::{Happened, Motion};
-use assur::registry::{Quantity, Run, SceneEntry, Settings};
+use assur::registry::{Run, SceneEntry, Settings};
+use assur::shape::Quantity;
 use serde_json::Value;
 use std::sync::LazyLock;
 

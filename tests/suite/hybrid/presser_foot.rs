@@ -15,6 +15,7 @@ mod variants;
 use assur::hybrid::{self, Cycle, CycleError, Hybrid, Motion, Sensitive};
 use assur::measure;
 use assur::prelude::*;
+use assur::shape;
 use assur_equations::presser_foot::*;
 use serde_json::Value;
 use std::f64::consts::PI;
@@ -145,11 +146,11 @@ fn output<C: Hybrid>(foot: &C, name: &str, mode: usize, time: f64, values: &[f64
     use assur::problem::Storage;
     let mut equations = foot.modal::<f64>();
     equations.enter(mode);
-    let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
+    let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::shape().states.len());
     state.as_mut().copy_from_slice(values);
-    let mut outputs = vec![0.0; C::OUTPUTS];
+    let mut outputs = vec![0.0; C::shape().outputs.len()];
     equations.outputs(time, &state, &mut outputs);
-    outputs[C::OUTPUT_NAMES.iter().position(|one| *one == name).unwrap()]
+    outputs[shape::find(C::shape().outputs, name).unwrap()]
 }
 
 /// F2 just after a time.
@@ -197,7 +198,7 @@ where
     let shift = turns.unwrap() as f64 * period;
     let (mode, state) = found.motion.at(shift);
     assert_eq!(
-        C::MODE_NAMES[mode],
+        C::shape().modes[mode].name,
         case["mode"].as_str().unwrap(),
         "{name}"
     );
@@ -217,7 +218,7 @@ where
     assert_eq!(events.len(), expected.len(), "{name}: {events:?}");
     for ((time, mode), expected) in events.iter().zip(expected) {
         assert_eq!(
-            C::MODE_NAMES[*mode],
+            C::shape().modes[*mode].name,
             expected["to"].as_str().unwrap(),
             "{name}"
         );

@@ -93,23 +93,25 @@ impl<C: Drive> Moved<C> {
         use assur::problem::Storage;
         let mut equations = self.drive.modal::<f64>();
         equations.enter(mode);
-        let mut held = <C::Modal<f64> as Equations<f64>>::State::zeros(C::STATES);
+        let mut held = <C::Modal<f64> as Equations<f64>>::State::zeros(C::shape().states.len());
         held.as_mut().copy_from_slice(state);
-        let mut values = vec![0.0; C::OUTPUTS];
+        let mut values = vec![0.0; C::shape().outputs.len()];
         equations.outputs(time, &held, &mut values);
-        values[place(C::OUTPUT_NAMES, name)]
+        values[place::<C>(name)]
     }
 
     /// Names of the modes that the events lead to.
     fn modes(&self) -> Vec<&'static str> {
         let events = self.motion.events.iter();
-        events.map(|event| C::MODE_NAMES[event.to]).collect()
+        events
+            .map(|event| C::shape().modes[event.to].name)
+            .collect()
     }
 
     /// The only event that leads to a mode.
     fn event(&self, mode: &str) -> &Happened {
         let mut found = self.motion.events.iter();
-        let found = found.find(|event| C::MODE_NAMES[event.to] == mode);
+        let found = found.find(|event| C::shape().modes[event.to].name == mode);
         found.unwrap_or_else(|| panic!("no event leads to {mode}: {:?}", self.modes()))
     }
 
@@ -134,9 +136,9 @@ impl<C: Drive> Moved<C> {
     }
 }
 
-fn place(names: &[&str], name: &str) -> usize {
-    let found = names.iter().position(|one| *one == name);
-    found.unwrap_or_else(|| panic!("no output `{name}` in {names:?}"))
+fn place<C: Scene>(name: &str) -> usize {
+    let found = assur::shape::find(C::shape().outputs, name);
+    found.unwrap_or_else(|| panic!("no output `{name}`"))
 }
 
 /// A case of the reference.

@@ -27,7 +27,7 @@ impl Random {
 
 /// A linkage of a scene with other dimensions; none if the mechanism refuses them.
 fn varied(scene: &SceneEntry, random: &mut Random) -> Option<Box<dyn RunLinkage>> {
-    let one = |constant: &assur::registry::Constant| match constant.is_dimension {
+    let one = |constant: &assur::shape::Constant| match constant.is_dimension {
         true => constant.default * (1.0 + SPREAD * (2.0 * random.next() - 1.0)),
         false => constant.default,
     };

@@ -31,7 +31,7 @@ fn factor(unit: &str) -> f64 {
 
 /// The positions of all drivers where the case has them, SI units.
 fn place(scene: &SceneEntry, case: &Value, at: f64) -> Vec<f64> {
-    let position = |driver: &assur::registry::Quantity| {
+    let position = |driver: &assur::shape::Quantity| {
         let is_swept = case["driver"] == driver.name;
         let degrees = if is_swept {
             at

@@ -1,7 +1,8 @@
 //! What the names in options mean: what errs, the output, the place.
 
 use assur::closure::Variable;
-use assur::registry::{Distribution, LinkageEntry, Quantity, RunLinkage, SceneEntry};
+use assur::registry::{RunLinkage, SceneEntry};
+use assur::shape::{Distribution, LinkageEntry, Quantity};
 use assur::tolerance::Source;
 
 use super::Label;

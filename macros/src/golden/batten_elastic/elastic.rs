@@ -118,209 +118,10 @@ pub struct Elastic {
 }
 impl ::core::default::Default for Elastic {
     fn default() -> Self {
-        Self {
-            R: 0.075,
-            l: 0.271,
-            n: 26.17993877991494,
-            m1: 28.5,
-            m2: 28.5,
-            m3: 2.02,
-            m4: 2.02,
-            lambda: 0.385,
-            c: 20980.0,
-            J2: 0.1004,
-            d33: 3.8e-6,
-            d44: 3.8e-6,
-            d34: 1.22e-6,
-        }
+        Self::from_values(&shapes_::Elastic.defaults())
     }
 }
 impl Elastic {
-    /// Names, units, defaults and ranges of the fields, in their order.
-    pub const CONSTANTS: &'static [::assur::registry::Constant] = &[
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "R",
-                summary: "Crank.",
-                unit: "mm",
-                factor: 0.001,
-                dimension: [(1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: true,
-            default: 0.075,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (0.001, 1.0),
-        },
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "l",
-                summary: "Connecting rod.",
-                unit: "mm",
-                factor: 0.001,
-                dimension: [(1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: true,
-            default: 0.271,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (0.001, 10.0),
-        },
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "n",
-                summary: "Speed of the crankshaft.",
-                unit: "rpm",
-                factor: 0.10471975511965977,
-                dimension: [(0, 1), (0, 1), (-1, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: false,
-            default: 26.17993877991494,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (0.10471975511965977, 209.43951023931953),
-        },
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "m1",
-                summary: "Sword pin with rod and frame, drive side.",
-                unit: "kg",
-                factor: 1.0,
-                dimension: [(0, 1), (1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: false,
-            default: 28.5,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (1e-6, 100000.0),
-        },
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "m2",
-                summary: "Sword pin with rod and frame, brake side.",
-                unit: "kg",
-                factor: 1.0,
-                dimension: [(0, 1), (1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: false,
-            default: 28.5,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (1e-6, 100000.0),
-        },
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "m3",
-                summary: "End of the bar, drive side.",
-                unit: "kg",
-                factor: 1.0,
-                dimension: [(0, 1), (1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: false,
-            default: 2.02,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (1e-6, 100000.0),
-        },
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "m4",
-                summary: "End of the bar, brake side.",
-                unit: "kg",
-                factor: 1.0,
-                dimension: [(0, 1), (1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: false,
-            default: 2.02,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (1e-6, 100000.0),
-        },
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "lambda",
-                summary: "Cantilever of the bar over its span, L1/L.",
-                unit: "",
-                factor: 1.0,
-                dimension: [(0, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: false,
-            default: 0.385,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (0.0, 10.0),
-        },
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "c",
-                summary: "Torsional stiffness of the shaft between its cranks.",
-                unit: "N m/rad",
-                factor: 1.0,
-                dimension: [(2, 1), (1, 1), (-2, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: false,
-            default: 20980.0,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (1.0, 1000000000000.0),
-        },
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "J2",
-                summary: "Disc at the brake end.",
-                unit: "kg m^2",
-                factor: 1.0,
-                dimension: [(2, 1), (1, 1), (0, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: false,
-            default: 0.1004,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (1e-9, 1000000.0),
-        },
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "d33",
-                summary: "Displacement of the drive-side end of the bar by unit force there.",
-                unit: "m/N",
-                factor: 1.0,
-                dimension: [(0, 1), (-1, 1), (2, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: false,
-            default: 3.8e-6,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (1e-15, 1.0),
-        },
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "d44",
-                summary: "Displacement of the brake-side end of the bar by unit force there.",
-                unit: "m/N",
-                factor: 1.0,
-                dimension: [(0, 1), (-1, 1), (2, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: false,
-            default: 3.8e-6,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (1e-15, 1.0),
-        },
-        ::assur::registry::Constant {
-            quantity: ::assur::registry::Quantity {
-                name: "d34",
-                summary: "Displacement of one end of the bar by unit force at the other.",
-                unit: "m/N",
-                factor: 1.0,
-                dimension: [(0, 1), (-1, 1), (2, 1), (0, 1), (0, 1), (0, 1), (0, 1)],
-            },
-            is_dimension: false,
-            default: 1.22e-6,
-            tolerance: 0.0,
-            distribution: ::assur::registry::Distribution::Normal,
-            range: (-1.0, 1.0),
-        },
-    ];
     /// Sets all values, SI units, in the order of the fields.
     pub fn from_values(values: &[f64; 13]) -> Self {
         Self {
@@ -378,43 +179,9 @@ impl Elastic {
 }
 impl ::assur::problem::Scene for Elastic {
     type Equations<S: ::assur::scalar::Scalar> = ElasticEquations<S>;
-    const LINEAR: bool = true;
-    const STATES: usize = 6;
-    const OUTPUTS: usize = 22;
-    const DRIVERS: usize = 1;
-    const SCALES: &'static [f64] = &[0.001, 0.001, 0.001, 0.001, 0.001, 0.001];
-    const STATE_NAMES: &'static [&'static str] = &[
-        "phi2",
-        "w3",
-        "w4",
-        "dot(phi2)",
-        "dot(w3)",
-        "dot(w4)",
-    ];
-    const OUTPUT_NAMES: &'static [&'static str] = &[
-        "x1",
-        "x2",
-        "x3",
-        "x4",
-        "dot(x1)",
-        "dot(x2)",
-        "dot(x3)",
-        "dot(x4)",
-        "ddot(x1)",
-        "ddot(x2)",
-        "ddot(x3)",
-        "ddot(x4)",
-        "phi2",
-        "dot(phi2)",
-        "ddot(phi2)",
-        "F1",
-        "F2",
-        "drive_torque",
-        "shaft_torque",
-        "x_difference",
-        "v_difference",
-        "F_difference",
-    ];
+    fn shape() -> &'static ::assur::shape::Shape {
+        &shapes_::Elastic
+    }
     #[inline(always)]
     fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
         let J2 = <S as ::assur::scalar::Scalar>::from_f64(self.J2);
@@ -502,7 +269,7 @@ impl ::assur::problem::Scene for Elastic {
         }
     }
     fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
-        ::assur::registry::check_values(Self::CONSTANTS, &self.values())?;
+        ::assur::registry::check_values(shapes_::Elastic.constants, &self.values())?;
         let [require_0_, require_1_] = self.requirements_::<f64>();
         if !<f64 as ::assur::scalar::Scalar>::holds(require_0_) {
             return ::core::result::Result::Err(::assur::problem::Refused {

@@ -4,8 +4,9 @@ use super::{Dimension, SYSTEMS, TIME, Units};
 use crate::check::Failed;
 use crate::check::linkage::{PLACES, place};
 use crate::closure::{Assembly, Closure, Linkage, Variable};
-use crate::registry::{Mechanism, Quantity, SceneEntry};
+use crate::registry::{Mechanism, SceneEntry};
 use crate::scalar::{Bounded, Scalar};
+use crate::shape::Quantity;
 
 /// Checks at several positions that a linkage has the same outputs and influence coefficients when its dimensions,
 /// drivers and dependent coordinates are stated in other units.

@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::check::{Failed, scaling};
-use crate::registry::{Constant, Distribution};
+use crate::shape::Shape;
+use crate::shape::{Constant, Distribution};
 
 /// A mass on a spring, pushed by what `HIDDEN` says.
 #[derive(Clone)]
@@ -67,13 +68,17 @@ impl<S: Scalar, const HIDDEN: u8> Equations<S> for Prepared<S, HIDDEN> {
 
 impl<const HIDDEN: u8> Scene for Spring<HIDDEN> {
     type Equations<S: Scalar> = Prepared<S, HIDDEN>;
-    const LINEAR: bool = true;
-    const STATES: usize = 2;
-    const OUTPUTS: usize = 2;
-    const DRIVERS: usize = 1;
-    const SCALES: &'static [f64] = &[1e-3, 1e-3];
-    const STATE_NAMES: &'static [&'static str] = &["x", "dot(x)"];
-    const OUTPUT_NAMES: &'static [&'static str] = &["momentum", "mean"];
+    fn shape() -> &'static Shape {
+        const NAMES: &[Quantity] = &[quantity("x", SPEED), quantity("dot(x)", SPEED)];
+        const OUTPUTS: &[Quantity] = &[quantity("momentum", SPEED), quantity("mean", SPEED)];
+        const {
+            &Shape::named("spring")
+                .drivers(&[LENGTH])
+                .states(NAMES, &[1e-3, 1e-3])
+                .outputs(OUTPUTS)
+                .linear()
+        }
+    }
 
     fn prepare<S: Scalar>(&self) -> Self::Equations<S> {
         Prepared([self.mass, self.stiffness, self.root].map(S::from_f64))
@@ -122,11 +127,15 @@ fn check<const HIDDEN: u8>(stiffness: [(i8, i8); 3]) -> Result<(), Failed> {
         quantity("mean", SPEED),
         quantity("time", [(0, 1), (0, 1), (1, 1)]),
     ];
-    let scenes = Box::leak(Box::new([SceneEntry {
+    let shape = Shape {
         constants,
         drivers: Box::leak(Box::new([time])),
         states: Box::leak(Box::new([length, speed])),
         outputs: Box::leak(Box::new([momentum, mean])),
+        ..FREE_SHAPE
+    };
+    let scenes = Box::leak(Box::new([SceneEntry {
+        shape: Box::leak(Box::new(shape)),
         ..FREE
     }]));
     let mechanism = Mechanism {

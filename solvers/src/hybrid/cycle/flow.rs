@@ -1,7 +1,7 @@
 //! A scene without its type: so the search is compiled once.
 
 use super::super::march::Way;
-use super::super::problem::{Hybrid, Sensitive, in_each_mode, written};
+use super::super::problem::{Hybrid, Sensitive, in_each_mode};
 use super::super::{HybridError, Modes, Motion};
 use crate::problem::{Equations, Storage};
 use crate::registry::Settings;
@@ -76,7 +76,7 @@ where
     C::Modal<f64>: Sensitive<f64>,
 {
     fn scales(&self) -> &'static [f64] {
-        C::SCALES
+        C::shape().scales
     }
 
     fn follow(
@@ -133,25 +133,28 @@ impl<C: Hybrid> In<'_, C> {
     /// Values and rates of the guards.
     fn guards(&self, instant: &Instant<C>, state: &State<C>) -> (Vec<f64>, Vec<f64>) {
         let equations = self.equations();
-        let count = written::<C>(equations.mode());
+        let count = C::shape().modes[equations.mode()].written();
         let (mut values, mut rates) = (vec![0.0; count], vec![0.0; count]);
         equations.guards(instant, state, &mut values, &mut rates);
         (values, rates)
     }
 
     fn state(values: &[f64]) -> State<C> {
-        let mut state = State::<C>::zeros(C::STATES);
+        let mut state = State::<C>::zeros(C::shape().states.len());
         state.as_mut().copy_from_slice(values);
         state
     }
 
     /// Columns of a matrix, one behind the other.
     fn columns() -> Vec<State<C>> {
-        vec![State::<C>::zeros(C::STATES); C::STATES]
+        vec![State::<C>::zeros(C::shape().states.len()); C::shape().states.len()]
     }
 
     fn write(columns: &[State<C>], flat: &mut [f64]) {
-        for (column, target) in columns.iter().zip(flat.chunks_mut(C::STATES.max(1))) {
+        for (column, target) in columns
+            .iter()
+            .zip(flat.chunks_mut(C::shape().states.len().max(1)))
+        {
             target.copy_from_slice(column.as_ref());
         }
     }
@@ -163,7 +166,7 @@ where
 {
     fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
         let equations = self.equations();
-        let mut rates = State::<C>::zeros(C::STATES);
+        let mut rates = State::<C>::zeros(C::shape().states.len());
         equations.derivative(&equations.instant(time), &Self::state(state), &mut rates);
         rate.copy_from_slice(rates.as_ref());
     }
@@ -178,7 +181,7 @@ where
     fn guard(&self, event: usize, time: f64, state: &[f64], slopes: &mut [f64]) -> f64 {
         let equations = self.equations();
         let (instant, state) = (equations.instant(time), Self::state(state));
-        let mut all = State::<C>::zeros(C::STATES);
+        let mut all = State::<C>::zeros(C::shape().states.len());
         equations.guard_slopes(event, &instant, &state, &mut all);
         slopes.copy_from_slice(all.as_ref());
         self.guards(&instant, &state).1[event]
@@ -199,7 +202,7 @@ where
     ) -> bool {
         let equations = self.equations();
         let mut all = Self::columns();
-        let mut rates = State::<C>::zeros(C::STATES);
+        let mut rates = State::<C>::zeros(C::shape().states.len());
         let state = Self::state(state);
         let instant = equations.instant(time);
         let jumps = equations.jump_slopes(event, &instant, &state, &mut all, &mut rates);

@@ -55,11 +55,11 @@ where
     let mut stretch = Stretch {
         flow: &Bound::new(scene),
         period,
-        sizes: C::SCALES,
+        sizes: C::shape().scales,
         settings,
         mode,
         state: start.to_vec(),
-        frame: frame(C::STATES),
+        frame: frame(C::shape().states.len()),
     };
     stretch.advance(periods.settling)?;
     let grown = stretch.advance(periods.counted)?;

@@ -96,7 +96,7 @@ pub fn cycle<C: Hybrid>(scene: &C, period: f64, settings: &Settings) -> Result<C
 where
     C::Modal<f64>: Sensitive<f64>,
 {
-    cycle_from(scene, (C::FIRST, &scene.start()), period, settings)
+    cycle_from(scene, (C::shape().first, &scene.start()), period, settings)
 }
 
 /// The same from another mode and state at time 0.
@@ -126,7 +126,11 @@ pub fn clock<C: Hybrid>(scene: &C, settings: &Settings) -> Result<Cycle, CycleEr
 where
     C::Modal<f64>: Sensitive<f64>,
 {
-    clock::find(&Bound::new(scene), (C::FIRST, &scene.start()), settings)
+    clock::find(
+        &Bound::new(scene),
+        (C::shape().first, &scene.start()),
+        settings,
+    )
 }
 
 /// The same of a scene without events.
@@ -154,10 +158,10 @@ pub(crate) fn variations<C: Scene>(
     settings: &Settings,
 ) -> Result<DMatrix<f64>, OdeError> {
     let flow = Smooth::new(scene);
-    let start = DMatrix::identity(C::STATES, C::STATES);
+    let start = DMatrix::identity(C::shape().states.len(), C::shape().states.len());
     let local = flow.local(motion.mode, &[]);
     motion.pieces.iter().try_fold(start, |matrix, piece| {
-        variation::along(local.as_ref(), piece, C::SCALES, matrix, settings)
+        variation::along(local.as_ref(), piece, C::shape().scales, matrix, settings)
     })
 }
 

@@ -23,7 +23,7 @@ impl<'a, C: Scene> Smooth<'a, C> {
 
 impl<C: Scene> Flow for Smooth<'_, C> {
     fn scales(&self) -> &'static [f64] {
-        C::SCALES
+        C::shape().scales
     }
 
     fn follow(
@@ -52,7 +52,7 @@ type State<C> = <<C as Scene>::Equations<f64> as Equations<f64>>::State;
 
 impl<C: Scene> Only<'_, C> {
     fn state(values: &[f64]) -> State<C> {
-        let mut state = State::<C>::zeros(C::STATES);
+        let mut state = State::<C>::zeros(C::shape().states.len());
         state.as_mut().copy_from_slice(values);
         state
     }
@@ -67,10 +67,13 @@ impl<C: Scene> Local for Only<'_, C> {
     }
 
     fn jacobian(&self, time: f64, state: &[f64], columns: &mut [f64]) {
-        let mut all = vec![State::<C>::zeros(C::STATES); C::STATES];
+        let mut all = vec![State::<C>::zeros(C::shape().states.len()); C::shape().states.len()];
         self.0
             .jacobian(&self.0.instant(time), &Self::state(state), &mut all);
-        for (column, target) in all.iter().zip(columns.chunks_mut(C::STATES.max(1))) {
+        for (column, target) in all
+            .iter()
+            .zip(columns.chunks_mut(C::shape().states.len().max(1)))
+        {
             target.copy_from_slice(column.as_ref());
         }
     }

@@ -4,6 +4,7 @@ use super::{Cycle, CycleError, clock_smooth};
 use crate::problem::{Equations, Refused, Scene, Span};
 use crate::registry::{Method, Settings};
 use crate::scalar::Scalar;
+use crate::shape::{Quantity, Shape, Unit};
 
 /// `x'' - (gain - saturation x²) x' + x = force t` in state `x` and `x'`.
 #[derive(Clone, Copy)]
@@ -23,13 +24,13 @@ const VAN_DER_POL: Oscillator = Oscillator {
 
 impl Scene for Oscillator {
     type Equations<S: Scalar> = Self;
-    const LINEAR: bool = false;
-    const STATES: usize = 2;
-    const OUTPUTS: usize = 0;
-    const DRIVERS: usize = 0;
-    const SCALES: &'static [f64] = &[1.0, 1.0];
-    const STATE_NAMES: &'static [&'static str] = &["x", "dot(x)"];
-    const OUTPUT_NAMES: &'static [&'static str] = &[];
+    fn shape() -> &'static Shape {
+        const STATES: &[Quantity] = &[
+            Quantity::new("x", "", Unit::NONE),
+            Quantity::new("dot(x)", "", Unit::NONE),
+        ];
+        const { &Shape::named("oscillator").states(STATES, &[1.0, 1.0]) }
+    }
 
     fn prepare<S: Scalar>(&self) -> Self {
         *self

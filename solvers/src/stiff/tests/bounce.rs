@@ -1,9 +1,11 @@
 //! A mass that falls on a contact of 1e9 N/m: events with a stiff method.
 
-use crate::hybrid::{Direction, EventEntry, Hybrid, Modes, Motion, march};
+use crate::hybrid::{Hybrid, Modes, Motion, march};
 use crate::problem::{Equations, Refused, Scene, Span};
 use crate::registry::{Method, Settings};
 use crate::scalar::Scalar;
+use crate::shape::{Direction, EventEntry};
+use crate::shape::{ModeEntry, Quantity, Shape, Unit};
 
 /// Mass 1 kg, height `x`; in contact a spring and a damper act on it.
 #[derive(Clone, Copy)]
@@ -98,13 +100,43 @@ impl<S: Scalar> Modes<S> for Moving<S> {
 
 impl Scene for Ball {
     type Equations<S: Scalar> = Moving<S>;
-    const LINEAR: bool = false;
-    const STATES: usize = 2;
-    const OUTPUTS: usize = 0;
-    const DRIVERS: usize = 0;
-    const SCALES: &'static [f64] = &[1.0, 1.0];
-    const STATE_NAMES: &'static [&'static str] = &["x", "dot(x)"];
-    const OUTPUT_NAMES: &'static [&'static str] = &[];
+    fn shape() -> &'static Shape {
+        const STATES: &[Quantity] = &[
+            Quantity::new("x", "", Unit::NONE),
+            Quantity::new("dot(x)", "", Unit::NONE),
+        ];
+        const MODES: &[ModeEntry] = &[
+            ModeEntry::new(
+                "flight",
+                "",
+                &[EventEntry::new(
+                    1,
+                    "when x falls to 0",
+                    Direction::Falls,
+                    "m",
+                    1.0,
+                    1,
+                )],
+            ),
+            ModeEntry::new(
+                "contact",
+                "",
+                &[EventEntry::new(
+                    2,
+                    "when x rises to 0",
+                    Direction::Rises,
+                    "m",
+                    1.0,
+                    0,
+                )],
+            ),
+        ];
+        const {
+            &Shape::named("ball")
+                .states(STATES, &[1.0, 1.0])
+                .modes(MODES, 0)
+        }
+    }
 
     fn prepare<S: Scalar>(&self) -> Moving<S> {
         Moving {
@@ -129,34 +161,11 @@ impl Scene for Ball {
 
 impl Hybrid for Ball {
     type Modal<S: Scalar> = Moving<S>;
-    const EVENTS: &'static [&'static [EventEntry]] = &[&[FALLS], &[RISES]];
-    const MODE_NAMES: &'static [&'static str] = &["flight", "contact"];
-    const FIRST: usize = 0;
-    const HELD: &'static [&'static [usize]] = &[&[], &[]];
 
     fn modal<S: Scalar>(&self) -> Moving<S> {
         self.prepare()
     }
 }
-
-const FALLS: EventEntry = EventEntry {
-    text: "when x falls to 0",
-    direction: Direction::Falls,
-    unit: "m",
-    factor: 1.0,
-    target: 1,
-    surface: None,
-    conditional: false,
-    sets: false,
-    line: 1,
-};
-const RISES: EventEntry = EventEntry {
-    text: "when x rises to 0",
-    direction: Direction::Rises,
-    target: 0,
-    line: 2,
-    ..FALLS
-};
 
 fn fall(ball: Ball, method: Method, rtol: f64, end: f64) -> Motion {
     let settings = Settings::new(method, rtol);

@@ -14,7 +14,7 @@ pub use error::AllocationError;
 use super::influence::influence_at;
 use super::source::{Study, check_variables};
 use crate::closure::{Assembly, Linkage};
-use crate::registry::Distribution;
+use crate::shape::Distribution;
 use way::{Influence, Peak, Way};
 
 /// Relative excess over the band that is taken off the tolerances afterwards.

@@ -3,8 +3,8 @@
 use super::super::{Sampling, Source, Status, Study, monte_carlo};
 use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
 use crate::problem::{Refused, Span};
-use crate::registry::Distribution;
 use crate::scalar::Scalar;
+use crate::shape::Distribution;
 use std::f64::consts::TAU;
 
 /// Two links that meet: `l2 dir(a) - l3 dir(b) = [d - l1 cos q, -l1 sin q]`; output `b`. Constants `l1, l2, l3, d`.
@@ -15,6 +15,10 @@ struct Loops<S>([S; 4]);
 
 impl Linkage for FourBar {
     type Closure<S: Scalar> = Loops<S>;
+    fn shape() -> &'static crate::shape::Shape {
+        const { &crate::shape::Shape::named("") }
+    }
+
     const INDEPENDENTS: usize = 1;
     const MOTION: usize = 0;
     const DEPENDENTS: usize = 2;

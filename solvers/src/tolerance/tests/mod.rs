@@ -6,7 +6,7 @@ mod second;
 mod seeds;
 
 use super::{Source, Study};
-use crate::registry::Distribution;
+use crate::shape::Distribution;
 pub(super) use heald::Heald;
 
 /// The heald linkage with its tolerances: 0.05 mm, for a, b, s 0.1 mm, 0.1 deg, as many times, of this distribution.

@@ -4,7 +4,7 @@ use super::super::{
     Sampling, Source, Status, influences, linear, monte_carlo, ranking, worst_place,
 };
 use super::{Heald, at, study};
-use crate::registry::Distribution;
+use crate::shape::Distribution;
 
 fn bands(degrees: &[f64], sources: Option<&[Source]>) -> Vec<super::super::Linear> {
     let study = study(degrees, 1.0, Distribution::Uniform);

@@ -5,7 +5,7 @@ use super::super::{
     quadratics,
 };
 use super::{Heald, study};
-use crate::registry::Distribution;
+use crate::shape::Distribution;
 
 #[test]
 fn the_quadratic_form_has_the_derivatives_of_the_closed_loops() {

@@ -2,7 +2,7 @@
 
 use super::super::{Sampling, Study, ToleranceError, monte_carlo};
 use super::{Heald, at, study};
-use crate::registry::Distribution;
+use crate::shape::Distribution;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 #[test]

@@ -60,7 +60,7 @@ fn monte_carlo_agrees_with_the_integral() {
     let mut normal = Normal { state: 7 };
     let mut broken = 0;
     let nominal = StruckFitted::default();
-    let mut outputs = [0.0; StruckFitted::OUTPUTS];
+    let mut outputs = vec![0.0; StruckFitted::shape().outputs.len()];
     for _ in 0..samples {
         // The probability is that of a line without a fatigue limit: the damage is scaled by hand, and the limit, which
         // the scene has, does not come in because its stress does not occur below.

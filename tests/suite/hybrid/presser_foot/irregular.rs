@@ -15,8 +15,8 @@ fn the_growth_of_disturbances_is_that_of_the_second_computation() {
     let start = (CONTACT, &foot.start()[..]);
     let found = hybrid::lyapunov(&foot, start, foot.period(), periods, &FINE).unwrap();
     assert_eq!(
-        Elliptic::SCALES[0],
-        Elliptic::SCALES[1],
+        Elliptic::shape().scales[0],
+        Elliptic::shape().scales[1],
         "the second computation weighs them alike"
     );
     let end = numbers(&case["end"]);

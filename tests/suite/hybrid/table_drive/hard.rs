@@ -212,7 +212,7 @@ fn sticking_and_slipping_come_to_an_end() {
             }
         }
         let pieces = moved.motion.pieces.iter();
-        for piece in pieces.filter(|piece| Table1::MODE_NAMES[piece.mode] == "stick") {
+        for piece in pieces.filter(|piece| Table1::shape().modes[piece.mode].name == "stick") {
             let (from, to) = Motion::ends(piece);
             let angles = [from, (from + to) / 2.0, to].map(|time| piece.trajectory.at(time)[1]);
             assert!(
@@ -235,7 +235,7 @@ fn clearance_opens_again_and_does_not_pull() {
         assert!(get("link_torque") >= -1e-9);
         assert!(get("twist") >= -1e-12, "the other flank is not reached");
         let (mode, _) = moved.motion.at(time);
-        if Loose::MODE_NAMES[mode] == "coast" {
+        if Loose::shape().modes[mode].name == "coast" {
             pull = pull.min(c * (get("twist") - g) + beta * get("dot(twist)"));
         }
     }

@@ -146,6 +146,10 @@ pub struct Iterated(pub FourBar);
 
 impl Linkage for Iterated {
     type Closure<S: Scalar> = Loops<S>;
+    fn shape() -> &'static crate::shape::Shape {
+        const { &crate::shape::Shape::named("") }
+    }
+
     const INDEPENDENTS: usize = 1;
     const MOTION: usize = 0;
     const DEPENDENTS: usize = 2;

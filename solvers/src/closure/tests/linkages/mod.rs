@@ -24,6 +24,9 @@ macro_rules! unasked {
 /// The constants of a linkage that is a struct of one array.
 macro_rules! constants {
     ($count:expr) => {
+        fn shape() -> &'static crate::shape::Shape {
+            const { &crate::shape::Shape::named("") }
+        }
         const CONSTANTS: usize = $count;
         const VARIABLES: &'static [Variable] = &[];
         const SECOND: bool = false;
