@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::asked::{Asked, Values};
 use crate::settings::Accuracy;
 
 /// Mechanisms as equation files: run, check and explain them.
@@ -127,17 +128,8 @@ points; and NAME-SCENE-moving.svg, which any browser plays.";
 /// Options of `assur run`.
 #[derive(Args, Debug, Default)]
 pub struct RunArguments {
-    /// The mechanism, as `assur list` names it.
-    pub name: Option<String>,
-    /// The scene; the first one of the file unless given.
-    #[arg(long, value_name = "SCENE")]
-    pub scene: Option<String>,
-    /// A named set of values to start from.
-    #[arg(long, value_name = "PRESET")]
-    pub preset: Option<String>,
-    /// A dimension or parameter with its unit, `n=300rpm`; may be repeated.
-    #[arg(long, value_name = "NAME=VALUE")]
-    pub set: Vec<String>,
+    #[command(flatten)]
+    pub asked: Asked,
     /// A position of the drivers or a time at which to print everything, `theta=110deg`, `time=0.1s`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub at: Vec<String>,
@@ -188,17 +180,8 @@ pub enum Rows {
 /// Options of `assur draw`.
 #[derive(Args, Debug)]
 pub struct DrawArguments {
-    /// The mechanism, as `assur list` names it.
-    pub name: Option<String>,
-    /// The scene; the first one of the file unless given.
-    #[arg(long, value_name = "SCENE")]
-    pub scene: Option<String>,
-    /// A named set of values to start from.
-    #[arg(long, value_name = "PRESET")]
-    pub preset: Option<String>,
-    /// A dimension or parameter with its unit, `l4=91mm`; may be repeated.
-    #[arg(long, value_name = "NAME=VALUE")]
-    pub set: Vec<String>,
+    #[command(flatten)]
+    pub asked: Asked,
     /// A position of the drivers to draw, `phi4=90deg`; may be repeated. Some over the range unless given.
     #[arg(long, value_name = "NAME=VALUE")]
     pub at: Vec<String>,
@@ -210,17 +193,8 @@ pub struct DrawArguments {
 /// Options of `assur structure`.
 #[derive(Args, Debug)]
 pub struct StructureArguments {
-    /// The mechanism, as `assur list` names it.
-    pub name: Option<String>,
-    /// The scene; the first one of the file unless given.
-    #[arg(long, value_name = "SCENE")]
-    pub scene: Option<String>,
-    /// A named set of values to start from.
-    #[arg(long, value_name = "PRESET")]
-    pub preset: Option<String>,
-    /// A dimension or parameter with its unit, `l4=91mm`; may be repeated.
-    #[arg(long, value_name = "NAME=VALUE")]
-    pub set: Vec<String>,
+    #[command(flatten)]
+    pub asked: Asked,
     /// What is printed.
     #[arg(long, value_enum, default_value_t = StructureFormat::Table)]
     pub format: StructureFormat,
@@ -259,12 +233,8 @@ pub struct ExpandArguments {
 pub struct ScenesArguments {
     /// The mechanism.
     pub name: Option<String>,
-    /// A named set of values to start from.
-    #[arg(long, value_name = "PRESET")]
-    pub preset: Option<String>,
-    /// A dimension or parameter with its unit, `n=300rpm`; may be repeated.
-    #[arg(long, value_name = "NAME=VALUE")]
-    pub set: Vec<String>,
+    #[command(flatten)]
+    pub values: Values,
 }
 
 #[cfg(test)]
@@ -289,7 +259,7 @@ mod tests {
             else {
                 panic!("{words:?} is not understood");
             };
-            assert_eq!(options.name.as_deref(), Some("batten"));
+            assert_eq!(options.asked.name.as_deref(), Some("batten"));
             assert_eq!(options.accuracy.rtol.as_deref(), Some("1e-9"));
         }
     }

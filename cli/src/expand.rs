@@ -6,9 +6,11 @@ use assur::registry::Mechanism;
 use assur_model::checked::Model;
 
 use crate::arguments::ExpandArguments;
+use crate::asked::For;
 use crate::emit::{self, Origin};
 use crate::error::Failure;
 use crate::lookup;
+use crate::lookup::Registry;
 use crate::output::{complain, print};
 use crate::source::{Checked, Source};
 use crate::style;
@@ -17,18 +19,16 @@ use crate::style;
 ///
 /// # Errors
 /// An unknown mechanism or scene, or a file with errors.
-pub fn execute(options: &ExpandArguments) -> Result<(), Failure> {
-    let Some(name) = &options.name else {
-        return Err(lookup::no_mechanism("expand"));
-    };
-    let source = if Path::new(name).extension().is_some_and(|end| end == "eqn") {
-        Source::read(Path::new(name))?
-    } else {
-        let mechanism = lookup::mechanism(name)?;
-        if let Some(scene) = &options.scene {
-            lookup::scene(mechanism, Some(scene))?;
+pub fn execute(options: &ExpandArguments, registry: Registry) -> Result<(), Failure> {
+    let source = match options.name.as_deref().map(Path::new) {
+        Some(path) if path.extension().is_some_and(|end| end == "eqn") => Source::read(path)?,
+        _ => {
+            let mechanism = registry.mechanism(options.name.as_deref(), "expand", For::All)?;
+            if let Some(scene) = &options.scene {
+                lookup::scene(mechanism, Some(scene))?;
+            }
+            of_mechanism(mechanism)?
         }
-        of_mechanism(mechanism)?
     };
     let style = style::stderr();
     let said = |messages: String| {

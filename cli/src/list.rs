@@ -1,8 +1,7 @@
 //! `assur list`: what there is.
 
-use assur_equations::REGISTRY;
-
 use crate::error::Failure;
+use crate::lookup::Registry;
 use crate::output;
 use crate::style;
 use crate::text::{Align, Columns, wrap};
@@ -14,10 +13,10 @@ const WIDTH: usize = 96;
 ///
 /// # Errors
 /// When standard output cannot be written.
-pub fn execute() -> Result<(), Failure> {
+pub fn execute(registry: Registry) -> Result<(), Failure> {
     let style = style::stdout();
     let mut text = String::new();
-    for mechanism in REGISTRY {
+    for mechanism in registry.0 {
         text += &format!("{}\n", style.heading(mechanism.name));
         for line in wrap(mechanism.summary, WIDTH) {
             text += &format!("  {line}\n");
@@ -44,7 +43,7 @@ pub fn execute() -> Result<(), Failure> {
         text += &table.render(style);
         text.push('\n');
     }
-    match REGISTRY.first() {
+    match registry.0.first() {
         Some(first) => text += &format!("run one:  assur run {}\n", first.name),
         None => text += "there is no mechanism yet: add a file to equations/\n",
     }

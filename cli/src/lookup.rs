@@ -1,46 +1,53 @@
 //! Finding things by name, and the nearest name when there is none.
 
 use assur::registry::{Mechanism, SceneEntry};
-use assur_equations::REGISTRY;
 use assur_model::nearest::nearest;
 
+use crate::asked::For;
 use crate::error::Failure;
 
-/// The mechanism of this name.
-///
-/// # Errors
-/// When there is none; the nearest name is offered.
-pub fn mechanism(name: &str) -> Result<&'static Mechanism, Failure> {
-    if let Some(found) = REGISTRY.iter().find(|mechanism| mechanism.name == name) {
-        return Ok(found);
+/// The mechanisms that the command knows.
+#[derive(Clone, Copy)]
+pub struct Registry(pub &'static [Mechanism]);
+
+impl Registry {
+    /// The mechanism of this name.
+    ///
+    /// # Errors
+    /// When there is none, the nearest name being offered; without a name those that the command is for.
+    pub fn mechanism(
+        self,
+        name: Option<&str>,
+        command: &str,
+        scenes: For,
+    ) -> Result<&'static Mechanism, Failure> {
+        let Some(name) = name else {
+            return Err(match scenes {
+                For::Linkages => name_one("linkage", command, self.linkages().collect()),
+                _ => name_one("mechanism", command, self.0.iter().collect()),
+            });
+        };
+        if let Some(found) = self.0.iter().find(|mechanism| mechanism.name == name) {
+            return Ok(found);
+        }
+        let names: Vec<_> = self.0.iter().map(|mechanism| mechanism.name).collect();
+        let what = match name.trim() {
+            "" => "the name of the mechanism is empty".to_owned(),
+            _ => format!("there is no mechanism `{name}`"),
+        };
+        Err(Failure::request(what).remedy(format!(
+            "{}\n`assur list` shows them with their scenes",
+            suggestion(name, &names)
+        )))
     }
-    let names: Vec<_> = REGISTRY.iter().map(|mechanism| mechanism.name).collect();
-    let what = match name.trim() {
-        "" => "the name of the mechanism is empty".to_owned(),
-        _ => format!("there is no mechanism `{name}`"),
-    };
-    Err(Failure::request(what).remedy(format!(
-        "{}\n`assur list` shows them with their scenes",
-        suggestion(name, &names)
-    )))
-}
 
-/// What to say when no mechanism is named.
-pub fn no_mechanism(command: &str) -> Failure {
-    name_one("mechanism", command, REGISTRY.iter().collect())
-}
-
-/// The same for a command about linkages.
-pub fn no_linkage(command: &str) -> Failure {
-    name_one("linkage", command, linkages().collect())
-}
-
-/// The mechanisms with at least one scene that is a linkage.
-fn linkages() -> impl Iterator<Item = &'static Mechanism> {
-    REGISTRY.iter().filter(|mechanism| {
-        let mut scenes = mechanism.scenes.iter();
-        scenes.any(|scene| scene.linkage.is_some())
-    })
+    /// The mechanisms with at least one scene that is a linkage.
+    fn linkages(self) -> impl Iterator<Item = &'static Mechanism> {
+        self.0.iter().filter(|mechanism| {
+            let mut scenes = mechanism.scenes.iter();
+            scenes.any(|scene| scene.linkage.is_some())
+        })
+    }
 }
 
 fn name_one(what: &str, command: &str, list: Vec<&'static Mechanism>) -> Failure {
@@ -87,38 +94,32 @@ pub fn scene(
     )))
 }
 
-/// The linkage of this name among the scenes, the first one if none is given.
-///
-/// # Errors
-/// When there is none, or the scene moves by its equations of motion.
-pub fn linkage(
-    mechanism: &'static Mechanism,
-    name: Option<&str>,
-) -> Result<&'static SceneEntry, Failure> {
-    let found = scene(mechanism, name)?;
-    if found.linkage.is_some() {
-        return Ok(found);
-    }
-    let others = mechanism
-        .scenes
-        .iter()
-        .filter(|scene| scene.linkage.is_some());
+/// That a scene is no linkage.
+pub fn no_linkage(registry: Registry, mechanism: &Mechanism, found: &SceneEntry) -> Failure {
+    let others = mechanism.scenes.iter();
+    let others = others.filter(|scene| scene.linkage.is_some());
     let others: Vec<_> = others.map(|scene| scene.name).collect();
-    let failure = Failure::request(format!(
+    let everywhere: Vec<_> = registry.linkages().map(|one| one.name).collect();
+    Failure::request(format!(
         "scene `{}` of `{}` is no linkage",
         found.name, mechanism.name
     ))
-    .reason("it moves by its equations of motion, and closes no loops");
-    if let (None, Some(first)) = (name, others.first()) {
-        return Err(failure.remedy(format!("choose one: --scene {first}")));
-    }
-    let everywhere: Vec<_> = linkages().map(|mechanism| mechanism.name).collect();
-    Err(
-        failure.remedy(match (others.as_slice(), everywhere.as_slice()) {
-            ([], []) => "no mechanism has a linkage yet".to_owned(),
-            ([], names) => format!("linkages are in: {}", names.join(", ")),
-            (names, _) => format!("choose one: --scene {}", names.join(", --scene ")),
-        }),
+    .reason("it moves by its equations of motion, and closes no loops")
+    .remedy(match (others.as_slice(), everywhere.as_slice()) {
+        ([], []) => "no mechanism has a linkage yet".to_owned(),
+        ([], names) => format!("linkages are in: {}", names.join(", ")),
+        (names, _) => format!("choose one: --scene {}", names.join(", --scene ")),
+    })
+}
+
+/// That a scene has no measures.
+pub fn no_measures(mechanism: &Mechanism, found: &SceneEntry) -> Failure {
+    Failure::request(format!(
+        "scene `{}` of `{}` has no measures",
+        found.name, mechanism.name
+    ))
+    .remedy(
+        "a measure is stated in the equation file, `measure x_max = peak(x);`, and holds for scenes that run",
     )
 }
 

@@ -6,32 +6,28 @@ use assur::problem::Span;
 use assur::registry::{Mechanism, SceneEntry};
 
 use crate::arguments::{Format, Rows, RunArguments};
+use crate::asked::For;
 use crate::case::Case;
-use crate::constants::Constants;
 use crate::error::Failure;
+use crate::lookup::Registry;
 use crate::output::{self, Destination};
 use crate::plot::Selection;
 use crate::progress::Progress;
 use crate::report::{self, Report};
-use crate::{csv, events, json, linkage, lookup, plot, style, table, values};
+use crate::{csv, events, json, linkage, plot, style, table, values};
 
 /// Runs a scene. Everything is computed first; then the figure is written, then the answer is printed.
 ///
 /// # Errors
 /// A wrong request, or numbers that do not come out, nothing being written then; or a motion that is not accurate, after all
 /// else is printed.
-pub fn execute(options: &RunArguments) -> Result<(), Failure> {
-    let Some(name) = &options.name else {
-        return Err(lookup::no_mechanism("run"));
-    };
-    let mechanism = lookup::mechanism(name)?;
-    let scene = lookup::scene(mechanism, options.scene.as_deref())?;
+pub fn execute(options: &RunArguments, registry: Registry) -> Result<(), Failure> {
+    let (mechanism, constants) = options.asked.find(registry, "run", For::All)?;
+    let scene = constants.scene;
     check_rows(options, scene)?;
     if scene.linkage.is_some() {
-        return linkage::run::execute(options, mechanism, scene);
+        return linkage::run::execute(options, mechanism, constants);
     }
-    let constants =
-        Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
     let places = options
         .at
         .iter()
@@ -54,7 +50,7 @@ pub fn execute(options: &RunArguments) -> Result<(), Failure> {
             ),
         );
     }
-    let progress = Progress::start(format!("{name}, scene {}", scene.name), 0);
+    let progress = Progress::start(format!("{}, scene {}", mechanism.name, scene.name), 0);
     let report = report::collect(mechanism, case, settings, &places)?;
     drop(progress);
     let drawn = match figure.filter(|_| !report.curves.times.is_empty()) {

@@ -6,6 +6,7 @@ use assur::registry::{Mechanism, SceneEntry, Settings};
 use assur::shape::LinkageEntry;
 
 use crate::arguments::ScenesArguments;
+use crate::asked::For;
 use crate::case::Case;
 use crate::constants::Constants;
 use crate::effects::{self, Cycle};
@@ -15,7 +16,7 @@ use crate::linkage::report::task;
 use crate::linkage::wording::{Names, tell};
 use crate::linkage::{self, group};
 use crate::list::composition;
-use crate::lookup;
+use crate::lookup::Registry;
 use crate::number;
 use crate::output;
 use crate::progress::Progress;
@@ -34,11 +35,8 @@ const LONG: f64 = 0.1;
 ///
 /// # Errors
 /// A wrong request; or a scene that does not come out, after the others have been printed.
-pub fn execute(options: &ScenesArguments) -> Result<(), Failure> {
-    let Some(name) = &options.name else {
-        return Err(lookup::no_mechanism("scenes"));
-    };
-    let mechanism = lookup::mechanism(name)?;
+pub fn execute(options: &ScenesArguments, registry: Registry) -> Result<(), Failure> {
+    let mechanism = registry.mechanism(options.name.as_deref(), "scenes", For::All)?;
     let settings = Settings::new(method(None)?, DEFAULT_RTOL);
     let of_kind = |linkages: bool| {
         let scenes = mechanism.scenes.iter();
@@ -51,7 +49,7 @@ pub fn execute(options: &ScenesArguments) -> Result<(), Failure> {
         .map(|scene| linkage::case::Case::new(constants(mechanism, scene, options)?))
         .collect::<Result<Vec<_>, _>>()?;
     let parts = mechanism.scenes.len() as u64;
-    let progress = Progress::start(format!("{name}, all scenes"), parts);
+    let progress = Progress::start(format!("{}, all scenes", mechanism.name), parts);
     let mut measured = Vec::new();
     for case in &cases {
         measured.push(Measured::of(case, settings.clone()));
@@ -97,12 +95,12 @@ fn constants(
         let mut constants = scene.constants.iter();
         constants.any(|constant| constant.quantity.name == name)
     };
-    let sets = options
-        .set
-        .iter()
-        .filter(|text| has(scene, text) || !mechanism.scenes.iter().any(|other| has(other, text)));
+    let sets =
+        options.values.set.iter().filter(|text| {
+            has(scene, text) || !mechanism.scenes.iter().any(|other| has(other, text))
+        });
     let sets: Vec<_> = sets.cloned().collect();
-    Constants::from_options(mechanism, scene, options.preset.as_deref(), &sets)
+    Constants::from_options(mechanism, scene, options.values.preset.as_deref(), &sets)
 }
 
 /// What was found out about one scene.

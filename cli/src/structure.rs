@@ -6,12 +6,12 @@ use assur::shape::EquationText;
 use serde_json::{Value, json};
 
 use crate::arguments::{StructureArguments, StructureFormat};
-use crate::constants::Constants;
+use crate::asked::For;
 use crate::error::Failure;
 use crate::linkage::case::Case;
 use crate::linkage::group;
 use crate::linkage::wording::{Names, tell};
-use crate::lookup;
+use crate::lookup::Registry;
 use crate::number;
 use crate::output;
 use crate::style::{self, Style};
@@ -26,14 +26,8 @@ const FORMAT: &str = "assur-structure/1";
 ///
 /// # Errors
 /// A wrong request; or a linkage that cannot be put together, after its structure is printed.
-pub fn execute(options: &StructureArguments) -> Result<(), Failure> {
-    let Some(name) = &options.name else {
-        return Err(lookup::no_linkage("structure"));
-    };
-    let mechanism = lookup::mechanism(name)?;
-    let scene = lookup::linkage(mechanism, options.scene.as_deref())?;
-    let constants =
-        Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
+pub fn execute(options: &StructureArguments, registry: Registry) -> Result<(), Failure> {
+    let (mechanism, constants) = options.asked.find(registry, "structure", For::Linkages)?;
     let case = Case::new(constants)?;
     let start = start(&case);
     let text = match options.format {

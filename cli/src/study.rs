@@ -14,6 +14,7 @@ pub use arguments::{EXAMPLES, StudyArguments};
 
 use crate::arguments::Format;
 use crate::error::Failure;
+use crate::lookup::Registry;
 use crate::output::{self, Destination};
 use crate::style;
 use question::Question;
@@ -22,8 +23,8 @@ use question::Question;
 ///
 /// # Errors
 /// A wrong request, or a study of which no run comes out. Nothing is written then.
-pub fn execute(options: &StudyArguments) -> Result<(), Failure> {
-    let question = Question::read(options)?;
+pub fn execute(options: &StudyArguments, registry: Registry) -> Result<(), Failure> {
+    let question = Question::read(options, registry)?;
     let figure = match &options.plot {
         Some(path) => Some(Destination::figure(path)?),
         None => None,

@@ -12,6 +12,7 @@ pub use arguments::{EXAMPLES, ToleranceArguments};
 
 use crate::arguments::Format;
 use crate::error::Failure;
+use crate::lookup::Registry;
 use crate::output::{self, Destination};
 use crate::{plot, style};
 use question::Question;
@@ -20,8 +21,8 @@ use question::Question;
 ///
 /// # Errors
 /// A wrong request, or a linkage that does not get to a place. Nothing is written then.
-pub fn execute(options: &ToleranceArguments) -> Result<(), Failure> {
-    let question = Question::read(options)?;
+pub fn execute(options: &ToleranceArguments, registry: Registry) -> Result<(), Failure> {
+    let question = Question::read(options, registry)?;
     let figure = match &options.plot {
         Some(path) => Some(Destination::figure(path)?),
         None => None,

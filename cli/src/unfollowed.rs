@@ -155,11 +155,12 @@ fn listed(scene: &SceneEntry, modes: &[usize]) -> String {
 mod tests {
     use super::*;
     use crate::lookup;
+    use assur_equations::REGISTRY;
 
     fn scene() -> &'static SceneEntry {
-        let found = lookup::mechanism("table_drive");
-        let scene = found.and_then(|mechanism| lookup::scene(mechanism, Some("loose")));
-        scene.expect("a scene with modes")
+        let mechanism = REGISTRY.iter().find(|one| one.name == "table_drive");
+        let scene = lookup::scene(mechanism.expect("it comes with Assur"), Some("loose"));
+        scene.unwrap_or_else(|_| panic!("a scene with modes"))
     }
 
     #[test]

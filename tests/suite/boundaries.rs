@@ -18,12 +18,12 @@ const ARROWS: [(&str, &str, Allowed); 6] = [
         "",
         Allowed::Only(&["assur-macros", "assur-solvers"]),
     ),
-    ("assur-equations", "equations", Allowed::Only(&["assur"])),
     (
-        "assur-cli",
-        "cli",
-        Allowed::Of(&["assur", "assur-equations", "assur-model"]),
+        "assur-equations",
+        "equations",
+        Allowed::Only(&["assur", "assur-cli"]),
     ),
+    ("assur-cli", "cli", Allowed::Of(&["assur", "assur-model"])),
 ];
 
 /// What a package may depend on.

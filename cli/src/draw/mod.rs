@@ -22,16 +22,17 @@ use assur::registry::{Mechanism, Sample};
 use assur::shape::Quantity;
 
 use crate::arguments::DrawArguments;
-use crate::constants::Constants;
+use crate::asked::For;
 use crate::error::Failure;
 use crate::linkage::case::{Case, Task};
 use crate::linkage::line::Line;
 use crate::linkage::place;
 use crate::linkage::report::snapshot;
 use crate::linkage::wording::{Names, contradiction, tell};
+use crate::lookup::Registry;
+use crate::number;
 use crate::output::{self, Destination};
 use crate::plot::name;
-use crate::{lookup, number};
 use geometry::Geometry;
 
 /// Positions that are drawn unless others are asked for.
@@ -48,14 +49,9 @@ const FRAMES: usize = 96;
 /// # Errors
 /// A wrong request, nothing being written then; or a linkage that does not get everywhere, after the rest of its way has
 /// been drawn.
-pub fn execute(options: &DrawArguments) -> Result<(), Failure> {
-    let Some(name) = &options.name else {
-        return Err(lookup::no_linkage("draw"));
-    };
-    let mechanism = lookup::mechanism(name)?;
-    let scene = lookup::linkage(mechanism, options.scene.as_deref())?;
-    let constants =
-        Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
+pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failure> {
+    let (mechanism, constants) = options.asked.find(registry, "draw", For::Linkages)?;
+    let scene = constants.scene;
     let directory = options.out.clone().unwrap_or_else(|| PathBuf::from("."));
     let file = |what: &str| {
         let name = format!("{}-{}-{what}.svg", mechanism.name, scene.name);

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use assur::registry::{Mechanism, SceneEntry};
+use assur::registry::Mechanism;
 
 use super::case::{Case, Task};
 use super::report::{self, Report};
@@ -24,10 +24,9 @@ use crate::style;
 pub fn execute(
     options: &RunArguments,
     mechanism: &'static Mechanism,
-    scene: &'static SceneEntry,
+    constants: Constants,
 ) -> Result<(), Failure> {
-    let constants =
-        Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
+    let scene = constants.scene;
     without_integration(options)?;
     let curves = Selection::read(scene, options.curves.as_deref())?;
     let figure = match figure_path(options, mechanism, scene) {

@@ -11,12 +11,13 @@ use assur::registry::{Listed, Listing, Mechanism};
 use clap::Args;
 
 use crate::arguments::Format;
-use crate::constants::Constants;
+use crate::asked::{Asked, For};
 use crate::error::Failure;
 use crate::linkage::case::Case;
 use crate::linkage::place::{self, Place};
 use crate::linkage::wording::{Names, Told, tell};
-use crate::{lookup, output, style};
+use crate::lookup::Registry;
+use crate::{output, style};
 
 /// Examples, and what the formats contain.
 pub const EXAMPLES: &str = "Examples:
@@ -32,17 +33,8 @@ One JSON object is printed with --format json, \"assur-modes/1\"; csv has one ro
 /// Options of `assur modes`.
 #[derive(Args, Debug)]
 pub struct ModesArguments {
-    /// The mechanism, as `assur list` names it.
-    pub name: Option<String>,
-    /// The scene; the first one of the file unless given.
-    #[arg(long, value_name = "SCENE")]
-    pub scene: Option<String>,
-    /// A named set of values to start from.
-    #[arg(long, value_name = "PRESET")]
-    pub preset: Option<String>,
-    /// A dimension or parameter with its unit, `l4=91mm`; may be repeated.
-    #[arg(long, value_name = "NAME=VALUE")]
-    pub set: Vec<String>,
+    #[command(flatten)]
+    pub asked: Asked,
     /// A position of the drivers, `phi4=90deg`; may be repeated. Where they start unless given.
     #[arg(long, value_name = "NAME=VALUE")]
     pub at: Vec<String>,
@@ -77,14 +69,8 @@ pub struct Found {
 ///
 /// # Errors
 /// A wrong request. That a linkage cannot be assembled somewhere is an answer, not an error.
-pub fn execute(options: &ModesArguments) -> Result<(), Failure> {
-    let Some(name) = &options.name else {
-        return Err(lookup::no_linkage("modes"));
-    };
-    let mechanism = lookup::mechanism(name)?;
-    let scene = lookup::linkage(mechanism, options.scene.as_deref())?;
-    let constants =
-        Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
+pub fn execute(options: &ModesArguments, registry: Registry) -> Result<(), Failure> {
+    let (mechanism, constants) = options.asked.find(registry, "modes", For::Linkages)?;
     let case = Case::new(constants)?;
     let places = match options.at.as_slice() {
         [] => vec![place::start(&case)?],

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::arguments::Format;
+use crate::asked::Asked;
 use crate::settings::Accuracy;
 
 /// Examples, and what the formats contain.
@@ -22,17 +23,8 @@ Formats: json prints one object, \"assur-study/1\"; csv one row a run.";
 /// Options of `assur study`.
 #[derive(Args, Debug, Default)]
 pub struct StudyArguments {
-    /// The mechanism, as `assur list` names it.
-    pub name: Option<String>,
-    /// The scene; the first one that has measures unless given.
-    #[arg(long, value_name = "SCENE")]
-    pub scene: Option<String>,
-    /// A named set of values to start from.
-    #[arg(long, value_name = "PRESET")]
-    pub preset: Option<String>,
-    /// A dimension or parameter with its unit, `c=700[N m/rad]`; may be repeated.
-    #[arg(long, value_name = "NAME=VALUE")]
-    pub set: Vec<String>,
+    #[command(flatten)]
+    pub asked: Asked,
     /// A value that is gone through, `omega=200..400[1/s]:41`; once or twice.
     #[arg(long, value_name = "NAME=FROM..TO:COUNT")]
     pub over: Vec<String>,

@@ -7,9 +7,11 @@ use assur::study;
 use super::arguments::StudyArguments;
 use super::range::{self, Range};
 use super::tolerance;
+use crate::asked::For;
 use crate::constants::Constants;
 use crate::error::Failure;
-use crate::lookup::{self, suggestion};
+use crate::lookup::Registry;
+use crate::lookup::suggestion;
 use crate::values;
 
 /// Most runs of a study.
@@ -48,14 +50,9 @@ impl Question {
     ///
     /// # Errors
     /// Whatever is unknown, cannot be, or does not go together.
-    pub fn read(options: &StudyArguments) -> Result<Self, Failure> {
-        let Some(name) = &options.name else {
-            return Err(lookup::no_mechanism("study"));
-        };
-        let mechanism = lookup::mechanism(name)?;
-        let scene = scene(mechanism, options.scene.as_deref())?;
-        let constants =
-            Constants::from_options(mechanism, scene, options.preset.as_deref(), &options.set)?;
+    pub fn read(options: &StudyArguments, registry: Registry) -> Result<Self, Failure> {
+        let (mechanism, constants) = options.asked.find(registry, "study", For::Measured)?;
+        let scene = constants.scene;
         let way = match &options.samples {
             Some(samples) => random(options, scene, &constants, samples)?,
             None => grid(options, scene, &constants)?,
@@ -93,29 +90,6 @@ impl Question {
             }
             Way::Random(constants, _, seed) => study::drawn(constants, &values, *seed, index),
         }
-    }
-}
-
-/// The scene that is asked for, or the first that has measures.
-fn scene(
-    mechanism: &'static Mechanism,
-    name: Option<&str>,
-) -> Result<&'static SceneEntry, Failure> {
-    let measured = |scene: &&SceneEntry| !scene.measures.is_empty();
-    let scene = match name {
-        Some(_) => lookup::scene(mechanism, name)?,
-        None => match mechanism.scenes.iter().find(measured) {
-            Some(scene) => scene,
-            None => lookup::scene(mechanism, None)?,
-        },
-    };
-    match measured(&scene) {
-        true => Ok(scene),
-        false => Err(Failure::request(format!(
-            "scene `{}` of `{}` has no measures",
-            scene.name, mechanism.name
-        ))
-        .remedy("a measure is stated in the equation file, `measure x_max = peak(x);`, and holds for scenes that run")),
     }
 }
 

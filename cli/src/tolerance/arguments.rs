@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use crate::arguments::Format;
+use crate::asked::Asked;
 
 /// Examples, and what the formats contain.
 pub const EXAMPLES: &str = "Examples:
@@ -29,17 +30,8 @@ Formats: json prints one object, \"assur-tolerance/1\", csv the bands and contri
 /// Options of `assur tolerance`.
 #[derive(Args, Debug, Default)]
 pub struct ToleranceArguments {
-    /// The mechanism, as `assur list` names it.
-    pub name: Option<String>,
-    /// The scene; the first one that is a linkage unless given.
-    #[arg(long, value_name = "SCENE")]
-    pub scene: Option<String>,
-    /// A named set of values to start from.
-    #[arg(long, value_name = "PRESET")]
-    pub preset: Option<String>,
-    /// A dimension or parameter with its unit, `l4=91mm`; may be repeated.
-    #[arg(long, value_name = "NAME=VALUE")]
-    pub set: Vec<String>,
+    #[command(flatten)]
+    pub asked: Asked,
     /// Positions of drivers, `phi4=90deg`; may be repeated. The others stand where they start.
     #[arg(long, value_name = "NAME=VALUE")]
     pub at: Vec<String>,

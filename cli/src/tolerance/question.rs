@@ -4,16 +4,18 @@ mod names;
 mod wanted;
 
 use assur::registry::{Mechanism, RunLinkage, SceneEntry};
-use assur::shape::{LinkageEntry, Quantity};
+use assur::shape::Quantity;
 use assur::tolerance::{Sampling, Source, Study};
 
 use super::arguments::{Kind, ToleranceArguments};
 use super::places::{along, range};
+use crate::asked::For;
 use crate::constants::Constants;
 use crate::error::Failure;
 use crate::linkage::case::shown;
 use crate::linkage::wording::contradiction;
 use crate::lookup;
+use crate::lookup::Registry;
 use crate::number;
 use crate::permitted::permitted;
 use crate::values;
@@ -71,14 +73,13 @@ impl Question {
     ///
     /// # Errors
     /// A name, unit or number that is wrong, or a scene that is no linkage.
-    pub fn read(options: &ToleranceArguments) -> Result<Self, Failure> {
-        let Some(name) = &options.name else {
-            return Err(lookup::no_linkage("tolerance"));
+    pub fn read(options: &ToleranceArguments, registry: Registry) -> Result<Self, Failure> {
+        let asked = options.asked.find(registry, "tolerance", For::Linkages)?;
+        let (mechanism, constants) = asked;
+        let scene = constants.scene;
+        let Some(linkage) = &scene.linkage else {
+            return Err(lookup::no_linkage(registry, mechanism, scene));
         };
-        let mechanism = lookup::mechanism(name)?;
-        let (scene, linkage) = scene(mechanism, options.scene.as_deref())?;
-        let preset = options.preset.as_deref();
-        let constants = Constants::from_options(mechanism, scene, preset, &options.set)?;
         let run = scene.bind.linkage(&constants.values).map_err(|refused| {
             Failure::request(format!(
                 "scene `{}` does not accept these values",
@@ -177,24 +178,4 @@ fn changed(constants: &Constants) -> String {
             .to_owned()
     });
     words.collect::<Vec<_>>().join(", ")
-}
-
-/// The scene, the first linkage if none is named.
-fn scene(
-    mechanism: &'static Mechanism,
-    name: Option<&str>,
-) -> Result<(&'static SceneEntry, &'static LinkageEntry), Failure> {
-    let mut scenes = mechanism.scenes.iter();
-    let first = scenes.find(|scene| scene.linkage.is_some());
-    let scene = match (name, first) {
-        (None, Some(first)) => first,
-        _ => lookup::linkage(mechanism, name)?,
-    };
-    match &scene.linkage {
-        Some(linkage) => Ok((scene, linkage)),
-        None => Err(Failure::request(format!(
-            "scene `{}` is no linkage",
-            scene.name
-        ))),
-    }
 }

@@ -2,11 +2,11 @@
 
 use super::linkage::Bound;
 use crate::closure::Linkage;
-#[cfg(feature = "allocation")]
-use crate::tolerance::{Allocation, AllocationError, Candidate, Rule};
 use crate::tolerance::{
     self, Differences, Extremes, Influences, MonteCarlo, Quadratic, Sampling, Study, ToleranceError,
 };
+#[cfg(feature = "allocation")]
+use crate::tolerance::{Allocation, AllocationError, Candidate, Rule};
 
 /// A linkage whose dimensions are fixed, but for their tolerances. Each run is explained where the solvers have it, in
 /// [`mod@crate::tolerance`].

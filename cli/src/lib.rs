@@ -1,4 +1,5 @@
-//! The command `assur`: runs, checks and explains the mechanisms of `assur-equations`.
+//! The command `assur` for any mechanisms: [`main`] is what a program of four lines calls with those of its own crate,
+//! as `examples/own.rs` does.
 //!
 //! It knows no mechanism. Everything that it says about one comes from the registry or from an equation file.
 //!
@@ -10,6 +11,7 @@
 //! | 130 | interrupted; nothing is left half written |
 
 mod arguments;
+mod asked;
 mod case;
 mod check;
 mod constants;
@@ -59,25 +61,30 @@ mod variables;
 use std::process::ExitCode;
 
 use arguments::{Arguments, Command};
+use assur::registry::Mechanism;
 use clap::Parser;
+use lookup::Registry;
 
-fn main() -> ExitCode {
+/// Does what the arguments of the process ask for, about these mechanisms, `REGISTRY` of
+/// [`equations!`](assur::equations).
+pub fn main(mechanisms: &'static [Mechanism]) -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(refused) => return refuse(&refused),
     };
     output::clean_up_on_interrupt();
+    let registry = Registry(mechanisms);
     let outcome = match &arguments.command {
-        Command::List => list::execute(),
-        Command::Run(options) => run::execute(options),
-        Command::Draw(options) => draw::execute(options),
-        Command::Structure(options) => structure::execute(options),
+        Command::List => list::execute(registry),
+        Command::Run(options) => run::execute(options, registry),
+        Command::Draw(options) => draw::execute(options, registry),
+        Command::Structure(options) => structure::execute(options, registry),
         Command::Check(options) => check::execute(options),
-        Command::Expand(options) => expand::execute(options),
-        Command::Scenes(options) => scenes::execute(options),
-        Command::Modes(options) => modes::execute(options),
-        Command::Study(options) => study::execute(options),
-        Command::Tolerance(options) => tolerance::execute(options),
+        Command::Expand(options) => expand::execute(options, registry),
+        Command::Scenes(options) => scenes::execute(options, registry),
+        Command::Modes(options) => modes::execute(options, registry),
+        Command::Study(options) => study::execute(options, registry),
+        Command::Tolerance(options) => tolerance::execute(options, registry),
     };
     ended(outcome)
 }

@@ -311,10 +311,7 @@ fn scenes_and_files_are_summed_up() {
         assert!(text.contains(word), "{word} is missing in\n{text}");
     }
     assert!(answer(&["list"], &directory).contains("moved by phi4"));
-    let file = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../equations/src/heald_linkage.eqn"
-    );
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/src/heald_linkage.eqn");
     let text = answer(&["check", file], &directory);
     assert!(
         text.contains("unknowns") && !text.contains("states"),
