@@ -13,6 +13,8 @@
 extern crate self as assur;
 
 pub use assur_macros::{equations, mechanism};
+#[doc(hidden)]
+pub use assur_solvers::composite;
 pub use assur_solvers::{
     check, closure, dense, dispatch, hybrid, measure, ode, periodic, problem, registry, scalar,
     series, shape, stiff, study, tolerance,

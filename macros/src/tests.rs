@@ -84,13 +84,19 @@ fn check(name: &str, emitted: &str) {
     assert_eq!(golden.lines().count(), emitted.lines().count(), "{name}");
 }
 
-const PENDULUM: &str = include_str!("golden/pendulum.eqn");
 const BATTEN: &str = include_str!("../../equations/src/batten.eqn");
 
+/// A motion, one with modes, and a linkage.
 #[test]
-fn pendulum() {
-    let emitted = emitted(PENDULUM, "pendulum.eqn", |_| true);
-    check("pendulum.rs", &prettyplease::unparse(&emitted));
+fn small_mechanisms() {
+    for (name, text) in [
+        ("pendulum", include_str!("golden/pendulum.eqn")),
+        ("ball", include_str!("golden/ball.eqn")),
+        ("four_bar", include_str!("golden/four_bar.eqn")),
+    ] {
+        let emitted = emitted(text, &format!("{name}.eqn"), |_| true);
+        check(&format!("{name}.rs"), &prettyplease::unparse(&emitted));
+    }
 }
 
 #[test]

@@ -5,6 +5,14 @@
 #[path = "../src/golden/pendulum.rs"]
 mod pendulum;
 
+#[rustfmt::skip]
+#[path = "../src/golden/ball.rs"]
+mod ball;
+
+#[rustfmt::skip]
+#[path = "../src/golden/four_bar.rs"]
+mod four_bar;
+
 /// The pieces of one emitted module, which has the same attributes.
 #[allow(
     clippy::all,

@@ -125,10 +125,10 @@ pub trait Equations<S: Scalar> {
     fn jacobian(&self, instant: &Self::Instant, state: &Self::State, columns: &mut [Self::State]);
 
     /// Writes the outputs of the scene, in their declared order. Shape: [`Shape::outputs`].
-    fn outputs(&self, time: S, state: &Self::State, values: &mut [S]);
+    fn outputs(&self, _time: S, _state: &Self::State, _values: &mut [S]) {}
 
     /// Writes the positions of the drivers at a time, in their declared order.
-    fn drivers(&self, time: S, values: &mut [S]);
+    fn drivers(&self, _time: S, _values: &mut [S]) {}
 
     /// Writes by how much the loops that the motion carries along close at a time, see
     /// [`Run::margins`](crate::registry::Run::margins).

@@ -1,7 +1,7 @@
 //! A record of all that the command answers, to be compared between two commits:
 //!
 //! ```text
-//! ASSUR_RECORD=before cargo test --release -p assur-cli --test command record -- --ignored
+//! ASSUR_RECORD=before cargo test --release -p assur-equations --test command record -- --ignored
 //! ASSUR_RECORD=after  …
 //! diff -r before after
 //! ```

@@ -42,12 +42,10 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
     let modes = layout.modes.iter().map(|mode| {
         let (equations, instant) = (equations::items(mode), instant::items(mode));
         let (outputs, events) = (outputs::inherent(mode), events(mode));
-        let slopes = slopes::of_mode(mode);
-        quote!(#equations #instant #outputs #events #slopes)
+        quote!(#equations #instant #outputs #events)
     });
     let composite = composite(layout);
-    let slopes = slopes::of_scene(layout, &parts(layout));
-    quote!(#(#modes)* #composite #slopes)
+    quote!(#(#modes)* #composite)
 }
 
 /// The variants of the instant, and the fields of the equations.
@@ -62,212 +60,38 @@ fn parts(layout: &Layout<'_>) -> (Vec<Ident>, Vec<Ident>) {
     )
 }
 
+/// The equations of the scene: a macro of the library goes on to those of the modes.
 fn composite(layout: &Layout<'_>) -> TokenStream {
     let (name, instant) = (&layout.equations, &layout.instant);
     let (variants, fields) = parts(layout);
-    let equations: Vec<&Ident> = layout.modes.iter().map(|mode| &mode.equations).collect();
-    let instants: Vec<&Ident> = layout.modes.iter().map(|mode| &mode.instant).collect();
-    let numbers: Vec<_> = (0..fields.len()).map(size).collect();
-    let states = size(layout.states());
-    let first = &fields[layout.scene.first];
-    let margins = (!layout.scene.carried.is_empty()).then(|| {
-        quote! {
-            #[inline(always)]
-            fn margins(&self, time: S, values: &mut [S]) {
-                self.#first.margins(time, values);
-            }
-        }
-    });
-    let measures = (!layout.scene.measures.is_empty()).then(|| {
-        quote! {
-            #[inline(always)]
-            fn measured(&self, time: S, state: &Self::State, values: &mut [S]) {
-                match self.mode_ {
-                    #(#numbers => self.#fields.measured(time, state, values),)*
-                    _ => ::core::unreachable!(),
-                }
-            }
-
-            #[inline(always)]
-            fn measures(&self, found: &[S], values: &mut [S]) {
-                self.#first.measures(found, values);
-            }
-        }
-    });
-    let texts = layout
-        .scene
-        .modes
-        .iter()
-        .map(|mode| match mode.name.as_str() {
+    let modes = layout.modes.iter().zip(&layout.scene.modes).enumerate();
+    let modes = modes.zip(variants.iter().zip(&fields));
+    let modes = modes.map(|((index, (mode, own)), (variant, field))| {
+        let text = match own.name.as_str() {
             "" => docs::lines("The only mode."),
             name => docs::lines(&format!("In the mode `{name}`.")),
-        });
-    let text = docs::lines(&format!(
+        };
+        let (index, of, equations) = (size(index), &mode.instant, &mode.equations);
+        quote!(#text #index #variant(#of) #field: #equations,)
+    });
+    let cyclic = slopes::has(layout).then(|| quote!(cyclic));
+    let [text, other] = [
         "Equations of [`{}`], prepared for a scalar type: those of the mode that it is in.",
-        layout.parameters
-    ));
-    let other = docs::lines(&format!(
         "What the equations of [`{}`] need of one time.",
-        layout.parameters
-    ));
+    ]
+    .map(|text| docs::lines(&text.replace("{}", &layout.parameters.to_string())));
+    let states = size(layout.states());
+    let (begin, first) = (&variants[layout.scene.first], &fields[layout.scene.first]);
     quote! {
-        #text
-        #[derive(Clone, Copy, Debug)]
-        pub struct #name<S: ::assur::scalar::Scalar> {
-            mode_: usize,
-            #(#fields: #equations<S>),*
-        }
-
-        #other
-        #[derive(Clone, Copy, Debug)]
-        pub enum #instant<S: ::assur::scalar::Scalar> {
-            #(#texts #variants(#instants<S>)),*
-        }
-
-        impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for #name<S> {
-            type State = [S; #states];
-            type Instant = #instant<S>;
-
-            #[inline(always)]
-            fn states(&self) -> usize {
-                #states
-            }
-
-            #[inline(always)]
-            fn instant(&self, time: S) -> Self::Instant {
-                match self.mode_ {
-                    #(#numbers => #instant::#variants(self.#fields.instant(time)),)*
-                    _ => ::core::unreachable!(),
-                }
-            }
-
-            #[inline(always)]
-            fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
-                match self.mode_ {
-                    #(#numbers => {
-                        let instants = self.#fields.instants(times);
-                        ::core::array::from_fn(|k_| #instant::#variants(instants[k_]))
-                    })*
-                    _ => ::core::unreachable!(),
-                }
-            }
-
-            #[inline(always)]
-            fn derivative(&self, instant: &Self::Instant, state: &Self::State, rate: &mut Self::State) {
-                match instant {
-                    #(#instant::#variants(instant) => self.#fields.derivative(instant, state, rate),)*
-                }
-            }
-
-            #[inline(always)]
-            fn sweep(&self, times: &[S], stages: &mut dyn ::assur::problem::Stages<S>) -> bool {
-                match self.mode_ {
-                    #(#numbers => self.#fields.sweep(times, stages),)*
-                    _ => ::core::unreachable!(),
-                }
-            }
-
-            #[inline(always)]
-            fn series(&self, time: S, length: S, rows: &mut [S]) -> bool {
-                match self.mode_ {
-                    #(#numbers => self.#fields.series(time, length, rows),)*
-                    _ => ::core::unreachable!(),
-                }
-            }
-
-            #[inline(always)]
-            fn variation(
-                &self,
-                instant: &Self::Instant,
-                state: &Self::State,
-                rate: &mut Self::State,
-                columns: &[Self::State],
-                products: &mut [Self::State],
-            ) {
-                match instant {
-                    #(#instant::#variants(instant) => {
-                        self.#fields.variation(instant, state, rate, columns, products)
-                    })*
-                }
-            }
-
-            #[inline(always)]
-            fn jacobian(&self, instant: &Self::Instant, state: &Self::State, columns: &mut [Self::State]) {
-                match instant {
-                    #(#instant::#variants(instant) => self.#fields.jacobian(instant, state, columns),)*
-                }
-            }
-
-            #[inline(always)]
-            fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
-                match self.mode_ {
-                    #(#numbers => self.#fields.outputs(time, state, values),)*
-                    _ => ::core::unreachable!(),
-                }
-            }
-
-            #[inline(always)]
-            fn drivers(&self, time: S, values: &mut [S]) {
-                match self.mode_ {
-                    #(#numbers => self.#fields.drivers(time, values),)*
-                    _ => ::core::unreachable!(),
-                }
-            }
-
-            #margins
-            #measures
-        }
-
-        impl<S: ::assur::scalar::Scalar> ::assur::hybrid::Modes<S> for #name<S> {
-            #[inline(always)]
-            fn mode(&self) -> usize {
-                self.mode_
-            }
-
-            #[inline(always)]
-            fn enter(&mut self, mode: usize) {
-                self.mode_ = mode;
-            }
-
-            #[inline(always)]
-            fn side(&mut self, surface: usize, side: S) {
-                match self.mode_ {
-                    #(#numbers => self.#fields.side_(surface, side),)*
-                    _ => ::core::unreachable!(),
-                }
-            }
-
-            #[inline(always)]
-            fn guards(&self, instant: &Self::Instant, state: &Self::State, values: &mut [S], rates: &mut [S]) {
-                match instant {
-                    #(#instant::#variants(instant) => self.#fields.guards_(instant, state, values, rates),)*
-                }
-            }
-
-            #[inline(always)]
-            fn look(&self, time: S, state: &Self::State, values: &mut [S], rates: &mut [S]) {
-                match self.mode_ {
-                    #(#numbers => {
-                        let instant = ::assur::problem::Equations::instant(&self.#fields, time);
-                        self.#fields.guards_(&instant, state, values, rates)
-                    })*
-                    _ => ::core::unreachable!(),
-                }
-            }
-
-            #[inline(always)]
-            fn permits(&self, event: usize, instant: &Self::Instant, state: &Self::State) -> bool {
-                match instant {
-                    #(#instant::#variants(instant) => self.#fields.permits_(event, instant, state),)*
-                }
-            }
-
-            #[inline(always)]
-            fn jump(&self, event: usize, instant: &Self::Instant, state: &Self::State, after: &mut Self::State) {
-                match instant {
-                    #(#instant::#variants(instant) => self.#fields.jump_(event, instant, state, after),)*
-                }
-            }
+        ::assur::composite! {
+            #cyclic
+            #text
+            #name,
+            #other
+            #instant,
+            states #states,
+            first #begin #first,
+            #(#modes)*
         }
     }
 }
@@ -316,37 +140,48 @@ pub fn prepare(layout: &Layout<'_>) -> (TokenStream, TokenStream) {
     )
 }
 
-/// The methods of a mode's equations for its events.
+/// What the equations of a mode say of its events.
 fn events(layout: &Layout<'_>) -> TokenStream {
     let events = &layout.program().results.events;
-    let (name, instant) = (&layout.equations, &layout.instant);
-    let states = size(layout.states());
+    let name = &layout.equations;
     let values: Vec<Value> = events
         .iter()
         .flat_map(|event| [event.guard, event.rate])
         .collect();
-    let guards = match values.is_empty() {
-        true => TokenStream::new(),
-        false => {
-            let body = Body::new(layout, Place::Evaluation, &values, &[]);
-            let statements = body.statements(&values);
-            let (some, others) = (
-                first(quote!(values), events.len()),
-                first(quote!(rates), events.len()),
-            );
-            let writes = events.iter().enumerate().map(|(index, event)| {
-                let (index, value, rate) =
-                    (size(index), body.value(event.guard), body.value(event.rate));
-                quote!(values[#index] = #value; rates[#index] = #rate;)
-            });
-            quote!(#some #others #statements #(#writes)*)
+    let guards = (!values.is_empty()).then(|| {
+        let body = Body::new(layout, Place::Evaluation, &values, &[]);
+        let statements = body.statements(&values);
+        let (some, others) = (
+            first(quote!(values), events.len()),
+            first(quote!(rates), events.len()),
+        );
+        let writes = events.iter().enumerate().map(|(index, event)| {
+            let (index, value, rate) =
+                (size(index), body.value(event.guard), body.value(event.rate));
+            quote!(values[#index] = #value; rates[#index] = #rate;)
+        });
+        let guards = layout.body(quote!(#some #others #statements #(#writes)*));
+        quote! {
+            #[inline(always)]
+            fn guards(&self, instant: &Self::Instant, state: &Self::State, values: &mut [S], rates: &mut [S]) {
+                #guards
+            }
         }
-    };
+    });
     let conditions = each(events, |event| {
         let condition = event.condition?;
         let body = Body::new(layout, Place::Evaluation, &[condition], &[]);
         let (statements, value) = (body.statements(&[condition]), body.value(condition));
         Some(quote!({ #statements S::holds(#value) }))
+    });
+    let conditions = (!conditions.is_empty()).then(|| {
+        let conditions = layout.body(quote!(match event { #conditions _ => true, }));
+        quote! {
+            #[inline(always)]
+            fn permits(&self, event: usize, instant: &Self::Instant, state: &Self::State) -> bool {
+                #conditions
+            }
+        }
     });
     let jumps = each(events, |event| {
         if event.after.is_empty() {
@@ -357,33 +192,31 @@ fn events(layout: &Layout<'_>) -> TokenStream {
         let values = event.after.iter().map(|value| body.value(*value));
         Some(quote!({ #statements *after = [#(#values),*]; }))
     });
-    let sides = layout
-        .has_sides()
-        .then(|| quote!(self.sides_[surface] = side;));
-    let guards = layout.body(guards);
-    let conditions = layout.body(quote!(match event { #conditions _ => true, }));
-    let jumps = layout.body(quote!(match event { #jumps _ => *after = *state, }));
-    quote! {
-        impl<S: ::assur::scalar::Scalar> #name<S> {
+    let jumps = (!jumps.is_empty()).then(|| {
+        let jumps = layout.body(quote!(match event { #jumps _ => *after = *state, }));
+        quote! {
             #[inline(always)]
-            fn side_(&mut self, surface: usize, side: S) {
-                #sides
-            }
-
-            #[inline(always)]
-            fn guards_(&self, instant: &#instant<S>, state: &[S; #states], values: &mut [S], rates: &mut [S]) {
-                #guards
-            }
-
-            #[inline(always)]
-            fn permits_(&self, event: usize, instant: &#instant<S>, state: &[S; #states]) -> bool {
-                #conditions
-            }
-
-            #[inline(always)]
-            fn jump_(&self, event: usize, instant: &#instant<S>, state: &[S; #states], after: &mut [S; #states]) {
+            fn jump(&self, event: usize, instant: &Self::Instant, state: &Self::State, after: &mut Self::State) {
                 #jumps
             }
+        }
+    });
+    let sides = layout.has_sides().then(|| {
+        quote! {
+            #[inline(always)]
+            fn side(&mut self, surface: usize, side: S) {
+                self.sides_[surface] = side;
+            }
+        }
+    });
+    let slopes = slopes::of_mode(layout);
+    quote! {
+        impl<S: ::assur::scalar::Scalar> ::assur::hybrid::InMode<S> for #name<S> {
+            #sides
+            #guards
+            #conditions
+            #jumps
+            #slopes
         }
     }
 }

@@ -11,28 +11,31 @@ use super::expression::{size, triangle};
 use super::layout::{Layout, outlined};
 use super::{counts, docs};
 
-/// The methods of `Equations` for outputs and drivers.
+/// The methods of `Equations` for outputs and drivers, where there are any.
 pub fn methods(layout: &Layout<'_>) -> TokenStream {
     let results = &layout.program().results;
-    let outputs = layout.body(writes(layout, &results.outputs));
-    let drivers = layout.body(writes(layout, &results.drivers));
-    let text = docs::operations(counts::of(layout).outputs);
+    let outputs = (!results.outputs.is_empty()).then(|| {
+        let text = docs::operations(counts::of(layout).outputs);
+        let outputs = layout.body(writes(layout, &results.outputs));
+        quote! {
+            #text
+            #[inline(always)]
+            fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
+                #outputs
+            }
+        }
+    });
+    let drivers = (!results.drivers.is_empty()).then(|| {
+        let drivers = layout.body(writes(layout, &results.drivers));
+        quote! {
+            #[inline(always)]
+            fn drivers(&self, time: S, values: &mut [S]) {
+                #drivers
+            }
+        }
+    });
     let (margins, measures) = (margins(layout), measures(layout));
-    quote! {
-        #text
-        #[inline(always)]
-        fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
-            #outputs
-        }
-
-        #[inline(always)]
-        fn drivers(&self, time: S, values: &mut [S]) {
-            #drivers
-        }
-
-        #margins
-        #measures
-    }
+    quote!(#outputs #drivers #margins #measures)
 }
 
 /// The method of `Equations` for loops that are carried along, where there are any.

@@ -1,7 +1,7 @@
 //! How the events of a cycle depend on the state.
 
 use assur_model::checked::SpanKind;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::{Body, Place};
@@ -20,9 +20,7 @@ pub fn of_mode(layout: &Layout<'_>) -> Option<TokenStream> {
         return None;
     }
     let events = &layout.program().results.events;
-    let (name, instant) = (&layout.equations, &layout.instant);
     let count = layout.states();
-    let states = size(count);
     let guards = each(events, |event| {
         let wanted = &event.slopes.guard;
         if wanted.is_empty() {
@@ -49,58 +47,30 @@ pub fn of_mode(layout: &Layout<'_>) -> Option<TokenStream> {
         let rates = rate.iter().map(|value| body.value(*value));
         Some(quote!({ #statements #(#columns)* *rate = [#(#rates),*]; true }))
     });
-    let guards = outlined(quote!(match event { #guards _ => {} }));
-    let jumps = outlined(quote!(match event { #jumps _ => false, }));
-    Some(quote! {
-        impl<S: ::assur::scalar::Scalar> #name<S> {
+    let guards = (!guards.is_empty()).then(|| {
+        let guards = outlined(quote!(match event { #guards _ => {} }));
+        quote! {
             #[inline(always)]
-            fn guard_slopes_(&self, event: usize, instant: &#instant<S>, state: &[S; #states], slopes: &mut [S; #states]) {
+            fn guard_slopes(&self, event: usize, instant: &Self::Instant, state: &Self::State, slopes: &mut Self::State) {
                 #guards
             }
-
+        }
+    });
+    let jumps = (!jumps.is_empty()).then(|| {
+        let jumps = outlined(quote!(match event { #jumps _ => false, }));
+        quote! {
             #[inline(always)]
-            fn jump_slopes_(
+            fn jump_slopes(
                 &self,
                 event: usize,
-                instant: &#instant<S>,
-                state: &[S; #states],
-                columns: &mut [[S; #states]],
-                rate: &mut [S; #states],
+                instant: &Self::Instant,
+                state: &Self::State,
+                columns: &mut [Self::State],
+                rate: &mut Self::State,
             ) -> bool {
                 #jumps
             }
         }
-    })
-}
-
-/// The trait of the equations of a scene.
-pub fn of_scene(
-    layout: &Layout<'_>,
-    (variants, fields): &(Vec<Ident>, Vec<Ident>),
-) -> Option<TokenStream> {
-    let (name, instant) = (&layout.equations, &layout.instant);
-    has(layout).then(|| {
-        quote! {
-            impl<S: ::assur::scalar::Scalar> ::assur::hybrid::Sensitive<S> for #name<S> {
-                fn guard_slopes(&self, event: usize, instant: &Self::Instant, state: &Self::State, slopes: &mut Self::State) {
-                    match instant {
-                        #(#instant::#variants(instant) => self.#fields.guard_slopes_(event, instant, state, slopes),)*
-                    }
-                }
-
-                fn jump_slopes(
-                    &self,
-                    event: usize,
-                    instant: &Self::Instant,
-                    state: &Self::State,
-                    columns: &mut [Self::State],
-                    rate: &mut Self::State,
-                ) -> bool {
-                    match instant {
-                        #(#instant::#variants(instant) => self.#fields.jump_slopes_(event, instant, state, columns, rate),)*
-                    }
-                }
-            }
-        }
-    })
+    });
+    Some(quote!(#guards #jumps))
 }

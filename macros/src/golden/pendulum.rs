@@ -249,8 +249,6 @@ mod pendulum_ {
                 * S::mul_add(self.g, cos_phi_, self.l * (dot_phi * dot_phi));
             values[0] = pull;
         }
-        #[inline(always)]
-        fn drivers(&self, time: S, values: &mut [S]) {}
     }
     /// What the equations of [`Swing`] need of one time.
     #[derive(Clone, Copy, Debug)]

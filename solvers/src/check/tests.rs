@@ -95,9 +95,14 @@ const LENGTH: Quantity = Quantity {
     dimension: [(0, 1); 7],
 };
 
+const SPEED: Quantity = Quantity {
+    name: "dot(x)",
+    ..LENGTH
+};
+
 const FREE_SHAPE: Shape = Shape::named("free")
     .drivers(&[LENGTH])
-    .states(&[LENGTH, LENGTH], &[1.0, 1.0]);
+    .states(&[LENGTH, SPEED], &[1.0, 1.0]);
 
 const FREE: SceneEntry = SceneEntry {
     shape: &FREE_SHAPE,

@@ -6,6 +6,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `problem` | what is asked of a model: [`Modes`], [`Hybrid`] |
+//! | `composite` | the equations of a scene out of those of its modes, a macro |
 //! | `watch` | looks for events in every step, and ends the integration at the first one |
 //! | `within` | the guards within a step: where they bend, and where they pass zero |
 //! | `crossing` | the first zero of a guard between two points |
@@ -49,6 +50,7 @@
 //! zero by more than its rounding. These are errors that carry the motion so far.
 
 mod carry;
+mod composite;
 mod crossing;
 mod cubic;
 mod cycle;
@@ -79,7 +81,7 @@ pub use march::{march, march_in};
 pub use motion::{Happened, Motion, Piece};
 pub use numbers::Numbers;
 pub(crate) use problem::in_each_mode;
-pub use problem::{Hybrid, Modes, Sensitive};
+pub use problem::{Hybrid, InMode, Modes, Sensitive};
 
 /// Roundings of its terms that a guard may have where it counts as zero.
 pub const NOISE: f64 = 16.0;

@@ -43,6 +43,68 @@ pub trait Modes<S: Scalar>: Equations<S> {
     );
 }
 
+/// What the equations of one mode say of its events, as emitted code states it; [`composite!`](crate::composite) makes
+/// [`Modes`] of them. What a mode does not have is left out.
+#[doc(hidden)]
+pub trait InMode<S: Scalar>: Equations<S> {
+    /// See [`Modes::side`].
+    #[inline(always)]
+    fn side(&mut self, _surface: usize, _side: S) {}
+
+    /// See [`Modes::guards`].
+    #[inline(always)]
+    fn guards(
+        &self,
+        _instant: &Self::Instant,
+        _state: &Self::State,
+        _values: &mut [S],
+        _rates: &mut [S],
+    ) {
+    }
+
+    /// See [`Modes::permits`].
+    #[inline(always)]
+    fn permits(&self, _event: usize, _instant: &Self::Instant, _state: &Self::State) -> bool {
+        true
+    }
+
+    /// See [`Modes::jump`].
+    #[inline(always)]
+    fn jump(
+        &self,
+        _event: usize,
+        _instant: &Self::Instant,
+        state: &Self::State,
+        after: &mut Self::State,
+    ) {
+        after.clone_from(state);
+    }
+
+    /// See [`Sensitive::guard_slopes`].
+    #[inline(always)]
+    fn guard_slopes(
+        &self,
+        _event: usize,
+        _instant: &Self::Instant,
+        _state: &Self::State,
+        _slopes: &mut Self::State,
+    ) {
+    }
+
+    /// See [`Sensitive::jump_slopes`].
+    #[inline(always)]
+    fn jump_slopes(
+        &self,
+        _event: usize,
+        _instant: &Self::Instant,
+        _state: &Self::State,
+        _columns: &mut [Self::State],
+        _rate: &mut Self::State,
+    ) -> bool {
+        false
+    }
+}
+
 /// Equations whose variations pass through their events.
 pub trait Sensitive<S: Scalar>: Modes<S> {
     /// Writes the derivatives of the guard of an event of this mode by the state.
