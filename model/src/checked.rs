@@ -89,7 +89,7 @@ pub struct PresetInfo {
 }
 
 /// One scene: the mechanism with a set of effects and choices.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct SceneModel {
     /// The name.
     pub name: String,
@@ -321,7 +321,7 @@ pub struct RequirementInfo {
 }
 
 /// Task of a scene; its times are values of the program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SpanKind {
     /// The steady state over a period, which is a result where no time is given.
     Periodic,
@@ -330,6 +330,7 @@ pub enum SpanKind {
     /// Positions of the drivers over their ranges.
     Sweep,
     /// None stated.
+    #[default]
     Open,
 }
 

@@ -115,6 +115,13 @@ pub struct TaskValues {
     pub values: Vec<Expression>,
 }
 
+impl TaskValues {
+    /// Whether the period is a result.
+    pub fn is_clock(&self) -> bool {
+        self.kind == SpanKind::Periodic && self.values.is_empty()
+    }
+}
+
 /// Lowers the task.
 pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
     let mut task = TaskValues {

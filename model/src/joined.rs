@@ -1,9 +1,9 @@
 //! A scene: what one mode is compiled to, or several of them joined.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use crate::checked::{ModeModel, QuantityInfo, SceneModel};
-use crate::compile::{Compiled, Keep, Seen, Task, phase};
+use crate::checked::{ConstantInfo, ModeModel, QuantityInfo, SceneModel};
+use crate::compile::{Compiled, Here, Seen, Task, mode};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::modes::{Phase, Phases};
 use crate::scene::specialise;
@@ -37,7 +37,14 @@ pub fn scene(
     let phases = Phases::of(statements, task.scene.map(|(scene, _)| scene), diagnostics);
     match phases.is_hybrid() {
         true => join(task, &phases, seen, diagnostics),
-        false => Some(only(phase(task, &phases, 0, Keep::Own, seen, diagnostics)?)),
+        false => {
+            let here = Here {
+                task,
+                phases: &phases,
+                index: 0,
+            };
+            Some(only(mode(here, seen, diagnostics)?))
+        }
     }
 }
 
@@ -48,23 +55,22 @@ fn join(
     seen: &mut Seen,
     diagnostics: &mut Diagnostics,
 ) -> Option<SceneModel> {
-    let count = phases.all.len();
-    let before = diagnostics.error_count();
-    // What one mode needs, all are given.
-    let mut kept = BTreeSet::new();
-    for here in 0..count {
-        if let Some(compiled) = phase(task, phases, here, Keep::Ask, seen, diagnostics) {
-            kept.extend(compiled.kept);
-        }
-    }
-    if diagnostics.error_count() > before {
-        return None;
-    }
-    let kept: Vec<usize> = kept.into_iter().collect();
-    let all: Vec<Option<Compiled>> = (0..count)
-        .map(|here| phase(task, phases, here, Keep::These(&kept), seen, diagnostics))
-        .collect();
-    let all: Vec<Compiled> = all.into_iter().collect::<Option<_>>()?;
+    let modes = 0..phases.all.len();
+    let modes = modes.map(|index| {
+        mode(
+            Here {
+                task,
+                phases,
+                index,
+            },
+            seen,
+            diagnostics,
+        )
+    });
+    // Every mode is looked at for its mistakes.
+    let all: Vec<Option<Compiled>> = modes.collect();
+    let mut all: Vec<Compiled> = all.into_iter().collect::<Option<_>>()?;
+    unite(&mut all);
     report_unconnected(phases, &all, diagnostics);
     let mut model = all.get(phases.first)?.scene.clone();
     model.conservative = false;
@@ -83,6 +89,24 @@ fn join(
         });
     }
     Some(model)
+}
+
+/// Gives all modes the constants that any of them depends on.
+fn unite(all: &mut [Compiled]) {
+    let mut union: BTreeMap<usize, ConstantInfo> = BTreeMap::new();
+    for mode in all.iter() {
+        let kept = mode.kept.iter().copied();
+        union.extend(kept.zip(mode.scene.constants.iter().cloned()));
+    }
+    let places: BTreeMap<usize, usize> = union.keys().copied().zip(0..).collect();
+    for mode in all {
+        let new = |old: usize| places[&mode.kept[old]];
+        mode.scene.program.renumber_parameters(union.len(), new);
+        let requirements = mode.scene.requirements.iter_mut();
+        let names = requirements.flat_map(|requirement| &mut requirement.names);
+        names.for_each(|name| *name = new(*name));
+        mode.scene.constants = union.values().cloned().collect();
+    }
 }
 
 /// A scene without modes. Where its motion meets switching surfaces it has one, without a name.

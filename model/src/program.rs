@@ -263,3 +263,15 @@ pub struct Program {
     /// Number of the angles that turn in guards, whose events are the last ones.
     pub turns: usize,
 }
+
+impl Program {
+    /// Gives the parameters other numbers, of so many.
+    pub(crate) fn renumber_parameters(&mut self, count: usize, new: impl Fn(usize) -> usize) {
+        self.parameters = count;
+        for operation in &mut self.operations {
+            if let OperationKind::Input(Input::Parameter(index)) = &mut operation.kind {
+                *index = new(*index as usize) as u32;
+            }
+        }
+    }
+}

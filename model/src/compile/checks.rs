@@ -1,28 +1,25 @@
 //! What the default values of a scene make impossible.
 
+use super::Mode;
+use crate::checked::SpanKind;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Node, Symbol};
+use crate::facts::TaskValues;
 use crate::lower::{Kind, Lowering};
-use crate::motion::{Equation, Solved, UnknownName};
 use crate::published::Stretch;
-use crate::resolve::Names;
 use crate::unit;
 
 /// Reports masses that are zero or negative: what multiplies the highest derivatives, where it follows from constants
 /// alone.
-pub fn masses(
-    low: &mut Lowering<'_>,
-    names: &Names,
-    (solved, equations, unknowns): (&Solved, &[Equation], &[UnknownName]),
-    values: &[f64],
-) {
-    for (row, column, factor) in &solved.pivots {
+pub fn masses(low: &mut Lowering<'_>, mode: &Mode<'_>, values: &[f64]) {
+    let names = low.names;
+    for (row, column, factor) in &mode.solved.pivots {
         if !low.is_constant(*factor) {
             continue;
         }
         let value = low.graph.evaluate(&[*factor], &given(values))[0];
-        let equation = &equations[*row];
-        let unknown = &unknowns[*column].name;
+        let equation = &mode.equations[*row];
+        let unknown = &mode.unknowns[*column].name;
         let negative = negative_mass(low, *factor, values);
         let (message, otherwise) = if value == 0.0 {
             (
@@ -42,7 +39,7 @@ pub fn masses(
         };
         // Lagrange's equation is stated nowhere by itself.
         let place = match equation.lagrange {
-            Some(_) => unknowns[*column].span,
+            Some(_) => mode.unknowns[*column].span,
             None => equation.span,
         };
         let report = Diagnostic::error(place, message);
@@ -90,15 +87,15 @@ fn is_mass(low: &Lowering<'_>, index: usize) -> bool {
 }
 
 /// From when to when a scene runs with its own values.
-pub fn stretch(low: &Lowering<'_>, span: &[Expression], values: &[f64]) -> Option<Stretch> {
-    let [from, to] = low.graph.evaluate(span, &given(values))[..] else {
+pub fn stretch(low: &Lowering<'_>, span: &TaskValues, values: &[f64]) -> Option<Stretch> {
+    let [from, to] = low.graph.evaluate(&span.values, &given(values))[..] else {
         return None;
     };
     let fixed = |one: &Expression| low.graph.as_number(*one).is_some();
-    Some(Stretch {
+    (span.kind == SpanKind::Run).then(|| Stretch {
         from,
         to,
-        is_fixed: span.iter().all(fixed),
+        is_fixed: span.values.iter().all(fixed),
     })
 }
 

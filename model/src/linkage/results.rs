@@ -197,12 +197,13 @@ impl Linkage {
         low: &mut Lowering<'_>,
         names: &Names,
         units: &[Option<Unit>],
-        geometry: Geometry,
-        mut ranges: Ranges,
+        geometry: &Geometry,
+        ranges: &Ranges,
         variables: Vec<VariableInfo>,
     ) -> LinkageInfo {
         let residuals: Vec<_> = self.equations.iter().map(|one| one.residual).collect();
-        for (index, range) in ranges.list.iter_mut().enumerate() {
+        let mut ranges = ranges.list.clone();
+        for (index, range) in ranges.iter_mut().enumerate() {
             if angles::is_turn(&mut low.graph, &residuals, Symbol::Driver(index as u32)) {
                 range.period = std::f64::consts::TAU;
             }
@@ -237,13 +238,13 @@ impl Linkage {
             unknowns: group.unknowns.clone(),
         });
         LinkageInfo {
-            ranges: ranges.list,
+            ranges,
             dependents: dependents.collect(),
             loops: loops.collect(),
             groups: groups.collect(),
             variables,
-            points: geometry.names,
-            links: geometry.links,
+            points: geometry.names.clone(),
+            links: geometry.links.clone(),
         }
     }
 }

@@ -77,7 +77,7 @@ impl Request {
     }
 
     /// All expressions in one list.
-    fn roots(&self) -> Vec<Expression> {
+    pub(crate) fn roots(&self) -> Vec<Expression> {
         let slopes = self.jacobian.iter().map(|entry| entry.2);
         let mut roots: Vec<Expression> = self.derivative.iter().copied().chain(slopes).collect();
         for list in [

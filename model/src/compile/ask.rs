@@ -1,0 +1,88 @@
+//! The sixth phase: what a scene asks for, as expressions.
+
+use super::Here;
+use crate::checked::{LiteralInfo, SpanKind};
+use crate::declare::Moved;
+use crate::diagnostic::Diagnostic;
+use crate::expression::Expression;
+use crate::facts::{self, Outputs, TaskValues};
+use crate::linkage::{Geometry, Ranges};
+use crate::lower::Lowering;
+use crate::measures::{self, Measures};
+use crate::modes::{self, Event, EventInfo};
+use crate::syntax::tree::SceneItem;
+
+/// What is asked for.
+pub struct Asked {
+    /// The events of the mode.
+    pub events: Vec<(Event<Expression>, EventInfo)>,
+    /// The reported quantities.
+    pub outputs: Outputs,
+    /// The first number that depends on the units, in the motion or an output.
+    pub literal: Option<LiteralInfo>,
+    /// Numbers of a whole run.
+    pub measures: Measures,
+    /// The task with its times.
+    pub span: TaskValues,
+    /// What is drawn.
+    pub geometry: Geometry,
+    /// Where the drivers go.
+    pub ranges: Ranges,
+    /// Start values of the state vector.
+    pub start: Vec<Expression>,
+}
+
+impl Asked {
+    /// Lowers all of it; outputs are reported from the given one on.
+    pub fn read(here: Here<'_>, reported: usize, still: &[usize], low: &mut Lowering<'_>) -> Self {
+        let (names, scene) = (low.names, here.scene());
+        let events = modes::read(low, names, here.phases, here.index);
+        let outputs = facts::outputs(low, &names.outputs[reported..]);
+        let literal = low.literal.take();
+        let measures = match runs(here) {
+            true => {
+                let modes = here.phases.all.iter().map(|phase| phase.name.clone());
+                let moments = (modes.collect(), here.phases.event_names());
+                measures::read(low, names, moments)
+            }
+            false => Measures::default(),
+        };
+        let span = task(here, low);
+        let geometry = Geometry::read(&here.phase().statements, names, low);
+        let ranges = Ranges::read(names, scene, low);
+        let begins = here.index == here.phases.first;
+        let needed = begins && (span.kind == SpanKind::Run || span.is_clock());
+        let held = if begins { still } else { &[] };
+        Self {
+            events,
+            outputs,
+            literal,
+            measures,
+            span,
+            geometry,
+            ranges,
+            start: facts::start(low, names, scene, needed, held),
+        }
+    }
+}
+
+/// Whether the scene is a motion over a stretch of time, of which there are measures.
+fn runs(here: Here<'_>) -> bool {
+    let mut items = here.scene().into_iter().flat_map(|scene| &scene.items);
+    items.any(|item| matches!(item, SceneItem::Run { .. } | SceneItem::Periodic { .. }))
+}
+
+fn task(here: Here<'_>, low: &mut Lowering<'_>) -> TaskValues {
+    let mut span = facts::task(low, here.scene());
+    if low.moved == Moved::Swept {
+        span.kind = SpanKind::Sweep;
+    }
+    let is_still = low.names.coordinates.is_empty() && low.names.states.is_empty();
+    if let Some(scene) = here.scene().filter(|_| span.is_clock() && is_still) {
+        low.diagnostics.push(
+            Diagnostic::error(scene.name.span, "nothing in this scene moves by itself")
+                .hint("state the period: `periodic over 2*pi/n;`"),
+        );
+    }
+    span
+}

@@ -1,0 +1,103 @@
+//! The first phase: names with their meanings, and the quantities that they declare with kinds and units.
+
+use super::Here;
+use crate::checked::ConstantInfo;
+use crate::declare::{Drive, Moved};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expression::Symbol;
+use crate::lower::Lowering;
+use crate::resolve::Names;
+use crate::syntax::tree::{Scene, SceneItem};
+use crate::unit::Unit;
+
+/// The declared quantities.
+pub struct Declared {
+    /// Dimensions and parameters.
+    pub constants: Vec<Option<ConstantInfo>>,
+    /// Units of the coordinates, then of the states.
+    pub units: Vec<Option<Unit>>,
+    /// Units of the dependent coordinates.
+    pub dependent_units: Vec<Option<Unit>>,
+    /// Motions of the drivers.
+    pub drives: Vec<Drive>,
+    /// What moves them.
+    pub moved: Moved,
+}
+
+impl Declared {
+    /// Whether the scene is a linkage, whose drivers are given from outside.
+    pub fn is_linkage(&self) -> bool {
+        self.moved != Moved::InTime
+    }
+}
+
+/// The names of a mode, and the first of its outputs that is reported.
+pub fn names(here: Here<'_>, diagnostics: &mut Diagnostics) -> (Names, usize) {
+    let mut names = Names::of(&here.phase().statements, diagnostics);
+    names.absent = here.phase().absent.clone();
+    let shared = names.outputs.len();
+    for item in here.scene().iter().flat_map(|scene| &scene.items) {
+        if let SceneItem::Output(output) = item {
+            names.declare_output(output, String::new(), diagnostics);
+        }
+    }
+    // A scene that says what it reports reports only that.
+    let has_own = names.outputs.len() > shared;
+    (names, if has_own { shared } else { 0 })
+}
+
+/// Declares kinds and units, and takes the motions of the drivers.
+pub fn quantities(here: Here<'_>, low: &mut Lowering<'_>) -> Declared {
+    let names = low.names;
+    let indexed = |index: usize| index as u32;
+    let constants = names
+        .constants
+        .iter()
+        .enumerate()
+        .map(|(index, declared)| low.aside(|low| low.constant(indexed(index), declared)));
+    let constants = constants.collect();
+    let coordinates = names.coordinates.iter().enumerate();
+    let coordinates = coordinates.map(|(index, one)| (Symbol::Coordinate(indexed(index)), one));
+    let states = names.states.iter().enumerate();
+    let states = states.map(|(index, one)| (Symbol::State(indexed(index)), one));
+    let unknowns = coordinates.chain(states);
+    let units = unknowns
+        .map(|(symbol, one)| low.unknown(symbol, one))
+        .collect();
+    let dependents = names.dependents.iter().enumerate();
+    let dependents = dependents.map(|(index, one)| low.dependent(indexed(index), one));
+    let dependent_units = dependents.collect();
+    low.moved = moved(low, here.scene());
+    Declared {
+        constants,
+        units,
+        dependent_units,
+        drives: low.drivers(names, low.moved),
+        moved: low.moved,
+    }
+}
+
+/// What moves the drivers. A scene without states that closes loops, or sweeps, is a linkage.
+fn moved(low: &mut Lowering<'_>, scene: Option<&Scene>) -> Moved {
+    let names = low.names;
+    let items = || scene.iter().flat_map(|scene| &scene.items);
+    let sweeps = items().any(|item| matches!(item, SceneItem::Sweep { .. }));
+    let timed =
+        items().any(|item| matches!(item, SceneItem::Run { .. } | SceneItem::Periodic { .. }));
+    let state = names.coordinates.iter().chain(&names.states).next();
+    match (state, names.dependents.first()) {
+        (Some(_), _) if !sweeps => Moved::InTime,
+        (None, None) if !sweeps => Moved::InTime,
+        (None, _) if sweeps || !timed => Moved::Swept,
+        (None, _) => Moved::Given,
+        (Some(state), _) => {
+            let message =
+                "a scene with coordinates or states moves in time and has nothing to sweep";
+            let place = scene.map_or(state.name.span, |scene| scene.name.span);
+            low.diagnostics.push(
+                Diagnostic::error(place, message).related(state.name.span, "this moves by itself"),
+            );
+            Moved::InTime
+        }
+    }
+}

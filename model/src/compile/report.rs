@@ -1,0 +1,90 @@
+//! What a mode says of itself: names, units and texts beside its program.
+
+use super::quantities::{driver_quantities, state_quantities};
+use super::{Compiled, Mode};
+use crate::checked::SceneModel;
+use crate::expression::Symbol;
+use crate::lower::Lowering;
+use crate::modes::EventInfo;
+use crate::published;
+use crate::syntax::tree::Scene;
+
+/// Absolute tolerance per unit of relative tolerance, as a part of the unit that a quantity is declared in: what is
+/// declared in metres is right to a micrometre at `rtol = 1e-3`, and to 1e-12 m at `rtol = 1e-9`.
+const SCALE: f64 = 1e-3;
+
+/// The scene as if it had no other mode, without its program and what follows from the constants that it keeps.
+pub fn scene(
+    mode: &Mode<'_>,
+    scene: &Scene,
+    documentation: &[String],
+    low: &mut Lowering<'_>,
+) -> SceneModel {
+    let (asked, selected) = (&mode.asked, mode.here.task.selected);
+    let states = state_quantities(low.names, &mode.declared.units);
+    SceneModel {
+        name: scene.name.text.clone(),
+        summary: summary(scene.text.as_deref(), documentation),
+        effects: selected.effects.iter().cloned().collect(),
+        choices: selected.choices.clone().into_iter().collect(),
+        drivers: driver_quantities(low, low.names),
+        scales: states.iter().map(|state| SCALE * state.factor).collect(),
+        states,
+        outputs: asked.outputs.quantities.clone(),
+        measures: asked.measures.info(),
+        primitives: asked.measures.primitives.clone(),
+        coordinates: low.names.coordinates.len(),
+        equations: mode.parts.texts.clone(),
+        requirements: mode.parts.requirements.clone(),
+        span: asked.span.kind,
+        conservative: is_conservative(mode, low),
+        literal: asked.literal.clone(),
+        marks: published::marks(low, &mode.here.phase().statements),
+        ..SceneModel::default()
+    }
+}
+
+fn summary(text: Option<&str>, documentation: &[String]) -> String {
+    let lines = documentation.join("\n").trim().to_string();
+    match (text, lines.is_empty()) {
+        (Some(text), true) => text.to_string(),
+        (Some(text), false) => format!("{text}\n{lines}"),
+        (None, _) => lines,
+    }
+}
+
+/// Whether the sum of the energies stays constant.
+fn is_conservative(mode: &Mode<'_>, low: &Lowering<'_>) -> bool {
+    let energies = &mode.parts.energies;
+    let stated = !energies.kinetic.is_empty()
+        && energies.dissipation.is_empty()
+        && energies.forces.is_empty();
+    let mut equations = mode.equations.iter();
+    let derived = equations.all(|equation| equation.lagrange.is_some());
+    let driven = |symbol| matches!(symbol, Symbol::Time | Symbol::Driver(_));
+    let mut terms = energies.kinetic.iter().chain(&energies.potential);
+    stated && derived && terms.all(|term| !low.graph.depends_on(*term, driven))
+}
+
+/// The mode with its events, those of the file before the switching surfaces.
+pub fn compiled(mode: Mode<'_>, scene: SceneModel, kept: Vec<usize>) -> Compiled {
+    let here = mode.here;
+    let place = here
+        .scene()
+        .map(|scene| scene.name.span)
+        .unwrap_or_default();
+    let surfaces = scene.program.surfaces.iter().enumerate();
+    let surfaces =
+        surfaces.map(|(index, guard)| EventInfo::surface(index, guard, here.index, place));
+    let own = mode.asked.events.into_iter().map(|(_, info)| info);
+    let events = own.chain(surfaces).collect();
+    let coordinates = scene.coordinates;
+    let speeds = mode.still.iter().filter(|index| **index < coordinates);
+    Compiled {
+        free: [mode.asked.outputs.free, mode.asked.measures.free()],
+        held: speeds.map(|index| coordinates + index).collect(),
+        events,
+        scene,
+        kept,
+    }
+}

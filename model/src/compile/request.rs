@@ -1,0 +1,160 @@
+//! What the program of a mode is asked for.
+
+use super::Mode;
+use crate::checked::{LinkageInfo, LoopInfo, SpanKind};
+use crate::declare::Moved;
+use crate::expression::{Expression, Symbol};
+use crate::lower::Lowering;
+use crate::program::{Input, Request};
+
+use super::quantities::state_symbols;
+
+/// Everything but what the loops compute.
+pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
+    let (asked, solved, phases) = (&mode.asked, &mode.solved, mode.here.phases);
+    let speeds = speeds(mode, low);
+    let span = asked.span.kind;
+    let mut request = Request {
+        derivative: speeds,
+        outputs: asked.outputs.values.clone(),
+        measured: asked.measures.looked_at.clone(),
+        measures: asked.measures.values.clone(),
+        drivers: drivers(mode, low),
+        mass: solved.mass.clone(),
+        energy: energy(mode, low),
+        requirements: mode.parts.conditions.clone(),
+        span: asked.span.values.clone(),
+        start: asked.start.clone(),
+        states: asked.start.len(),
+        surfaces: span == SpanKind::Run || phases.is_hybrid(),
+        cycle: span == SpanKind::Periodic && phases.is_hybrid(),
+        events: asked
+            .events
+            .iter()
+            .map(|(event, _)| event.clone())
+            .collect(),
+        ..Request::default()
+    };
+    let highest = (0..solved.derivatives.len() as u32).map(Symbol::Acceleration);
+    let highest: Vec<_> = highest.collect();
+    let rates = highest.iter().map(|symbol| low.graph.symbol(*symbol));
+    request.derivative.extend(rates);
+    request.jacobian = jacobian(mode, low);
+    let derivatives = solved.derivatives.iter().copied();
+    request
+        .bindings
+        .extend(highest.into_iter().zip(derivatives));
+    let inputs = &mut request.inputs;
+    for (index, symbol) in state_symbols(low.names).into_iter().enumerate() {
+        inputs.insert(symbol, Input::State(index as u32));
+    }
+    inputs.insert(Symbol::Time, Input::Time);
+    let found = 0..asked.measures.primitives.len() as u32;
+    inputs.extend(found.map(|index| (Symbol::Measured(index), Input::Measured(index))));
+    request
+}
+
+/// Rates of the coordinates.
+fn speeds(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Vec<Expression> {
+    let coordinates = 0..low.names.coordinates.len();
+    let speed = |index: usize| match mode.still.contains(&index) {
+        true => low.graph.zero(),
+        false => low.graph.symbol(Symbol::Speed(index as u32)),
+    };
+    coordinates.map(speed).collect()
+}
+
+/// Positions of the drivers.
+fn drivers(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Vec<Expression> {
+    let drives = &mode.declared.drives;
+    match mode.declared.moved {
+        Moved::Swept => {
+            let symbols = (0..drives.len() as u32).map(Symbol::Driver);
+            symbols.map(|symbol| low.graph.symbol(symbol)).collect()
+        }
+        _ => drives.iter().filter_map(|drive| drive.position).collect(),
+    }
+}
+
+/// Kinetic and potential energy, if any is stated.
+fn energy(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Vec<Expression> {
+    let energies = &mode.parts.energies;
+    if energies.kinetic.is_empty() && energies.potential.is_empty() {
+        return Vec::new();
+    }
+    let kinds = [&energies.kinetic, &energies.potential];
+    kinds.map(|terms| low.graph.sum(terms)).into()
+}
+
+/// The nonzero entries of the Jacobian.
+fn jacobian(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Vec<(u32, u32, Expression)> {
+    let coordinates = low.names.coordinates.len();
+    let one = low.graph.one();
+    let moving = (0..coordinates).filter(|index| !mode.still.contains(index));
+    let own = moving.map(|index| (index as u32, (coordinates + index) as u32, one));
+    let partials = mode.solved.partials.iter();
+    own.chain(
+        partials.map(|(row, column, value)| ((coordinates + row) as u32, *column as u32, *value)),
+    )
+    .collect()
+}
+
+/// Adds what the loops compute. A motion carries them along in closed form, and names those that may fail to close.
+pub fn loops(
+    mode: &Mode<'_>,
+    values: &[f64],
+    request: &mut Request,
+    low: &mut Lowering<'_>,
+) -> Option<Vec<LoopInfo>> {
+    let (declared, linkage) = (&mode.declared, &mode.linkage);
+    let drives = &declared.drives;
+    if declared.is_linkage() {
+        give_drivers(request, drives.len());
+        request.closing = linkage.closing(low, request, &mode.asked.geometry, drives);
+        return Some(Vec::new());
+    }
+    for (index, drive) in drives.iter().enumerate() {
+        let position = drive.position;
+        let driver = Symbol::Driver(index as u32);
+        request
+            .bindings
+            .extend(position.map(|value| (driver, value)));
+    }
+    linkage.carry(low, low.names, drives, values, request)
+}
+
+/// Positions of drivers, and their speeds and accelerations, come from outside.
+fn give_drivers(request: &mut Request, count: usize) {
+    let count = count as u32;
+    for index in 0..count {
+        request.inputs.extend([
+            (Symbol::Driver(index), Input::Driver(index)),
+            (Symbol::DriverRate(index), Input::Driver(count + index)),
+            (
+                Symbol::DriverAcceleration(index),
+                Input::Driver(2 * count + index),
+            ),
+        ]);
+    }
+}
+
+/// Adds the influence coefficients of a linkage, and says what it is.
+pub fn influences(
+    mode: &Mode<'_>,
+    kept: &[usize],
+    request: &mut Request,
+    low: &mut Lowering<'_>,
+) -> LinkageInfo {
+    let (declared, linkage) = (&mode.declared, &mode.linkage);
+    let variables = linkage.variables(low.names, &declared.constants, kept);
+    linkage.differentiate(low, request, &variables, kept);
+    let (geometry, ranges) = (&mode.asked.geometry, &mode.asked.ranges);
+    linkage.info(
+        low,
+        low.names,
+        &declared.dependent_units,
+        geometry,
+        ranges,
+        variables,
+    )
+}
