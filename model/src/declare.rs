@@ -376,24 +376,9 @@ impl Lowering<'_> {
 
     /// An equation's two sides, as `left − right` in each component.
     pub fn balance(&mut self, left: &Term, right: &Term) -> Option<(Vec<Expression>, Kind)> {
-        let (x, p, y, q) = match (self.term(left), self.term(right)) {
+        let (x, y) = match (self.term(left), self.term(right)) {
             (Typed::Wrong, _) | (_, Typed::Wrong) => return None,
-            (
-                Typed::Scalar {
-                    value: x, kind: p, ..
-                },
-                Typed::Scalar {
-                    value: y, kind: q, ..
-                },
-            ) => (vec![x], p, vec![y], q),
-            (
-                Typed::Vector {
-                    values: x, kind: p, ..
-                },
-                Typed::Vector {
-                    values: y, kind: q, ..
-                },
-            ) if x.len() == y.len() => (x, p, y, q),
+            (Typed::Quantity(x), Typed::Quantity(y)) if x.is_like(&y) => (x, y),
             (a, b) => {
                 let message = format!(
                     "the two sides of the equation are {} and {}",
@@ -405,15 +390,14 @@ impl Lowering<'_> {
                 return None;
             }
         };
-        let Some(kind) = agree(p, q) else {
+        let Some(kind) = agree(x.kind, y.kind) else {
             let text = "the two sides of the equation are";
-            let report = disagreement(text, (left.span, p), (right.span, q));
+            let report = disagreement(text, (left.span, x.kind), (right.span, y.kind));
             self.diagnostics.push(report);
             return None;
         };
-        let pairs = x.iter().zip(&y);
-        let differences = pairs.map(|(x, y)| self.graph.sub(*x, *y));
-        Some((differences.collect(), kind))
+        let difference = x.with(&y, kind, |x, y| self.graph.sub(x, y));
+        Some((difference.values().to_vec(), kind))
     }
 
     /// Unit in which a reported value is printed when the file states none.

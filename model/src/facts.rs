@@ -48,9 +48,8 @@ pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs
             output.name.text.clone()
         };
         let shown = value.unwrap_or(term);
-        let (values, kind) = match typed {
-            Typed::Scalar { value, kind, .. } => (vec![value], kind),
-            Typed::Vector { values, kind, .. } => (values, kind),
+        let (values, kind) = match &typed {
+            Typed::Quantity(quantity) => (quantity.values(), quantity.kind),
             Typed::Wrong => continue,
             other => {
                 let message = format!("a quantity is reported, and this is {}", other.describe());

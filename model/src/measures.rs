@@ -69,14 +69,12 @@ pub fn read(
         };
         let typed = low.aside(|low| low.term(&own_name));
         low.measured.is_open = false;
-        let (value, kind) = match typed {
-            Typed::Scalar { value, kind, .. } => (value, kind),
-            Typed::Wrong => continue,
-            other => {
-                let message = format!("a measure is a number, and this is {}", other.describe());
+        let Some((value, kind)) = typed.as_number() else {
+            if !matches!(typed, Typed::Wrong) {
+                let message = format!("a measure is a number, and this is {}", typed.describe());
                 low.diagnostics.push(Diagnostic::error(term.span, message));
-                continue;
             }
+            continue;
         };
         let Some(unit) = printed(low, &measure.what.unit, term, kind, &measure.name.text) else {
             continue;

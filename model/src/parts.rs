@@ -140,24 +140,11 @@ impl Parts {
 
     fn force(&mut self, value: &Term, on: &Term, statement: &Statement, low: &mut Lowering<'_>) {
         let (force, position) = (low.term(value), low.term(on));
-        let (forces, positions, p, q) = match (force, position) {
+        let (force, position) = match (force, position) {
             (Typed::Wrong, _) | (_, Typed::Wrong) => return,
-            (
-                Typed::Scalar {
-                    value: f, kind: p, ..
-                },
-                Typed::Scalar {
-                    value: x, kind: q, ..
-                },
-            ) => (vec![f], vec![x], p, q),
-            (
-                Typed::Vector {
-                    values: f, kind: p, ..
-                },
-                Typed::Vector {
-                    values: x, kind: q, ..
-                },
-            ) if f.len() == x.len() => (f, x, p, q),
+            (Typed::Quantity(force), Typed::Quantity(position)) if force.is_like(&position) => {
+                (force, position)
+            }
             (a, b) => {
                 let message = format!(
                     "the force is {} and its position is {}",
@@ -169,7 +156,7 @@ impl Parts {
                 return;
             }
         };
-        let work = crate::homogeneity::times(p, q);
+        let work = crate::homogeneity::times(force.kind, position.kind);
         let joule = crate::unit::parse_unit_text("J").map(|unit| unit.dimension);
         if let (Some(work), Ok(joule)) = (work, joule)
             && agree(work, Kind::Of(joule)).is_none()
@@ -184,14 +171,14 @@ impl Parts {
             );
             return;
         }
-        if !low.has_directions(&positions, on, statement.span) {
+        if !low.has_directions(position.values(), on, statement.span) {
             return;
         }
-        self.energies
-            .forces
-            .extend(forces.into_iter().zip(positions));
+        let pairs = force.values().iter().zip(position.values());
+        let pairs = pairs.map(|(force, position)| (*force, *position));
+        self.energies.forces.extend(pairs);
         self.energy_places.push(statement.span);
-        self.text(statement, p);
+        self.text(statement, force.kind);
     }
 
     /// All equations: those written, and Lagrange's for the coordinates that occur in energies.

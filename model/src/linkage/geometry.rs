@@ -57,10 +57,10 @@ impl Geometry {
         let found = typed.describe();
         match typed {
             Typed::Wrong => {}
-            Typed::Vector { values, kind, .. }
-                if values.len() == 2 && agree(kind, Kind::Of(length)).is_some() =>
+            Typed::Quantity(place)
+                if place.values().len() == 2 && agree(place.kind, Kind::Of(length)).is_some() =>
             {
-                self.points.extend(values);
+                self.points.extend(place.values());
                 self.names.push(point.name.text.clone());
             }
             _ => {

@@ -1,6 +1,6 @@
 //! Operators: sums, products, powers.
 
-use super::{Kind, Lowering, Typed};
+use super::{Kind, Lowering, Quantity, Typed};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
 use crate::homogeneity::{agree, describe, disagreement, over, power, times};
@@ -25,16 +25,10 @@ impl Lowering<'_> {
 
     pub(super) fn negate(&mut self, typed: Typed, span: Span) -> Typed {
         match typed {
-            Typed::Scalar { value, kind, rate } => Typed::Scalar {
-                value: self.graph.neg(value),
-                kind,
-                rate,
-            },
-            Typed::Vector { values, kind, rate } => Typed::Vector {
-                values: values.iter().map(|value| self.graph.neg(*value)).collect(),
-                kind,
-                rate,
-            },
+            Typed::Quantity(one) => {
+                let negated = one.map(one.kind, |value| self.graph.neg(value));
+                negated.rated(one.rate)
+            }
             Typed::Wrong => Typed::Wrong,
             other => self.error(Diagnostic::error(
                 span,
@@ -86,176 +80,80 @@ impl Lowering<'_> {
     pub(super) fn add(&mut self, a: Typed, a_span: Span, b: Typed, b_span: Span) -> Typed {
         match (a, b) {
             (Typed::Wrong, _) | (_, Typed::Wrong) => Typed::Wrong,
-            (
-                Typed::Scalar {
-                    value: x,
-                    kind: p,
-                    rate: r,
-                },
-                Typed::Scalar {
-                    value: y,
-                    kind: q,
-                    rate: s,
-                },
-            ) => {
-                let Some(kind) = agree(p, q) else {
-                    return self.error(disagreement(
-                        "this adds or subtracts",
-                        (a_span, p),
-                        (b_span, q),
-                    ));
+            (Typed::Quantity(x), Typed::Quantity(y)) if x.is_like(&y) => {
+                let Some(kind) = agree(x.kind, y.kind) else {
+                    let (left, right) = ((a_span, x.kind), (b_span, y.kind));
+                    return self.error(disagreement("this adds or subtracts", left, right));
                 };
-                let rate = (r || s) && self.is_rate(x, r) && self.is_rate(y, s);
-                Typed::Scalar {
-                    value: self.graph.add(x, y),
-                    kind,
-                    rate,
-                }
-            }
-            (
-                Typed::Vector {
-                    values: x,
-                    kind: p,
-                    rate: r,
-                },
-                Typed::Vector {
-                    values: y,
-                    kind: q,
-                    rate: s,
-                },
-            ) if x.len() == y.len() => {
-                let Some(kind) = agree(p, q) else {
-                    return self.error(disagreement(
-                        "this adds or subtracts",
-                        (a_span, p),
-                        (b_span, q),
-                    ));
+                let rate = match (x.as_number(), y.as_number()) {
+                    (Some((p, _)), Some((q, _))) => {
+                        (x.rate || y.rate) && self.is_rate(p, x.rate) && self.is_rate(q, y.rate)
+                    }
+                    _ => x.rate && y.rate,
                 };
-                let values = x
-                    .iter()
-                    .zip(&y)
-                    .map(|(x, y)| self.graph.add(*x, *y))
-                    .collect();
-                Typed::Vector {
-                    values,
-                    kind,
-                    rate: r && s,
-                }
+                let sum = x.with(&y, kind, |x, y| self.graph.add(x, y));
+                sum.rated(rate)
             }
             // Zero is also the zero vector.
-            (
-                Typed::Scalar {
-                    kind: Kind::Any, ..
-                },
-                vector @ Typed::Vector { .. },
-            )
-            | (
-                vector @ Typed::Vector { .. },
-                Typed::Scalar {
-                    kind: Kind::Any, ..
-                },
-            ) => vector,
+            (Typed::Quantity(zero), Typed::Quantity(vector))
+            | (Typed::Quantity(vector), Typed::Quantity(zero))
+                if vector.is_vector() && !zero.is_vector() && zero.kind == Kind::Any =>
+            {
+                vector.into()
+            }
             (a, b) => {
-                let message = format!(
-                    "this adds or subtracts {} and {}",
-                    a.describe(),
-                    b.describe()
-                );
+                let (a, b) = (a.describe(), b.describe());
+                let message = format!("this adds or subtracts {a} and {b}");
                 self.error(Diagnostic::error(a_span.to(b_span), message))
             }
         }
     }
 
     pub(super) fn multiply(&mut self, a: Typed, a_span: Span, b: Typed, b_span: Span) -> Typed {
+        let span = a_span.to(b_span);
         match (a, b) {
-            (
-                Typed::Scalar {
-                    value: x,
-                    kind: p,
-                    rate: r,
-                },
-                Typed::Scalar {
-                    value: y,
-                    kind: q,
-                    rate: s,
-                },
-            ) => {
-                let Some(kind) = times(p, q) else {
-                    return self.absurd_unit(a_span.to(b_span));
-                };
-                let rate = (r && self.is_fixed(y)) || (s && self.is_fixed(x));
-                Typed::Scalar {
-                    value: self.graph.mul(x, y),
-                    kind,
-                    rate,
-                }
+            (Typed::Quantity(x), Typed::Quantity(y)) if !(x.is_vector() && y.is_vector()) => {
+                self.scaled(x, y, span)
             }
-            (
-                Typed::Scalar {
-                    value: x, kind: p, ..
-                },
-                Typed::Vector {
-                    values,
-                    kind: q,
-                    rate,
-                },
-            )
-            | (
-                Typed::Vector {
-                    values,
-                    kind: q,
-                    rate,
-                },
-                Typed::Scalar {
-                    value: x, kind: p, ..
-                },
-            ) => {
-                let Some(kind) = times(p, q) else {
-                    return self.absurd_unit(a_span.to(b_span));
-                };
-                let rate = rate && self.is_fixed(x);
-                let values = values
-                    .iter()
-                    .map(|value| self.graph.mul(x, *value))
-                    .collect();
-                Typed::Vector { values, kind, rate }
-            }
-            (Typed::Matrix(rows), Typed::Vector { values, kind, .. })
-                if rows.len() == values.len() =>
+            (Typed::Matrix(rows), Typed::Quantity(vector))
+                if rows.len() == vector.values().len() =>
             {
-                let values = rows
-                    .iter()
-                    .map(|row| self.inner_sum(row, &values))
-                    .collect();
-                Typed::Vector {
-                    values,
-                    kind,
-                    rate: false,
-                }
+                let inner = |row: &Vec<_>| self.inner_sum(row, vector.values());
+                let values: Vec<_> = rows.iter().map(inner).collect();
+                Quantity::of(&values, vector.kind).into()
             }
             (Typed::Matrix(left), Typed::Matrix(right)) if left.len() == right.len() => {
                 let columns: Vec<Vec<_>> = (0..right.len())
                     .map(|column| right.iter().map(|row| row[column]).collect())
                     .collect();
-                let rows = left
-                    .iter()
-                    .map(|row| {
-                        columns
-                            .iter()
-                            .map(|column| self.inner_sum(row, column))
-                            .collect()
-                    })
-                    .collect();
-                Typed::Matrix(rows)
+                let mut row = |row: &Vec<_>| {
+                    let columns = columns.iter();
+                    columns.map(|column| self.inner_sum(row, column)).collect()
+                };
+                Typed::Matrix(left.iter().map(&mut row).collect())
             }
             (a, b) => {
                 let message = format!("`*` cannot multiply {} by {}", a.describe(), b.describe());
                 self.error(
-                    Diagnostic::error(a_span.to(b_span), message)
+                    Diagnostic::error(span, message)
                         .hint("`inner(u, v)` and `cross(u, v)` multiply vectors"),
                 )
             }
         }
+    }
+
+    /// The product of two numbers, or of a number and a vector in either order.
+    fn scaled(&mut self, x: Quantity, y: Quantity, span: Span) -> Typed {
+        let Some(kind) = times(x.kind, y.kind) else {
+            return self.absurd_unit(span);
+        };
+        let (factor, other) = if x.is_vector() { (y, x) } else { (x, y) };
+        let value = factor.values()[0];
+        // Beside a vector the rate of the number counts for nothing.
+        let rate = (other.rate && self.is_fixed(value))
+            || (!other.is_vector() && factor.rate && self.is_fixed(other.values()[0]));
+        let product = other.map(kind, |one| self.graph.mul(value, one));
+        product.rated(rate)
     }
 
     pub(super) fn inner_sum(&mut self, left: &[Expression], right: &[Expression]) -> Expression {
@@ -268,82 +166,33 @@ impl Lowering<'_> {
     }
 
     fn divide(&mut self, a: Typed, a_span: Span, b: Typed, b_span: Span) -> Typed {
-        let Typed::Scalar {
-            value: divisor,
-            kind: q,
-            ..
-        } = b
-        else {
-            return self.error(Diagnostic::error(
-                b_span,
-                format!("`/` cannot divide by {}", b.describe()),
-            ));
+        let Some((divisor, q)) = b.as_number() else {
+            let message = format!("`/` cannot divide by {}", b.describe());
+            return self.error(Diagnostic::error(b_span, message));
         };
         if self.graph.as_number(divisor) == Some(0.0) {
             return self.error(Diagnostic::error(b_span, "this divides by zero"));
         }
-        match a {
-            Typed::Scalar {
-                value,
-                kind: p,
-                rate,
-            } => {
-                let Some(kind) = over(p, q) else {
-                    return self.absurd_unit(a_span.to(b_span));
-                };
-                let rate = rate && self.is_fixed(divisor);
-                Typed::Scalar {
-                    value: self.graph.div(value, divisor),
-                    kind,
-                    rate,
-                }
-            }
-            Typed::Vector {
-                values,
-                kind: p,
-                rate,
-            } => {
-                let Some(kind) = over(p, q) else {
-                    return self.absurd_unit(a_span.to(b_span));
-                };
-                let rate = rate && self.is_fixed(divisor);
-                Typed::Vector {
-                    values: values
-                        .iter()
-                        .map(|value| self.graph.div(*value, divisor))
-                        .collect(),
-                    kind,
-                    rate,
-                }
-            }
-            other => self.error(Diagnostic::error(
-                a_span,
-                format!("`/` cannot divide {}", other.describe()),
-            )),
-        }
+        let Typed::Quantity(dividend) = a else {
+            let message = format!("`/` cannot divide {}", a.describe());
+            return self.error(Diagnostic::error(a_span, message));
+        };
+        let Some(kind) = over(dividend.kind, q) else {
+            return self.absurd_unit(a_span.to(b_span));
+        };
+        let rate = dividend.rate && self.is_fixed(divisor);
+        let quotient = dividend.map(kind, |value| self.graph.div(value, divisor));
+        quotient.rated(rate)
     }
 
     fn raise(&mut self, a: Typed, a_span: Span, b: Typed, b_span: Span) -> Typed {
-        let (
-            Typed::Scalar {
-                value: base,
-                kind: p,
-                ..
-            },
-            Typed::Scalar {
-                value: exponent,
-                kind: q,
-                ..
-            },
-        ) = (&a, &b)
-        else {
+        let (Some((base, p)), Some((exponent, q))) = (a.as_number(), b.as_number()) else {
             let message = format!("`^` cannot raise {} to {}", a.describe(), b.describe());
             return self.error(
                 Diagnostic::error(a_span.to(b_span), message)
                     .hint("the square of a vector is `inner(v, v)`"),
             );
         };
-        let (base, p, exponent, q) = (*base, *p, *exponent, *q);
         if agree(q, Kind::NUMBER).is_none() {
             let message = format!(
                 "an exponent has to be a pure number, and this is {}",

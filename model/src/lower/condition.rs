@@ -52,15 +52,7 @@ impl Lowering<'_> {
         left: (Span, Typed),
         right: (Span, Typed),
     ) -> Typed {
-        let (
-            Typed::Scalar {
-                value: x, kind: p, ..
-            },
-            Typed::Scalar {
-                value: y, kind: q, ..
-            },
-        ) = (&left.1, &right.1)
-        else {
+        let (Some((x, p)), Some((y, q))) = (left.1.as_number(), right.1.as_number()) else {
             let message = format!(
                 "this compares {} and {}",
                 left.1.describe(),
@@ -68,10 +60,9 @@ impl Lowering<'_> {
             );
             return self.error(Diagnostic::error(left.0.to(right.0), message));
         };
-        if agree(*p, *q).is_none() {
-            return self.error(disagreement("this compares", (left.0, *p), (right.0, *q)));
+        if agree(p, q).is_none() {
+            return self.error(disagreement("this compares", (left.0, p), (right.0, q)));
         }
-        let (x, y) = (*x, *y);
         let value = match operator {
             BinaryOperator::Less => self.graph.compare(Relation::Less, x, y),
             BinaryOperator::LessEqual => self.graph.compare(Relation::LessEqual, x, y),
@@ -101,48 +92,13 @@ impl Lowering<'_> {
         };
         match (self.term(then), self.term(otherwise)) {
             (Typed::Wrong, _) | (_, Typed::Wrong) => Typed::Wrong,
-            (
-                Typed::Scalar {
-                    value: x, kind: p, ..
-                },
-                Typed::Scalar {
-                    value: y, kind: q, ..
-                },
-            ) => {
-                let Some(kind) = agree(p, q) else {
-                    return self.error(disagreement(
-                        "the two branches give",
-                        (then.span, p),
-                        (otherwise.span, q),
-                    ));
+            (Typed::Quantity(x), Typed::Quantity(y)) if x.is_like(&y) => {
+                let Some(kind) = agree(x.kind, y.kind) else {
+                    let (left, right) = ((then.span, x.kind), (otherwise.span, y.kind));
+                    return self.error(disagreement("the two branches give", left, right));
                 };
-                Typed::scalar(self.graph.select(condition, x, y), kind)
-            }
-            (
-                Typed::Vector {
-                    values: x, kind: p, ..
-                },
-                Typed::Vector {
-                    values: y, kind: q, ..
-                },
-            ) if x.len() == y.len() => {
-                let Some(kind) = agree(p, q) else {
-                    return self.error(disagreement(
-                        "the two branches give",
-                        (then.span, p),
-                        (otherwise.span, q),
-                    ));
-                };
-                let values = x
-                    .iter()
-                    .zip(&y)
-                    .map(|(x, y)| self.graph.select(condition, *x, *y))
-                    .collect();
-                Typed::Vector {
-                    values,
-                    kind,
-                    rate: false,
-                }
+                let select = |x, y| self.graph.select(condition, x, y);
+                x.with(&y, kind, select).into()
             }
             (a, b) => {
                 let message = format!(

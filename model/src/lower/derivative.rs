@@ -1,7 +1,7 @@
 //! Derivatives that a file asks for: `dot(x)`, `ddot(x)` in time and `diff(f, x)`.
 
 use super::breaks::Wanted;
-use super::{Kind, Lowering, Typed, second};
+use super::{Kind, Lowering, Quantity, Typed, second};
 use crate::declare::Moved;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Graph, Map, Symbol};
@@ -32,9 +32,8 @@ impl Lowering<'_> {
 
     /// The time derivative of a value, which a term came to.
     fn dot_of(&mut self, typed: Typed, term: &Term, span: Span) -> Typed {
-        let (values, kind, scalar) = match typed {
-            Typed::Scalar { value, kind, .. } => (vec![value], kind, true),
-            Typed::Vector { values, kind, .. } => (values, kind, false),
+        let quantity = match typed {
+            Typed::Quantity(quantity) => quantity,
             Typed::Wrong => return Typed::Wrong,
             other => {
                 return self.error(Diagnostic::error(
@@ -43,10 +42,11 @@ impl Lowering<'_> {
                 ));
             }
         };
-        if self.is_found(&values, span) {
+        let values = quantity.values();
+        if self.is_found(values, span) {
             return Typed::Wrong;
         }
-        let Some(kind) = over(kind, Kind::Of(second())) else {
+        let Some(kind) = over(quantity.kind, Kind::Of(second())) else {
             return Typed::Wrong;
         };
         let positions = |symbol: Symbol| {
@@ -67,27 +67,20 @@ impl Lowering<'_> {
                     .hint("at most the second derivative of a coordinate and the first of a state can be used"),
             );
         }
-        if self.has_no_speed(&values, span) {
+        if self.has_no_speed(values, span) {
             return Typed::Wrong;
         }
-        let given = self.graph.symbols(&values).into_iter().collect();
+        let given = self.graph.symbols(values).into_iter().collect();
         let Some(direction) = self.direction_of(given) else {
             return Typed::Wrong;
         };
         let moves = |symbol| direction.contains_key(&symbol);
-        if !self.is_differentiable(&values, &moves, &Wanted::explicitly(term, span)) {
+        if !self.is_differentiable(values, &moves, &Wanted::explicitly(term, span)) {
             return Typed::Wrong;
         }
-        let values = self.graph.tangent(&values, &direction);
+        let values = self.graph.tangent(values, &direction);
         self.derived.extend(&values);
-        match (scalar, values.as_slice()) {
-            (true, [value]) => Typed::Scalar {
-                value: *value,
-                kind,
-                rate,
-            },
-            _ => Typed::Vector { values, kind, rate },
-        }
+        Quantity::of(&values, kind).rated(rate)
     }
 
     /// Whether a number of the whole run is among some values; that is reported.
@@ -238,13 +231,10 @@ impl Lowering<'_> {
     /// `diff(f, x)`: the partial derivative with everything else given fixed; dependent coordinates follow.
     fn partial(&mut self, function: &Term, variable: &Term, span: Span) -> Typed {
         if let TermKind::Name(name) = &variable.kind
-            && let Some(Typed::Scalar { value, kind, .. }) = self
-                .locals
-                .last()
-                .and_then(|scope| scope.get(name))
-                .cloned()
+            && let Some(local) = self.locals.last().and_then(|scope| scope.get(name))
+            && let Some(variable) = local.as_number()
         {
-            return self.partial_in_argument(function, name, (value, kind), span);
+            return self.partial_in_argument(function, name, variable, span);
         }
         let Some((value, kind)) = self.scalar(variable) else {
             return Typed::Wrong;
@@ -307,14 +297,10 @@ impl Lowering<'_> {
         let map = Map::from_iter([(symbol, value)]);
         self.written.substitute(&mut self.graph, symbol, value);
         match varied {
-            Typed::Scalar { value, kind, .. } => {
-                Typed::scalar(self.graph.substitute(&[value], &map)[0], kind)
+            Typed::Quantity(one) => {
+                let values = self.graph.substitute(one.values(), &map);
+                Quantity::of(&values, one.kind).into()
             }
-            Typed::Vector { values, kind, .. } => Typed::Vector {
-                values: self.graph.substitute(&values, &map),
-                kind,
-                rate: false,
-            },
             other => other,
         }
     }
@@ -325,27 +311,11 @@ impl Lowering<'_> {
             None => Map::from_iter([(given, self.graph.one())]),
         };
         match typed {
-            Typed::Scalar {
-                value, kind: own, ..
-            } => match over(own, kind) {
+            Typed::Quantity(one) => match over(one.kind, kind) {
                 Some(kind) => {
-                    let value = self.graph.tangent(&[value], &direction)[0];
-                    self.derived.insert(value);
-                    Typed::scalar(value, kind)
-                }
-                None => Typed::Wrong,
-            },
-            Typed::Vector {
-                values, kind: own, ..
-            } => match over(own, kind) {
-                Some(kind) => {
-                    let values = self.graph.tangent(&values, &direction);
+                    let values = self.graph.tangent(one.values(), &direction);
                     self.derived.extend(&values);
-                    Typed::Vector {
-                        values,
-                        kind,
-                        rate: false,
-                    }
+                    Quantity::of(&values, kind).into()
                 }
                 None => Typed::Wrong,
             },

@@ -20,7 +20,7 @@ use std::rc::Rc;
 
 pub use measure::{FUNCTIONS as MEASURING, Measuring, Moment, Primitive, PrimitiveKind};
 use typed::Key;
-pub use typed::{Kind, Typed};
+pub use typed::{Kind, Quantity, Typed};
 pub use vector::COMPONENTS;
 use written::Written;
 
@@ -131,12 +131,11 @@ impl<'a> Lowering<'a> {
     pub fn term(&mut self, term: &Term) -> Typed {
         let typed = self.lower(term);
         self.take_up(term, &typed);
-        if let Typed::Scalar {
-            value, rate: true, ..
-        } = typed
+        if let Typed::Quantity(one) = &typed
+            && let (true, [value]) = (one.rate, one.values())
         {
-            let negated = self.graph.neg(value);
-            self.rates.extend([value, negated]);
+            let negated = self.graph.neg(*value);
+            self.rates.extend([*value, negated]);
         }
         typed
     }
@@ -187,24 +186,22 @@ impl<'a> Lowering<'a> {
 
     /// A scalar with its kind; anything else is reported.
     pub fn scalar(&mut self, term: &Term) -> Option<(Expression, Kind)> {
-        match self.term(term) {
-            Typed::Scalar { value, kind, .. } => Some((value, kind)),
-            Typed::Wrong => None,
-            other => {
-                let message = format!(
-                    "a number is expected here, and this is {}",
-                    other.describe()
-                );
-                let report = Diagnostic::error(term.span, message);
-                self.diagnostics.push(match other {
-                    Typed::Vector { .. } => {
-                        report.hint("its length is `norm(v)`, its components are `v.x` and `v.y`")
-                    }
-                    _ => report,
-                });
-                None
-            }
+        let typed = self.term(term);
+        let number = typed.as_number();
+        if number.is_none() && !matches!(typed, Typed::Wrong) {
+            let message = format!(
+                "a number is expected here, and this is {}",
+                typed.describe()
+            );
+            let report = Diagnostic::error(term.span, message);
+            self.diagnostics.push(match typed {
+                Typed::Quantity(_) => {
+                    report.hint("its length is `norm(v)`, its components are `v.x` and `v.y`")
+                }
+                _ => report,
+            });
         }
+        number
     }
 
     /// A condition; anything else is reported.
@@ -459,8 +456,8 @@ impl<'a> Lowering<'a> {
         let (typed, literal) = self.apart(|low| low.term(value));
         self.locals.pop();
         self.open.pop();
-        if let Typed::Scalar { value, .. } = &typed {
-            self.graph.name(*value, name);
+        if let Some((value, _)) = typed.as_number() {
+            self.graph.name(value, name);
         }
         self.done
             .insert(name.to_string(), (typed.clone(), literal.clone()));

@@ -1,6 +1,6 @@
 //! Vectors and rotations.
 
-use super::{Kind, Lowering, Typed};
+use super::{Kind, Lowering, Quantity, Typed};
 use crate::diagnostic::Diagnostic;
 use crate::expression::Expression;
 use crate::homogeneity::{agree, describe, disagreement, times};
@@ -25,8 +25,8 @@ impl Lowering<'_> {
         let mut common = Kind::Any;
         let mut all_rates = true;
         for item in items {
-            let (value, kind, rate) = match self.term(item) {
-                Typed::Scalar { value, kind, rate } => (value, kind, rate),
+            let component = match self.term(item) {
+                Typed::Quantity(one) if !one.is_vector() => one,
                 Typed::Wrong => return Typed::Wrong,
                 other => {
                     let message = format!(
@@ -36,24 +36,16 @@ impl Lowering<'_> {
                     return self.error(Diagnostic::error(item.span, message));
                 }
             };
-            match agree(common, kind) {
-                Some(kind) => common = kind,
-                None => {
-                    return self.error(disagreement(
-                        "the components are",
-                        (items[0].span, common),
-                        (item.span, kind),
-                    ));
-                }
-            }
-            all_rates &= rate || self.is_fixed(value);
+            let Some(kind) = agree(common, component.kind) else {
+                let (first, this) = ((items[0].span, common), (item.span, component.kind));
+                return self.error(disagreement("the components are", first, this));
+            };
+            common = kind;
+            let value = component.values()[0];
+            all_rates &= component.rate || self.is_fixed(value);
             values.push(value);
         }
-        Typed::Vector {
-            values,
-            kind: common,
-            rate: all_rates,
-        }
+        Quantity::of(&values, common).rated(all_rates)
     }
 
     /// Whether `base.x` asks for a component: what stands before the point is a value, and no choice.
@@ -75,14 +67,11 @@ impl Lowering<'_> {
     /// `v.x`, `v.y`, `v.z`
     pub(super) fn component(&mut self, base: &Term, name: &Name) -> Typed {
         match self.term(base) {
-            Typed::Vector { values, kind, rate } => {
+            Typed::Quantity(vector) if vector.is_vector() => {
+                let values = vector.values();
                 let index = COMPONENTS.iter().position(|one| *one == name.text);
                 match index.and_then(|index| values.get(index)) {
-                    Some(value) => Typed::Scalar {
-                        value: *value,
-                        kind,
-                        rate,
-                    },
+                    Some(value) => Quantity::of(&[*value], vector.kind).rated(vector.rate),
                     None => {
                         let message = format!("the vector has {} components", values.len());
                         self.error(Diagnostic::error(name.span, message))
@@ -110,38 +99,40 @@ impl Lowering<'_> {
         match name.text.as_str() {
             "dir" | "rot" | "rotx" | "roty" | "rotz" => self.rotation(&name.text, &arguments[0]),
             "norm" => match self.term(&arguments[0]) {
-                Typed::Vector { values, kind, .. } => {
-                    let square = self.inner_sum(&values, &values);
-                    Typed::scalar(self.graph.sqrt(square), kind)
+                Typed::Quantity(one) if one.is_vector() => {
+                    let square = self.inner_sum(one.values(), one.values());
+                    Typed::scalar(self.graph.sqrt(square), one.kind)
                 }
                 other => self.not_a_vector(other, arguments[0].span),
             },
             _ => match (self.term(&arguments[0]), self.term(&arguments[1])) {
-                (
-                    Typed::Vector {
-                        values: u, kind: p, ..
-                    },
-                    Typed::Vector {
-                        values: v, kind: q, ..
-                    },
-                ) if u.len() == v.len() => {
-                    let Some(kind) = times(p, q) else {
-                        return Typed::Wrong;
-                    };
-                    if name.text == "inner" {
-                        Typed::scalar(self.inner_sum(&u, &v), kind)
-                    } else {
-                        self.cross(&u, &v, kind)
-                    }
+                (Typed::Quantity(u), Typed::Quantity(v)) if u.is_vector() && v.is_vector() => {
+                    self.product_of_vectors(&name.text, (&u, &v), span)
                 }
-                (Typed::Vector { values: u, .. }, Typed::Vector { values: v, .. }) => {
-                    let message =
-                        format!("the vectors have {} and {} components", u.len(), v.len());
-                    self.error(Diagnostic::error(span, message))
+                (Typed::Quantity(u), other) if u.is_vector() => {
+                    self.not_a_vector(other, arguments[1].span)
                 }
-                (Typed::Vector { .. }, other) => self.not_a_vector(other, arguments[1].span),
                 (other, _) => self.not_a_vector(other, arguments[0].span),
             },
+        }
+    }
+
+    /// `inner(u, v)` or `cross(u, v)`.
+    fn product_of_vectors(
+        &mut self,
+        name: &str,
+        (u, v): (&Quantity, &Quantity),
+        span: Span,
+    ) -> Typed {
+        let (x, y) = (u.values(), v.values());
+        if x.len() != y.len() {
+            let message = format!("the vectors have {} and {} components", x.len(), y.len());
+            return self.error(Diagnostic::error(span, message));
+        }
+        match times(u.kind, v.kind) {
+            None => Typed::Wrong,
+            Some(kind) if name == "inner" => Typed::scalar(self.inner_sum(x, y), kind),
+            Some(kind) => self.cross(x, y, kind),
         }
     }
 
@@ -165,12 +156,7 @@ impl Lowering<'_> {
         if u.len() == 2 {
             return Typed::scalar(minor(0, 1), kind);
         }
-        let values = vec![minor(1, 2), minor(2, 0), minor(0, 1)];
-        Typed::Vector {
-            values,
-            kind,
-            rate: false,
-        }
+        Quantity::of(&[minor(1, 2), minor(2, 0), minor(0, 1)], kind).into()
     }
 
     fn rotation(&mut self, name: &str, argument: &Term) -> Typed {
@@ -191,11 +177,7 @@ impl Lowering<'_> {
         );
         let (minus, zero, one) = (self.graph.neg(sine), self.graph.zero(), self.graph.one());
         match name {
-            "dir" => Typed::Vector {
-                values: vec![cosine, sine],
-                kind: Kind::NUMBER,
-                rate: false,
-            },
+            "dir" => Quantity::of(&[cosine, sine], Kind::NUMBER).into(),
             "rot" => Typed::Matrix(vec![vec![cosine, minus], vec![sine, cosine]]),
             "rotx" => Typed::Matrix(vec![
                 vec![one, zero, zero],
