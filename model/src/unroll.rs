@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::syntax::print;
 use crate::syntax::tree::{
-    BinaryOperator, Name, Statement, StatementKind, Target, Term, TermKind, UnaryOperator,
+    BinaryOperator, Name, Statement, StatementKind, Target, Term, TermKind, UnaryOperator, Visitor,
 };
 
 /// Most statements or terms that one repetition may write out.
@@ -61,91 +61,79 @@ pub fn bounds(from: &Term, to: &Term, diagnostics: &mut Diagnostics) -> Option<(
 
 /// A term with `index` replaced by a whole number.
 pub fn with_index(term: &Term, index: &str, value: i64) -> Term {
-    let again = |inner: &Term| Box::new(with_index(inner, index, value));
-    let kind = match &term.kind {
-        TermKind::Name(name) if name == index => TermKind::Number {
-            value: value as f64,
-            unit: None,
-        },
-        TermKind::Number { .. } | TermKind::Name(_) => term.kind.clone(),
-        TermKind::Index { name, index: inner } => TermKind::Index {
-            name: name.clone(),
-            index: Box::new(index_with(inner, index, value)),
-        },
-        TermKind::Member { base, name } => TermKind::Member {
-            base: again(base),
-            name: name.clone(),
-        },
-        TermKind::Vector(items) => TermKind::Vector(
-            items
-                .iter()
-                .map(|item| with_index(item, index, value))
-                .collect(),
-        ),
-        TermKind::Unary(operator, inner) => TermKind::Unary(*operator, again(inner)),
-        TermKind::Binary(operator, left, right) => {
-            TermKind::Binary(*operator, again(left), again(right))
-        }
-        TermKind::Call { name, arguments } => TermKind::Call {
-            name: name.clone(),
-            arguments: arguments
-                .iter()
-                .map(|item| with_index(item, index, value))
-                .collect(),
-        },
-        TermKind::If {
-            condition,
-            then,
-            otherwise,
-        } => TermKind::If {
-            condition: again(condition),
-            then: again(then),
-            otherwise: again(otherwise),
-        },
-        TermKind::Bound {
-            name,
-            value: given,
-            instead,
-        } => TermKind::Bound {
-            name: name.clone(),
-            value: again(given),
-            instead: again(instead),
-        },
+    let mut copy = term.clone();
+    Numbering { index, value }.term(&mut copy);
+    copy
+}
+
+/// A statement with `index` replaced by a whole number.
+pub fn statement_with_index(statement: &Statement, index: &str, value: i64) -> Statement {
+    let mut copy = statement.clone();
+    Numbering { index, value }.statement(&mut copy);
+    copy
+}
+
+/// Puts a whole number in the place of an index.
+struct Numbering<'a> {
+    index: &'a str,
+    value: i64,
+}
+
+impl Numbering<'_> {
+    fn statement(&mut self, statement: &mut Statement) {
+        statement.kind.visit(self);
         // An inner repetition with the same index hides the outer one.
-        TermKind::Sum {
-            index: own,
-            from,
-            to,
-            body,
-        } => TermKind::Sum {
-            index: own.clone(),
-            from: again(from),
-            to: again(to),
-            body: if own.text == index {
-                body.clone()
-            } else {
-                again(body)
-            },
-        },
-    };
-    Term {
-        span: term.span,
-        kind,
+        if matches!(&statement.kind, StatementKind::For { index, .. } if index.text == self.index) {
+            return;
+        }
+        for body in statement.kind.blocks_mut() {
+            body.iter_mut().for_each(|inner| self.statement(inner));
+        }
+    }
+
+    /// An index of a name is a number itself once nothing else is in it.
+    fn inner_index(&mut self, term: &mut Term) {
+        self.term(term);
+        if let Some(number) = fold(term) {
+            term.kind = number_kind(number);
+        }
     }
 }
 
-/// An index with `index` replaced by a whole number: a number itself once nothing else is in it.
-fn index_with(term: &Term, index: &str, value: i64) -> Term {
-    let replaced = with_index(term, index, value);
-    match fold(&replaced) {
-        Some(number) => Term {
-            span: term.span,
-            kind: TermKind::Number {
-                value: number as f64,
-                unit: None,
-            },
-        },
-        None => replaced,
+impl Visitor for Numbering<'_> {
+    fn term(&mut self, term: &mut Term) {
+        match &mut term.kind {
+            TermKind::Name(name) if name == self.index => term.kind = number_kind(self.value),
+            TermKind::Index { index, .. } => self.inner_index(index),
+            TermKind::Sum {
+                index, from, to, ..
+            } if index.text == self.index => {
+                self.term(from);
+                self.term(to);
+            }
+            _ => term
+                .parts_mut()
+                .into_iter()
+                .for_each(|part| self.term(part)),
+        }
+    }
+
+    fn target(&mut self, target: &mut Target) {
+        let index = target.index.iter_mut();
+        index.for_each(|index| self.inner_index(index));
+    }
+
+    fn body(&mut self, arguments: &[Name], body: &mut Term) {
+        if arguments.iter().all(|argument| argument.text != self.index) {
+            self.term(body);
+        }
+    }
+}
+
+fn number_kind(number: i64) -> TermKind {
+    TermKind::Number {
+        value: number as f64,
+        unit: None,
     }
 }
 
@@ -175,140 +163,6 @@ pub fn equation_name(
         || format!("{} = {}", print::term(left), print::term(right)),
         |name| name.text,
     )
-}
-
-/// A statement with `index` replaced by a whole number.
-pub fn statement_with_index(statement: &Statement, index: &str, value: i64) -> Statement {
-    let term = |inner: &Term| with_index(inner, index, value);
-    let target = |inner: &Target| Target {
-        name: inner.name.clone(),
-        index: inner
-            .index
-            .as_ref()
-            .map(|number| Box::new(index_with(number, index, value))),
-    };
-    let list = |inner: &[Statement]| {
-        inner
-            .iter()
-            .map(|one| statement_with_index(one, index, value))
-            .collect()
-    };
-    let mut copy = statement.clone();
-    match &mut copy.kind {
-        StatementKind::Constant(constant) => {
-            constant.target = target(&constant.target);
-            constant.value = constant.value.as_ref().map(term);
-            if let Some(tolerance) = &mut constant.tolerance {
-                tolerance.half_width = term(&tolerance.half_width);
-            }
-            constant.range = constant
-                .range
-                .as_ref()
-                .map(|(low, high)| (term(low), term(high)));
-        }
-        StatementKind::Let {
-            target: name,
-            arguments,
-            value: body,
-        } => {
-            *name = target(name);
-            // An argument of the same name hides the index.
-            if !arguments
-                .iter()
-                .flatten()
-                .any(|argument| argument.text == index)
-            {
-                *body = term(body);
-            }
-        }
-        StatementKind::Driver(driver) => {
-            driver.target = target(&driver.target);
-            driver.motion = driver.motion.as_ref().map(term);
-            driver.start = driver.start.as_ref().map(term);
-            driver.range = driver
-                .range
-                .as_ref()
-                .map(|(low, high)| (term(low), term(high)));
-            if let Some(tolerance) = &mut driver.tolerance {
-                tolerance.half_width = term(&tolerance.half_width);
-            }
-        }
-        StatementKind::Dependent(dependent) => {
-            dependent.target = target(&dependent.target);
-            dependent.start = dependent.start.as_ref().map(term);
-        }
-        StatementKind::Point {
-            target: name,
-            value: position,
-        } => {
-            *name = target(name);
-            *position = term(position);
-        }
-        StatementKind::Link { points, .. } => points.iter_mut().for_each(|one| *one = term(one)),
-        StatementKind::Part { bindings, .. } => {
-            for binding in bindings {
-                binding.value = binding.value.as_ref().map(term);
-                binding.start = binding.start.as_ref().map(term);
-            }
-        }
-        StatementKind::Coordinate(unknown) | StatementKind::State(unknown) => {
-            unknown.target = target(&unknown.target);
-            unknown.start = unknown.start.as_ref().map(term);
-            unknown.start_rate = unknown.start_rate.as_ref().map(term);
-        }
-        StatementKind::Closure { label, left, right }
-        | StatementKind::Motion { label, left, right } => {
-            *label = label.as_ref().map(target);
-            (*left, *right) = (term(left), term(right));
-        }
-        StatementKind::Energy { value: energy, .. } => *energy = term(energy),
-        StatementKind::Force { value: force, on } => (*force, *on) = (term(force), term(on)),
-        StatementKind::Require { condition, .. } => *condition = term(condition),
-        StatementKind::Mark { value: place, .. } => *place = term(place),
-        StatementKind::Output(output) | StatementKind::Measure { what: output, .. } => {
-            output.name = output.name.as_ref().map(target);
-            output.value = output.value.as_ref().map(term);
-        }
-        StatementKind::If {
-            condition,
-            then,
-            otherwise,
-        } => {
-            *condition = term(condition);
-            (*then, *otherwise) = (list(then), list(otherwise));
-        }
-        StatementKind::For {
-            index: own,
-            from,
-            to,
-            body,
-        } => {
-            (*from, *to) = (term(from), term(to));
-            if own.text != index {
-                *body = list(body);
-            }
-        }
-        StatementKind::Effect {
-            body, otherwise, ..
-        } => (*body, *otherwise) = (list(body), list(otherwise)),
-        StatementKind::Choice { alternatives, .. } => {
-            alternatives
-                .iter_mut()
-                .for_each(|alternative| alternative.body = list(&alternative.body));
-        }
-        StatementKind::Mode { body, .. } => *body = list(body),
-        StatementKind::Hold { target } => *target = term(target),
-        StatementKind::When(event) => {
-            event.label = event.label.as_ref().map(target);
-            event.guard = term(&event.guard);
-            event.condition = event.condition.as_ref().map(term);
-            for (target, value) in &mut event.resets {
-                (*target, *value) = (term(target), term(value));
-            }
-        }
-        StatementKind::Preset { .. } | StatementKind::Scene(_) | StatementKind::Expect(_) => {}
-    }
-    copy
 }
 
 #[cfg(test)]

@@ -198,7 +198,7 @@ impl Flattener<'_, '_> {
             if scope.is_part() && !is_kept(&mut statement.kind) {
                 continue;
             }
-            scope.statement(&mut statement.kind);
+            statement.kind.visit(scope);
             let locals = scope.enter(&statement.kind);
             for body in statement.kind.blocks_mut() {
                 *body = self.place(body, scope, parts);

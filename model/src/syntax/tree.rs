@@ -2,9 +2,11 @@
 
 mod scene;
 mod term;
+mod visit;
 
 pub use scene::{Expect, ExpectAt, Output, Scene, SceneItem, Selection, SweepRange};
 pub use term::{BinaryOperator, Term, TermKind, UnaryOperator, UnitTerm};
+pub use visit::Visitor;
 
 use crate::token::Span;
 
