@@ -84,7 +84,7 @@ pub fn read(
         }
         let name = &measure.name.text;
         let described = quantity(name, &measure.summary, &unit.dimension, &unit);
-        let symbols = low.graph.symbols_of(value).to_vec();
+        let symbols = low.graph.symbols(&[value]);
         let uses = symbols.into_iter().filter_map(|symbol| match symbol {
             Symbol::Measured(index) => Some(index as usize),
             _ => None,

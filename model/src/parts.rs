@@ -66,9 +66,9 @@ impl Parts {
                     );
                     return;
                 }
-                let symbols = low.graph.symbols_of(value).iter();
+                let symbols = low.graph.symbols(&[value]).into_iter();
                 let names = symbols.filter_map(|symbol| match symbol {
-                    Symbol::Parameter(index) => Some(*index as usize),
+                    Symbol::Parameter(index) => Some(index as usize),
                     _ => None,
                 });
                 let names = names.collect();

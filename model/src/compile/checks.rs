@@ -57,9 +57,9 @@ pub fn masses(low: &mut Lowering<'_>, mode: &Mode<'_>, values: &[f64]) {
 
 /// A constant that is zero or negative.
 fn suspect(low: &Lowering<'_>, factor: Expression, values: &[f64]) -> Option<usize> {
-    let mut symbols = low.graph.symbols_of(factor).iter();
+    let mut symbols = low.graph.symbols(&[factor]).into_iter();
     symbols.find_map(|symbol| match symbol {
-        Symbol::Parameter(index) if values[*index as usize] <= 0.0 => Some(*index as usize),
+        Symbol::Parameter(index) if values[index as usize] <= 0.0 => Some(index as usize),
         _ => None,
     })
 }

@@ -45,9 +45,9 @@ fn stand_still(
             if common.iter().all(|one| one.span != equation.span) {
                 return false;
             }
-            let symbols = low.graph.symbols_of(equation.residual).iter();
+            let symbols = low.graph.occurring(equation.residual);
             let mut highest = symbols.filter(|one| matches!(one, Symbol::Acceleration(_)));
-            highest.next() == Some(&own) && highest.next().is_none()
+            highest.next() == Some(own) && highest.next().is_none()
         };
         let mut found = (0..equations.len()).filter(|place| alone(&equations[*place]));
         if let (Some(place), None) = (found.next(), found.next()) {

@@ -1,13 +1,37 @@
 //! Builds expressions in normal form.
 
-use std::collections::BTreeMap;
-
 use super::graph::{Expression, Graph, Node, Real, Symbol};
+use super::hash::{Map, Set};
 use super::{laws, stable};
 use crate::program::{Function, Relation};
 
 /// Sums and products with more operands are not opened into others.
 const LONG: usize = 16;
+
+/// What has been built before, so that it need not be normalised again.
+#[derive(Debug, Default)]
+pub struct Made {
+    one: Option<Expression>,
+    /// Terms without their number.
+    rests: Map<Expression, Expression>,
+    multiples: Map<(Real, Expression), Expression>,
+    sums: Map<Box<[Expression]>, Expression>,
+    products: Map<Box<[Expression]>, Expression>,
+    /// Terms among which nothing cancels.
+    pub(super) settled: Set<Box<[Expression]>>,
+}
+
+/// Adds what belongs to the same expression, in the order in which it stands, and sorts by expressions.
+pub fn collect_like(list: &mut Vec<(Expression, f64)>) {
+    list.sort_by_key(|one| one.0);
+    list.dedup_by(|next, kept| {
+        let same = next.0 == kept.0;
+        if same {
+            kept.1 += next.1;
+        }
+        same
+    });
+}
 
 impl Graph {
     /// A number.
@@ -22,7 +46,12 @@ impl Graph {
 
     /// 1
     pub fn one(&mut self) -> Expression {
-        self.number(1.0)
+        if let Some(known) = self.made.one {
+            return known;
+        }
+        let one = self.number(1.0);
+        self.made.one = Some(one);
+        one
     }
 
     /// Something given.
@@ -38,8 +67,13 @@ impl Graph {
         let Some(number) = self.as_number(factors[0]) else {
             return (1.0, term);
         };
+        if let Some(rest) = self.made.rests.get(&term) {
+            return (number, *rest);
+        }
         let rest = factors[1..].to_vec();
-        (number, self.bare_product(rest))
+        let rest = self.bare_product(rest);
+        self.made.rests.insert(term, rest);
+        (number, rest)
     }
 
     /// A product of factors that are in normal form and contain no number.
@@ -53,24 +87,41 @@ impl Graph {
 
     /// `coefficient * term`
     pub fn scale(&mut self, coefficient: f64, term: Expression) -> Expression {
+        let key = (Real::new(coefficient), term);
+        if let Some(known) = self.made.multiples.get(&key) {
+            return *known;
+        }
         let number = self.number(coefficient);
-        self.mul(number, term)
+        let multiple = self.mul(number, term);
+        self.made.multiples.insert(key, multiple);
+        multiple
     }
 
     /// A sum; sums among the terms stay as they are.
     pub fn sum(&mut self, terms: &[Expression]) -> Expression {
+        self.budget().spend(1);
+        if let Some(known) = self.made.sums.get(terms) {
+            return *known;
+        }
+        let sum = self.new_sum(terms);
+        self.made.sums.insert(terms.into(), sum);
+        sum
+    }
+
+    fn new_sum(&mut self, terms: &[Expression]) -> Expression {
         let mut constant = 0.0;
-        let mut like: BTreeMap<Expression, f64> = BTreeMap::new();
+        let mut like: Vec<(Expression, f64)> = Vec::with_capacity(terms.len());
         for term in terms {
             match self.as_number(*term) {
                 Some(value) => constant += value,
                 None => {
                     let (coefficient, rest) = self.split_coefficient(*term);
-                    *like.entry(rest).or_insert(0.0) += coefficient;
+                    like.push((rest, coefficient));
                 }
             }
         }
-        like.retain(|_, coefficient| *coefficient != 0.0);
+        collect_like(&mut like);
+        like.retain(|(_, coefficient)| *coefficient != 0.0);
         laws::pythagoras(self, &mut like, &mut constant);
         let mut list: Vec<Expression> = like
             .into_iter()
@@ -130,25 +181,27 @@ impl Graph {
 
     /// A product; products among the factors are opened.
     pub fn product(&mut self, factors: &[Expression]) -> Expression {
+        self.budget().spend(1);
+        if let Some(known) = self.made.products.get(factors) {
+            return *known;
+        }
+        let product = self.new_product(factors);
+        self.made.products.insert(factors.into(), product);
+        product
+    }
+
+    fn new_product(&mut self, factors: &[Expression]) -> Expression {
         let mut coefficient = 1.0;
-        // Exponents by base; a power with a computed exponent is its own base.
-        let mut powers: BTreeMap<Expression, f64> = BTreeMap::new();
-        let mut stack: Vec<Expression> = factors.iter().rev().copied().collect();
-        while let Some(factor) = stack.pop() {
-            match self.node(factor).clone() {
-                Node::Number(value) => coefficient *= value.get(),
-                Node::Product(inner) if inner.len() <= LONG => stack.extend(inner.iter().rev()),
-                Node::Power(base, exponent) => match self.as_number(exponent) {
-                    Some(exponent) => *powers.entry(base).or_insert(0.0) += exponent,
-                    None => *powers.entry(factor).or_insert(0.0) += 1.0,
-                },
-                _ => *powers.entry(factor).or_insert(0.0) += 1.0,
-            }
+        let mut powers = Vec::with_capacity(2 * factors.len());
+        for factor in factors {
+            self.gather(*factor, &mut coefficient, &mut powers);
         }
         if coefficient == 0.0 {
             return self.zero();
         }
-        let mut list = Vec::new();
+        collect_like(&mut powers);
+        // Room for the number in front.
+        let mut list = Vec::with_capacity(powers.len() + 1);
         for (base, exponent) in powers {
             let power = self.powi_or(base, exponent);
             match self.node(power) {
@@ -168,6 +221,23 @@ impl Graph {
         self.bare_product(list)
     }
 
+    /// Takes a factor apart into its number and exponents by base; a power with a computed exponent is its own base.
+    fn gather(&self, factor: Expression, number: &mut f64, powers: &mut Vec<(Expression, f64)>) {
+        match self.node(factor) {
+            Node::Number(value) => *number *= value.get(),
+            Node::Product(inner) if inner.len() <= LONG => {
+                inner
+                    .iter()
+                    .for_each(|one| self.gather(*one, number, powers));
+            }
+            Node::Power(base, exponent) => match self.as_number(*exponent) {
+                Some(exponent) => powers.push((*base, exponent)),
+                None => powers.push((factor, 1.0)),
+            },
+            _ => powers.push((factor, 1.0)),
+        }
+    }
+
     /// `a / b`
     pub fn div(&mut self, a: Expression, b: Expression) -> Expression {
         // A quotient of numbers is rounded once.
@@ -184,6 +254,10 @@ impl Graph {
     }
 
     fn powi_or(&mut self, base: Expression, exponent: f64) -> Expression {
+        if exponent == 1.0 {
+            self.one();
+            return base;
+        }
         let exponent = self.number(exponent);
         self.pow(base, exponent)
     }

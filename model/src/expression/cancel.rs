@@ -17,8 +17,15 @@ struct Part {
 /// The stable form of a sum of terms, two of which may cancel. Terms that are sums themselves are opened if a part of
 /// one cancels with a part of another.
 pub fn sum(graph: &mut Graph, terms: &[Expression]) -> Option<Vec<Expression>> {
+    if graph.made.settled.contains(terms) {
+        return None;
+    }
     let parts = parts(graph, terms);
-    let (i, j, stable) = alike(graph, &parts).or_else(|| beside_equal_factors(graph, &parts))?;
+    let found = alike(graph, &parts).or_else(|| beside_equal_factors(graph, &parts));
+    let Some((i, j, stable)) = found else {
+        graph.made.settled.insert(terms.into());
+        return None;
+    };
     let opened = [parts[i].place, parts[j].place];
     let mut list: Vec<_> = (0..terms.len())
         .filter(|place| !opened.contains(place))

@@ -190,8 +190,8 @@ impl Graph {
         let mut entries = Vec::new();
         let mut rows_of: Map<Symbol, Vec<usize>> = Map::default();
         for (row, value) in rows.iter().enumerate() {
-            for symbol in self.symbols_of(*value) {
-                rows_of.entry(*symbol).or_default().push(row);
+            for symbol in self.occurring(*value) {
+                rows_of.entry(symbol).or_default().push(row);
             }
         }
         for (column, symbol) in symbols.iter().enumerate() {

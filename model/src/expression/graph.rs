@@ -2,10 +2,13 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
+use std::hash::{BuildHasher, BuildHasherDefault};
 use std::rc::Rc;
 
 use super::budget::Budget;
-use super::hash::Map;
+use super::build::Made;
+use super::hash::{Index, Map, WordHasher};
+use super::support::Supports;
 use crate::program::{Form, Function, Relation};
 
 /// Nodes may stand in each other this deep: what walks through them goes as deep.
@@ -99,44 +102,21 @@ pub enum Node {
 
 impl Node {
     /// The operands.
-    pub fn operands(&self) -> Vec<Expression> {
-        let mut list = Vec::new();
-        self.each_operand(|operand| list.push(operand));
-        list
-    }
-
-    /// Number of operands.
-    fn count(&self) -> usize {
-        match self {
+    pub fn operands(&self) -> impl Iterator<Item = Expression> + '_ {
+        let (first, list): ([Option<Expression>; 3], &[Expression]) = match self {
+            Node::Symbol(_) | Node::Number(_) => ([None; 3], &[]),
             Node::Sum(list)
             | Node::Product(list)
             | Node::Call(_, list)
-            | Node::Factor(_, _, list) => list.len(),
-            Node::Solve(_, right) => 1 + right.len(),
-            _ => 3,
-        }
-    }
-
-    /// Hands out the operands one by one.
-    fn each_operand(&self, mut take: impl FnMut(Expression)) {
-        match self {
-            Node::Symbol(_) | Node::Number(_) => {}
-            Node::Sum(list)
-            | Node::Product(list)
-            | Node::Call(_, list)
-            | Node::Factor(_, _, list) => {
-                list.iter().for_each(|one| take(*one));
-            }
+            | Node::Factor(_, _, list) => ([None; 3], list),
+            Node::Solve(factor, right) => ([Some(*factor), None, None], right),
+            Node::Not(a) | Node::Element(a, _) => ([Some(*a), None, None], &[]),
             Node::Power(a, b) | Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
-                [*a, *b].into_iter().for_each(take);
+                ([Some(*a), Some(*b), None], &[])
             }
-            Node::Not(a) | Node::Element(a, _) => take(*a),
-            Node::Select(a, b, c) => [*a, *b, *c].into_iter().for_each(take),
-            Node::Solve(factor, right) => {
-                take(*factor);
-                right.iter().for_each(|one| take(*one));
-            }
-        }
+            Node::Select(a, b, c) => ([Some(*a), Some(*b), Some(*c)], &[]),
+        };
+        first.into_iter().flatten().chain(list.iter().copied())
     }
 }
 
@@ -144,17 +124,16 @@ impl Node {
 #[derive(Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: Map<Node, Expression>,
+    index: Index,
     names: Map<Expression, String>,
     switches: Map<Expression, Rc<str>>,
     /// For each node the set of its symbols.
     support: Vec<u32>,
+    supports: Supports,
     /// For each node how many nodes stand in each other.
     depth: Vec<u32>,
-    supports: Vec<Rc<[Symbol]>>,
-    support_index: Map<Rc<[Symbol]>, u32>,
-    unions: Map<(u32, u32), u32>,
     visit: RefCell<Visit>,
+    pub(super) made: Made,
     budget: Rc<Budget>,
 }
 
@@ -186,12 +165,10 @@ impl Graph {
 
     /// An empty graph whose steps are counted.
     pub fn within(budget: Rc<Budget>) -> Self {
-        let mut graph = Self {
+        Self {
             budget,
             ..Self::default()
-        };
-        graph.intern_support(Rc::from([]));
-        graph
+        }
     }
 
     /// What the graph may cost.
@@ -201,61 +178,36 @@ impl Graph {
 
     /// The handle of a node.
     pub(super) fn intern(&mut self, node: Node) -> Expression {
-        self.budget.spend(1 + node.count());
-        if let Some(known) = self.index.get(&node) {
-            return *known;
+        self.budget.spend(1 + node.operands().count());
+        let hash = BuildHasherDefault::<WordHasher>::default().hash_one(&node) as u32;
+        if let Some(known) = self
+            .index
+            .find(hash, |known| self.nodes[known as usize] == node)
+        {
+            return Expression(known);
         }
         let support = match &node {
-            Node::Symbol(symbol) => self.intern_support(Rc::from([*symbol])),
+            Node::Symbol(symbol) => self.supports.single(*symbol),
             _ => {
-                let mut all = 0;
-                node.each_operand(|operand| {
-                    all = self.union(all, self.support[operand.0 as usize]);
-                });
-                all
+                let sets = node
+                    .operands()
+                    .map(|operand| self.support[operand.0 as usize]);
+                self.supports.union(sets)
             }
         };
-        let mut depth = 0;
-        node.each_operand(|operand| depth = depth.max(1 + self.depth[operand.0 as usize]));
+        let depths = node
+            .operands()
+            .map(|operand| 1 + self.depth[operand.0 as usize]);
+        let depth = depths.max().unwrap_or(0);
         if depth > DEEPEST {
             self.budget.exhaust();
         }
         self.depth.push(depth);
         let handle = Expression(self.nodes.len() as u32);
-        self.nodes.push(node.clone());
+        self.nodes.push(node);
         self.support.push(support);
-        self.index.insert(node, handle);
+        self.index.insert(hash, handle.0);
         handle
-    }
-
-    fn intern_support(&mut self, set: Rc<[Symbol]>) -> u32 {
-        if let Some(known) = self.support_index.get(&set) {
-            return *known;
-        }
-        let index = self.supports.len() as u32;
-        self.supports.push(set.clone());
-        self.support_index.insert(set, index);
-        index
-    }
-
-    fn union(&mut self, left: u32, right: u32) -> u32 {
-        let key = (left.min(right), left.max(right));
-        if key.0 == key.1 || key.0 == 0 {
-            return key.1;
-        }
-        if let Some(known) = self.unions.get(&key) {
-            return *known;
-        }
-        let both = self.supports[left as usize].len() + self.supports[right as usize].len();
-        self.budget.spend(2 * both);
-        let all: BTreeSet<Symbol> = self.supports[left as usize]
-            .iter()
-            .chain(self.supports[right as usize].iter())
-            .copied()
-            .collect();
-        let union = self.intern_support(all.into_iter().collect());
-        self.unions.insert(key, union);
-        union
     }
 
     /// The node.
@@ -305,25 +257,26 @@ impl Graph {
 
     /// Whether a symbol of a kind occurs.
     pub fn depends_on(&self, expression: Expression, kind: impl Fn(Symbol) -> bool) -> bool {
-        let symbols = self.symbols_of(expression);
-        self.budget.spend(1 + symbols.len() / 8);
-        symbols.iter().any(|symbol| kind(*symbol))
+        let set = self.support(expression);
+        self.budget.spend(1 + self.supports.words(set));
+        self.supports.symbols(set).any(kind)
     }
 
-    /// The symbols that occur, rising.
-    pub fn symbols_of(&self, expression: Expression) -> &[Symbol] {
-        &self.supports[self.support[expression.0 as usize] as usize]
+    /// The set of the symbols that occur, by number: equal sets have equal numbers.
+    pub fn support(&self, expression: Expression) -> u32 {
+        self.support[expression.0 as usize]
     }
 
-    /// All symbols that occur in some expressions.
+    /// The symbols that occur, in no order that means anything.
+    pub fn occurring(&self, expression: Expression) -> impl Iterator<Item = Symbol> + '_ {
+        self.supports.symbols(self.support(expression))
+    }
+
+    /// The symbols that occur in some expressions, rising.
     pub fn symbols(&self, expressions: &[Expression]) -> BTreeSet<Symbol> {
-        let sets: BTreeSet<u32> = expressions
-            .iter()
-            .map(|one| self.support[one.0 as usize])
-            .collect();
-        sets.into_iter()
-            .flat_map(|set| self.supports[set as usize].iter().copied())
-            .collect()
+        let sets: BTreeSet<u32> = expressions.iter().map(|one| self.support(*one)).collect();
+        let sets = sets.into_iter();
+        sets.flat_map(|set| self.supports.symbols(set)).collect()
     }
 
     /// All nodes that some expressions are made of, operands first.
@@ -335,7 +288,7 @@ impl Graph {
         while let Some(one) = stack.pop() {
             if std::mem::replace(&mut visit.last[one.0 as usize], now) != now {
                 found.push(one);
-                self.node(one).each_operand(|operand| stack.push(operand));
+                stack.extend(self.node(one).operands());
             }
         }
         self.budget.spend(found.len());

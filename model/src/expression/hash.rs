@@ -10,6 +10,51 @@ pub type Map<K, V> = HashMap<K, V, BuildHasherDefault<WordHasher>>;
 /// A set of nodes, handles or symbols.
 pub type Set<K> = HashSet<K, BuildHasherDefault<WordHasher>>;
 
+/// Finds handles by the hashes of what they stand for, which is kept elsewhere, and so only once.
+#[derive(Debug, Default)]
+pub struct Index {
+    /// Hash and handle, at a place that the hash says or behind it; as many as a power of two.
+    slots: Vec<Option<(u32, u32)>>,
+    count: usize,
+}
+
+impl Index {
+    /// The handle with this hash that is what is looked for.
+    pub fn find(&self, hash: u32, is_wanted: impl Fn(u32) -> bool) -> Option<u32> {
+        let mask = self.slots.len().wrapping_sub(1);
+        let mut place = hash as usize & mask;
+        while let Some((own, handle)) = *self.slots.get(place)? {
+            if own == hash && is_wanted(handle) {
+                return Some(handle);
+            }
+            place = (place + 1) & mask;
+        }
+        None
+    }
+
+    /// Adds a handle that is not there.
+    pub fn insert(&mut self, hash: u32, handle: u32) {
+        if 2 * self.count >= self.slots.len() {
+            let empty = vec![None; (2 * self.slots.len()).max(64)];
+            let old = std::mem::replace(&mut self.slots, empty);
+            old.into_iter()
+                .flatten()
+                .for_each(|(hash, handle)| self.put(hash, handle));
+        }
+        self.count += 1;
+        self.put(hash, handle);
+    }
+
+    fn put(&mut self, hash: u32, handle: u32) {
+        let mask = self.slots.len() - 1;
+        let mut place = hash as usize & mask;
+        while self.slots[place].is_some() {
+            place = (place + 1) & mask;
+        }
+        self.slots[place] = Some((hash, handle));
+    }
+}
+
 /// Takes a word at a time.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct WordHasher(u64);

@@ -1,7 +1,6 @@
 //! Identities, as a table: name, where it holds, what it does.
 
-use std::collections::BTreeMap;
-
+use super::build::collect_like;
 use super::graph::{Expression, Graph, Node};
 use crate::program::Function;
 
@@ -81,20 +80,30 @@ fn inverse(graph: &Graph, argument: Expression, of: Function) -> Option<Expressi
     }
 }
 
-/// `c*sin(x)^2 + c*cos(x)^2 = c` for terms with equal coefficients.
-pub fn pythagoras(graph: &mut Graph, like: &mut BTreeMap<Expression, f64>, constant: &mut f64) {
+/// `c*sin(x)^2 + c*cos(x)^2 = c` for terms with equal coefficients, rising.
+pub fn pythagoras(graph: &mut Graph, like: &mut Vec<(Expression, f64)>, constant: &mut f64) {
     if like.len() < 2 {
         return;
     }
-    let terms: Vec<Expression> = like.keys().copied().collect();
+    let terms: Vec<Expression> = like.iter().map(|one| one.0).collect();
     for term in terms {
-        let Some(coefficient) = like.get(&term).copied() else {
+        let place =
+            |like: &[(Expression, f64)], wanted| like.binary_search_by_key(&wanted, |one| one.0);
+        let Ok(here) = place(like, term) else {
             continue;
         };
-        let factors = match graph.node(term) {
-            Node::Product(factors) => factors.to_vec(),
-            _ => vec![term],
+        let coefficient = like[here].1;
+        let factors: &[Expression] = match graph.node(term) {
+            Node::Product(factors) => factors,
+            _ => &[term],
         };
+        if factors
+            .iter()
+            .all(|factor| squared(graph, *factor, Function::Sin).is_none())
+        {
+            continue;
+        }
+        let factors = factors.to_vec();
         for (index, factor) in factors.iter().enumerate() {
             let Some(angle) = squared(graph, *factor, Function::Sin) else {
                 continue;
@@ -106,17 +115,18 @@ pub fn pythagoras(graph: &mut Graph, like: &mut BTreeMap<Expression, f64>, const
             let rest = graph.product(&others);
             others.push(square);
             let partner = graph.product(&others);
-            if like.get(&partner) == Some(&coefficient) {
-                like.remove(&term);
-                like.remove(&partner);
+            let Ok(there) = place(like, partner) else {
+                continue;
+            };
+            if like[there].1 == coefficient {
+                like.remove(here.max(there));
+                like.remove(here.min(there));
                 match graph.as_number(rest) {
                     Some(number) => *constant += coefficient * number,
                     None => {
-                        let sum = like.entry(rest).or_insert(0.0);
-                        *sum += coefficient;
-                        if *sum == 0.0 {
-                            like.remove(&rest);
-                        }
+                        like.push((rest, coefficient));
+                        collect_like(like);
+                        like.retain(|one| one.1 != 0.0);
                     }
                 }
                 break;

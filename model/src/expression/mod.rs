@@ -17,9 +17,11 @@ mod laws;
 mod simplify;
 mod solve;
 mod stable;
+mod support;
 
 pub use breaks::{Breaks, Course};
 pub use budget::{Budget, STEPS, within};
+pub use build::collect_like;
 pub use graph::{Expression, Graph, Node, Real, Symbol};
 pub use hash::{Map, Set};
 

@@ -105,16 +105,14 @@ impl Linkage {
 }
 
 fn incidence(graph: &Graph, residuals: &[Expression], columns: usize) -> Incidence {
-    let dependent = |symbol: &Symbol| match symbol {
-        Symbol::Dependent(index) => Some(*index as usize),
+    let dependent = |symbol| match symbol {
+        Symbol::Dependent(index) => Some(index as usize),
         _ => None,
     };
+    // The order of columns decides which matching is found.
     let occurs = |residual: &Expression| {
-        graph
-            .symbols_of(*residual)
-            .iter()
-            .filter_map(dependent)
-            .collect()
+        let symbols = graph.symbols(&[*residual]).into_iter();
+        symbols.filter_map(dependent).collect()
     };
     Incidence {
         rows: residuals.iter().map(occurs).collect(),

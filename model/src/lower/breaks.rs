@@ -100,8 +100,8 @@ impl Lowering<'_> {
                     return false;
                 }
                 // The momenta are differentiated once more.
-                let symbols = self.graph.symbols_of(energy);
-                let speeds: Vec<_> = symbols.iter().copied().filter(|one| speed(*one)).collect();
+                let symbols = self.graph.symbols(&[energy]).into_iter();
+                let speeds: Vec<_> = symbols.filter(|one| speed(*one)).collect();
                 let one = self.graph.one();
                 let momenta = self.graph.gradient(&[(energy, one)], &speeds);
                 self.is_differentiable(&momenta, &all, &wanted)

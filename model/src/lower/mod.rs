@@ -78,6 +78,8 @@ pub struct Lowering<'a> {
     pub literal: Option<LiteralInfo>,
     /// What measures have asked for.
     pub measured: Measuring,
+    /// Names that are known to hold no product of a frequency in hertz and a time.
+    angles: BTreeSet<String>,
     survey: &'a Survey<'a>,
     selected: &'a Selected,
     kinds: Kinds,
@@ -113,6 +115,7 @@ impl<'a> Lowering<'a> {
             moved: Moved::InTime,
             literal: None,
             measured: Measuring::default(),
+            angles: BTreeSet::new(),
             survey,
             selected,
             kinds: Kinds::default(),

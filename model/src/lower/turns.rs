@@ -28,7 +28,12 @@ impl Lowering<'_> {
             self.diagnostics
                 .push(Diagnostic::warning(term.span, message).hint(hint));
         }
-        if let Some(product) = self.hertz(term, &mut BTreeSet::new()) {
+        let mut seen = std::mem::take(&mut self.angles);
+        let product = self.hertz(term, &mut seen);
+        if product.is_none() {
+            self.angles = seen;
+        }
+        if let Some(product) = product {
             let text = print::term(&product);
             let message = format!(
                 "`{text}` counts periods, and an angle is taken of it here as if it were radians"

@@ -1,5 +1,7 @@
 //! From the expressions of a scene to its program.
 
+use std::cell::RefCell;
+
 use super::emit::Emitter;
 use super::{
     Event, Input, OperationKind, Program, Results, Stage, Value, collect, order, sensitivity,
@@ -54,6 +56,8 @@ pub struct Request {
     pub surfaces: bool,
     /// Whether variations of the motion pass through its events.
     pub cycle: bool,
+    /// How often what has some symbols changes, by the number of their set: found once the inputs are known.
+    pub stages: RefCell<Map<u32, Stage>>,
 }
 
 impl Request {
@@ -68,12 +72,14 @@ impl Request {
 
     /// How often an expression changes.
     pub(super) fn stage(&self, graph: &Graph, expression: Expression) -> Stage {
-        graph
-            .symbols_of(expression)
-            .iter()
-            .map(|symbol| self.stage_of(*symbol))
-            .max()
-            .unwrap_or(Stage::Constant)
+        let found = || {
+            graph
+                .occurring(expression)
+                .map(|symbol| self.stage_of(symbol))
+        };
+        let mut stages = self.stages.borrow_mut();
+        let stage = stages.entry(graph.support(expression));
+        *stage.or_insert_with(|| found().max().unwrap_or(Stage::Constant))
     }
 
     /// All expressions in one list.
@@ -241,8 +247,7 @@ fn bind(
     bindings: &Map<Symbol, Expression>,
 ) -> Vec<Expression> {
     let mut closed: Map<Symbol, Expression> = Map::default();
-    let symbols: Vec<Symbol> = graph.symbols(roots).into_iter().collect();
-    for symbol in symbols {
+    for symbol in graph.symbols(roots) {
         close(graph, symbol, bindings, &mut closed);
     }
     graph.substitute(roots, &closed)
@@ -261,8 +266,7 @@ fn close(
     else {
         return;
     };
-    let inner: Vec<Symbol> = graph.symbols_of(value).to_vec();
-    for other in inner {
+    for other in graph.symbols(&[value]) {
         close(graph, other, bindings, closed);
     }
     let value = graph.substitute(&[value], closed)[0];

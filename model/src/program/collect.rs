@@ -1,11 +1,8 @@
 //! Pulls common factors out of sums, those first that change most often: what multiplies a coordinate then becomes a
 //! coefficient that is computed once an instant.
 
-use std::collections::BTreeMap;
-
-use super::Stage;
 use super::build::Request;
-use crate::expression::{Expression, Graph, Map, Node, Set};
+use crate::expression::{Expression, Graph, Map, Node, Set, collect_like};
 
 /// The expressions with common factors pulled out.
 pub fn collect(
@@ -29,7 +26,8 @@ pub fn collect(
                         Term::read(graph, new[term], whole)
                     })
                     .collect();
-                factored(graph, terms, request)
+                let counts = count(graph, &terms);
+                factored(graph, terms, counts, request)
             }
             _ => graph.rebuild_with(&node, &new),
         };
@@ -68,11 +66,10 @@ fn share_signs(graph: &mut Graph, roots: &[Expression]) -> Vec<Expression> {
     roots.iter().map(|root| new[root]).collect()
 }
 
-/// A term as a number and powers of factors.
-#[derive(Clone)]
+/// A term as a number and powers of factors, rising.
 struct Term {
     coefficient: f64,
-    powers: BTreeMap<Expression, f64>,
+    powers: Vec<(Expression, f64)>,
 }
 
 impl Term {
@@ -81,26 +78,31 @@ impl Term {
             Some(number) => (number, graph.one()),
             None => graph.split_coefficient(term),
         };
-        let factors = match graph.node(rest) {
-            Node::Product(factors) if !whole => factors.to_vec(),
-            Node::Number(_) => Vec::new(),
-            _ => vec![rest],
+        let factors: &[Expression] = match graph.node(rest) {
+            Node::Product(factors) if !whole => factors,
+            Node::Number(_) => &[],
+            _ => &[rest],
         };
-        let mut powers = BTreeMap::new();
-        for factor in factors {
-            let (base, exponent) = match graph.node(factor) {
-                Node::Power(base, exponent) => match graph.as_number(*exponent) {
-                    Some(number) if number.fract() == 0.0 => (*base, number),
-                    _ => (factor, 1.0),
-                },
-                _ => (factor, 1.0),
-            };
-            *powers.entry(base).or_insert(0.0) += exponent;
-        }
+        let power = |factor: &Expression| match graph.node(*factor) {
+            Node::Power(base, exponent) => match graph.as_number(*exponent) {
+                Some(number) if number.fract() == 0.0 => (*base, number),
+                _ => (*factor, 1.0),
+            },
+            _ => (*factor, 1.0),
+        };
+        let mut powers: Vec<_> = factors.iter().map(power).collect();
+        collect_like(&mut powers);
         Self {
             coefficient,
             powers,
         }
+    }
+
+    /// Place and exponent of a factor that stands above the line, or below it.
+    fn find(&self, (base, above): Factor) -> Option<(usize, f64)> {
+        let place = self.powers.binary_search_by_key(&base, |one| one.0).ok()?;
+        let exponent = self.powers[place].1;
+        ((exponent > 0.0) == above).then_some((place, exponent.abs()))
     }
 
     fn write(&self, graph: &mut Graph) -> Expression {
@@ -112,40 +114,14 @@ impl Term {
     }
 }
 
-/// A sum with its common factors pulled out.
-fn factored(graph: &mut Graph, mut terms: Vec<Term>, request: &Request) -> Expression {
-    let mut done = Vec::new();
-    while let Some((base, sign)) = most_common(graph, &terms, request) {
-        let has = |term: &Term| {
-            term.powers
-                .get(&base)
-                .is_some_and(|exponent| exponent * sign > 0.0)
-        };
-        let (mut inside, outside): (Vec<Term>, Vec<Term>) = terms.into_iter().partition(has);
-        let least = inside
-            .iter()
-            .map(|term| term.powers[&base].abs())
-            .fold(f64::INFINITY, f64::min);
-        for term in &mut inside {
-            let left = term.powers[&base] - sign * least;
-            term.powers.remove(&base);
-            if left != 0.0 {
-                term.powers.insert(base, left);
-            }
-        }
-        let sum = factored(graph, inside, request);
-        let factor = graph.powi(base, (sign * least) as i32);
-        done.push(graph.mul(factor, sum));
-        terms = outside;
-    }
-    done.extend(terms.iter().map(|term| term.write(graph)));
-    graph.sum(&done)
-}
+/// A factor, and whether it stands above the line.
+type Factor = (Expression, bool);
 
-/// The factor that is pulled out next, with the sign of its exponents: it changes as often as any, and occurs in most
-/// terms, at least two.
-fn most_common(graph: &Graph, terms: &[Term], request: &Request) -> Option<(Expression, f64)> {
-    let mut counts: BTreeMap<(Expression, bool), usize> = BTreeMap::new();
+/// In how many terms each factor occurs.
+type Counts = Map<Factor, usize>;
+
+fn count(graph: &Graph, terms: &[Term]) -> Counts {
+    let mut counts = Counts::default();
     for term in terms {
         graph.budget().spend(term.powers.len());
         for (base, exponent) in &term.powers {
@@ -153,11 +129,67 @@ fn most_common(graph: &Graph, terms: &[Term], request: &Request) -> Option<(Expr
         }
     }
     counts
-        .into_iter()
-        .filter(|(_, count)| *count > 1)
-        .max_by_key(|((base, positive), count)| {
-            let stage: Stage = request.stage(graph, *base);
-            (stage, *count, *positive, std::cmp::Reverse(*base))
-        })
-        .map(|((base, positive), _)| (base, if positive { 1.0 } else { -1.0 }))
+}
+
+/// A sum with its common factors pulled out.
+fn factored(
+    graph: &mut Graph,
+    mut terms: Vec<Term>,
+    mut counts: Counts,
+    request: &Request,
+) -> Expression {
+    let (mut done, mut of_all) = (Vec::new(), Vec::new());
+    while let Some(common) = most_common(graph, &counts, request) {
+        let has = |term: &Term| term.find(common).is_some();
+        if done.is_empty() && terms.iter().all(has) {
+            of_all.push((common.0, pull(common, &mut terms, &mut counts)));
+            continue;
+        }
+        let (mut inside, outside): (Vec<Term>, Vec<Term>) = terms.into_iter().partition(has);
+        let mut own = count(graph, &inside);
+        for (factor, number) in &own {
+            counts.entry(*factor).and_modify(|all| *all -= number);
+        }
+        let exponent = pull(common, &mut inside, &mut own);
+        let sum = factored(graph, inside, own, request);
+        let factor = graph.powi(common.0, exponent);
+        done.push(graph.mul(factor, sum));
+        terms = outside;
+    }
+    done.extend(terms.iter().map(|term| term.write(graph)));
+    let mut factors = vec![graph.sum(&done)];
+    let of_all = of_all.into_iter().rev();
+    factors.extend(of_all.map(|(base, exponent)| graph.powi(base, exponent)));
+    match factors.as_slice() {
+        [sum] => *sum,
+        _ => graph.product(&factors),
+    }
+}
+
+/// Divides terms that have a factor by its lowest power, whose exponent this gives.
+fn pull(common: Factor, terms: &mut [Term], counts: &mut Counts) -> i32 {
+    let exponents = terms.iter().filter_map(|term| term.find(common));
+    let least = exponents.map(|one| one.1).fold(f64::INFINITY, f64::min);
+    let least = if common.1 { least } else { -least };
+    for term in terms {
+        let Some((place, _)) = term.find(common) else {
+            continue;
+        };
+        term.powers[place].1 -= least;
+        if term.powers[place].1 == 0.0 {
+            term.powers.remove(place);
+            counts.entry(common).and_modify(|all| *all -= 1);
+        }
+    }
+    least as i32
+}
+
+/// The factor that is pulled out next: it changes as often as any, and occurs in most terms, at least two.
+fn most_common(graph: &Graph, counts: &Counts, request: &Request) -> Option<Factor> {
+    let common = counts.iter().filter(|(_, count)| **count > 1);
+    let (factor, _) = common.max_by_key(|((base, above), count)| {
+        let stage = request.stage(graph, *base);
+        (stage, **count, *above, std::cmp::Reverse(*base))
+    })?;
+    Some(*factor)
 }

@@ -3,6 +3,8 @@
 //! A sum or product whose operands belong to different stages is split: the part of each stage is computed in that
 //! stage. A product that is added once is added by one operation. Equal operations are written once.
 
+use std::hash::{Hash, Hasher};
+
 use super::build::Request;
 use super::latency;
 use super::{Function, Input, Operation, OperationKind, Stage, Value};
@@ -28,9 +30,41 @@ pub struct Emitter<'a> {
     done: Map<Expression, Value>,
 }
 
-/// An operation without its name; numbers by their bits.
-#[derive(PartialEq, Eq, Hash)]
-struct Key(String);
+/// An operation as a key of a map: numbers by their bits, what commutes in one order.
+struct Key(OperationKind);
+
+impl Key {
+    fn of(kind: &OperationKind) -> Self {
+        Self(match kind.clone() {
+            OperationKind::Add(a, b) => OperationKind::Add(a.min(b), a.max(b)),
+            OperationKind::Multiply(a, b) => OperationKind::Multiply(a.min(b), a.max(b)),
+            kind => kind,
+        })
+    }
+}
+
+impl PartialEq for Key {
+    fn eq(&self, other: &Self) -> bool {
+        match (&self.0, &other.0) {
+            (OperationKind::Number(a), OperationKind::Number(b)) => a.to_bits() == b.to_bits(),
+            (a, b) => a == b,
+        }
+    }
+}
+
+impl Eq for Key {}
+
+impl Hash for Key {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        std::mem::discriminant(&self.0).hash(state);
+        match &self.0 {
+            OperationKind::Number(number) => number.to_bits().hash(state),
+            OperationKind::Input(input) => input.hash(state),
+            OperationKind::Element { solution, index } => (solution, index).hash(state),
+            kind => kind.operands().hash(state),
+        }
+    }
+}
 
 impl<'a> Emitter<'a> {
     /// Begins to write what some expressions are made of.
@@ -197,12 +231,7 @@ impl<'a> Emitter<'a> {
     }
 
     fn push(&mut self, kind: OperationKind, stage: Stage) -> Value {
-        let key = Key(match &kind {
-            OperationKind::Number(value) => format!("{}", value.to_bits()),
-            OperationKind::Add(a, b) => format!("add {} {}", a.0.min(b.0), a.0.max(b.0)),
-            OperationKind::Multiply(a, b) => format!("multiply {} {}", a.0.min(b.0), a.0.max(b.0)),
-            kind => format!("{kind:?}"),
-        });
+        let key = Key::of(&kind);
         if let Some(known) = self.known.get(&key) {
             return *known;
         }
