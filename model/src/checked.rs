@@ -2,10 +2,17 @@
 //!
 //! It is plain data. The macro prints it as Rust; the command lists it.
 
+mod linkage;
+mod measure;
+mod mode;
+
+pub use linkage::{
+    DependentInfo, GroupInfo, GroupKind, LinkInfo, LinkageInfo, LoopInfo, RangeInfo, VariableInfo,
+};
+pub use measure::{MeasureInfo, Moment, Primitive, PrimitiveKind};
+pub use mode::{EventInfo, ModeModel};
+
 use crate::diagnostic::Diagnostic;
-pub use crate::linkage::GroupKind;
-pub use crate::lower::{Moment, Primitive, PrimitiveKind};
-pub use crate::modes::EventInfo;
 use crate::program::Program;
 pub use crate::syntax::tree::{Direction, Distribution};
 use crate::token::Span;
@@ -142,119 +149,6 @@ pub struct SceneModel {
     pub first: usize,
     /// The operations.
     pub program: Program,
-}
-
-/// A number of a whole run.
-#[derive(Clone, Debug)]
-pub struct MeasureInfo {
-    /// Name and unit.
-    pub quantity: QuantityInfo,
-    /// The primitives that it is made of, by index.
-    pub uses: Vec<usize>,
-}
-
-/// A mode of a motion.
-#[derive(Clone, Debug)]
-pub struct ModeModel {
-    /// Its name; empty where a motion has events and no modes.
-    pub name: String,
-    /// What it is.
-    pub summary: String,
-    /// The equations that hold in it.
-    pub equations: Vec<EquationInfo>,
-    /// What ends it, or makes it jump; in the order of the program's `events`.
-    pub events: Vec<EventInfo>,
-    /// Speeds that are zero in it, by their places in the state vector: those of coordinates that it holds or lacks.
-    pub held: Vec<usize>,
-    /// The operations.
-    pub program: Program,
-}
-
-/// What a linkage has beside its outputs.
-#[derive(Clone, Debug)]
-pub struct LinkageInfo {
-    /// Range of each driver.
-    pub ranges: Vec<RangeInfo>,
-    /// The coordinates that the loops determine.
-    pub dependents: Vec<DependentInfo>,
-    /// The scalar equations of the loops.
-    pub loops: Vec<LoopInfo>,
-    /// Equations that are closed together, each after those it needs.
-    pub groups: Vec<GroupInfo>,
-    /// What influence coefficients are taken by.
-    pub variables: Vec<VariableInfo>,
-    /// Names of the points.
-    pub points: Vec<String>,
-    /// Links, by the indices of their points.
-    pub links: Vec<LinkInfo>,
-}
-
-/// Where a driver moves, SI units.
-#[derive(Clone, Debug)]
-pub struct RangeInfo {
-    /// Where a sweep begins.
-    pub from: f64,
-    /// Where it ends.
-    pub to: f64,
-    /// Where the start values of the dependent coordinates are meant.
-    pub start: f64,
-    /// Period after which the linkage is where it was; infinite if there is none.
-    pub period: f64,
-    /// Permitted error of the position with its distribution; zero if none is stated.
-    pub tolerance: (f64, Distribution),
-}
-
-/// A dependent coordinate.
-#[derive(Clone, Debug)]
-pub struct DependentInfo {
-    /// Name and unit.
-    pub quantity: QuantityInfo,
-    /// Whether it is an angle, the same after a turn.
-    pub is_angle: bool,
-    /// Rough value at the start, SI units; NaN if none is stated.
-    pub start: f64,
-}
-
-/// A scalar loop equation.
-#[derive(Clone, Debug)]
-pub struct LoopInfo {
-    /// Name, `loop.x`.
-    pub name: String,
-    /// Unit of its sides.
-    pub unit: String,
-    /// SI value of one such unit.
-    pub factor: f64,
-    /// Where it stands in the file.
-    pub span: Span,
-}
-
-/// Equations that are closed together.
-#[derive(Clone, Debug)]
-pub struct GroupInfo {
-    /// How they are solved.
-    pub kind: GroupKind,
-    /// Indices of the scalar equations.
-    pub equations: Vec<usize>,
-    /// Indices of the dependent coordinates.
-    pub unknowns: Vec<usize>,
-}
-
-/// What an influence coefficient is taken by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum VariableInfo {
-    /// The constant of this index.
-    Constant(usize),
-    /// The driver of this index.
-    Driver(usize),
-}
-
-/// Points that are joined.
-#[derive(Clone, Debug)]
-pub struct LinkInfo {
-    /// Indices of the points, in the order of the line.
-    pub points: Vec<usize>,
-    /// What it is.
-    pub text: String,
 }
 
 /// A named quantity with the unit in which it is printed.

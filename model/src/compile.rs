@@ -20,12 +20,12 @@ mod request;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
-use crate::checked::SceneModel;
+use crate::checked::{EventInfo, SceneModel};
 use crate::diagnostic::Diagnostics;
 use crate::expression::{Budget, STEPS, Symbol};
 use crate::linkage::Linkage;
 use crate::lower::{Kind, Lowering};
-use crate::modes::{EventInfo, Phase, Phases};
+use crate::modes::{Phase, Phases};
 use crate::motion::{self, Equation, Solved, UnknownName};
 use crate::parts::Parts;
 use crate::program;
@@ -215,8 +215,8 @@ fn program_of(mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
         model.linkage = Some(request::influences(&mode, &kept, &mut request, low));
     }
     let kinds = &mode.asked.measures.kinds;
-    model.expectations =
-        crate::published::expectations(low, mode.here.task, &model, kinds, stretch);
+    let file = (mode.here.task.file, mode.here.task.is_first);
+    model.expectations = crate::published::expectations(low, file, &model, kinds, stretch);
     if low.diagnostics.error_count() > before {
         return None;
     }

@@ -4,7 +4,7 @@ use crate::checked::{ConstantInfo, QuantityInfo};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Map, Symbol};
 use crate::homogeneity::{agree, describe, disagreement, over};
-use crate::lower::{Kind, Lowering, Typed, second};
+use crate::lower::{Kind, Lowering, Moved, Typed, second};
 use crate::resolve::{Declared, Names};
 use crate::syntax::print;
 use crate::syntax::tree::{
@@ -12,9 +12,6 @@ use crate::syntax::tree::{
 };
 use crate::token::Span;
 use crate::unit::{self, Dimension, Unit};
-
-/// Kind of each given quantity with the unit in which it is printed.
-pub type Kinds = Map<Symbol, (Kind, Unit)>;
 
 /// A description of a quantity.
 pub fn quantity(name: &str, summary: &str, dimension: &Dimension, unit: &Unit) -> QuantityInfo {
@@ -60,17 +57,6 @@ fn written_unit(term: &Term, diagnostics: &mut Diagnostics) -> Option<Unit> {
         } => written_unit(left, diagnostics).or_else(|| written_unit(right, diagnostics)),
         _ => None,
     }
-}
-
-/// What moves the drivers of a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Moved {
-    /// The time, in equations of motion.
-    InTime,
-    /// The time, but positions and speeds are given to the linkage.
-    Given,
-    /// They are set from outside.
-    Swept,
 }
 
 /// The motion of a driver.

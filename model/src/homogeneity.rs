@@ -1,9 +1,30 @@
 //! Every equation balances in its units: the rules by which kinds of quantities combine.
 
 use crate::diagnostic::Diagnostic;
-use crate::lower::Kind;
 use crate::token::Span;
 use crate::unit::{Dimension, Unit};
+
+/// Kind of a quantity. A literal zero fits everywhere, so its kind is open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// Zero, of any kind.
+    Any,
+    /// A quantity with this dimension.
+    Of(Dimension),
+}
+
+impl Kind {
+    /// A pure number.
+    pub const NUMBER: Kind = Kind::Of(Dimension::NONE);
+
+    /// The dimension, that of a pure number where it is open.
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Kind::Any => Dimension::NONE,
+            Kind::Of(dimension) => dimension,
+        }
+    }
+}
 
 /// Kinds of quantities that have a name of their own: unit and name.
 const NAMED: &[(&str, &str)] = &[

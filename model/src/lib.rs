@@ -36,6 +36,7 @@ pub mod program;
 mod published;
 mod resolve;
 mod scene;
+mod slopes;
 pub mod structure;
 pub mod syntax;
 pub mod texts;
@@ -55,9 +56,6 @@ use lexer::Unreadable;
 use scene::{Selected, Survey};
 use syntax::tree::{File, Scene, StatementKind, is_unread};
 use token::{Span, Token};
-
-/// Abbreviations may refer to each other this deep when they stand in the wrong order.
-pub(crate) const MOST_NESTED: usize = 400;
 
 /// Stack of the thread that compiles: nesting is limited, and this holds the deepest that is allowed.
 const STACK: usize = 256 << 20;

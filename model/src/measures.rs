@@ -1,11 +1,11 @@
 //! The measures of a scene: numbers of a whole run, made of what is found by looking at it.
 
-use crate::checked::{MeasureInfo, QuantityInfo};
+use crate::checked::{MeasureInfo, Primitive, QuantityInfo};
 use crate::declare::quantity;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
 use crate::homogeneity::{agree, describe};
-use crate::lower::{Kind, Lowering, Measuring, Primitive, Typed};
+use crate::lower::{Kind, Lowering, Measuring, Typed};
 use crate::resolve::Names;
 use crate::syntax::tree::{Term, TermKind};
 use crate::unit::{self, Unit};

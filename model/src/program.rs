@@ -2,10 +2,12 @@
 //! whoever runs it, the emitted Rust or the evaluator.
 
 mod build;
+mod closing;
 mod collect;
 mod count;
 mod emit;
 mod evaluate;
+mod event;
 mod latency;
 mod order;
 mod product;
@@ -14,13 +16,11 @@ mod sensitivity;
 mod share;
 mod surfaces;
 
-pub use crate::linkage::ClosedForm;
+pub use crate::expression::{Form, Function, Relation};
 pub use build::{Request, build};
-pub(crate) use evaluate::solve;
+pub use closing::{ClosedForm, Closing};
 pub use evaluate::{Place, Values};
-
-use crate::linkage::Closing;
-pub use crate::modes::{Event, Slopes};
+pub use event::{Event, Slopes};
 
 /// Index of an operation, and so of its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -136,77 +136,6 @@ pub enum OperationKind {
         /// Which element, from 0.
         index: u32,
     },
-}
-
-/// What kind of matrix is factored, and so which of its entries are given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Form {
-    /// Symmetric and positive: the lower triangle, row by row.
-    Symmetric,
-    /// Any with an inverse: all entries, row by row. It is factored with pivoting.
-    General,
-}
-
-impl Form {
-    /// Where an entry of a matrix with so many rows stands among those given.
-    pub fn place(self, size: usize, row: usize, column: usize) -> usize {
-        match self {
-            Self::Symmetric => {
-                let (row, column) = (row.max(column), row.min(column));
-                row * (row + 1) / 2 + column
-            }
-            Self::General => row * size + column,
-        }
-    }
-}
-
-/// A function of the language.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[expect(missing_docs, reason = "the names say it")]
-pub enum Function {
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    Atan2,
-    Sinh,
-    Cosh,
-    Tanh,
-    Exp,
-    Ln,
-    Log10,
-    Sqrt,
-    Hypot,
-    Erf,
-    NormalCdf,
-    Floor,
-    /// `|x|`
-    Abs,
-    /// −1, 0 or 1
-    Sign,
-    /// The larger of two.
-    Max,
-    /// The smaller of two.
-    Min,
-    /// `x^y` for any real `y`
-    Power,
-    /// `e^x − 1` without cancellation
-    ExpM1,
-    /// `ln(1 + x)` without cancellation
-    Ln1p,
-}
-
-/// A relation between two values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Relation {
-    /// `<`
-    Less,
-    /// `<=`
-    LessEqual,
-    /// `==`
-    Equal,
 }
 
 /// A function of the program: which values it returns.

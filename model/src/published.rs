@@ -1,15 +1,13 @@
 //! Published facts and marked places: where in a motion they hold, and what they speak of.
 
 use crate::checked::{ExpectInfo, ExpectPlace, MarkInfo, SceneModel, Subject, VariableInfo};
-use crate::compile::Task;
-use crate::declare::Moved;
 use crate::diagnostic::Diagnostic;
 use crate::expression::Symbol;
-use crate::lower::{Kind, Lowering, second};
+use crate::lower::{Kind, Lowering, Moved, second};
 use crate::nearest::nearest;
 use crate::resolve::Role;
 use crate::syntax::print;
-use crate::syntax::tree::{Expect, ExpectAt, Name, Statement, StatementKind, Term, TermKind};
+use crate::syntax::tree::{Expect, ExpectAt, File, Name, Statement, StatementKind, Term, TermKind};
 
 /// From when to when a scene runs.
 #[derive(Clone, Copy)]
@@ -22,22 +20,22 @@ pub struct Stretch {
     pub is_fixed: bool,
 }
 
-/// The published facts of a scene.
+/// The published facts of a scene of a file, to the first of which facts without a scene belong.
 pub fn expectations(
     low: &mut Lowering<'_>,
-    task: &Task<'_>,
+    (file, is_first): (&File, bool),
     model: &SceneModel,
     measures: &[Kind],
     stretch: Option<Stretch>,
 ) -> Vec<ExpectInfo> {
     let mut list = Vec::new();
-    for statement in &task.file.statements {
+    for statement in &file.statements {
         let StatementKind::Expect(expect) = &statement.kind else {
             continue;
         };
         let concerns = match &expect.scene {
             Some(scene) => scene.text == model.name,
-            None => task.is_first,
+            None => is_first,
         };
         if concerns {
             let found = expectation(low, expect, statement.span, model, measures);

@@ -3,54 +3,12 @@
 use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::lower::MEASURING;
 use crate::syntax::tree::{
     Constant, Dependent, Driver, Name, Output, Statement, StatementKind, Term, Unknown,
 };
+use crate::syntax::words::{FUNCTIONS, MEASURING, QUANTITIES};
 use crate::token::Span;
 use crate::unroll::target_name;
-
-/// Functions of the language, which no declaration may hide.
-pub const FUNCTIONS: &[&str] = &[
-    "sin",
-    "cos",
-    "tan",
-    "asin",
-    "acos",
-    "atan",
-    "atan2",
-    "sinh",
-    "cosh",
-    "tanh",
-    "exp",
-    "ln",
-    "log10",
-    "sqrt",
-    "hypot",
-    "erf",
-    "normal_cdf",
-    "floor",
-    "mod",
-    "abs",
-    "sign",
-    "max",
-    "min",
-    "dot",
-    "ddot",
-    "diff",
-    "sum",
-    "inner",
-    "cross",
-    "norm",
-    "dir",
-    "rot",
-    "rotx",
-    "roty",
-    "rotz",
-];
-
-/// Quantities of the language.
-pub const QUANTITIES: &[&str] = &["time", "pi"];
 
 /// A declared name.
 #[derive(Clone, Debug)]

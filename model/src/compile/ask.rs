@@ -1,15 +1,15 @@
 //! The sixth phase: what a scene asks for, as expressions.
 
 use super::Here;
-use crate::checked::{LiteralInfo, SpanKind};
-use crate::declare::Moved;
+use crate::checked::{EventInfo, LiteralInfo, SpanKind};
 use crate::diagnostic::Diagnostic;
 use crate::expression::Expression;
 use crate::facts::{self, Outputs, TaskValues};
 use crate::linkage::{Geometry, Ranges};
-use crate::lower::Lowering;
+use crate::lower::{Lowering, Moved};
 use crate::measures::{self, Measures};
-use crate::modes::{self, Event, EventInfo};
+use crate::modes;
+use crate::program::Event;
 use crate::syntax::tree::SceneItem;
 
 /// What is asked for.

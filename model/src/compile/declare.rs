@@ -2,10 +2,10 @@
 
 use super::Here;
 use crate::checked::ConstantInfo;
-use crate::declare::{Drive, Moved};
+use crate::declare::Drive;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Symbol;
-use crate::lower::Lowering;
+use crate::lower::{Lowering, Moved};
 use crate::resolve::Names;
 use crate::syntax::tree::{Scene, SceneItem};
 use crate::unit::Unit;

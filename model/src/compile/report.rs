@@ -2,10 +2,9 @@
 
 use super::quantities::{driver_quantities, state_quantities};
 use super::{Compiled, Mode};
-use crate::checked::SceneModel;
+use crate::checked::{EventInfo, SceneModel};
 use crate::expression::Symbol;
 use crate::lower::Lowering;
-use crate::modes::EventInfo;
 use crate::published;
 use crate::syntax::tree::Scene;
 

@@ -2,9 +2,8 @@
 
 use super::Mode;
 use crate::checked::{LinkageInfo, LoopInfo, SpanKind};
-use crate::declare::Moved;
 use crate::expression::{Expression, Symbol};
-use crate::lower::Lowering;
+use crate::lower::{Lowering, Moved};
 use crate::program::{Input, Request};
 
 use super::quantities::state_symbols;

@@ -4,9 +4,9 @@
 //! things take a jump away, or are taken to: an even power of a sign, a factor that vanishes where the jump is, as in
 //! `x*sign(x)`, and a branch, because whoever writes one says what holds on each side.
 
+use super::function::Function;
 use super::graph::{Expression, Graph, Node, Symbol};
 use super::hash::Set;
-use crate::program::Function;
 
 /// What an expression is differentiated along.
 pub struct Course<'a> {

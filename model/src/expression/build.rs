@@ -1,9 +1,9 @@
 //! Builds expressions in normal form.
 
+use super::function::{Function, Relation};
 use super::graph::{Expression, Graph, Node, Real, Symbol};
 use super::hash::{Map, Set};
 use super::{laws, stable};
-use crate::program::{Function, Relation};
 
 /// Sums and products with more operands are not opened into others.
 const LONG: usize = 16;
@@ -331,12 +331,7 @@ impl Graph {
     /// A condition; between numbers it becomes `0 < 1` or `1 < 0`.
     pub fn compare(&mut self, relation: Relation, a: Expression, b: Expression) -> Expression {
         if let (Some(x), Some(y)) = (self.as_number(a), self.as_number(b)) {
-            let held = match relation {
-                Relation::Less => x < y,
-                Relation::LessEqual => x <= y,
-                Relation::Equal => x == y,
-            };
-            return self.decided(held);
+            return self.decided(relation.holds(x, y));
         }
         if a == b {
             return self.decided(relation != Relation::Less);

@@ -1,8 +1,8 @@
 //! Derivatives: forward along a direction, backward from weighted values. Each costs a small multiple of the nodes.
 
+use super::function::{Function, Relation};
 use super::graph::{Expression, Graph, Node, Symbol};
 use super::hash::{Map, Set};
-use crate::program::{Function, Relation};
 
 impl Graph {
     /// Derivatives of some expressions along a direction: what each symbol changes by.

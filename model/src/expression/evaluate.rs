@@ -2,7 +2,7 @@
 
 use super::graph::{Expression, Graph, Node, Symbol};
 use super::hash::Map;
-use crate::program::Relation;
+use super::linear::solve;
 
 impl Graph {
     /// The values of some expressions; conditions are 1 or 0.
@@ -21,9 +21,7 @@ impl Graph {
                 Node::Call(function, arguments) => {
                     function.apply(&arguments.iter().map(at).collect::<Vec<_>>())
                 }
-                Node::Compare(Relation::Less, a, b) => truth(at(a) < at(b)),
-                Node::Compare(Relation::LessEqual, a, b) => truth(at(a) <= at(b)),
-                Node::Compare(Relation::Equal, a, b) => truth(at(a) == at(b)),
+                Node::Compare(relation, a, b) => truth(relation.holds(at(a), at(b))),
                 Node::And(a, b) => truth(at(a) != 0.0 && at(b) != 0.0),
                 Node::Or(a, b) => truth(at(a) != 0.0 || at(b) != 0.0),
                 Node::Not(a) => truth(at(a) == 0.0),
@@ -39,7 +37,7 @@ impl Graph {
                     if let Node::Factor(form, _, entries) = self.node(*factor) {
                         let entries: Vec<f64> = entries.iter().map(at).collect();
                         let right: Vec<f64> = right.iter().map(at).collect();
-                        solutions.insert(one, crate::program::solve(*form, &entries, &right));
+                        solutions.insert(one, solve(*form, &entries, &right));
                     }
                     f64::NAN
                 }

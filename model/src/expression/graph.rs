@@ -7,9 +7,10 @@ use std::rc::Rc;
 
 use super::budget::Budget;
 use super::build::Made;
+use super::function::{Function, Relation};
 use super::hash::{Index, Map, WordHasher};
+use super::linear::Form;
 use super::support::Supports;
-use crate::program::{Form, Function, Relation};
 
 /// Nodes may stand in each other this deep: what walks through them goes as deep.
 const DEEPEST: u32 = 20_000;

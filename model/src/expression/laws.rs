@@ -1,8 +1,8 @@
 //! Identities, as a table: name, where it holds, what it does.
 
 use super::build::collect_like;
+use super::function::Function;
 use super::graph::{Expression, Graph, Node};
-use crate::program::Function;
 
 /// An identity of functions.
 struct Law {

@@ -10,10 +10,13 @@ mod build;
 mod cancel;
 mod differentiate;
 mod display;
+mod error_function;
 mod evaluate;
+mod function;
 mod graph;
 mod hash;
 mod laws;
+mod linear;
 mod simplify;
 mod solve;
 mod stable;
@@ -22,8 +25,10 @@ mod support;
 pub use breaks::{Breaks, Course};
 pub use budget::{Budget, STEPS, within};
 pub use build::collect_like;
+pub use function::{Function, Relation};
 pub use graph::{Expression, Graph, Node, Real, Symbol};
 pub use hash::{Map, Set};
+pub use linear::{Form, solve};
 
 #[cfg(test)]
 mod tests;

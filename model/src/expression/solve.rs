@@ -1,7 +1,7 @@
 //! Linear systems: small symmetric ones written out, others as operations of their own.
 
 use super::graph::{Expression, Graph, Node};
-use crate::program::Form;
+use super::linear::Form;
 
 /// Largest system that is written out.
 const WRITTEN_OUT: usize = 3;

@@ -19,8 +19,8 @@
 //!
 //! They are put in after everything is derived, by [`Graph::simplify`]; [`super::cancel`] finds the terms.
 
+use super::function::Function;
 use super::graph::{Expression, Graph, Node};
-use crate::program::Function;
 
 /// The stable form of a function.
 pub fn function(

@@ -1,8 +1,8 @@
 //! Derivatives against numbers, identities against numbers, and differences that must not cancel.
 
+use super::function::{Function, Relation};
 use super::graph::{Expression, Graph, Node, Symbol};
 use super::hash::Map;
-use crate::program::{Function, Relation};
 
 mod random;
 mod stability;

@@ -2,11 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use crate::lower::COMPONENTS;
-use crate::resolve::{FUNCTIONS, QUANTITIES};
 use crate::syntax::tree::{
     Name, Selection, Statement, StatementKind, Target, Term, TermKind, Visitor,
 };
+use crate::syntax::words::{COMPONENTS, FUNCTIONS, QUANTITIES};
 
 /// The names of a file.
 pub struct Scope<'a> {

@@ -3,8 +3,9 @@
 //! Unit vectors of the links come from squares and one root, never from the arc cosine of a rounded number; the root is
 //! taken of a product of two factors, of which one vanishes where the group ceases to assemble. `m` is the assembly mode.
 
-use super::group::{Affine, Complex, GroupKind, Share, TurningSlide, link};
+use super::group::{Affine, Complex, Share, TurningSlide, link};
 use super::{Closed, Slot};
+use crate::checked::GroupKind;
 use crate::expression::{Expression, Graph, Symbol};
 use crate::program::Function;
 

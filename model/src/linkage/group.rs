@@ -7,24 +7,8 @@
 
 use super::dyad;
 use super::{Closed, angles};
+use crate::checked::GroupKind;
 use crate::expression::{Expression, Graph, Map, Symbol};
-
-/// How the unknowns of a group are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GroupKind {
-    /// Equations that are linear in displacements.
-    Linear,
-    /// One equation `A cos φ + B sin φ = C`.
-    Angle,
-    /// Two links joined by a pivot, each turning.
-    Rrr,
-    /// A link that turns and a slide.
-    Rrp,
-    /// A slide that turns about a pivot.
-    Rpr,
-    /// Anything else.
-    General,
-}
 
 /// Loop equations that are closed together.
 #[derive(Clone, Debug)]

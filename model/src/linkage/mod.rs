@@ -2,27 +2,23 @@
 //! differentiated.
 //!
 //! The dependent coordinates are symbols everywhere. What a group of equations makes of them is computed beside
-//! ([`dyad`]), and their derivatives follow from the equations ([`slopes`]), never from a solution: so they are the same
+//! ([`dyad`]), and their derivatives follow from the equations ([`crate::slopes`]), never from a solution: so they are the same
 //! whichever way the loops are closed.
 
 mod angles;
 mod carried;
-mod closing;
 mod dyad;
 mod geometry;
 mod group;
 mod loops;
 mod order;
 mod results;
-mod slopes;
 
 pub use angles::expand;
-pub use closing::{ClosedForm, Closing};
 pub use geometry::{Geometry, Ranges};
-pub use group::{Group, GroupKind};
+pub use group::Group;
 pub use loops::Loops;
 pub use order::Linkage;
-pub use slopes::Slopes;
 
 use crate::expression::Expression;
 

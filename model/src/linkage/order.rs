@@ -1,11 +1,12 @@
 //! The order in which the loops are closed.
 
-use super::{Group, Loops, Slopes, angles};
+use super::{Group, Loops, angles};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Graph, Symbol};
 use crate::lower::{Kind, Lowering};
 use crate::motion::{Equation, Hints, UnknownName, report_imbalance};
 use crate::resolve::Names;
+use crate::slopes::Slopes;
 use crate::structure::{Incidence, Matching, blocks};
 
 /// Largest group whose matrix is inverted by its cofactors.
@@ -69,10 +70,10 @@ impl Linkage {
             })
             .collect();
         let mut groups = Vec::new();
-        for block in blocks(&incidence, &matching) {
-            let mut unknowns = block.unknowns;
-            unknowns.sort_unstable();
-            if unknowns.len() > LARGEST {
+        let mut blocks = blocks(&incidence, &matching);
+        for block in &mut blocks {
+            block.unknowns.sort_unstable();
+            if block.unknowns.len() > LARGEST {
                 report_large(&block.equations, &loops.equations, low);
                 return None;
             }
@@ -80,13 +81,13 @@ impl Linkage {
             groups.push(Group::of(
                 &mut low.graph,
                 &residuals,
-                block.equations,
-                unknowns,
+                block.equations.clone(),
+                block.unknowns.clone(),
                 &angles,
                 mode,
             ));
         }
-        let slopes = Slopes::new(&mut low.graph, &residuals, &groups, count);
+        let slopes = Slopes::new(&mut low.graph, &residuals, &blocks, count);
         let dependent = groups
             .iter()
             .find(|group| is_redundant(&low.graph, &slopes, group));

@@ -1,12 +1,13 @@
 //! What a linkage is asked for, and what it says of itself.
 
-use super::{ClosedForm, Closing, Geometry, Linkage, Ranges, Slopes, Slot, angles, expand};
+use super::{Geometry, Linkage, Ranges, Slot, angles, expand};
 use crate::checked::{ConstantInfo, DependentInfo, GroupInfo, LinkageInfo, LoopInfo, VariableInfo};
-use crate::declare::{Drive, Moved, quantity};
+use crate::declare::{Drive, quantity};
 use crate::expression::{Expression, Graph, Map, Symbol};
-use crate::lower::Lowering;
-use crate::program::{Input, Request};
+use crate::lower::{Lowering, Moved};
+use crate::program::{ClosedForm, Closing, Input, Request};
 use crate::resolve::Names;
+use crate::slopes::Slopes;
 use crate::unit::Unit;
 
 /// Most second derivatives that are written out. Beyond, and for outputs that are derivatives themselves, dual numbers

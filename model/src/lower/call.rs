@@ -1,13 +1,14 @@
 //! Functions: those of the language, as a table of what they take and give, and those of the file.
 
-use super::{Kind, Lowering, MEASURING, Typed, second};
+use super::{Kind, Lowering, Typed, second};
 use crate::diagnostic::Diagnostic;
 use crate::expression::Expression;
 use crate::homogeneity::{agree, describe, disagreement, over, power};
 use crate::nearest::nearest;
 use crate::program::Function;
-use crate::resolve::{FUNCTIONS, Role};
+use crate::resolve::Role;
 use crate::syntax::tree::{Name, Term, TermKind};
+use crate::syntax::words::{FUNCTIONS, MEASURING};
 use crate::token::Span;
 
 /// What a function does to the kinds of its arguments.

@@ -1,8 +1,7 @@
 //! Derivatives that a file asks for: `dot(x)`, `ddot(x)` in time and `diff(f, x)`.
 
 use super::breaks::Wanted;
-use super::{Kind, Lowering, Quantity, Typed, second};
-use crate::declare::Moved;
+use super::{Kind, Lowering, Moved, Quantity, Typed, second};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::homogeneity::over;

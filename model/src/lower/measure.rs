@@ -1,6 +1,7 @@
 //! Numbers of a whole run: what a measure looks at, and what it is made of.
 
 use super::{Kind, Lowering, Typed};
+use crate::checked::{Moment, Primitive, PrimitiveKind};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Node, Symbol};
 use crate::homogeneity::{agree, describe, times};
@@ -9,78 +10,11 @@ use crate::nearest::nearest;
 use crate::program::Relation;
 use crate::syntax::print;
 use crate::syntax::tree::{Name, Term, TermKind};
+use crate::syntax::words::MEASURING;
 use crate::token::Span;
-
-/// Functions that only a measure knows.
-pub const FUNCTIONS: &[&str] = &[
-    "peak",
-    "lowest",
-    "mean",
-    "rms",
-    "total",
-    "duration",
-    "value",
-    "count",
-    "cosine",
-    "sine",
-    "amplitude",
-];
 
 /// Most harmonics that a measure may ask for.
 const HARMONICS: u32 = 1000;
-
-/// A number of a run that is found by looking at it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Primitive {
-    /// What is found.
-    pub kind: PrimitiveKind,
-    /// The quantity concerned, by its place among those that measures look at.
-    pub argument: usize,
-    /// Only where this quantity is positive.
-    pub window: Option<usize>,
-}
-
-/// What is found of a quantity.
-#[derive(Clone, Debug, PartialEq)]
-pub enum PrimitiveKind {
-    /// The largest value.
-    Peak,
-    /// The smallest value.
-    Lowest,
-    /// The mean over the time.
-    Mean,
-    /// The square root of the mean of the square.
-    Rms,
-    /// The integral over the time.
-    Integral,
-    /// How long the quantity is positive.
-    Duration,
-    /// The value at a moment.
-    Value(Moment),
-    /// How often a moment comes.
-    Count(Moment),
-    /// The coefficient of `cos kα` over the turns of an angle: places of the angle and of its rate, and `k`.
-    Cosine(usize, usize, u32),
-    /// The coefficient of `sin kα`.
-    Sine(usize, usize, u32),
-}
-
-/// A moment of a run.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Moment {
-    /// Its begin.
-    Start,
-    /// Its end.
-    End,
-    /// Just after a mode is entered; the last time, or the first.
-    Enter(usize, bool),
-    /// Just before a mode is left; the last time, or the first.
-    Leave(usize, bool),
-    /// Just before an event of this name; the last time, or the first.
-    Before(String, bool),
-    /// Just after an event of this name; the last time, or the first.
-    After(String, bool),
-}
 
 /// What the measures of a scene have asked for so far.
 #[derive(Default)]
@@ -105,7 +39,7 @@ impl Lowering<'_> {
         arguments: &[Term],
         span: Span,
     ) -> Option<Typed> {
-        if !FUNCTIONS.contains(&name.text.as_str()) {
+        if !MEASURING.contains(&name.text.as_str()) {
             return None;
         }
         if !self.measured.is_open {

@@ -18,22 +18,22 @@ mod written;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
-pub use measure::{FUNCTIONS as MEASURING, Measuring, Moment, Primitive, PrimitiveKind};
+pub use measure::Measuring;
 use typed::Key;
-pub use typed::{Kind, Quantity, Typed};
-pub use vector::COMPONENTS;
+pub use typed::{Quantity, Typed};
 use written::Written;
 
 use crate::checked::LiteralInfo;
-use crate::declare::{Kinds, Moved};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expression::{Budget, Expression, Graph, Set, Symbol};
+use crate::expression::{Budget, Expression, Graph, Map, Set, Symbol};
+pub use crate::homogeneity::Kind;
 use crate::homogeneity::{agree, describe};
-use crate::linkage::Slopes;
 use crate::nearest::nearest;
-use crate::resolve::{FUNCTIONS, Names, QUANTITIES, Role};
+use crate::resolve::{Names, Role};
 use crate::scene::{Selected, Survey};
+use crate::slopes::Slopes;
 use crate::syntax::tree::{Name, Term, TermKind};
+use crate::syntax::words::{FUNCTIONS, QUANTITIES};
 use crate::token::Span;
 use crate::unit::{Dimension, Unit};
 use crate::unroll::{bounds, whole_number, with_index};
@@ -41,12 +41,26 @@ use crate::unroll::{bounds, whole_number, with_index};
 /// Functions may call functions this deep.
 const DEPTH: usize = 64;
 
+/// Abbreviations may refer to each other this deep when they stand in the wrong order.
+const MOST_NESTED: usize = 400;
+
 /// Most terms that the sums of a scene may come to.
 const SUMMANDS: usize = 100_000;
 
 /// Dimension of a time.
 pub fn second() -> Dimension {
     Dimension::base(2)
+}
+
+/// What moves the drivers of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moved {
+    /// The time, in equations of motion.
+    InTime,
+    /// The time, but positions and speeds are given to the linkage.
+    Given,
+    /// They are set from outside.
+    Swept,
 }
 
 /// What a name or a call means, and the first number in it that depends on the units.
@@ -82,7 +96,8 @@ pub struct Lowering<'a> {
     angles: BTreeSet<String>,
     survey: &'a Survey<'a>,
     selected: &'a Selected,
-    kinds: Kinds,
+    /// Kind of each given quantity with the unit in which it is printed.
+    kinds: Map<Symbol, (Kind, Unit)>,
     done: HashMap<String, Meaning>,
     open: Vec<(String, Span)>,
     locals: Vec<HashMap<String, Typed>>,
@@ -118,7 +133,7 @@ impl<'a> Lowering<'a> {
             angles: BTreeSet::new(),
             survey,
             selected,
-            kinds: Kinds::default(),
+            kinds: Map::default(),
             done: HashMap::new(),
             open: Vec::new(),
             locals: Vec::new(),
@@ -446,10 +461,10 @@ impl<'a> Lowering<'a> {
                 None => report,
             });
         }
-        if self.open.len() >= crate::MOST_NESTED {
+        if self.open.len() >= MOST_NESTED {
             let message = format!(
                 "`{name}` stands at the end of a chain of more than {} abbreviations",
-                crate::MOST_NESTED
+                MOST_NESTED
             );
             return self.error(Diagnostic::error(span, message));
         }

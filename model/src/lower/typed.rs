@@ -1,30 +1,7 @@
 //! Typed values: an expression, or several, with the kind of quantity that it is.
 
 use crate::expression::Expression;
-use crate::homogeneity::describe;
-use crate::unit::Dimension;
-
-/// Kind of a quantity. A literal zero fits everywhere, so its kind is open.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
-    /// Zero, of any kind.
-    Any,
-    /// A quantity with this dimension.
-    Of(Dimension),
-}
-
-impl Kind {
-    /// A pure number.
-    pub const NUMBER: Kind = Kind::Of(Dimension::NONE);
-
-    /// The dimension, that of a pure number where it is open.
-    pub fn dimension(self) -> Dimension {
-        match self {
-            Kind::Any => Dimension::NONE,
-            Kind::Of(dimension) => dimension,
-        }
-    }
-}
+use crate::homogeneity::{Kind, describe};
 
 /// A number, or the two or three components of a vector, of one kind.
 #[derive(Clone, Copy, Debug)]

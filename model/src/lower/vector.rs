@@ -6,10 +6,8 @@ use crate::expression::Expression;
 use crate::homogeneity::{agree, describe, disagreement, times};
 use crate::program::Function;
 use crate::syntax::tree::{Name, Term, TermKind};
+use crate::syntax::words::COMPONENTS;
 use crate::token::Span;
-
-/// Names of the components of a vector.
-pub const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
 impl Lowering<'_> {
     /// `[x, y]` or `[x, y, z]`.

@@ -3,105 +3,17 @@
 use super::guard;
 use super::idle;
 use super::phases::{Phase, Phases};
+use crate::checked::EventInfo;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
 use crate::homogeneity::{agree, describe, fitting_value, over};
 use crate::lower::{Kind, Lowering, second};
+use crate::program::{Event, Slopes};
 use crate::resolve::{Names, Role};
 use crate::syntax::print;
-use crate::syntax::tree::{Direction, StatementKind, Term, TermKind, When};
+use crate::syntax::tree::{StatementKind, Term, TermKind, When};
 use crate::token::Span;
 use crate::unroll::target_name;
-
-/// What an event computes.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Event<T> {
-    /// The quantity that passes zero.
-    pub guard: T,
-    /// Its time derivative.
-    pub rate: T,
-    /// What else has to hold.
-    pub condition: Option<T>,
-    /// The state after it.
-    pub after: Vec<T>,
-    /// How all that depends on the state, for the variations of a cycle.
-    pub slopes: Slopes<T>,
-}
-
-/// How an event depends on the state; empty unless the scene asks for a cycle.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Slopes<T> {
-    /// Of the guard, by each component of the state.
-    pub guard: Vec<T>,
-    /// Of the state after the event, column by column; empty where nothing is set.
-    pub after: Vec<T>,
-    /// Total time derivative of the state after the event, along the motion before it; empty where nothing is set.
-    pub rate: Vec<T>,
-}
-
-impl<T> Default for Slopes<T> {
-    fn default() -> Self {
-        Self {
-            guard: Vec::new(),
-            after: Vec::new(),
-            rate: Vec::new(),
-        }
-    }
-}
-
-impl<T: Copy> Event<T> {
-    /// All values, in the order of [`Self::map`].
-    pub fn all(&self) -> impl Iterator<Item = T> {
-        [self.guard, self.rate]
-            .into_iter()
-            .chain(self.condition)
-            .chain(self.after.iter().copied())
-            .chain(self.slopes.guard.iter().copied())
-            .chain(self.slopes.after.iter().copied())
-            .chain(self.slopes.rate.iter().copied())
-    }
-
-    /// The same of other values.
-    pub fn map<U>(&self, mut value: impl FnMut(T) -> U) -> Event<U> {
-        let (guard, rate) = (value(self.guard), value(self.rate));
-        let condition = self.condition.map(&mut value);
-        let mut each = |list: &[T]| list.iter().map(|one| value(*one)).collect();
-        Event {
-            guard,
-            rate,
-            condition,
-            after: each(&self.after),
-            slopes: Slopes {
-                guard: each(&self.slopes.guard),
-                after: each(&self.slopes.after),
-                rate: each(&self.slopes.rate),
-            },
-        }
-    }
-}
-
-/// What the tables say of an event.
-#[derive(Clone, Debug)]
-pub struct EventInfo {
-    /// What measures call it.
-    pub label: Option<String>,
-    /// The statement as text.
-    pub text: String,
-    /// In which direction the guard passes zero.
-    pub direction: Direction,
-    /// Unit of the guard.
-    pub unit: String,
-    /// SI value of one such unit.
-    pub factor: f64,
-    /// The mode that follows, by index.
-    pub target: usize,
-    /// The switching surface that this is, by index; none for an event of the file.
-    pub surface: Option<usize>,
-    /// Where it stands in the file.
-    pub span: Span,
-    /// Whether it is never carried out, whatever the motion.
-    pub is_idle: bool,
-}
 
 /// Reads the events of a mode.
 pub fn read(
@@ -128,23 +40,6 @@ pub fn read(
     events.sort_by_key(|(_, info)| info.span.first);
     idle::report(low, phases, here, &mut events);
     events
-}
-
-impl EventInfo {
-    /// Where a branch goes over to its other side.
-    pub fn surface(index: usize, guard: &str, mode: usize, span: Span) -> Self {
-        Self {
-            label: None,
-            text: format!("{guard} passes zero"),
-            direction: Direction::Crosses,
-            unit: String::new(),
-            factor: 1.0,
-            target: mode,
-            surface: Some(index),
-            span,
-            is_idle: false,
-        }
-    }
 }
 
 /// Reads one event.

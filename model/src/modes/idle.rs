@@ -1,10 +1,11 @@
 //! Events that are never carried out.
 
-use super::events::{Event, EventInfo};
 use super::phases::{Phase, Phases};
+use crate::checked::EventInfo;
 use crate::diagnostic::Diagnostic;
 use crate::expression::Expression;
 use crate::lower::Lowering;
+use crate::program::Event;
 use crate::syntax::tree::{Direction, StatementKind, When};
 use crate::token::Span;
 

@@ -12,5 +12,5 @@ mod guard;
 mod idle;
 mod phases;
 
-pub use events::{Event, EventInfo, Slopes, check_holds, read, still};
+pub use events::{check_holds, read, still};
 pub use phases::{Phase, Phases};

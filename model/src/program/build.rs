@@ -4,11 +4,10 @@ use std::cell::RefCell;
 
 use super::emit::Emitter;
 use super::{
-    Event, Input, OperationKind, Program, Results, Stage, Value, collect, order, sensitivity,
-    share, surfaces,
+    Closing, Event, Input, OperationKind, Program, Results, Stage, Value, collect, order,
+    sensitivity, share, surfaces,
 };
 use crate::expression::{Expression, Graph, Map, Symbol};
-use crate::linkage::Closing;
 
 /// The function that computes events, by number.
 const EVENTS: usize = 12;

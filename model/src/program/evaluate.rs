@@ -1,6 +1,7 @@
 //! A program on numbers: what the emitted Rust computes, without compiling it.
 
-use super::{Form, Function, Input, OperationKind, Program, Relation, Value};
+use super::{Input, OperationKind, Program, Value};
+use crate::expression::solve;
 
 /// Values of all operations at one instant and state.
 #[derive(Clone, Debug)]
@@ -78,9 +79,7 @@ impl Program {
                 OperationKind::Call(function, list) => {
                     function.apply(&list.iter().map(at).collect::<Vec<_>>())
                 }
-                OperationKind::Compare(Relation::Less, a, b) => truth(at(a) < at(b)),
-                OperationKind::Compare(Relation::LessEqual, a, b) => truth(at(a) <= at(b)),
-                OperationKind::Compare(Relation::Equal, a, b) => truth(at(a) == at(b)),
+                OperationKind::Compare(relation, a, b) => truth(relation.holds(at(a), at(b))),
                 OperationKind::And(a, b) => truth(at(a) != 0.0 && at(b) != 0.0),
                 OperationKind::Or(a, b) => truth(at(a) != 0.0 || at(b) != 0.0),
                 OperationKind::Not(a) => truth(at(a) == 0.0),
@@ -115,167 +114,5 @@ impl Program {
             numbers.push(number);
         }
         Values { numbers }
-    }
-}
-
-/// Solves a linear system.
-pub(crate) fn solve(form: Form, entries: &[f64], right: &[f64]) -> Vec<f64> {
-    match form {
-        Form::Symmetric => solve_symmetric(right.len(), entries, right),
-        Form::General => solve_general(entries, right),
-    }
-}
-
-/// Solves a system with all entries given row by row, by elimination with partial pivoting.
-fn solve_general(entries: &[f64], right: &[f64]) -> Vec<f64> {
-    let size = right.len();
-    let mut rows: Vec<Vec<f64>> = entries.chunks(size).map(<[f64]>::to_vec).collect();
-    let mut solution = right.to_vec();
-    for column in 0..size {
-        let larger = |a: &usize, b: &usize| rows[*a][column].abs() < rows[*b][column].abs();
-        let best = (column..size).fold(column, |best, row| match larger(&best, &row) {
-            true => row,
-            false => best,
-        });
-        rows.swap(column, best);
-        solution.swap(column, best);
-        let (above, below) = rows.split_at_mut(column + 1);
-        let pivot = &above[column];
-        for (row, other) in below.iter_mut().enumerate() {
-            let multiple = other[column] / pivot[column];
-            for (entry, above) in other.iter_mut().zip(pivot) {
-                *entry -= multiple * above;
-            }
-            solution[column + 1 + row] -= multiple * solution[column];
-        }
-    }
-    for row in (0..size).rev() {
-        for column in row + 1..size {
-            solution[row] -= rows[row][column] * solution[column];
-        }
-        solution[row] /= rows[row][row];
-    }
-    solution
-}
-
-/// Solves a symmetric system, given by its lower triangle row by row, by `L·D·Lᵀ`.
-fn solve_symmetric(size: usize, lower: &[f64], right: &[f64]) -> Vec<f64> {
-    let at = |row: usize, column: usize| row * (row + 1) / 2 + column;
-    let mut factor = lower.to_vec();
-    for row in 0..size {
-        for column in 0..=row {
-            let mut value = factor[at(row, column)];
-            for k in 0..column {
-                value -= factor[at(row, k)] * factor[at(column, k)] * factor[at(k, k)];
-            }
-            factor[at(row, column)] = if row == column {
-                value
-            } else {
-                value / factor[at(column, column)]
-            };
-        }
-    }
-    let mut solution = right.to_vec();
-    for row in 0..size {
-        for column in 0..row {
-            solution[row] -= factor[at(row, column)] * solution[column];
-        }
-    }
-    for row in (0..size).rev() {
-        solution[row] /= factor[at(row, row)];
-        for below in row + 1..size {
-            solution[row] -= factor[at(below, row)] * solution[below];
-        }
-    }
-    solution
-}
-
-impl Function {
-    /// The value of a function of one or two numbers.
-    pub fn apply(self, x: &[f64]) -> f64 {
-        let second = || x.get(1).copied().unwrap_or(f64::NAN);
-        let Some(first) = x.first().copied() else {
-            return f64::NAN;
-        };
-        match self {
-            Self::Sin => first.sin(),
-            Self::Cos => first.cos(),
-            Self::Tan => first.tan(),
-            Self::Asin => first.asin(),
-            Self::Acos => first.acos(),
-            Self::Atan => first.atan(),
-            Self::Atan2 => first.atan2(second()),
-            Self::Sinh => first.sinh(),
-            Self::Cosh => first.cosh(),
-            Self::Tanh => first.tanh(),
-            Self::Exp => first.exp(),
-            Self::Ln => first.ln(),
-            Self::Log10 => first.log10(),
-            Self::Sqrt => first.sqrt(),
-            Self::Hypot => first.hypot(second()),
-            Self::Erf => error_function(first),
-            Self::NormalCdf => normal(first),
-            Self::Floor => first.floor(),
-            Self::Abs => first.abs(),
-            Self::Sign => f64::from(i8::from(first > 0.0) - i8::from(first < 0.0)),
-            Self::Max => {
-                if first < second() {
-                    second()
-                } else {
-                    first
-                }
-            }
-            Self::Min => {
-                if second() < first {
-                    second()
-                } else {
-                    first
-                }
-            }
-            Self::Power => first.powf(second()),
-            Self::ExpM1 => first.exp_m1(),
-            Self::Ln1p => first.ln_1p(),
-        }
-    }
-}
-
-/// The error function: its series, and for larger arguments Lentz's continued fraction of the complement.
-fn error_function(x: f64) -> f64 {
-    if x.is_nan() || x.abs() > 6.0 {
-        return if x.is_nan() { x } else { x.signum() };
-    }
-    if x.abs() > 2.0 {
-        return x.signum() * (1.0 - complement(x.abs()));
-    }
-    let (mut term, mut sum) = (x, x);
-    for k in 1..200 {
-        let k = f64::from(k);
-        term *= -x * x / k;
-        let share = term / (2.0 * k + 1.0);
-        sum += share;
-        if share.abs() <= 1e-17 * sum.abs() {
-            break;
-        }
-    }
-    sum * std::f64::consts::FRAC_2_SQRT_PI
-}
-
-/// `1 - erf(x)` for `x > 2`.
-fn complement(x: f64) -> f64 {
-    // erfc(x) = exp(-x²)/√π · 1/(x + (1/2)/(x + 1/(x + (3/2)/(x + …))))
-    let mut fraction = 0.0;
-    for k in (1..=200).rev() {
-        fraction = f64::from(k) / 2.0 / (x + fraction);
-    }
-    (-x * x).exp() * std::f64::consts::FRAC_2_SQRT_PI / 2.0 / (x + fraction)
-}
-
-/// The normal distribution, accurate in its lower tail.
-fn normal(x: f64) -> f64 {
-    let scaled = -x * std::f64::consts::FRAC_1_SQRT_2;
-    if scaled > 2.0 {
-        complement(scaled) / 2.0
-    } else {
-        (1.0 - error_function(scaled)) / 2.0
     }
 }

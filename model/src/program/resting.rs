@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Input, OperationKind as Kind, Program, Relation, Value};
+use super::{Input, OperationKind as Kind, Program, Value};
 
 impl Program {
     /// The operations on which results rest; those of branches that are not taken while a surface, by index, is on a side,
@@ -64,13 +64,9 @@ impl Program {
                 Kind::MultiplyAdd(a, b, c) => product(a, b).and_then(|ab| Some(ab + at(c)?)),
                 Kind::MultiplySubtract(a, b, c) => product(a, b).and_then(|ab| Some(ab - at(c)?)),
                 Kind::NegateMultiplyAdd(a, b, c) => product(a, b).and_then(|ab| Some(at(c)? - ab)),
-                Kind::Compare(relation, a, b) => both(a, b).map(|(a, b)| {
-                    truth(match relation {
-                        Relation::Less => a < b,
-                        Relation::LessEqual => a <= b,
-                        Relation::Equal => a == b,
-                    })
-                }),
+                Kind::Compare(relation, a, b) => {
+                    both(a, b).map(|(a, b)| truth(relation.holds(a, b)))
+                }
                 Kind::And(a, b) => match (at(a), at(b)) {
                     (Some(0.0), _) | (_, Some(0.0)) => Some(0.0),
                     (a, b) => a.and(b),

@@ -3,3 +3,4 @@
 pub mod parser;
 pub mod print;
 pub mod tree;
+pub mod words;

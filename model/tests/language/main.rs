@@ -1,6 +1,7 @@
 //! The language from outside: files that compile, files that do not and what is said about them, files that are cut or
 //! garbled, and chains of pendulums against an independent computation.
 
+mod arrows;
 mod chain;
 mod derivatives;
 mod documentation;

@@ -3,7 +3,7 @@
 use super::Parser;
 use super::statement::KEYWORDS;
 use crate::nearest::nearest;
-use crate::resolve::FUNCTIONS;
+use crate::syntax::words::FUNCTIONS;
 use crate::token::TokenKind;
 
 /// Words of other notations that begin a statement there, and what says the same here.

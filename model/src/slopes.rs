@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::Group;
 use crate::expression::{Expression, Graph, Map, Symbol};
+use crate::structure::Block;
 
 /// Partial derivatives of the loop equations, and of the dependent coordinates by anything else.
 #[derive(Default)]
@@ -29,7 +29,7 @@ impl Slopes {
     pub fn new(
         graph: &mut Graph,
         residuals: &[Expression],
-        groups: &[Group],
+        groups: &[Block],
         unknowns: usize,
     ) -> Self {
         let symbols: Vec<_> = (0..unknowns as u32).map(Symbol::Dependent).collect();

@@ -1,7 +1,5 @@
 //! What a linkage computes, as expressions or as values of a program.
 
-use crate::checked::GroupInfo;
-
 /// Results of a linkage.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Closing<T> {
@@ -50,30 +48,6 @@ impl<T> Default for Closing<T> {
             rates: Vec::new(),
             cosines: Vec::new(),
         }
-    }
-}
-
-impl<T: Copy> Closing<T> {
-    /// What one position takes: the closed forms, and of a group that has none one iteration.
-    pub fn of_position(&self, groups: &[GroupInfo]) -> Vec<T> {
-        let mut wanted = Vec::new();
-        for (form, group) in self.groups.iter().zip(groups) {
-            match form {
-                Some(form) => {
-                    wanted.extend(form.values.iter().map(|value| value.1));
-                    wanted.push(form.sine);
-                }
-                None => {
-                    wanted.extend(group.equations.iter().map(|&index| self.residuals[index]));
-                    let slopes = self.slopes.iter();
-                    let own = slopes.filter(|slope| {
-                        group.equations.contains(&slope.0) && group.unknowns.contains(&slope.1)
-                    });
-                    wanted.extend(own.map(|slope| slope.2));
-                }
-            }
-        }
-        wanted
     }
 }
 

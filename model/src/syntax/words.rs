@@ -1,0 +1,61 @@
+//! Names that belong to the language.
+
+/// Functions of the language, which no declaration may hide.
+pub const FUNCTIONS: &[&str] = &[
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "sinh",
+    "cosh",
+    "tanh",
+    "exp",
+    "ln",
+    "log10",
+    "sqrt",
+    "hypot",
+    "erf",
+    "normal_cdf",
+    "floor",
+    "mod",
+    "abs",
+    "sign",
+    "max",
+    "min",
+    "dot",
+    "ddot",
+    "diff",
+    "sum",
+    "inner",
+    "cross",
+    "norm",
+    "dir",
+    "rot",
+    "rotx",
+    "roty",
+    "rotz",
+];
+
+/// Quantities of the language.
+pub const QUANTITIES: &[&str] = &["time", "pi"];
+
+/// Functions that only a measure knows.
+pub const MEASURING: &[&str] = &[
+    "peak",
+    "lowest",
+    "mean",
+    "rms",
+    "total",
+    "duration",
+    "value",
+    "count",
+    "cosine",
+    "sine",
+    "amplitude",
+];
+
+/// Names of the components of a vector.
+pub const COMPONENTS: [&str; 3] = ["x", "y", "z"];
