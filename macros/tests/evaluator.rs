@@ -2,6 +2,8 @@
 //! that take their functions from the standard library, as the evaluator does, they agree to the last bits.
 #![allow(missing_docs, reason = "what is tested is the emitted code")]
 
+#[path = "evaluator/functions.rs"]
+mod functions;
 #[path = "evaluator/standard.rs"]
 mod standard;
 
