@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use assur_model::checked::{Compiled, Model, SceneModel, SpanKind};
+use assur_model::checked::{Compiled, Model, SceneModel};
 use assur_model::diagnostic::{Diagnostic, Diagnostics, Severity};
-use assur_model::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -80,30 +79,7 @@ fn stub(name: &str, scenes: &[String]) -> Model {
     let name = if name.is_empty() { "Mechanism" } else { name };
     let empty = |scene: &String| SceneModel {
         name: scene.clone(),
-        summary: String::new(),
-        effects: Vec::new(),
-        choices: Vec::new(),
-        preset: String::new(),
-        constants: Vec::new(),
-        drivers: Vec::new(),
-        states: Vec::new(),
-        outputs: Vec::new(),
-        measures: Vec::new(),
-        primitives: Vec::new(),
-        coordinates: 0,
-        scales: Vec::new(),
-        equations: Vec::new(),
-        requirements: Vec::new(),
-        span: SpanKind::Open,
-        conservative: false,
-        literal: None,
-        marks: Vec::new(),
-        expectations: Vec::new(),
-        linkage: None,
-        carried: Vec::new(),
-        modes: Vec::new(),
-        first: 0,
-        program: Program::default(),
+        ..SceneModel::default()
     };
     Model {
         name: name.to_owned(),

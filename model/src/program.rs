@@ -12,6 +12,7 @@ mod latency;
 mod order;
 mod product;
 mod resting;
+mod results;
 mod sensitivity;
 mod share;
 mod surfaces;
@@ -21,9 +22,10 @@ pub use build::{Request, build};
 pub use closing::{ClosedForm, Closing};
 pub use evaluate::{Place, Values};
 pub use event::{Event, Slopes};
+pub use results::Results;
 
 /// Index of an operation, and so of its value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Value(pub u32);
 
 /// How often a value changes.
@@ -136,40 +138,6 @@ pub enum OperationKind {
         /// Which element, from 0.
         index: u32,
     },
-}
-
-/// A function of the program: which values it returns.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Results {
-    /// `y'`, one value for each component of the state.
-    pub derivative: Vec<Value>,
-    /// Nonzero entries of `∂y'/∂y`: row, column, value.
-    pub jacobian: Vec<(u32, u32, Value)>,
-    /// Outputs in their declared order.
-    pub outputs: Vec<Value>,
-    /// Positions of the drivers.
-    pub drivers: Vec<Value>,
-    /// Lower triangle of the mass matrix, row by row; empty when there is none.
-    pub mass: Vec<Value>,
-    /// Kinetic and potential energy; empty when none is stated.
-    pub energy: Vec<Value>,
-    /// Conditions on the values, in the order of the scene's `requirements`.
-    pub requirements: Vec<Value>,
-    /// Period, or start and end time.
-    pub span: Vec<Value>,
-    /// Start values of the state.
-    pub start: Vec<Value>,
-    /// What a linkage computes.
-    pub closing: Closing<Value>,
-    /// What measures look at.
-    pub measured: Vec<Value>,
-    /// The measures, from what has been found of a run.
-    pub measures: Vec<Value>,
-    /// By how much the loops that the motion carries along close, in the order of the scene's `carried`.
-    pub margins: Vec<Value>,
-    /// What the events of a mode compute, the switching surfaces behind them, then the kinks of guards, and last the angles
-    /// that turn in them.
-    pub events: Vec<Event<Value>>,
 }
 
 /// The straight line of operations of one scene, sorted so that operands come first and stages rise.

@@ -40,7 +40,7 @@ pub fn constants(
     request: &mut Request,
     low: &Lowering<'_>,
 ) -> Vec<usize> {
-    let mut all = request.roots();
+    let mut all = request.results.all();
     all.extend(request.bindings.values());
     let symbols = low.graph.symbols(&all);
     let depends = |index: &usize| symbols.contains(&Symbol::Parameter(*index as u32));

@@ -5,7 +5,8 @@ use crate::declare::{per_second, quantity};
 use crate::expression::Symbol;
 use crate::lower::Lowering;
 use crate::motion::UnknownName;
-use crate::resolve::Names;
+use crate::resolve::{Declared, Names};
+use crate::syntax::tree::Unknown;
 use crate::unit::Unit;
 
 /// What equations of motion determine: the highest derivatives.
@@ -34,7 +35,7 @@ pub fn state_symbols(names: &Names) -> Vec<Symbol> {
 
 /// Names and units of the drivers.
 pub fn driver_quantities(low: &Lowering<'_>, names: &Names) -> Vec<QuantityInfo> {
-    let one = |(index, driver): (usize, &crate::resolve::Declared<_>)| {
+    let one = |(index, driver): (usize, &Declared<_>)| {
         let unit = low.unit_of(Symbol::Driver(index as u32))?;
         Some(quantity(
             &driver.name.text,
@@ -48,38 +49,30 @@ pub fn driver_quantities(low: &Lowering<'_>, names: &Names) -> Vec<QuantityInfo>
 
 /// Names and units of the state vector.
 pub fn state_quantities(names: &Names, units: &[Option<Unit>]) -> Vec<QuantityInfo> {
-    let coordinates = names.coordinates.len();
-    let mut quantities = Vec::new();
-    for (declared, unit) in names.coordinates.iter().zip(units) {
-        quantities.extend(unit.as_ref().map(|unit| {
-            quantity(
-                &declared.name.text,
-                &declared.summary,
-                &unit.dimension,
-                unit,
-            )
-        }));
-    }
-    for (declared, unit) in names.coordinates.iter().zip(units) {
-        let speed = unit.as_ref().and_then(per_second);
-        quantities.extend(speed.map(|unit| {
-            quantity(
-                &format!("dot({})", declared.name.text),
-                "",
-                &unit.dimension,
-                &unit,
-            )
-        }));
-    }
-    for (declared, unit) in names.states.iter().zip(&units[coordinates..]) {
-        quantities.extend(unit.as_ref().map(|unit| {
-            quantity(
-                &declared.name.text,
-                &declared.summary,
-                &unit.dimension,
-                unit,
-            )
-        }));
-    }
-    quantities
+    let (coordinates, states) = units.split_at(names.coordinates.len());
+    let described = |(declared, unit): (&Declared<Unknown>, &Option<Unit>)| {
+        let unit = unit.as_ref()?;
+        Some(quantity(
+            &declared.name.text,
+            &declared.summary,
+            &unit.dimension,
+            unit,
+        ))
+    };
+    let speed = |(declared, unit): (&Declared<Unknown>, &Option<Unit>)| {
+        let unit = unit.as_ref().and_then(per_second)?;
+        Some(quantity(
+            &format!("dot({})", declared.name.text),
+            "",
+            &unit.dimension,
+            &unit,
+        ))
+    };
+    let coordinates = || names.coordinates.iter().zip(coordinates);
+    let positions = coordinates().filter_map(described);
+    let states = names.states.iter().zip(states).filter_map(described);
+    positions
+        .chain(coordinates().filter_map(speed))
+        .chain(states)
+        .collect()
 }

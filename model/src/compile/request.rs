@@ -4,17 +4,15 @@ use super::Mode;
 use crate::checked::{LinkageInfo, LoopInfo, SpanKind};
 use crate::expression::{Expression, Symbol};
 use crate::lower::{Lowering, Moved};
-use crate::program::{Input, Request};
+use crate::program::{Input, Request, Results};
 
 use super::quantities::state_symbols;
 
 /// Everything but what the loops compute.
 pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
     let (asked, solved, phases) = (&mode.asked, &mode.solved, mode.here.phases);
-    let speeds = speeds(mode, low);
-    let span = asked.span.kind;
-    let mut request = Request {
-        derivative: speeds,
+    let mut results = Results {
+        derivative: speeds(mode, low),
         outputs: asked.outputs.values.clone(),
         measured: asked.measures.looked_at.clone(),
         measures: asked.measures.values.clone(),
@@ -24,25 +22,26 @@ pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
         requirements: mode.parts.conditions.clone(),
         span: asked.span.values.clone(),
         start: asked.start.clone(),
-        states: asked.start.len(),
-        surfaces: span == SpanKind::Run || phases.is_hybrid(),
-        cycle: span == SpanKind::Periodic && phases.is_hybrid(),
         events: asked
             .events
             .iter()
             .map(|(event, _)| event.clone())
             .collect(),
-        ..Request::default()
+        ..Results::default()
     };
     let highest = (0..solved.derivatives.len() as u32).map(Symbol::Acceleration);
-    let highest: Vec<_> = highest.collect();
-    let rates = highest.iter().map(|symbol| low.graph.symbol(*symbol));
-    request.derivative.extend(rates);
-    request.jacobian = jacobian(mode, low);
-    let derivatives = solved.derivatives.iter().copied();
-    request
-        .bindings
-        .extend(highest.into_iter().zip(derivatives));
+    let rates = highest.clone().map(|symbol| low.graph.symbol(symbol));
+    results.derivative.extend(rates);
+    results.jacobian = jacobian(mode, low);
+    let span = asked.span.kind;
+    let mut request = Request {
+        states: results.start.len(),
+        results,
+        bindings: highest.zip(solved.derivatives.iter().copied()).collect(),
+        surfaces: span == SpanKind::Run || phases.is_hybrid(),
+        cycle: span == SpanKind::Periodic && phases.is_hybrid(),
+        ..Request::default()
+    };
     let inputs = &mut request.inputs;
     for (index, symbol) in state_symbols(low.names).into_iter().enumerate() {
         inputs.insert(symbol, Input::State(index as u32));
@@ -109,7 +108,7 @@ pub fn loops(
     let drives = &declared.drives;
     if declared.is_linkage() {
         give_drivers(request, drives.len());
-        request.closing = linkage.closing(low, request, &mode.asked.geometry, drives);
+        request.results.closing = linkage.closing(low, request, &mode.asked.geometry, drives);
         return Some(Vec::new());
     }
     for (index, drive) in drives.iter().enumerate() {

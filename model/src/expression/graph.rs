@@ -16,7 +16,7 @@ use super::support::Supports;
 const DEEPEST: u32 = 20_000;
 
 /// A handle to a node. Operands have smaller handles than what is made of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Expression(pub(super) u32);
 
 /// Something given.

@@ -100,7 +100,7 @@ impl Linkage {
                 }
             }
             if low.graph.as_number(closed.margin).is_none() {
-                request.margins.push(closed.margin);
+                request.results.margins.push(closed.margin);
                 let mut info = self.loop_info(group.equations[0]);
                 let names = group.equations.iter();
                 let names: Vec<&str> = names

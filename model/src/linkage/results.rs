@@ -24,7 +24,7 @@ impl Linkage {
         drives: &[Drive],
     ) -> Closing<Expression> {
         let graph = &mut low.graph;
-        request.outputs = expand(graph, &request.outputs);
+        request.results.outputs = expand(graph, &request.results.outputs);
         let cosines = self.cosines();
         let place = |slot: Slot| match slot {
             Slot::Value(index) => index,
@@ -145,17 +145,17 @@ impl Linkage {
             })
             .collect();
         // The multipliers of an output serve all variables, the derivatives of the coordinates by a variable all outputs.
-        if request.outputs.len() <= symbols.len() {
-            for output in &request.outputs {
+        if request.results.outputs.len() <= symbols.len() {
+            for output in &request.results.outputs {
                 let row = slopes.influence(graph, *output, &symbols);
-                request.closing.influence.extend(row);
+                request.results.closing.influence.extend(row);
             }
         } else {
             let directions = directions(graph, slopes, &symbols);
-            let columns = columns(graph, &request.outputs, &directions);
-            for output in 0..request.outputs.len() {
+            let columns = columns(graph, &request.results.outputs, &directions);
+            for output in 0..request.results.outputs.len() {
                 let row = columns.iter().map(|column| column[output]);
-                request.closing.influence.extend(row);
+                request.results.closing.influence.extend(row);
             }
         }
         let derived = |output: &Expression| {
@@ -165,16 +165,18 @@ impl Linkage {
                 .any(|one| low.derived.contains(one))
         };
         let triangle = variables.len() * (variables.len() + 1) / 2;
-        if triangle * request.outputs.len() > MOST_SECOND || request.outputs.iter().any(derived) {
+        if triangle * request.results.outputs.len() > MOST_SECOND
+            || request.results.outputs.iter().any(derived)
+        {
             return;
         }
         let directions = directions(graph, slopes, &symbols);
-        let columns = columns(graph, &request.outputs, &directions);
-        for output in 0..request.outputs.len() {
+        let columns = columns(graph, &request.results.outputs, &directions);
+        for output in 0..request.results.outputs.len() {
             for (row, column) in columns.iter().enumerate() {
                 for direction in &directions[..=row] {
                     let second = graph.tangent(&[column[output]], direction);
-                    request.closing.second.extend(second);
+                    request.results.closing.second.extend(second);
                 }
             }
         }

@@ -4,45 +4,16 @@ use std::cell::RefCell;
 
 use super::emit::Emitter;
 use super::{
-    Closing, Event, Input, OperationKind, Program, Results, Stage, Value, collect, order,
-    sensitivity, share, surfaces,
+    Input, OperationKind, Program, Results, Stage, Value, collect, order, sensitivity, share,
+    surfaces,
 };
 use crate::expression::{Expression, Graph, Map, Symbol};
-
-/// The function that computes events, by number.
-const EVENTS: usize = 12;
 
 /// What a program is to compute.
 #[derive(Clone, Debug, Default)]
 pub struct Request {
-    /// `y'`.
-    pub derivative: Vec<Expression>,
-    /// Entries of `∂y'/∂y`: row, column, value.
-    pub jacobian: Vec<(u32, u32, Expression)>,
-    /// Outputs.
-    pub outputs: Vec<Expression>,
-    /// Positions of the drivers.
-    pub drivers: Vec<Expression>,
-    /// Lower triangle of the mass matrix.
-    pub mass: Vec<Expression>,
-    /// Kinetic and potential energy.
-    pub energy: Vec<Expression>,
-    /// Conditions on the values.
-    pub requirements: Vec<Expression>,
-    /// Period, or start and end time.
-    pub span: Vec<Expression>,
-    /// Start values.
-    pub start: Vec<Expression>,
-    /// What measures look at.
-    pub measured: Vec<Expression>,
-    /// The measures, from what has been found of a run.
-    pub measures: Vec<Expression>,
-    /// By how much the loops that are carried along close.
-    pub margins: Vec<Expression>,
-    /// What a linkage computes.
-    pub closing: Closing<Expression>,
-    /// What events compute.
-    pub events: Vec<Event<Expression>>,
+    /// What its functions return.
+    pub results: Results<Expression>,
     /// Where symbols come from.
     pub inputs: Map<Symbol, Input>,
     /// What the other symbols stand for.
@@ -80,163 +51,79 @@ impl Request {
         let stage = stages.entry(graph.support(expression));
         *stage.or_insert_with(|| found().max().unwrap_or(Stage::Constant))
     }
-
-    /// All expressions in one list.
-    pub(crate) fn roots(&self) -> Vec<Expression> {
-        let slopes = self.jacobian.iter().map(|entry| entry.2);
-        let mut roots: Vec<Expression> = self.derivative.iter().copied().chain(slopes).collect();
-        for list in [
-            &self.outputs,
-            &self.drivers,
-            &self.mass,
-            &self.energy,
-            &self.requirements,
-            &self.span,
-            &self.start,
-            &self.measured,
-            &self.measures,
-            &self.margins,
-        ] {
-            roots.extend(list);
-        }
-        roots.extend(self.closing.all());
-        roots.extend(self.events.iter().flat_map(Event::all));
-        roots
-    }
-
-    /// For each of all expressions but those of events the function that computes it, as a number.
-    fn functions(&self) -> Vec<usize> {
-        let lists = [
-            self.derivative.len(),
-            self.jacobian.len(),
-            self.outputs.len(),
-            self.drivers.len(),
-            self.mass.len(),
-            self.energy.len(),
-            self.requirements.len(),
-            self.span.len(),
-            self.start.len(),
-            self.measured.len(),
-            self.measures.len(),
-            self.margins.len(),
-        ];
-        let lists = lists.into_iter().enumerate();
-        let mut functions: Vec<usize> = lists
-            .flat_map(|(function, count)| std::iter::repeat_n(function, count))
-            .collect();
-        functions.extend(self.closing.functions(EVENTS + 1));
-        functions
-    }
 }
 
 /// Builds the program: puts in what symbols stand for, simplifies, collects by stages, and writes the operations down.
 pub fn build(graph: &mut Graph, request: &Request) -> Program {
-    let often = request.derivative.len() + request.jacobian.len();
     let mut request = request.clone();
     if request.cycle {
-        let rates = bind(graph, &request.derivative, &request.bindings);
-        let mut events = std::mem::take(&mut request.events);
-        for event in &mut events {
-            let all: Vec<Expression> = event.all().collect();
-            let mut bound = bind(graph, &all, &request.bindings).into_iter();
-            *event = event.map(|old| bound.next().unwrap_or(old));
-        }
-        sensitivity::add(graph, &mut events, &rates, &request);
-        request.events = events;
+        vary(graph, &mut request);
     }
-    let mut bound = bind(graph, &request.roots(), &request.bindings);
-    let (mut surfaces, mut kinks, mut turns) = (Vec::new(), Vec::new(), Vec::new());
-    let mut texts = Vec::new();
-    if request.surfaces {
-        let derivative = bound[..request.derivative.len()].to_vec();
-        let mut frozen = surfaces::freeze(graph, &bound[..often], &derivative, &mut request);
-        if request.cycle {
-            let rates = frozen.roots[..derivative.len()].to_vec();
-            sensitivity::add(graph, &mut frozen.surfaces, &rates, &request);
-        }
-        let ends: usize = request.events.iter().map(|event| event.all().count()).sum();
-        let mut place = bound.len() - ends;
-        let guards = request.events.iter().map(|event| {
-            let guard = bound[place];
-            place += event.all().count();
-            guard
-        });
-        let guards: Vec<Expression> = guards.collect();
-        kinks = surfaces::kinks(graph, &guards, &derivative, &frozen.surfaces, &request);
-        bound[..often].copy_from_slice(&frozen.roots);
-        let others = frozen.surfaces.iter().chain(&kinks);
-        let guards: Vec<Expression> = guards
-            .into_iter()
-            .chain(others.map(|one| one.guard))
-            .collect();
-        turns = surfaces::turns(graph, &guards, &derivative, &request);
-        let all = frozen.surfaces.iter().chain(&kinks).chain(&turns);
-        bound.extend(all.flat_map(Event::all));
-        surfaces = frozen.surfaces;
-        texts = frozen.texts;
-    }
-    let request = &request;
-    let simple = graph.simplify(&bound, often);
-    let collected = collect::collect(graph, &simple, often, request);
-    let mut functions = request.functions();
-    functions.resize(collected.len(), EVENTS);
-    let collected = share::share(graph, &collected, &functions, request);
-    let mut emitter = Emitter::new(graph, request, &collected, often);
-    let values: Vec<Value> = collected.iter().map(|root| emitter.value(*root)).collect();
-    let mut rest = values.into_iter();
-    let mut take = |count: usize| rest.by_ref().take(count).collect::<Vec<Value>>();
-    let derivative = take(request.derivative.len());
-    let slopes = take(request.jacobian.len());
-    let jacobian = request
-        .jacobian
-        .iter()
-        .zip(slopes)
-        .map(|((row, column, _), value)| (*row, *column, value));
-    let results = Results {
-        derivative,
-        jacobian: jacobian.collect(),
-        outputs: take(request.outputs.len()),
-        drivers: take(request.drivers.len()),
-        mass: take(request.mass.len()),
-        energy: take(request.energy.len()),
-        requirements: take(request.requirements.len()),
-        span: take(request.span.len()),
-        start: take(request.start.len()),
-        measured: take(request.measured.len()),
-        measures: take(request.measures.len()),
-        margins: take(request.margins.len()),
-        closing: {
-            let mut closing = take(request.closing.all().len()).into_iter();
-            request.closing.map(|_| closing.next().unwrap_or(Value(0)))
-        },
-        events: {
-            let mut events = request
-                .events
-                .iter()
-                .chain(&surfaces)
-                .chain(&kinks)
-                .chain(&turns);
-            let mut map = |event: &Event<Expression>| {
-                let mut values = take(event.all().count()).into_iter();
-                event.map(|_| values.next().unwrap_or(Value(0)))
-            };
-            events.by_ref().map(&mut map).collect()
-        },
-    };
+    let bound = bind(graph, &request.results.all(), &request.bindings);
+    request.results = request.results.with(bound);
     let mut program = Program {
-        operations: emitter.operations,
-        results,
         parameters: request.parameters,
         states: request.states,
-        linear: false,
-        surfaces: texts,
-        kinks: kinks.len(),
-        turns: turns.len(),
+        ..Program::default()
     };
+    if request.surfaces {
+        freeze(graph, &mut request, &mut program);
+    }
+    let (request, results) = (&request, &request.results);
+    let often = results.often();
+    let simple = graph.simplify(&results.all(), often);
+    let collected = collect::collect(graph, &simple, often, request);
+    let collected = share::share(graph, &collected, &results.functions(), request);
+    let mut emitter = Emitter::new(graph, request, &collected, often);
+    let values = collected.iter().map(|root| emitter.value(*root)).collect();
+    program.results = results.with(values);
+    program.operations = emitter.operations;
     order::sort(&mut program);
     drop_zeros(&mut program);
     program.linear = is_linear(&program);
     program
+}
+
+/// Adds their slopes to the events.
+fn vary(graph: &mut Graph, request: &mut Request) {
+    let rates = bind(graph, &request.results.derivative, &request.bindings);
+    let mut events = std::mem::take(&mut request.results.events);
+    for event in &mut events {
+        let mut bound = bind(graph, &event.all(), &request.bindings).into_iter();
+        *event = event.map(|old| bound.next().unwrap_or(old));
+    }
+    sensitivity::add(graph, &mut events, &rates, request);
+    request.results.events = events;
+}
+
+/// Makes the sides of switching surfaces inputs. Surfaces, kinks of guards and angles that turn in them become events.
+fn freeze(graph: &mut Graph, request: &mut Request, program: &mut Program) {
+    let bound = request.results.all();
+    let derivative = request.results.derivative.clone();
+    let often = request.results.often();
+    let mut frozen = surfaces::freeze(graph, &bound[..often], &derivative, request);
+    if request.cycle {
+        let rates = &frozen.roots[..derivative.len()];
+        sensitivity::add(graph, &mut frozen.surfaces, rates, request);
+    }
+    let mut guards: Vec<_> = request
+        .results
+        .events
+        .iter()
+        .map(|event| event.guard)
+        .collect();
+    let kinks = surfaces::kinks(graph, &guards, &derivative, &frozen.surfaces, request);
+    guards.extend(frozen.surfaces.iter().chain(&kinks).map(|one| one.guard));
+    let turns = surfaces::turns(graph, &guards, &derivative, request);
+    (program.kinks, program.turns) = (kinks.len(), turns.len());
+    program.surfaces = frozen.texts;
+    let roots = frozen
+        .roots
+        .into_iter()
+        .chain(bound.into_iter().skip(often));
+    request.results = request.results.with(roots.collect());
+    let events = &mut request.results.events;
+    events.extend(frozen.surfaces.into_iter().chain(kinks).chain(turns));
 }
 
 /// Expressions with every bound symbol replaced by what it stands for, which may contain others.

@@ -1,7 +1,7 @@
 //! What a linkage computes, as expressions or as values of a program.
 
 /// Results of a linkage.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Closing<T> {
     /// Closed forms of the groups that have one.
     pub groups: Vec<Option<ClosedForm<T>>>,
@@ -33,22 +33,6 @@ pub struct ClosedForm<T> {
     pub sine: T,
     /// By how much the group assembles, in the unit of its equations.
     pub margin: T,
-}
-
-impl<T> Default for Closing<T> {
-    fn default() -> Self {
-        Self {
-            groups: Vec::new(),
-            residuals: Vec::new(),
-            slopes: Vec::new(),
-            coefficients: Vec::new(),
-            influence: Vec::new(),
-            second: Vec::new(),
-            points: Vec::new(),
-            rates: Vec::new(),
-            cosines: Vec::new(),
-        }
-    }
 }
 
 impl<T> Closing<T> {

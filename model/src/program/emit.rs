@@ -201,7 +201,7 @@ impl<'a> Emitter<'a> {
     fn kept_angle(&self, angle: Expression) -> Option<usize> {
         match self.graph.node(angle) {
             Node::Symbol(Symbol::Dependent(index)) => {
-                *self.request.closing.cosines.get(*index as usize)?
+                *self.request.results.closing.cosines.get(*index as usize)?
             }
             _ => None,
         }

@@ -16,7 +16,7 @@ pub struct Event<T> {
 }
 
 /// How an event depends on the state; empty unless the scene asks for a cycle.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Slopes<T> {
     /// Of the guard, by each component of the state.
     pub guard: Vec<T>,
@@ -26,26 +26,12 @@ pub struct Slopes<T> {
     pub rate: Vec<T>,
 }
 
-impl<T> Default for Slopes<T> {
-    fn default() -> Self {
-        Self {
-            guard: Vec::new(),
-            after: Vec::new(),
-            rate: Vec::new(),
-        }
-    }
-}
-
 impl<T: Copy> Event<T> {
     /// All values, in the order of [`Self::map`].
-    pub fn all(&self) -> impl Iterator<Item = T> {
-        [self.guard, self.rate]
-            .into_iter()
-            .chain(self.condition)
-            .chain(self.after.iter().copied())
-            .chain(self.slopes.guard.iter().copied())
-            .chain(self.slopes.after.iter().copied())
-            .chain(self.slopes.rate.iter().copied())
+    pub fn all(&self) -> Vec<T> {
+        let mut list = Vec::new();
+        self.map(|one| list.push(one));
+        list
     }
 
     /// The same of other values.

@@ -84,9 +84,7 @@ pub fn reach(program: &Program, results: &[Value]) -> BTreeSet<Value> {
 
 /// Sorts the operations by stage, keeping their order otherwise, and leaves out what no result needs.
 pub fn sort(program: &mut Program) {
-    let mut results: Vec<Value> = Vec::new();
-    for_each(program, &mut |value| results.push(*value));
-    let needed = reach(program, &results);
+    let needed = reach(program, &program.results.all());
     let mut kept: Vec<usize> = needed.iter().map(|value| value.0 as usize).collect();
     kept.sort_by_key(|index| (program.operations[*index].stage, *index));
     let mut place = vec![0_u32; program.operations.len()];
@@ -103,44 +101,10 @@ pub fn sort(program: &mut Program) {
         })
         .collect();
     program.operations = operations;
-    for_each(program, &mut |value| *value = new(*value));
+    program.results = program.results.map(new);
     debug_assert!(
         program
             .operations
             .is_sorted_by_key(|operation| -> Stage { operation.stage })
     );
-}
-
-fn for_each(program: &mut Program, apply: &mut dyn FnMut(&mut Value)) {
-    let results = &mut program.results;
-    results
-        .jacobian
-        .iter_mut()
-        .for_each(|entry| apply(&mut entry.2));
-    for list in [
-        &mut results.derivative,
-        &mut results.outputs,
-        &mut results.drivers,
-        &mut results.mass,
-        &mut results.energy,
-        &mut results.requirements,
-        &mut results.span,
-        &mut results.start,
-        &mut results.measured,
-        &mut results.measures,
-        &mut results.margins,
-    ] {
-        list.iter_mut().for_each(&mut *apply);
-    }
-    results.closing = results.closing.map(|value| {
-        let mut value = *value;
-        apply(&mut value);
-        value
-    });
-    for event in &mut results.events {
-        *event = event.map(|mut value| {
-            apply(&mut value);
-            value
-        });
-    }
 }
