@@ -1,18 +1,21 @@
 //! What a scene is asked for: outputs, its task, start values, presets.
 
+mod start;
+
 use std::collections::BTreeSet;
+
+pub use start::start;
 
 use crate::checked::{QuantityInfo, SpanKind};
 use crate::declare::quantity;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
-use crate::homogeneity::{agree, describe, fitting_value, over};
+use crate::homogeneity::{agree, describe};
 use crate::lower::{Kind, Lowering, Typed, second};
 use crate::nearest::nearest;
-use crate::resolve::{Declared, Names};
+use crate::resolve::Declared;
 use crate::syntax::print;
 use crate::syntax::tree::{File, Output, Scene, SceneItem, StatementKind, Term, TermKind};
-use crate::token::Span;
 use crate::unit;
 
 /// The reported quantities with their values.
@@ -199,176 +202,6 @@ fn check_stretch(low: &mut Lowering<'_>, values: &[Expression], terms: &[&Term])
     };
     low.diagnostics
         .push(Diagnostic::error(place, message).hint(hint));
-}
-
-/// Start values of the state vector; the mode in which the motion begins holds some coordinates.
-pub fn start(
-    low: &mut Lowering<'_>,
-    names: &Names,
-    scene: Option<&Scene>,
-    needed: bool,
-    held: &[usize],
-) -> Vec<Expression> {
-    let zero = low.graph.zero();
-    let coordinates = names.coordinates.len();
-    let mut start = vec![zero; 2 * coordinates + names.states.len()];
-    let mut given = vec![false; start.len()];
-    let mut places = Vec::new();
-    for (index, declared) in names.coordinates.iter().enumerate() {
-        let symbol = Symbol::Coordinate(index as u32);
-        places.push((index, declared.what.start.clone(), low.kind_of(symbol)));
-        let speed = over(low.kind_of(symbol), Kind::Of(second())).unwrap_or(Kind::Any);
-        places.push((coordinates + index, declared.what.start_rate.clone(), speed));
-        // A coordinate with a start value starts at rest unless it says more.
-        given[coordinates + index] = declared.what.start.is_some();
-    }
-    for (index, declared) in names.states.iter().enumerate() {
-        let symbol = Symbol::State(index as u32);
-        places.push((
-            2 * coordinates + index,
-            declared.what.start.clone(),
-            low.kind_of(symbol),
-        ));
-    }
-    let own: Vec<_> = scene
-        .iter()
-        .flat_map(|scene| &scene.items)
-        .filter_map(|item| {
-            if let SceneItem::Start { values } = item {
-                Some(values)
-            } else {
-                None
-            }
-        })
-        .flatten()
-        .cloned()
-        .collect();
-    let mut said: Vec<(usize, Span)> = Vec::new();
-    for (target, value) in own {
-        let found = low
-            .scalar(&target)
-            .map(|(value, kind)| (low.given_symbol(value), kind));
-        let slot = match found {
-            Some((Some(Symbol::Coordinate(index)), kind)) => Some((index as usize, kind)),
-            Some((Some(Symbol::Speed(index)), kind)) => Some((coordinates + index as usize, kind)),
-            Some((Some(Symbol::State(index)), kind)) => {
-                Some((2 * coordinates + index as usize, kind))
-            }
-            Some(_) => {
-                low.diagnostics.push(
-                    Diagnostic::error(
-                        target.span,
-                        "only a coordinate, its `dot`, or a state can be started",
-                    )
-                    .hint("the rest follows from them"),
-                );
-                None
-            }
-            None => None,
-        };
-        let Some((slot, kind)) = slot else { continue };
-        if let Some((_, earlier)) = said.iter().find(|(other, _)| *other == slot) {
-            let message = format!("`{}` is started twice", print::term(&target));
-            low.diagnostics.push(
-                Diagnostic::error(target.span, message)
-                    .related(*earlier, "the first time")
-                    .hint("take one of the two away"),
-            );
-        }
-        said.push((slot, target.span));
-        places.push((slot, Some(value), kind));
-    }
-    let mut speeds: Vec<Option<Span>> = vec![None; coordinates];
-    for (slot, term, kind) in places {
-        let Some(term) = term else { continue };
-        let Some((value, found)) = low.scalar(&term) else {
-            continue;
-        };
-        if agree(found, kind).is_none() {
-            let message = format!(
-                "the start value of {} is {}",
-                describe(kind.dimension()),
-                describe(found.dimension())
-            );
-            let (name, of) = started(names, slot);
-            let place = Diagnostic::error(term.span, message).related(of, "declared here");
-            low.diagnostics.push(place.hint(fitting_value(kind, &name)));
-        } else if !low.is_constant(value) {
-            low.diagnostics.push(Diagnostic::error(
-                term.span,
-                "a start value can depend on constants alone",
-            ));
-        }
-        start[slot] = value;
-        given[slot] = true;
-        if slot < coordinates {
-            given[coordinates + slot] = true;
-        } else if slot < 2 * coordinates {
-            speeds[slot - coordinates] = Some(term.span);
-        }
-    }
-    // What only another mode has begins with that mode.
-    for (index, declared) in names.coordinates.iter().enumerate() {
-        if names.absent.contains_key(&declared.name.text) {
-            (start[index], start[coordinates + index]) = (zero, zero);
-        }
-    }
-    for index in held.iter().filter(|index| **index < coordinates) {
-        let speed = low.graph.as_number(start[coordinates + index]);
-        if let (Some(place), Some(speed)) = (speeds[*index], speed)
-            && speed != 0.0
-        {
-            let name = &names.coordinates[*index].name;
-            let message = format!(
-                "`{}` cannot start with a speed: the motion begins in a mode that holds it",
-                name.text
-            );
-            low.diagnostics.push(
-                Diagnostic::error(place, message)
-                    .related(name.span, "declared here")
-                    .hint(format!(
-                        "start at rest, `start dot({}) = 0;`, or in another mode, `start mode;`",
-                        name.text
-                    )),
-            );
-        }
-    }
-    if needed {
-        let all = names
-            .coordinates
-            .iter()
-            .map(|one| (&one.name, 0))
-            .chain(names.states.iter().map(|one| (&one.name, coordinates)));
-        for (index, (name, skip)) in all.enumerate() {
-            if !given[index + skip] && !names.absent.contains_key(&name.text) {
-                low.diagnostics.push(
-                    Diagnostic::error(
-                        name.span,
-                        format!(
-                            "`{}` has no start value, and a scene runs from the start",
-                            name.text
-                        ),
-                    )
-                    .hint("write it after the unit, as in `coordinate x: m = 0;`"),
-                );
-            }
-        }
-    }
-    start
-}
-
-/// Which component of the state vector has a start value, and where it is declared.
-fn started(names: &Names, slot: usize) -> (String, Span) {
-    let coordinates = names.coordinates.len();
-    let (name, is_speed) = match slot {
-        slot if slot < coordinates => (&names.coordinates[slot].name, false),
-        slot if slot < 2 * coordinates => (&names.coordinates[slot - coordinates].name, true),
-        slot => (&names.states[slot - 2 * coordinates].name, false),
-    };
-    match is_speed {
-        true => (format!("dot({})", name.text), name.span),
-        false => (name.text.clone(), name.span),
-    }
 }
 
 /// The preset of a scene: its name and values.

@@ -58,35 +58,10 @@ fn expectation(
     measures: &[Kind],
 ) -> Option<ExpectInfo> {
     let wanted = print::term(&expect.quantity);
-    let quantity = match subject(&expect.quantity, &wanted, model) {
-        Some(quantity) => quantity,
-        None => {
-            let names = || {
-                model
-                    .outputs
-                    .iter()
-                    .chain(&model.states)
-                    .chain(model.measures.iter().map(|one| &one.quantity))
-                    .map(|one| one.name.as_str())
-            };
-            let run = matches!(&expect.at, ExpectAt::Extreme(word) if word.text == "run");
-            if run {
-                let measures = model.measures.iter().map(|one| one.quantity.name.as_str());
-                low.diagnostics
-                    .push(no_measure(expect, &wanted, nearest(&wanted, measures)));
-                return None;
-            }
-            let report = Diagnostic::error(
-                expect.quantity.span,
-                format!("the scene `{}` does not report `{wanted}`", model.name),
-            );
-            let near = nearest(&wanted, names()).filter(|_| !low.diagnostics.is_crowded());
-            low.diagnostics.push(match near {
-                Some(near) => report.hint(format!("did you mean `{near}`?")),
-                None => report.hint("add it to the outputs"),
-            });
-            return None;
-        }
+    let Some(quantity) = subject(&expect.quantity, &wanted, model) else {
+        let report = no_subject(low, expect, &wanted, model);
+        low.diagnostics.push(report);
+        return None;
     };
     let kind = match quantity {
         Subject::Measure(index) => measures[index],
@@ -95,71 +70,60 @@ fn expectation(
     let value = low.fixed_of(&expect.value, kind, "the quantity")?;
     let tolerance = low.fixed_of(&expect.tolerance, kind, "the quantity")?;
     if tolerance < 0.0 {
-        low.diagnostics.push(Diagnostic::error(
-            expect.tolerance.span,
-            "a tolerance cannot be negative",
-        ));
+        let place = expect.tolerance.span;
+        let report = Diagnostic::error(place, "a tolerance cannot be negative");
+        low.diagnostics.push(report);
         return None;
     }
-    let (at, place) = match &expect.at {
-        ExpectAt::Value { places } => {
-            let text: Vec<_> = places
-                .iter()
-                .map(|(variable, value)| format!("{} = {}", variable.text, print::term(value)))
-                .collect();
-            (
-                low.places(places, model.linkage.is_some())?,
-                format!(" at {}", text.join(", ")),
-            )
-        }
-        ExpectAt::Extreme(word) => {
-            let place = match word.text.as_str() {
-                "maximum" => ExpectPlace::Maximum,
-                "minimum" => ExpectPlace::Minimum,
-                "amplitude" => ExpectPlace::Amplitude,
-                "run" => ExpectPlace::Run,
-                _ => {
-                    low.diagnostics.push(
-                        Diagnostic::error(
-                            word.span,
-                            format!("`{}` is no place in a motion", word.text),
-                        )
-                        .hint("write `maximum`, `minimum`, `amplitude`, `theta = …`, or `run` for a measure"),
-                    );
-                    return None;
-                }
-            };
-            (place, format!(", {}", word.text))
-        }
-    };
+    let (at, place) = low.place_of(expect, model.linkage.is_some())?;
     if matches!(quantity, Subject::Measure(_)) != (at == ExpectPlace::Run) {
-        let (message, hint) = match at {
-            ExpectPlace::Run => (
-                format!("`{wanted}` is no measure, and has a value at each time of the run"),
-                "write where: `at time = …`, `at maximum`",
-            ),
-            _ => (
-                format!("`{wanted}` is a measure, a number of the whole run"),
-                "write `at run`",
-            ),
-        };
-        low.diagnostics
-            .push(Diagnostic::error(expect.quantity.span, message).hint(hint));
+        let report = wrong_place(expect, &wanted, &at);
+        low.diagnostics.push(report);
         return None;
     }
+    let preset = expect.preset.as_ref();
     Some(ExpectInfo {
         at,
         quantity,
         value,
         tolerance,
-        preset: expect
-            .preset
-            .as_ref()
-            .map_or(String::new(), |name| name.text.clone()),
+        preset: preset.map_or(String::new(), |name| name.text.clone()),
         remark: expect.remark.clone().unwrap_or_default(),
         span,
         label: format!("{wanted}{place}"),
     })
+}
+
+/// A fact about what the scene does not report.
+fn no_subject(low: &Lowering<'_>, expect: &Expect, wanted: &str, model: &SceneModel) -> Diagnostic {
+    let measures = || model.measures.iter().map(|one| &one.quantity);
+    if matches!(&expect.at, ExpectAt::Extreme(word) if word.text == "run") {
+        let names = measures().map(|one| one.name.as_str());
+        return no_measure(expect, wanted, nearest(wanted, names));
+    }
+    let message = format!("the scene `{}` does not report `{wanted}`", model.name);
+    let report = Diagnostic::error(expect.quantity.span, message);
+    let all = model.outputs.iter().chain(&model.states).chain(measures());
+    let near = nearest(wanted, all.map(|one| one.name.as_str()));
+    match near.filter(|_| !low.diagnostics.is_crowded()) {
+        Some(near) => report.hint(format!("did you mean `{near}`?")),
+        None => report.hint("add it to the outputs"),
+    }
+}
+
+/// A measure is a number of the whole run, and nothing else is.
+fn wrong_place(expect: &Expect, wanted: &str, at: &ExpectPlace) -> Diagnostic {
+    let (message, hint) = match at {
+        ExpectPlace::Run => (
+            format!("`{wanted}` is no measure, and has a value at each time of the run"),
+            "write where: `at time = …`, `at maximum`",
+        ),
+        _ => (
+            format!("`{wanted}` is a measure, a number of the whole run"),
+            "write `at run`",
+        ),
+    };
+    Diagnostic::error(expect.quantity.span, message).hint(hint)
 }
 
 /// A fact about a time at which the scene does not run.
@@ -252,6 +216,38 @@ pub fn marks(low: &mut Lowering<'_>, statements: &[Statement]) -> Vec<MarkInfo> 
 }
 
 impl Lowering<'_> {
+    /// Where a fact holds, and the same in words.
+    fn place_of(&mut self, expect: &Expect, linkage: bool) -> Option<(ExpectPlace, String)> {
+        let word = match &expect.at {
+            ExpectAt::Value { places } => {
+                let text = places.iter();
+                let text =
+                    text.map(|(name, value)| format!("{} = {}", name.text, print::term(value)));
+                let text: Vec<_> = text.collect();
+                return Some((
+                    self.places(places, linkage)?,
+                    format!(" at {}", text.join(", ")),
+                ));
+            }
+            ExpectAt::Extreme(word) => word,
+        };
+        let place = match word.text.as_str() {
+            "maximum" => ExpectPlace::Maximum,
+            "minimum" => ExpectPlace::Minimum,
+            "amplitude" => ExpectPlace::Amplitude,
+            "run" => ExpectPlace::Run,
+            other => {
+                let message = format!("`{other}` is no place in a motion");
+                self.diagnostics
+                    .push(Diagnostic::error(word.span, message).hint(
+                    "write `maximum`, `minimum`, `amplitude`, `theta = …`, or `run` for a measure",
+                ));
+                return None;
+            }
+        };
+        Some((place, format!(", {}", word.text)))
+    }
+
     /// Where a fact holds. A linkage may be asked for positions of several drivers.
     fn places(&mut self, places: &[(Name, Term)], linkage: bool) -> Option<ExpectPlace> {
         if linkage && self.moved == Moved::Swept {

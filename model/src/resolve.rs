@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::syntax::tree::{
-    Constant, Dependent, Driver, Name, Output, Statement, StatementKind, Term, Unknown,
+    Constant, Dependent, Driver, Name, Output, Statement, StatementKind, Target, Term, Unknown,
 };
 use crate::syntax::words::{FUNCTIONS, MEASURING, QUANTITIES};
 use crate::token::Span;
@@ -90,89 +90,95 @@ impl Names {
 
     fn declare(&mut self, statement: &Statement, diagnostics: &mut Diagnostics) {
         let summary = statement.documentation.join("\n").trim().to_string();
-        let target = match &statement.kind {
-            StatementKind::Constant(constant) => &constant.target,
-            StatementKind::Let { target, .. } | StatementKind::Point { target, .. } => target,
-            StatementKind::Driver(driver) => &driver.target,
-            StatementKind::Dependent(dependent) => &dependent.target,
-            StatementKind::Coordinate(unknown) | StatementKind::State(unknown) => &unknown.target,
-            StatementKind::Output(output) => {
-                self.declare_output(output, summary, diagnostics);
-                return;
+        match &statement.kind {
+            StatementKind::Constant(what) => {
+                let declared = (&what.target, summary, what);
+                self.list(
+                    declared,
+                    Role::Constant,
+                    |all| &mut all.constants,
+                    diagnostics,
+                );
             }
+            StatementKind::Driver(what) => {
+                let declared = (&what.target, summary, what);
+                self.list(declared, Role::Driver, |all| &mut all.drivers, diagnostics);
+            }
+            StatementKind::Dependent(what) => {
+                let declared = (&what.target, summary, what);
+                self.list(
+                    declared,
+                    Role::Dependent,
+                    |all| &mut all.dependents,
+                    diagnostics,
+                );
+            }
+            StatementKind::Coordinate(what) => {
+                let declared = (&what.target, summary, what);
+                self.list(
+                    declared,
+                    Role::Coordinate,
+                    |all| &mut all.coordinates,
+                    diagnostics,
+                );
+            }
+            StatementKind::State(what) => {
+                let declared = (&what.target, summary, what);
+                self.list(declared, Role::State, |all| &mut all.states, diagnostics);
+            }
+            StatementKind::Point { target, value } => {
+                let role = |_| Role::Let(value.clone());
+                self.list(
+                    (target, summary, value),
+                    role,
+                    |all| &mut all.points,
+                    diagnostics,
+                );
+            }
+            StatementKind::Let {
+                target,
+                arguments,
+                value,
+            } => {
+                let role = match arguments {
+                    None => Role::Let(value.clone()),
+                    Some(arguments) => Role::Function(arguments.clone(), value.clone()),
+                };
+                if let Some(name) = target_name(target, diagnostics) {
+                    self.insert(&name, role, diagnostics);
+                }
+            }
+            StatementKind::Output(output) => self.declare_output(output, summary, diagnostics),
             StatementKind::Measure { what, text } => {
                 self.declare_measure(what, text.as_ref().unwrap_or(&summary), diagnostics);
-                return;
             }
             StatementKind::Part {
                 name, mechanism, ..
             } => {
                 self.insert(name, Role::Part(mechanism.text.clone()), diagnostics);
-                return;
             }
-            _ => return,
-        };
+            _ => {}
+        }
+    }
+
+    /// Declares what is counted among others of its sort.
+    fn list<T: Clone>(
+        &mut self,
+        (target, summary, what): (&Target, String, &T),
+        role: impl FnOnce(u32) -> Role,
+        list: fn(&mut Self) -> &mut Vec<Declared<T>>,
+        diagnostics: &mut Diagnostics,
+    ) {
         let Some(name) = target_name(target, diagnostics) else {
             return;
         };
-        let role = match &statement.kind {
-            StatementKind::Constant(_) => Role::Constant(self.constants.len() as u32),
-            StatementKind::Driver(_) => Role::Driver(self.drivers.len() as u32),
-            StatementKind::Dependent(_) => Role::Dependent(self.dependents.len() as u32),
-            StatementKind::Point { value, .. } => Role::Let(value.clone()),
-            StatementKind::Coordinate(_) => Role::Coordinate(self.coordinates.len() as u32),
-            StatementKind::State(_) => Role::State(self.states.len() as u32),
-            StatementKind::Let {
-                arguments: None,
-                value,
-                ..
-            } => Role::Let(value.clone()),
-            StatementKind::Let {
-                arguments: Some(arguments),
-                value,
-                ..
-            } => Role::Function(arguments.clone(), value.clone()),
-            _ => return,
-        };
-        if !self.insert(&name, role, diagnostics) {
-            return;
-        }
-        match &statement.kind {
-            StatementKind::Constant(what) => {
-                self.constants.push(Declared {
-                    name,
-                    summary,
-                    what: what.clone(),
-                });
-            }
-            StatementKind::Driver(what) => self.drivers.push(Declared {
+        let index = list(self).len() as u32;
+        if self.insert(&name, role(index), diagnostics) {
+            list(self).push(Declared {
                 name,
                 summary,
                 what: what.clone(),
-            }),
-            StatementKind::Dependent(what) => self.dependents.push(Declared {
-                name,
-                summary,
-                what: what.clone(),
-            }),
-            StatementKind::Point { value, .. } => self.points.push(Declared {
-                name,
-                summary,
-                what: value.clone(),
-            }),
-            StatementKind::Coordinate(what) => {
-                self.coordinates.push(Declared {
-                    name,
-                    summary,
-                    what: what.clone(),
-                });
-            }
-            StatementKind::State(what) => self.states.push(Declared {
-                name,
-                summary,
-                what: what.clone(),
-            }),
-            _ => {}
+            });
         }
     }
 

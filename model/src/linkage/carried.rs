@@ -1,7 +1,7 @@
 //! A linkage that is carried along by a motion: its drivers move in time, and what it does acts on coordinates that move by
 //! themselves. Its dependent coordinates are then functions of the time, put in as closed forms.
 
-use super::{Closed, Linkage, Slot};
+use super::{Closed, Group, Linkage, Slot};
 use crate::checked::LoopInfo;
 use crate::declare::Drive;
 use crate::diagnostic::Diagnostic;
@@ -27,71 +27,39 @@ impl Linkage {
             dependents: vec![f64::NAN; names.dependents.len()],
         };
         for (driver, drive) in names.drivers.iter().zip(drives) {
-            let start = match &driver.what.start {
-                Some(term) => low.fixed(term)?.0,
-                None => match drive.position {
-                    Some(position) => {
-                        low.graph.evaluate(&[position], &|symbol| given.of(symbol))[0]
-                    }
-                    None => f64::NAN,
-                },
+            let start = match (&driver.what.start, drive.position) {
+                (Some(term), _) => low.fixed(term)?.0,
+                (None, Some(position)) => {
+                    low.graph.evaluate(&[position], &|symbol| given.of(symbol))[0]
+                }
+                (None, None) => f64::NAN,
             };
             given.drivers.push(start);
         }
         let mut carried = Vec::new();
         for (number, group) in self.groups.iter().enumerate() {
             let Some(closed) = &group.closed else {
-                let first = &self.equations[group.equations[0]];
-                let message = format!(
-                    "the loop `{}` is closed by iteration, and beside coordinates that move by themselves only loops with a closed form can be",
-                    first.name
-                );
-                low.diagnostics
-                    .push(Diagnostic::error(first.span, message).hint(
-                        "state the linkage by links of two, or run it in a scene of its own",
-                    ));
+                self.report(low, group, |name| {
+                    format!("the loop `{name}` is closed by iteration, and beside coordinates that move by themselves only loops with a closed form can be")
+                }, "state the linkage by links of two, or run it in a scene of its own");
                 return None;
             };
-            let mut starts = Vec::new();
-            for index in &group.unknowns {
-                let declared = &names.dependents[*index];
-                let Some(term) = &declared.what.start else {
-                    let message = format!("nothing says where `{}` starts", declared.name.text);
-                    low.diagnostics.push(
-                        Diagnostic::error(declared.name.span, message)
-                            .hint("write roughly where: `dependent psi ~ 30 deg;`"),
-                    );
-                    return None;
-                };
-                starts.push((*index, low.fixed(term)?.0));
-            }
+            let starts = starts(low, names, group)?;
             let mode = Symbol::Mode(number as u32);
-            let tried = [1.0, -1.0].map(|sign| {
-                let values = solved(&low.graph, closed, &given, (mode, sign));
-                (self.distance(&values, &starts), sign, values)
-            });
-            let [first, second] = tried;
-            let (distance, sign, values) = match second.0 < first.0 {
-                true => second,
-                false => first,
-            };
-            if !distance.is_finite() {
-                let place = &self.equations[group.equations[0]];
-                let message = format!(
-                    "the loop `{}` does not close where the drivers start",
-                    place.name
-                );
-                low.diagnostics.push(
-                    Diagnostic::error(place.span, message)
-                        .hint("change the dimensions, or say with `~` where the drivers start"),
+            let Some((sign, values)) = self.assembly(&low.graph, closed, &given, mode, &starts)
+            else {
+                self.report(
+                    low,
+                    group,
+                    |name| format!("the loop `{name}` does not close where the drivers start"),
+                    "change the dimensions, or say with `~` where the drivers start",
                 );
                 return None;
-            }
-            let sign = low.graph.number(sign);
+            };
             for (index, value) in values {
                 given.dependents[index] = value;
             }
-            let chosen = Map::from_iter([(mode, sign)]);
+            let chosen = Map::from_iter([(mode, low.graph.number(sign))]);
             for (slot, value) in &closed.values {
                 if let Slot::Value(index) = slot {
                     let fixed = low.graph.substitute(&[*value], &chosen)[0];
@@ -101,16 +69,56 @@ impl Linkage {
             }
             if low.graph.as_number(closed.margin).is_none() {
                 request.results.margins.push(closed.margin);
-                let mut info = self.loop_info(group.equations[0]);
-                let names = group.equations.iter();
-                let names: Vec<&str> = names
-                    .map(|index| self.equations[*index].name.as_str())
-                    .collect();
-                info.name = names.join(", ");
-                carried.push(info);
+                carried.push(self.carried_info(group));
             }
         }
         Some(carried)
+    }
+
+    /// Reports a group at the first of its equations.
+    fn report(
+        &self,
+        low: &mut Lowering<'_>,
+        group: &Group,
+        message: impl Fn(&str) -> String,
+        hint: &str,
+    ) {
+        let place = &self.equations[group.equations[0]];
+        let report = Diagnostic::error(place.span, message(&place.name));
+        low.diagnostics.push(report.hint(hint));
+    }
+
+    /// The assembly mode of a group that comes closest to the declared start values, and its values, if it assembles.
+    fn assembly(
+        &self,
+        graph: &Graph,
+        closed: &Closed,
+        given: &Given,
+        mode: Symbol,
+        starts: &[(usize, f64)],
+    ) -> Option<(f64, Vec<(usize, f64)>)> {
+        let tried = [1.0, -1.0].map(|sign| {
+            let values = solved(graph, closed, given, (mode, sign));
+            (self.distance(&values, starts), sign, values)
+        });
+        let [first, second] = tried;
+        let (distance, sign, values) = match second.0 < first.0 {
+            true => second,
+            false => first,
+        };
+        distance.is_finite().then_some((sign, values))
+    }
+
+    /// What a group says of itself: the names of all its equations.
+    fn carried_info(&self, group: &Group) -> LoopInfo {
+        let names = group.equations.iter();
+        let names: Vec<&str> = names
+            .map(|index| self.equations[*index].name.as_str())
+            .collect();
+        LoopInfo {
+            name: names.join(", "),
+            ..self.loop_info(group.equations[0])
+        }
     }
 
     /// How far values are from the declared ones; angles are the same after a turn.
@@ -129,6 +137,24 @@ impl Linkage {
             false => squares,
         }
     }
+}
+
+/// Where the dependent coordinates of a group are declared to start.
+fn starts(low: &mut Lowering<'_>, names: &Names, group: &Group) -> Option<Vec<(usize, f64)>> {
+    let mut starts = Vec::new();
+    for index in &group.unknowns {
+        let declared = &names.dependents[*index];
+        let Some(term) = &declared.what.start else {
+            let message = format!("nothing says where `{}` starts", declared.name.text);
+            low.diagnostics.push(
+                Diagnostic::error(declared.name.span, message)
+                    .hint("write roughly where: `dependent psi ~ 30 deg;`"),
+            );
+            return None;
+        };
+        starts.push((*index, low.fixed(term)?.0));
+    }
+    Some(starts)
 }
 
 /// The dependent coordinates that a group closes, on one assembly mode.

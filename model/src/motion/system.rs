@@ -1,0 +1,136 @@
+//! A block of equations that are solved together.
+
+use super::{Equation, Matrix};
+use crate::expression::{Expression, Graph};
+use crate::structure::Block;
+
+/// Largest block that is not symmetric and written out.
+const WRITTEN_OUT: usize = 4;
+
+/// A block as a small linear system.
+pub struct System {
+    /// The equations.
+    pub equations: Vec<usize>,
+    /// The unknowns.
+    pub unknowns: Vec<usize>,
+    /// Row by row.
+    entries: Vec<Vec<Option<Expression>>>,
+    symmetric: bool,
+}
+
+impl System {
+    /// The equations of a block, which may be symmetric.
+    pub fn of(block: &Block, matrix: &Matrix, equations: &[Equation]) -> Self {
+        let mut unknowns = block.unknowns.clone();
+        let owners: Option<Vec<_>> = block
+            .equations
+            .iter()
+            .map(|&row| equations[row].lagrange)
+            .collect();
+        // Lagrange's equations of some coordinates in the accelerations of the same coordinates are symmetric.
+        let symmetric = owners.is_some_and(|owners| {
+            let mut sorted = unknowns.clone();
+            sorted.sort_unstable();
+            let mut rising = owners.clone();
+            rising.sort_unstable();
+            let same = sorted == rising;
+            if same {
+                unknowns = owners;
+            }
+            same
+        });
+        let entries = block
+            .equations
+            .iter()
+            .map(|&row| {
+                unknowns
+                    .iter()
+                    .map(|&column| matrix.get(&(row, column)).copied())
+                    .collect()
+            })
+            .collect();
+        Self {
+            equations: block.equations.clone(),
+            unknowns,
+            entries,
+            symmetric,
+        }
+    }
+
+    /// Equations and unknowns with what multiplies the one in the other, where that must not be zero.
+    pub fn pivots(&self) -> impl Iterator<Item = (usize, usize, Expression)> {
+        let size = if self.symmetric || self.equations.len() == 1 {
+            self.equations.len()
+        } else {
+            0
+        };
+        (0..size).filter_map(|index| {
+            let entry = self.entries[index][index]?;
+            Some((self.equations[index], self.unknowns[index], entry))
+        })
+    }
+
+    /// The unknowns for a right-hand side.
+    pub fn solve(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
+        let zero = graph.zero();
+        let rows: Vec<Vec<_>> = self
+            .entries
+            .iter()
+            .map(|row| row.iter().map(|entry| entry.unwrap_or(zero)).collect())
+            .collect();
+        if let ([row], [value]) = (rows.as_slice(), right) {
+            return vec![graph.div(*value, row[0])];
+        }
+        if self.symmetric {
+            let lower: Vec<_> = rows
+                .iter()
+                .enumerate()
+                .flat_map(|(i, row)| row[..=i].to_vec())
+                .collect();
+            return graph.solve_symmetric(&lower, right);
+        }
+        if rows.len() > WRITTEN_OUT {
+            return graph.solve_general(&rows, right);
+        }
+        // Cramer's rule: the block is small.
+        let denominator = determinant(graph, &rows);
+        (0..right.len())
+            .map(|column| {
+                let mut replaced = rows.clone();
+                for (row, value) in replaced.iter_mut().zip(right) {
+                    row[column] = *value;
+                }
+                let numerator = determinant(graph, &replaced);
+                graph.div(numerator, denominator)
+            })
+            .collect()
+    }
+}
+
+/// Expansion by the first row.
+fn determinant(graph: &mut Graph, rows: &[Vec<Expression>]) -> Expression {
+    if let [row] = rows {
+        return row[0];
+    }
+    let mut sum = graph.zero();
+    for column in 0..rows.len() {
+        let minor: Vec<Vec<_>> = rows[1..]
+            .iter()
+            .map(|row| {
+                row.iter()
+                    .enumerate()
+                    .filter(|(index, _)| *index != column)
+                    .map(|(_, entry)| *entry)
+                    .collect()
+            })
+            .collect();
+        let below = determinant(graph, &minor);
+        let share = graph.mul(rows[0][column], below);
+        sum = if column % 2 == 0 {
+            graph.add(sum, share)
+        } else {
+            graph.sub(sum, share)
+        };
+    }
+    sum
+}
