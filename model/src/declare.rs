@@ -3,7 +3,7 @@
 use crate::checked::{ConstantInfo, QuantityInfo};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Map, Symbol};
-use crate::homogeneity::{agree, describe, disagreement, over};
+use crate::homogeneity::{agree, disagreement, over, unlike};
 use crate::lower::{Kind, Lowering, Moved, Typed, second};
 use crate::resolve::{Declared, Names};
 use crate::syntax::print;
@@ -110,11 +110,7 @@ impl Lowering<'_> {
     pub fn fixed_of(&mut self, term: &Term, kind: Kind, what: &str) -> Option<f64> {
         let (value, found) = self.fixed(term)?;
         if agree(found, kind).is_none() {
-            let message = format!(
-                "{what} is {}, and this is {}",
-                describe(kind.dimension()),
-                describe(found.dimension())
-            );
+            let message = unlike(what, kind, found);
             let unit = Unit::for_dimension(&kind.dimension()).symbol;
             let hint = match unit.as_str() {
                 "" => "give it as a pure number or an angle".to_owned(),

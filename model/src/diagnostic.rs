@@ -69,6 +69,15 @@ impl Diagnostic {
         self.hint = Some(hint.into());
         self
     }
+
+    /// Adds the name that is likely meant, or else what to do.
+    #[must_use]
+    pub fn meant(self, near: Option<&str>, otherwise: impl Into<String>) -> Self {
+        match near {
+            Some(near) => self.hint(format!("did you mean `{near}`?")),
+            None => self.hint(otherwise),
+        }
+    }
 }
 
 /// So many errors in one file are read by nobody.

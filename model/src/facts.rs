@@ -228,15 +228,10 @@ pub fn preset(
     let Some((name, values)) = known.iter().find(|(name, _)| name.text == chosen.text) else {
         let report =
             Diagnostic::error(chosen.span, format!("there is no preset `{}`", chosen.text));
-        low.diagnostics.push(
-            match nearest(
-                &chosen.text,
-                known.iter().map(|(name, _)| name.text.as_str()),
-            ) {
-                Some(near) => report.hint(format!("did you mean `{near}`?")),
-                None => report.hint("declare it with `preset NAME { … }`"),
-            },
-        );
+        let names = known.iter().map(|(name, _)| name.text.as_str());
+        let near = nearest(&chosen.text, names);
+        low.diagnostics
+            .push(report.meant(near, "declare it with `preset NAME { … }`"));
         return None;
     };
     let mut list = Vec::new();

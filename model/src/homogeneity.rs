@@ -62,6 +62,12 @@ pub fn describe(dimension: Dimension) -> String {
     }
 }
 
+/// Says that something is of one kind and what it is given of another one.
+pub fn unlike(what: &str, expected: Kind, found: Kind) -> String {
+    let [expected, found] = [expected, found].map(|kind| describe(kind.dimension()));
+    format!("{what} is {expected}, and this is {found}")
+}
+
 /// The kind of a sum, a comparison or an equation, whose two sides must agree.
 pub fn agree(left: Kind, right: Kind) -> Option<Kind> {
     match (left, right) {

@@ -324,10 +324,9 @@ fn check_facts(file: &File, scenes: &[(&Scene, &[String])], diagnostics: &mut Di
             };
             let report =
                 Diagnostic::error(name.span, format!("there is no {what} `{}`", name.text));
-            diagnostics.push(match nearest::nearest(&name.text, known.iter().copied()) {
-                Some(near) => report.hint(format!("did you mean `{near}`?")),
-                None => report.hint(format!("the file declares {}", known.join(", "))),
-            });
+            let near = nearest::nearest(&name.text, known.iter().copied());
+            let otherwise = format!("the file declares {}", known.join(", "));
+            diagnostics.push(report.meant(near, otherwise));
         }
     }
 }
@@ -381,12 +380,7 @@ fn presets(file: &File, seen: &Seen, diagnostics: &mut Diagnostics) -> Vec<Prese
                 continue;
             };
             if homogeneity::agree(found, *kind).is_none() {
-                let message = format!(
-                    "`{}` is {}, and this is {}",
-                    target.text,
-                    homogeneity::describe(kind.dimension()),
-                    homogeneity::describe(found.dimension())
-                );
+                let message = homogeneity::unlike(&format!("`{}`", target.text), *kind, found);
                 diagnostics.push(
                     Diagnostic::error(term.span, message).related(*declared, "declared here"),
                 );

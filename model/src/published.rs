@@ -105,10 +105,8 @@ fn no_subject(low: &Lowering<'_>, expect: &Expect, wanted: &str, model: &SceneMo
     let report = Diagnostic::error(expect.quantity.span, message);
     let all = model.outputs.iter().chain(&model.states).chain(measures());
     let near = nearest(wanted, all.map(|one| one.name.as_str()));
-    match near.filter(|_| !low.diagnostics.is_crowded()) {
-        Some(near) => report.hint(format!("did you mean `{near}`?")),
-        None => report.hint("add it to the outputs"),
-    }
+    let near = near.filter(|_| !low.diagnostics.is_crowded());
+    report.meant(near, "add it to the outputs")
 }
 
 /// A measure is a number of the whole run, and nothing else is.
@@ -148,12 +146,10 @@ fn outside(expect: &Expect, at: &ExpectPlace, scene: &str, run: Stretch) -> Opti
 fn no_measure(expect: &Expect, wanted: &str, near: Option<&str>) -> Diagnostic {
     let message = format!("`{wanted}` has to be a measure: `at run` means the whole run");
     let report = Diagnostic::error(expect.quantity.span, message);
-    match near {
-        Some(near) => report.hint(format!("did you mean `{near}`?")),
-        None => report.hint(
-            "declare a `measure`, as in `measure x_max = peak(x);`, or say where: `at time = …`",
-        ),
-    }
+    report.meant(
+        near,
+        "declare a `measure`, as in `measure x_max = peak(x);`, or say where: `at time = …`",
+    )
 }
 
 /// What a fact speaks of: an output, a state or dependent coordinate, or the derivative of an output of a linkage.

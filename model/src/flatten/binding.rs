@@ -228,11 +228,12 @@ fn unknown(own: &str, binding: &Binding, whose: &Whose<'_>) -> Diagnostic {
     } = whose;
     let message = format!("the part `{part}` has no `{own}`");
     let report = Diagnostic::error(binding.target.name.span, message);
-    match nearest(own, known.iter().map(String::as_str)) {
-        Some(near) => report.hint(format!("did you mean `{near}`?")),
-        None if known.is_empty() => report.hint(format!("nothing of `{mechanism}` can be bound")),
-        None => report.hint(format!("`{mechanism}` declares {}", known.join(", "))),
-    }
+    let otherwise = match known.is_empty() {
+        true => format!("nothing of `{mechanism}` can be bound"),
+        false => format!("`{mechanism}` declares {}", known.join(", ")),
+    };
+    let near = nearest(own, known.iter().map(String::as_str));
+    report.meant(near, otherwise)
 }
 
 /// Goes through statements and those in their blocks.

@@ -79,12 +79,9 @@ impl Geometry {
         let found = self.names.iter().position(|name| *name == wanted);
         if found.is_none() && !low.has_wrong_point(&wanted) && !low.is_unread(&wanted) {
             let report = Diagnostic::error(point.span, format!("there is no point `{wanted}`"));
-            low.diagnostics.push(
-                match nearest(&wanted, self.names.iter().map(String::as_str)) {
-                    Some(near) => report.hint(format!("did you mean `{near}`?")),
-                    None => report.hint(format!("declare it: `point {wanted} = [x, y];`")),
-                },
-            );
+            let near = nearest(&wanted, self.names.iter().map(String::as_str));
+            let otherwise = format!("declare it: `point {wanted} = [x, y];`");
+            low.diagnostics.push(report.meant(near, otherwise));
         }
         found
     }

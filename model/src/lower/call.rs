@@ -113,10 +113,8 @@ impl Lowering<'_> {
                 Some(hint) => return self.error(report.hint(hint)),
                 None => report,
             };
-            return self.error(match nearest(&name.text, known) {
-                Some(near) => report.hint(format!("did you mean `{near}`?")),
-                None => report.hint("declare it with `let`, as in `let f(x) = …;`"),
-            });
+            let otherwise = "declare it with `let`, as in `let f(x) = …;`";
+            return self.error(report.meant(nearest(&name.text, known), otherwise));
         };
         let many = matches!(function, Function::Max | Function::Min) && arguments.len() > 2;
         if !many && !self.count(name, arguments.len(), *expected, span) {

@@ -27,7 +27,7 @@ use crate::checked::LiteralInfo;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Budget, Expression, Graph, Map, Set, Symbol};
 pub use crate::homogeneity::Kind;
-use crate::homogeneity::{agree, describe};
+use crate::homogeneity::{agree, unlike};
 use crate::nearest::nearest;
 use crate::resolve::{Names, Role};
 use crate::scene::{Selected, Survey};
@@ -354,11 +354,7 @@ impl<'a> Lowering<'a> {
         match agree(found, expected) {
             Some(kind) => Typed::scalar(given, kind),
             None => {
-                let message = format!(
-                    "`{name}` is {}, and this is {}",
-                    describe(expected.dimension()),
-                    describe(found.dimension())
-                );
+                let message = unlike(&format!("`{name}`"), expected, found);
                 self.error(
                     Diagnostic::error(value.span, message)
                         .related(instead.span, "what its file says"),

@@ -6,7 +6,7 @@ use super::phases::{Phase, Phases};
 use crate::checked::EventInfo;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
-use crate::homogeneity::{agree, describe, fitting_value, over};
+use crate::homogeneity::{agree, fitting_value, over, unlike};
 use crate::lower::{Kind, Lowering, second};
 use crate::program::{Event, Slopes};
 use crate::resolve::{Names, Role};
@@ -114,12 +114,7 @@ impl Reader<'_> {
             let (slot, kind) = self.slot(term, low)?;
             let (value, found) = low.scalar(value)?;
             if agree(found, kind).is_none() {
-                let message = format!(
-                    "`{}` is {}, and this is {}",
-                    print::term(term),
-                    describe(kind.dimension()),
-                    describe(found.dimension())
-                );
+                let message = unlike(&format!("`{}`", print::term(term)), kind, found);
                 let report = Diagnostic::error(term.span, message);
                 low.diagnostics
                     .push(report.hint(fitting_value(kind, &print::term(term))));

@@ -144,13 +144,11 @@ fn no_mode(name: &Name, known: &[&str]) -> Diagnostic {
         .copied()
         .filter(|one| !one.is_empty())
         .collect();
-    match nearest(&name.text, known.iter().copied()) {
-        Some(near) => report.hint(format!("did you mean `{near}`?")),
-        None if known.is_empty() => {
-            report.hint(format!("declare it with `mode {} {{ … }}`", name.text))
-        }
-        None => report.hint(format!("the scene has {}", known.join(", "))),
-    }
+    let otherwise = match known.is_empty() {
+        true => format!("declare it with `mode {} {{ … }}`", name.text),
+        false => format!("the scene has {}", known.join(", ")),
+    };
+    report.meant(nearest(&name.text, known.iter().copied()), otherwise)
 }
 
 fn stated<'a>(statements: &'a [Statement], diagnostics: &mut Diagnostics) -> Vec<Stated<'a>> {
