@@ -100,6 +100,8 @@ pub struct Here<'a> {
     pub phases: &'a Phases,
     /// Which of them.
     pub index: usize,
+    /// Constants that it has in any case, by their indices among all of the file.
+    pub constants: &'a [usize],
 }
 
 impl<'a> Here<'a> {

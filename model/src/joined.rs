@@ -38,12 +38,8 @@ pub fn scene(
     match phases.is_hybrid() {
         true => join(task, &phases, seen, diagnostics),
         false => {
-            let here = Here {
-                task,
-                phases: &phases,
-                index: 0,
-            };
-            Some(only(mode(here, seen, diagnostics)?))
+            let mut all = modes(task, &phases, &[], seen, diagnostics)?;
+            all.pop().map(only)
         }
     }
 }
@@ -55,21 +51,16 @@ fn join(
     seen: &mut Seen,
     diagnostics: &mut Diagnostics,
 ) -> Option<SceneModel> {
-    let modes = 0..phases.all.len();
-    let modes = modes.map(|index| {
-        mode(
-            Here {
-                task,
-                phases,
-                index,
-            },
-            seen,
-            diagnostics,
-        )
-    });
-    // Every mode is looked at for its mistakes.
-    let all: Vec<Option<Compiled>> = modes.collect();
-    let mut all: Vec<Compiled> = all.into_iter().collect::<Option<_>>()?;
+    let mut all = modes(task, phases, &[], seen, diagnostics)?;
+    let union: BTreeSet<usize> = all.iter().flat_map(|mode| mode.kept.clone()).collect();
+    let union: Vec<usize> = union.into_iter().collect();
+    // Influence coefficients are taken by the same constants in every mode.
+    if all
+        .iter()
+        .any(|mode| mode.scene.linkage.is_some() && mode.kept != union)
+    {
+        all = modes(task, phases, &union, seen, diagnostics)?;
+    }
     unite(&mut all);
     report_unconnected(phases, &all, diagnostics);
     let mut model = all.get(phases.first)?.scene.clone();
@@ -89,6 +80,27 @@ fn join(
         });
     }
     Some(model)
+}
+
+/// Compiles every mode, for its mistakes even if another one has some; each with these constants in any case.
+fn modes(
+    task: &Task<'_>,
+    phases: &Phases,
+    constants: &[usize],
+    seen: &mut Seen,
+    diagnostics: &mut Diagnostics,
+) -> Option<Vec<Compiled>> {
+    let compile = |index| {
+        let here = Here {
+            task,
+            phases,
+            index,
+            constants,
+        };
+        mode(here, seen, diagnostics)
+    };
+    let all: Vec<Option<Compiled>> = (0..phases.all.len()).map(compile).collect();
+    all.into_iter().collect()
 }
 
 /// Gives all modes the constants that any of them depends on.

@@ -43,7 +43,10 @@ pub fn constants(
     let mut all = request.results.all();
     all.extend(request.bindings.values());
     let symbols = low.graph.symbols(&all);
-    let depends = |index: &usize| symbols.contains(&Symbol::Parameter(*index as u32));
+    let given = mode.here.constants;
+    let depends = |index: &usize| {
+        given.contains(index) || symbols.contains(&Symbol::Parameter(*index as u32))
+    };
     let kept: Vec<usize> = (0..chosen.values.len()).filter(depends).collect();
     for (new, old) in kept.iter().enumerate() {
         let symbol = Symbol::Parameter(*old as u32);

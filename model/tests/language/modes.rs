@@ -298,3 +298,19 @@ fn the_text_of_a_surface_is_that_of_the_file() {
         assert_eq!(text(force), [expected]);
     }
 }
+
+#[test]
+fn modes_of_a_linkage_are_influenced_by_the_same_constants() {
+    let scene = first_scene(
+        "Sample; dimension a = 20 mm +- 0.1 mm, b = 70 mm, c = 50 mm, d = 75 mm, h = 3 mm +- 0.1 mm; \
+         parameter n = 60 rpm, t = 3 +- 0.1; driver theta = n*time; dependent u ~ 30 deg, v ~ 90 deg; \
+         closure loop: a*dir(theta) + b*dir(u) = [d, 0] + c*dir(v); output o; scene s { run time 0 s .. 1 s; } \
+         mode one { when sin(theta) rises -> two; let o = v*t; } mode two { when cos(theta) rises -> one; let o = v*h/(1 mm); }",
+    );
+    let variables = &scene.linkage.as_ref().unwrap().variables;
+    assert_eq!((scene.constants.len(), variables.len()), (7, 7));
+    for mode in &scene.modes {
+        let influence = &mode.program.results.closing.influence;
+        assert_eq!((mode.program.parameters, influence.len()), (7, 7));
+    }
+}
