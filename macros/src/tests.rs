@@ -54,7 +54,7 @@ fn pieces(file: syn::File) -> Vec<(String, String)> {
             (syn::Item::Mod(one), _) if one.ident == "shapes_" => {
                 pieces.push(("shapes".to_owned(), syn::parse_quote!(#item)));
             }
-            (syn::Item::Impl(_) | syn::Item::Type(_), Some((_, piece))) => {
+            (syn::Item::Impl(_) | syn::Item::Type(_) | syn::Item::Macro(_), Some((_, piece))) => {
                 piece.items.push(item);
             }
             _ => {}
@@ -86,29 +86,37 @@ fn check(name: &str, emitted: &str) {
 
 const BATTEN: &str = include_str!("../../equations/src/batten.eqn");
 
-/// A motion, one with modes, and a linkage.
-#[test]
-fn small_mechanisms() {
-    for (name, text) in [
-        ("pendulum", include_str!("golden/pendulum.eqn")),
-        ("ball", include_str!("golden/ball.eqn")),
-        ("four_bar", include_str!("golden/four_bar.eqn")),
-    ] {
-        let emitted = emitted(text, &format!("{name}.eqn"), |_| true);
-        check(&format!("{name}.rs"), &prettyplease::unparse(&emitted));
+/// Compares a folder of golden files with the pieces of a module.
+#[track_caller]
+fn check_pieces(folder: &str, emitted: syn::File) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/golden");
+    let pieces = pieces(emitted);
+    for (name, rust) in &pieces {
+        check(&format!("{folder}/{name}.rs"), rust);
     }
+    let files = std::fs::read_dir(path.join(folder)).expect("the golden files can be listed");
+    assert_eq!(files.count(), pieces.len(), "one file is not emitted");
+}
+
+#[test]
+fn pendulum() {
+    let text = include_str!("golden/pendulum.eqn");
+    let emitted = emitted(text, "pendulum.eqn", |_| true);
+    check("pendulum.rs", &prettyplease::unparse(&emitted));
+}
+
+#[test]
+fn a_motion_with_modes_and_a_linkage() {
+    let ball = include_str!("golden/ball.eqn");
+    check_pieces("ball", emitted(ball, "ball.eqn", |_| true));
+    let four_bar = include_str!("golden/four_bar.eqn");
+    check_pieces("four_bar", emitted(four_bar, "four_bar.eqn", |_| true));
 }
 
 #[test]
 fn batten_elastic() {
-    let emitted = emitted(BATTEN, "batten.eqn", |name| name == "elastic");
-    let pieces = pieces(emitted);
-    for (name, rust) in &pieces {
-        check(&format!("batten_elastic/{name}.rs"), rust);
-    }
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/golden/batten_elastic");
-    let files = std::fs::read_dir(folder).expect("the golden files can be listed");
-    assert_eq!(files.count(), pieces.len(), "one file is not emitted");
+    let elastic = |name: &str| name == "elastic";
+    check_pieces("batten_elastic", emitted(BATTEN, "batten.eqn", elastic));
 }
 
 #[test]

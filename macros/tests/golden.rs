@@ -5,14 +5,6 @@
 #[path = "../src/golden/pendulum.rs"]
 mod pendulum;
 
-#[rustfmt::skip]
-#[path = "../src/golden/ball.rs"]
-mod ball;
-
-#[rustfmt::skip]
-#[path = "../src/golden/four_bar.rs"]
-mod four_bar;
-
 /// The pieces of one emitted module, which has the same attributes.
 #[allow(
     clippy::all,
@@ -27,4 +19,38 @@ mod batten_elastic {
     include!("../src/golden/batten_elastic/elastic_equations.rs");
     include!("../src/golden/batten_elastic/elastic_instant.rs");
     include!("../src/golden/batten_elastic/shapes.rs");
+}
+
+/// The same of a motion with modes.
+#[allow(
+    clippy::all,
+    rustdoc::all,
+    non_snake_case,
+    non_upper_case_globals,
+    dead_code,
+    unused_variables
+)]
+mod ball {
+    include!("../src/golden/ball/fall.rs");
+    include!("../src/golden/ball/fall_in_flight_equations.rs");
+    include!("../src/golden/ball/fall_in_flight_instant.rs");
+    include!("../src/golden/ball/fall_in_contact_equations.rs");
+    include!("../src/golden/ball/fall_in_contact_instant.rs");
+    include!("../src/golden/ball/shapes.rs");
+}
+
+/// The same of a linkage.
+#[allow(
+    clippy::all,
+    rustdoc::all,
+    non_snake_case,
+    non_upper_case_globals,
+    dead_code,
+    unused_variables
+)]
+mod four_bar {
+    include!("../src/golden/four_bar/turn.rs");
+    include!("../src/golden/four_bar/turn_equations.rs");
+    include!("../src/golden/four_bar/turn_instant.rs");
+    include!("../src/golden/four_bar/shapes.rs");
 }

@@ -1,0 +1,77 @@
+mod shapes_ {
+    use ::assur::shape::tables::*;
+    const unit_0_: Unit = Unit::new("mm", 0.001, [1, 0, 0, 0, 0, 0, 0]);
+    const unit_1_: Unit = Unit::new("deg", 0.017453292519943295, [0, 0, 0, 0, 0, 0, 0]);
+    const constants_: [Constant; 4] = [
+        Constant::dimension(
+                Quantity::new(
+                    "a",
+                    "Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0.",
+                    unit_0_,
+                ),
+                f64::NEG_INFINITY,
+                f64::INFINITY,
+            )
+            .made(2e-5, Distribution::Normal),
+        Constant::dimension(
+            Quantity::new(
+                "b",
+                "Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0.",
+                unit_0_,
+            ),
+            f64::NEG_INFINITY,
+            f64::INFINITY,
+        ),
+        Constant::dimension(
+            Quantity::new(
+                "c",
+                "Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0.",
+                unit_0_,
+            ),
+            f64::NEG_INFINITY,
+            f64::INFINITY,
+        ),
+        Constant::dimension(
+            Quantity::new(
+                "d",
+                "Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0.",
+                unit_0_,
+            ),
+            f64::NEG_INFINITY,
+            f64::INFINITY,
+        ),
+    ];
+    static list_0_: &[Quantity] = &[Quantity::new("phi", "", unit_1_)];
+    static list_1_: &[Quantity] = &[Quantity::new("psi", "", unit_1_)];
+    static list_2_: &[Quantity] = &[
+        Quantity::new("theta", "", unit_1_),
+        Quantity::new("psi", "", unit_1_),
+    ];
+    pub static Turn: Shape = Shape::named("turn")
+        .constants(&Constant::some(&constants_, [0, 1, 2, 3], [0.02, 0.07, 0.05, 0.06]))
+        .drivers(list_0_)
+        .linear()
+        .outputs(list_1_)
+        .equations(
+            &[
+                EquationText::new(
+                    10,
+                    "closure frame: a*dir(phi) + b*dir(theta) = [d, 0 m] + c*dir(psi)",
+                    "m",
+                ),
+            ],
+        )
+        .operations(Operations::of([28, 35, 13, 21, 0]))
+        .linkage(LinkageEntry {
+            dependents: list_2_,
+            loops: &[
+                Loop::new(10, "frame.x", "m", 1.0),
+                Loop::new(10, "frame.y", "m", 1.0),
+            ],
+            groups: <super::Turn as Linkage>::GROUPS,
+            variables: <super::Turn as Linkage>::VARIABLES,
+            tolerances: &[(0.0, Distribution::Normal)],
+            points: &[],
+            links: &[],
+        });
+}

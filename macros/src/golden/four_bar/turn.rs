@@ -1,0 +1,156 @@
+/// A crank-rocker.
+///
+/// Scene `turn`.
+///
+/// ```text
+/// closure frame: a*dir(phi) + b*dir(theta) = [d, 0 m] + c*dir(psi)   [m]  four_bar.eqn:10
+/// ```
+///
+/// Parameters:
+///
+/// | name | value |  |  |
+/// |---|---|---|---|
+/// | `a` | `20 mm ± 0.02 mm` |  | Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0. |
+/// | `b` | `70 mm` |  | Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0. |
+/// | `c` | `50 mm` |  | Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0. |
+/// | `d` | `60 mm` |  | Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0. |
+///
+/// Drivers:
+///
+/// | name | unit |  |
+/// |---|---|---|
+/// | `phi` | `deg` |  |
+///
+/// Outputs:
+///
+/// | name | unit |  |
+/// |---|---|---|
+/// | `psi` | `deg` |  |
+///
+/// Operations: 28 once per parameter set, 35 per instant, 13 per position, 21 for all influence coefficients.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn {
+    /// Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0: `20 mm ± 0.02 mm`; stored in SI units, `mm` is 0.001.
+    pub a: f64,
+    /// Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0: `70 mm`; stored in SI units, `mm` is 0.001.
+    pub b: f64,
+    /// Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0: `50 mm`; stored in SI units, `mm` is 0.001.
+    pub c: f64,
+    /// Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0: `60 mm`; stored in SI units, `mm` is 0.001.
+    pub d: f64,
+}
+impl ::core::default::Default for Turn {
+    fn default() -> Self {
+        Self::from_values(&shapes_::Turn.defaults())
+    }
+}
+impl Turn {
+    /// Sets all values, SI units, in the order of the fields.
+    pub fn from_values(values: &[f64; 4]) -> Self {
+        Self {
+            a: values[0],
+            b: values[1],
+            c: values[2],
+            d: values[3],
+        }
+    }
+    /// All values, SI units, in the order of the fields.
+    pub fn values(&self) -> [f64; 4] {
+        [self.a, self.b, self.c, self.d]
+    }
+}
+impl ::assur::closure::Linkage for Turn {
+    type Closure<S: ::assur::scalar::Scalar> = TurnEquations<S>;
+    fn shape() -> &'static ::assur::shape::Shape {
+        &shapes_::Turn
+    }
+    const INDEPENDENTS: usize = 1;
+    const MOTION: usize = 0;
+    const DEPENDENTS: usize = 2;
+    const OUTPUTS: usize = 1;
+    const POINTS: usize = 0;
+    const CONSTANTS: usize = 4;
+    const VARIABLES: &'static [::assur::closure::Variable] = &[
+        ::assur::closure::Variable::Constant(0),
+        ::assur::closure::Variable::Constant(1),
+        ::assur::closure::Variable::Constant(2),
+        ::assur::closure::Variable::Constant(3),
+        ::assur::closure::Variable::Driver(0),
+    ];
+    const SECOND: bool = true;
+    const GROUPS: &'static [::assur::closure::Group] = &[
+        ::assur::closure::Group {
+            kind: ::assur::closure::GroupKind::Rrr,
+            unknowns: &[0, 1],
+            equations: &[0, 1],
+        },
+    ];
+    const ANGLES: &'static [bool] = &[true, true];
+    fn values(&self) -> ::std::vec::Vec<f64> {
+        Self::values(self).to_vec()
+    }
+    fn with_values(values: &[f64]) -> Self {
+        let mut all = [0.0; 4];
+        all.copy_from_slice(values);
+        Self::from_values(&all)
+    }
+    #[inline(always)]
+    fn prepare<S: ::assur::scalar::Scalar>(values: &[S]) -> Self::Closure<S> {
+        let b = values[1];
+        let v5_ = S::ONE / b;
+        let a = values[0];
+        let v7_ = S::abs(b);
+        let c = values[2];
+        let v9_ = S::abs(c);
+        let v10_ = v7_ + v9_;
+        let v11_ = v7_ - v9_;
+        let d = values[3];
+        let v21_ = S::ONE / c;
+        let v28_ = v21_ * v5_;
+        let v30_ = S::ONE / (c * c);
+        TurnEquations {
+            b,
+            v5_,
+            a,
+            c,
+            v10_,
+            v13_: S::from_f64(0.5) * (v10_ * v11_),
+            v15_: -d,
+            v16_: a * a,
+            v17_: v10_ * v10_,
+            v19_: -(v11_ * v11_),
+            v20_: -S::from_f64(0.5) * a,
+            v21_,
+            v23_: S::from_f64(0.5) / (v7_ * v9_),
+            v25_: -S::abs(v11_),
+            v26_: v5_ * a,
+            v27_: v21_ * a,
+            v28_,
+            v30_,
+            v31_: v5_ * v30_,
+            v32_: -b,
+            v33_: -v21_,
+            v34_: -c,
+            v35_: v28_ * a,
+        }
+    }
+    fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
+        ::assur::registry::check_values(shapes_::Turn.constants, &self.values())?;
+        ::core::result::Result::Ok(())
+    }
+    fn span(&self) -> ::assur::problem::Span {
+        ::assur::problem::Span::Open
+    }
+    fn drive(&self, time: f64) -> ::core::option::Option<::std::vec::Vec<f64>> {
+        ::core::option::Option::None
+    }
+    fn ranges(&self) -> ::std::vec::Vec<::assur::closure::Range> {
+        ::std::vec![
+            ::assur::closure::Range { from : 0.0, to : 6.283185307179586, start :
+            1.0471975511965976, period : 6.283185307179586 }
+        ]
+    }
+    fn start(&self) -> ::std::vec::Vec<f64> {
+        ::std::vec![0.3490658503988659, 1.3962634015954636]
+    }
+}
