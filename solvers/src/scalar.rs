@@ -6,7 +6,6 @@
 mod angle;
 mod bounded;
 mod dual;
-mod error_function;
 mod fused;
 mod interval;
 mod plain;

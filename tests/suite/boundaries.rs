@@ -5,12 +5,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The packages, their folders and all that they may depend on.
-const ARROWS: [(&str, &str, Allowed); 6] = [
-    ("assur-model", "model", Allowed::Nothing),
+const ARROWS: [(&str, &str, Allowed); 7] = [
+    ("assur-functions", "functions", Allowed::Nothing),
+    ("assur-model", "model", Allowed::Only(&["assur-functions"])),
     (
         "assur-solvers",
         "solvers",
-        Allowed::Only(&["nalgebra", "clarabel"]),
+        Allowed::Only(&["assur-functions", "nalgebra", "clarabel"]),
     ),
     ("assur-macros", "macros", Allowed::Of(&["assur-model"])),
     (

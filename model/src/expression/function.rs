@@ -1,8 +1,6 @@
 //! The functions and relations of the language, and what they mean on numbers: the same as `Scalar` of the solvers, to
 //! the last bit, which the tests of the macros hold.
 
-use super::error_function;
-
 /// A function of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[expect(missing_docs, reason = "the names say it")]
@@ -86,8 +84,8 @@ impl Function {
             Self::Log10 => first.log10(),
             Self::Sqrt => first.sqrt(),
             Self::Hypot => first.hypot(second()),
-            Self::Erf => error_function::erf(first),
-            Self::NormalCdf => error_function::normal_cdf(first),
+            Self::Erf => assur_functions::erf(first),
+            Self::NormalCdf => assur_functions::normal_cdf(first),
             Self::Floor => first.floor(),
             Self::Abs => first.abs(),
             // Zero of either sign and NaN give themselves.

@@ -10,7 +10,6 @@ mod build;
 mod cancel;
 mod differentiate;
 mod display;
-mod error_function;
 mod evaluate;
 mod function;
 mod graph;

@@ -1,6 +1,6 @@
 //! `f64` whose products and sums are fused.
 
-use super::{Scalar, angle, error_function, sine};
+use super::{Scalar, angle, sine};
 use crate::dispatch::is_fused;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -119,11 +119,11 @@ impl Scalar for Fused {
     }
     #[inline(always)]
     fn erf(self) -> Self {
-        Self(error_function::erf(self.0))
+        Self(assur_functions::erf(self.0))
     }
     #[inline(always)]
     fn normal_cdf(self) -> Self {
-        Self(error_function::normal_cdf(self.0))
+        Self(assur_functions::normal_cdf(self.0))
     }
     elementary!(
         tan, asin, acos, atan, sinh, cosh, tanh, exp, exp_m1, ln, ln_1p, log10, sqrt, floor, abs

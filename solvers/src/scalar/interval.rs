@@ -1,6 +1,6 @@
 //! Intervals: enclosures of all values that an expression takes while its arguments range over theirs.
 
-use super::{Scalar, error_function};
+use super::Scalar;
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -378,12 +378,12 @@ impl Scalar for Interval {
     }
     fn erf(self) -> Self {
         Self::library(
-            error_function::erf(self.low),
-            error_function::erf(self.high),
+            assur_functions::erf(self.low),
+            assur_functions::erf(self.high),
         )
     }
     fn normal_cdf(self) -> Self {
-        let f = error_function::normal_cdf;
+        let f = assur_functions::normal_cdf;
         Self::library(f(self.low), f(self.high))
     }
 

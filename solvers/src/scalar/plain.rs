@@ -1,6 +1,6 @@
 //! Plain `f64` and `f32`: every operation is rounded by itself, on every machine.
 
-use super::{Scalar, angle, error_function, sine};
+use super::{Scalar, angle, sine};
 
 /// What a type does by calling the function of the same name on its value.
 macro_rules! elementary {
@@ -77,11 +77,11 @@ macro_rules! plain {
             }
             #[inline(always)]
             fn erf(self) -> Self {
-                error_function::erf(f64::from(self)) as $float
+                assur_functions::erf(f64::from(self)) as $float
             }
             #[inline(always)]
             fn normal_cdf(self) -> Self {
-                error_function::normal_cdf(f64::from(self)) as $float
+                assur_functions::normal_cdf(f64::from(self)) as $float
             }
             elementary!(
                 tan, asin, acos, atan, sinh, cosh, tanh, exp, exp_m1, ln, ln_1p, log10, sqrt,

@@ -90,7 +90,7 @@ const ROOT_HIGH: f64 = 0.7071067690849304;
 const ROOT_LOW: f64 = 1.210161710447897e-8;
 
 /// Error function.
-pub(super) fn erf(x: f64) -> f64 {
+pub fn erf(x: f64) -> f64 {
     let size = x.abs();
     if size <= 1.0 {
         x + x * horner(&NEAR, x * x)
@@ -104,7 +104,7 @@ pub(super) fn erf(x: f64) -> f64 {
 }
 
 /// Distribution function of the standard normal distribution, `erfc(-x/√2) / 2`.
-pub(super) fn normal_cdf(x: f64) -> f64 {
+pub fn normal_cdf(x: f64) -> f64 {
     // What is lost in the product matters in the tail, where a relative error e of the argument u becomes 2 u² e.
     let high = -x * ROOT;
     let (a, b) = split(-x);
