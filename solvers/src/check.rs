@@ -23,8 +23,9 @@ pub use linkage::closure;
 pub use scaling::{closure_scaling, scaling};
 
 use crate::ode;
-use crate::problem::{Equations, Scene, Storage};
+use crate::problem::{Equations, Phase, Reports, Scene, Smooth};
 use crate::registry::{Method, Settings};
+use crate::scalar::Scalar;
 
 /// Largest drift of the energy, as a share of what is exchanged.
 const DRIFT: f64 = 1e-9;
@@ -50,17 +51,11 @@ impl std::fmt::Debug for Failed {
 
 impl std::error::Error for Failed {}
 
-/// The state of a scene on plain numbers.
-type State<C> = <<C as Scene>::Equations<f64> as Equations<f64>>::State;
-
-/// Kinetic and potential energy of a scene at a time and state.
-type Energies<C> = fn(&<C as Scene>::Equations<f64>, f64, &State<C>) -> (f64, f64);
-
 /// Follows the motion of a scene that neither loses nor gains energy, and checks that the sum of its energies stays.
 ///
 /// # Errors
 /// The drift and its time, or that the motion could not be followed.
-pub fn energy<C: Scene + Default>(energies: Energies<C>) -> Result<(), Failed> {
+pub fn energy<C: Smooth + Default>() -> Result<(), Failed> {
     let scene = C::default();
     let equations = scene.prepare::<f64>();
     let (from, to) = scene.span().limits();
@@ -69,7 +64,8 @@ pub fn energy<C: Scene + Default>(energies: Energies<C>) -> Result<(), Failed> {
     let motion = ode::march(&scene, (from, to), &start, &settings)
         .map_err(|error| Failed(format!("the motion could not be followed: {error}")))?;
     let at = |time: f64| {
-        let (kinetic, potential) = energies(&equations, time, &state::<C>(&motion.at(time)));
+        let energies = equations.energy(Phase::of(0), time, &motion.at(time));
+        let (kinetic, potential) = energies.unwrap_or((f64::NAN, f64::NAN));
         (time, kinetic, potential)
     };
     let all: Vec<(f64, f64, f64)> = motion.times().iter().map(|time| at(*time)).collect();
@@ -93,6 +89,21 @@ pub fn energy<C: Scene + Default>(energies: Energies<C>) -> Result<(), Failed> {
     }
 }
 
+/// The derivative of the state at a time, with what depends on the time alone.
+fn rates<S: Scalar>(
+    equations: &(impl Equations<S> + ?Sized),
+    mode: usize,
+    time: S,
+    state: &[S],
+) -> (Vec<S>, Vec<S>) {
+    let phase = Phase::of(mode);
+    let mut instant = vec![S::ZERO; equations.instant()];
+    equations.instants(phase, &[time], &mut instant);
+    let mut rates = vec![S::ZERO; state.len()];
+    equations.rates(phase, &instant, state, &mut rates);
+    (rates, instant)
+}
+
 /// Times and states at which a scene is tried: all over its task, near its start and far from it.
 fn places<C: Scene>(scene: &C) -> impl Iterator<Item = (f64, Vec<f64>)> {
     let ((from, to), start) = (scene.span().limits(), scene.start());
@@ -107,9 +118,8 @@ fn places<C: Scene>(scene: &C) -> impl Iterator<Item = (f64, Vec<f64>)> {
 /// The declared start, or where nothing moves from there, one a little beside it.
 fn moving_start<C: Scene>(scene: &C, equations: &C::Equations<f64>, time: f64) -> Vec<f64> {
     let start = scene.start();
-    let mut rate = State::<C>::zeros(C::shape().states.len());
-    equations.derivative(&equations.instant(time), &state::<C>(&start), &mut rate);
-    match rate.as_ref().iter().all(|value| *value == 0.0) {
+    let (rates, _) = rates(equations, C::shape().first, time, &start);
+    match rates.iter().all(|value| *value == 0.0) {
         true => beside(&start, C::shape().scales, 1, 100.0),
         false => start,
     }
@@ -128,15 +138,4 @@ fn beside(state: &[f64], scales: &[f64], index: usize, size: f64) -> Vec<f64> {
         .enumerate()
         .map(|(component, (value, scale))| value + size * scale * offset(component))
         .collect()
-}
-
-/// The numbers as a state of the scene.
-fn state<C: Scene>(values: &[f64]) -> State<C> {
-    let mut state = State::<C>::zeros(C::shape().states.len());
-    state
-        .as_mut()
-        .iter_mut()
-        .zip(values)
-        .for_each(|(slot, value)| *slot = *value);
-    state
 }

@@ -25,6 +25,7 @@ pub mod dense;
 pub mod dispatch;
 pub mod hybrid;
 pub mod measure;
+pub mod model;
 pub mod ode;
 pub mod periodic;
 pub mod problem;

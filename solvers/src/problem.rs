@@ -1,7 +1,12 @@
-//! What the solvers ask of a model: the two traits that emitted code implements.
+//! What the solvers ask of a model: a family of traits, layered by what an algorithm needs.
 //!
-//! A [`Scene`] is a set of parameter values, the type that a user fills in. Preparing it for a scalar type gives
-//! [`Equations`]: everything that depends on the parameters alone is computed there, once. Its task is a [`Span`].
+//! A [`Scene`] is a set of parameter values, the type that a user fills in. Preparing it for a scalar type gives its
+//! [`Equations`], with everything computed that depends on the parameters alone; beside them stand what a position says
+//! ([`Reports`]) and, where equations change on the way, [`Events`]. All of them work on slices, so that a pointer may stand
+//! for any of them. Its task is a [`Span`].
+//!
+//! Nothing in them allocates or panics; all quantities are in SI units; a value that does not exist (a square root of a
+//! negative number) is NaN, which the solvers report. Slices have the lengths that [`Equations`] and the shape state.
 
 mod span;
 
@@ -14,18 +19,6 @@ use crate::shape::Shape;
 pub trait Storage<S>: Clone + AsRef<[S]> + AsMut<[S]> {
     /// A vector of `length` zeros. A fixed array has its own length and ignores the argument.
     fn zeros(length: usize) -> Self;
-
-    /// These numbers as such a vector, in their place; none where that is not how they lie.
-    #[inline(always)]
-    fn of(_numbers: &[S]) -> Option<&Self> {
-        None
-    }
-
-    /// The same, to be written.
-    #[inline(always)]
-    fn of_mut(_numbers: &mut [S]) -> Option<&mut Self> {
-        None
-    }
 }
 
 impl<S: Scalar, const N: usize> Storage<S> for [S; N] {
@@ -33,16 +26,6 @@ impl<S: Scalar, const N: usize> Storage<S> for [S; N] {
     fn zeros(length: usize) -> Self {
         debug_assert_eq!(length, N);
         [S::ZERO; N]
-    }
-
-    #[inline(always)]
-    fn of(numbers: &[S]) -> Option<&Self> {
-        numbers.try_into().ok()
-    }
-
-    #[inline(always)]
-    fn of_mut(numbers: &mut [S]) -> Option<&mut Self> {
-        numbers.try_into().ok()
     }
 }
 
@@ -52,105 +35,179 @@ impl<S: Scalar> Storage<S> for Vec<S> {
     }
 }
 
-/// The stages of a step of which equations are asked for the rates, one after the other.
-pub trait Stages<S> {
-    /// The state of a stage, which the rates of those before it give, and where its own go.
-    fn next(&mut self, stage: usize) -> (&[S], &mut [S]);
+/// The discrete part of a position: which equations hold.
+#[derive(Clone, Copy, Debug)]
+pub struct Phase<'a, S> {
+    /// The mode; 0 where there is but one.
+    pub mode: usize,
+    /// On which side of each switching surface of the mode the motion is, 1 or −1. Where it is 0, or none is given, the
+    /// values say it.
+    pub sides: &'a [S],
 }
 
-/// Times of stages that [`Equations::sweep`] treats together: so many sines are packed well.
-const PACKED: usize = 4;
+impl<S: Scalar> Phase<'_, S> {
+    /// A mode, with all sides left to the values.
+    #[inline(always)]
+    pub const fn of(mode: usize) -> Self {
+        Self { mode, sides: &[] }
+    }
+
+    /// The side of a switching surface, 0 where the values say it.
+    #[inline(always)]
+    pub fn side(&self, surface: usize) -> S {
+        match self.sides.get(surface) {
+            Some(side) => *side,
+            None => S::ZERO,
+        }
+    }
+}
 
 /// First-order equations `y' = f(t, y)` of one scene with its parameters fixed.
 ///
-/// The state is `[coordinates, speeds, first-order states]`. All quantities are in SI units. The methods neither
-/// allocate nor panic; a value that does not exist (a square root of a negative number) is NaN, which the solvers report.
-pub trait Equations<S: Scalar> {
-    /// The state vector `y`.
-    type State: Storage<S>;
-    /// What depends on the time alone, computed once per instant.
-    type Instant: Clone;
-
+/// The state is `[coordinates, speeds, first-order states]`. All modes have the same; what a mode does not have stands
+/// still in it. What depends on the time alone is computed apart, a row of numbers for each instant.
+pub trait Equations<S: Scalar>: Send + Sync {
     /// Length of the state vector.
     fn states(&self) -> usize;
 
-    /// Values that depend on the time alone, at one time.
-    fn instant(&self, time: S) -> Self::Instant;
-
-    /// The same at several times at once, so that their sines and cosines are packed calls; only what the rates and their
-    /// slopes need ([`Equations::derivative`], [`Equations::variation`], [`Equations::jacobian`]).
-    fn instants<const K: usize>(&self, times: [S; K]) -> [Self::Instant; K];
-
-    /// Writes `f(t, y)` into `rate`.
-    fn derivative(&self, instant: &Self::Instant, state: &Self::State, rate: &mut Self::State);
-
-    /// Evaluates all stages of a step, which lie at these times. False, and nothing is evaluated, where the states are
-    /// not such that they can be read in their place.
-    #[inline(always)]
-    fn sweep(&self, times: &[S], stages: &mut dyn Stages<S>) -> bool {
-        let mut number = 0;
-        for times in times.chunks(PACKED) {
-            let packed: [S; PACKED] = std::array::from_fn(|k| times[k.min(times.len() - 1)]);
-            let instants = self.instants(packed);
-            for instant in &instants[..times.len()] {
-                let (state, rate) = stages.next(number);
-                match (Self::State::of(state), Self::State::of_mut(rate)) {
-                    (Some(state), Some(rate)) => self.derivative(instant, state, rate),
-                    _ => return false,
-                }
-                number += 1;
-            }
-        }
-        true
+    /// Length of a row of what depends on the time alone.
+    fn instant(&self) -> usize {
+        0
     }
+
+    /// Writes what the rates and their slopes need of several times, a row for each: computed together, so that sines are
+    /// packed calls.
+    fn instants(&self, _phase: Phase<'_, S>, _times: &[S], _rows: &mut [S]) {}
+
+    /// Writes `f(t, y)`.
+    fn rates(&self, phase: Phase<'_, S>, instant: &[S], state: &[S], rates: &mut [S]);
+
+    /// Writes `f(t, y)` and the products of `∂f/∂y` with columns, which stand one behind the other.
+    fn variation(
+        &self,
+        phase: Phase<'_, S>,
+        instant: &[S],
+        state: &[S],
+        rates: &mut [S],
+        columns: &[S],
+        products: &mut [S],
+    );
+
+    /// Writes `∂f/∂y` column by column: `columns[j * states + i] = ∂f_i/∂y_j`.
+    fn jacobian(&self, phase: Phase<'_, S>, instant: &[S], state: &[S], columns: &mut [S]);
 
     /// Writes the Taylor series of the motion from a state on, which is the first row: row `k` is `length^k / k!` times
     /// the `k`-th time derivative, and rows have the length of the state. False, and nothing is written, where the
     /// equations have none, and for scalars that are not [`Scalar::SINGLE`].
-    fn series(&self, _time: S, _length: S, _rows: &mut [S]) -> bool {
+    fn series(&self, _phase: Phase<'_, S>, _time: S, _length: S, _rows: &mut [S]) -> bool {
+        false
+    }
+}
+
+/// What a position says.
+pub trait Reports<S: Scalar>: Send + Sync {
+    /// Writes the outputs of the scene. Shape: [`Shape::outputs`].
+    fn outputs(&self, _phase: Phase<'_, S>, _time: S, _state: &[S], _values: &mut [S]) {}
+
+    /// Writes the positions of the drivers at a time. Shape: [`Shape::drivers`].
+    fn drivers(&self, _time: S, _values: &mut [S]) {}
+
+    /// Writes by how much the loops that the motion carries along close at a time, in SI units: less than zero where they
+    /// do not, not a number where one before does not. Shape: [`Shape::carried`].
+    fn margins(&self, _time: S, _values: &mut [S]) {}
+
+    /// Kinetic and potential energy, in joules; none where the scene states forces instead.
+    fn energy(&self, _phase: Phase<'_, S>, _time: S, _state: &[S]) -> Option<(S, S)> {
+        None
+    }
+
+    /// Writes the symmetric mass matrix row by row, in the order of the coordinates. False, and nothing is written, where the
+    /// equations do not have one.
+    fn mass(&self, _phase: Phase<'_, S>, _time: S, _state: &[S], _rows: &mut [S]) -> bool {
         false
     }
 
-    /// Writes `f(t, y)` into `rate` and the products `∂f/∂y · columns[k]` into `products[k]`.
-    fn variation(
-        &self,
-        instant: &Self::Instant,
-        state: &Self::State,
-        rate: &mut Self::State,
-        columns: &[Self::State],
-        products: &mut [Self::State],
-    );
-
-    /// Writes the columns of `∂f/∂y`: `columns[j].as_ref()[i] = ∂f_i/∂y_j`.
-    fn jacobian(&self, instant: &Self::Instant, state: &Self::State, columns: &mut [Self::State]);
-
-    /// Writes the outputs of the scene, in their declared order. Shape: [`Shape::outputs`].
-    fn outputs(&self, _time: S, _state: &Self::State, _values: &mut [S]) {}
-
-    /// Writes the positions of the drivers at a time, in their declared order.
-    fn drivers(&self, _time: S, _values: &mut [S]) {}
-
-    /// Writes by how much the loops that the motion carries along close at a time, see
-    /// [`Run::margins`](crate::registry::Run::margins).
-    fn margins(&self, _time: S, _values: &mut [S]) {}
-
     /// Writes what the measures of the scene look at. Length: [`Shape::measured`].
-    fn measured(&self, _time: S, _state: &Self::State, _values: &mut [S]) {}
+    fn measured(&self, _phase: Phase<'_, S>, _time: S, _state: &[S], _values: &mut [S]) {}
 
     /// Writes the measures, from what has been found for [`Shape::primitives`]. Shape: [`Shape::measures`].
     fn measures(&self, _found: &[S], _values: &mut [S]) {}
 }
 
+/// What changes the equations of a motion on its way.
+pub trait Events<S: Scalar>: Send + Sync {
+    /// Writes the guards of the events of the mode, behind them its kinks
+    /// ([`ModeEntry::kinks`](crate::shape::ModeEntry::kinks)) and its angles
+    /// ([`ModeEntry::turns`](crate::shape::ModeEntry::turns)), and the time derivatives of all.
+    fn guards(
+        &self,
+        phase: Phase<'_, S>,
+        time: S,
+        state: &[S],
+        values: &mut [S],
+        rates: &mut [S],
+    );
+
+    /// Whether what else an event of the mode asks for holds; asked of those that ask for more than their guard.
+    fn permits(&self, _phase: Phase<'_, S>, _event: usize, _time: S, _state: &[S]) -> bool {
+        true
+    }
+
+    /// Writes the state after an event of the mode; asked of those that set something.
+    fn jump(&self, _phase: Phase<'_, S>, _event: usize, _time: S, state: &[S], after: &mut [S]) {
+        after.copy_from_slice(state);
+    }
+
+    /// Whether it is known how events depend on the state: [`Events::guard_slopes`], [`Events::jump_slopes`].
+    fn has_slopes(&self) -> bool {
+        false
+    }
+
+    /// Writes the derivatives of the guard of an event of the mode by the state.
+    fn guard_slopes(
+        &self,
+        _phase: Phase<'_, S>,
+        _event: usize,
+        _time: S,
+        _state: &[S],
+        slopes: &mut [S],
+    ) {
+        slopes.fill(S::ZERO);
+    }
+
+    /// Writes the derivatives of the state after an event of the mode by the state before it, column by column, and its
+    /// total time derivative along the motion in the mode. False, and nothing is written, where the event sets nothing.
+    fn jump_slopes(
+        &self,
+        _phase: Phase<'_, S>,
+        _event: usize,
+        _time: S,
+        _state: &[S],
+        _columns: &mut [S],
+        _rates: &mut [S],
+    ) -> bool {
+        false
+    }
+}
+
 /// A scene of a mechanism with its parameter values: the type that a user fills in and hands to a solver.
-pub trait Scene: Clone + Send + Sync {
+pub trait Scene: Clone + Send + Sync + 'static {
     /// The equations, prepared for a scalar type.
-    type Equations<S: Scalar>: Equations<S> + Send + Sync;
+    type Equations<S: Scalar>: Equations<S> + Reports<S>;
+
+    /// Whether nothing changes the equations on the way, so that the scene is [`Smooth`].
+    const SMOOTH: bool;
 
     /// What the scene is made of.
     fn shape() -> &'static Shape;
 
     /// Computes what depends on the parameters alone.
     fn prepare<S: Scalar>(&self) -> Self::Equations<S>;
+
+    /// The events; none where the scene is smooth.
+    fn events<S: Scalar>(_equations: &Self::Equations<S>) -> Option<&dyn Events<S>> {
+        None
+    }
 
     /// Checks the conditions that the mechanism puts on its values (`require`, finite values, positive masses).
     ///
@@ -164,6 +221,13 @@ pub trait Scene: Clone + Send + Sync {
     /// The declared start values of the state, SI units. Shape: [`Shape::states`].
     fn start(&self) -> Vec<f64>;
 }
+
+/// A scene without modes or events. Whatever would not see these asks for such a one.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has modes or events, which this does not follow",
+    note = "`hybrid::march` follows them"
+)]
+pub trait Smooth: Scene {}
 
 /// A set of values that the mechanism does not accept.
 #[derive(Clone, Debug, PartialEq)]

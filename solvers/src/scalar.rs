@@ -16,6 +16,14 @@ pub use dual::Dual;
 pub(crate) use fused::Fused;
 pub use interval::{Interval, Perhaps};
 
+/// A number that is an `f64` in memory, so that plain slices can be read as slices of it.
+pub(crate) trait Real: Scalar {
+    /// The same numbers.
+    fn of(numbers: &[f64]) -> &[Self];
+    /// The same, to be written.
+    fn of_mut(numbers: &mut [f64]) -> &mut [Self];
+}
+
 /// A number: `f64`, `f32`, fused `f64`, a pack of lanes, a dual number, an interval, a number with the bound of its
 /// error.
 ///

@@ -1,92 +1,97 @@
 //! Derived Jacobians against dual numbers.
 
-use super::{Failed, State, places, state};
-use crate::problem::{Equations, Scene, Storage};
+use super::{Failed, places, rates};
+use crate::problem::{Equations, Phase, Scene};
 use crate::scalar::{Dual, Scalar};
+use crate::shape::Shape;
 
 /// Largest deviation of an entry, as a share of its row.
 const DEVIATION: f64 = 1e-9;
 /// Largest deviation between two ways to the same value, as a share of it.
 const ROUNDING: f64 = 1e-12;
 
-/// The state of a scene on dual numbers.
-type DualState<C> = <<C as Scene>::Equations<Dual> as Equations<Dual>>::State;
-
-/// Checks at several times and states that the Jacobian and the variation of a scene are the derivatives of its
-/// equations, and that all functions of the equations agree on the derivative of the state.
+/// Checks at several times and states that in each mode the Jacobian and the variation of a scene are the derivatives of
+/// its equations, and that all functions of the equations agree on the derivative of the state.
 ///
 /// # Errors
 /// The first entry that deviates, with both values; or that no state was found at which all are finite.
 pub fn jacobian<C: Scene + Default>() -> Result<(), Failed> {
     let scene = C::default();
-    let point = Point {
-        plain: scene.prepare::<f64>(),
-        dual: scene.prepare::<Dual>(),
-        scene: &scene,
-    };
-    let mut finite = 0;
-    for (time, values) in places(&scene) {
-        finite += usize::from(point.check(time, &values)?);
+    let (plain, dual) = (scene.prepare::<f64>(), scene.prepare::<Dual>());
+    for mode in 0..C::shape().modes.len().max(1) {
+        let point = Point {
+            plain: &plain,
+            dual: &dual,
+            shape: C::shape(),
+            mode,
+            from: scene.span().limits().0,
+        };
+        let mut finite = 0;
+        for (time, values) in places(&scene) {
+            finite += usize::from(point.check(time, &values)?);
+        }
+        if finite == 0 {
+            return Err(Failed(format!(
+                "the derivative is not finite at any state near the start{}",
+                point.in_mode()
+            )));
+        }
     }
-    match finite {
-        0 => Err(Failed(
-            "the derivative is not finite at any state near the start".into(),
-        )),
-        _ => Ok(()),
-    }
+    Ok(())
 }
 
-/// A scene on both kinds of numbers.
-struct Point<'a, C: Scene> {
-    scene: &'a C,
-    plain: C::Equations<f64>,
-    dual: C::Equations<Dual>,
+/// A scene in a mode, on both kinds of numbers.
+struct Point<'a> {
+    shape: &'a Shape,
+    mode: usize,
+    /// A time of the task.
+    from: f64,
+    plain: &'a dyn Equations<f64>,
+    dual: &'a dyn Equations<Dual>,
 }
 
-impl<C: Scene> Point<'_, C> {
+impl Point<'_> {
     /// Checks one time and state; false if the derivative is not finite there.
-    fn check(&self, time: f64, values: &[f64]) -> Result<bool, Failed> {
-        let place = format!("time {time} s, state {values:?}");
-        let here = state::<C>(values);
-        let zeros = || State::<C>::zeros(C::shape().states.len());
-        let mut rate = zeros();
-        let instant = self.plain.instant(time);
-        self.plain.derivative(&instant, &here, &mut rate);
-        if !rate.as_ref().iter().all(|value| value.is_finite()) {
+    fn check(&self, time: f64, here: &[f64]) -> Result<bool, Failed> {
+        let (shape, states) = (self.shape, here.len());
+        let place = format!("time {time} s, state {here:?}{}", self.in_mode());
+        let (rate, instant) = rates(self.plain, self.mode, time, here);
+        if !rate.iter().all(|value| value.is_finite()) {
             return Ok(false);
         }
-        let mut slopes = vec![zeros(); C::shape().states.len()];
-        self.plain.jacobian(&instant, &here, &mut slopes);
-        let expected: Vec<Vec<Dual>> = (0..C::shape().states.len())
-            .map(|column| self.dual_rate(time, values, column))
+        let mut slopes = vec![0.0; states * states];
+        let phase = Phase::of(self.mode);
+        self.plain.jacobian(phase, &instant, here, &mut slopes);
+        let expected: Vec<Vec<Dual>> = (0..states)
+            .map(|column| self.dual_rate(time, here, column))
             .collect();
-        for column in 0..C::shape().states.len() {
-            for row in 0..C::shape().states.len() {
-                let (found, wanted) = (slopes[column].as_ref()[row], expected[column][row].slope);
+        for column in 0..states {
+            for row in 0..states {
+                let (found, wanted) = (slopes[column * states + row], expected[column][row].slope);
                 let scale = self.row(&expected, row, column);
                 near(found, wanted, DEVIATION * scale, || {
-                    let (of, to) = (C::shape().states[row].name, C::shape().states[column].name);
+                    let (of, to) = (shape.states[row].name, shape.states[column].name);
                     format!("Jacobian, rate of {of} with respect to {to}, at {place}")
                 })?;
             }
         }
-        let (varied, products) = self.variation(&instant, &here, &slopes);
+        let (varied, products) = self.variation(&instant, here, &slopes);
         let duals = expected.first().map_or(&[][..], Vec::as_slice);
-        let again = self.several(time, &here);
-        for row in 0..C::shape().states.len() {
-            let (wanted, name) = (rate.as_ref()[row], C::shape().states[row].name);
+        let again = self.several(time, here);
+        for row in 0..states {
+            let (wanted, name) = (rate[row], shape.states[row].name);
             for (found, way, share) in [
-                (varied.as_ref()[row], "variation", ROUNDING),
+                (varied[row], "variation", ROUNDING),
                 (duals[row].value, "dual numbers", DEVIATION),
-                (again.as_ref()[row], "several instants", ROUNDING),
+                (again[row], "several instants", ROUNDING),
             ] {
                 near(found, wanted, share * wanted.abs(), || {
                     format!("rate of {name} by {way}, at {place}")
                 })?;
             }
             for (found, wanted) in &products[row] {
-                let scale: f64 = slopes.iter().map(|column| column.as_ref()[row].abs()).sum();
-                near(*found, *wanted, ROUNDING * scale, || {
+                let entries = (0..states).map(|column| slopes[column * states + row].abs());
+                near(*found, *wanted, ROUNDING * entries.sum::<f64>(), || {
                     format!("product of the Jacobian in the row of {name}, at {place}")
                 })?;
             }
@@ -94,80 +99,71 @@ impl<C: Scene> Point<'_, C> {
         Ok(true)
     }
 
-    /// The derivative of the state on dual numbers along one component.
-    fn dual_rate(&self, time: f64, values: &[f64], column: usize) -> Vec<Dual> {
-        let mut here = DualState::<C>::zeros(C::shape().states.len());
-        for (index, (slot, value)) in here.as_mut().iter_mut().zip(values).enumerate() {
-            let slope = if index == column { 1.0 } else { 0.0 };
-            *slot = Dual {
-                value: *value,
-                slope,
-            };
+    /// ` in the mode …`, where there are several.
+    fn in_mode(&self) -> String {
+        match self.shape.modes.get(self.mode) {
+            Some(mode) if self.shape.modes.len() > 1 => format!(" in the mode {}", mode.name),
+            _ => String::new(),
         }
-        let mut rate = DualState::<C>::zeros(C::shape().states.len());
-        let instant = self.dual.instant(Dual::from_f64(time));
-        self.dual.derivative(&instant, &here, &mut rate);
-        rate.as_ref().to_vec()
+    }
+
+    /// The derivative of the state on dual numbers along one component.
+    fn dual_rate(&self, time: f64, here: &[f64], column: usize) -> Vec<Dual> {
+        let varied = here.iter().enumerate().map(|(index, value)| Dual {
+            value: *value,
+            slope: if index == column { 1.0 } else { 0.0 },
+        });
+        let here: Vec<Dual> = varied.collect();
+        rates(self.dual, self.mode, Dual::from_f64(time), &here).0
     }
 
     /// The size of an entry, or of the largest of its row as far as the state's scales make them comparable.
     fn row(&self, slopes: &[Vec<Dual>], row: usize, column: usize) -> f64 {
-        let sized = |other: usize| slopes[other][row].slope.abs() * C::shape().scales[other];
-        let largest = (0..C::shape().states.len()).map(sized).fold(0.0, f64::max);
-        largest / C::shape().scales[column]
+        let scales = self.shape.scales;
+        let sized = |other: usize| slopes[other][row].slope.abs() * scales[other];
+        let largest = (0..scales.len()).map(sized).fold(0.0, f64::max);
+        largest / scales[column]
     }
 
     /// The derivative as the variation gives it, and for each row the products with columns beside the expected ones.
     fn variation(
         &self,
-        instant: &<C::Equations<f64> as Equations<f64>>::Instant,
-        here: &State<C>,
-        slopes: &[State<C>],
-    ) -> (State<C>, Vec<Vec<(f64, f64)>>) {
-        let columns: Vec<State<C>> = (0..=C::shape().states.len())
-            .map(unit_column::<C>)
-            .collect();
-        let mut rate = State::<C>::zeros(C::shape().states.len());
-        let mut products = columns.clone();
-        self.plain
-            .variation(instant, here, &mut rate, &columns, &mut products);
-        let expected = |row: usize, column: &State<C>| {
-            let terms = slopes.iter().zip(column.as_ref());
-            terms
-                .map(|(slope, factor)| slope.as_ref()[row] * factor)
-                .sum()
+        instant: &[f64],
+        here: &[f64],
+        slopes: &[f64],
+    ) -> (Vec<f64>, Vec<Vec<(f64, f64)>>) {
+        let states = here.len();
+        // The unit columns, and after the last a mixture of all.
+        let entry = |place: usize| match (place % states, place / states) {
+            (row, column) if column == states => 1.0 / (1.0 + row as f64),
+            (row, column) => f64::from(u8::from(row == column)),
         };
-        let rows = (0..C::shape().states.len()).map(|row| {
-            let pairs = columns.iter().zip(&products);
-            pairs
-                .map(|(column, product)| (product.as_ref()[row], expected(row, column)))
-                .collect()
-        });
+        let columns: Vec<f64> = (0..states * (1 + states)).map(entry).collect();
+        let (mut rate, mut products) = (vec![0.0; states], columns.clone());
+        let phase = Phase::of(self.mode);
+        self.plain
+            .variation(phase, instant, here, &mut rate, &columns, &mut products);
+        let expected = |row: usize, column: usize| -> f64 {
+            let terms = (0..states)
+                .map(|other| slopes[other * states + row] * columns[column * states + other]);
+            terms.sum()
+        };
+        let pair = |row: usize, column: usize| {
+            (products[column * states + row], expected(row, column))
+        };
+        let rows = (0..states).map(|row| (0..=states).map(|column| pair(row, column)).collect());
         (rate, rows.collect())
     }
 
     /// The derivative of the state with the second of two instants that are computed together.
-    fn several(&self, time: f64, here: &State<C>) -> State<C> {
-        let (from, _) = self.scene.span().limits();
-        let [_, instant] = self.plain.instants([from, time]);
-        let mut rate = State::<C>::zeros(C::shape().states.len());
-        self.plain.derivative(&instant, here, &mut rate);
+    fn several(&self, time: f64, here: &[f64]) -> Vec<f64> {
+        let (phase, count) = (Phase::of(self.mode), self.plain.instant());
+        let mut rows = vec![0.0; 2 * count];
+        self.plain.instants(phase, &[self.from, time], &mut rows);
+        let mut rate = vec![0.0; here.len()];
+        self.plain.rates(phase, &rows[count..], here, &mut rate);
         rate
     }
-}
-
-/// A column of the unit matrix, and after the last a mixture of all.
-fn unit_column<C: Scene>(column: usize) -> State<C> {
-    let entry = |row: usize| match column {
-        _ if column == C::shape().states.len() => 1.0 / (1.0 + row as f64),
-        _ if column == row => 1.0,
-        _ => 0.0,
-    };
-    state::<C>(
-        &(0..C::shape().states.len())
-            .map(entry)
-            .collect::<Vec<f64>>(),
-    )
 }
 
 fn near(found: f64, wanted: f64, tolerance: f64, place: impl Fn() -> String) -> Result<(), Failed> {

@@ -3,8 +3,9 @@
 use super::{Failed, positions};
 use crate::hybrid;
 use crate::measure::{self, Extremes};
+use crate::model::Model;
 use crate::problem::{Refused, Span};
-use crate::registry::{Bind, Mechanism, Method, Run, SceneEntry, Settings};
+use crate::registry::{Bind, Mechanism, Method, SceneEntry, Settings};
 use crate::shape::{At, Constant, Expectation, Quantity, Subject};
 use crate::study;
 
@@ -90,22 +91,22 @@ fn text(mechanism: &Mechanism, fact: &Expectation, quantity: &Quantity, computed
 
 /// A solved scene.
 struct Motion {
-    run: Box<dyn Run>,
+    run: Box<dyn Model>,
     span: Span,
     /// At rest where the scene has no task.
     path: hybrid::Motion,
 }
 
 impl Motion {
-    fn of(run: Box<dyn Run>) -> Result<Self, Failed> {
+    fn of(run: Box<dyn Model>) -> Result<Self, Failed> {
         let span = run.span();
         let path = match span {
             Span::Open => Ok(hybrid::Motion {
-                mode: run.first_mode(),
+                mode: run.shape().first,
                 ..hybrid::Motion::at_rest(0.0, &run.start())
             }),
             _ if run.start().is_empty() => Ok(hybrid::Motion::without_states(
-                run.first_mode(),
+                run.shape().first,
                 span.limits(),
             )),
             _ => study::motion(run.as_ref(), &SETTINGS),

@@ -22,8 +22,8 @@ mod closure;
 
 pub use closure::closure_scaling;
 
-use super::{Failed, places};
-use crate::problem::{Equations, Scene, Storage};
+use super::{Failed, places, rates};
+use crate::problem::{Phase, Reports, Scene};
 use crate::registry::{Mechanism, SceneEntry};
 use crate::scalar::{Bounded, Scalar};
 use crate::shape::{Constant, Quantity};
@@ -113,20 +113,15 @@ fn components(entry: &SceneEntry) -> Vec<(String, Dimension)> {
 
 /// Derivative of the state, outputs and positions of the drivers, with the bounds of their errors.
 fn values<C: Scene>(scene: &C, time: f64, state: &[f64]) -> Vec<Bounded> {
-    type State<C> = <<C as Scene>::Equations<Bounded> as Equations<Bounded>>::State;
-    let equations = scene.prepare::<Bounded>();
+    let (equations, shape) = (scene.prepare::<Bounded>(), C::shape());
     let time = Bounded::from_f64(time);
-    let mut here = State::<C>::zeros(C::shape().states.len());
-    for (slot, value) in here.as_mut().iter_mut().zip(state) {
-        *slot = Bounded::from_f64(*value);
-    }
-    let mut rate = State::<C>::zeros(C::shape().states.len());
-    equations.derivative(&equations.instant(time), &here, &mut rate);
-    let mut outputs = vec![Bounded::ZERO; C::shape().outputs.len()];
-    equations.outputs(time, &here, &mut outputs);
-    let mut drivers = vec![Bounded::ZERO; C::shape().drivers.len()];
+    let here: Vec<Bounded> = state.iter().map(|value| Bounded::from_f64(*value)).collect();
+    let (rates, _) = rates(&equations, shape.first, time, &here);
+    let mut outputs = vec![Bounded::ZERO; shape.outputs.len()];
+    equations.outputs(Phase::of(shape.first), time, &here, &mut outputs);
+    let mut drivers = vec![Bounded::ZERO; shape.drivers.len()];
     equations.drivers(time, &mut drivers);
-    [rate.as_ref(), &outputs, &drivers].concat()
+    [rates, outputs, drivers].concat()
 }
 
 impl Units {

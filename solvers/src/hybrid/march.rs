@@ -1,22 +1,20 @@
-//! The motion of a scene with modes: what is asked for, by which method.
+//! The motion of a scene: what is asked for, by which method.
 
-use super::carry::{Carry, Explicit, Stiff};
-use super::erased::{Erased, Model, Own};
+use super::carry::Carrier;
 use super::error::HybridError;
 use super::motion::Motion;
-use super::problem::{Hybrid, Modes};
 use super::run::Run;
 use super::start;
-use crate::ode::{Dop853, OdeError, Options, Taylor, Tsit5, state_from};
-use crate::problem::Storage;
-use crate::registry::{self, Settings};
-use crate::shape::Shape;
+use crate::model::{Bound, Flow, Model};
+use crate::ode::{self, OdeError, Options, bad_start};
+use crate::problem::Scene;
+use crate::registry::Settings;
 
-/// The motion of a scene with modes from a start.
+/// The motion of a scene from a start, through all its events; in one piece where there are none.
 ///
 /// # Errors
 /// [`HybridError`], with the motion so far.
-pub fn march<C: Hybrid>(
+pub fn march<C: Scene>(
     scene: &C,
     times: (f64, f64),
     start: &[f64],
@@ -29,25 +27,25 @@ pub fn march<C: Hybrid>(
 ///
 /// # Errors
 /// [`HybridError`], with the motion so far.
-pub fn march_in<C: Hybrid>(
+pub fn march_in<C: Scene>(
     scene: &C,
     mode: usize,
     times: (f64, f64),
     start: &[f64],
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
-    Way {
+    let way = Way {
         mode,
         times,
         start,
         settings,
         is_checked: true,
-    }
-    .of(scene)
+    };
+    way.of(&Bound::new(scene))
 }
 
 /// What is asked for.
-pub(super) struct Way<'a> {
+pub(crate) struct Way<'a> {
     pub mode: usize,
     pub times: (f64, f64),
     pub start: &'a [f64],
@@ -57,80 +55,54 @@ pub(super) struct Way<'a> {
 }
 
 impl Way<'_> {
-    /// The motion of a scene.
-    pub fn of<C: Hybrid>(&self, scene: &C) -> Result<Motion, HybridError> {
-        self.follow(&mut Own::new(scene.modal::<f64>()), C::shape())
-    }
-
-    /// The motion of any equations. States of a usual length, one to three coordinates with their speeds, are arrays.
-    #[inline(never)]
-    fn follow(&self, model: &mut dyn Model, shape: &Shape) -> Result<Motion, HybridError> {
-        match model.states() {
-            2 => self.by_method::<[f64; 2]>(model, shape),
-            4 => self.by_method::<[f64; 4]>(model, shape),
-            6 => self.by_method::<[f64; 6]>(model, shape),
-            _ => self.by_method::<Vec<f64>>(model, shape),
+    /// The motion of a model.
+    pub fn of(&self, model: &dyn Model) -> Result<Motion, HybridError> {
+        let (times, settings, shape) = (self.times, self.settings, model.shape());
+        if model.events().is_none() {
+            let integrated = ode::follow(model, times, self.start, settings);
+            return Motion::smooth(integrated, times.0, self.start);
         }
-    }
-
-    fn by_method<V: Storage<f64>>(
-        &self,
-        model: &mut dyn Model,
-        shape: &Shape,
-    ) -> Result<Motion, HybridError> {
-        match self.settings.method {
-            registry::Method::Tsit5 => self.march::<V, Explicit<V, Tsit5>>(model, shape),
-            registry::Method::Dop853 => self.march::<V, Explicit<V, Dop853>>(model, shape),
-            registry::Method::Taylor => self.march::<V, Taylor<V>>(model, shape),
-            _ => self.march::<V, Stiff>(model, shape),
-        }
-    }
-
-    fn march<'a, V: Storage<f64>, M: Carry<Erased<'a, V>>>(
-        &self,
-        model: &'a mut dyn Model,
-        shape: &Shape,
-    ) -> Result<Motion, HybridError> {
-        let (mode, times, settings) = (self.mode, self.times, self.settings);
-        let mut equations = Erased::<V>::new(model);
-        start::check_mode(shape, mode)?;
-        equations.enter(mode);
+        start::check_mode(shape, self.mode)?;
+        let flow = Flow::new(model, self.mode);
         let mut motion = Motion {
-            mode,
+            mode: self.mode,
             ..Motion::at_rest(times.0, self.start)
         };
         let options = Options::of(settings, shape.scales);
-        let begun = (|| {
-            options.check(times, shape.scales.len())?;
-            if times.1 < times.0 {
-                return Err(OdeError::BadOption {
-                    name: "times",
-                    reason: format!(
-                        "from {} s to {} s runs backwards, and events happen forwards",
-                        times.0, times.1
-                    ),
-                });
-            }
-            state_from::<f64, _>(&equations, self.start)
-        })();
-        let state = match begun {
-            Ok(state) => state,
-            Err(error) => {
-                return Err(HybridError::Ode {
-                    error,
-                    mode,
-                    motion: Box::new(motion),
-                });
-            }
-        };
-        if self.is_checked {
-            start::check(&equations, shape, times.0, &state)?;
+        if let Err(error) = self.check(&options, flow.states()) {
+            return Err(HybridError::Ode {
+                error,
+                mode: self.mode,
+                motion: Box::new(motion),
+            });
         }
-        let mut method = M::new(&equations, settings);
-        let mut run = Run::new(equations, shape, state, options, times);
-        match run.through(&mut motion, &mut method) {
+        if self.is_checked {
+            start::check(&flow, times.0, self.start)?;
+        }
+        let mut carrier = Carrier::new(&flow, settings);
+        let mut run = Run::new(flow, self.start.to_vec(), options, times);
+        match run.through(&mut motion, &mut carrier) {
             Ok(()) => Ok(motion),
             Err(end) => Err(end.with(motion)),
+        }
+    }
+
+    /// Whether what is asked for makes sense.
+    fn check(&self, options: &Options, states: usize) -> Result<(), OdeError> {
+        let times = self.times;
+        options.check(times, states)?;
+        if times.1 < times.0 {
+            return Err(OdeError::BadOption {
+                name: "times",
+                reason: format!(
+                    "from {} s to {} s runs backwards, and events happen forwards",
+                    times.0, times.1
+                ),
+            });
+        }
+        match self.start.len() == states {
+            true => Ok(()),
+            false => Err(bad_start(self.start.len(), states)),
         }
     }
 }

@@ -5,8 +5,6 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `problem` | what is asked of a model: [`Modes`], [`Hybrid`] |
-//! | `composite` | the equations of a scene out of those of its modes, a macro |
 //! | `watch` | looks for events in every step, and ends the integration at the first one |
 //! | `within` | the guards within a step: where they bend, and where they pass zero |
 //! | `crossing` | the first zero of a guard between two points |
@@ -15,7 +13,6 @@
 //! | `guard` | what is remembered of a guard from step to step |
 //! | `rounding` | how large the terms are of which a guard is made |
 //! | `room` | memory for the guards of a mode |
-//! | `erased` | equations without their type, so that all of this is compiled once |
 //! | `carry` | the method that integrates between events |
 //! | `start` | whether a motion may begin where it is to |
 //! | `march` | the motion that is asked for, by which method |
@@ -50,19 +47,16 @@
 //! zero by more than its rounding. These are errors that carry the motion so far.
 
 mod carry;
-mod composite;
 mod crossing;
 mod cubic;
 mod cycle;
 mod end;
-mod erased;
 mod error;
 mod guard;
 mod march;
 mod motion;
 mod narrow;
 mod numbers;
-mod problem;
 mod room;
 mod rounding;
 mod run;
@@ -72,16 +66,13 @@ mod watch;
 mod within;
 
 pub use crate::shape::{Direction, EventEntry};
-pub use cycle::{
-    Cycle, CycleError, Lyapunov, Periods, clock, clock_smooth, cycle, cycle_from, lyapunov,
-};
-pub(crate) use cycle::{cycle_smooth, variations};
+pub use cycle::{Cycle, CycleError, Lyapunov, Periods, clock, cycle, cycle_from, lyapunov};
+pub(crate) use cycle::{clock_of, cycle_of, variations};
 pub use error::HybridError;
+pub(crate) use march::Way;
 pub use march::{march, march_in};
 pub use motion::{Happened, Motion, Piece};
 pub use numbers::Numbers;
-pub(crate) use problem::in_each_mode;
-pub use problem::{Hybrid, InMode, Modes, Sensitive};
 
 /// Roundings of its terms that a guard may have where it counts as zero.
 pub const NOISE: f64 = 16.0;

@@ -103,14 +103,14 @@ impl Motion {
 
     /// What moves with the time alone: nothing has a state. It is as if it had been integrated in even steps.
     pub fn without_states(mode: usize, (from, to): (f64, f64)) -> Self {
-        let mut recorder = Recorder::<f64>::new(from, &Vec::new());
+        let mut recorder = Recorder::new(from, &[]);
         let time = |index: usize| from + (to - from) * (index as f64 / PARTS as f64);
         for index in 0..PARTS {
             recorder.step(&Step {
                 from: time(index),
                 to: time(index + 1),
-                before: &Vec::new(),
-                after: &Vec::new(),
+                before: &[],
+                after: &[],
                 polynomial: &[],
                 basis: Basis::Alternating,
             });

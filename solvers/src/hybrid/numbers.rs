@@ -43,6 +43,15 @@ impl Deref for Numbers {
     }
 }
 
+impl AsMut<[f64]> for Numbers {
+    fn as_mut(&mut self) -> &mut [f64] {
+        match self.many.is_empty() {
+            true => &mut self.few[..self.count],
+            false => &mut self.many,
+        }
+    }
+}
+
 impl<'a> IntoIterator for &'a Numbers {
     type Item = &'a f64;
     type IntoIter = std::slice::Iter<'a, f64>;

@@ -1,6 +1,6 @@
 //! Room for the guards of a mode, taken once for a motion.
 
-use super::problem::Modes;
+use crate::model::Flow;
 
 /// Values and rates of the guards of a mode.
 #[derive(Clone, Debug, Default)]
@@ -45,9 +45,9 @@ impl Guards {
 
     /// Computes the guards at a time and state.
     #[inline(always)]
-    pub fn look<E: Modes<f64>>(&mut self, equations: &E, time: f64, state: &E::State) {
+    pub fn look(&mut self, flow: &Flow<'_>, time: f64, state: &[f64]) {
         let (values, rates) = self.both_mut();
-        equations.look(time, state, values, rates);
+        flow.guards(time, state, values, rates);
     }
 }
 

@@ -1,24 +1,25 @@
 //! How large the terms are of which a guard is made.
 
-use super::problem::Modes;
+use super::numbers::Numbers;
 use super::room::Guards;
+use crate::model::Flow;
 
 /// Relative change of what a guard depends on; large enough for the rounding of the difference.
 const CHANGE: f64 = 1.0 / (1 << 20) as f64;
 
 /// The terms of the guards of a mode and of their rates: `Σ |∂g/∂y · y|` over state and time. Their roundings are those
 /// of a guard, however small it is itself. `here` are the guards at this time and state, `there` is room for others.
-pub(super) fn terms<E: Modes<f64>>(
-    equations: &E,
+pub(super) fn terms(
+    flow: &Flow<'_>,
     time: f64,
-    state: &E::State,
+    state: &[f64],
     here: &Guards,
     there: &mut Guards,
     terms: &mut Guards,
 ) {
     terms.clear();
-    let mut add = |time: f64, state: &E::State| {
-        there.look(equations, time, state);
+    let mut add = |time: f64, state: &[f64]| {
+        there.look(flow, time, state);
         let add = |terms: &mut [f64], here: &[f64], there: &[f64]| {
             for ((term, here), there) in terms.iter_mut().zip(here).zip(there) {
                 *term += (there - here).abs() / CHANGE;
@@ -29,11 +30,10 @@ pub(super) fn terms<E: Modes<f64>>(
         add(rates, here.rates(), there.rates());
     };
     add(time * (1.0 + CHANGE), state);
-    let mut moved = state.clone();
-    for index in 0..equations.states() {
-        let value = state.as_ref()[index];
+    let mut moved = Numbers::new(state);
+    for (index, value) in state.iter().enumerate() {
         moved.as_mut()[index] = value * (1.0 + CHANGE);
         add(time, &moved);
-        moved.as_mut()[index] = value;
+        moved.as_mut()[index] = *value;
     }
 }

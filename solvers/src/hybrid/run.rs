@@ -1,24 +1,24 @@
 //! From event to event, several at one instant, and the rules that end it.
 
-use super::carry::Carry;
+use super::carry::Carrier;
 use super::end::End;
-use super::erased::Erased;
 use super::guard::Guard;
 use super::motion::{Happened, Motion, Piece};
 use super::numbers::Numbers;
-use super::problem::Modes;
 use super::room::Room;
 use super::watch::Watch;
 use super::{CHATTER, SOON, TURNS};
+use crate::model::Flow;
 use crate::ode::{Options, Recorder, Statistics};
-use crate::problem::{Equations, Storage};
 use crate::shape::Shape;
 
 /// A motion under way.
-pub(super) struct Run<'a, 'b, V> {
-    pub(super) equations: Erased<'a, V>,
-    pub(super) shape: &'b Shape,
-    pub(super) state: V,
+pub(super) struct Run<'a> {
+    pub(super) flow: Flow<'a>,
+    pub(super) shape: &'a Shape,
+    pub(super) state: Vec<f64>,
+    /// Room for a state.
+    next: Vec<f64>,
     options: Options,
     times: (f64, f64),
     pub(super) guards: Vec<Guard>,
@@ -26,7 +26,7 @@ pub(super) struct Run<'a, 'b, V> {
     looked: Vec<Vec<f64>>,
     pub(super) room: Room,
     /// Keeps the motion in this mode.
-    recorder: Recorder<f64>,
+    recorder: Recorder,
     /// Whether `room.here` are the guards of this instant.
     pub(super) is_known: bool,
     /// When events began to follow each other quickly, and how many there have been since.
@@ -41,22 +41,23 @@ pub(super) struct Run<'a, 'b, V> {
     bounce: Option<(u32, f64, f64)>,
 }
 
-impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
+impl<'a> Run<'a> {
     /// A motion at its start.
     pub(super) fn new(
-        equations: Erased<'a, V>,
-        shape: &'b Shape,
-        state: V,
+        flow: Flow<'a>,
+        state: Vec<f64>,
         options: Options,
         times: (f64, f64),
     ) -> Self {
+        let shape = flow.shape();
         let mut room = Room::default();
         // What the largest mode needs is taken at once.
         room.resize(shape.most_written());
-        room.resize(shape.modes[equations.mode()].written());
+        room.resize(shape.modes[flow.mode()].written());
         Self {
-            equations,
+            flow,
             shape,
+            next: state.clone(),
             recorder: Recorder::new(times.0, &state),
             state,
             options,
@@ -74,11 +75,10 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
     }
 
     /// From event to event up to the end.
-    #[inline(always)]
-    pub(super) fn through<M: Carry<Erased<'a, V>>>(
+    pub(super) fn through(
         &mut self,
         motion: &mut Motion,
-        method: &mut M,
+        carrier: &mut Carrier,
     ) -> Result<(), End> {
         // The statement that has just happened, by its line.
         let mut last: Option<u32> = None;
@@ -86,7 +86,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         // The statement that has happened with it and is still to be carried out.
         let mut with: Option<u32> = None;
         while motion.time < self.times.1 {
-            let events = self.shape.modes[self.equations.mode()].events;
+            let events = self.shape.modes[self.flow.mode()].events;
             if let Some(event) = self.begin(motion.time, events, last, with.take())? {
                 let begin = &self.room.begin;
                 let guard = (begin.values()[event], begin.rates()[event]);
@@ -94,25 +94,21 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
                 continue;
             }
             let mut watch = Watch::new(
-                &self.equations,
+                &self.flow,
                 events,
-                (motion.time, &self.state),
+                (motion.time, &mut self.next),
                 &mut self.guards,
                 (&mut self.room, &mut self.recorder),
-                self.shape.modes[self.equations.mode()].guards(),
+                self.shape.modes[self.flow.mode()].guards(),
             );
-            let done = method.carry(
-                (motion.time, self.times.1),
-                &self.state,
-                &self.options,
-                &mut watch,
-            );
+            let times = (motion.time, self.times.1);
+            let done = carrier.carry(times, &self.state, &self.options, &mut watch);
             let (due, lost, step, fast) = (watch.due, watch.lost, watch.step, watch.fast);
-            self.state.clone_from(&watch.state);
+            self.state.copy_from_slice(watch.state);
             self.is_known = false;
             let statistics = *done.as_ref().unwrap_or(&Statistics::default());
             let mut trajectory = watch.recorder.take(statistics);
-            trajectory.switches = method.switches().to_vec();
+            trajectory.switches = carrier.switches().to_vec();
             motion.time = trajectory.times()[trajectory.times().len() - 1];
             motion.end.copy_from_slice(trajectory.end());
             motion.statistics.add(&statistics);
@@ -120,7 +116,7 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             self.options.max_steps = self.options.max_steps.saturating_sub(tried);
             if motion.time > trajectory.times()[0] {
                 motion.pieces.push(Piece {
-                    mode: self.equations.mode(),
+                    mode: self.flow.mode(),
                     sides: self.sides_here(events),
                     trajectory,
                 });
@@ -151,14 +147,12 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
         (event, (guard, rate)): (usize, (f64, f64)),
         last: &mut Option<u32>,
     ) -> Result<(), End> {
-        let from = self.equations.mode();
+        let from = self.flow.mode();
         let entry = &self.shape.modes[from].events[event];
         self.arrival = rate;
-        let mut after = self.state.clone();
+        self.next.copy_from_slice(&self.state);
         if entry.sets {
-            let instant = self.equations.instant(motion.time);
-            self.equations
-                .jump(event, &instant, &self.state, &mut after);
+            self.flow.jump(event, motion.time, &self.state, &mut self.next);
         }
         let before = motion.events.last().map(|one| one.time);
         let happened = Happened {
@@ -166,19 +160,19 @@ impl<'a, 'b, V: Storage<f64>> Run<'a, 'b, V> {
             from,
             event,
             to: entry.target,
-            before: Numbers::new(self.state.as_ref()),
-            after: Numbers::new(after.as_ref()),
+            before: Numbers::new(&self.state),
+            after: Numbers::new(&self.next),
             guard,
         };
         motion.end.copy_from_slice(&happened.after);
         motion.mode = entry.target;
         motion.events.push(happened);
-        self.state = after;
+        self.state.copy_from_slice(&self.next);
         self.is_known = false;
         let noise = self.guards[event].noise();
         let size = self.guards[event].size;
         if entry.target != from {
-            self.equations.enter(entry.target);
+            self.flow.enter(entry.target);
             for (guard, looked) in self.guards.iter_mut().zip(&mut self.looked[from]) {
                 *looked = guard.looked;
             }

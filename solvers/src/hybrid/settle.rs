@@ -3,18 +3,16 @@
 use super::NOISE;
 use super::end::End;
 use super::numbers::Numbers;
-use super::problem::Modes;
 use super::room::Room;
 use super::rounding::terms;
 use super::run::Run;
 use super::watch::NEAR;
-use crate::problem::{Equations, Storage};
 use crate::shape::EventEntry;
 
 /// Part of the rate with which a guard passed zero that counts as none after the event.
 const STOPPED: f64 = 1e-9;
 
-impl<V: Storage<f64>> Run<'_, '_, V> {
+impl Run<'_> {
     /// Notes the signs of the guards where a mode begins. Gives the event that happens there at once: its guard is zero
     /// and passes, or it has happened together with the last one.
     pub(super) fn begin(
@@ -43,7 +41,7 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
             entry.surface.is_none() && begin.values()[event].abs() <= NEAR * size || size == 0.0
         };
         match events.iter().enumerate().any(is_small) {
-            true => terms(&self.equations, time, &self.state, begin, there, sizes),
+            true => terms(&self.flow, time, &self.state, begin, there, sizes),
             false => sizes.clear(),
         }
         let mut due = None;
@@ -74,14 +72,12 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
                 || with == Some(entry.line);
             guard.still = (time, if is_still { sizes.rates()[event] } else { 0.0 });
             if passes && guard.armed && due.is_none() {
-                let is_permitted = !entry.conditional || {
-                    let instant = self.equations.instant(time);
-                    self.equations.permits(event, &instant, &self.state)
-                };
+                let is_permitted =
+                    !entry.conditional || self.flow.permits(event, time, &self.state);
                 due = is_permitted.then_some(event);
             }
         }
-        let kinks = events.len()..self.shape.modes[self.equations.mode()].guards();
+        let kinks = events.len()..self.shape.modes[self.flow.mode()].guards();
         for (guard, value) in self.guards[kinks.clone()]
             .iter_mut()
             .zip(&begin.values()[kinks])
@@ -98,7 +94,7 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
 
     /// Chooses the side of every switching surface where a mode begins, or where the state has jumped.
     pub(super) fn settle(&mut self, time: f64) -> Result<(), End> {
-        let events = self.shape.modes[self.equations.mode()].events;
+        let events = self.shape.modes[self.flow.mode()].events;
         for surface in events.iter().filter_map(|entry| entry.surface) {
             self.put(surface, 0.0);
         }
@@ -128,7 +124,7 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
     pub(super) fn put(&mut self, surface: usize, side: f64) {
         self.is_known &= self.sides[surface] == side;
         self.sides[surface] = side;
-        self.equations.side(surface, side);
+        self.flow.put(surface, side);
     }
 
     /// The side to which a motion leaves a switching surface on which it is.
@@ -153,7 +149,7 @@ impl<V: Storage<f64>> Run<'_, '_, V> {
     fn look(&mut self, time: f64) {
         if !self.is_known {
             let here = &mut self.room.here;
-            here.look(&self.equations, time, &self.state);
+            here.look(&self.flow, time, &self.state);
             self.is_known = true;
         }
     }

@@ -1,10 +1,10 @@
 //! Whether a motion may begin where it is to.
 
 use super::error::HybridError;
-use super::problem::Modes;
 use super::room::Room;
 use super::rounding::terms;
 use super::{Direction, NOISE};
+use crate::model::Flow;
 use crate::shape::Shape;
 
 /// Whether there is such a mode.
@@ -19,15 +19,10 @@ pub(super) fn check_mode(shape: &Shape, mode: usize) -> Result<(), HybridError> 
 }
 
 /// Whether what the mode holds stands still, and no event that leads to another mode has happened already.
-pub(super) fn check<E: Modes<f64>>(
-    equations: &E,
-    shape: &Shape,
-    time: f64,
-    state: &E::State,
-) -> Result<(), HybridError> {
-    let mode = equations.mode();
+pub(super) fn check(flow: &Flow<'_>, time: f64, state: &[f64]) -> Result<(), HybridError> {
+    let (shape, mode) = (flow.shape(), flow.mode());
     let held = shape.modes[mode].held.iter();
-    for (name, value) in held.map(|place| (shape.states[*place].name, state.as_ref()[*place])) {
+    for (name, value) in held.map(|place| (shape.states[*place].name, state[*place])) {
         if value != 0.0 {
             return refused(format!(
                 "{name} is {value} in SI units, and the mode in which the motion begins holds it at zero"
@@ -37,15 +32,14 @@ pub(super) fn check<E: Modes<f64>>(
     let events = shape.modes[mode].events;
     let mut room = Room::default();
     room.resize(shape.modes[mode].written());
-    room.begin.look(equations, time, state);
+    room.begin.look(flow, time, state);
     let Room {
         begin,
         there,
         terms: sizes,
         ..
     } = &mut room;
-    terms(equations, time, state, begin, there, sizes);
-    let instant = equations.instant(time);
+    terms(flow, time, state, begin, there, sizes);
     for (index, entry) in events.iter().enumerate() {
         let (value, noise) = (
             begin.values()[index],
@@ -59,7 +53,7 @@ pub(super) fn check<E: Modes<f64>>(
         let leads_away = entry.surface.is_none() && entry.target != mode;
         if has_passed
             && leads_away
-            && (!entry.conditional || equations.permits(index, &instant, state))
+            && (!entry.conditional || flow.permits(index, time, state))
         {
             let unit = if entry.unit.is_empty() { "" } else { " " };
             return refused(format!(

@@ -3,10 +3,10 @@
 use super::crossing::Crossing;
 use super::cubic::{Sample, is_resolved, larger};
 use super::guard::{Guard, Way};
-use super::problem::Modes;
 use super::room::Room;
 use super::rounding::terms;
 use super::within::{at, between};
+use crate::model::Flow;
 use crate::ode::{Observer, Recorder, Step};
 use crate::shape::EventEntry;
 use std::ops::Range;
@@ -53,10 +53,10 @@ pub(super) struct Due {
 }
 
 /// An observer that records the motion in a mode, and ends it at the first event.
-pub(super) struct Watch<'a, E: Modes<f64>> {
-    pub equations: &'a E,
+pub(super) struct Watch<'a> {
+    pub flow: &'a Flow<'a>,
     pub events: &'static [EventEntry],
-    pub recorder: &'a mut Recorder<f64>,
+    pub recorder: &'a mut Recorder,
     pub guards: &'a mut [Guard],
     /// What ended the motion.
     pub due: Option<Due>,
@@ -65,7 +65,7 @@ pub(super) struct Watch<'a, E: Modes<f64>> {
     /// By how much an angle turns, if that is too far to look for events.
     pub fast: Option<f64>,
     /// The state there, or at the end of the last step.
-    pub state: E::State,
+    pub state: &'a mut [f64],
     /// The length of the last whole step.
     pub step: f64,
     /// The guards at the begin of the step, and room for others.
@@ -74,26 +74,26 @@ pub(super) struct Watch<'a, E: Modes<f64>> {
     smooth: usize,
 }
 
-impl<'a, E: Modes<f64>> Watch<'a, E> {
+impl<'a> Watch<'a> {
     /// Watches the motion from a time and state, where the guards are known: those of `room.begin`.
     pub fn new(
-        equations: &'a E,
+        flow: &'a Flow<'a>,
         events: &'static [EventEntry],
-        (time, state): (f64, &E::State),
+        (time, state): (f64, &'a mut [f64]),
         guards: &'a mut [Guard],
-        (room, recorder): (&'a mut Room, &'a mut Recorder<f64>),
+        (room, recorder): (&'a mut Room, &'a mut Recorder),
         smooth: usize,
     ) -> Self {
         recorder.restart(time, state);
         Self {
-            equations,
+            flow,
             events,
             recorder,
             guards,
             due: None,
             lost: None,
             fast: None,
-            state: state.clone(),
+            state,
             step: 0.0,
             room,
             smooth,
@@ -102,10 +102,10 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
 
     /// The earliest event of a step. One in which an angle turns far is looked at part by part.
     #[inline(always)]
-    fn look(&mut self, step: &Step<'_, E::State>) {
+    fn look(&mut self, step: &Step<'_>) {
         let length = step.to - step.from;
         self.step = length;
-        self.room.end.look(self.equations, step.to, step.after);
+        self.room.end.look(self.flow, step.to, step.after);
         let turned = self.room.turned(self.smooth, length);
         if turned > TURNED {
             return self.look_often(step, turned);
@@ -115,7 +115,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
 
     /// Looks at a step part by part.
     #[cold]
-    fn look_often(&mut self, step: &Step<'_, E::State>, turned: f64) {
+    fn look_often(&mut self, step: &Step<'_>, turned: f64) {
         if turned > MOST {
             self.fast = Some(turned);
             return self.pass(step);
@@ -127,9 +127,9 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
         while from < 1.0 && self.due.is_none() && self.lost.is_none() {
             let to = ((from * count).round() + 1.0) / count;
             if to < 1.0 {
-                between(step, to, &mut self.state);
+                between(step, to, self.state);
                 let time = step.from + to * length;
-                self.room.end.look(self.equations, time, &self.state);
+                self.room.end.look(self.flow, time, self.state);
             } else {
                 std::mem::swap(&mut self.room.end, &mut self.room.last);
             }
@@ -140,7 +140,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
 
     /// The earliest event of a part of a step.
     #[inline(never)]
-    fn look_between(&mut self, step: &Step<'_, E::State>, part: (f64, f64)) {
+    fn look_between(&mut self, step: &Step<'_>, part: (f64, f64)) {
         let length = step.to - step.from;
         let mut way = Way {
             length,
@@ -183,8 +183,8 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
             Some(Found { event, crossing }) => {
                 let Sample { part, value, slope } = crossing.at;
                 let time = step.from + part * length;
-                between(step, part, &mut self.state);
-                self.recorder.cut(time, &self.state);
+                between(step, part, self.state);
+                self.recorder.cut(time, self.state);
                 self.due = Some(Due {
                     event,
                     time,
@@ -198,8 +198,8 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
 
     /// Nothing has happened in a step.
     #[inline(always)]
-    fn pass(&mut self, step: &Step<'_, E::State>) {
-        self.state.clone_from(step.after);
+    fn pass(&mut self, step: &Step<'_>) {
+        self.state.copy_from_slice(step.after);
         std::mem::swap(&mut self.room.begin, &mut self.room.end);
     }
 
@@ -207,7 +207,7 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
     #[inline(never)]
     fn earliest(
         &mut self,
-        step: &Step<'_, E::State>,
+        step: &Step<'_>,
         way: &mut Way,
         events: Range<usize>,
         limit: Option<f64>,
@@ -262,30 +262,30 @@ impl<'a, E: Modes<f64>> Watch<'a, E> {
 
     /// Finds out how large the terms of the guards are at the end of a part of a step.
     #[cold]
-    fn measure(&mut self, step: &Step<'_, E::State>, part: f64) {
+    fn measure(&mut self, step: &Step<'_>, part: f64) {
         let Room {
             end,
             there,
             terms: sizes,
             ..
         } = &mut *self.room;
-        between(step, part, &mut self.state);
+        between(step, part, self.state);
         let time = step.from + part * (step.to - step.from);
-        terms(self.equations, time, &self.state, end, there, sizes);
+        terms(self.flow, time, self.state, end, there, sizes);
         for (guard, size) in self.guards.iter_mut().zip(sizes.values()) {
             guard.size = guard.size.max(*size);
         }
     }
 }
 
-impl<E: Modes<f64>> Observer<E::State> for Watch<'_, E> {
+impl Observer for Watch<'_> {
     #[inline(always)]
     fn wants_dense(&mut self, _from: f64, _to: f64) -> bool {
         true
     }
 
     #[inline(always)]
-    fn step(&mut self, step: &Step<'_, E::State>) {
+    fn step(&mut self, step: &Step<'_>) {
         self.recorder.step(step);
         self.look(step);
     }

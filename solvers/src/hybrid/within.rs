@@ -4,19 +4,19 @@ use super::crossing::{Crossing, Search};
 use super::cubic::Sample;
 use super::guard::Way;
 use super::narrow::Instants;
-use super::problem::Modes;
+use super::numbers::Numbers;
 use super::room::{Guards, Room, Seen};
 use super::watch::Watch;
+use crate::model::Flow;
 use crate::ode::{Basis, Step};
-use crate::problem::Storage;
 use crate::shape::Direction;
 
 /// Bends of guards in a step that are told apart. More are found as what they are to a guard.
 const BENDS: usize = 4;
 
-impl<E: Modes<f64>> Watch<'_, E> {
+impl Watch<'_> {
     /// Notes where a kink lies in a step.
-    pub(super) fn bend(&mut self, step: &Step<'_, E::State>, way: &Way, kink: usize) {
+    pub(super) fn bend(&mut self, step: &Step<'_>, way: &Way, kink: usize) {
         let length = step.to - step.from;
         let mut from = at(&self.room.begin, kink, way.part.0, length);
         let to = at(&self.room.end, kink, way.part.1, length);
@@ -37,7 +37,7 @@ impl<E: Modes<f64>> Watch<'_, E> {
     /// Where an event happens first in a step, up to a part of it. From bend to bend its guard is smooth.
     pub(super) fn search(
         &mut self,
-        step: &Step<'_, E::State>,
+        step: &Step<'_>,
         way: &Way,
         event: usize,
         (from, to): (Sample, Sample),
@@ -46,11 +46,11 @@ impl<E: Modes<f64>> Watch<'_, E> {
     ) -> Option<Crossing> {
         let length = step.to - step.from;
         let guard = &mut self.guards[event];
-        let (equations, state) = (self.equations, &mut self.state);
+        let (flow, state) = (self.flow, &mut *self.state);
         let Room {
             there, seen, bends, ..
         } = &mut *self.room;
-        let mut sample = |part: f64| look_at(equations, step, state, (there, seen), (event, part));
+        let mut sample = |part: f64| look_at(flow, step, state, (there, seen), (event, part));
         let slope = from.slope.abs().max(to.slope.abs());
         let begins = guard.began == Some(step.from);
         let still = guard.still_rate() * length;
@@ -71,7 +71,7 @@ impl<E: Modes<f64>> Watch<'_, E> {
             slope,
             instants: Instants::new(step.from, length),
             sample: &mut sample,
-            permits: &|part| !conditional || permits(equations, event, step, part),
+            permits: &|part| !conditional || permits(flow, event, step, part),
         };
         let mut begin = from;
         let ahead = |bend: &&(f64, f64)| is_event && bend.0 > from.part && bend.1 < to.part;
@@ -119,10 +119,10 @@ impl<E: Modes<f64>> Watch<'_, E> {
 
 /// A guard at a part of a step. What one guard is looked at for, the others are to be looked at for too.
 #[inline(always)]
-fn look_at<E: Modes<f64>>(
-    equations: &E,
-    step: &Step<'_, E::State>,
-    state: &mut E::State,
+fn look_at(
+    flow: &Flow<'_>,
+    step: &Step<'_>,
+    state: &mut [f64],
     (there, seen): (&mut Guards, &mut Seen),
     (guard, part): (usize, f64),
 ) -> Sample {
@@ -137,7 +137,7 @@ fn look_at<E: Modes<f64>>(
     }
     between(step, part, state);
     let (values, rates) = seen.next(part).unwrap_or_else(|| there.both_mut());
-    equations.look(step.from + part * length, state, values, rates);
+    flow.guards(step.from + part * length, state, values, rates);
     sample(values[guard], rates[guard])
 }
 
@@ -152,79 +152,56 @@ pub(super) fn at(guards: &Guards, event: usize, part: f64, length: f64) -> Sampl
 }
 
 /// Whether what else an event asks for holds at a part of a step.
-fn permits<E: Modes<f64>>(
-    equations: &E,
-    event: usize,
-    step: &Step<'_, E::State>,
-    part: f64,
-) -> bool {
-    let mut state = step.after.clone();
-    between(step, part, &mut state);
+fn permits(flow: &Flow<'_>, event: usize, step: &Step<'_>, part: f64) -> bool {
+    let mut state = Numbers::new(step.after);
+    between(step, part, state.as_mut());
     let time = step.from + part * (step.to - step.from);
-    equations.permits(event, &equations.instant(time), &state)
+    flow.permits(event, time, &state)
 }
 
 /// The state at a part of a step.
-#[inline(always)]
-pub(super) fn between<V: Storage<f64>>(step: &Step<'_, V>, part: f64, state: &mut V) {
+#[inline]
+pub(super) fn between(step: &Step<'_>, part: f64, state: &mut [f64]) {
     if part == 1.0 {
-        state.clone_from(step.after);
+        state.copy_from_slice(step.after);
         return;
     }
-    if step.basis == Basis::Powers {
-        return powers_at(step, part, state);
-    }
-    // The length of a polynomial that is known lets its loop be written out.
-    match <&[V; 7]>::try_from(step.polynomial) {
-        Ok(polynomial) => polynomial_at(polynomial, step.before, part, state),
-        Err(_) => polynomial_at(step.polynomial, step.before, part, state),
+    match step.basis {
+        Basis::Powers => powers_at(step, part, state),
+        Basis::Alternating => polynomial_at(step, part, state),
     }
 }
 
 /// A power series: even and odd powers apart, since each sum has to wait for itself.
-#[inline(always)]
-fn powers_at<V: Storage<f64>>(step: &Step<'_, V>, part: f64, state: &mut V) {
-    let square = part * part;
-    let (pairs, last) = step.polynomial.as_chunks::<2>();
-    let (state, mut even) = (state.as_mut(), step.before.clone());
-    let even = even.as_mut();
-    match last {
-        [last] => state.copy_from_slice(last.as_ref()),
-        _ => state.fill(0.0),
-    }
-    even.fill(0.0);
-    for [one, other] in pairs.iter().rev() {
-        let rows = one.as_ref().iter().zip(other.as_ref());
-        for ((odd, even), (one, other)) in state.iter_mut().zip(&mut *even).zip(rows) {
-            *even = (*even + other) * square;
-            *odd = *odd * square + one;
+fn powers_at(step: &Step<'_>, part: f64, state: &mut [f64]) {
+    let (square, length) = (part * part, state.len());
+    for (index, value) in state.iter_mut().enumerate() {
+        let terms = &step.polynomial[index..];
+        let count = step.polynomial.len() / length;
+        let (mut odd, mut even) = (0.0, 0.0);
+        if count % 2 == 1 {
+            odd = terms[(count - 1) * length];
         }
-    }
-    let even = even.iter().zip(step.before.as_ref());
-    for (odd, (even, before)) in state.iter_mut().zip(even) {
-        *odd = *odd * part + even + before;
+        for pair in (0..count / 2).rev() {
+            even = (even + terms[(2 * pair + 1) * length]) * square;
+            odd = odd * square + terms[2 * pair * length];
+        }
+        *value = odd * part + even + step.before[index];
     }
 }
 
-/// A polynomial of a step at a part of it.
-#[inline(always)]
-fn polynomial_at<V: Storage<f64>>(polynomial: &[V], before: &V, part: f64, state: &mut V) {
-    let state = state.as_mut();
+/// A polynomial of a step at a part of it, by Horner's rule.
+fn polynomial_at(step: &Step<'_>, part: f64, state: &mut [f64]) {
+    let length = state.len();
     state.fill(0.0);
-    let (pairs, last) = polynomial.as_chunks::<2>();
-    let mut add = |coefficients: &V, factor: f64| {
-        for (sum, coefficient) in state.iter_mut().zip(coefficients.as_ref()) {
+    let rows = step.polynomial.chunks_exact(length.max(1)).enumerate();
+    for (number, row) in rows.rev() {
+        let factor = if number % 2 == 0 { part } else { 1.0 - part };
+        for (sum, coefficient) in state.iter_mut().zip(row) {
             *sum = (*sum + coefficient) * factor;
         }
-    };
-    if let [last] = last {
-        add(last, part);
     }
-    for [one, other] in pairs.iter().rev() {
-        add(other, 1.0 - part);
-        add(one, part);
-    }
-    for (sum, before) in state.iter_mut().zip(before.as_ref()) {
+    for (sum, before) in state.iter_mut().zip(step.before) {
         *sum += before;
     }
 }

@@ -24,8 +24,9 @@ pub use extreme::{Extreme, Extremes};
 pub use grid::Sample;
 pub use primitive::{Kind, Missing, Moment, NamedEvent, Primitive};
 
-use crate::hybrid::{Hybrid, Motion, in_each_mode};
-use crate::problem::{Equations, Storage};
+use crate::hybrid::Motion;
+use crate::model::{Bound, Model};
+use crate::problem::Scene;
 use crate::shape::Shape;
 use extreme::{Hunt, Sense};
 use grid::Sampler;
@@ -125,16 +126,9 @@ pub fn all(
 }
 
 /// The measures of a run of a scene, in the order of its file, SI units.
-pub fn of<C: Hybrid>(scene: &C, motion: &Motion) -> Vec<Result<f64, Missing>> {
-    let modes = in_each_mode(scene);
-    let sample = |mode: usize, time: f64, values: &[f64], measured: &mut [f64]| {
-        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::shape().states.len());
-        state.as_mut().copy_from_slice(values);
-        modes[mode].measured(time, &state, measured);
-    };
-    let measures =
-        |found: &[f64], values: &mut [f64]| modes[C::shape().first].measures(found, values);
-    all(motion, C::shape(), &sample, &measures)
+pub fn of<C: Scene>(scene: &C, motion: &Motion) -> Vec<Result<f64, Missing>> {
+    let model: &dyn Model = &Bound::new(scene);
+    model.measure(motion)
 }
 
 #[cfg(test)]

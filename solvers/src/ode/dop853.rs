@@ -4,54 +4,26 @@
 //! appendix, program DOP853. Twelve stages give the step of order 8 and error estimates of order 5 and 3; the slope at
 //! the end and three further stages give the continuous solution of order 7.
 
-use super::system::System;
-use super::tableau::{Method, Row, stage_times};
-use crate::scalar::Scalar;
+use super::tableau::{Row, Tableau};
 
-/// Explicit Runge–Kutta method of order 8 with error estimates of order 5 and 3, and dense output of order 7.
-#[derive(Clone, Copy, Debug)]
-pub struct Dop853;
-
-impl Method for Dop853 {
-    type Slopes<T> = [T; 16];
-    type Nodes<T> = [T; 11];
-    type ExtraNodes<T> = [T; 3];
-    type Polynomial<T> = [T; 7];
-
-    const ORDER: usize = 8;
-    const STAGES: usize = 12;
-    const NODES: &'static [f64] = &NODES;
-    const EXTRA_NODES: &'static [f64] = &EXTRA_NODES;
-    const ROWS: &'static [Row] = &[
+/// The method.
+pub(super) const DOP853: Tableau = Tableau {
+    order: 8,
+    stages: 12,
+    nodes: &NODES,
+    extra_nodes: &EXTRA_NODES,
+    rows: &[
         ROW_2, ROW_3, ROW_4, ROW_5, ROW_6, ROW_7, ROW_8, ROW_9, ROW_10, ROW_11, ROW_12,
-    ];
-    const WEIGHTS: Row = WEIGHTS;
-    const EXTRA_ROWS: &'static [Row] = &[ROW_14, ROW_15, ROW_16];
-    const ERROR: Row = ERROR_5;
-    const SECOND_ERROR: Row = ERROR_3;
-    const ERROR_USES_LAST: bool = false;
-    const DENSE_ROWS: &'static [Row] = &[DENSE_4, DENSE_5, DENSE_6, DENSE_7];
-    const BETA: f64 = 0.0;
-    const FACTORS: (f64, f64) = (1.0 / 3.0, 6.0);
-
-    fn slopes<T>(make: impl FnMut(usize) -> T) -> [T; 16] {
-        std::array::from_fn(make)
-    }
-
-    fn polynomial<T>(make: impl FnMut(usize) -> T) -> [T; 7] {
-        std::array::from_fn(make)
-    }
-
-    #[inline(always)]
-    fn instants<S: Scalar, Y: System<S>>(system: &Y, time: S, step: S) -> [Y::Instant; 11] {
-        system.instants(stage_times(NODES, time, step))
-    }
-
-    #[inline(always)]
-    fn extra_instants<S: Scalar, Y: System<S>>(system: &Y, time: S, step: S) -> [Y::Instant; 3] {
-        system.instants(stage_times(EXTRA_NODES, time, step))
-    }
-}
+    ],
+    weights: WEIGHTS,
+    extra_rows: &[ROW_14, ROW_15, ROW_16],
+    error: ERROR_5,
+    second_error: ERROR_3,
+    error_uses_last: false,
+    dense_rows: &[DENSE_4, DENSE_5, DENSE_6, DENSE_7],
+    beta: 0.0,
+    factors: (1.0 / 3.0, 6.0),
+};
 
 /// Stage times of stages 2 to 12, in parts of the step.
 const NODES: [f64; 11] = [

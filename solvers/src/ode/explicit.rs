@@ -5,11 +5,9 @@ use super::doubt::Doubt;
 use super::error::OdeError;
 use super::norm::{first_bad, worst};
 use super::observer::{Basis, Observer, Step};
-use super::options::{Options, bad};
+use super::options::{Options, bad, bad_start};
 use super::system::System;
-use super::tableau::Method;
 use super::workspace::Workspace;
-use crate::scalar::Scalar;
 
 /// What an integration took.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -147,26 +145,30 @@ impl Clock {
 ///
 /// # Errors
 /// [`OdeError`], with the time that was reached.
-#[inline(always)]
-pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
+#[inline]
+pub fn integrate<Y: System + ?Sized, O: Observer + ?Sized>(
     system: &Y,
     times: (f64, f64),
-    start: &Y::State,
+    start: &[f64],
     options: &Options,
-    workspace: &mut Workspace<Y::State, M>,
-    observe: &mut impl Observer<Y::State>,
+    workspace: &mut Workspace,
+    observe: &mut O,
 ) -> Result<Statistics, OdeError> {
-    options.check(times, Y::part(start, 0).len())?;
-    if let Some(component) = first_bad::<S, Y>(start) {
+    let (method, tableau, part) = (workspace.method, workspace.tableau(), system.part());
+    options.check(times, part)?;
+    if start.len() != workspace.room.state.len() {
+        return Err(bad_start(start.len(), workspace.room.state.len()));
+    }
+    if let Some(component) = first_bad(start, part) {
         return bad("start", format!("state {component} is not a finite number"));
     }
     let mut statistics = Statistics::default();
-    workspace.state.clone_from(start);
+    workspace.room.state.copy_from_slice(start);
     if times.0 == times.1 {
         return Ok(statistics);
     }
     let max_step = options.max_step.unwrap_or(f64::INFINITY);
-    let mut controller = Controller::new(M::ORDER, M::BETA, M::FACTORS);
+    let mut controller = Controller::new(tableau.order, tableau.beta, tableau.factors);
     let mut clock = Clock::new(times, options);
     let mut step = workspace.begin(system, times, options)?;
     let mut doubt = Doubt::new(options.max_steps);
@@ -181,27 +183,20 @@ pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
         }
         let to = clock.target(step, statistics.steps);
         let length = to - clock.now;
-        let instants = workspace.attempt(system, clock.now, length);
-        statistics.evaluations += if M::ERROR_USES_LAST {
-            M::STAGES
-        } else {
-            M::STAGES - 1
-        };
-        let mut bad = first_bad::<S, Y>(&workspace.trial);
-        if Y::CALLED && bad.is_some() {
-            workspace.sweep_stages(system, (clock.now, length), true);
-            bad = first_bad::<S, Y>(&workspace.trial);
-        }
+        (workspace.room.time, workspace.room.step) = (clock.now, length);
+        system.attempt(method, &mut workspace.room);
+        statistics.evaluations += tableau.tried();
+        let bad = first_bad(&workspace.room.trial, part);
         let error = match clock.fixed {
             Some(_) => 0.0,
-            None => workspace.estimate(system, length, options),
+            None => workspace.estimate(system, options),
         };
         if error > 1.0 || error.is_nan() || bad.is_some() {
             let error = if bad.is_some() { f64::NAN } else { error };
             step = length * controller.reject(error);
             statistics.rejected += 1;
             if clock.fixed.is_some() || clock.is_lost(step) {
-                return Err(failure::<S, Y, M>(options, workspace, clock.now, step));
+                return Err(failure(options, workspace, (clock.now, step), part));
             }
             continue;
         }
@@ -211,7 +206,8 @@ pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
         if gauged {
             workspace.keep_last_stage();
         }
-        statistics.evaluations += workspace.finish(system, &instants, (clock.now, length), dense);
+        system.finish(method, &mut workspace.room, dense);
+        statistics.evaluations += tableau.finished(dense);
         if gauged {
             let rate = workspace.fastest_rate(system, options);
             observe.stiffness(length, rate);
@@ -219,21 +215,19 @@ pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
                 doubt.judge((times.1 - to) / length, (to, length, rate))?;
             }
         }
+        let room = &mut workspace.room;
         observe.step(&Step {
             from: clock.now,
             to,
-            before: &workspace.state,
-            after: &workspace.trial,
+            before: &room.state,
+            after: &room.trial,
             basis: Basis::Alternating,
-            polynomial: if dense {
-                workspace.polynomial.as_ref()
-            } else {
-                &[]
-            },
+            polynomial: if dense { &room.polynomial } else { &[] },
         });
         statistics.count(length, error, to == times.1);
-        std::mem::swap(&mut workspace.state, &mut workspace.trial);
-        workspace.slopes.as_mut().swap(0, M::STAGES);
+        std::mem::swap(&mut room.state, &mut room.trial);
+        let (first, last) = (start.len(), tableau.stages * start.len());
+        room.slopes.copy_within(last..last + first, 0);
         clock.now = to;
         if observe.has_enough() {
             break;
@@ -245,23 +239,20 @@ pub fn integrate<S: Scalar, Y: System<S>, M: Method>(
 
 /// Why no step is short enough.
 #[cold]
-fn failure<S: Scalar, Y: System<S>, M: Method>(
+fn failure(
     options: &Options,
-    workspace: &Workspace<Y::State, M>,
-    time: f64,
-    step: f64,
+    workspace: &Workspace,
+    (time, step): (f64, f64),
+    part: usize,
 ) -> OdeError {
-    let slopes = &workspace.slopes.as_ref()[..M::STAGES];
-    let mut states = std::iter::once(&workspace.trial).chain(slopes);
-    match states.find_map(first_bad::<S, Y>) {
+    let slopes = (0..workspace.tableau().stages).map(|number| workspace.slope(number));
+    let mut states = std::iter::once(&workspace.room.trial[..]).chain(slopes);
+    match states.find_map(|state| first_bad(state, part)) {
         Some(component) => OdeError::NotFinite { time, component },
-        None => {
-            let component = worst::<S, Y>(options, &workspace.state, &workspace.error);
-            OdeError::StepTooSmall {
-                time,
-                step,
-                component,
-            }
-        }
+        None => OdeError::StepTooSmall {
+            time,
+            step,
+            component: worst(options, &workspace.room.state[..part], &workspace.room.error),
+        },
     }
 }

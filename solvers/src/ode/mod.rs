@@ -1,7 +1,8 @@
 //! Explicit methods with control of the step size and continuous output.
 //!
-//! [`integrate`] carries any [`System`] over a stretch of time, forwards or backwards; the method is a type
-//! ([`Tsit5`], [`Dop853`]), what happens with the steps is up to an [`Observer`]. All its memory is the [`Workspace`].
+//! [`integrate`] carries any [`System`] over a stretch of time, forwards or backwards, by a method ([`Explicit`]); what
+//! happens with the steps is up to an [`Observer`]. All its memory is the [`Workspace`]. Of a scene all stages of a step are
+//! one call, compiled for it ([`step`]); everything around them is compiled once.
 //! [`march`] is the usual task: the motion of a scene from a start, kept as a [`Trajectory`], also by its Taylor series.
 //!
 //! The control follows E. Hairer, S. P. Nørsett, G. Wanner: *Solving Ordinary Differential Equations I*, 2nd edition,
@@ -17,29 +18,32 @@ mod march;
 mod norm;
 mod observer;
 mod options;
-mod sweep;
-mod system;
+pub(crate) mod step;
+pub(crate) mod system;
 mod tableau;
 mod taylor;
 mod trajectory;
 mod tsit5;
+mod varied;
 mod workspace;
 
 pub(crate) use controller::Controller;
-pub use dop853::Dop853;
 pub use error::OdeError;
 pub(crate) use explicit::Clock;
 pub use explicit::{Statistics, integrate};
-pub(crate) use march::{bad_start, march_called, state_from};
-pub use march::{march, march_on};
+pub use march::march;
+pub(crate) use march::follow;
+pub(crate) use norm::first_bad;
 pub use observer::{Basis, Observer, Step};
+pub(crate) use options::bad_start;
 pub use options::{AbsoluteTolerance, Options};
-pub use system::{Bundle, Plain, System, Varied};
-pub use tableau::{Method, Row};
-pub(crate) use taylor::{Expand, Taylor};
+pub use step::Room;
+pub use system::System;
+pub use tableau::{Explicit, Row, Tableau};
+pub(crate) use taylor::Taylor;
 pub use trajectory::{Recorder, Trajectory};
-pub use tsit5::Tsit5;
-pub(crate) use workspace::SHORTEST;
+pub use varied::Varied;
+pub(crate) use workspace::{SHORTEST, time_evaluation};
 pub use workspace::Workspace;
 
 #[cfg(test)]

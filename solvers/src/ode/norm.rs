@@ -2,40 +2,32 @@
 
 use super::options::Options;
 use super::system::System;
-use crate::scalar::Scalar;
 
 /// The largest part's root mean square of `values` over the tolerances at `before` and `after`; with a `second` vector
 /// the value is damped as in DOP853: `e₅² / √(e₅² + 0.01 e₃²)`. NaN as soon as one value is NaN.
-#[inline(always)]
-pub(super) fn scaled_size<S: Scalar, Y: System<S>>(
+#[inline]
+pub(super) fn scaled_size<Y: System + ?Sized>(
     system: &Y,
     options: &Options,
-    (before, after): (&Y::State, &Y::State),
-    values: &Y::State,
-    second: Option<&Y::State>,
+    (before, after): (&[f64], &[f64]),
+    values: &[f64],
+    second: Option<&[f64]>,
 ) -> f64 {
+    let length = system.part();
     let mut largest = 0.0;
-    for part in 0..Y::parts(values) {
-        let Some(factor) = system.part_scale(part) else {
-            continue;
-        };
-        let (before, after, values) = (
-            Y::part(before, part),
-            Y::part(after, part),
-            Y::part(values, part),
-        );
-        let second = second.map(|second| Y::part(second, part));
+    for (part, values) in values.chunks(length.max(1)).enumerate() {
+        let factor = system.part_scale(part);
+        let begin = part * length;
+        let (before, after) = (&before[begin..][..length], &after[begin..][..length]);
+        let second = second.map(|second| &second[begin..][..length]);
         let (mut sum, mut damping) = (0.0, 0.0);
         for (index, value) in values.iter().enumerate() {
-            let size = before[index]
-                .to_f64()
-                .abs()
-                .max(after[index].to_f64().abs());
+            let size = before[index].abs().max(after[index].abs());
             let tolerance = factor * options.atol.of(index) + options.rtol * size;
-            let ratio = value.to_f64() / tolerance;
+            let ratio = value / tolerance;
             sum += ratio * ratio;
             if let Some(second) = second {
-                let ratio = second[index].to_f64() / tolerance;
+                let ratio = second[index] / tolerance;
                 damping += ratio * ratio;
             }
         }
@@ -43,7 +35,7 @@ pub(super) fn scaled_size<S: Scalar, Y: System<S>>(
         let size = if damped == 0.0 {
             0.0
         } else {
-            sum / (damped * values.len() as f64).sqrt()
+            sum / (damped * length as f64).sqrt()
         };
         if size.is_nan() {
             return f64::NAN;
@@ -53,26 +45,24 @@ pub(super) fn scaled_size<S: Scalar, Y: System<S>>(
     largest
 }
 
-/// The first component of the motion, or else of a column, that is not a finite number.
-pub(super) fn first_bad<S: Scalar, Y: System<S>>(values: &Y::State) -> Option<usize> {
-    (0..Y::parts(values)).find_map(|part| {
-        Y::part(values, part)
-            .iter()
-            .position(|value| !value.to_f64().is_finite())
-    })
+/// The first component of the motion, or else of a further part, that is not a finite number.
+#[inline]
+pub(crate) fn first_bad(values: &[f64], part: usize) -> Option<usize> {
+    // Zero, unless one is infinite or not a number.
+    if values.iter().fold(0.0, |sum, value| sum + 0.0 * value) == 0.0 {
+        return None;
+    }
+    let place = values.iter().position(|value| !value.is_finite());
+    place.map(|place| place % part.max(1))
 }
 
 /// The component with the largest error.
 #[cold]
-pub(super) fn worst<S: Scalar, Y: System<S>>(
-    options: &Options,
-    state: &Y::State,
-    errors: &Y::State,
-) -> usize {
+pub(super) fn worst(options: &Options, state: &[f64], errors: &[f64]) -> usize {
     let mut worst = (0, 0.0);
-    for (index, (value, error)) in Y::part(state, 0).iter().zip(Y::part(errors, 0)).enumerate() {
-        let tolerance = options.atol.of(index) + options.rtol * value.to_f64().abs();
-        let ratio = error.to_f64().abs() / tolerance;
+    for (index, (value, error)) in state.iter().zip(errors).enumerate() {
+        let tolerance = options.atol.of(index) + options.rtol * value.abs();
+        let ratio = error.abs() / tolerance;
         if ratio > worst.1 {
             worst = (index, ratio);
         }

@@ -11,23 +11,24 @@ pub enum Basis {
 
 /// A step that was accepted.
 #[derive(Clone, Copy, Debug)]
-pub struct Step<'a, V> {
+pub struct Step<'a> {
     /// Time at its begin.
     pub from: f64,
     /// Time at its end.
     pub to: f64,
     /// State at its begin.
-    pub before: &'a V,
+    pub before: &'a [f64],
     /// State at its end.
-    pub after: &'a V,
-    /// The coefficients `F₁, F₂, …` of the continuous solution; empty unless asked for.
-    pub polynomial: &'a [V],
+    pub after: &'a [f64],
+    /// The coefficients `F₁, F₂, …` of the continuous solution, each as long as the state, one behind the other; empty unless
+    /// asked for.
+    pub polynomial: &'a [f64],
     /// What they belong to.
     pub basis: Basis,
 }
 
 /// Looks at the steps of an integration.
-pub trait Observer<V> {
+pub trait Observer {
     /// Whether the continuous solution of this step is wanted.
     #[inline(always)]
     fn wants_dense(&mut self, _from: f64, _to: f64) -> bool {
@@ -35,7 +36,7 @@ pub trait Observer<V> {
     }
 
     /// Looks at a step.
-    fn step(&mut self, step: &Step<'_, V>);
+    fn step(&mut self, step: &Step<'_>);
 
     /// Whether [`Observer::stiffness`] is wanted.
     #[inline(always)]
@@ -56,7 +57,7 @@ pub trait Observer<V> {
 }
 
 /// Nobody looks.
-impl<V> Observer<V> for () {
+impl Observer for () {
     #[inline(always)]
-    fn step(&mut self, _step: &Step<'_, V>) {}
+    fn step(&mut self, _step: &Step<'_>) {}
 }

@@ -141,3 +141,11 @@ impl Default for Options {
 pub(super) fn bad<T>(name: &'static str, reason: String) -> Result<T, OdeError> {
     Err(OdeError::BadOption { name, reason })
 }
+
+/// The error for so many start values.
+pub(crate) fn bad_start(values: usize, states: usize) -> OdeError {
+    OdeError::BadOption {
+        name: "start",
+        reason: format!("{values} values are given for {states} states"),
+    }
+}

@@ -1,190 +1,99 @@
-//! What the steppers integrate: the equations of a model, alone or beside their variations.
+//! What the explicit methods integrate.
 
-use crate::problem::{Equations, Stages, Storage};
-use crate::scalar::Scalar;
+use super::step::{self, Dop853, Room, Staged, Tsit5};
+use super::tableau::Explicit;
 
-/// Right-hand sides `y' = f(t, y)`.
+/// Right-hand sides `y' = f(t, y)`, behind a pointer where it need not be known which: the steps of a scene are compiled
+/// for it ([`Flow`](crate::model::Flow)), those of anything else ask for one evaluation after the other.
 ///
-/// [`Plain`] makes such a system of any [`Equations`]; [`Varied`] adds their variational equations. The state consists
-/// of one vector or of several parts, the motion first.
-pub trait System<S: Scalar> {
-    /// The state.
-    type State: Clone;
-    /// What depends on the time alone.
-    type Instant: Clone;
+/// The state may consist of several parts, the motion first, each of which has its own error.
+pub trait System {
+    /// Length of the state, all its parts together.
+    fn length(&self) -> usize;
 
-    /// Whether all stages of a step are asked for in one call, with [`System::sweep`].
-    const CALLED: bool = false;
+    /// Writes `f(t, y)`.
+    fn rates(&self, time: f64, state: &[f64], rates: &mut [f64]);
 
-    /// A state of zeros.
-    fn zeros(&self) -> Self::State;
-
-    /// Values that depend on the time alone, at several times at once.
-    fn instants<const K: usize>(&self, times: [S; K]) -> [Self::Instant; K];
-
-    /// Writes `f(t, y)` into `rate`.
-    fn rate(&self, instant: &Self::Instant, state: &Self::State, rate: &mut Self::State);
-
-    /// Evaluates all stages of a step, which lie at these times: of systems that are [`System::CALLED`].
-    fn sweep(&self, _times: &[S], _stages: &mut dyn Stages<S>) {}
-
-    /// The same where it has given what is no number.
-    fn sweep_again(&self, times: &[S], stages: &mut dyn Stages<S>) {
-        self.sweep(times, stages);
+    /// Length of a part of the state.
+    fn part(&self) -> usize {
+        self.length()
     }
 
-    /// Number of parts of a state.
-    fn parts(state: &Self::State) -> usize;
+    /// Factor from the absolute tolerances of the state to those of a part.
+    fn part_scale(&self, _part: usize) -> f64 {
+        1.0
+    }
 
-    /// One part of a state.
-    fn part(state: &Self::State, number: usize) -> &[S];
+    /// Evaluates the stages of a step, the state at its end and its errors.
+    fn attempt(&self, method: Explicit, room: &mut Room) {
+        attempt_each(&|time, state, rates| self.rates(time, state, rates), method, room);
+    }
 
-    /// One part of a state, to be written.
-    fn part_mut(state: &mut Self::State, number: usize) -> &mut [S];
-
-    /// Factor from the absolute tolerances of the state to those of a part; `None` keeps the part out of the control
-    /// of the step size.
-    #[inline(always)]
-    fn part_scale(&self, _part: usize) -> Option<f64> {
-        Some(1.0)
+    /// Evaluates what is missing of a step that is accepted: the slope at its end and, if asked for, the continuous
+    /// solution.
+    fn finish(&self, method: Explicit, room: &mut Room, dense: bool) {
+        finish_each(&|time, state, rates| self.rates(time, state, rates), method, room, dense);
     }
 }
 
-/// Equations as they are.
-#[derive(Clone, Copy, Debug)]
-pub struct Plain<'a, E>(pub &'a E);
+/// Rates at a time and state.
+pub(crate) type Rates<'a> = dyn Fn(f64, &[f64], &mut [f64]) + 'a;
 
-impl<S: Scalar, E: Equations<S>> System<S> for Plain<'_, E> {
-    type State = E::State;
-    type Instant = E::Instant;
+/// The stages of a step, one evaluation after the other.
+pub(crate) fn attempt_each(rates: &Rates<'_>, method: Explicit, room: &mut Room) {
+    let each = Each { rates, length: room.state.len() };
+    attempt_any(&each, method, room);
+}
 
-    #[inline(always)]
-    fn zeros(&self) -> E::State {
-        E::State::zeros(self.0.states())
+/// What is missing of a step, likewise.
+pub(crate) fn finish_each(rates: &Rates<'_>, method: Explicit, room: &mut Room, dense: bool) {
+    let each = Each { rates, length: room.state.len() };
+    // What has tried the step may have kept its instants in another way.
+    room.keep_end(method.tableau());
+    finish_any(&each, method, room, dense);
+}
+
+/// The stages of a step of anything, compiled once.
+pub(crate) fn attempt_any(staged: &dyn Staged<f64>, method: Explicit, room: &mut Room) {
+    match method {
+        Explicit::Tsit5 => step::attempt::<f64, Tsit5, _, false>(staged, room),
+        Explicit::Dop853 => step::attempt::<f64, Dop853, _, false>(staged, room),
+    }
+}
+
+/// What is missing of a step of anything, compiled once.
+pub(crate) fn finish_any(
+    staged: &dyn Staged<f64>,
+    method: Explicit,
+    room: &mut Room,
+    dense: bool,
+) {
+    match method {
+        Explicit::Tsit5 => step::finish::<f64, Tsit5, _>(staged, room, dense),
+        Explicit::Dop853 => step::finish::<f64, Dop853, _>(staged, room, dense),
+    }
+}
+
+/// Rates of which the time is all that they need of an instant.
+struct Each<'a> {
+    rates: &'a Rates<'a>,
+    length: usize,
+}
+
+impl Staged<f64> for Each<'_> {
+    fn length(&self) -> usize {
+        self.length
     }
 
-    #[inline(always)]
-    fn instants<const K: usize>(&self, times: [S; K]) -> [E::Instant; K] {
-        self.0.instants(times)
-    }
-
-    #[inline(always)]
-    fn rate(&self, instant: &E::Instant, state: &E::State, rate: &mut E::State) {
-        self.0.derivative(instant, state, rate);
-    }
-
-    #[inline(always)]
-    fn parts(_state: &E::State) -> usize {
+    fn instant(&self) -> usize {
         1
     }
 
-    #[inline(always)]
-    fn part(state: &E::State, _number: usize) -> &[S] {
-        state.as_ref()
+    fn instants(&self, times: &[f64], rows: &mut [f64]) {
+        rows.copy_from_slice(times);
     }
 
-    #[inline(always)]
-    fn part_mut(state: &mut E::State, _number: usize) -> &mut [S] {
-        state.as_mut()
-    }
-}
-
-/// A motion and columns beside it. Room for the columns is taken once, when it is made.
-#[derive(Clone, Debug)]
-pub struct Bundle<Y> {
-    /// The motion.
-    pub motion: Y,
-    /// Its variations, one column for each direction.
-    pub columns: Vec<Y>,
-}
-
-/// Equations beside their variational equations `c' = ∂f/∂y · c`, one column for each state.
-///
-/// Started from the unit columns, the columns end as the matrix `Φ = ∂y(T)/∂y(0)`.
-#[derive(Clone, Copy, Debug)]
-pub struct Varied<'a, E> {
-    /// The equations.
-    pub equations: &'a E,
-    /// Sizes of the states. Column `j` is a change of `scales[j]` in state `j` per `scales[j]`, so its entry `i` has
-    /// the size `scales[i] / scales[j]`: the absolute tolerances of the column are those of the state over `scales[j]`.
-    /// `None` keeps the columns out of the control of the step size.
-    pub scales: Option<&'a [f64]>,
-}
-
-impl<E> Varied<'_, E> {
-    /// The start `start` with the unit columns.
-    pub fn start<S: Scalar>(&self, start: &E::State) -> Bundle<E::State>
-    where
-        E: Equations<S>,
-    {
-        let states = self.equations.states();
-        let column = |number: usize| {
-            let mut column = E::State::zeros(states);
-            column.as_mut()[number] = S::ONE;
-            column
-        };
-        Bundle {
-            motion: start.clone(),
-            columns: (0..states).map(column).collect(),
-        }
-    }
-}
-
-impl<S: Scalar, E: Equations<S>> System<S> for Varied<'_, E> {
-    type State = Bundle<E::State>;
-    type Instant = E::Instant;
-
-    fn zeros(&self) -> Self::State {
-        let states = self.equations.states();
-        Bundle {
-            motion: E::State::zeros(states),
-            columns: vec![E::State::zeros(states); states],
-        }
-    }
-
-    #[inline(always)]
-    fn instants<const K: usize>(&self, times: [S; K]) -> [E::Instant; K] {
-        self.equations.instants(times)
-    }
-
-    #[inline(always)]
-    fn rate(&self, instant: &E::Instant, state: &Self::State, rate: &mut Self::State) {
-        self.equations.variation(
-            instant,
-            &state.motion,
-            &mut rate.motion,
-            &state.columns,
-            &mut rate.columns,
-        );
-    }
-
-    #[inline(always)]
-    fn parts(state: &Self::State) -> usize {
-        1 + state.columns.len()
-    }
-
-    #[inline(always)]
-    fn part(state: &Self::State, number: usize) -> &[S] {
-        match number {
-            0 => state.motion.as_ref(),
-            _ => state.columns[number - 1].as_ref(),
-        }
-    }
-
-    #[inline(always)]
-    fn part_mut(state: &mut Self::State, number: usize) -> &mut [S] {
-        match number {
-            0 => state.motion.as_mut(),
-            _ => state.columns[number - 1].as_mut(),
-        }
-    }
-
-    #[inline(always)]
-    fn part_scale(&self, part: usize) -> Option<f64> {
-        match (part, self.scales) {
-            (0, _) => Some(1.0),
-            (_, Some(scales)) => Some(1.0 / scales[part - 1]),
-            (_, None) => None,
-        }
+    fn rates(&self, instant: &[f64], state: &[f64], rates: &mut [f64]) {
+        (self.rates)(instant[0], state, rates);
     }
 }

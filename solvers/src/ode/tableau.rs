@@ -1,14 +1,33 @@
 //! What distinguishes one explicit Runge–Kutta method from another: its coefficients.
 
-use super::system::System;
-use crate::scalar::Scalar;
+use super::dop853::DOP853;
+use super::tsit5::TSIT5;
 
 /// A row of a tableau without its zeros: number of the slope (from 0) and its coefficient.
 pub type Row = &'static [(usize, f64)];
 
+/// An explicit Runge–Kutta method.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Explicit {
+    /// Tsitouras' pair of order 5(4), with dense output of order 4 that needs no further stages.
+    Tsit5,
+    /// The method of order 8 of Dormand and Prince with error estimates of order 5 and 3, and dense output of order 7.
+    Dop853,
+}
+
+impl Explicit {
+    /// Its coefficients.
+    pub const fn tableau(self) -> &'static Tableau {
+        match self {
+            Self::Tsit5 => &TSIT5,
+            Self::Dop853 => &DOP853,
+        }
+    }
+}
+
 /// An explicit Runge–Kutta method as data.
 ///
-/// Slope 0 belongs to the begin of the step, slopes 1 to `STAGES - 1` to the inner stages, slope `STAGES` to the new
+/// Slope 0 belongs to the begin of the step, slopes 1 to `stages - 1` to the inner stages, slope `stages` to the new
 /// state (it is slope 0 of the next step), and the slopes after it to the stages that only the dense output needs. The
 /// last inner stage lies at the end of the step, so that the new state shares its instant.
 ///
@@ -16,66 +35,55 @@ pub type Row = &'static [(usize, f64)];
 /// `y(θ) = y₀ + θ(F₁ + (1-θ)(F₂ + θ(F₃ + (1-θ)(F₄ + …))))`, where `F₁ = y₁ - y₀`, `F₂ = h k₀ - F₁`,
 /// `F₃ = 2F₁ - h(k₀ + k₁)` make the cubic Hermite polynomial (`k₀`, `k₁` the slopes at both ends) and the others are
 /// combinations of all slopes.
-pub trait Method {
-    /// As many as there are slopes.
-    type Slopes<T>: AsRef<[T]> + AsMut<[T]>;
-    /// As many as there are times of inner stages.
-    type Nodes<T>: AsRef<[T]>;
-    /// As many as there are times of stages for the dense output.
-    type ExtraNodes<T>: AsRef<[T]>;
-    /// As many as the polynomial of the dense output has coefficients beside `y₀`.
-    type Polynomial<T>: AsRef<[T]> + AsMut<[T]>;
-
+#[derive(Clone, Copy, Debug)]
+pub struct Tableau {
     /// Order of the solution that is carried on.
-    const ORDER: usize;
+    pub order: usize,
     /// Stages from which the new state is formed.
-    const STAGES: usize;
-    /// Times of the inner stages 1 to `STAGES - 1`, in parts of the step; the last is 1.
-    const NODES: &'static [f64];
+    pub stages: usize,
+    /// Times of the inner stages 1 to `stages - 1`, in parts of the step; the last is 1.
+    pub nodes: &'static [f64],
     /// Times of the stages for the dense output.
-    const EXTRA_NODES: &'static [f64];
+    pub extra_nodes: &'static [f64],
     /// Coefficients of the inner stages.
-    const ROWS: &'static [Row];
+    pub rows: &'static [Row],
     /// Weights of the new state.
-    const WEIGHTS: Row;
+    pub weights: Row,
     /// Coefficients of the stages for the dense output.
-    const EXTRA_ROWS: &'static [Row];
+    pub extra_rows: &'static [Row],
     /// Weights of the error estimate.
-    const ERROR: Row;
+    pub error: Row,
     /// Weights of the second error estimate, of lower order, which damps the first; empty if there is none.
-    const SECOND_ERROR: Row;
+    pub second_error: Row,
     /// Whether the error estimate needs the slope at the new state.
-    const ERROR_USES_LAST: bool;
+    pub error_uses_last: bool,
     /// Weights of the coefficients `F₄` and up of the dense output.
-    const DENSE_ROWS: &'static [Row];
+    pub dense_rows: &'static [Row],
     /// Weight of the previous error in the step-size control.
-    const BETA: f64;
+    pub beta: f64,
     /// Smallest and largest factor from one step size to the next.
-    const FACTORS: (f64, f64);
-
-    /// Makes room for the slopes.
-    fn slopes<T>(make: impl FnMut(usize) -> T) -> Self::Slopes<T>;
-
-    /// Makes room for the polynomial of the dense output.
-    fn polynomial<T>(make: impl FnMut(usize) -> T) -> Self::Polynomial<T>;
-
-    /// The instants of the inner stages of a step, all in one call.
-    fn instants<S: Scalar, Y: System<S>>(system: &Y, time: S, step: S) -> Self::Nodes<Y::Instant>;
-
-    /// The instants of the stages for the dense output.
-    fn extra_instants<S: Scalar, Y: System<S>>(
-        system: &Y,
-        time: S,
-        step: S,
-    ) -> Self::ExtraNodes<Y::Instant>;
+    pub factors: (f64, f64),
 }
 
-/// The times of stages. A loop, since arithmetic in a closure would escape a copy of the code for newer processors.
-#[inline(always)]
-pub(super) fn stage_times<S: Scalar, const K: usize>(nodes: [f64; K], time: S, step: S) -> [S; K] {
-    let mut times = [time; K];
-    for (stage, node) in times.iter_mut().zip(nodes) {
-        *stage = S::from_f64(node).mul_add(step, time);
+impl Tableau {
+    /// Number of slopes.
+    pub const fn slopes(&self) -> usize {
+        self.stages + 1 + self.extra_rows.len()
     }
-    times
+
+    /// Number of coefficients of the continuous solution beside the state at the begin.
+    pub const fn degree(&self) -> usize {
+        3 + self.dense_rows.len()
+    }
+
+    /// Evaluations of a step that is tried.
+    pub(super) const fn tried(&self) -> usize {
+        self.stages - 1 + self.error_uses_last as usize
+    }
+
+    /// Evaluations that finish it.
+    pub(super) const fn finished(&self, dense: bool) -> usize {
+        let extra = if dense { self.extra_rows.len() } else { 0 };
+        extra + !self.error_uses_last as usize
+    }
 }

@@ -10,9 +10,9 @@ use super::doubt::Doubt;
 use super::error::OdeError;
 use super::explicit::{Clock, Statistics};
 use super::observer::{Basis, Observer, Step};
-use super::options::{Options, bad};
+use super::options::{Options, bad, bad_start};
 use super::workspace::SHORTEST;
-use crate::problem::Storage;
+use crate::model::Flow;
 use crate::series::TERMS;
 
 /// Part of the length that the last terms permit.
@@ -30,14 +30,6 @@ const POWERS: usize = 4;
 /// How often.
 const ATTEMPTS: usize = 60;
 
-/// What is asked of a motion.
-pub(crate) trait Expand {
-    /// Writes the rates of a state.
-    fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]);
-    /// Writes the Taylor series, see [`crate::problem::Equations::series`].
-    fn series(&self, time: f64, length: f64, rows: &mut [f64]) -> bool;
-}
-
 /// The order for a tolerance: a third more than the digits asked for, and even.
 fn order(rtol: f64) -> usize {
     let digits = -rtol.log10();
@@ -46,51 +38,55 @@ fn order(rtol: f64) -> usize {
 }
 
 /// The memory of an integration.
-pub(crate) struct Taylor<V> {
+#[derive(Clone, Debug)]
+pub(crate) struct Taylor {
     order: usize,
-    before: V,
-    after: V,
+    before: Vec<f64>,
+    after: Vec<f64>,
     /// The terms of the series, `1 + order` rows.
     terms: Vec<f64>,
-    polynomial: Vec<V>,
+    /// Those of the step, `order` rows.
+    polynomial: Vec<f64>,
     /// Derivatives of the polynomial at its end, by the part of the step.
-    slopes: V,
+    slopes: Vec<f64>,
     /// Rates there.
-    rate: V,
+    rate: Vec<f64>,
 }
 
-impl<V: Storage<f64>> Taylor<V> {
+impl Taylor {
     /// Room for so many states.
     pub fn new(states: usize, rtol: f64) -> Self {
         let order = order(rtol);
         Self {
             order,
-            before: V::zeros(states),
-            after: V::zeros(states),
+            before: vec![0.0; states],
+            after: vec![0.0; states],
             terms: vec![0.0; (1 + order) * states],
-            polynomial: vec![V::zeros(states); order],
-            slopes: V::zeros(states),
-            rate: V::zeros(states),
+            polynomial: vec![0.0; order * states],
+            slopes: vec![0.0; states],
+            rate: vec![0.0; states],
         }
     }
 
     /// Integrates from one time to another, forwards or backwards.
     pub fn integrate(
         &mut self,
-        expand: &dyn Expand,
+        flow: &Flow<'_>,
         times: (f64, f64),
-        start: &V,
+        start: &[f64],
         options: &Options,
-        observe: &mut impl Observer<V>,
+        observe: &mut dyn Observer,
     ) -> Result<Statistics, OdeError> {
-        let states = start.as_ref().len();
-        options.check(times, states)?;
-        let strange = start.as_ref().iter().position(|value| !value.is_finite());
+        options.check(times, self.before.len())?;
+        if start.len() != self.before.len() {
+            return Err(bad_start(start.len(), self.before.len()));
+        }
+        let strange = start.iter().position(|value| !value.is_finite());
         if let Some(component) = strange {
             return bad("start", format!("state {component} is not a finite number"));
         }
         let mut statistics = Statistics::default();
-        self.before.clone_from(start);
+        self.before.copy_from_slice(start);
         if times.0 == times.1 {
             return Ok(statistics);
         }
@@ -102,7 +98,7 @@ impl<V: Storage<f64>> Taylor<V> {
             .unwrap_or(span.abs());
         // The length on which the terms are based: any would do, were numbers not limited.
         let mut unit = first.min(span.abs()).copysign(span);
-        statistics.evaluations += self.begin(expand, clock.now, &mut unit)?;
+        statistics.evaluations += self.begin(flow, clock.now, &mut unit)?;
         let is_fixed = clock.fixed.is_some();
         let mut doubt = Doubt::new(options.max_steps);
         // A step that the time does not feel would lead nowhere.
@@ -128,7 +124,7 @@ impl<V: Storage<f64>> Taylor<V> {
             let to = clock.target(limited, statistics.steps);
             let length = to - clock.now;
             self.cut_off(length / unit);
-            expand.rate(to, self.after.as_ref(), self.rate.as_mut());
+            flow.rates(to, &self.after, &mut self.rate);
             statistics.evaluations += 1;
             let (error, component) = self.error(length, options);
             let is_good = error <= 1.0 || is_fixed && error.is_finite();
@@ -157,11 +153,11 @@ impl<V: Storage<f64>> Taylor<V> {
                 break;
             }
             if doubt.is_due(statistics.steps) && !is_fixed {
-                let rate = self.fastest_rate(expand, to, options);
+                let rate = self.fastest_rate(flow, to, options);
                 doubt.judge((times.1 - to) / length, (to, length, rate))?;
             }
             unit = length;
-            statistics.evaluations += self.begin(expand, clock.now, &mut unit)?;
+            statistics.evaluations += self.begin(flow, clock.now, &mut unit)?;
             if !is_fixed {
                 wanted = self.permitted(unit, LARGEST * length.abs(), options);
             }
@@ -171,11 +167,11 @@ impl<V: Storage<f64>> Taylor<V> {
 
     /// The series at the begin, on a shorter length if the terms are too large for numbers. Gives how often it was
     /// computed.
-    fn begin(&mut self, expand: &dyn Expand, time: f64, unit: &mut f64) -> Result<usize, OdeError> {
-        let states = self.before.as_ref().len();
+    fn begin(&mut self, flow: &Flow<'_>, time: f64, unit: &mut f64) -> Result<usize, OdeError> {
+        let states = self.before.len();
         for attempt in 1..=ATTEMPTS {
-            self.terms[..states].copy_from_slice(self.before.as_ref());
-            if !expand.series(time, *unit, &mut self.terms) {
+            self.terms[..states].copy_from_slice(&self.before);
+            if !flow.series(time, *unit, &mut self.terms) {
                 return bad(
                     "method",
                     "these equations are too long for their Taylor series; take dop853".to_owned(),
@@ -195,8 +191,8 @@ impl<V: Storage<f64>> Taylor<V> {
     /// About the fastest rate of change that the equations know where the motion stands: by their slopes along its rates,
     /// and along what those give, and so on.
     #[cold]
-    fn fastest_rate(&mut self, expand: &dyn Expand, time: f64, options: &Options) -> f64 {
-        let state = self.before.as_ref();
+    fn fastest_rate(&mut self, flow: &Flow<'_>, time: f64, options: &Options) -> f64 {
+        let state = &self.before[..];
         let weight = |index: usize| options.atol.of(index) + options.rtol * state[index].abs();
         let size = |values: &[f64]| {
             let terms = values.iter().enumerate();
@@ -205,7 +201,7 @@ impl<V: Storage<f64>> Taylor<V> {
                 .fold(0.0, f64::max)
         };
         let mut first = vec![0.0; state.len()];
-        expand.rate(time, state, &mut first);
+        flow.rates(time, state, &mut first);
         let (mut along, mut shifted) = (first.clone(), vec![0.0; state.len()]);
         let mut fastest = 0.0;
         for _ in 0..POWERS {
@@ -215,7 +211,7 @@ impl<V: Storage<f64>> Taylor<V> {
                 *value = state[index] + part * along[index];
             }
             let before = size(&along);
-            expand.rate(time, &shifted, &mut along);
+            flow.rates(time, &shifted, &mut along);
             for (value, first) in along.iter_mut().zip(&first) {
                 *value = (*value - first) / part;
             }
@@ -227,11 +223,11 @@ impl<V: Storage<f64>> Taylor<V> {
     /// The length of a step that the last two terms permit, and a limit.
     #[inline(always)]
     fn permitted(&self, unit: f64, limit: f64, options: &Options) -> f64 {
-        let states = self.before.as_ref().len();
+        let states = self.before.len();
         let mut sizes = [0.0f64; 2];
         let last = self.terms[(self.order - 1) * states..].chunks_exact(states.max(1));
         for (size, terms) in sizes.iter_mut().zip(last) {
-            for ((index, term), value) in terms.iter().enumerate().zip(self.before.as_ref()) {
+            for ((index, term), value) in terms.iter().enumerate().zip(&self.before) {
                 let tolerance = options.atol.of(index) + options.rtol * value.abs();
                 *size = size.max(term.abs() / tolerance);
             }
@@ -245,22 +241,22 @@ impl<V: Storage<f64>> Taylor<V> {
     /// its end.
     #[inline(always)]
     fn cut_off(&mut self, part: f64) {
-        let states = self.before.as_ref().len();
+        let states = self.before.len();
         for index in 0..states {
             // One state after the other, so that its sums are not kept in memory.
-            let (mut power, mut after, mut slope) = (1.0, self.before.as_ref()[index], 0.0);
+            let (mut power, mut after, mut slope) = (1.0, self.before[index], 0.0);
             let rows = self.terms.chunks_exact(states).skip(1);
             let mut count = 1.0;
-            for (row, terms) in self.polynomial.iter_mut().zip(rows) {
+            for (row, terms) in self.polynomial.chunks_exact_mut(states).zip(rows) {
                 power *= part;
                 let value = power * terms[index];
-                row.as_mut()[index] = value;
+                row[index] = value;
                 after += value;
                 slope += count * value;
                 count += 1.0;
             }
-            self.after.as_mut()[index] = after;
-            self.slopes.as_mut()[index] = slope;
+            self.after[index] = after;
+            self.slopes[index] = slope;
         }
     }
 
@@ -268,10 +264,10 @@ impl<V: Storage<f64>> Taylor<V> {
     #[inline(always)]
     fn error(&self, length: f64, options: &Options) -> (f64, usize) {
         let (mut error, mut component) = (0.0, 0);
-        for (index, rate) in self.rate.as_ref().iter().enumerate() {
-            let (before, after) = (self.before.as_ref()[index], self.after.as_ref()[index]);
+        for (index, rate) in self.rate.iter().enumerate() {
+            let (before, after) = (self.before[index], self.after[index]);
             let tolerance = options.atol.of(index) + options.rtol * before.abs().max(after.abs());
-            let difference = (self.slopes.as_ref()[index] - length * rate).abs();
+            let difference = (self.slopes[index] - length * rate).abs();
             let own = difference / ((1 + self.order) as f64 * tolerance);
             if own.is_nan() {
                 return (f64::NAN, index);
@@ -286,10 +282,10 @@ impl<V: Storage<f64>> Taylor<V> {
     /// The state with the largest last term.
     #[cold]
     fn steepest(&self, options: &Options) -> usize {
-        let states = self.before.as_ref().len();
+        let states = self.before.len();
         let mut largest = (0.0, 0);
         let last = &self.terms[self.order * states..];
-        for ((index, term), value) in last.iter().enumerate().zip(self.before.as_ref()) {
+        for ((index, term), value) in last.iter().enumerate().zip(&self.before) {
             let size = term.abs() / (options.atol.of(index) + options.rtol * value.abs());
             if size > largest.0 {
                 largest = (size, index);

@@ -2,10 +2,7 @@
 
 use super::explicit::Statistics;
 use super::observer::{Basis, Observer, Step};
-use crate::problem::Storage;
-use crate::scalar::Scalar;
 use crate::stiff::Switch;
-use std::marker::PhantomData;
 
 /// Steps for which there is room at first.
 const FIRST_STEPS: usize = 12;
@@ -176,29 +173,25 @@ impl Trajectory {
 
 /// An observer that keeps all steps for a [`Trajectory`].
 #[derive(Clone, Debug)]
-pub struct Recorder<S> {
+pub struct Recorder {
     /// The motion so far.
     trajectory: Trajectory,
-    /// The scalar type of the states that it looks at.
-    scalar: PhantomData<S>,
 }
 
-impl<S: Scalar> Recorder<S> {
+impl Recorder {
     /// Starts at a time and state.
-    pub fn new<V: Storage<S>>(time: f64, start: &V) -> Self {
+    pub fn new(time: f64, start: &[f64]) -> Self {
         let times = Vec::with_capacity(1 + FIRST_STEPS);
-        let coefficients = Vec::with_capacity(FIRST_NUMBERS + start.as_ref().len());
+        let coefficients = Vec::with_capacity(FIRST_NUMBERS + start.len());
         let mut recorder = Self {
             trajectory: Trajectory::empty(times, coefficients),
-            scalar: PhantomData,
         };
         recorder.restart(time, start);
         recorder
     }
 
     /// Starts again at a time and state, in the room that there is.
-    pub(crate) fn restart<V: Storage<S>>(&mut self, time: f64, start: &V) {
-        let start = start.as_ref();
+    pub(crate) fn restart(&mut self, time: f64, start: &[f64]) {
         let trajectory = &mut self.trajectory;
         trajectory.states = start.len();
         trajectory.degree = 0;
@@ -207,21 +200,17 @@ impl<S: Scalar> Recorder<S> {
         trajectory.times.clear();
         trajectory.times.push(time);
         trajectory.coefficients.clear();
-        let numbers = start.iter().map(|value| value.to_f64());
-        trajectory.coefficients.extend(numbers);
+        trajectory.coefficients.extend_from_slice(start);
     }
 
     /// Ends the motion at a time within the last step.
-    pub fn cut<V: Storage<S>>(&mut self, time: f64, state: &V) {
+    pub fn cut(&mut self, time: f64, state: &[f64]) {
         let trajectory = &mut self.trajectory;
         if let Some(end) = trajectory.times.last_mut() {
             *end = time;
         }
         let begin = trajectory.coefficients.len() - trajectory.states;
-        let end = trajectory.coefficients[begin..].iter_mut();
-        for (end, value) in end.zip(state.as_ref()) {
-            *end = value.to_f64();
-        }
+        trajectory.coefficients[begin..].copy_from_slice(state);
     }
 
     /// The motion, with what it took.
@@ -245,41 +234,28 @@ impl<S: Scalar> Recorder<S> {
     }
 }
 
-impl<S: Scalar, V: Storage<S>> Observer<V> for Recorder<S> {
-    #[inline(always)]
+impl Observer for Recorder {
+    #[inline]
     fn wants_dense(&mut self, _from: f64, _to: f64) -> bool {
         true
     }
 
-    #[inline(always)]
-    fn step(&mut self, step: &Step<'_, V>) {
+    #[inline]
+    fn step(&mut self, step: &Step<'_>) {
         let trajectory = &mut self.trajectory;
-        trajectory.degree = step.polynomial.len();
+        let states = step.before.len();
+        trajectory.degree = step.polynomial.len() / states.max(1);
         trajectory.basis = step.basis;
         trajectory.times.push(step.to);
         trajectory.last = step.to - step.from;
-        let states = step.before.as_ref().len();
         let begin = trajectory.coefficients.len() - states;
-        let end = begin + (2 + step.polynomial.len()) * states;
-        if trajectory.coefficients.capacity() < end {
-            trajectory.grow(end - begin - states);
+        let more = step.polynomial.len() + states;
+        if trajectory.coefficients.capacity() < trajectory.coefficients.len() + more {
+            trajectory.grow(more);
         }
-        trajectory.coefficients.resize(end, 0.0);
-        let (first, rest) = trajectory.coefficients[begin..].split_at_mut(states);
-        let (rows, last) = rest.split_at_mut(step.polynomial.len() * states);
-        write(first, step.before);
-        // What is called in a loop that an iterator runs is not written out here.
-        for (room, row) in rows.chunks_exact_mut(states.max(1)).zip(step.polynomial) {
-            write(room, row);
-        }
-        write(last, step.after);
-    }
-}
-
-/// Writes a state as numbers.
-#[inline(always)]
-fn write<S: Scalar, V: Storage<S>>(room: &mut [f64], state: &V) {
-    for (slot, value) in room.iter_mut().zip(state.as_ref()) {
-        *slot = value.to_f64();
+        // An event may have cut the step before short of where this one begins.
+        trajectory.coefficients[begin..].copy_from_slice(step.before);
+        trajectory.coefficients.extend_from_slice(step.polynomial);
+        trajectory.coefficients.extend_from_slice(step.after);
     }
 }

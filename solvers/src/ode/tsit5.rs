@@ -5,52 +5,24 @@
 //! ends, so it is the cubic Hermite polynomial plus `θ²(1-θ)² h Σ dᵢ kᵢ`; `dᵢ` are the leading coefficients of the
 //! published polynomials `bᵢ(θ)`.
 
-use super::system::System;
-use super::tableau::{Method, Row, stage_times};
-use crate::scalar::Scalar;
+use super::tableau::{Row, Tableau};
 
-/// Explicit Runge–Kutta pair of order 5(4) with dense output of order 4 that needs no further stages.
-#[derive(Clone, Copy, Debug)]
-pub struct Tsit5;
-
-impl Method for Tsit5 {
-    type Slopes<T> = [T; 7];
-    type Nodes<T> = [T; 5];
-    type ExtraNodes<T> = [T; 0];
-    type Polynomial<T> = [T; 4];
-
-    const ORDER: usize = 5;
-    const STAGES: usize = 6;
-    const NODES: &'static [f64] = &NODES;
-    const EXTRA_NODES: &'static [f64] = &[];
-    const ROWS: &'static [Row] = &[ROW_2, ROW_3, ROW_4, ROW_5, ROW_6];
-    const WEIGHTS: Row = WEIGHTS;
-    const EXTRA_ROWS: &'static [Row] = &[];
-    const ERROR: Row = ERROR;
-    const SECOND_ERROR: Row = &[];
-    const ERROR_USES_LAST: bool = true;
-    const DENSE_ROWS: &'static [Row] = &[DENSE_4];
-    const BETA: f64 = 0.04;
-    const FACTORS: (f64, f64) = (0.2, 10.0);
-
-    fn slopes<T>(make: impl FnMut(usize) -> T) -> [T; 7] {
-        std::array::from_fn(make)
-    }
-
-    fn polynomial<T>(make: impl FnMut(usize) -> T) -> [T; 4] {
-        std::array::from_fn(make)
-    }
-
-    #[inline(always)]
-    fn instants<S: Scalar, Y: System<S>>(system: &Y, time: S, step: S) -> [Y::Instant; 5] {
-        system.instants(stage_times(NODES, time, step))
-    }
-
-    #[inline(always)]
-    fn extra_instants<S: Scalar, Y: System<S>>(_system: &Y, _time: S, _step: S) -> [Y::Instant; 0] {
-        []
-    }
-}
+/// The pair.
+pub(super) const TSIT5: Tableau = Tableau {
+    order: 5,
+    stages: 6,
+    nodes: &NODES,
+    extra_nodes: &[],
+    rows: &[ROW_2, ROW_3, ROW_4, ROW_5, ROW_6],
+    weights: WEIGHTS,
+    extra_rows: &[],
+    error: ERROR,
+    second_error: &[],
+    error_uses_last: true,
+    dense_rows: &[DENSE_4],
+    beta: 0.04,
+    factors: (0.2, 10.0),
+};
 
 /// Stage times of stages 2 to 6, in parts of the step.
 const NODES: [f64; 5] = [0.161, 0.327, 0.9, 0.9800255409045097, 1.0];

@@ -16,8 +16,8 @@
 
 pub(crate) mod closing;
 mod error;
-mod flow;
 pub(crate) mod multipliers;
+mod period;
 mod shooting;
 mod smallest;
 
@@ -25,10 +25,11 @@ pub use error::PeriodicError;
 pub use multipliers::Multiplier;
 
 use crate::ode::Trajectory;
-use crate::problem::Scene;
+use crate::model::{Bound, Model};
+use crate::problem::Smooth;
 use crate::registry::Settings;
 use closing::Closing;
-use flow::{Flow, Period, Return};
+use period::{Period, Return};
 use nalgebra::DVector;
 
 /// Factor between the tolerances of the two computations.
@@ -82,41 +83,50 @@ impl Orbit {
     }
 }
 
-/// The motion of a scene that repeats after a period, on the scalar type that is fastest on the machine at hand.
+/// The motion of a scene without events that repeats after a period.
 ///
 /// # Errors
 /// See [`PeriodicError`].
-pub fn solve<C: Scene>(
+pub fn solve<C: Smooth>(
     scene: &C,
     period: f64,
     settings: &Settings,
 ) -> Result<Orbit, PeriodicError> {
-    let flow = Period {
-        scene,
-        period,
-        settings,
-    };
+    of(&Bound::new(scene), period, settings)
+}
+
+/// The same of any model that has no events.
+pub(crate) fn of(
+    model: &dyn Model,
+    period: f64,
+    settings: &Settings,
+) -> Result<Orbit, PeriodicError> {
     if !(period.is_finite() && period > 0.0) {
         return Err(PeriodicError::BadPeriod { period });
     }
-    begin(&flow, settings.rtol)
+    let period = Period {
+        model,
+        period,
+        settings,
+    };
+    begin(&period, settings.rtol)
 }
 
 /// Finds where to begin, and closes the motion.
-fn begin(flow: &dyn Flow, rtol: f64) -> Result<Orbit, PeriodicError> {
-    if flow.is_linear() {
-        return close(flow, DVector::zeros(flow.scales().len()), rtol);
+fn begin(period: &Period<'_>, rtol: f64) -> Result<Orbit, PeriodicError> {
+    if period.is_linear() {
+        return close(period, DVector::zeros(period.scales().len()), rtol);
     }
-    let guess = flow.guess()?;
-    let turn = flow.turn(&guess, rtol);
+    let guess = period.guess()?;
+    let turn = period.turn(&guess, rtol);
     if turn.is_ok_and(|back| is_lossless(&back, rtol)) {
-        return close(flow, guess, rtol);
+        return close(period, guess, rtol);
     }
-    match flow.attractor(&guess, rtol) {
+    match period.attractor(&guess, rtol) {
         Ok(cycle) => {
             let start = DVector::from_vec(cycle.start());
-            let start = start.component_div(&DVector::from_column_slice(flow.scales()));
-            let orbit = close(flow.over(cycle.multiple).as_ref(), start, rtol)?;
+            let start = start.component_div(&DVector::from_column_slice(period.scales()));
+            let orbit = close(&period.over(cycle.multiple), start, rtol)?;
             Ok(Orbit {
                 multiple: cycle.multiple,
                 followed: Some(cycle.followed),
@@ -124,7 +134,7 @@ fn begin(flow: &dyn Flow, rtol: f64) -> Result<Orbit, PeriodicError> {
             })
         }
         // One that is not stable, or hardly, may be there all the same.
-        Err(error) => close(flow, guess, rtol).map_err(|failure| match failure {
+        Err(error) => close(period, guess, rtol).map_err(|failure| match failure {
             PeriodicError::NotConverged { .. } => PeriodicError::NotSettled(Box::new(error)),
             _ => failure,
         }),
@@ -137,17 +147,17 @@ fn is_lossless(back: &Return, rtol: f64) -> bool {
 }
 
 /// The motion that repeats, by superposition or by shooting from a guess.
-fn close(flow: &dyn Flow, mut guess: DVector<f64>, rtol: f64) -> Result<Orbit, PeriodicError> {
-    let scales = flow.scales();
+fn close(period: &Period<'_>, mut guess: DVector<f64>, rtol: f64) -> Result<Orbit, PeriodicError> {
+    let scales = period.scales();
     let tolerances = [rtol, (rtol / REFINEMENT).max(SMALLEST_RTOL)];
     let mut iterations = 0;
     let mut returns = Vec::with_capacity(tolerances.len());
     for rtol in tolerances {
-        let back = if flow.is_linear() {
+        let back = if period.is_linear() {
             iterations += 1;
-            flow.turn(&guess, rtol)?
+            period.turn(&guess, rtol)?
         } else {
-            shooting::shoot(flow, &guess, rtol, &mut iterations)?
+            shooting::shoot(period, &guess, rtol, &mut iterations)?
         };
         guess.copy_from(&back.start);
         returns.push(back);
@@ -166,12 +176,12 @@ fn close(flow: &dyn Flow, mut guess: DVector<f64>, rtol: f64) -> Result<Orbit, P
     let (first, _) = closed(coarse, &Closing::new(&coarse.matrix))?;
     let (second, free) = closed(fine, &closing)?;
     let mut starts = [first, second];
-    if flow.is_linear() && !free.is_empty() {
-        starts = smallest::settle(flow, starts, &free, tolerances)?;
+    if period.is_linear() && !free.is_empty() {
+        starts = smallest::settle(period, starts, &free, tolerances)?;
     }
     let mut motions = Vec::with_capacity(starts.len());
     for (start, rtol) in starts.iter().zip(tolerances) {
-        motions.push(flow.march(start, rtol)?);
+        motions.push(period.march(start, rtol)?);
     }
     let (Some(trajectory), Some(other)) = (motions.pop(), motions.pop()) else {
         return Err(PeriodicError::BadPeriod { period: f64::NAN });

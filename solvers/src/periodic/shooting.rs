@@ -2,7 +2,7 @@
 
 use super::closing::Closing;
 use super::error::PeriodicError;
-use super::flow::{Flow, Return};
+use super::period::{Period, Return};
 use crate::ode::OdeError;
 use nalgebra::DVector;
 
@@ -17,7 +17,7 @@ const SMALLEST_PART: f64 = 1.0 / 64.0;
 /// Problems*, 2004, section 3.3). If it does not, the motion itself is followed for a period, which leads a
 /// damped mechanism towards its steady state.
 pub(super) fn shoot(
-    flow: &dyn Flow,
+    period: &Period<'_>,
     guess: &DVector<f64>,
     rtol: f64,
     iterations: &mut usize,
@@ -30,7 +30,7 @@ pub(super) fn shoot(
     };
     loop {
         *iterations += 1;
-        let back = flow.turn(&candidate, rtol);
+        let back = period.turn(&candidate, rtol);
         match search.judge(back, rtol, *iterations)? {
             Verdict::Closed(back) => return Ok(back),
             Verdict::Try(next) => candidate = next,

@@ -2,7 +2,7 @@
 //! motions the smallest is taken: the one that losses, however weak, would leave.
 
 use super::error::PeriodicError;
-use super::flow::Flow;
+use super::period::Period;
 use crate::ode::Trajectory;
 use nalgebra::{DMatrix, DVector};
 
@@ -11,7 +11,7 @@ const SAMPLES: usize = 512;
 
 /// Adds to the starts, one for each tolerance, what makes the mean square of the motion smallest.
 pub(super) fn settle(
-    flow: &dyn Flow,
+    period: &Period<'_>,
     starts: [DVector<f64>; 2],
     free: &[DVector<f64>],
     tolerances: [f64; 2],
@@ -22,9 +22,9 @@ pub(super) fn settle(
         let scale = start.amax().max(1.0);
         let steps: Vec<DVector<f64>> = free.iter().map(|one| one * (scale / one.amax())).collect();
         let mut motions = Vec::with_capacity(free.len() + 1);
-        motions.push(samples(&flow.march(&start, rtol)?, flow.scales()));
+        motions.push(samples(&period.march(&start, rtol)?, period.scales()));
         for step in &steps {
-            motions.push(samples(&flow.march(&(&start + step), rtol)?, flow.scales()));
+            motions.push(samples(&period.march(&(&start + step), rtol)?, period.scales()));
         }
         let amounts = least_squares(&motions);
         let mut start = start;

@@ -18,6 +18,15 @@ pub enum Method {
 }
 
 impl Method {
+    /// The method among the explicit ones of Runge and Kutta; none if it is another.
+    pub fn explicit(self) -> Option<crate::ode::Explicit> {
+        match self {
+            Self::Tsit5 => Some(crate::ode::Explicit::Tsit5),
+            Self::Dop853 => Some(crate::ode::Explicit::Dop853),
+            _ => None,
+        }
+    }
+
     /// The method among those that solve stiff motions; none if it is explicit.
     pub fn stiff(self) -> Option<crate::stiff::Method> {
         match self {

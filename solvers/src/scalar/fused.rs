@@ -1,6 +1,6 @@
 //! `f64` whose products and sums are fused.
 
-use super::{Scalar, angle, sine};
+use super::{Real, Scalar, angle, sine};
 use crate::dispatch::is_fused;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -128,6 +128,20 @@ impl Scalar for Fused {
     elementary!(
         tan, asin, acos, atan, sinh, cosh, tanh, exp, exp_m1, ln, ln_1p, log10, sqrt, floor, abs
     );
+}
+
+impl Real for Fused {
+    #[inline(always)]
+    fn of(numbers: &[f64]) -> &[Self] {
+        // SAFETY: a fused number is an `f64` and nothing else (`repr(transparent)`).
+        unsafe { std::slice::from_raw_parts(numbers.as_ptr().cast(), numbers.len()) }
+    }
+
+    #[inline(always)]
+    fn of_mut(numbers: &mut [f64]) -> &mut [Self] {
+        // SAFETY: as above; the borrow of the numbers goes on.
+        unsafe { std::slice::from_raw_parts_mut(numbers.as_mut_ptr().cast(), numbers.len()) }
+    }
 }
 
 impl sine::Bits for Fused {

@@ -1,6 +1,6 @@
 //! Plain `f64` and `f32`: every operation is rounded by itself, on every machine.
 
-use super::{Scalar, angle, sine};
+use super::{Real, Scalar, angle, sine};
 
 /// What a type does by calling the function of the same name on its value.
 macro_rules! elementary {
@@ -10,6 +10,18 @@ macro_rules! elementary {
             self.$name()
         }
     )*};
+}
+
+impl Real for f64 {
+    #[inline(always)]
+    fn of(numbers: &[f64]) -> &[Self] {
+        numbers
+    }
+
+    #[inline(always)]
+    fn of_mut(numbers: &mut [f64]) -> &mut [Self] {
+        numbers
+    }
 }
 
 /// Implements [`Scalar`] for a primitive number; the last arguments are the bodies of `sin_cos_all` and

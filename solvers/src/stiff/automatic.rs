@@ -16,13 +16,12 @@ mod gauge;
 
 use super::here::Here;
 use super::radau::Radau;
-use super::rates::{Erased, Rates};
+use crate::model::Flow;
 use super::rosenbrock::Rosenbrock;
 use super::spectrum::Calm;
 use super::stepper::drive;
-use crate::ode::{self, Dop853, Observer, OdeError, Options, Statistics};
+use crate::ode::{self, Explicit, Observer, OdeError, Options, Statistics};
 use gauge::{Gauge, STIFF, Suspicion};
-use std::cell::RefCell;
 
 /// Steps up to which the stiff method is on trial.
 const TRIAL: usize = 40;
@@ -42,7 +41,7 @@ pub struct Switch {
 
 /// The memory of the methods.
 pub(super) struct Automatic {
-    explicit: ode::Workspace<Vec<f64>, Dop853>,
+    explicit: ode::Workspace,
     radau: Radau,
     rosenbrock: Rosenbrock,
     calm: Calm,
@@ -71,10 +70,10 @@ impl Automatic {
     pub const DEGREE: usize = 7;
 
     /// Room for the states of a system.
-    pub fn new(rates: &mut dyn Rates) -> Self {
-        let states = rates.states();
+    pub fn new(flow: &Flow<'_>) -> Self {
+        let states = flow.states();
         Self {
-            explicit: ode::Workspace::new(&Erased(RefCell::new(rates))),
+            explicit: ode::Workspace::new(Explicit::Dop853, flow),
             radau: Radau::new(states),
             rosenbrock: Rosenbrock::new(states),
             calm: Calm::new(states),
@@ -87,11 +86,11 @@ impl Automatic {
     /// Integrates from [`Here::state`]. What it took is in [`Here::statistics`], failed or not.
     pub fn integrate(
         &mut self,
-        rates: &mut dyn Rates,
+        flow: &Flow<'_>,
         here: &mut Here,
         times: (f64, f64),
         options: &Options,
-        observe: &mut dyn Observer<Vec<f64>>,
+        observe: &mut dyn Observer,
     ) -> Result<(), OdeError> {
         self.switches.clear();
         let mut total = Statistics::default();
@@ -102,8 +101,8 @@ impl Automatic {
             here.statistics = Statistics::default();
             let stretch = (here.time, times.1);
             let (done, time, step) = match self.phase {
-                Phase::Explicit => self.explicitly(rates, here, stretch, &options, observe),
-                _ => self.stiffly(rates, here, stretch, &options, observe),
+                Phase::Explicit => self.explicitly(flow, here, stretch, &options, observe),
+                _ => self.stiffly(flow, here, stretch, &options, observe),
             };
             total.add(&here.statistics);
             here.time = time;
@@ -119,7 +118,7 @@ impl Automatic {
             options.first_step = (step != 0.0).then_some(step.abs());
             match self.phase {
                 Phase::Explicit => {
-                    self.consider(rates, here);
+                    self.consider(flow, here);
                     total.jacobians += 1;
                 }
                 // Where the stiff method fails, the explicit one has the last word.
@@ -142,20 +141,19 @@ impl Automatic {
     /// Goes on with the explicit method. Gives the time that was reached, and the last step.
     fn explicitly(
         &mut self,
-        rates: &mut dyn Rates,
+        flow: &Flow<'_>,
         here: &mut Here,
         times: (f64, f64),
         options: &Options,
-        observe: &mut dyn Observer<Vec<f64>>,
+        observe: &mut dyn Observer,
     ) -> (Result<(), OdeError>, f64, f64) {
         let mut gauge = Gauge {
             inner: observe,
             suspicion: Some(&mut self.suspicion),
             last: (times.0, 0.0),
         };
-        let system = Erased(RefCell::new(rates));
         let explicit = &mut self.explicit;
-        let done = ode::integrate(&system, times, &here.state, options, explicit, &mut gauge);
+        let done = ode::integrate(flow, times, &here.state, options, explicit, &mut gauge);
         let (time, step) = gauge.last;
         here.state.copy_from_slice(self.explicit.state());
         let done = done.map(|statistics| here.statistics = statistics);
@@ -165,11 +163,11 @@ impl Automatic {
     /// Goes on with the stiff one.
     fn stiffly(
         &mut self,
-        rates: &mut dyn Rates,
+        flow: &Flow<'_>,
         here: &mut Here,
         times: (f64, f64),
         options: &Options,
-        observe: &mut dyn Observer<Vec<f64>>,
+        observe: &mut dyn Observer,
     ) -> (Result<(), OdeError>, f64, f64) {
         let mut gauge = Gauge {
             inner: observe,
@@ -177,13 +175,13 @@ impl Automatic {
             last: (times.0, 0.0),
         };
         // The rows of higher degree stay zero.
-        here.polynomial.iter_mut().for_each(|row| row.fill(0.0));
+        here.polynomial.fill(0.0);
         self.calm.restart();
         let calm = Some(&mut self.calm);
         let done = match options.rtol > LOOSE {
             true => drive(
                 &mut self.radau,
-                rates,
+                flow,
                 here,
                 times,
                 options,
@@ -192,7 +190,7 @@ impl Automatic {
             ),
             false => drive(
                 &mut self.rosenbrock,
-                rates,
+                flow,
                 here,
                 times,
                 options,
@@ -219,9 +217,9 @@ impl Automatic {
     }
 
     /// Tries the stiff method where the Jacobian agrees that it may be worth it.
-    fn consider(&mut self, rates: &mut dyn Rates, here: &mut Here) {
+    fn consider(&mut self, flow: &Flow<'_>, here: &mut Here) {
         let step = self.suspicion.step();
-        let product = self.calm.begin(rates, here, step);
+        let product = self.calm.begin(flow, here, step);
         // One that does not exist says nothing.
         if !product.is_ok_and(|product| product >= STIFF) {
             self.suspicion.was_wrong();

@@ -1,7 +1,7 @@
 //! Where an integration stands, and the sizes of its errors.
 
-use super::rates::Rates;
-use crate::ode::{OdeError, Options, Statistics};
+use crate::model::Flow;
+use crate::ode::{OdeError, Options, Statistics, first_bad};
 
 /// Where an integration stands: the memory that all methods share, taken once.
 #[derive(Clone, Debug)]
@@ -19,7 +19,7 @@ pub(super) struct Here {
     /// The error estimate of the step.
     pub error: Vec<f64>,
     /// The coefficients of the continuous solution.
-    pub polynomial: Vec<Vec<f64>>,
+    pub polynomial: Vec<f64>,
     /// What it took so far.
     pub statistics: Statistics,
     /// The component that was not finite in the last attempt.
@@ -38,17 +38,17 @@ impl Here {
             trial: zeros.clone(),
             next: zeros.clone(),
             error: zeros.clone(),
-            polynomial: vec![zeros; degree],
+            polynomial: vec![0.0; degree * states],
             statistics: Statistics::default(),
             bad: None,
         }
     }
 
     /// Evaluates the Jacobian at the state.
-    pub fn differentiate(&mut self, rates: &mut dyn Rates) -> Result<(), OdeError> {
-        rates.jacobian(self.time, &self.state, &mut self.jacobian);
+    pub fn differentiate(&mut self, flow: &Flow<'_>) -> Result<(), OdeError> {
+        flow.jacobian(self.time, &self.state, &mut self.jacobian);
         self.statistics.jacobians += 1;
-        match first_bad(&self.jacobian) {
+        match first_bad(&self.jacobian, self.jacobian.len()) {
             None => Ok(()),
             Some(place) => Err(OdeError::NotDifferentiable {
                 time: self.time,
@@ -107,9 +107,4 @@ pub(super) fn scaled_size(
         0 => 0.0,
         count => (sum / count as f64).sqrt(),
     }
-}
-
-/// The first component that is not a finite number.
-pub(super) fn first_bad(values: &[f64]) -> Option<usize> {
-    values.iter().position(|value| !value.is_finite())
 }

@@ -6,12 +6,11 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `rates` | what is integrated, behind a pointer: everything else is compiled once for all scenes |
 //! | `stepper` | the loop over the steps |
 //! | `radau` | Radau IIA of order 5 with simplified Newton iteration |
 //! | `rosenbrock` | Rodas5P of order 5, without iteration |
 //! | `automatic`, `spectrum` | the choice between the explicit method and a stiff one, while the motion goes on |
-//! | `march` | the motion of a scene |
+//! | `march` | a motion from its start |
 //!
 //! They drive the same [`Observer`] as the explicit methods and give the continuous solution in the same basis, so that
 //! trajectories and events do not know which method it was. They run on `f64`.
@@ -30,24 +29,23 @@ mod automatic;
 mod here;
 mod march;
 mod radau;
-mod rates;
 mod rosenbrock;
 mod rounding;
 mod spectrum;
 mod stepper;
 
 pub use automatic::Switch;
-pub(crate) use march::march;
-pub use rates::{Emitted, Rates};
+pub(crate) use march::record;
 
-use crate::ode::{Observer, OdeError, Options, Statistics, bad_start};
+use crate::model::Flow;
+use crate::ode::{Observer, OdeError, Options, Statistics, bad_start, first_bad};
 use automatic::Automatic;
-use here::{Here, first_bad};
+use here::Here;
 use radau::Radau;
 use rosenbrock::Rosenbrock;
 use stepper::drive;
 
-/// A method that runs behind [`Rates`].
+/// A method for stiff motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// Radau IIA of order 5.
@@ -73,8 +71,8 @@ enum Chosen {
 
 impl Workspace {
     /// Room for the states of a system.
-    pub fn new(method: Method, rates: &mut dyn Rates) -> Self {
-        let states = rates.states();
+    pub fn new(method: Method, flow: &Flow<'_>) -> Self {
+        let states = flow.states();
         let (method, degree) = match method {
             Method::Radau => (Chosen::Radau(Radau::new(states)), Radau::DEGREE),
             Method::Rosenbrock => (
@@ -82,7 +80,7 @@ impl Workspace {
                 Rosenbrock::DEGREE,
             ),
             Method::Automatic => (
-                Chosen::Automatic(Box::new(Automatic::new(rates))),
+                Chosen::Automatic(Box::new(Automatic::new(flow))),
                 Automatic::DEGREE,
             ),
         };
@@ -114,20 +112,20 @@ impl Workspace {
 /// # Errors
 /// [`OdeError`], with the time that was reached.
 pub fn integrate(
-    rates: &mut dyn Rates,
+    flow: &Flow<'_>,
     times: (f64, f64),
     start: &[f64],
     options: &Options,
     workspace: &mut Workspace,
-    observe: &mut dyn Observer<Vec<f64>>,
+    observe: &mut dyn Observer,
 ) -> Result<Statistics, OdeError> {
     let Workspace { here, method } = workspace;
     let states = here.state.len();
     options.check(times, states)?;
-    if start.len() != states || rates.states() != states {
+    if start.len() != states || flow.states() != states {
         return Err(bad_start(start.len(), states));
     }
-    if let Some(component) = first_bad(start) {
+    if let Some(component) = first_bad(start, states) {
         return Err(OdeError::BadOption {
             name: "start",
             reason: format!("state {component} is not a finite number"),
@@ -135,10 +133,10 @@ pub fn integrate(
     }
     here.state.copy_from_slice(start);
     match method {
-        Chosen::Radau(radau) => drive(radau, rates, here, times, options, observe, None)?,
-        Chosen::Rosenbrock(method) => drive(method, rates, here, times, options, observe, None)?,
+        Chosen::Radau(radau) => drive(radau, flow, here, times, options, observe, None)?,
+        Chosen::Rosenbrock(method) => drive(method, flow, here, times, options, observe, None)?,
         Chosen::Automatic(automatic) => {
-            automatic.integrate(rates, here, times, options, observe)?;
+            automatic.integrate(flow, here, times, options, observe)?;
         }
     }
     Ok(here.statistics)

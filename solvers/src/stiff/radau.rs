@@ -11,7 +11,7 @@
 mod newton;
 
 use super::here::{Here, scaled_size};
-use super::rates::Rates;
+use crate::model::Flow;
 use super::rounding::Rounding;
 use super::stepper::{Attempt, Stepper};
 use crate::dense::{Complex, Lu, factor_complex};
@@ -145,7 +145,8 @@ impl Radau {
                 continue;
             };
             let part = 1.0 + node * length / before;
-            let [first, second, third] = [0, 1, 2].map(|row: usize| &here.polynomial[row]);
+            let [first, second, third] =
+                [0, 1, 2].map(|row: usize| &here.polynomial[row * n..][..n]);
             for (index, target) in target.iter_mut().enumerate() {
                 let inner = second[index] + part * third[index];
                 *target = part * (first[index] + (1.0 - part) * inner) - first[index];
@@ -156,21 +157,21 @@ impl Radau {
     /// Solves for the stages; false if Newton's method does not get there with a Jacobian of this state.
     fn stages(
         &mut self,
-        rates: &mut dyn Rates,
+        flow: &Flow<'_>,
         here: &mut Here,
         options: &Options,
         length: f64,
     ) -> Result<bool, OdeError> {
         loop {
             if self.jacobian == Jacobian::Missing {
-                here.differentiate(rates)?;
+                here.differentiate(flow)?;
                 self.jacobian = Jacobian::Fresh;
                 self.factored = None;
             }
             if self.factor(here, length) {
                 self.predict(here, length);
                 let matrices = (&self.real, &self.complex);
-                if self.newton.solve(rates, here, options, length, matrices) {
+                if self.newton.solve(flow, here, options, length, matrices) {
                     return Ok(true);
                 }
             }
@@ -232,12 +233,12 @@ impl Stepper for Radau {
 
     fn attempt(
         &mut self,
-        rates: &mut dyn Rates,
+        flow: &Flow<'_>,
         here: &mut Here,
         options: &Options,
         length: f64,
     ) -> Result<Attempt, OdeError> {
-        if !self.stages(rates, here, options, length)? {
+        if !self.stages(flow, here, options, length)? {
             self.rejected = true;
             return Ok(Attempt::Failed(0.5));
         }
@@ -262,9 +263,9 @@ impl Stepper for Radau {
             let first = (z1 / C[0] - z3) / (1.0 - C[0]);
             let second = (z2 / C[1] - z3) / (1.0 - C[1]);
             let slope = (second - first) / (C[1] - C[0]);
-            here.polynomial[0][index] = z3;
-            here.polynomial[1][index] = first - C[0] * slope;
-            here.polynomial[2][index] = slope;
+            here.polynomial[index] = z3;
+            here.polynomial[n + index] = first - C[0] * slope;
+            here.polynomial[2 * n + index] = slope;
         }
     }
 

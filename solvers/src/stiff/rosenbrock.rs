@@ -10,12 +10,12 @@
 
 mod tableau;
 
-use super::here::{Here, first_bad};
-use super::rates::Rates;
+use super::here::Here;
+use crate::model::Flow;
 use super::rounding::Rounding;
 use super::stepper::{Attempt, Stepper};
 use crate::dense::Lu;
-use crate::ode::{Controller, OdeError, Options};
+use crate::ode::{Controller, OdeError, Options, first_bad};
 use tableau::{A, C, DENSE, GAMMA, NODES, STAGES, TIME_WEIGHTS};
 
 /// Parts of the step over which the time derivative of the rates is measured: so short that the error of the quotient
@@ -73,16 +73,16 @@ impl Rosenbrock {
 
     /// `∂f/∂t` from the rates at the begin and at two later times, by divided differences. Rates that do not change with
     /// the time show it at the first of them.
-    fn differentiate_time(&mut self, rates: &mut dyn Rates, here: &mut Here, length: f64) {
+    fn differentiate_time(&mut self, flow: &Flow<'_>, here: &mut Here, length: f64) {
         let times = [here.time + PROBE * length, here.time + 2.0 * PROBE * length];
         let [first, second] = times.map(|time| time - here.time);
-        rates.rate(times[0], &here.state, &mut self.drift);
+        flow.rates(times[0], &here.state, &mut self.drift);
         here.statistics.evaluations += 1;
         if self.drift == here.rate || first == 0.0 || first == second {
             self.drift.fill(0.0);
             return;
         }
-        rates.rate(times[1], &here.state, &mut self.rate);
+        flow.rates(times[1], &here.state, &mut self.rate);
         here.statistics.evaluations += 1;
         for (index, drift) in self.drift.iter_mut().enumerate() {
             let near = (*drift - here.rate[index]) / first;
@@ -92,7 +92,7 @@ impl Rosenbrock {
     }
 
     /// Computes the stages; false if a rate is not finite.
-    fn stages(&mut self, rates: &mut dyn Rates, here: &mut Here, length: f64) -> bool {
+    fn stages(&mut self, flow: &Flow<'_>, here: &mut Here, length: f64) -> bool {
         let n = here.state.len();
         for stage in 0..STAGES {
             let (known, unknown) = self.stages.split_at_mut(stage * n);
@@ -104,11 +104,11 @@ impl Rosenbrock {
                 0 => self.rate.copy_from_slice(&here.rate),
                 _ => {
                     let time = here.time + NODES[stage] * length;
-                    rates.rate(time, &self.state, &mut self.rate);
+                    flow.rates(time, &self.state, &mut self.rate);
                     here.statistics.evaluations += 1;
                 }
             }
-            here.bad = first_bad(&self.rate);
+            here.bad = first_bad(&self.rate, self.rate.len());
             if here.bad.is_some() {
                 return false;
             }
@@ -138,17 +138,17 @@ impl Stepper for Rosenbrock {
 
     fn attempt(
         &mut self,
-        rates: &mut dyn Rates,
+        flow: &Flow<'_>,
         here: &mut Here,
         options: &Options,
         length: f64,
     ) -> Result<Attempt, OdeError> {
         if !self.is_fresh {
-            here.differentiate(rates)?;
-            self.differentiate_time(rates, here, length);
+            here.differentiate(flow)?;
+            self.differentiate_time(flow, here, length);
             self.is_fresh = true;
         }
-        if !self.factor(here, length) || !self.stages(rates, here, length) {
+        if !self.factor(here, length) || !self.stages(flow, here, length) {
             return Ok(Attempt::Failed(0.5));
         }
         if options.fixed_step.is_some() {
@@ -174,10 +174,10 @@ impl Stepper for Rosenbrock {
                     .sum::<f64>()
             });
             // Published is θ(F₁ + (1-θ)(a + θ(b + θ c))).
-            here.polynomial[0][index] = here.trial[index] - here.state[index];
-            here.polynomial[1][index] = first;
-            here.polynomial[2][index] = second + third;
-            here.polynomial[3][index] = -third;
+            here.polynomial[index] = here.trial[index] - here.state[index];
+            here.polynomial[n + index] = first;
+            here.polynomial[2 * n + index] = second + third;
+            here.polynomial[3 * n + index] = -third;
         }
     }
 

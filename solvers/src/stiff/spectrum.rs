@@ -1,7 +1,7 @@
 //! When a stiff method is no longer needed.
 
 use super::here::Here;
-use super::rates::Rates;
+use crate::model::Flow;
 use crate::ode::OdeError;
 
 /// Squarings of the Jacobian. Of its power 2⁶ the 64th root of the norm is left, so that a badly scaled Jacobian
@@ -42,11 +42,11 @@ impl Calm {
     /// Measures `h ρ(J)` of the explicit method, whose steps have a length, and begins to count.
     pub fn begin(
         &mut self,
-        rates: &mut dyn Rates,
+        flow: &Flow<'_>,
         here: &mut Here,
         length: f64,
     ) -> Result<f64, OdeError> {
-        here.differentiate(rates)?;
+        here.differentiate(flow)?;
         self.radius = self.spectral_radius(&here.jacobian, here.state.len());
         self.product = length * self.radius;
         self.steps = 0;

@@ -1,9 +1,11 @@
 //! The loop over the steps, which all stiff methods share.
 
-use super::here::{Here, first_bad, scaled_size};
-use super::rates::Rates;
+use super::here::{Here, scaled_size};
+use crate::model::Flow;
 use super::spectrum::Calm;
-use crate::ode::{Basis, Clock, Observer, OdeError, Options, SHORTEST, Statistics, Step};
+use crate::ode::{
+    Basis, Clock, Observer, OdeError, Options, SHORTEST, Statistics, Step, first_bad,
+};
 
 /// What came of a step that was tried.
 pub(super) enum Attempt {
@@ -25,7 +27,7 @@ pub(super) trait Stepper {
     /// error estimate [`Here::error`].
     fn attempt(
         &mut self,
-        rates: &mut dyn Rates,
+        flow: &Flow<'_>,
         here: &mut Here,
         options: &Options,
         length: f64,
@@ -50,11 +52,11 @@ pub(super) trait Stepper {
 /// motion has been calm for long.
 pub(super) fn drive<M: Stepper>(
     method: &mut M,
-    rates: &mut dyn Rates,
+    flow: &Flow<'_>,
     here: &mut Here,
     times: (f64, f64),
     options: &Options,
-    observe: &mut dyn Observer<Vec<f64>>,
+    observe: &mut dyn Observer,
     mut calm: Option<&mut Calm>,
 ) -> Result<(), OdeError> {
     here.statistics = Statistics::default();
@@ -65,7 +67,7 @@ pub(super) fn drive<M: Stepper>(
     }
     let max_step = options.max_step.unwrap_or(f64::INFINITY);
     let mut clock = Clock::new(times, options);
-    let mut step = first_step(rates, here, times, options, M::ERROR_ORDER)?;
+    let mut step = first_step(flow, here, times, options, M::ERROR_ORDER)?;
     while clock.now != times.1 {
         let tried = here.statistics.steps + here.statistics.rejected;
         if tried >= options.max_steps {
@@ -76,8 +78,8 @@ pub(super) fn drive<M: Stepper>(
         }
         let to = clock.target(step, here.statistics.steps);
         let length = to - clock.now;
-        let error = match method.attempt(rates, here, options, length)? {
-            Attempt::Done(error) => match has_rate(rates, here, to, error) {
+        let error = match method.attempt(flow, here, options, length)? {
+            Attempt::Done(error) => match has_rate(flow, here, to, error) {
                 true => Ok(error),
                 false => Err(method.reject(length, error)),
             },
@@ -123,14 +125,14 @@ pub(super) fn drive<M: Stepper>(
 }
 
 /// Whether a step is accurate enough and its end has a rate, which is evaluated.
-fn has_rate(rates: &mut dyn Rates, here: &mut Here, to: f64, error: f64) -> bool {
-    here.bad = first_bad(&here.trial);
+fn has_rate(flow: &Flow<'_>, here: &mut Here, to: f64, error: f64) -> bool {
+    here.bad = first_bad(&here.trial, here.trial.len());
     if here.bad.is_some() || error.is_nan() || error > 1.0 {
         return false;
     }
-    rates.rate(to, &here.trial, &mut here.next);
+    flow.rates(to, &here.trial, &mut here.next);
     here.statistics.evaluations += 1;
-    here.bad = first_bad(&here.next);
+    here.bad = first_bad(&here.next, here.next.len());
     here.bad.is_none()
 }
 
@@ -138,15 +140,15 @@ fn has_rate(rates: &mut dyn Rates, here: &mut Here, to: f64, error: f64) -> bool
 /// Equations I*, II.4, "Starting step size"). One that is given is an upper bound: stiff methods are so stable that a step
 /// much too long passes over what begins at an event, and nothing of the error shows.
 fn first_step(
-    rates: &mut dyn Rates,
+    flow: &Flow<'_>,
     here: &mut Here,
     (from, to): (f64, f64),
     options: &Options,
     order: f64,
 ) -> Result<f64, OdeError> {
-    rates.rate(from, &here.state, &mut here.rate);
+    flow.rates(from, &here.state, &mut here.rate);
     here.statistics.evaluations += 1;
-    if let Some(component) = first_bad(&here.rate) {
+    if let Some(component) = first_bad(&here.rate, here.rate.len()) {
         let time = from;
         return Err(OdeError::NotFinite { time, component });
     }
@@ -171,7 +173,7 @@ fn first_step(
     for (index, trial) in here.trial.iter_mut().enumerate() {
         *trial = here.state[index] + probe * here.rate[index];
     }
-    rates.rate(from + probe, &here.trial, &mut here.next);
+    flow.rates(from + probe, &here.trial, &mut here.next);
     here.statistics.evaluations += 1;
     for (index, error) in here.error.iter_mut().enumerate() {
         *error = (here.next[index] - here.rate[index]) / probe;

@@ -15,8 +15,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::hybrid::Motion;
 use crate::measure::Missing;
+use crate::model::Model;
 use crate::problem::Span;
-use crate::registry::{Bind, Run, Settings};
+use crate::registry::{Bind, Settings};
 
 /// What a run came to: its measures, each with its value or why there is none; or why there is no motion.
 pub type Outcome = Result<Vec<Result<f64, Missing>>, String>;
@@ -43,9 +44,9 @@ pub fn runs(
 ///
 /// # Errors
 /// Why there is none, in words.
-pub fn motion(run: &dyn Run, settings: &Settings) -> Result<Motion, String> {
+pub fn motion(run: &dyn Model, settings: &Settings) -> Result<Motion, String> {
     match run.span() {
-        Span::Periodic(period) if run.mode_count() > 0 => {
+        Span::Periodic(period) if run.events().is_some() => {
             let cycle = run.cycle(period, settings);
             cycle
                 .map(|cycle| cycle.motion)

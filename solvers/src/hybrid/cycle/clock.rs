@@ -6,9 +6,9 @@
 
 use super::super::Motion;
 use super::error::CycleError;
-use super::flow::Flow;
 use super::newton::Gap;
-use super::{Cycle, phase};
+use super::{Cycle, follow, phase};
+use crate::model::{Flow, Model};
 use crate::registry::Settings;
 
 /// So near to its past, over the sizes of its states, a motion is closed at once.
@@ -38,7 +38,7 @@ const HALVINGS: usize = 40;
 
 /// A motion under way.
 struct Walk<'a> {
-    flow: &'a dyn Flow,
+    model: &'a dyn Model,
     settings: &'a Settings,
     mode: usize,
     state: Vec<f64>,
@@ -59,16 +59,16 @@ struct Passage {
 
 /// The stable motion that a start leads to and that repeats by itself.
 pub(super) fn find(
-    flow: &dyn Flow,
+    model: &dyn Model,
     (mode, start): (usize, &[f64]),
     settings: &Settings,
 ) -> Result<Cycle, CycleError> {
     let mut walk = Walk {
-        flow,
+        model,
         settings,
         mode,
         state: start.to_vec(),
-        sizes: flow.scales().to_vec(),
+        sizes: model.shape().scales.to_vec(),
         time: 0.0,
         steps: 0,
     };
@@ -107,7 +107,7 @@ impl Walk<'_> {
     /// The time in which the rates here change the state by its size, all states over their scales.
     fn pace(&self) -> Result<f64, CycleError> {
         let largest = |values: &[f64]| {
-            let scaled = values.iter().zip(self.flow.scales());
+            let scaled = values.iter().zip(self.model.shape().scales);
             scaled.fold(0.0, |most, (value, scale)| (value.abs() / scale).max(most))
         };
         let fastest = largest(&self.rate(self.mode, &self.state));
@@ -121,15 +121,13 @@ impl Walk<'_> {
 
     fn rate(&self, mode: usize, state: &[f64]) -> Vec<f64> {
         let mut rate = vec![0.0; state.len()];
-        self.flow.local(mode, &[]).rate(0.0, state, &mut rate);
+        Flow::on(self.model, mode, &[]).rates(0.0, state, &mut rate);
         rate
     }
 
     /// Follows the motion for a time.
     fn stretch(&mut self, length: f64) -> Result<Motion, CycleError> {
-        let motion = self
-            .flow
-            .follow(self.mode, (0.0, length), &self.state, self.settings)
+        let motion = follow(self.model, self.mode, (0.0, length), &self.state, self.settings)
             .map_err(|error| CycleError::Motion(Box::new(error)))?;
         self.steps += motion.statistics.steps + motion.statistics.rejected;
         self.time += length;
@@ -151,12 +149,12 @@ impl Walk<'_> {
 
     /// Refuses equations that depend on the time.
     fn is_autonomous(&self) -> Result<(), CycleError> {
-        let local = self.flow.local(self.mode, &[]);
+        let local = Flow::on(self.model, self.mode, &[]);
         let mut first = vec![0.0; self.state.len()];
-        local.rate(0.0, &self.state, &mut first);
+        local.rates(0.0, &self.state, &mut first);
         for part in [0.17, 0.5, 0.83] {
             let mut other = first.clone();
-            local.rate(part * self.time, &self.state, &mut other);
+            local.rates(part * self.time, &self.state, &mut other);
             let differs = |(a, b): (&f64, &f64)| a != b && !(a.is_nan() && b.is_nan());
             if let Some(component) = first.iter().zip(&other).position(differs) {
                 return Err(CycleError::Driven { component });
@@ -228,7 +226,7 @@ impl Walk<'_> {
     /// The motion that repeats after about this time, near here.
     fn close(&self, period: f64) -> Result<Option<Cycle>, CycleError> {
         let gap = |mode: usize, period: f64| Gap {
-            flow: self.flow,
+            model: self.model,
             mode,
             period,
             multiple: 1,

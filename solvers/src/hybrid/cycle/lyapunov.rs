@@ -8,10 +8,10 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::super::problem::{Hybrid, Sensitive};
 use super::error::CycleError;
-use super::flow::{Bound, Flow};
-use super::variation;
+use super::{follow, has_slopes, variation};
+use crate::model::{Bound, Model};
+use crate::problem::Scene;
 use crate::registry::Settings;
 
 /// Lyapunov exponents, and where the motion has come to.
@@ -39,21 +39,20 @@ pub struct Periods {
 ///
 /// # Errors
 /// [`CycleError`], where the motion cannot be followed or does not depend smoothly on where it is.
-pub fn lyapunov<C: Hybrid>(
+pub fn lyapunov<C: Scene>(
     scene: &C,
     (mode, start): (usize, &[f64]),
     period: f64,
     periods: Periods,
     settings: &Settings,
-) -> Result<Lyapunov, CycleError>
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
+) -> Result<Lyapunov, CycleError> {
     if !(period.is_finite() && period > 0.0) {
         return Err(CycleError::BadPeriod { period });
     }
+    let model = &Bound::new(scene);
+    has_slopes(model)?;
     let mut stretch = Stretch {
-        flow: &Bound::new(scene),
+        model,
         period,
         sizes: C::shape().scales,
         settings,
@@ -80,7 +79,7 @@ pub(super) fn frame(states: usize) -> DMatrix<f64> {
 
 /// A motion under way, and a frame of directions in states over their sizes.
 pub(super) struct Stretch<'a> {
-    pub(super) flow: &'a dyn Flow,
+    pub(super) model: &'a dyn Model,
     pub(super) period: f64,
     pub(super) sizes: &'a [f64],
     pub(super) settings: &'a Settings,
@@ -94,11 +93,9 @@ impl Stretch<'_> {
     pub(super) fn advance(&mut self, periods: usize) -> Result<DVector<f64>, CycleError> {
         let mut grown = DVector::zeros(self.sizes.len());
         for _ in 0..periods {
-            let motion = self
-                .flow
-                .follow(self.mode, (0.0, self.period), &self.state, self.settings)
+            let motion = follow(self.model, self.mode, (0.0, self.period), &self.state, self.settings)
                 .map_err(|error| CycleError::Motion(Box::new(error)))?;
-            let matrix = variation::of(self.flow, &motion, self.settings)?;
+            let matrix = variation::of(self.model, &motion, self.settings)?;
             let (sizes, states) = (self.sizes, self.sizes.len());
             let scaled =
                 DMatrix::from_fn(states, states, |i, j| matrix[(i, j)] * sizes[j] / sizes[i]);

@@ -9,7 +9,6 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `flow`, `smooth` | a scene with events, and one without, without their types |
 //! | `variation` | the matrix `M` of a motion |
 //! | `returns` | after how many periods a motion comes near to its past |
 //! | `newton` | closes a motion |
@@ -20,27 +19,24 @@
 
 mod clock;
 mod error;
-mod flow;
 mod lyapunov;
 mod newton;
 mod phase;
 mod returns;
 mod search;
-mod smooth;
 mod variation;
 
 pub use error::CycleError;
 pub use lyapunov::{Lyapunov, Periods, lyapunov};
 
-use super::Motion;
-use super::problem::{Hybrid, Sensitive};
+use super::march::Way;
+use super::{HybridError, Motion};
+use crate::model::{Bound, Flow, Model};
 use crate::ode::OdeError;
 use crate::periodic::Multiplier;
 use crate::problem::Scene;
 use crate::registry::Settings;
-use flow::{Bound, Flow};
 use nalgebra::DMatrix;
-use smooth::Smooth;
 
 /// Periods that a motion is followed before it is closed, unless it closes by itself.
 pub const FOLLOWED: usize = 80;
@@ -92,10 +88,7 @@ impl Cycle {
 ///
 /// # Errors
 /// [`CycleError`]; [`CycleError::NoneStable`] with what was found instead.
-pub fn cycle<C: Hybrid>(scene: &C, period: f64, settings: &Settings) -> Result<Cycle, CycleError>
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
+pub fn cycle<C: Scene>(scene: &C, period: f64, settings: &Settings) -> Result<Cycle, CycleError> {
     cycle_from(scene, (C::shape().first, &scene.start()), period, settings)
 }
 
@@ -103,16 +96,24 @@ where
 ///
 /// # Errors
 /// As [`cycle`].
-pub fn cycle_from<C: Hybrid>(
+pub fn cycle_from<C: Scene>(
     scene: &C,
     start: (usize, &[f64]),
     period: f64,
     settings: &Settings,
-) -> Result<Cycle, CycleError>
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
-    search::search(&Bound::new(scene), start, period, settings)
+) -> Result<Cycle, CycleError> {
+    cycle_of(&Bound::new(scene), start, period, settings)
+}
+
+/// The same of any model.
+pub(crate) fn cycle_of(
+    model: &dyn Model,
+    start: (usize, &[f64]),
+    period: f64,
+    settings: &Settings,
+) -> Result<Cycle, CycleError> {
+    has_slopes(model)?;
+    search::search(model, start, period, settings)
 }
 
 /// The motion of a scene that nothing drives and that repeats, such as that of a clock. Its period is a result,
@@ -122,46 +123,52 @@ where
 /// # Errors
 /// [`CycleError`]; [`CycleError::Driven`] if the equations depend on the time, [`CycleError::Rest`] if the motion from the
 /// declared start comes to rest.
-pub fn clock<C: Hybrid>(scene: &C, settings: &Settings) -> Result<Cycle, CycleError>
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
-    clock::find(
-        &Bound::new(scene),
-        (C::shape().first, &scene.start()),
-        settings,
-    )
+pub fn clock<C: Scene>(scene: &C, settings: &Settings) -> Result<Cycle, CycleError> {
+    clock_of(&Bound::new(scene), settings)
 }
 
-/// The same of a scene without events.
-///
-/// # Errors
-/// As [`clock`].
-pub fn clock_smooth<C: Scene>(scene: &C, settings: &Settings) -> Result<Cycle, CycleError> {
-    clock::find(&Smooth::new(scene), (0, &scene.start()), settings)
+/// The same of any model.
+pub(crate) fn clock_of(model: &dyn Model, settings: &Settings) -> Result<Cycle, CycleError> {
+    has_slopes(model)?;
+    clock::find(model, (model.shape().first, &model.start()), settings)
 }
 
-/// The motion of a scene without events that repeats after the period, or after several, and attracts that from a start.
-pub(crate) fn cycle_smooth<C: Scene>(
-    scene: &C,
+/// Refuses a model of which it is not known how its events depend on the state.
+fn has_slopes(model: &dyn Model) -> Result<(), CycleError> {
+    match model.events().is_none_or(|events| events.has_slopes()) {
+        true => Ok(()),
+        false => Err(CycleError::NoTask),
+    }
+}
+
+/// A motion. What an iteration tries may begin a little beyond the end of a mode.
+fn follow(
+    model: &dyn Model,
+    mode: usize,
+    times: (f64, f64),
     start: &[f64],
-    period: f64,
     settings: &Settings,
-) -> Result<Cycle, CycleError> {
-    search::search(&Smooth::new(scene), (0, start), period, settings)
+) -> Result<Motion, HybridError> {
+    let way = Way {
+        mode,
+        times,
+        start,
+        settings,
+        is_checked: false,
+    };
+    way.of(model)
 }
 
-/// The derivatives of the end of a motion of a scene without events by its begin, SI units.
-pub(crate) fn variations<C: Scene>(
-    scene: &C,
+/// The derivatives of the end of a motion without events by its begin, SI units.
+pub(crate) fn variations(
+    model: &dyn Model,
     motion: &Motion,
     settings: &Settings,
 ) -> Result<DMatrix<f64>, OdeError> {
-    let flow = Smooth::new(scene);
-    let start = DMatrix::identity(C::shape().states.len(), C::shape().states.len());
-    let local = flow.local(motion.mode, &[]);
+    let (local, shape) = (Flow::new(model, motion.mode), model.shape());
+    let start = DMatrix::identity(shape.states.len(), shape.states.len());
     motion.pieces.iter().try_fold(start, |matrix, piece| {
-        variation::along(local.as_ref(), piece, C::shape().scales, matrix, settings)
+        variation::along(&local, piece, shape.scales, matrix, settings)
     })
 }
 

@@ -8,10 +8,10 @@ use nalgebra::{DMatrix, DVector};
 
 use super::super::Motion;
 use super::error::CycleError;
-use super::flow::Flow;
-use super::{Cycle, variation};
+use super::{Cycle, follow, variation};
 use crate::periodic::closing::Closing;
 use crate::periodic::multipliers::{self, Multiplier};
+use crate::model::{Flow, Model};
 use crate::registry::Settings;
 
 /// Steps of Newton's method at most.
@@ -28,7 +28,7 @@ const CLOSED: f64 = 30.0;
 /// What is closed: from where, after what time.
 pub(super) struct Gap<'a> {
     /// The scene.
-    pub(super) flow: &'a dyn Flow,
+    pub(super) model: &'a dyn Model,
     /// Mode at the begin and at the end.
     pub(super) mode: usize,
     /// The period.
@@ -50,9 +50,7 @@ impl Gap<'_> {
         start: &DVector<f64>,
         time: f64,
     ) -> Result<(Motion, DVector<f64>), CycleError> {
-        let motion = self
-            .flow
-            .follow(self.mode, (0.0, time), start.as_slice(), self.settings)
+        let motion = follow(self.model, self.mode, (0.0, time), start.as_slice(), self.settings)
             .map_err(|error| CycleError::Motion(Box::new(error)))?;
         let change = DVector::from_column_slice(&motion.end) - start;
         Ok((motion, change))
@@ -80,7 +78,7 @@ impl Gap<'_> {
             if motion.mode != self.mode {
                 return Ok(None);
             }
-            let matrix = variation::of(self.flow, &motion, self.settings)?;
+            let matrix = variation::of(self.model, &motion, self.settings)?;
             let residual = self.size(&change);
             let Some((step, longer)) = self.step(&matrix, &motion, &change) else {
                 return Ok(None);
@@ -141,8 +139,8 @@ impl Gap<'_> {
     fn bordered(&self, matrix: &DMatrix<f64>, motion: &Motion) -> DMatrix<f64> {
         let states = matrix.nrows();
         let mut rate = vec![0.0; states];
-        let local = self.flow.local(motion.mode, &[]);
-        local.rate(motion.time, &motion.end, &mut rate);
+        let local = Flow::on(self.model, motion.mode, &[]);
+        local.rates(motion.time, &motion.end, &mut rate);
         let rates = rate.iter().zip(self.sizes);
         let rate = DVector::from_iterator(states, rates.map(|(one, size)| one / size));
         let mut system = DMatrix::identity(states + 1, states + 1);
@@ -192,8 +190,8 @@ impl Gap<'_> {
         iterations: usize,
         followed: usize,
     ) -> Result<Cycle, CycleError> {
-        let matrix = variation::of(self.flow, &motion, self.settings)?;
-        let scales = change.iter().zip(self.flow.scales());
+        let matrix = variation::of(self.model, &motion, self.settings)?;
+        let scales = change.iter().zip(self.model.shape().scales);
         Ok(Cycle {
             multipliers: self.multipliers(&matrix),
             condition: self.condition(&matrix, &motion),

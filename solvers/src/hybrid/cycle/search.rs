@@ -2,12 +2,12 @@
 
 use super::super::HybridError;
 use super::error::CycleError;
-use super::flow::Flow;
 use super::lyapunov::{Stretch, frame};
 use super::newton::Gap;
 use super::returns::Past;
-use super::{Cycle, FOLLOWED, PATIENCE, phase};
+use super::{Cycle, FOLLOWED, PATIENCE, follow, phase};
 use crate::ode::OdeError;
+use crate::model::Model;
 use crate::registry::Settings;
 
 /// So near to its past, over the sizes of its states, a motion is closed at once.
@@ -32,7 +32,7 @@ const GROWTH: usize = 100;
 
 /// A motion under way.
 struct Walk<'a> {
-    flow: &'a dyn Flow,
+    model: &'a dyn Model,
     period: f64,
     settings: &'a Settings,
     mode: usize,
@@ -51,7 +51,7 @@ struct Walk<'a> {
 
 /// The stable motion that a start leads to and that repeats.
 pub(super) fn search(
-    flow: &dyn Flow,
+    model: &dyn Model,
     (mode, start): (usize, &[f64]),
     period: f64,
     settings: &Settings,
@@ -60,12 +60,12 @@ pub(super) fn search(
         return Err(CycleError::BadPeriod { period });
     }
     let mut walk = Walk {
-        flow,
+        model,
         period,
         settings,
         mode,
         state: start.to_vec(),
-        past: Past::new(flow.scales()),
+        past: Past::new(model.shape().scales),
         followed: 0,
         steps: 0,
         events: Vec::new(),
@@ -165,8 +165,7 @@ impl Walk<'_> {
     }
 
     fn follow(&self, mode: usize, start: &[f64]) -> Result<super::Motion, CycleError> {
-        self.flow
-            .follow(mode, (0.0, self.period), start, self.settings)
+        follow(self.model, mode, (0.0, self.period), start, self.settings)
             .map_err(|error| CycleError::Motion(Box::new(error)))
     }
 
@@ -226,7 +225,7 @@ impl Walk<'_> {
     /// The motion over so many periods from a mode, to be closed.
     fn gap(&self, multiple: usize, mode: usize) -> Gap<'_> {
         Gap {
-            flow: self.flow,
+            model: self.model,
             mode,
             period: self.period,
             multiple,
@@ -282,7 +281,7 @@ impl Walk<'_> {
     /// By what factor small disturbances grow in a period, on average over the periods that follow.
     fn growth(&self) -> Result<f64, CycleError> {
         let mut stretch = Stretch {
-            flow: self.flow,
+            model: self.model,
             period: self.period,
             sizes: self.past.sizes(),
             settings: self.settings,

@@ -16,17 +16,19 @@ use nalgebra::{DMatrix, DVector};
 
 use super::super::{Happened, Motion, Piece};
 use super::error::CycleError;
-use super::flow::{Flow, Local};
-use crate::ode::{AbsoluteTolerance, Dop853, OdeError, Options, System, Workspace, integrate};
+use crate::ode::{
+    AbsoluteTolerance, Explicit, OdeError, Options, System, Workspace, integrate,
+};
+use crate::model::{Flow, Model};
 use crate::registry::Settings;
 
 /// The matrix of derivatives of the end of a motion by its begin, SI units.
 pub(super) fn of(
-    flow: &dyn Flow,
+    model: &dyn Model,
     motion: &Motion,
     settings: &Settings,
 ) -> Result<DMatrix<f64>, CycleError> {
-    let states = flow.scales().len();
+    let states = model.shape().scales.len();
     let mut matrix = DMatrix::identity(states, states);
     let mut events = motion.events.as_slice();
     let mut before: &[f64] = &[];
@@ -34,52 +36,47 @@ pub(super) fn of(
         let begin = piece.trajectory.times()[0];
         let due = events.partition_point(|event| event.time <= begin);
         if due > 0 {
-            let after = flow.local(piece.mode, &piece.sides);
-            matrix = jump(flow, &events[..due], motion.time, before, after.as_ref())? * matrix;
+            let after = Flow::on(model, piece.mode, &piece.sides);
+            matrix = jump(model, &events[..due], motion.time, before, &after)? * matrix;
             events = &events[due..];
         }
-        let local = flow.local(piece.mode, &piece.sides);
-        matrix = along(local.as_ref(), piece, flow.scales(), matrix, settings)
+        let local = Flow::on(model, piece.mode, &piece.sides);
+        matrix = along(&local, piece, model.shape().scales, matrix, settings)
             .map_err(CycleError::Variation)?;
         before = &piece.sides;
     }
     if !events.is_empty() {
-        let after = flow.local(motion.mode, &[]);
-        matrix = jump(flow, events, motion.time, before, after.as_ref())? * matrix;
+        let after = Flow::on(model, motion.mode, &[]);
+        matrix = jump(model, events, motion.time, before, &after)? * matrix;
     }
     Ok(matrix)
 }
 
 /// The matrix of events at one instant, of which each sets off the next, in a motion of some length.
 fn jump(
-    flow: &dyn Flow,
+    model: &dyn Model,
     events: &[Happened],
     span: f64,
     sides: &[f64],
-    after: &dyn Local,
+    after: &Flow<'_>,
 ) -> Result<DMatrix<f64>, CycleError> {
-    let states = flow.scales().len();
+    let states = model.shape().scales.len();
     let (first, last) = (&events[0], &events[events.len() - 1]);
     let mut slopes = DVector::zeros(states);
-    let local = flow.local(first.from, sides);
-    let passing = local.guard(
-        first.event,
-        first.time,
-        &first.before,
-        slopes.as_mut_slice(),
-    );
+    let local = Flow::on(model, first.from, sides);
+    local.guard_slopes(first.event, first.time, &first.before, slopes.as_mut_slice());
+    let passing = local.guard(first.event, first.time, &first.before).1;
     let mut rate = DVector::zeros(states);
-    local.rate(first.time, &first.before, rate.as_mut_slice());
+    local.rates(first.time, &first.before, rate.as_mut_slice());
     let rate_before = rate.clone();
     let mut jumps = DMatrix::identity(states, states);
     for (index, event) in events.iter().enumerate() {
-        let local = flow.local(event.from, if index == 0 { sides } else { &[] });
+        let local = Flow::on(model, event.from, if index == 0 { sides } else { &[] });
         let mut columns = DMatrix::zeros(states, states);
         let mut total = DVector::zeros(states);
-        let sets = local.jump(
+        let sets = local.jump_slopes(
             event.event,
-            event.time,
-            &event.before,
+            (event.time, &event.before),
             columns.as_mut_slice(),
             total.as_mut_slice(),
         );
@@ -88,18 +85,18 @@ fn jump(
         }
         // `total` is along the motion of the mode that the event leaves, which is not that before all of them.
         let mut own = DVector::zeros(states);
-        local.rate(event.time, &event.before, own.as_mut_slice());
+        local.rates(event.time, &event.before, own.as_mut_slice());
         rate = total + &columns * (rate - own);
         jumps = columns * jumps;
     }
     let mut next = DVector::zeros(states);
-    after.rate(last.time, &last.after, next.as_mut_slice());
+    after.rates(last.time, &last.after, next.as_mut_slice());
     // A guard of the time alone is met by all motions together.
     if slopes.iter().all(|slope| *slope == 0.0) {
         return Ok(jumps);
     }
     let passage = Passage {
-        local: local.as_ref(),
+        local: &local,
         event: first,
         rate: rate_before,
         // Times are known to a few roundings of this.
@@ -107,7 +104,7 @@ fn jump(
     };
     let earlier = match passage.steps_over(&slopes, passing) {
         false => slopes / passing,
-        true => passage.earlier(&slopes, flow.scales())?,
+        true => passage.earlier(&slopes, model.shape().scales)?,
     };
     let matrix = jumps + (next - rate) * earlier.transpose();
     match matrix.iter().all(|entry| entry.is_finite()) {
@@ -122,7 +119,7 @@ fn jump(
 
 /// An event whose instant is looked at.
 struct Passage<'a> {
-    local: &'a dyn Local,
+    local: &'a Flow<'a>,
     event: &'a Happened,
     /// Rates of the state before it.
     rate: DVector<f64>,
@@ -136,7 +133,7 @@ impl Passage<'_> {
         let before = DVector::from_column_slice(&self.event.before);
         let mut state = before + &self.rate * (time - self.event.time);
         state[place] += change;
-        self.local.value(self.event.event, time, state.as_slice())
+        self.local.guard(self.event.event, time, state.as_slice()).0
     }
 
     /// The guard just before the event and just after it.
@@ -201,7 +198,7 @@ impl Passage<'_> {
 
 /// Carries the columns of a matrix along a piece of the motion.
 pub(super) fn along(
-    local: &dyn Local,
+    local: &Flow<'_>,
     piece: &Piece,
     scales: &[f64],
     start: DMatrix<f64>,
@@ -234,46 +231,32 @@ pub(super) fn along(
         first_step: Some(times[1] - times[0]),
         ..Options::default()
     };
-    let mut workspace = Workspace::<Vec<f64>, Dop853>::new::<f64, _>(&columns);
-    integrate(
-        &columns,
-        (from, to),
-        &start,
-        &options,
-        &mut workspace,
-        &mut (),
-    )?;
+    let mut workspace = Workspace::new(Explicit::Dop853, &columns);
+    integrate(&columns, (from, to), &start, &options, &mut workspace, &mut ())?;
     let end = DMatrix::from_column_slice(states, states, workspace.state());
     Ok(scaled(&end, false))
 }
 
 /// The variational equations along a piece of a motion.
 struct Columns<'a> {
-    local: &'a dyn Local,
+    local: &'a Flow<'a>,
     piece: &'a Piece,
     scales: &'a [f64],
     /// Room for a state and a matrix.
     room: RefCell<(Vec<f64>, Vec<f64>)>,
 }
 
-impl System<f64> for Columns<'_> {
-    type State = Vec<f64>;
-    type Instant = f64;
-
-    fn zeros(&self) -> Vec<f64> {
-        vec![0.0; self.scales.len() * self.scales.len()]
+impl System for Columns<'_> {
+    fn length(&self) -> usize {
+        self.scales.len() * self.scales.len()
     }
 
-    fn instants<const K: usize>(&self, times: [f64; K]) -> [f64; K] {
-        times
-    }
-
-    fn rate(&self, time: &f64, columns: &Vec<f64>, rates: &mut Vec<f64>) {
+    fn rates(&self, time: f64, columns: &[f64], rates: &mut [f64]) {
         let states = self.scales.len();
         let mut room = self.room.borrow_mut();
         let (state, matrix) = &mut *room;
-        self.piece.trajectory.at_into(*time, state);
-        self.local.jacobian(*time, state, matrix);
+        self.piece.trajectory.at_into(time, state);
+        self.local.jacobian(time, state, matrix);
         rates.fill(0.0);
         for (column, rate) in columns.chunks(states).zip(rates.chunks_mut(states)) {
             for (inner, value) in column.iter().enumerate() {
@@ -284,17 +267,5 @@ impl System<f64> for Columns<'_> {
                 }
             }
         }
-    }
-
-    fn parts(_state: &Vec<f64>) -> usize {
-        1
-    }
-
-    fn part(state: &Vec<f64>, _number: usize) -> &[f64] {
-        state
-    }
-
-    fn part_mut(state: &mut Vec<f64>, _number: usize) -> &mut [f64] {
-        state
     }
 }

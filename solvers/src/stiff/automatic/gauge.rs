@@ -65,13 +65,13 @@ impl Suspicion {
 
 /// An observer that notes where the motion is, and measures the stiffness on the way.
 pub(super) struct Gauge<'a> {
-    pub inner: &'a mut dyn Observer<Vec<f64>>,
+    pub inner: &'a mut dyn Observer,
     pub suspicion: Option<&'a mut Suspicion>,
     /// End and length of the last step.
     pub last: (f64, f64),
 }
 
-impl Observer<Vec<f64>> for Gauge<'_> {
+impl Observer for Gauge<'_> {
     fn wants_dense(&mut self, from: f64, to: f64) -> bool {
         self.inner.wants_dense(from, to)
     }
@@ -86,7 +86,7 @@ impl Observer<Vec<f64>> for Gauge<'_> {
         }
     }
 
-    fn step(&mut self, step: &Step<'_, Vec<f64>>) {
+    fn step(&mut self, step: &Step<'_>) {
         self.last = (step.to, step.to - step.from);
         self.inner.step(step);
     }

@@ -3,8 +3,9 @@
 //! Hairer, Wanner II, section IV.8, (8.4) to (8.11). The eigenvalues of `A⁻¹` are `γ` and `α ± iβ`; in the basis `T` of
 //! their vectors the iteration is one real and one complex linear system.
 
-use super::super::here::{Here, first_bad};
-use super::super::rates::Rates;
+use super::super::here::Here;
+use crate::ode::first_bad;
+use crate::model::Flow;
 use super::{C, Factors, change};
 use crate::dense::{Complex, Lu, substitute_complex};
 use crate::ode::Options;
@@ -88,7 +89,7 @@ impl Newton {
     /// Iterates from the stages that stand there; false if they do not converge.
     pub fn solve(
         &mut self,
-        rates: &mut dyn Rates,
+        flow: &Flow<'_>,
         here: &mut Here,
         options: &Options,
         length: f64,
@@ -103,14 +104,14 @@ impl Newton {
         multiply(&INVERSE, &self.stages, &mut self.transformed, n);
         for iteration in 0..ITERATIONS {
             self.iterations = iteration + 1;
-            if !self.evaluate(rates, here, length) {
+            if !self.evaluate(flow, here, length) {
                 return false;
             }
             self.improve(length, real, complex);
             let size = change(options, here, &self.changes);
             self.last = size;
             if !size.is_finite() {
-                here.bad = first_bad(&self.changes).map(|place| place % n);
+                here.bad = first_bad(&self.changes, n);
                 return false;
             }
             let contraction = before.map(|before| size / before);
@@ -139,7 +140,7 @@ impl Newton {
     }
 
     /// The rates at the stages; false if one is not finite.
-    fn evaluate(&mut self, rates: &mut dyn Rates, here: &mut Here, length: f64) -> bool {
+    fn evaluate(&mut self, flow: &Flow<'_>, here: &mut Here, length: f64) -> bool {
         let n = here.state.len();
         for (stage, node) in C.iter().enumerate() {
             let range = stage * n..(stage + 1) * n;
@@ -147,9 +148,9 @@ impl Newton {
                 *state = here.state[index] + self.stages[range.start + index];
             }
             let rate = &mut self.rates[range];
-            rates.rate(here.time + node * length, &self.state, rate);
+            flow.rates(here.time + node * length, &self.state, rate);
             here.statistics.evaluations += 1;
-            here.bad = first_bad(rate);
+            here.bad = first_bad(rate, n);
             if here.bad.is_some() {
                 return false;
             }

@@ -1,0 +1,219 @@
+//! The equations of a model in one phase.
+
+use super::{Model, Steps};
+use crate::ode::{Explicit, Room, System, first_bad, system};
+use crate::problem::{Equations, Events, Phase};
+use crate::shape::Shape;
+use std::cell::RefCell;
+
+/// The equations of a model in one phase: a mode, and the sides of its switching surfaces.
+pub struct Flow<'a> {
+    model: &'a dyn Model,
+    equations: &'a dyn Equations<f64>,
+    events: Option<&'a dyn Events<f64>>,
+    mode: usize,
+    sides: Vec<f64>,
+    /// Room for what depends on the time alone.
+    instant: RefCell<Vec<f64>>,
+}
+
+impl<'a> Flow<'a> {
+    /// The equations in a mode, with all sides left to the values.
+    pub fn new(model: &'a dyn Model, mode: usize) -> Self {
+        let equations = model.equations();
+        Self {
+            model,
+            equations,
+            events: model.events(),
+            mode,
+            sides: Vec::new(),
+            instant: RefCell::new(vec![0.0; equations.instant()]),
+        }
+    }
+
+    /// The same on these sides.
+    pub(crate) fn on(model: &'a dyn Model, mode: usize, sides: &[f64]) -> Self {
+        Self {
+            sides: sides.to_vec(),
+            ..Self::new(model, mode)
+        }
+    }
+
+    /// Length of the state vector.
+    #[inline]
+    pub fn states(&self) -> usize {
+        self.equations.states()
+    }
+
+    /// What the scene is made of.
+    pub fn shape(&self) -> &'a Shape {
+        self.model.shape()
+    }
+
+    /// The mode.
+    pub fn mode(&self) -> usize {
+        self.mode
+    }
+
+    /// Goes into a mode.
+    pub(crate) fn enter(&mut self, mode: usize) {
+        self.mode = mode;
+        self.sides.clear();
+    }
+
+    /// Puts the motion on a side of a switching surface, 1 or −1; 0 leaves it to the values.
+    pub(crate) fn put(&mut self, surface: usize, side: f64) {
+        if self.sides.len() <= surface {
+            self.sides.resize(surface + 1, 0.0);
+        }
+        self.sides[surface] = side;
+    }
+
+    #[inline(always)]
+    fn phase(&self) -> Phase<'_, f64> {
+        Phase {
+            mode: self.mode,
+            sides: &self.sides,
+        }
+    }
+
+    /// Computes numbers; where they do not exist though they might, with the sides left to the values. A branch that is
+    /// held beyond its surface, where the step that ends on the surface tries the equations, may not exist there, `sqrt(x)`
+    /// of a negative number: they are those of the branch that does, then.
+    #[inline(always)]
+    fn held<R: Copy>(&self, numbers: &mut [f64], mut compute: impl FnMut(Phase<'_, f64>, &mut [f64]) -> R) -> R {
+        let done = compute(self.phase(), numbers);
+        if self.sides.is_empty() || first_bad(numbers, 1).is_none() {
+            return done;
+        }
+        compute(Phase::of(self.mode), numbers)
+    }
+
+    /// Writes `f(t, y)`.
+    pub fn rates(&self, time: f64, state: &[f64], rates: &mut [f64]) {
+        let mut instant = self.instant.borrow_mut();
+        self.held(rates, |phase, rates| {
+            self.equations.instants(phase, &[time], &mut instant);
+            self.equations.rates(phase, &instant, state, rates);
+        });
+    }
+
+    /// Writes `∂f/∂y`, column by column.
+    pub fn jacobian(&self, time: f64, state: &[f64], columns: &mut [f64]) {
+        let mut instant = self.instant.borrow_mut();
+        self.held(columns, |phase, columns| {
+            self.equations.instants(phase, &[time], &mut instant);
+            self.equations.jacobian(phase, &instant, state, columns);
+        });
+    }
+
+    /// Writes the rates of a motion and of the columns of its variation, which stand behind it.
+    pub fn variation(&self, time: f64, state: &[f64], rates: &mut [f64]) {
+        let mut instant = self.instant.borrow_mut();
+        let (state, columns) = state.split_at(self.states());
+        self.held(rates, |phase, rates| {
+            let (rates, products) = rates.split_at_mut(state.len());
+            self.equations.instants(phase, &[time], &mut instant);
+            self.equations
+                .variation(phase, &instant, state, rates, columns, products);
+        });
+    }
+
+    /// Writes the Taylor series of the motion, see [`Equations::series`].
+    pub fn series(&self, time: f64, length: f64, rows: &mut [f64]) -> bool {
+        self.held(rows, |phase, rows| self.equations.series(phase, time, length, rows))
+    }
+
+    /// Writes the guards of the mode and their rates; none where there are no events.
+    pub fn guards(&self, time: f64, state: &[f64], values: &mut [f64], rates: &mut [f64]) {
+        let Some(events) = self.events else { return };
+        events.guards(self.phase(), time, state, values, rates);
+        let is_lost = |numbers: &[f64]| first_bad(numbers, 1).is_some();
+        if !self.sides.is_empty() && (is_lost(values) || is_lost(rates)) {
+            events.guards(Phase::of(self.mode), time, state, values, rates);
+        }
+    }
+
+    /// Whether what else an event asks for holds.
+    pub(crate) fn permits(&self, event: usize, time: f64, state: &[f64]) -> bool {
+        self.events
+            .is_none_or(|events| events.permits(self.phase(), event, time, state))
+    }
+
+    /// Writes the state after an event.
+    pub(crate) fn jump(&self, event: usize, time: f64, state: &[f64], after: &mut [f64]) {
+        match self.events {
+            Some(events) => events.jump(self.phase(), event, time, state, after),
+            None => after.copy_from_slice(state),
+        }
+    }
+
+    /// Value and rate of the guard of an event.
+    pub(crate) fn guard(&self, event: usize, time: f64, state: &[f64]) -> (f64, f64) {
+        let count = self.shape().modes[self.mode].written();
+        let (mut values, mut rates) = (vec![0.0; count], vec![0.0; count]);
+        self.guards(time, state, &mut values, &mut rates);
+        (values[event], rates[event])
+    }
+
+    /// Writes the derivatives of the guard of an event by the state.
+    pub(crate) fn guard_slopes(&self, event: usize, time: f64, state: &[f64], slopes: &mut [f64]) {
+        if let Some(events) = self.events {
+            events.guard_slopes(self.phase(), event, time, state, slopes);
+        }
+    }
+
+    /// Writes the derivatives of the state after an event by that before it, column by column, and its total time
+    /// derivative. False where the event sets nothing.
+    pub(crate) fn jump_slopes(
+        &self,
+        event: usize,
+        (time, state): (f64, &[f64]),
+        columns: &mut [f64],
+        rates: &mut [f64],
+    ) -> bool {
+        self.events.is_some_and(|events| {
+            events.jump_slopes(self.phase(), event, time, state, columns, rates)
+        })
+    }
+
+    /// The stages of a step of the motion with its variations.
+    pub(crate) fn attempt_varied(&self, method: Explicit, room: &mut Room) {
+        let varied = true;
+        self.model.attempt(Steps { method, varied }, self.phase(), room);
+    }
+
+    /// What is missing of it.
+    pub(crate) fn finish_varied(&self, method: Explicit, room: &mut Room, dense: bool) {
+        let varied = true;
+        self.model.finish(Steps { method, varied }, self.phase(), room, dense);
+    }
+}
+
+impl System for Flow<'_> {
+    fn length(&self) -> usize {
+        self.states()
+    }
+
+    fn rates(&self, time: f64, state: &[f64], rates: &mut [f64]) {
+        Flow::rates(self, time, state, rates);
+    }
+
+    fn attempt(&self, method: Explicit, room: &mut Room) {
+        let varied = false;
+        self.model.attempt(Steps { method, varied }, self.phase(), room);
+        if !self.sides.is_empty() && first_bad(&room.trial, 1).is_some() {
+            let rates = &|time: f64, state: &[f64], rates: &mut [f64]| self.rates(time, state, rates);
+            system::attempt_each(rates, method, room);
+        }
+    }
+
+    fn finish(&self, method: Explicit, room: &mut Room, dense: bool) {
+        let varied = false;
+        self.model.finish(Steps { method, varied }, self.phase(), room, dense);
+        if !self.sides.is_empty() && first_bad(&room.slopes, 1).is_some() {
+            let rates = &|time: f64, state: &[f64], rates: &mut [f64]| self.rates(time, state, rates);
+            system::finish_each(rates, method, room, dense);
+        }
+    }
+}
