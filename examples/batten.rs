@@ -59,9 +59,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 /// An output of the scene by its name.
 fn output(batten: &Elastic, time: f64, state: &[f64], name: &str) -> f64 {
-    let mut values = vec![0.0; Elastic::shape().outputs.len()];
-    let state = state.try_into().expect("a state of the scene");
-    batten.prepare::<f64>().outputs(time, &state, &mut values);
+    let model: &dyn Model = &Bound::new(batten);
+    let values = model.outputs(time, state);
     let place = shape::find(Elastic::shape().outputs, name);
     values[place.expect("an output of the scene")]
 }

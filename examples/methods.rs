@@ -5,7 +5,6 @@
 
 use assur::ode;
 use assur::prelude::*;
-use assur::problem::Scene;
 use assur_equations::batten::{Elastic, Start};
 use std::time::Instant;
 
@@ -22,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 /// The rows of a scene.
-fn table<C: Scene>(name: &str, scene: &C) -> Result<(), ode::OdeError> {
+fn table<C: Smooth>(name: &str, scene: &C) -> Result<(), ode::OdeError> {
     let rest = vec![0.0; C::shape().states.len()];
     let run = |method, rtol| ode::march(scene, TIMES, &rest, &Settings::new(method, rtol));
     let exact = run(Method::Taylor, 1e-14)?;

@@ -17,7 +17,7 @@
 //!     cargo run --example needle_impact
 
 use assur::closure::{Assembly, Linkage};
-use assur::hybrid::{Hybrid, Motion, march};
+use assur::hybrid::{Motion, march};
 use assur::measure;
 use assur::prelude::*;
 use assur::shape::Quantity;
@@ -83,7 +83,7 @@ struct Run {
 }
 
 impl Run {
-    fn of<C: Hybrid>(scene: &str, needle: &C, end: f64) -> Self {
+    fn of<C: Scene>(scene: &str, needle: &C, end: f64) -> Self {
         let settings = Settings::new(Method::Dop853, 1e-11);
         let motion = march(needle, (0.0, end), &needle.start(), &settings).unwrap();
         let values = measure::of(needle, &motion);

@@ -75,7 +75,7 @@ fn speed(place: usize) -> f64 {
 }
 
 /// The lag over the speed, on all processors.
-fn curve<C: Scene>(scene: impl Fn(f64) -> C + Sync) -> Vec<Lag> {
+fn curve<C: Smooth>(scene: impl Fn(f64) -> C + Sync) -> Vec<Lag> {
     let mut lags = vec![None; place(SPEEDS.1) + 1];
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
     let share = lags.len().div_ceil(workers);
@@ -94,7 +94,7 @@ fn curve<C: Scene>(scene: impl Fn(f64) -> C + Sync) -> Vec<Lag> {
 }
 
 /// The largest lag of a scene in its steady state.
-fn largest_lag<C: Scene>(scene: &C, period: f64) -> Lag {
+fn largest_lag<C: Smooth>(scene: &C, period: f64) -> Lag {
     let settings = Settings::new(Method::Dop853, 1e-9);
     let orbit = periodic::solve(scene, period, &settings).ok()?;
     let lag = |index: u32| 1e3 * orbit.at(period * f64::from(index) / 256.0)[0].abs();

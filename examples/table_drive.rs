@@ -16,9 +16,8 @@
 //!
 //!     cargo run --example table_drive
 
-use assur::hybrid::{Hybrid, Modes, Motion, march};
+use assur::hybrid::{Motion, march};
 use assur::prelude::*;
-use assur::problem::Storage;
 use assur::shape;
 use assur_equations::table_drive::*;
 
@@ -227,13 +226,13 @@ fn print_line(name: &str, run: &RunUp) {
 }
 
 /// Runs a scene and prints what it comes to.
-fn line<C: Hybrid>(name: &str, drive: &C) -> RunUp {
+fn line<C: Scene>(name: &str, drive: &C) -> RunUp {
     let run = run(drive);
     print_line(name, &run);
     run
 }
 
-fn run<C: Hybrid>(drive: &C) -> RunUp {
+fn run<C: Scene>(drive: &C) -> RunUp {
     let settings = Settings::new(Method::Dop853, 1e-10);
     let motion = march(drive, (0.0, 0.4), &drive.start(), &settings).unwrap();
     let read = Reader {
@@ -275,16 +274,11 @@ struct Reader<'a, C> {
     motion: &'a Motion,
 }
 
-impl<C: Hybrid> Reader<'_, C> {
+impl<C: Scene> Reader<'_, C> {
     fn output(&self, name: &str, time: f64) -> f64 {
         let (mode, values) = self.motion.at(time);
-        let mut equations = self.drive.modal::<f64>();
-        equations.enter(mode);
-        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::shape().states.len());
-        state.as_mut().copy_from_slice(&values);
-        let mut outputs = vec![0.0; C::shape().outputs.len()];
-        equations.outputs(time, &state, &mut outputs);
-        outputs[shape::find(C::shape().outputs, name).unwrap()]
+        let model: &dyn Model = &Bound::new(self.drive);
+        model.outputs_in(mode, time, &values)[shape::find(C::shape().outputs, name).unwrap()]
     }
 
     /// Times in every stretch between events, closely.

@@ -14,16 +14,17 @@ extern crate self as assur;
 
 pub use assur_macros::{equations, mechanism};
 #[doc(hidden)]
-pub use assur_solvers::composite;
+pub use assur_solvers::exact;
 pub use assur_solvers::{
-    check, closure, dense, dispatch, hybrid, measure, ode, periodic, problem, registry, scalar,
-    series, shape, stiff, study, tolerance,
+    check, closure, dense, dispatch, hybrid, measure, model, ode, periodic, problem, registry,
+    scalar, series, shape, stiff, study, tolerance,
 };
 
 /// What most programs need: `use assur::prelude::*;`.
 pub mod prelude {
     pub use assur_macros::{equations, mechanism};
-    pub use assur_solvers::problem::{Equations, Scene};
+    pub use assur_solvers::model::{Bound, Model};
+    pub use assur_solvers::problem::{Equations, Phase, Reports, Scene, Smooth};
     pub use assur_solvers::registry::{Method, Settings};
     pub use assur_solvers::scalar::Scalar;
 }

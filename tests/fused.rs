@@ -9,10 +9,9 @@ use std::sync::{Mutex, MutexGuard};
 
 use assur::closure::{self, Assembly, AtDeadPoint, Axis, Closure, Linkage};
 use assur::dispatch::{Task, dispatch};
-use assur::hybrid::{Hybrid, Modes};
 use assur::ode;
 use assur::periodic;
-use assur::problem::{Equations, Scene, Span, Storage};
+use assur::problem::{Equations, Phase, Reports, Scene, Span};
 use assur::registry::{Method, Settings};
 use assur::scalar::Scalar;
 use assur_equations::batten::{Elastic, Start};
@@ -116,47 +115,42 @@ impl<L: Linkage + Default> Task for Loops<L> {
 /// Everything that is asked of a scene with modes, on the numbers of the machine at hand.
 struct Modal<C>(PhantomData<C>);
 
-impl<C: Hybrid + Default> Task for Modal<C> {
+impl<C: Scene + Default> Task for Modal<C> {
     type Output = f64;
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> f64 {
-        let scene = C::default();
-        let mut equations = scene.modal::<S>();
-        let mut state = <C::Modal<S> as Equations<S>>::State::zeros(C::shape().states.len());
-        for (slot, value) in state.as_mut().iter_mut().zip(scene.start()) {
-            *slot = S::from_f64(value + 1e-3);
-        }
-        let (mut rate, mut after) = (state.clone(), state.clone());
-        let mut columns = vec![state.clone(); C::shape().states.len()];
+        let (scene, shape) = (C::default(), C::shape());
+        let equations = scene.prepare::<S>();
+        let start = scene.start().into_iter();
+        let state: Vec<S> = start.map(|value| S::from_f64(value + 1e-3)).collect();
+        let states = state.len();
+        let (mut rates, mut after) = (state.clone(), state.clone());
+        let mut columns = vec![S::ZERO; states * states];
+        let mut instant = vec![S::ZERO; equations.instant()];
         let time = S::from_f64(1e-3);
         let mut sum = S::ZERO;
-        for mode in 0..C::shape().modes.len() {
-            equations.enter(mode);
-            let guards = C::shape().modes[mode].written();
-            let mut values = vec![
-                S::ZERO;
-                guards
-                    .max(C::shape().outputs.len())
-                    .max(C::shape().measured)
-            ];
-            let mut rates = values.clone();
-            let [instant] = equations.instants([time]);
-            equations.derivative(&instant, &state, &mut rate);
-            let instant = equations.instant(time);
-            equations.jacobian(&instant, &state, &mut columns);
+        for mode in 0..shape.modes.len() {
+            let (phase, guards) = (Phase::of(mode), shape.modes[mode].written());
+            let most = guards.max(shape.outputs.len()).max(shape.measured);
+            let mut values = vec![S::ZERO; most];
+            let mut slopes = values.clone();
+            equations.instants(phase, &[time], &mut instant);
+            equations.rates(phase, &instant, &state, &mut rates);
+            equations.jacobian(phase, &instant, &state, &mut columns);
             let mut products = columns.clone();
-            equations.variation(&instant, &state, &mut rate, &columns, &mut products);
-            equations.outputs(time, &state, &mut values);
-            equations.measured(time, &state, &mut values);
-            equations.guards(&instant, &state, &mut values, &mut rates);
-            for (event, entry) in C::shape().modes[mode].events.iter().enumerate() {
-                let permits = !entry.conditional || equations.permits(event, &instant, &state);
+            equations.variation(phase, &instant, &state, &mut rates, &columns, &mut products);
+            equations.outputs(phase, time, &state, &mut values);
+            equations.measured(phase, time, &state, &mut values);
+            let events = C::events(&equations).expect("it has events");
+            events.guards(phase, time, &state, &mut values, &mut slopes);
+            for (event, entry) in shape.modes[mode].events.iter().enumerate() {
+                let permits = !entry.conditional || events.permits(phase, event, time, &state);
                 if entry.sets && permits {
-                    equations.jump(event, &instant, &state, &mut after);
+                    events.jump(phase, event, time, &state, &mut after);
                 }
             }
-            sum = sum + rate.as_ref()[0] + after.as_ref()[0];
+            sum = sum + rates[0] + after[0];
         }
         sum.to_f64()
     }

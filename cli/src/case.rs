@@ -1,7 +1,8 @@
 //! One scene with its values: its task, its drivers and its variables.
 
+use assur::model::Model;
 use assur::problem::{Refused, Span};
-use assur::registry::{Run, SceneEntry};
+use assur::registry::SceneEntry;
 
 use crate::constants::Constants;
 use crate::error::Failure;
@@ -21,7 +22,7 @@ pub struct Case {
     pub task: Span,
     /// Periods after which the motion repeats.
     pub repeats: usize,
-    run: Box<dyn Run>,
+    run: Box<dyn Model>,
 }
 
 impl Case {
@@ -55,7 +56,7 @@ impl Case {
     }
 
     /// The scene as the solvers see it.
-    pub fn run(&self) -> &dyn Run {
+    pub fn run(&self) -> &dyn Model {
         self.run.as_ref()
     }
 

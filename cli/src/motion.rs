@@ -3,9 +3,10 @@
 //! This is the only file that talks to the solvers.
 
 use assur::hybrid::{self, CycleError, HybridError};
+use assur::model::Model;
 use assur::periodic::{self, PeriodicError};
 use assur::problem::Span;
-use assur::registry::{Run, SceneEntry, Settings};
+use assur::registry::{SceneEntry, Settings};
 
 use crate::case::Case;
 use crate::error::Failure;
@@ -27,11 +28,11 @@ impl Case {
         let mut steady = None;
         let path = match run.span() {
             Span::Open => hybrid::Motion {
-                mode: run.first_mode(),
+                mode: run.shape().first,
                 ..hybrid::Motion::at_rest(from, &run.start())
             },
             _ if self.scene.states.is_empty() => {
-                hybrid::Motion::without_states(run.first_mode(), (from, to))
+                hybrid::Motion::without_states(run.shape().first, (from, to))
             }
             Span::Periodic(period) if !self.scene.modes.is_empty() => {
                 let cycle = run.cycle(period, &settings);
@@ -120,11 +121,11 @@ impl Case {
 /// When the solver does not succeed, or the scene has no task.
 pub fn over_task(
     scene: &SceneEntry,
-    run: &dyn Run,
+    run: &dyn Model,
     settings: &Settings,
 ) -> Result<hybrid::Motion, String> {
     match run.span() {
-        Span::Periodic(period) if run.mode_count() > 0 => {
+        Span::Periodic(period) if run.events().is_some() => {
             let cycle = run.cycle(period, settings);
             let told = |error: CycleError| unfollowed::tell_cycle(scene, run, &error).reason;
             cycle.map(|cycle| cycle.motion).map_err(told)
@@ -275,7 +276,7 @@ impl Motion {
     pub fn first_mode(&self, case: &Case) -> usize {
         match self.steady {
             Some(_) => self.path.mode,
-            None => case.run().first_mode(),
+            None => case.run().shape().first,
         }
     }
 

@@ -1,6 +1,7 @@
 //! A loop that a motion carries along and that does not close, in words.
 
-use assur::registry::{Run, SceneEntry};
+use assur::model::Model;
+use assur::registry::SceneEntry;
 use assur::shape::Loop;
 
 use crate::linkage::wording;
@@ -13,12 +14,8 @@ const PARTS: usize = 2048;
 const HALVINGS: usize = 40;
 
 /// Which loop opens first in the task of a scene, when, and how large the gap becomes; nothing where all stay closed.
-pub fn tell(scene: &SceneEntry, run: &dyn Run) -> Option<Told> {
-    let margin = |index: usize, time: f64| {
-        let mut margins = vec![f64::INFINITY; scene.carried.len()];
-        run.margins(time, &mut margins);
-        margins[index]
-    };
+pub fn tell(scene: &SceneEntry, run: &dyn Model) -> Option<Told> {
+    let margin = |index: usize, time: f64| run.margins(time)[index];
     let (from, to) = run.span().limits();
     let times = (0..=PARTS).map(|part| from + (to - from) * part as f64 / PARTS as f64);
     let times: Vec<f64> = times.collect();

@@ -1,9 +1,10 @@
 //! Why a motion through modes ended early, in words and with the names of its modes and events.
 
 use assur::hybrid::{CycleError, HybridError};
+use assur::model::Model;
 use assur::ode::OdeError;
 use assur::periodic::PeriodicError;
-use assur::registry::{Run, SceneEntry};
+use assur::registry::SceneEntry;
 
 use crate::unclosed;
 
@@ -23,7 +24,7 @@ impl Told {
 }
 
 /// Of a motion that could not be followed to its end.
-pub fn tell(scene: &SceneEntry, run: &dyn Run, error: &HybridError) -> Told {
+pub fn tell(scene: &SceneEntry, run: &dyn Model, error: &HybridError) -> Told {
     unclosed::tell(scene, run).unwrap_or_else(|| of_motion(scene, error))
 }
 
@@ -86,12 +87,12 @@ fn of_motion(scene: &SceneEntry, error: &HybridError) -> Told {
 }
 
 /// Of a motion that was to repeat.
-pub fn tell_cycle(scene: &SceneEntry, run: &dyn Run, error: &CycleError) -> Told {
+pub fn tell_cycle(scene: &SceneEntry, run: &dyn Model, error: &CycleError) -> Told {
     unclosed::tell(scene, run).unwrap_or_else(|| of_cycle(scene, error))
 }
 
 /// Of a motion without events that was to repeat.
-pub fn tell_periodic(scene: &SceneEntry, run: &dyn Run, error: &PeriodicError) -> Told {
+pub fn tell_periodic(scene: &SceneEntry, run: &dyn Model, error: &PeriodicError) -> Told {
     const AWAY: &str = "near a resonance move the speed a little, or choose a scene with damping; else try a smaller --rtol";
     unclosed::tell(scene, run).unwrap_or_else(|| Told::new(error.to_string(), AWAY))
 }

@@ -1,7 +1,8 @@
 //! Everything about a motion that has a value at an instant: coordinates, speeds, accelerations, outputs.
 
 use crate::unit;
-use assur::registry::{Run, SceneEntry};
+use assur::model::Model;
+use assur::registry::SceneEntry;
 use assur::shape::{LinkageEntry, Quantity};
 
 /// Exponents of m, kg, s, A, K, mol, cd as numerator and denominator.
@@ -125,7 +126,7 @@ pub fn of_linkage(scene: &SceneEntry, entry: &LinkageEntry) -> Vec<Variable> {
 /// The values of all variables at one instant, SI units.
 pub fn evaluate(
     variables: &[Variable],
-    run: &dyn Run,
+    run: &dyn Model,
     mode: usize,
     time: f64,
     state: &[f64],

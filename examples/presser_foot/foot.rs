@@ -1,9 +1,8 @@
 //! A foot on a path and a fabric, its steady motion, and what that comes to.
 
-use assur::hybrid::{self, Cycle, CycleError, Hybrid, Modes, Motion, Periods, Sensitive};
+use assur::hybrid::{self, Cycle, CycleError, Motion, Periods};
 use assur::measure;
 use assur::prelude::*;
-use assur::problem::Storage;
 use assur::shape;
 use assur_equations::presser_foot as scenes;
 use std::f64::consts::TAU;
@@ -162,10 +161,7 @@ pub trait Driven {
     fn output(&self, name: &str, motion: &Motion, time: f64) -> f64;
 }
 
-impl<C: Hybrid> Driven for C
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
+impl<C: Scene> Driven for C {
     fn cycle(&self, from: Option<&Place>, period: f64) -> Result<Cycle, CycleError> {
         match from {
             Some((mode, state)) => hybrid::cycle_from(self, (*mode, state), period, &SETTINGS),
@@ -211,12 +207,7 @@ where
 
     fn output(&self, name: &str, motion: &Motion, time: f64) -> f64 {
         let (mode, values) = motion.at(time);
-        let mut equations = self.modal::<f64>();
-        equations.enter(mode);
-        let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::shape().states.len());
-        state.as_mut().copy_from_slice(&values);
-        let mut outputs = vec![0.0; C::shape().outputs.len()];
-        equations.outputs(time, &state, &mut outputs);
-        outputs[shape::find(C::shape().outputs, name).unwrap()]
+        let model: &dyn Model = &Bound::new(self);
+        model.outputs_in(mode, time, &values)[shape::find(C::shape().outputs, name).unwrap()]
     }
 }

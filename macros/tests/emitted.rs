@@ -14,7 +14,8 @@ mod emitted {
     mod pendulum;
     mod small;
 
-    use assur::problem::{Equations, Scene};
+    use assur::model::{Bound, Model};
+    use assur::problem::Scene;
 
     /// The derivative of the state with the declared values.
     pub fn rate<C: Scene + Default>(time: f64, state: &[f64]) -> Vec<f64> {
@@ -23,35 +24,19 @@ mod emitted {
 
     /// The derivative of the state.
     pub fn rate_of<C: Scene>(scene: &C, time: f64, state: &[f64]) -> Vec<f64> {
-        let equations = scene.prepare::<f64>();
-        let state = fill::<C>(state);
-        let mut rate = fill::<C>(&[]);
-        equations.derivative(&equations.instant(time), &state, &mut rate);
-        rate.as_ref().to_vec()
+        let model: &dyn Model = &Bound::new(scene);
+        model.rates(time, state)
     }
 
     /// The outputs with the declared values.
     pub fn outputs<C: Scene + Default>(time: f64, state: &[f64]) -> Vec<f64> {
-        let mut values = vec![f64::NAN; C::shape().outputs.len()];
-        let equations = C::default().prepare::<f64>();
-        equations.outputs(time, &fill::<C>(state), &mut values);
-        values
+        let model: &dyn Model = &Bound::new(&C::default());
+        model.outputs(time, state)
     }
 
     /// Names of the states.
     pub fn names<C: Scene>() -> Vec<&'static str> {
         C::shape().states.iter().map(|state| state.name).collect()
-    }
-
-    type State<C> = <<C as Scene>::Equations<f64> as Equations<f64>>::State;
-
-    fn fill<C: Scene>(values: &[f64]) -> State<C> {
-        use assur::problem::Storage;
-        let mut state = State::<C>::zeros(C::shape().states.len());
-        for (slot, value) in state.as_mut().iter_mut().zip(values) {
-            *slot = *value;
-        }
-        state
     }
 
     #[track_caller]

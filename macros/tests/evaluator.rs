@@ -7,7 +7,7 @@ mod functions;
 #[path = "evaluator/standard.rs"]
 mod standard;
 
-use assur::problem::{Equations, Scene, Span, Storage};
+use assur::problem::{Equations, Phase, Reports, Scene, Span};
 use assur_model::checked::SceneModel;
 use assur_model::lexer;
 use standard::Standard;
@@ -75,36 +75,28 @@ fn compare<C: Scene>(model: &SceneModel, from_values: impl Fn(&[f64]) -> C) {
     }
 }
 
-type State<C> = <<C as Scene>::Equations<Standard> as Equations<Standard>>::State;
-
 fn compare_at<C: Scene>(model: &SceneModel, scene: &C, values: &[f64], time: f64, state: &[f64]) {
     let results = &model.program.results;
     let expected = model.program.evaluate(values, time, state);
-    let equations = scene.prepare::<Standard>();
-    let mut here = State::<C>::zeros(C::shape().states.len());
-    let slots = here.as_mut().iter_mut().zip(state);
-    slots.for_each(|(slot, value)| *slot = Standard(*value));
-    let mut rate = here.clone();
-    let instant = equations.instant(Standard(time));
-    equations.derivative(&instant, &here, &mut rate);
-    check(
-        &numbers(rate.as_ref()),
-        &expected.all(&results.derivative),
-        "rate",
-    );
+    let (equations, phase) = (scene.prepare::<Standard>(), Phase::of(0));
+    let here: Vec<Standard> = state.iter().map(|value| Standard(*value)).collect();
+    let mut instant = vec![Standard(0.0); equations.instant()];
+    equations.instants(phase, &[Standard(time)], &mut instant);
+    let mut rates = here.clone();
+    equations.rates(phase, &instant, &here, &mut rates);
+    check(&numbers(&rates), &expected.all(&results.derivative), "rate");
 
-    let mut slopes = vec![here.clone(); C::shape().states.len()];
-    equations.jacobian(&instant, &here, &mut slopes);
-    let mut jacobian = vec![vec![0.0; C::shape().states.len()]; C::shape().states.len()];
+    let states = state.len();
+    let mut slopes = vec![Standard(0.0); states * states];
+    equations.jacobian(phase, &instant, &here, &mut slopes);
+    let mut jacobian = vec![0.0; states * states];
     for (row, column, value) in &results.jacobian {
-        jacobian[*column as usize][*row as usize] = expected.get(*value);
+        jacobian[*column as usize * states + *row as usize] = expected.get(*value);
     }
-    for (column, wanted) in slopes.iter().zip(&jacobian) {
-        check(&numbers(column.as_ref()), wanted, "slope");
-    }
+    check(&numbers(&slopes), &jacobian, "slope");
 
     let mut outputs = vec![Standard(f64::NAN); C::shape().outputs.len()];
-    equations.outputs(Standard(time), &here, &mut outputs);
+    equations.outputs(phase, Standard(time), &here, &mut outputs);
     check(
         &numbers(&outputs),
         &expected.all(&results.outputs),

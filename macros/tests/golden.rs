@@ -17,7 +17,6 @@ mod pendulum;
 mod batten_elastic {
     include!("../src/golden/batten_elastic/elastic.rs");
     include!("../src/golden/batten_elastic/elastic_equations.rs");
-    include!("../src/golden/batten_elastic/elastic_instant.rs");
     include!("../src/golden/batten_elastic/shapes.rs");
 }
 
@@ -33,9 +32,8 @@ mod batten_elastic {
 mod ball {
     include!("../src/golden/ball/fall.rs");
     include!("../src/golden/ball/fall_in_flight_equations.rs");
-    include!("../src/golden/ball/fall_in_flight_instant.rs");
     include!("../src/golden/ball/fall_in_contact_equations.rs");
-    include!("../src/golden/ball/fall_in_contact_instant.rs");
+    include!("../src/golden/ball/fall_equations.rs");
     include!("../src/golden/ball/shapes.rs");
 }
 

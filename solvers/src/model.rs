@@ -5,6 +5,8 @@
 
 mod bound;
 mod flow;
+#[cfg(test)]
+pub(crate) mod hand;
 mod staged;
 
 pub use bound::Bound;

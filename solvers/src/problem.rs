@@ -8,6 +8,7 @@
 //! Nothing in them allocates or panics; all quantities are in SI units; a value that does not exist (a square root of a
 //! negative number) is NaN, which the solvers report. Slices have the lengths that [`Equations`] and the shape state.
 
+mod exact;
 mod span;
 
 pub use span::Span;
@@ -139,14 +140,7 @@ pub trait Events<S: Scalar>: Send + Sync {
     /// Writes the guards of the events of the mode, behind them its kinks
     /// ([`ModeEntry::kinks`](crate::shape::ModeEntry::kinks)) and its angles
     /// ([`ModeEntry::turns`](crate::shape::ModeEntry::turns)), and the time derivatives of all.
-    fn guards(
-        &self,
-        phase: Phase<'_, S>,
-        time: S,
-        state: &[S],
-        values: &mut [S],
-        rates: &mut [S],
-    );
+    fn guards(&self, phase: Phase<'_, S>, time: S, state: &[S], values: &mut [S], rates: &mut [S]);
 
     /// Whether what else an event of the mode asks for holds; asked of those that ask for more than their guard.
     fn permits(&self, _phase: Phase<'_, S>, _event: usize, _time: S, _state: &[S]) -> bool {

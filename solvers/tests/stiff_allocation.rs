@@ -1,7 +1,10 @@
 //! No step of a stiff method allocates.
 
+use assur_solvers::model::{Flow, Model};
 use assur_solvers::ode::Options;
-use assur_solvers::stiff::{Method, Rates, Workspace, integrate};
+use assur_solvers::problem::{Equations, Phase, Reports, Span};
+use assur_solvers::shape::Shape;
+use assur_solvers::stiff::{Method, Workspace, integrate};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -44,19 +47,61 @@ fn allocations<T>(work: impl FnOnce() -> T) -> usize {
 /// Van der Pol's oscillator with `ε = 1e-4`.
 struct Oscillator;
 
-impl Rates for Oscillator {
+impl Equations<f64> for Oscillator {
     fn states(&self) -> usize {
         2
     }
 
-    fn rate(&mut self, _time: f64, state: &[f64], rate: &mut [f64]) {
-        rate[0] = state[1];
-        rate[1] = 1e4 * ((1.0 - state[0] * state[0]) * state[1] - state[0]);
+    fn rates(&self, _phase: Phase<'_, f64>, _instant: &[f64], state: &[f64], rates: &mut [f64]) {
+        rates[0] = state[1];
+        rates[1] = 1e4 * ((1.0 - state[0] * state[0]) * state[1] - state[0]);
     }
 
-    fn jacobian(&mut self, _time: f64, state: &[f64], columns: &mut [f64]) {
+    fn variation(
+        &self,
+        _phase: Phase<'_, f64>,
+        _instant: &[f64],
+        _state: &[f64],
+        _rates: &mut [f64],
+        _columns: &[f64],
+        _products: &mut [f64],
+    ) {
+        unreachable!("no stiff method asks for variations");
+    }
+
+    fn jacobian(
+        &self,
+        _phase: Phase<'_, f64>,
+        _instant: &[f64],
+        state: &[f64],
+        columns: &mut [f64],
+    ) {
         let slope = 1e4 * (-2.0 * state[0] * state[1] - 1.0);
         columns.copy_from_slice(&[0.0, slope, 1.0, 1e4 * (1.0 - state[0] * state[0])]);
+    }
+}
+
+impl Reports<f64> for Oscillator {}
+
+impl Model for Oscillator {
+    fn shape(&self) -> &Shape {
+        const { &Shape::named("oscillator") }
+    }
+
+    fn equations(&self) -> &dyn Equations<f64> {
+        self
+    }
+
+    fn reports(&self) -> &dyn Reports<f64> {
+        self
+    }
+
+    fn span(&self) -> Span {
+        Span::Open
+    }
+
+    fn start(&self) -> Vec<f64> {
+        vec![2.0, 0.0]
     }
 }
 
@@ -69,14 +114,14 @@ fn the_counter_counts() {
 #[test]
 fn stiff_methods_allocate_nothing_per_step() {
     for method in [Method::Radau, Method::Rosenbrock, Method::Automatic] {
-        let mut workspace = Workspace::new(method, &mut Oscillator);
+        let flow = Flow::new(&Oscillator, 0);
+        let mut workspace = Workspace::new(method, &flow);
         let options = Options::default();
         for end in [2.0, 6.0] {
             let mut steps = 0;
             let count = allocations(|| {
                 let (times, start) = ((0.0, end), [2.0, 0.0]);
-                let rates = &mut Oscillator;
-                let done = integrate(rates, times, &start, &options, &mut workspace, &mut ());
+                let done = integrate(&flow, times, &start, &options, &mut workspace, &mut ());
                 steps = done.unwrap().steps;
             });
             assert_eq!(count, 0, "{method:?}");

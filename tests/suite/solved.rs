@@ -1,8 +1,9 @@
 //! A scene of the registry with its steady state, read by the names that the equation file gives.
 
+use assur::model::Model;
 use assur::periodic::{Orbit, PeriodicError};
 use assur::problem::{Refused, Span};
-use assur::registry::{Bind, Method, Run, SceneEntry, Settings};
+use assur::registry::{Bind, Method, SceneEntry, Settings};
 use assur_equations::REGISTRY;
 use std::f64::consts::TAU;
 
@@ -42,7 +43,7 @@ pub fn values(entry: &SceneEntry, changes: &[(&str, f64)]) -> Vec<f64> {
 /// A scene with its steady state.
 pub struct Solved {
     pub entry: &'static SceneEntry,
-    pub run: Box<dyn Run>,
+    pub run: Box<dyn Model>,
     pub orbit: Orbit,
     pub period: f64,
     values: Vec<f64>,
@@ -140,7 +141,7 @@ impl Solved {
 }
 
 /// Fixes the values of a scene with some of them changed.
-pub fn bind(entry: &SceneEntry, changes: &[(&str, f64)]) -> Result<Box<dyn Run>, Refused> {
+pub fn bind(entry: &SceneEntry, changes: &[(&str, f64)]) -> Result<Box<dyn Model>, Refused> {
     entry.bind.motion(&values(entry, changes))
 }
 

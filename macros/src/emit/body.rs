@@ -132,9 +132,15 @@ impl<'a> Body<'a> {
                 quote!(position[#place])
             }
             (OperationKind::Input(Input::Mode(_)), ..) => quote!(mode),
-            (_, _, Stage::Constant | Stage::Parameter) => quote!(self.#name),
+            (_, _, Stage::Constant | Stage::Parameter) => {
+                let owner = self.layout.owner();
+                quote!(#owner.#name)
+            }
             (_, Place::Evaluation, Stage::Instant) if self.layout.timed.contains(&value) => {
-                quote!(instant.#name)
+                match self.layout.scene.linkage {
+                    Some(_) => quote!(instant.#name),
+                    None => self.layout.from_row(value),
+                }
             }
             _ => return None,
         };
@@ -222,7 +228,7 @@ impl<'a> Body<'a> {
             Input::Mode(_) => quote!(mode),
             Input::Side(index) => {
                 let index = expression::size(index as usize);
-                quote!(self.sides_[#index])
+                quote!(phase.side(#index))
             }
             Input::Measured(index) => {
                 let index = expression::size(index as usize);

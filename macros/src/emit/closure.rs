@@ -128,14 +128,12 @@ fn close_all(layout: &Layout<'_>) -> TokenStream {
         quote!({ let mode = modes[#group]; #statements sines[#group] = #sine; })
     });
     let count = size(forms.len());
-    let first = super::equations::first(quote!(sines), forms.len());
+    let first = super::equations::exact(&[(quote!(mut sines), forms.len())]);
     quote! {
         #[inline(always)]
         fn close_all(&self, instant: &Self::Instant, modes: &[S], position: &mut Self::Position, sines: &mut [S]) {
             #first
-            let ::core::option::Option::Some(modes) = modes.first_chunk::<#count>() else {
-                return;
-            };
+            ::assur::exact!(modes, #count);
             #(#blocks)*
             #angles
         }
@@ -327,7 +325,7 @@ fn coefficients(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
             writes.push(quote!(columns[#driver][#dependent] = #value;));
         }
     }
-    let first = super::equations::first(quote!(columns), layout.scene.drivers.len());
+    let first = super::equations::exact(&[(quote!(mut columns), layout.scene.drivers.len())]);
     let writes = blocks(&writes);
     quote! {
         #[inline(always)]
@@ -352,7 +350,8 @@ fn list(layout: &Layout<'_>, method: &str, target: &TokenStream, wanted: &[Value
             quote!(#target[#index] = #value;)
         })
         .collect();
-    let first = (!wanted.is_empty()).then(|| super::equations::first(target.clone(), wanted.len()));
+    let first = (!wanted.is_empty())
+        .then(|| super::equations::exact(&[(quote!(mut #target), wanted.len())]));
     let writes = blocks(&writes);
     // A long method is compiled once for each scalar type, not once for each solver that calls it.
     let is_long = layout.program().count(wanted, Stage::State) > LONG;

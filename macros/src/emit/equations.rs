@@ -10,78 +10,121 @@ use super::blocks::blocks;
 use super::body::{Body, Place};
 use super::expression::{scalar, size};
 use super::layout::Layout;
-use super::{counts, docs, instant, outputs, series};
+use super::{counts, docs, instant, series};
 
 /// Longest array literal for a column of the Jacobian; longer columns are filled entry by entry.
 const SHORT: usize = 8;
 /// Most factors of a row in one expression.
 const TERMS: usize = 8;
 
-/// The struct and its implementation of `Equations`.
+/// The struct of prepared values, for each mode one of its own, and the implementation of `Equations`.
 pub fn items(layout: &Layout<'_>) -> TokenStream {
-    let (name, instant) = (&layout.equations, &layout.instant);
+    let name = &layout.equations;
     let states = size(layout.states());
-    let fields = layout.fields(&layout.prepared);
-    let sides = sides(layout);
+    let fields = match layout.modes.as_slice() {
+        [] => layout.fields(&layout.prepared),
+        modes => {
+            let fields = modes.iter().map(|mode| {
+                let (field, kind) = (&mode.field, &mode.equations);
+                quote!(#field: #kind<S>)
+            });
+            quote!(#(#fields),*)
+        }
+    };
+    let modes = layout
+        .modes
+        .iter()
+        .zip(&layout.scene.modes)
+        .map(|(mode, own)| {
+            let (name, fields) = (&mode.equations, mode.fields(&mode.prepared));
+            let text = match own.name.as_str() {
+                "" => docs::lines("In the only mode."),
+                name => docs::lines(&format!("In the mode `{name}`.")),
+            };
+            quote! {
+                #text
+                #[derive(Clone, Copy, Debug)]
+                struct #name<S: ::assur::scalar::Scalar> { #fields }
+            }
+        });
     let text = docs::lines(&format!(
         "Equations of [`{}`], prepared for a scalar type.",
         layout.parameters
     ));
-    let methods = [
-        instant::methods(layout),
-        derivative(layout),
-        series::method(layout).unwrap_or_default(),
-        variation(layout),
-        jacobian(layout),
-        outputs::methods(layout),
-    ];
+    let (instants, series) = (instant::methods(layout), series::method(layout));
+    let methods = [rates(layout), variation(layout), jacobian(layout)];
     quote! {
+        #(#modes)*
+
         #text
         #[derive(Clone, Copy, Debug)]
-        pub struct #name<S: ::assur::scalar::Scalar> { #fields #sides }
+        pub struct #name<S: ::assur::scalar::Scalar> { #fields }
 
         impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for #name<S> {
-            type State = [S; #states];
-            type Instant = #instant<S>;
-
             #[inline(always)]
             fn states(&self) -> usize {
                 #states
             }
 
+            #instants
             #(#methods)*
+            #series
         }
     }
 }
 
-/// The field for the sides of switching surfaces.
-fn sides(layout: &Layout<'_>) -> Option<TokenStream> {
-    let count = size(layout.program().surfaces.len());
-    layout.has_sides().then(|| {
-        quote!(
-            , /// On which side of each switching surface the motion is, 1 or -1; 0 where its values say it.
-            sides_: [S; #count]
-        )
-    })
+/// Slices of a caller as arrays of these lengths. Others are a mistake of the caller's, which debug builds report.
+pub fn exact(slices: &[(TokenStream, usize)]) -> TokenStream {
+    let slices = slices.iter().map(|(slice, count)| {
+        let count = size(*count);
+        quote!(::assur::exact!(#slice, #count);)
+    });
+    slices.collect()
 }
 
-fn derivative(layout: &Layout<'_>) -> TokenStream {
-    let wanted = &layout.program().results.derivative;
-    let body = Body::new(layout, Place::Evaluation, wanted, &[]);
-    let statements = body.statements(wanted);
-    let values = wanted.iter().map(|value| body.value(*value));
-    let text = docs::operations(counts::of(layout).derivative);
-    let body = layout.body(quote!(#statements *rate = [#(#values),*];));
+fn rates(layout: &Layout<'_>) -> TokenStream {
+    let states = layout.states();
+    let exact = exact(&[(quote!(state), states), (quote!(mut rates), states)]);
+    let body = layout.in_mode(&quote!({}), &|mode| {
+        let wanted = &mode.program().results.derivative;
+        let body = Body::new(mode, Place::Evaluation, wanted, &[]);
+        let statements = body.statements(wanted);
+        let values = wanted.iter().map(|value| body.value(*value));
+        layout.body(quote!(#statements *rates = [#(#values),*];))
+    });
+    let text = layout.counted(counts::of(layout).derivative);
     quote! {
         #text
         #[inline(always)]
-        fn derivative(&self, instant: &Self::Instant, state: &Self::State, rate: &mut Self::State) {
+        fn rates(&self, phase: ::assur::problem::Phase<'_, S>, instant: &[S], state: &[S], rates: &mut [S]) {
+            #exact
             #body
         }
     }
 }
 
 fn jacobian(layout: &Layout<'_>) -> TokenStream {
+    let states = size(layout.states());
+    let body = (layout.states() > 0).then(|| {
+        let body = layout.in_mode(&quote!({}), &|mode| layout.body(columns(mode)));
+        quote! {
+            ::assur::exact!(state, #states);
+            ::assur::exact!(mut columns, #states by #states);
+            #body
+        }
+    });
+    let text = layout.counted(counts::of(layout).jacobian);
+    quote! {
+        #text
+        #[inline(always)]
+        fn jacobian(&self, phase: ::assur::problem::Phase<'_, S>, instant: &[S], state: &[S], columns: &mut [S]) {
+            #body
+        }
+    }
+}
+
+/// Writes the columns of the Jacobian in a mode.
+fn columns(layout: &Layout<'_>) -> TokenStream {
     let entries = &layout.program().results.jacobian;
     let wanted: Vec<Value> = entries.iter().map(|entry| entry.2).collect();
     let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
@@ -110,19 +153,38 @@ fn jacobian(layout: &Layout<'_>) -> TokenStream {
         }
     }
     let writes = blocks(&writes);
-    let first = first(quote!(columns), states);
-    let text = docs::operations(counts::of(layout).jacobian);
-    let body = layout.body(quote!(#first #statements #writes));
+    quote!(#statements #writes)
+}
+
+fn variation(layout: &Layout<'_>) -> TokenStream {
+    let (states, count) = (layout.states(), size(layout.states()));
+    let body = (states > 0).then(|| {
+        let exact = exact(&[(quote!(state), states), (quote!(mut rates), states)]);
+        let body = layout.in_mode(&quote!({}), &|mode| layout.body(products(mode)));
+        quote! {
+            #exact
+            let (columns, products) = (columns.as_chunks::<#count>().0, products.as_chunks_mut::<#count>().0);
+            #body
+        }
+    });
     quote! {
-        #text
         #[inline(always)]
-        fn jacobian(&self, instant: &Self::Instant, state: &Self::State, columns: &mut [Self::State]) {
+        fn variation(
+            &self,
+            phase: ::assur::problem::Phase<'_, S>,
+            instant: &[S],
+            state: &[S],
+            rates: &mut [S],
+            columns: &[S],
+            products: &mut [S],
+        ) {
             #body
         }
     }
 }
 
-fn variation(layout: &Layout<'_>) -> TokenStream {
+/// The rates and the products of the Jacobian with columns in a mode.
+fn products(layout: &Layout<'_>) -> TokenStream {
     let results = &layout.program().results;
     let slopes: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
     let all: Vec<Value> = results.derivative.iter().chain(&slopes).copied().collect();
@@ -134,24 +196,11 @@ fn variation(layout: &Layout<'_>) -> TokenStream {
         .map(|row| product(layout, &body, row))
         .collect();
     let rows = blocks(&rows);
-    let body = layout.body(quote! {
-        #statements
-        *rate = [#(#values),*];
-        for (column_, product_) in columns.iter().zip(products.iter_mut()) {
-            #rows
-        }
-    });
     quote! {
-        #[inline(always)]
-        fn variation(
-            &self,
-            instant: &Self::Instant,
-            state: &Self::State,
-            rate: &mut Self::State,
-            columns: &[Self::State],
-            products: &mut [Self::State],
-        ) {
-            #body
+        #statements
+        *rates = [#(#values),*];
+        for (column_, product_) in columns.iter().zip(&mut *products) {
+            #rows
         }
     }
 }
@@ -194,14 +243,5 @@ fn product(layout: &Layout<'_>, body: &Body<'_>, row: usize) -> TokenStream {
         quote!(product_[#row] = #sum;)
     } else {
         quote!(product_[#row] = { #(#parts)* #sum };)
-    }
-}
-
-/// The first so many places of a slice as an array. Fewer are a mistake of the caller's, which debug builds report.
-pub fn first(slice: TokenStream, count: usize) -> TokenStream {
-    let count = size(count);
-    quote! {
-        ::core::debug_assert!(#slice.len() >= #count);
-        let ::core::option::Option::Some(#slice) = #slice.first_chunk_mut::<#count>() else { return };
     }
 }

@@ -1,4 +1,4 @@
-//! What depends on the time alone, at one time and at several at once.
+//! What depends on the time alone: of a motion rows of numbers for several times at once, of a linkage a struct.
 
 use std::collections::BTreeMap;
 
@@ -11,9 +11,12 @@ use super::docs;
 use super::expression::{Expression, size};
 use super::layout::Layout;
 use super::pairs::pairs;
-use super::{counts, names, schedule};
+use super::{names, schedule};
 
-/// The struct.
+/// Times that are treated together: so many sines are packed well.
+const PACKED: usize = 4;
+
+/// The struct of a linkage.
 pub fn items(layout: &Layout<'_>) -> TokenStream {
     let name = &layout.instant;
     let fields = layout.fields(&layout.timed);
@@ -26,13 +29,6 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
         #[derive(Clone, Copy, Debug)]
         pub struct #name<S: ::assur::scalar::Scalar> { #fields }
     }
-}
-
-/// The methods of `Equations` that make it.
-pub fn methods(layout: &Layout<'_>) -> TokenStream {
-    let one = one(layout);
-    let several = several(layout);
-    quote!(#one #several)
 }
 
 /// The method of `Closure` that makes it from the drivers.
@@ -68,29 +64,43 @@ pub fn of_drivers(layout: &Layout<'_>) -> TokenStream {
     }
 }
 
-fn one(layout: &Layout<'_>) -> TokenStream {
-    let wanted: Vec<Value> = layout.timed.iter().copied().collect();
-    let body = Body::new(layout, Place::Time, &wanted, &[]);
-    let (statements, fields) = (
-        body.statements(&wanted),
-        layout.stored(&layout.timed, &body),
-    );
-    let name = &layout.instant;
-    let text = docs::operations(counts::of(layout).instant);
-    let body = layout.body(quote!(#statements #name { #fields }));
-    quote! {
-        #text
-        #[inline(always)]
-        fn instant(&self, time: S) -> Self::Instant {
-            #body
-        }
+/// The methods of `Equations` that make rows, where there are any.
+pub fn methods(layout: &Layout<'_>) -> Option<TokenStream> {
+    let row = layout.row();
+    if row == 0 {
+        return None;
     }
+    let (row, packed) = (size(row), size(PACKED));
+    let fill = layout.in_mode(&quote!({}), &|mode| {
+        let code = rows(mode);
+        match code.is_empty() {
+            true => code,
+            false => layout.body(code),
+        }
+    });
+    Some(quote! {
+        #[inline(always)]
+        fn instant(&self) -> usize {
+            #row
+        }
+
+        #[inline(always)]
+        fn instants(&self, phase: ::assur::problem::Phase<'_, S>, times: &[S], rows: &mut [S]) {
+            let (rows, _) = rows.as_chunks_mut::<#row>();
+            for (times, rows) in times.chunks(#packed).zip(rows.chunks_mut(#packed)) {
+                #fill
+            }
+        }
+    })
 }
 
-/// Each angle at all times is one packed call. These instants are for the rates and their slopes alone: where those need
-/// nothing of the time, or nothing on the side of a switching surface on which the motion is, nothing is computed.
-fn several(layout: &Layout<'_>) -> TokenStream {
+/// The statements that fill the rows of a mode, for at most [`PACKED`] times.
+fn rows(layout: &Layout<'_>) -> TokenStream {
     let program = layout.program();
+    if layout.timed.is_empty() {
+        return TokenStream::new();
+    }
+    // Where a branch that reads the time is not the one that holds, nothing of it is wanted.
     let is_idle = |side: Option<(u32, f64)>| {
         let results = &program.results;
         let slopes = results.jacobian.iter().map(|(_, _, value)| *value);
@@ -99,39 +109,30 @@ fn several(layout: &Layout<'_>) -> TokenStream {
         let stages = resting
             .iter()
             .map(|value| program.operations[value.0 as usize].stage);
-        !layout.timed.is_empty() && stages.into_iter().all(|stage| stage != Stage::Instant)
+        stages.into_iter().all(|stage| stage != Stage::Instant)
     };
-    let (name, placeholders) = (&layout.instant, layout.placeholders(&layout.timed));
     if is_idle(None) {
-        return quote! {
-            #[inline(always)]
-            fn instants<const K_: usize>(&self, _times: [S; K_]) -> [Self::Instant; K_] {
-                [#name { #placeholders }; K_]
-            }
-        };
+        return TokenStream::new();
     }
     let idle = (0..program.surfaces.len() as u32).flat_map(|surface| {
         let index = size(surface as usize);
         [
-            (-1.0, quote!(self.sides_[#index], S::ZERO)),
-            (1.0, quote!(S::ZERO, self.sides_[#index])),
+            (-1.0, quote!(phase.side(#index), S::ZERO)),
+            (1.0, quote!(S::ZERO, phase.side(#index))),
         ]
         .map(|(side, pair)| (is_idle(Some((surface, side))), pair))
     });
-    let idle = idle.filter(|(is_idle, _)| *is_idle).map(|(_, pair)| {
-        quote! {
-            if S::holds(S::less(#pair)) {
-                return [#name { #placeholders }; K_];
-            }
-        }
-    });
-    let idle: Vec<TokenStream> = idle.collect();
+    let idle: Vec<TokenStream> = idle
+        .filter(|(is_idle, _)| *is_idle)
+        .map(|(_, pair)| quote!(if S::holds(S::less(#pair)) { return; }))
+        .collect();
     let wanted: Vec<Value> = layout.timed.iter().copied().collect();
     // Whatever is prepared is there; the time stands in an array.
     let prepared = |value: Value| program.operations[value.0 as usize].stage < Stage::Instant;
     let needed = schedule::needed(program, &wanted, &prepared);
     let mut given: BTreeMap<Value, Expression> = BTreeMap::new();
     let mut sines = Vec::new();
+    let packed = size(PACKED);
     for level in schedule::levels(program, &needed) {
         let pairs = pairs(layout, &level.batch);
         if pairs.is_empty() {
@@ -146,9 +147,9 @@ fn several(layout: &Layout<'_>) -> TokenStream {
         let statements = body.statements(&angles);
         let values = angles.iter().map(|angle| body.value(*angle));
         sines.push(quote! {
-            #(let mut #names = [S::ZERO; K_];)*
-            for k_ in 0..K_ {
-                let time = times[k_];
+            #(let mut #names = [S::ZERO; #packed];)*
+            for k_ in 0..#packed {
+                let time = times[k_.min(times.len() - 1)];
                 #statements
                 #(#names[k_] = #values;)*
             }
@@ -163,31 +164,19 @@ fn several(layout: &Layout<'_>) -> TokenStream {
                 None => quote!(_),
             };
             let (sine, cosine) = (name(pair.sine), name(pair.cosine));
-            sines.push(quote!(let (#sine, #cosine) = S::sin_cos_all::<K_>(#array);));
+            sines.push(quote!(let (#sine, #cosine) = S::sin_cos_all(#array);));
         }
     }
     let body = Body::with_given(layout, Place::Time, &wanted, &[], given);
-    let (statements, fields) = (
-        body.statements(&wanted),
-        layout.stored(&layout.timed, &body),
-    );
-    let fill = match layout.timed.is_empty() {
-        true => quote!([#name { #placeholders }; K_]),
-        false => quote! {
-            let mut instants = [#name { #placeholders }; K_];
-            for k_ in 0..K_ {
-                let time = times[k_];
-                #statements
-                instants[k_] = #name { #fields };
-            }
-            instants
-        },
-    };
-    let body = layout.body(quote!(#(#idle)* #(#sines)* #fill));
+    let (statements, numbers) = (body.statements(&wanted), layout.row_of(&body));
+    let count = size(numbers.len());
     quote! {
-        #[inline(always)]
-        fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
-            #body
+        #(#idle)*
+        #(#sines)*
+        for (k_, row_) in rows.iter_mut().enumerate() {
+            let time = times[k_];
+            #statements
+            row_[..#count].copy_from_slice(&[#(#numbers),*]);
         }
     }
 }

@@ -13,8 +13,8 @@ use super::names::{self, Names};
 use super::schedule::{self, Shape};
 use super::{docs, formula};
 
-/// Operations of an evaluation with its Jacobian from which on a scene is large.
-const LARGE: usize = 3000;
+/// Operations of an evaluation with its Jacobian, in all modes together, from which on functions are long.
+const LONG: usize = 1000;
 
 /// A scene with the names of its types and the fields that its values are stored in.
 pub struct Layout<'a> {
@@ -36,12 +36,13 @@ pub struct Layout<'a> {
     pub timed: BTreeSet<Value>,
     /// The modes, each laid out like a scene of its own; empty where there are none.
     pub modes: Vec<Layout<'a>>,
-    /// Whether this is a mode.
-    pub is_mode: bool,
+    /// Of a mode the field that holds its prepared values.
+    pub field: Option<Ident>,
 }
 
 /// What an instant stores: what the derivative needs of the time, and the functions of the time that the Jacobian
-/// needs beside it. The rest of the Jacobian is computed where it is asked for, so that a plain run does not pay for it.
+/// needs beside it. The rest of the Jacobian is computed where it is asked for, so that a plain run does not pay for it;
+/// so is all that events need.
 ///
 /// Of a linkage: what closing needs of the drivers, and the functions of them that the rest needs beside it.
 fn timed(program: &Program) -> BTreeSet<Value> {
@@ -63,7 +64,6 @@ fn timed(program: &Program) -> BTreeSet<Value> {
     let mut timed = schedule::frontier(program, &first, Stage::State);
     timed.retain(|value| stage(*value) == Stage::Instant);
     let mut open: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
-    open.extend(results.events.iter().flat_map(|event| event.all()));
     if !closing.cosines.is_empty() || closing != &Default::default() {
         open.extend(results.outputs.iter().copied().chain(closing.all()));
     }
@@ -129,7 +129,7 @@ impl<'a> Layout<'a> {
             prepared: schedule::frontier(program, &all, Stage::Instant),
             timed: timed(program),
             modes: Vec::new(),
-            is_mode: false,
+            field: None,
         }
     }
 
@@ -139,7 +139,7 @@ impl<'a> Layout<'a> {
         let own = modes.iter().zip(names::mode_types(scene));
         let modes = own.map(|(mode, name)| Layout {
             parameters: parameters.clone(),
-            is_mode: true,
+            field: Some(names::identifier(&names::snake(&name))),
             ..Layout::new(mode, &format!("{type_name}{name}"))
         });
         Self {
@@ -148,31 +148,140 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Whether the functions are too long to be compiled into every solver: rustc would take minutes.
-    ///
-    /// So are those of a scene with modes, each of which has all of them.
-    fn is_large(&self) -> bool {
-        if !self.scene.modes.is_empty() || self.is_mode {
-            return true;
-        }
-        let results = &self.program().results;
-        let slopes = results.jacobian.iter().map(|entry| entry.2);
-        let all: Vec<Value> = results.derivative.iter().copied().chain(slopes).collect();
-        self.program().count(&all, Stage::State) > LARGE
+    /// Whether the functions are too long to be written out wherever they are called: rustc would take minutes, and what
+    /// they take is not the call. All modes of a scene stand in the same places.
+    fn is_long(&self) -> bool {
+        let operations = self.each_mode().iter().map(|mode| {
+            let results = &mode.program().results;
+            let slopes = results.jacobian.iter().map(|entry| entry.2);
+            let all: Vec<Value> = results.derivative.iter().copied().chain(slopes).collect();
+            mode.program().count(&all, Stage::State)
+        });
+        operations.sum::<usize>() > LONG
     }
 
-    /// The body of a function of the equations: inlined into the solvers, or a function of its own where it is large.
+    /// The body of a function of the equations: as it is, or as a function of its own where it is long.
     pub fn body(&self, body: TokenStream) -> TokenStream {
-        if self.is_large() {
-            outlined(body)
-        } else {
-            body
+        match self.is_long() {
+            true => outlined(body),
+            false => body,
         }
     }
 
-    /// Whether it meets switching surfaces.
-    pub fn has_sides(&self) -> bool {
-        !self.program().surfaces.is_empty()
+    /// Documentation of a function of so many operations, where all modes do not share it.
+    pub fn counted(&self, operations: usize) -> Option<TokenStream> {
+        self.modes.is_empty().then(|| docs::operations(operations))
+    }
+
+    /// What holds the prepared values where equations are evaluated.
+    pub fn owner(&self) -> TokenStream {
+        match &self.field {
+            Some(field) => quote!(self.#field),
+            None => quote!(self),
+        }
+    }
+
+    /// The modes, or the scene itself where it has none.
+    pub fn each_mode(&self) -> &[Layout<'a>] {
+        match self.modes.as_slice() {
+            [] => std::slice::from_ref(self),
+            modes => modes,
+        }
+    }
+
+    /// The mode in which the motion begins, or the scene itself where it has none.
+    pub fn first_mode(&self) -> &Layout<'a> {
+        self.modes.get(self.scene.first).unwrap_or(self)
+    }
+
+    /// Code for each mode: what a method does in the mode that a phase is in, and otherwise.
+    pub fn in_mode(
+        &self,
+        otherwise: &TokenStream,
+        code: &dyn Fn(&Layout<'a>) -> TokenStream,
+    ) -> TokenStream {
+        if self.modes.is_empty() {
+            return code(self);
+        }
+        let arms = self.modes.iter().enumerate().map(|(index, mode)| {
+            let (index, code) = (whole(index), code(mode));
+            match code.is_empty() {
+                true => code,
+                false => quote!(#index => { #code }),
+            }
+        });
+        quote!(match phase.mode { #(#arms)* _ => #otherwise })
+    }
+
+    /// Length of a row of what depends on the time alone.
+    pub fn row(&self) -> usize {
+        let modes = self.each_mode().iter();
+        let own = modes.map(|mode| mode.timed.iter().map(|value| mode.numbers(*value)).sum());
+        own.max().unwrap_or(0)
+    }
+
+    /// How many numbers of a row a value takes.
+    fn numbers(&self, value: Value) -> usize {
+        match schedule::shape(self.program(), value) {
+            Shape::Number | Shape::Mask => 1,
+            Shape::Factor(_, size) => size * size,
+            Shape::Vector(size) => size,
+        }
+    }
+
+    /// A value that depends on the time alone, read from a row.
+    pub fn from_row(&self, value: Value) -> TokenStream {
+        let before = self.timed.range(..value);
+        let begin: usize = before.map(|value| self.numbers(*value)).sum();
+        let at = |index: usize| whole(begin + index);
+        match schedule::shape(self.program(), value) {
+            Shape::Number => {
+                let at = at(0);
+                quote!(instant[#at])
+            }
+            Shape::Mask => {
+                let at = at(0);
+                quote!(S::less(S::ZERO, instant[#at]))
+            }
+            Shape::Factor(form, size) => {
+                let (factor, rows) = (expression::factoring(form), 0..size);
+                let rows = rows.map(|row| {
+                    let entries = (0..size).map(|column| at(row * size + column));
+                    quote!([#(instant[#entries]),*])
+                });
+                let size = whole(size);
+                quote!(::assur::dense::#factor::<S, #size>([#(#rows),*]))
+            }
+            Shape::Vector(size) => {
+                let entries = (0..size).map(at);
+                quote!([#(instant[#entries]),*])
+            }
+        }
+    }
+
+    /// The numbers of a row, as a body has computed them.
+    pub fn row_of(&self, body: &Body<'_>) -> Vec<TokenStream> {
+        let timed = self.timed.iter();
+        let numbers = timed.flat_map(|value| {
+            let text = body.value(*value);
+            match schedule::shape(self.program(), *value) {
+                Shape::Number => vec![text],
+                Shape::Mask => vec![quote!(S::select(#text, S::ONE, S::ZERO))],
+                Shape::Factor(_, size) => (0..size * size)
+                    .map(|index| {
+                        let (row, column) = (whole(index / size), whole(index % size));
+                        quote!(#text.0[#row][#column])
+                    })
+                    .collect(),
+                Shape::Vector(size) => (0..size)
+                    .map(|index| {
+                        let index = whole(index);
+                        quote!(#text[#index])
+                    })
+                    .collect(),
+            }
+        });
+        numbers.collect()
     }
 
     /// The program of the scene.
@@ -223,11 +332,6 @@ impl<'a> Layout<'a> {
     /// The fields with their values, `name: value`.
     pub fn stored(&self, stored: &BTreeSet<Value>, body: &Body<'_>) -> TokenStream {
         self.filled(stored, &|value| body.value(value))
-    }
-
-    /// The fields with any values of the right types.
-    pub fn placeholders(&self, stored: &BTreeSet<Value>) -> TokenStream {
-        self.filled(stored, &|value| self.placeholder(value))
     }
 
     fn filled(&self, stored: &BTreeSet<Value>, text: &dyn Fn(Value) -> TokenStream) -> TokenStream {

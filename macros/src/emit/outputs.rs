@@ -1,4 +1,4 @@
-//! What is asked of single positions: outputs, drivers, mass matrix, energy.
+//! What is asked of single positions: outputs, drivers, loops, energy, mass matrix, measures.
 
 use assur_model::program::Value;
 use proc_macro2::TokenStream;
@@ -6,65 +6,87 @@ use quote::quote;
 
 use super::blocks::blocks;
 use super::body::{Body, Place};
-use super::equations::first;
+use super::counts;
+use super::equations::exact;
 use super::expression::{size, triangle};
 use super::layout::{Layout, outlined};
-use super::{counts, docs};
 
-/// The methods of `Equations` for outputs and drivers, where there are any.
-pub fn methods(layout: &Layout<'_>) -> TokenStream {
-    let results = &layout.program().results;
-    let outputs = (!results.outputs.is_empty()).then(|| {
-        let text = docs::operations(counts::of(layout).outputs);
-        let outputs = layout.body(writes(layout, &results.outputs));
-        quote! {
-            #text
-            #[inline(always)]
-            fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
-                #outputs
-            }
+/// The implementation of `Reports`.
+pub fn items(layout: &Layout<'_>) -> TokenStream {
+    let name = &layout.equations;
+    let first = &layout.first_mode().program().results;
+    let drivers = of_time(layout, "drivers", &first.drivers);
+    let margins = of_time(layout, "margins", &first.margins);
+    let methods = [
+        outputs(layout),
+        drivers,
+        margins,
+        energy(layout),
+        mass(layout),
+        measures(layout),
+    ];
+    let methods = methods.iter().flatten();
+    quote! {
+        impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for #name<S> {
+            #(#methods)*
         }
-    });
-    let drivers = (!results.drivers.is_empty()).then(|| {
-        let drivers = layout.body(writes(layout, &results.drivers));
-        quote! {
-            #[inline(always)]
-            fn drivers(&self, time: S, values: &mut [S]) {
-                #drivers
-            }
-        }
-    });
-    let (margins, measures) = (margins(layout), measures(layout));
-    quote!(#outputs #drivers #margins #measures)
+    }
 }
 
-/// The method of `Equations` for loops that are carried along, where there are any.
-fn margins(layout: &Layout<'_>) -> Option<TokenStream> {
-    let wanted = &layout.program().results.margins;
-    let margins = outlined(writes(layout, wanted));
-    (!wanted.is_empty()).then(|| {
+fn outputs(layout: &Layout<'_>) -> Option<TokenStream> {
+    let text = layout.counted(counts::of(layout).outputs);
+    let states = size(layout.states());
+    let outputs = layout.in_mode(&quote!({}), &|mode| {
+        of_state(mode, &mode.program().results.outputs)
+    });
+    (!layout.scene.outputs.is_empty()).then(|| {
         quote! {
-            #[inline(always)]
-            fn margins(&self, time: S, values: &mut [S]) {
-                #margins
+            #text
+            fn outputs(&self, phase: ::assur::problem::Phase<'_, S>, time: S, state: &[S], values: &mut [S]) {
+                ::assur::exact!(state, #states);
+                #outputs
             }
         }
     })
 }
 
-/// The methods of `Equations` for measures, where the scene has any.
+/// A method for values that depend on the time alone, which the first mode computes; none where there are none.
+fn of_time(layout: &Layout<'_>, method: &str, wanted: &[Value]) -> Option<TokenStream> {
+    let method = super::names::identifier(method);
+    let body = outlined(writes(layout.first_mode(), wanted));
+    (!wanted.is_empty()).then(|| {
+        quote! {
+            fn #method(&self, time: S, values: &mut [S]) {
+                #body
+            }
+        }
+    })
+}
+
+/// Writes values at a time and state.
+fn of_state(layout: &Layout<'_>, wanted: &[Value]) -> TokenStream {
+    let writes = writes(layout, wanted);
+    match writes.is_empty() {
+        true => writes,
+        false => outlined(writes),
+    }
+}
+
+/// The methods for measures, where the scene has any.
 fn measures(layout: &Layout<'_>) -> Option<TokenStream> {
-    let results = &layout.program().results;
-    let measured = outlined(writes(layout, &results.measured));
-    let measures = outlined(writes(layout, &results.measures));
+    let states = size(layout.states());
+    let measured = layout.in_mode(&quote!({}), &|mode| {
+        of_state(mode, &mode.program().results.measured)
+    });
+    let first = layout.first_mode();
+    let measures = outlined(writes(first, &first.program().results.measures));
     (!layout.scene.measures.is_empty()).then(|| {
         quote! {
-            #[inline(always)]
-            fn measured(&self, time: S, state: &Self::State, values: &mut [S]) {
+            fn measured(&self, phase: ::assur::problem::Phase<'_, S>, time: S, state: &[S], values: &mut [S]) {
+                ::assur::exact!(state, #states);
                 #measured
             }
 
-            #[inline(always)]
             fn measures(&self, found: &[S], values: &mut [S]) {
                 #measures
             }
@@ -77,8 +99,9 @@ fn writes(layout: &Layout<'_>, wanted: &[Value]) -> TokenStream {
         return TokenStream::new();
     }
     let body = Body::new(layout, Place::Time, wanted, &[]);
-    let (first, statements) = (first(quote!(values), wanted.len()), body.statements(wanted));
-    let writes: Vec<TokenStream> = wanted
+    let exact = exact(&[(quote!(mut values), wanted.len())]);
+    let statements = body.statements(wanted);
+    let written: Vec<TokenStream> = wanted
         .iter()
         .enumerate()
         .map(|(index, value)| {
@@ -86,63 +109,76 @@ fn writes(layout: &Layout<'_>, wanted: &[Value]) -> TokenStream {
             quote!(values[#index] = #value;)
         })
         .collect();
-    let writes = blocks(&writes);
-    quote!(#first #statements #writes)
+    let written = blocks(&written);
+    quote!(#exact #statements #written)
 }
 
-/// Methods of the equations' own, where the scene has them.
-pub fn inherent(layout: &Layout<'_>) -> TokenStream {
-    let methods = [mass_matrix(layout), energy(layout)];
-    if methods.iter().all(TokenStream::is_empty) {
-        return TokenStream::new();
-    }
-    let name = &layout.equations;
-    quote! {
-        impl<S: ::assur::scalar::Scalar> #name<S> {
-            #(#methods)*
-        }
-    }
-}
-
-fn mass_matrix(layout: &Layout<'_>) -> TokenStream {
-    let mass = &layout.program().results.mass;
-    let rows = layout.scene.coordinates;
-    if mass.is_empty() || mass.len() != triangle(rows, 0) {
-        return TokenStream::new();
-    }
-    // Entries beside the diagonal are written twice: each gets a name.
-    let body = Body::new(layout, Place::Time, &[], mass);
-    let statements = body.statements(mass);
-    let row = |i: usize| {
-        let row = (0..rows).map(|j| body.value(mass[triangle(i.max(j), i.min(j))]));
-        quote!([#(#row),*])
+fn mass(layout: &Layout<'_>) -> Option<TokenStream> {
+    let count = layout.scene.coordinates;
+    let has_mass = |mode: &Layout<'_>| {
+        let mass = &mode.program().results.mass;
+        !mass.is_empty() && mass.len() == triangle(count, 0)
     };
-    let (states, count, matrix) = (size(layout.states()), size(rows), (0..rows).map(row));
-    let body = outlined(quote!(#statements [#(#matrix),*]));
-    quote! {
-        /// The symmetric mass matrix, in the order of the coordinates.
-        #[inline(always)]
-        pub fn mass_matrix(&self, time: S, state: &[S; #states]) -> [[S; #count]; #count] {
-            #body
+    let body = layout.in_mode(&quote!(false), &|mode| {
+        if !has_mass(mode) {
+            return quote!(false);
         }
-    }
+        let mass = &mode.program().results.mass;
+        // Entries beside the diagonal are written twice: each gets a name.
+        let body = Body::new(mode, Place::Time, &[], mass);
+        let statements = body.statements(mass);
+        let entries = (0..count * count).map(|place| {
+            let (row, column) = (place / count, place % count);
+            body.value(mass[triangle(row.max(column), row.min(column))])
+        });
+        let (states, square) = (size(mode.states()), size(count * count));
+        outlined(quote! {
+            ::assur::exact!(state, #states, false);
+            ::assur::exact!(mut rows, #square, false);
+            #statements
+            *rows = [#(#entries),*];
+            true
+        })
+    });
+    layout.each_mode().iter().any(has_mass).then(|| {
+        quote! {
+            fn mass(&self, phase: ::assur::problem::Phase<'_, S>, time: S, state: &[S], rows: &mut [S]) -> bool {
+                #body
+            }
+        }
+    })
 }
 
-fn energy(layout: &Layout<'_>) -> TokenStream {
-    let energy = &layout.program().results.energy;
-    let [kinetic, potential] = energy.as_slice() else {
-        return TokenStream::new();
-    };
-    let body = Body::new(layout, Place::Time, energy, &[]);
-    let statements = body.statements(energy);
-    let (kinetic, potential) = (body.value(*kinetic), body.value(*potential));
-    let states = size(layout.states());
-    let body = outlined(quote!(#statements (#kinetic, #potential)));
-    quote! {
-        /// Kinetic and potential energy, in joules.
-        #[inline(always)]
-        pub fn energy(&self, time: S, state: &[S; #states]) -> (S, S) {
-            #body
-        }
-    }
+fn energy(layout: &Layout<'_>) -> Option<TokenStream> {
+    let none = quote!(::core::option::Option::None);
+    let body = layout.in_mode(&none, &|mode| {
+        let energy = &mode.program().results.energy;
+        let [kinetic, potential] = energy.as_slice() else {
+            return none.clone();
+        };
+        let body = Body::new(mode, Place::Time, energy, &[]);
+        let statements = body.statements(energy);
+        let (kinetic, potential) = (body.value(*kinetic), body.value(*potential));
+        let states = size(mode.states());
+        outlined(quote! {
+            ::assur::exact!(state, #states, ::core::option::Option::None);
+            #statements
+            ::core::option::Option::Some((#kinetic, #potential))
+        })
+    });
+    let mut modes = layout.each_mode().iter();
+    modes
+        .any(|mode| mode.program().results.energy.len() == 2)
+        .then(|| {
+            quote! {
+                fn energy(
+                    &self,
+                    phase: ::assur::problem::Phase<'_, S>,
+                    time: S,
+                    state: &[S],
+                ) -> ::core::option::Option<(S, S)> {
+                    #body
+                }
+            }
+        })
 }

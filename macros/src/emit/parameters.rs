@@ -8,7 +8,7 @@ use quote::quote;
 use super::body::{Body, Place};
 use super::expression::size;
 use super::layout::Layout;
-use super::{Origin, docs, linkage, modes, requirements, values};
+use super::{Origin, docs, linkage, requirements, values};
 
 /// The parameter struct of a scene with its methods.
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
@@ -118,36 +118,52 @@ fn computed(
 /// What the solvers ask of a scene.
 fn implementation(layout: &Layout<'_>) -> TokenStream {
     let (name, equations) = (&layout.parameters, &layout.equations);
-    let (prepare, modes) = match layout.modes.is_empty() {
-        true => (prepare(layout), TokenStream::new()),
-        false => {
-            let (prepare, each) = modes::prepare(layout);
-            let hybrid = modes::implementation(layout);
-            (prepare, quote!(#each #hybrid))
+    let is_smooth = layout.modes.is_empty();
+    let events = (!is_smooth).then(|| {
+        quote! {
+            fn events<S: ::assur::scalar::Scalar>(
+                equations: &Self::Equations<S>,
+            ) -> ::core::option::Option<&dyn ::assur::problem::Events<S>> {
+                ::core::option::Option::Some(equations)
+            }
         }
-    };
+    });
+    let smooth = is_smooth.then(|| quote!(impl ::assur::problem::Smooth for #name {}));
+    let prepare = prepare(layout);
     let (check, span, start) = (requirements::check(layout), span(layout), start(layout));
     quote! {
         impl ::assur::problem::Scene for #name {
             type Equations<S: ::assur::scalar::Scalar> = #equations<S>;
+            const SMOOTH: bool = #is_smooth;
 
             fn shape() -> &'static ::assur::shape::Shape {
                 &shapes_::#name
             }
 
             #prepare
+            #events
             #check
             #span
             #start
         }
 
-        #modes
+        #smooth
     }
 }
 
 /// The method that computes what depends on the parameters alone.
 fn prepare(layout: &Layout<'_>) -> TokenStream {
-    let body = layout.body(prepared(layout));
+    let body = match layout.modes.as_slice() {
+        [] => layout.body(prepared(layout)),
+        modes => {
+            let equations = &layout.equations;
+            let fields = modes.iter().map(|mode| {
+                let (field, body) = (&mode.field, layout.body(prepared(mode)));
+                quote!(#field: { #body })
+            });
+            quote!(#equations { #(#fields),* })
+        }
+    };
     quote! {
         #[inline(always)]
         fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
@@ -157,7 +173,7 @@ fn prepare(layout: &Layout<'_>) -> TokenStream {
 }
 
 /// What depends on the parameters alone, stored where later stages use it.
-pub fn prepared(layout: &Layout<'_>) -> TokenStream {
+fn prepared(layout: &Layout<'_>) -> TokenStream {
     let wanted: Vec<Value> = layout.prepared.iter().copied().collect();
     let body = Body::new(layout, Place::Parameters, &wanted, &[]);
     let (statements, fields) = (
@@ -165,11 +181,7 @@ pub fn prepared(layout: &Layout<'_>) -> TokenStream {
         layout.stored(&layout.prepared, &body),
     );
     let equations = &layout.equations;
-    let count = size(layout.program().surfaces.len());
-    let sides = layout
-        .has_sides()
-        .then(|| quote!(, sides_: [S::ZERO; #count]));
-    quote!(#statements #equations { #fields #sides })
+    quote!(#statements #equations { #fields })
 }
 
 /// The method that states the task.

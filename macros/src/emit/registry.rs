@@ -61,10 +61,6 @@ fn entry(layout: &Layout<'_>) -> TokenStream {
     let (kind, bind) = match &layout.scene.linkage {
         Some(linkage) if is_made(linkage) => (quote!(Linkage), quote!(bind_linkage)),
         Some(_) => (quote!(Linkage), quote!(bind_exact)),
-        None if !layout.modes.is_empty() && super::slopes::has(layout) => {
-            (quote!(Motion), quote!(bind_cycle))
-        }
-        None if !layout.modes.is_empty() => (quote!(Motion), quote!(bind_hybrid)),
         None => (quote!(Motion), quote!(bind)),
     };
     quote! {

@@ -28,25 +28,21 @@ pub fn alias(model: &Model, types: &[String]) -> Option<(Ident, Ident)> {
 /// Names of the public types of all scenes.
 pub fn exported<'a>(layouts: &'a [Layout<'_>]) -> impl Iterator<Item = TokenStream> + use<'a> {
     layouts.iter().map(|layout| {
-        let (parameters, equations, instant) =
-            (&layout.parameters, &layout.equations, &layout.instant);
-        quote!(#parameters, #equations, #instant)
+        let (parameters, equations) = (&layout.parameters, &layout.equations);
+        let instant = layout.scene.linkage.as_ref().map(|_| &layout.instant);
+        let instant = instant.iter();
+        quote!(#parameters, #equations #(, #instant)*)
     })
 }
 
 /// The items of a scene.
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
     let parameters = parameters::items(layout, model, origin);
-    if !layout.modes.is_empty() {
-        let modes = modes::items(layout);
-        return quote!(#parameters #modes);
-    }
-    let instant = instant::items(layout);
     if let Some(linkage) = &layout.scene.linkage {
-        let closure = closure::items(layout, linkage);
+        let (closure, instant) = (closure::items(layout, linkage), instant::items(layout));
         return quote!(#parameters #closure #instant);
     }
-    let equations = equations::items(layout);
-    let outputs = outputs::inherent(layout);
-    quote!(#parameters #equations #instant #outputs)
+    let (equations, reports) = (equations::items(layout), outputs::items(layout));
+    let events = modes::items(layout);
+    quote!(#parameters #equations #reports #events)
 }

@@ -7,46 +7,63 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::expression::{self, Expression, scalar, size};
-use super::layout::Layout;
+use super::layout::{Layout, outlined};
 use super::schedule;
 
 /// Most operations of a series: rustc is slow on longer scopes.
 const LONGEST: usize = 600;
 
-/// The method of `Equations`; none where the equations are too long.
+/// The method of `Equations`; none where the equations are too long in all modes.
 pub fn method(layout: &Layout<'_>) -> Option<TokenStream> {
+    let bodies: Vec<Option<TokenStream>> = layout.each_mode().iter().map(body).collect();
+    if bodies.iter().all(Option::is_none) {
+        return None;
+    }
+    let body = match bodies.as_slice() {
+        [Some(body)] if layout.modes.is_empty() => body.clone(),
+        _ => {
+            let arms = bodies.iter().enumerate().filter_map(|(index, body)| {
+                let (index, body) = (size(index), outlined(body.clone()?));
+                Some(quote!(#index => #body,))
+            });
+            quote!(match phase.mode { #(#arms)* _ => false })
+        }
+    };
+    Some(quote! {
+        #[inline(never)]
+        fn series(&self, phase: ::assur::problem::Phase<'_, S>, time: S, length: S, rows: &mut [S]) -> bool {
+            if !S::SINGLE {
+                return false;
+            }
+            #body
+        }
+    })
+}
+
+/// What it does in a mode; none where the equations are too long.
+fn body(layout: &Layout<'_>) -> Option<TokenStream> {
     let rates = &layout.program().results.derivative;
     if rates.is_empty() {
-        return Some(quote! {
-            fn series(&self, _time: S, _length: S, _rows: &mut [S]) -> bool {
-                true
-            }
-        });
+        return Some(quote!(true));
     }
     let series = Series::new(layout, rates)?;
     let (makers, statements) = (&series.makers, &series.statements);
     let values = rates.iter().map(|value| series.term(*value));
     let states = size(layout.states());
     Some(quote! {
-        #[inline(never)]
-        fn series(&self, time: S, length: S, rows: &mut [S]) -> bool {
-            if !S::SINGLE {
-                return false;
+        let (rows_, _) = rows.as_chunks_mut::<#states>();
+        #(#makers)*
+        for k_ in 0..rows_.len().saturating_sub(1).min(::assur::series::TERMS) {
+            let state = rows_[k_];
+            let one_: S = ::assur::series::one(k_);
+            #(#statements)*
+            let step_ = length * ::assur::series::inverse(k_ + 1);
+            let rates_ = [#(#values),*];
+            for (next_, rate_) in rows_[k_ + 1].iter_mut().zip(rates_) {
+                *next_ = step_ * rate_;
             }
-            let (rows_, _) = rows.as_chunks_mut::<#states>();
-            #(#makers)*
-            for k_ in 0..rows_.len().saturating_sub(1).min(::assur::series::TERMS) {
-                let state = rows_[k_];
-                let one_: S = ::assur::series::one(k_);
-                #(#statements)*
-                let step_ = length * ::assur::series::inverse(k_ + 1);
-                let rates_ = [#(#values),*];
-                for (next_, rate_) in rows_[k_ + 1].iter_mut().zip(rates_) {
-                    *next_ = step_ * rate_;
-                }
-            }
-            true
         }
+        true
     })
 }
 
@@ -132,7 +149,7 @@ impl<'a> Series<'a> {
         let name = self.layout.names.of(value);
         if let OperationKind::Input(Input::Side(index)) = self.kind(value) {
             let index = size(*index as usize);
-            return quote!(let #name = self.sides_[#index];);
+            return quote!(let #name = phase.side(#index););
         }
         let first = |operand: Value| {
             let (name, is_constant) = (self.layout.names.of(operand), self.is_constant(operand));
@@ -202,8 +219,8 @@ impl<'a> Series<'a> {
         match self.kind(value) {
             OperationKind::Number(number) => scalar(*number).tokens,
             _ => {
-                let name = self.layout.names.of(value);
-                quote!(self.#name)
+                let (name, owner) = (self.layout.names.of(value), self.layout.owner());
+                quote!(#owner.#name)
             }
         }
     }

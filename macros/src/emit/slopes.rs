@@ -5,39 +5,69 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::{Body, Place};
+use super::equations::exact;
 use super::expression::size;
-use super::layout::{Layout, outlined};
+use super::layout::Layout;
 use super::modes::each;
 
-/// Whether variations of the motion pass through its events.
-pub fn has(layout: &Layout<'_>) -> bool {
-    layout.scene.span == SpanKind::Periodic
-}
-
-/// The methods of a mode's equations.
-pub fn of_mode(layout: &Layout<'_>) -> Option<TokenStream> {
-    if !has(layout) {
+/// The methods of `Events`, where variations of the motion pass through them.
+pub fn methods(layout: &Layout<'_>) -> Option<TokenStream> {
+    if layout.scene.span != SpanKind::Periodic {
         return None;
     }
-    let events = &layout.program().results.events;
-    let count = layout.states();
-    let guards = each(events, |event| {
+    let (guards, jumps) = (guards(layout), jumps(layout));
+    Some(quote! {
+        fn has_slopes(&self) -> bool {
+            true
+        }
+
+        #guards
+        #jumps
+    })
+}
+
+fn guards(layout: &Layout<'_>) -> Option<TokenStream> {
+    let states = layout.states();
+    let arms = each(layout, &|mode, event| {
         let wanted = &event.slopes.guard;
         if wanted.is_empty() {
             return None;
         }
-        let body = Body::new(layout, Place::Evaluation, wanted, &[]);
+        let body = Body::new(mode, Place::Time, wanted, &[]);
         let statements = body.statements(wanted);
         let values = wanted.iter().map(|value| body.value(*value));
-        Some(quote!({ #statements *slopes = [#(#values),*]; }))
+        Some(quote!(#statements *slopes = [#(#values),*];))
     });
-    let jumps = each(events, |event| {
+    let exact = exact(&[(quote!(state), states), (quote!(mut slopes), states)]);
+    (!arms.is_empty()).then(|| {
+        quote! {
+            fn guard_slopes(
+                &self,
+                phase: ::assur::problem::Phase<'_, S>,
+                event: usize,
+                time: S,
+                state: &[S],
+                slopes: &mut [S],
+            ) {
+                #exact
+                match (phase.mode, event) {
+                    #arms
+                    _ => slopes.fill(S::ZERO),
+                }
+            }
+        }
+    })
+}
+
+fn jumps(layout: &Layout<'_>) -> Option<TokenStream> {
+    let count = layout.states();
+    let arms = each(layout, &|mode, event| {
         let (after, rate) = (&event.slopes.after, &event.slopes.rate);
         if after.is_empty() {
             return None;
         }
         let wanted: Vec<_> = after.iter().chain(rate).copied().collect();
-        let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
+        let body = Body::new(mode, Place::Time, &wanted, &[]);
         let statements = body.statements(&wanted);
         let columns = (0..count).map(|column| {
             let values = after[column * count..][..count].iter();
@@ -45,32 +75,33 @@ pub fn of_mode(layout: &Layout<'_>) -> Option<TokenStream> {
             quote!(columns[#at] = [#(#values),*];)
         });
         let rates = rate.iter().map(|value| body.value(*value));
-        Some(quote!({ #statements #(#columns)* *rate = [#(#rates),*]; true }))
+        Some(quote! {
+            #statements
+            #(#columns)*
+            *rates = [#(#rates),*];
+            true
+        })
     });
-    let guards = (!guards.is_empty()).then(|| {
-        let guards = outlined(quote!(match event { #guards _ => {} }));
+    let count = size(count);
+    (!arms.is_empty()).then(|| {
         quote! {
-            #[inline(always)]
-            fn guard_slopes(&self, event: usize, instant: &Self::Instant, state: &Self::State, slopes: &mut Self::State) {
-                #guards
-            }
-        }
-    });
-    let jumps = (!jumps.is_empty()).then(|| {
-        let jumps = outlined(quote!(match event { #jumps _ => false, }));
-        quote! {
-            #[inline(always)]
             fn jump_slopes(
                 &self,
+                phase: ::assur::problem::Phase<'_, S>,
                 event: usize,
-                instant: &Self::Instant,
-                state: &Self::State,
-                columns: &mut [Self::State],
-                rate: &mut Self::State,
+                time: S,
+                state: &[S],
+                columns: &mut [S],
+                rates: &mut [S],
             ) -> bool {
-                #jumps
+                ::assur::exact!(state, #count, false);
+                ::assur::exact!(mut columns, #count by #count, false);
+                ::assur::exact!(mut rates, #count, false);
+                match (phase.mode, event) {
+                    #arms
+                    _ => false,
+                }
             }
         }
-    });
-    Some(quote!(#guards #jumps))
+    })
 }

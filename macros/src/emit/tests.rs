@@ -71,13 +71,13 @@ fn closure(layout: &Layout<'_>) -> Option<TokenStream> {
 }
 
 fn energy(layout: &Layout<'_>) -> Option<TokenStream> {
-    let (name, equations) = (&layout.parameters, &layout.equations);
+    let name = &layout.parameters;
     let has_energy = layout.program().results.energy.len() == 2;
     (layout.scene.conservative && has_energy && layout.states() > 0).then(|| {
         quote! {
             #[test]
             fn energy_() -> ::core::result::Result<(), ::assur::check::Failed> {
-                ::assur::check::energy::<super::super::#name>(super::super::#equations::<f64>::energy)
+                ::assur::check::energy::<super::super::#name>()
             }
         }
     })

@@ -91,6 +91,7 @@ mod pendulum_ {
     }
     impl ::assur::problem::Scene for Swing {
         type Equations<S: ::assur::scalar::Scalar> = SwingEquations<S>;
+        const SMOOTH: bool = true;
         fn shape() -> &'static ::assur::shape::Shape {
             &shapes_::Swing
         }
@@ -129,6 +130,7 @@ mod pendulum_ {
             self.start_::<f64>().to_vec()
         }
     }
+    impl ::assur::problem::Smooth for Swing {}
     /// Equations of [`Swing`], prepared for a scalar type.
     #[derive(Clone, Copy, Debug)]
     pub struct SwingEquations<S: ::assur::scalar::Scalar> {
@@ -146,40 +148,76 @@ mod pendulum_ {
     }
     impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S>
     for SwingEquations<S> {
-        type State = [S; 2];
-        type Instant = SwingInstant<S>;
         #[inline(always)]
         fn states(&self) -> usize {
             2
         }
-        /// 0 operations.
-        #[inline(always)]
-        fn instant(&self, time: S) -> Self::Instant {
-            SwingInstant {
-                scalar_: ::core::marker::PhantomData,
-            }
-        }
-        #[inline(always)]
-        fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
-            [SwingInstant {
-                scalar_: ::core::marker::PhantomData,
-            }; K_]
-        }
         /// 3 operations.
         #[inline(always)]
-        fn derivative(
+        fn rates(
             &self,
-            instant: &Self::Instant,
-            state: &Self::State,
-            rate: &mut Self::State,
+            phase: ::assur::problem::Phase<'_, S>,
+            instant: &[S],
+            state: &[S],
+            rates: &mut [S],
         ) {
+            ::assur::exact!(state, 2);
+            ::assur::exact!(mut rates, 2);
             let phi = state[0];
             let dot_phi = state[1];
             let (sin_phi_, _) = S::sin_cos(phi);
-            *rate = [dot_phi, -(self.v8_ * sin_phi_)];
+            *rates = [dot_phi, -(self.v8_ * sin_phi_)];
+        }
+        #[inline(always)]
+        fn variation(
+            &self,
+            phase: ::assur::problem::Phase<'_, S>,
+            instant: &[S],
+            state: &[S],
+            rates: &mut [S],
+            columns: &[S],
+            products: &mut [S],
+        ) {
+            ::assur::exact!(state, 2);
+            ::assur::exact!(mut rates, 2);
+            let (columns, products) = (
+                columns.as_chunks::<2>().0,
+                products.as_chunks_mut::<2>().0,
+            );
+            let phi = state[0];
+            let dot_phi = state[1];
+            let (sin_phi_, cos_phi_) = S::sin_cos(phi);
+            let slope_1_0_ = -(self.v8_ * cos_phi_);
+            *rates = [dot_phi, -(self.v8_ * sin_phi_)];
+            for (column_, product_) in columns.iter().zip(&mut *products) {
+                product_[0] = column_[1];
+                product_[1] = slope_1_0_ * column_[0];
+            }
+        }
+        /// 3 operations.
+        #[inline(always)]
+        fn jacobian(
+            &self,
+            phase: ::assur::problem::Phase<'_, S>,
+            instant: &[S],
+            state: &[S],
+            columns: &mut [S],
+        ) {
+            ::assur::exact!(state, 2);
+            ::assur::exact!(mut columns, 2 by 2);
+            let phi = state[0];
+            let (_, cos_phi_) = S::sin_cos(phi);
+            columns[0] = [S::ZERO, -(self.v8_ * cos_phi_)];
+            columns[1] = [S::ONE, S::ZERO];
         }
         #[inline(never)]
-        fn series(&self, time: S, length: S, rows: &mut [S]) -> bool {
+        fn series(
+            &self,
+            phase: ::assur::problem::Phase<'_, S>,
+            time: S,
+            length: S,
+            rows: &mut [S],
+        ) -> bool {
             if !S::SINGLE {
                 return false;
             }
@@ -201,76 +239,64 @@ mod pendulum_ {
             }
             true
         }
-        #[inline(always)]
-        fn variation(
-            &self,
-            instant: &Self::Instant,
-            state: &Self::State,
-            rate: &mut Self::State,
-            columns: &[Self::State],
-            products: &mut [Self::State],
-        ) {
-            let phi = state[0];
-            let dot_phi = state[1];
-            let (sin_phi_, cos_phi_) = S::sin_cos(phi);
-            let slope_1_0_ = -(self.v8_ * cos_phi_);
-            *rate = [dot_phi, -(self.v8_ * sin_phi_)];
-            for (column_, product_) in columns.iter().zip(products.iter_mut()) {
-                product_[0] = column_[1];
-                product_[1] = slope_1_0_ * column_[0];
-            }
-        }
-        /// 3 operations.
-        #[inline(always)]
-        fn jacobian(
-            &self,
-            instant: &Self::Instant,
-            state: &Self::State,
-            columns: &mut [Self::State],
-        ) {
-            ::core::debug_assert!(columns.len() >= 2);
-            let ::core::option::Option::Some(columns) = columns.first_chunk_mut::<2>()
-            else { return };
-            let phi = state[0];
-            let (_, cos_phi_) = S::sin_cos(phi);
-            columns[0] = [S::ZERO, -(self.v8_ * cos_phi_)];
-            columns[1] = [S::ONE, S::ZERO];
-        }
+    }
+    impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for SwingEquations<S> {
         /// 6 operations.
-        #[inline(always)]
-        fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
-            ::core::debug_assert!(values.len() >= 1);
-            let ::core::option::Option::Some(values) = values.first_chunk_mut::<1>()
-            else { return };
-            let phi = state[0];
-            let dot_phi = state[1];
-            let (_, cos_phi_) = S::sin_cos(phi);
-            let pull = self.m
-                * S::mul_add(self.g, cos_phi_, self.l * (dot_phi * dot_phi));
-            values[0] = pull;
-        }
-    }
-    /// What the equations of [`Swing`] need of one time.
-    #[derive(Clone, Copy, Debug)]
-    pub struct SwingInstant<S: ::assur::scalar::Scalar> {
-        scalar_: ::core::marker::PhantomData<S>,
-    }
-    impl<S: ::assur::scalar::Scalar> SwingEquations<S> {
-        /// The symmetric mass matrix, in the order of the coordinates.
-        #[inline(always)]
-        pub fn mass_matrix(&self, time: S, state: &[S; 2]) -> [[S; 1]; 1] {
-            S::outline(#[inline(always)] || { [[self.v11_]] })
-        }
-        /// Kinetic and potential energy, in joules.
-        #[inline(always)]
-        pub fn energy(&self, time: S, state: &[S; 2]) -> (S, S) {
+        fn outputs(
+            &self,
+            phase: ::assur::problem::Phase<'_, S>,
+            time: S,
+            state: &[S],
+            values: &mut [S],
+        ) {
+            ::assur::exact!(state, 2);
             S::outline(
                 #[inline(always)]
                 || {
+                    ::assur::exact!(mut values, 1);
                     let phi = state[0];
                     let dot_phi = state[1];
                     let (_, cos_phi_) = S::sin_cos(phi);
-                    (self.v12_ * (dot_phi * dot_phi), -(self.v14_ * cos_phi_))
+                    let pull = self.m
+                        * S::mul_add(self.g, cos_phi_, self.l * (dot_phi * dot_phi));
+                    values[0] = pull;
+                },
+            )
+        }
+        fn energy(
+            &self,
+            phase: ::assur::problem::Phase<'_, S>,
+            time: S,
+            state: &[S],
+        ) -> ::core::option::Option<(S, S)> {
+            S::outline(
+                #[inline(always)]
+                || {
+                    ::assur::exact!(state, 2, ::core::option::Option::None);
+                    let phi = state[0];
+                    let dot_phi = state[1];
+                    let (_, cos_phi_) = S::sin_cos(phi);
+                    ::core::option::Option::Some((
+                        self.v12_ * (dot_phi * dot_phi),
+                        -(self.v14_ * cos_phi_),
+                    ))
+                },
+            )
+        }
+        fn mass(
+            &self,
+            phase: ::assur::problem::Phase<'_, S>,
+            time: S,
+            state: &[S],
+            rows: &mut [S],
+        ) -> bool {
+            S::outline(
+                #[inline(always)]
+                || {
+                    ::assur::exact!(state, 2, false);
+                    ::assur::exact!(mut rows, 1, false);
+                    *rows = [self.v11_];
+                    true
                 },
             )
         }
@@ -367,9 +393,7 @@ mod pendulum_ {
             }
             #[test]
             fn energy_() -> ::core::result::Result<(), ::assur::check::Failed> {
-                ::assur::check::energy::<
-                    super::super::Swing,
-                >(super::super::SwingEquations::<f64>::energy)
+                ::assur::check::energy::<super::super::Swing>()
             }
             /// The same mechanism stated in mm, g, ms gives the same motion.
             #[test]
@@ -389,4 +413,4 @@ mod pendulum_ {
     }
 }
 #[allow(unused_imports)]
-pub use pendulum_::{Swing, SwingEquations, SwingInstant, Pendulum, MECHANISM};
+pub use pendulum_::{Swing, SwingEquations, Pendulum, MECHANISM};

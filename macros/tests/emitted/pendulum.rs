@@ -1,7 +1,7 @@
 //! Energies give the equations; the generated tests of this module check them as well.
 
 use super::{check, names, rate_of};
-use assur::problem::{Scene, Span};
+use assur::problem::{Phase, Reports, Scene, Span};
 
 assur::mechanism! {
     /// A point mass on a massless rod.
@@ -22,7 +22,8 @@ fn the_pendulum_swings() {
     };
     let rate = rate_of(&pendulum, 0.0, &[0.1, 0.25]);
     check(&rate, &[0.25, -9.81 / 0.5 * 0.1_f64.sin()]);
-    let energy = pendulum.prepare::<f64>().energy(0.0, &[0.1, 0.25]);
+    let equations = pendulum.prepare::<f64>();
+    let energy = equations.energy(Phase::of(0), 0.0, &[0.1, 0.25]).unwrap();
     check(
         &[energy.0, energy.1],
         &[0.25 * 0.25 * 0.25, -2.0 * 9.81 * 0.5 * 0.1_f64.cos()],

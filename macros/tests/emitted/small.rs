@@ -1,7 +1,7 @@
 //! Scenes that lack something: states, parameters, outputs, drivers.
 
 use super::{check, outputs, rate};
-use assur::problem::{Equations, Scene, Span};
+use assur::problem::{Reports, Scene, Span};
 
 mod fixed {
     assur::mechanism! {

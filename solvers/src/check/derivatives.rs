@@ -148,9 +148,8 @@ impl Point<'_> {
                 .map(|other| slopes[other * states + row] * columns[column * states + other]);
             terms.sum()
         };
-        let pair = |row: usize, column: usize| {
-            (products[column * states + row], expected(row, column))
-        };
+        let pair =
+            |row: usize, column: usize| (products[column * states + row], expected(row, column));
         let rows = (0..states).map(|row| (0..=states).map(|column| pair(row, column)).collect());
         (rate, rows.collect())
     }

@@ -115,7 +115,10 @@ fn components(entry: &SceneEntry) -> Vec<(String, Dimension)> {
 fn values<C: Scene>(scene: &C, time: f64, state: &[f64]) -> Vec<Bounded> {
     let (equations, shape) = (scene.prepare::<Bounded>(), C::shape());
     let time = Bounded::from_f64(time);
-    let here: Vec<Bounded> = state.iter().map(|value| Bounded::from_f64(*value)).collect();
+    let here: Vec<Bounded> = state
+        .iter()
+        .map(|value| Bounded::from_f64(*value))
+        .collect();
     let (rates, _) = rates(&equations, shape.first, time, &here);
     let mut outputs = vec![Bounded::ZERO; shape.outputs.len()];
     equations.outputs(Phase::of(shape.first), time, &here, &mut outputs);

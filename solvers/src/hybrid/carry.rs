@@ -36,9 +36,7 @@ impl Carrier {
         let flow = watch.flow;
         let observe: &mut dyn Observer = watch;
         match self {
-            Self::Explicit(memory) => {
-                ode::integrate(flow, times, start, options, memory, observe)
-            }
+            Self::Explicit(memory) => ode::integrate(flow, times, start, options, memory, observe),
             Self::Taylor(memory) => memory.integrate(flow, times, start, options, observe),
             Self::Stiff(memory) => stiff::integrate(flow, times, start, options, memory, observe),
         }

@@ -152,7 +152,8 @@ impl<'a> Run<'a> {
         self.arrival = rate;
         self.next.copy_from_slice(&self.state);
         if entry.sets {
-            self.flow.jump(event, motion.time, &self.state, &mut self.next);
+            self.flow
+                .jump(event, motion.time, &self.state, &mut self.next);
         }
         let before = motion.events.last().map(|one| one.time);
         let happened = Happened {

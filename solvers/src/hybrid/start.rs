@@ -51,10 +51,7 @@ pub(super) fn check(flow: &Flow<'_>, time: f64, state: &[f64]) -> Result<(), Hyb
             Direction::Crosses => false,
         };
         let leads_away = entry.surface.is_none() && entry.target != mode;
-        if has_passed
-            && leads_away
-            && (!entry.conditional || flow.permits(index, time, state))
-        {
+        if has_passed && leads_away && (!entry.conditional || flow.permits(index, time, state)) {
             let unit = if entry.unit.is_empty() { "" } else { " " };
             return refused(format!(
                 "it is to begin in the mode `{}`, where `{}` has happened already: what that watches is {}{unit}{}; begin \

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 /// A run through steps of this length, in which nothing moves: quantities are functions of the time.
 fn run(from: f64, to: f64, steps: usize) -> Motion {
-    let mut recorder = Recorder::<f64>::new(from, &[0.0; 1]);
+    let mut recorder = Recorder::new(from, &[0.0; 1]);
     let time = |index: usize| from + (to - from) * index as f64 / steps as f64;
     for index in 0..steps {
         recorder.step(&Step {
@@ -17,7 +17,7 @@ fn run(from: f64, to: f64, steps: usize) -> Motion {
             before: &[0.0; 1],
             after: &[0.0; 1],
             basis: Basis::Alternating,
-            polynomial: &[[0.0; 1]],
+            polynomial: &[0.0; 1],
         });
     }
     Motion::of(recorder.finish(Default::default()))

@@ -81,7 +81,11 @@ impl<'a> Flow<'a> {
     /// held beyond its surface, where the step that ends on the surface tries the equations, may not exist there, `sqrt(x)`
     /// of a negative number: they are those of the branch that does, then.
     #[inline(always)]
-    fn held<R: Copy>(&self, numbers: &mut [f64], mut compute: impl FnMut(Phase<'_, f64>, &mut [f64]) -> R) -> R {
+    fn held<R: Copy>(
+        &self,
+        numbers: &mut [f64],
+        mut compute: impl FnMut(Phase<'_, f64>, &mut [f64]) -> R,
+    ) -> R {
         let done = compute(self.phase(), numbers);
         if self.sides.is_empty() || first_bad(numbers, 1).is_none() {
             return done;
@@ -121,7 +125,9 @@ impl<'a> Flow<'a> {
 
     /// Writes the Taylor series of the motion, see [`Equations::series`].
     pub fn series(&self, time: f64, length: f64, rows: &mut [f64]) -> bool {
-        self.held(rows, |phase, rows| self.equations.series(phase, time, length, rows))
+        self.held(rows, |phase, rows| {
+            self.equations.series(phase, time, length, rows)
+        })
     }
 
     /// Writes the guards of the mode and their rates; none where there are no events.
@@ -180,13 +186,15 @@ impl<'a> Flow<'a> {
     /// The stages of a step of the motion with its variations.
     pub(crate) fn attempt_varied(&self, method: Explicit, room: &mut Room) {
         let varied = true;
-        self.model.attempt(Steps { method, varied }, self.phase(), room);
+        self.model
+            .attempt(Steps { method, varied }, self.phase(), room);
     }
 
     /// What is missing of it.
     pub(crate) fn finish_varied(&self, method: Explicit, room: &mut Room, dense: bool) {
         let varied = true;
-        self.model.finish(Steps { method, varied }, self.phase(), room, dense);
+        self.model
+            .finish(Steps { method, varied }, self.phase(), room, dense);
     }
 }
 
@@ -201,18 +209,22 @@ impl System for Flow<'_> {
 
     fn attempt(&self, method: Explicit, room: &mut Room) {
         let varied = false;
-        self.model.attempt(Steps { method, varied }, self.phase(), room);
+        self.model
+            .attempt(Steps { method, varied }, self.phase(), room);
         if !self.sides.is_empty() && first_bad(&room.trial, 1).is_some() {
-            let rates = &|time: f64, state: &[f64], rates: &mut [f64]| self.rates(time, state, rates);
+            let rates =
+                &|time: f64, state: &[f64], rates: &mut [f64]| self.rates(time, state, rates);
             system::attempt_each(rates, method, room);
         }
     }
 
     fn finish(&self, method: Explicit, room: &mut Room, dense: bool) {
         let varied = false;
-        self.model.finish(Steps { method, varied }, self.phase(), room, dense);
+        self.model
+            .finish(Steps { method, varied }, self.phase(), room, dense);
         if !self.sides.is_empty() && first_bad(&room.slopes, 1).is_some() {
-            let rates = &|time: f64, state: &[f64], rates: &mut [f64]| self.rates(time, state, rates);
+            let rates =
+                &|time: f64, state: &[f64], rates: &mut [f64]| self.rates(time, state, rates);
             system::finish_each(rates, method, room, dense);
         }
     }

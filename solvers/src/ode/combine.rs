@@ -19,7 +19,11 @@ pub(super) fn combine<S: Scalar>(
     let mut first = 0;
     // Where steps are compiled the length is known, so that the inner loops vanish.
     while first < length {
-        let count = if length - first < LANES { length - first } else { LANES };
+        let count = if length - first < LANES {
+            length - first
+        } else {
+            LANES
+        };
         let mut sums = [S::ZERO; LANES];
         for &(number, coefficient) in row {
             let coefficient = S::from_f64(coefficient);

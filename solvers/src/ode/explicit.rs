@@ -252,7 +252,11 @@ fn failure(
         None => OdeError::StepTooSmall {
             time,
             step,
-            component: worst(options, &workspace.room.state[..part], &workspace.room.error),
+            component: worst(
+                options,
+                &workspace.room.state[..part],
+                &workspace.room.error,
+            ),
         },
     }
 }

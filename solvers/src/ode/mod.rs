@@ -31,8 +31,8 @@ pub(crate) use controller::Controller;
 pub use error::OdeError;
 pub(crate) use explicit::Clock;
 pub use explicit::{Statistics, integrate};
-pub use march::march;
 pub(crate) use march::follow;
+pub use march::march;
 pub(crate) use norm::first_bad;
 pub use observer::{Basis, Observer, Step};
 pub(crate) use options::bad_start;
@@ -43,8 +43,8 @@ pub use tableau::{Explicit, Row, Tableau};
 pub(crate) use taylor::Taylor;
 pub use trajectory::{Recorder, Trajectory};
 pub use varied::Varied;
-pub(crate) use workspace::{SHORTEST, time_evaluation};
 pub use workspace::Workspace;
+pub(crate) use workspace::{SHORTEST, time_evaluation};
 
 #[cfg(test)]
 mod tests;

@@ -26,13 +26,22 @@ pub trait System {
 
     /// Evaluates the stages of a step, the state at its end and its errors.
     fn attempt(&self, method: Explicit, room: &mut Room) {
-        attempt_each(&|time, state, rates| self.rates(time, state, rates), method, room);
+        attempt_each(
+            &|time, state, rates| self.rates(time, state, rates),
+            method,
+            room,
+        );
     }
 
     /// Evaluates what is missing of a step that is accepted: the slope at its end and, if asked for, the continuous
     /// solution.
     fn finish(&self, method: Explicit, room: &mut Room, dense: bool) {
-        finish_each(&|time, state, rates| self.rates(time, state, rates), method, room, dense);
+        finish_each(
+            &|time, state, rates| self.rates(time, state, rates),
+            method,
+            room,
+            dense,
+        );
     }
 }
 
@@ -41,13 +50,19 @@ pub(crate) type Rates<'a> = dyn Fn(f64, &[f64], &mut [f64]) + 'a;
 
 /// The stages of a step, one evaluation after the other.
 pub(crate) fn attempt_each(rates: &Rates<'_>, method: Explicit, room: &mut Room) {
-    let each = Each { rates, length: room.state.len() };
+    let each = Each {
+        rates,
+        length: room.state.len(),
+    };
     attempt_any(&each, method, room);
 }
 
 /// What is missing of a step, likewise.
 pub(crate) fn finish_each(rates: &Rates<'_>, method: Explicit, room: &mut Room, dense: bool) {
-    let each = Each { rates, length: room.state.len() };
+    let each = Each {
+        rates,
+        length: room.state.len(),
+    };
     // What has tried the step may have kept its instants in another way.
     room.keep_end(method.tableau());
     finish_any(&each, method, room, dense);
@@ -62,12 +77,7 @@ pub(crate) fn attempt_any(staged: &dyn Staged<f64>, method: Explicit, room: &mut
 }
 
 /// What is missing of a step of anything, compiled once.
-pub(crate) fn finish_any(
-    staged: &dyn Staged<f64>,
-    method: Explicit,
-    room: &mut Room,
-    dense: bool,
-) {
+pub(crate) fn finish_any(staged: &dyn Staged<f64>, method: Explicit, room: &mut Room, dense: bool) {
     match method {
         Explicit::Tsit5 => step::finish::<f64, Tsit5, _>(staged, room, dense),
         Explicit::Dop853 => step::finish::<f64, Dop853, _>(staged, room, dense),

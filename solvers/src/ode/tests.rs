@@ -4,54 +4,14 @@ mod motions;
 mod order;
 mod taylor;
 
-use super::{AbsoluteTolerance, Method, OdeError, Options, Plain, Trajectory};
-use crate::problem::Equations;
+use super::{
+    AbsoluteTolerance, Explicit, OdeError, Options, Recorder, Trajectory, Workspace, integrate,
+};
+use crate::model::Flow;
+use crate::model::hand::Hand;
 
 /// Right-hand sides that are written as a function.
-#[derive(Clone)]
-pub(super) struct Rates<const N: usize>(pub fn(f64, &[f64; N], &mut [f64; N]));
-
-impl<const N: usize> Equations<f64> for Rates<N> {
-    type State = [f64; N];
-    type Instant = f64;
-
-    fn states(&self) -> usize {
-        N
-    }
-
-    fn instant(&self, time: f64) -> f64 {
-        time
-    }
-
-    fn instants<const K: usize>(&self, times: [f64; K]) -> [f64; K] {
-        times
-    }
-
-    fn derivative(&self, instant: &f64, state: &[f64; N], rate: &mut [f64; N]) {
-        (self.0)(*instant, state, rate);
-    }
-
-    fn variation(
-        &self,
-        instant: &f64,
-        state: &[f64; N],
-        rate: &mut [f64; N],
-        _columns: &[[f64; N]],
-        products: &mut [[f64; N]],
-    ) {
-        // No test here integrates variations: NaN would show if one did.
-        (self.0)(*instant, state, rate);
-        products.fill([f64::NAN; N]);
-    }
-
-    fn jacobian(&self, _instant: &f64, _state: &[f64; N], columns: &mut [[f64; N]]) {
-        columns.fill([f64::NAN; N]);
-    }
-
-    fn outputs(&self, _time: f64, _state: &[f64; N], _values: &mut [f64]) {}
-
-    fn drivers(&self, _time: f64, _values: &mut [f64]) {}
-}
+pub(super) type Rates<const N: usize> = fn(f64, [f64; N]) -> [f64; N];
 
 /// Options with one tolerance.
 pub(super) fn tolerance(tolerance: f64) -> Options {
@@ -63,26 +23,32 @@ pub(super) fn tolerance(tolerance: f64) -> Options {
 }
 
 /// A motion by a method.
-pub(super) fn march<M: Method, const N: usize>(
-    rates: fn(f64, &[f64; N], &mut [f64; N]),
+pub(super) fn march<const N: usize>(
+    method: Explicit,
+    rates: Rates<N>,
     times: (f64, f64),
     start: [f64; N],
     options: &Options,
 ) -> Result<Trajectory, OdeError> {
-    super::march::march_with::<f64, _, M>(&Rates(rates), times, &start, options)
+    let hand = Hand::without_jacobian(rates);
+    let flow = Flow::new(&hand, 0);
+    let mut workspace = Workspace::new(method, &flow);
+    let mut recorder = Recorder::new(times.0, &start);
+    let statistics = integrate(&flow, times, &start, options, &mut workspace, &mut recorder)?;
+    Ok(recorder.finish(statistics))
 }
 
-/// The final state and number of evaluations without anything stored.
-pub(super) fn end<M: Method, const N: usize>(
-    rates: fn(f64, &[f64; N], &mut [f64; N]),
+/// The final state without anything stored.
+pub(super) fn end<const N: usize>(
+    method: Explicit,
+    rates: Rates<N>,
     times: (f64, f64),
     start: [f64; N],
     options: &Options,
 ) -> [f64; N] {
-    let rates = Rates(rates);
-    let system = Plain(&rates);
-    let mut workspace = super::Workspace::<[f64; N], M>::new::<f64, _>(&system);
-    super::integrate::<f64, _, M>(&system, times, &start, options, &mut workspace, &mut ())
-        .unwrap();
-    *workspace.state()
+    let hand = Hand::without_jacobian(rates);
+    let flow = Flow::new(&hand, 0);
+    let mut workspace = Workspace::new(method, &flow);
+    integrate(&flow, times, &start, options, &mut workspace, &mut ()).unwrap();
+    workspace.state().try_into().unwrap()
 }

@@ -24,13 +24,13 @@ mod smallest;
 pub use error::PeriodicError;
 pub use multipliers::Multiplier;
 
-use crate::ode::Trajectory;
 use crate::model::{Bound, Model};
+use crate::ode::Trajectory;
 use crate::problem::Smooth;
 use crate::registry::Settings;
 use closing::Closing;
-use period::{Period, Return};
 use nalgebra::DVector;
+use period::{Period, Return};
 
 /// Factor between the tolerances of the two computations.
 const REFINEMENT: f64 = 30.0;

@@ -79,13 +79,23 @@ impl Period<'_> {
     /// Integrates the motion alone over the period.
     pub fn march(&self, start: &DVector<f64>, rtol: f64) -> Result<Trajectory, OdeError> {
         let times = (0.0, self.period);
-        ode::follow(self.model, times, &self.unscaled(start), &self.settings.at(rtol))
+        ode::follow(
+            self.model,
+            times,
+            &self.unscaled(start),
+            &self.settings.at(rtol),
+        )
     }
 
     /// The motion that attracts the one from a start.
     pub fn attractor(&self, start: &DVector<f64>, rtol: f64) -> Result<Cycle, CycleError> {
         let start = self.unscaled(start);
-        cycle_of(self.model, (0, &start), self.period, &self.settings.at(rtol))
+        cycle_of(
+            self.model,
+            (0, &start),
+            self.period,
+            &self.settings.at(rtol),
+        )
     }
 
     /// The same scene over several periods.
@@ -134,7 +144,13 @@ impl Period<'_> {
     }
 
     /// What has come of a start: the state at the end, SI units, and its derivatives by that at the begin.
-    fn back(&self, start: &DVector<f64>, end: &[f64], columns: &[f64], peak: DVector<f64>) -> Return {
+    fn back(
+        &self,
+        start: &DVector<f64>,
+        end: &[f64],
+        columns: &[f64],
+        peak: DVector<f64>,
+    ) -> Return {
         let (scales, states) = (self.scales(), end.len());
         let scaled = |row: usize, column: usize| {
             columns[column * states + row] * (scales[column] / scales[row])
@@ -155,7 +171,10 @@ impl Period<'_> {
 
     /// A state over its scales.
     fn over_scales(&self, state: &[f64]) -> DVector<f64> {
-        let scaled = state.iter().zip(self.scales()).map(|(value, scale)| value / scale);
+        let scaled = state
+            .iter()
+            .zip(self.scales())
+            .map(|(value, scale)| value / scale);
         DVector::from_iterator(state.len(), scaled)
     }
 }

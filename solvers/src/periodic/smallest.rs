@@ -24,7 +24,10 @@ pub(super) fn settle(
         let mut motions = Vec::with_capacity(free.len() + 1);
         motions.push(samples(&period.march(&start, rtol)?, period.scales()));
         for step in &steps {
-            motions.push(samples(&period.march(&(&start + step), rtol)?, period.scales()));
+            motions.push(samples(
+                &period.march(&(&start + step), rtol)?,
+                period.scales(),
+            ));
         }
         let amounts = least_squares(&motions);
         let mut start = start;

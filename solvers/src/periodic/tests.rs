@@ -3,7 +3,7 @@
 mod attracted;
 
 use super::{Orbit, PeriodicError, solve};
-use crate::problem::{Equations, Refused, Scene, Span};
+use crate::problem::{Equations, Phase, Refused, Reports, Scene, Smooth, Span};
 use crate::registry::{Method, Settings};
 use crate::scalar::Scalar;
 use crate::shape::{Quantity, Shape, Unit};
@@ -33,6 +33,9 @@ impl<const LINEAR: bool> Oscillator<LINEAR> {
 
 impl<const LINEAR: bool> Scene for Oscillator<LINEAR> {
     type Equations<S: Scalar> = Self;
+
+    const SMOOTH: bool = true;
+
     fn shape() -> &'static Shape {
         const STATES: &[Quantity] = &[
             Quantity::new("x", "", Unit::NONE),
@@ -63,56 +66,55 @@ impl<const LINEAR: bool> Scene for Oscillator<LINEAR> {
     }
 }
 
-impl<S: Scalar, const LINEAR: bool> Equations<S> for Oscillator<LINEAR> {
-    type State = [S; 2];
-    type Instant = S;
+impl<const LINEAR: bool> Smooth for Oscillator<LINEAR> {}
 
+impl<S: Scalar, const LINEAR: bool> Reports<S> for Oscillator<LINEAR> {}
+
+impl<S: Scalar, const LINEAR: bool> Equations<S> for Oscillator<LINEAR> {
     fn states(&self) -> usize {
         2
     }
 
-    fn instant(&self, time: S) -> S {
-        S::from_f64(time.to_f64().cos())
+    /// The cosine.
+    fn instant(&self) -> usize {
+        1
     }
 
-    fn instants<const K: usize>(&self, times: [S; K]) -> [S; K] {
-        times.map(|time| S::from_f64(time.to_f64().cos()))
+    fn instants(&self, _phase: Phase<'_, S>, times: &[S], cosines: &mut [S]) {
+        for (cosine, time) in cosines.iter_mut().zip(times) {
+            *cosine = S::from_f64(time.to_f64().cos());
+        }
     }
 
-    fn derivative(&self, cosine: &S, state: &[S; 2], rate: &mut [S; 2]) {
-        self.variation(cosine, state, rate, &[], &mut []);
+    fn rates(&self, phase: Phase<'_, S>, instant: &[S], state: &[S], rates: &mut [S]) {
+        self.variation(phase, instant, state, rates, &[], &mut []);
     }
 
     fn variation(
         &self,
-        cosine: &S,
-        state: &[S; 2],
-        rate: &mut [S; 2],
-        columns: &[[S; 2]],
-        products: &mut [[S; 2]],
+        _phase: Phase<'_, S>,
+        instant: &[S],
+        state: &[S],
+        rates: &mut [S],
+        columns: &[S],
+        products: &mut [S],
     ) {
-        let n = S::from_f64;
-        let stiffness = n(self.frequency * self.frequency) + n(self.modulation) * *cosine;
+        let (n, cosine) = (S::from_f64, instant[0]);
+        let stiffness = n(self.frequency * self.frequency) + n(self.modulation) * cosine;
         let square = n(self.cubic) * state[0] * state[0];
         let damping = n(2.0 * self.damping);
-        rate[0] = state[1];
-        rate[1] = n(self.force) * *cosine - damping * state[1] - (stiffness + square) * state[0];
-        for (column, product) in columns.iter().zip(products) {
+        rates[0] = state[1];
+        rates[1] = n(self.force) * cosine - damping * state[1] - (stiffness + square) * state[0];
+        for (column, product) in columns.chunks(2).zip(products.chunks_mut(2)) {
             product[0] = column[1];
             product[1] = -(damping * column[1]) - (stiffness + n(3.0) * square) * column[0];
         }
     }
 
-    fn jacobian(&self, cosine: &S, state: &[S; 2], columns: &mut [[S; 2]]) {
-        let (one, zero) = (S::from_f64(1.0), S::from_f64(0.0));
-        let mut rate = *state;
-        let unit = [[one, zero], [zero, one]];
-        self.variation(cosine, state, &mut rate, &unit, columns);
+    fn jacobian(&self, phase: Phase<'_, S>, instant: &[S], state: &[S], columns: &mut [S]) {
+        let unit = [S::ONE, S::ZERO, S::ZERO, S::ONE];
+        self.variation(phase, instant, state, &mut [S::ZERO; 2], &unit, columns);
     }
-
-    fn outputs(&self, _time: S, _state: &[S; 2], _values: &mut [S]) {}
-
-    fn drivers(&self, _time: S, _values: &mut [S]) {}
 }
 
 const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-12);

@@ -16,10 +16,10 @@ mod gauge;
 
 use super::here::Here;
 use super::radau::Radau;
-use crate::model::Flow;
 use super::rosenbrock::Rosenbrock;
 use super::spectrum::Calm;
 use super::stepper::drive;
+use crate::model::Flow;
 use crate::ode::{self, Explicit, Observer, OdeError, Options, Statistics};
 use gauge::{Gauge, STIFF, Suspicion};
 

@@ -11,10 +11,10 @@
 mod newton;
 
 use super::here::{Here, scaled_size};
-use crate::model::Flow;
 use super::rounding::Rounding;
 use super::stepper::{Attempt, Stepper};
 use crate::dense::{Complex, Lu, factor_complex};
+use crate::model::Flow;
 use crate::ode::{OdeError, Options};
 use newton::{ALPHA, BETA, GAMMA, ITERATIONS, Newton};
 

@@ -11,10 +11,10 @@
 mod tableau;
 
 use super::here::Here;
-use crate::model::Flow;
 use super::rounding::Rounding;
 use super::stepper::{Attempt, Stepper};
 use crate::dense::Lu;
+use crate::model::Flow;
 use crate::ode::{Controller, OdeError, Options, first_bad};
 use tableau::{A, C, DENSE, GAMMA, NODES, STAGES, TIME_WEIGHTS};
 

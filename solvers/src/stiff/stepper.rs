@@ -1,8 +1,8 @@
 //! The loop over the steps, which all stiff methods share.
 
 use super::here::{Here, scaled_size};
-use crate::model::Flow;
 use super::spectrum::Calm;
+use crate::model::Flow;
 use crate::ode::{
     Basis, Clock, Observer, OdeError, Options, SHORTEST, Statistics, Step, first_bad,
 };

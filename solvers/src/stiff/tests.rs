@@ -8,48 +8,24 @@ mod problems;
 mod published;
 mod springs;
 
+use super::Method;
 use super::march::record;
-use super::{Method, Rates};
+use crate::model::hand::Hand;
+use crate::model::{Flow, Model};
 use crate::ode::{AbsoluteTolerance, OdeError, Options, Trajectory};
 
 /// Both stiff methods.
 const STIFF: [Method; 2] = [Method::Radau, Method::Rosenbrock];
 
-/// Right-hand sides and their Jacobian as functions; the Jacobian by rows.
-#[derive(Clone, Copy)]
-struct Problem<const N: usize> {
-    rate: fn(f64, &[f64], &mut [f64]),
-    rows: fn(f64, &[f64]) -> [[f64; N]; N],
-}
-
-impl<const N: usize> Rates for Problem<N> {
-    fn states(&self) -> usize {
-        N
-    }
-
-    fn rate(&mut self, time: f64, state: &[f64], rate: &mut [f64]) {
-        (self.rate)(time, state, rate);
-    }
-
-    fn jacobian(&mut self, time: f64, state: &[f64], columns: &mut [f64]) {
-        for (row, entries) in (self.rows)(time, state).iter().enumerate() {
-            for (column, entry) in entries.iter().enumerate() {
-                columns[column * N + row] = *entry;
-            }
-        }
-    }
-}
-
-impl<const N: usize> Problem<N> {
-    fn march(
-        mut self,
-        method: Method,
-        times: (f64, f64),
-        start: [f64; N],
-        options: &Options,
-    ) -> Result<Trajectory, OdeError> {
-        record(&mut self, times, &start, options, method)
-    }
+/// A motion by a method.
+fn march<const N: usize>(
+    model: &dyn Model,
+    method: Method,
+    times: (f64, f64),
+    start: [f64; N],
+    options: &Options,
+) -> Result<Trajectory, OdeError> {
+    record(&Flow::new(model, 0), times, &start, options, method)
 }
 
 /// Options with these tolerances.

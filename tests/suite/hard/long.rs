@@ -1,8 +1,9 @@
 //! Motions over many periods without losses.
 
 use crate::solved::{FINE, RPM, Solved, USUAL, entry};
-use assur::ode::{Dop853, Method, Observer, Options, Plain, Step, Tsit5, Workspace, integrate};
-use assur::problem::Scene;
+use assur::model::{Bound, Flow};
+use assur::ode::{Explicit, Observer, Options, Step, Workspace, integrate};
+use assur::problem::{Phase, Reports, Scene};
 use assur::registry::{self, Settings};
 
 assur::mechanism! {
@@ -51,45 +52,47 @@ fn marching_until_steady_never_converges_without_damping() {
 
 /// Keeps the largest change of the energy.
 struct Drift<'a> {
-    equations: &'a SwingEquations<f64>,
+    reports: &'a dyn Reports<f64>,
     begin: f64,
     largest: f64,
 }
 
-impl Observer<[f64; 2]> for Drift<'_> {
-    fn step(&mut self, step: &Step<'_, [f64; 2]>) {
-        let (kinetic, potential) = self.equations.energy(step.to, step.after);
+impl Observer for Drift<'_> {
+    fn step(&mut self, step: &Step<'_>) {
+        let energy = self.reports.energy(Phase::of(0), step.to, step.after);
+        let (kinetic, potential) = energy.unwrap();
         let change = (kinetic + potential) / self.begin - 1.0;
         self.largest = self.largest.max(change.abs());
     }
 }
 
 /// Largest relative change of the energy over so many periods, of which one lasts 2.67 s.
-fn drift<M: Method>(periods: f64, rtol: f64) -> f64 {
+fn drift(method: Explicit, periods: f64, rtol: f64) -> f64 {
     let swing = Swing::default();
     let equations = swing.prepare::<f64>();
-    let start: [f64; 2] = swing.start().try_into().unwrap();
-    let (kinetic, potential) = equations.energy(0.0, &start);
+    let start = swing.start();
+    let (kinetic, potential) = equations.energy(Phase::of(0), 0.0, &start).unwrap();
     let mut drift = Drift {
-        equations: &equations,
+        reports: &equations,
         begin: kinetic + potential,
         largest: 0.0,
     };
-    let system = Plain(&equations);
+    let model = Bound::new(&swing);
+    let flow = Flow::new(&model, 0);
     let options = Options {
         max_steps: usize::MAX,
         ..Options::scaled(rtol, Swing::shape().scales)
     };
-    let mut workspace = Workspace::<_, M>::new::<f64, _>(&system);
+    let mut workspace = Workspace::new(method, &flow);
     let times = (0.0, 2.67 * periods);
-    integrate(&system, times, &start, &options, &mut workspace, &mut drift).unwrap();
+    integrate(&flow, times, &start, &options, &mut workspace, &mut drift).unwrap();
     drift.largest
 }
 
 #[test]
 fn a_pendulum_keeps_its_energy_over_ten_thousand_periods() {
-    let naive = drift::<Tsit5>(1e4, 1e-4);
-    let ours = drift::<Dop853>(1e4, 1e-10);
+    let naive = drift(Explicit::Tsit5, 1e4, 1e-4);
+    let ours = drift(Explicit::Dop853, 1e4, 1e-10);
     assert!(naive > 0.1, "{naive:e}");
     assert!(ours < 1e-6, "{ours:e}");
 }

@@ -3,16 +3,16 @@
 use crate::batten::bending_alone;
 use crate::solved::{FINE, RPM, Solved, USUAL, bind, entry};
 use assur::dense::Lu;
+use assur::model::Model;
 use assur::periodic::{Orbit, PeriodicError};
 use assur::problem::Span;
-use assur::registry::Run;
 use std::f64::consts::TAU;
 
-fn elastic(speed: f64) -> Box<dyn Run> {
+fn elastic(speed: f64) -> Box<dyn Model> {
     bind(entry("batten", "elastic"), &[("n", speed * RPM)]).unwrap()
 }
 
-fn period(run: &dyn Run) -> f64 {
+fn period(run: &dyn Model) -> f64 {
     match run.span() {
         Span::Periodic(period) => period,
         _ => panic!("the scene has another task"),
@@ -55,7 +55,7 @@ fn nearest(from: f64, to: f64) -> f64 {
 }
 
 /// The way of a textbook: one period from rest and from each unit vector, then a linear system, without any check.
-fn naive(run: &dyn Run) -> Vec<f64> {
+fn naive(run: &dyn Model) -> Vec<f64> {
     let end = |start: &[f64]| {
         let motion = run.march((0.0, period(run)), start, &USUAL).unwrap();
         motion.end().to_vec()

@@ -3,7 +3,7 @@
 use crate::solved::FINE;
 use approx::assert_relative_eq;
 use assur::ode;
-use assur::problem::Scene;
+use assur::problem::{Scene, Smooth};
 use assur::registry::Settings;
 
 /// In metres, kilograms and seconds.
@@ -39,7 +39,7 @@ mod small {
 }
 
 /// The angle at equal parts of the task, with the unit of time as a factor.
-fn angles<C: Scene>(scene: &C, seconds: f64, settings: &Settings) -> Vec<f64> {
+fn angles<C: Smooth>(scene: &C, seconds: f64, settings: &Settings) -> Vec<f64> {
     let motion = ode::march(scene, (0.0, 5.0 * seconds), &scene.start(), settings).unwrap();
     (0..=50)
         .map(|index| motion.at(0.1 * seconds * f64::from(index))[0])

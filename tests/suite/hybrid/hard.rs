@@ -6,7 +6,7 @@ use assur::prelude::*;
 const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-9);
 
 /// Texts of the events that happened, with their times.
-fn log<C: assur::hybrid::Hybrid>(motion: &Motion) -> Vec<(&'static str, f64)> {
+fn log<C: Scene>(motion: &Motion) -> Vec<(&'static str, f64)> {
     let one = |event: &assur::hybrid::Happened| {
         (
             C::shape().modes[event.from].events[event.event].text,

@@ -1,6 +1,6 @@
 //! Lyapunov exponents of motions of which they are known.
 
-use assur::hybrid::{self, CycleError, Hybrid, Periods, Sensitive};
+use assur::hybrid::{self, CycleError, Periods};
 use assur::prelude::*;
 
 const FINE: Settings = Settings::new(Method::Dop853, 1e-12);
@@ -45,10 +45,7 @@ mod filling {
 }
 
 #[track_caller]
-fn check<C: Hybrid>(scene: &C, period: f64, settling: usize, expected: &[f64])
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
+fn check<C: Scene>(scene: &C, period: f64, settling: usize, expected: &[f64]) {
     let periods = Periods {
         settling,
         counted: 50,

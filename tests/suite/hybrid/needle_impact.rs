@@ -9,7 +9,8 @@ mod strength;
 
 use crate::solved::{FINE, entry, values};
 use assur::hybrid::{Happened, Motion};
-use assur::registry::{Run, SceneEntry, Settings};
+use assur::model::Model;
+use assur::registry::{SceneEntry, Settings};
 use assur::shape::Quantity;
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -83,7 +84,7 @@ impl Formula {
 /// A motion of a scene.
 struct Moved {
     scene: &'static SceneEntry,
-    run: Box<dyn Run>,
+    run: Box<dyn Model>,
     motion: Motion,
 }
 

@@ -12,7 +12,7 @@ mod published;
 mod transition;
 mod variants;
 
-use assur::hybrid::{self, Cycle, CycleError, Hybrid, Motion, Sensitive};
+use assur::hybrid::{self, Cycle, CycleError, Motion};
 use assur::measure;
 use assur::prelude::*;
 use assur::shape;
@@ -32,10 +32,7 @@ const CONTACT: usize = 0;
 const FLIGHT: usize = 1;
 
 /// A scene whose values are set by name, and whose motion repeats.
-trait Foot: Hybrid + Default + Copy
-where
-    Self::Modal<f64>: Sensitive<f64>,
-{
+trait Foot: Scene + Default + Copy {
     fn set(&mut self, name: &str, value: f64);
     fn period(&self) -> f64;
 
@@ -95,7 +92,7 @@ struct Measured {
 }
 
 impl Measured {
-    fn of<C: Hybrid>(foot: &C, motion: &Motion) -> Self {
+    fn of<C: Scene>(foot: &C, motion: &Motion) -> Self {
         let scene = MECHANISM.scenes[0];
         let values = measure::of(foot, motion);
         let value = |name: &str| {
@@ -113,10 +110,7 @@ impl Measured {
 }
 
 /// The foot with the values of a case.
-fn foot<C: Foot>(case: &Value) -> C
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
+fn foot<C: Foot>(case: &Value) -> C {
     let mut foot = C::default();
     for (name, value) in case["values"].as_object().unwrap() {
         foot.set(name, value.as_f64().unwrap());
@@ -141,20 +135,13 @@ fn changes(motion: &Motion) -> Vec<(f64, usize)> {
 }
 
 /// What a scene reports in a mode, at a time and state.
-fn output<C: Hybrid>(foot: &C, name: &str, mode: usize, time: f64, values: &[f64]) -> f64 {
-    use assur::hybrid::Modes;
-    use assur::problem::Storage;
-    let mut equations = foot.modal::<f64>();
-    equations.enter(mode);
-    let mut state = <C::Modal<f64> as Equations<f64>>::State::zeros(C::shape().states.len());
-    state.as_mut().copy_from_slice(values);
-    let mut outputs = vec![0.0; C::shape().outputs.len()];
-    equations.outputs(time, &state, &mut outputs);
-    outputs[shape::find(C::shape().outputs, name).unwrap()]
+fn output<C: Scene>(foot: &C, name: &str, mode: usize, time: f64, values: &[f64]) -> f64 {
+    let model: &dyn Model = &Bound::new(foot);
+    model.outputs_in(mode, time, values)[shape::find(C::shape().outputs, name).unwrap()]
 }
 
 /// F2 just after a time.
-fn force<C: Hybrid>(foot: &C, motion: &Motion, time: f64) -> f64 {
+fn force<C: Scene>(foot: &C, motion: &Motion, time: f64) -> f64 {
     let (mode, values) = motion.at(time);
     output(foot, "F2", mode, time, &values)
 }
@@ -162,10 +149,7 @@ fn force<C: Hybrid>(foot: &C, motion: &Motion, time: f64) -> f64 {
 /// A motion that repeats against the second computation: its state at phi = -pi, its multipliers, all instants of
 /// contact lost and regained to ten digits, forces.
 #[track_caller]
-fn check<C: Foot>(name: &str)
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
+fn check<C: Foot>(name: &str) {
     let case = &REFERENCE["cases"][name];
     assert!(case.is_object(), "no case {name}");
     let foot = foot::<C>(case);
@@ -177,10 +161,7 @@ where
 
 /// The same for a motion that has been found.
 #[track_caller]
-fn compare<C: Foot>(name: &str, foot: &C, found: &Cycle)
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
+fn compare<C: Foot>(name: &str, foot: &C, found: &Cycle) {
     let case = &REFERENCE["cases"][name];
     assert_eq!(
         found.multiple as u64,

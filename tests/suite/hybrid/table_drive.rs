@@ -7,7 +7,7 @@ mod laws;
 mod published;
 mod stepped;
 
-use assur::hybrid::{Happened, Hybrid, Motion, march};
+use assur::hybrid::{Happened, Motion, march};
 use assur::prelude::*;
 use assur_equations::table_drive::*;
 use serde_json::Value;
@@ -21,7 +21,7 @@ static REFERENCE: LazyLock<Value> = LazyLock::new(|| {
 });
 
 /// A scene whose values are set by name.
-trait Drive: Hybrid + Default {
+trait Drive: Scene + Default {
     fn set(&mut self, name: &str, value: f64);
 
     /// A scene with some of its values changed.
@@ -89,15 +89,8 @@ impl<C: Drive> Moved<C> {
 
     /// An output of a state in a mode.
     fn output_of(&self, name: &str, time: f64, mode: usize, state: &[f64]) -> f64 {
-        use assur::hybrid::Modes;
-        use assur::problem::Storage;
-        let mut equations = self.drive.modal::<f64>();
-        equations.enter(mode);
-        let mut held = <C::Modal<f64> as Equations<f64>>::State::zeros(C::shape().states.len());
-        held.as_mut().copy_from_slice(state);
-        let mut values = vec![0.0; C::shape().outputs.len()];
-        equations.outputs(time, &held, &mut values);
-        values[place::<C>(name)]
+        let model: &dyn Model = &Bound::new(&self.drive);
+        model.outputs_in(mode, time, state)[place::<C>(name)]
     }
 
     /// Names of the modes that the events lead to.

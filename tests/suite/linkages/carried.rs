@@ -45,8 +45,8 @@ fn a_loop_beside_a_coordinate_moves_it_as_the_formula_does() {
         let time = f64::from(step) / 100.0;
         let (x, y) = (moved.at(time), same.at(time));
         assert!((x[0] - y[0]).abs() < 1e-12, "{time}: {} {}", x[0], y[0]);
-        first.outputs(time, &[x[0], x[1]], &mut these);
-        second.outputs(time, &[x[0], x[1]], &mut those);
+        first.outputs(Phase::of(0), time, &x, &mut these);
+        second.outputs(Phase::of(0), time, &x, &mut those);
         for (one, other) in these.iter().zip(those) {
             assert!(
                 (one - other).abs() < 1e-10 * (1.0 + other.abs()),

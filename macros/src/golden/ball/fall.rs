@@ -66,51 +66,20 @@ impl Fall {
 }
 impl ::assur::problem::Scene for Fall {
     type Equations<S: ::assur::scalar::Scalar> = FallEquations<S>;
+    const SMOOTH: bool = false;
     fn shape() -> &'static ::assur::shape::Shape {
         &shapes_::Fall
     }
     #[inline(always)]
     fn prepare<S: ::assur::scalar::Scalar>(&self) -> Self::Equations<S> {
         FallEquations {
-            mode_: 0,
-            in_flight: self.prepare_in_flight_(),
-            in_contact: self.prepare_in_contact_(),
-        }
-    }
-    fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
-        ::assur::registry::check_values(shapes_::Fall.constants, &self.values())?;
-        ::core::result::Result::Ok(())
-    }
-    fn span(&self) -> ::assur::problem::Span {
-        let [from, to] = self.span_::<f64>();
-        ::assur::problem::Span::Run(from, to)
-    }
-    fn start(&self) -> ::std::vec::Vec<f64> {
-        self.start_::<f64>().to_vec()
-    }
-}
-impl Fall {
-    #[inline(always)]
-    fn prepare_in_flight_<S: ::assur::scalar::Scalar>(
-        &self,
-    ) -> FallInFlightEquations<S> {
-        S::outline(
-            #[inline(always)]
-            || {
+            in_flight: {
                 let g = <S as ::assur::scalar::Scalar>::from_f64(self.g);
                 FallInFlightEquations {
                     rate_1_: -g,
                 }
             },
-        )
-    }
-    #[inline(always)]
-    fn prepare_in_contact_<S: ::assur::scalar::Scalar>(
-        &self,
-    ) -> FallInContactEquations<S> {
-        S::outline(
-            #[inline(always)]
-            || {
+            in_contact: {
                 let M = <S as ::assur::scalar::Scalar>::from_f64(self.M);
                 let v4_ = S::ONE / M;
                 let g = <S as ::assur::scalar::Scalar>::from_f64(self.g);
@@ -124,12 +93,22 @@ impl Fall {
                     slope_1_0_: -(k * v4_),
                 }
             },
-        )
+        }
     }
-}
-impl ::assur::hybrid::Hybrid for Fall {
-    type Modal<S: ::assur::scalar::Scalar> = FallEquations<S>;
-    fn modal<S: ::assur::scalar::Scalar>(&self) -> Self::Modal<S> {
-        <Self as ::assur::problem::Scene>::prepare(self)
+    fn events<S: ::assur::scalar::Scalar>(
+        equations: &Self::Equations<S>,
+    ) -> ::core::option::Option<&dyn ::assur::problem::Events<S>> {
+        ::core::option::Option::Some(equations)
+    }
+    fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
+        ::assur::registry::check_values(shapes_::Fall.constants, &self.values())?;
+        ::core::result::Result::Ok(())
+    }
+    fn span(&self) -> ::assur::problem::Span {
+        let [from, to] = self.span_::<f64>();
+        ::assur::problem::Span::Run(from, to)
+    }
+    fn start(&self) -> ::std::vec::Vec<f64> {
+        self.start_::<f64>().to_vec()
     }
 }

@@ -179,6 +179,7 @@ impl Elastic {
 }
 impl ::assur::problem::Scene for Elastic {
     type Equations<S: ::assur::scalar::Scalar> = ElasticEquations<S>;
+    const SMOOTH: bool = true;
     fn shape() -> &'static ::assur::shape::Shape {
         &shapes_::Elastic
     }
@@ -303,3 +304,4 @@ impl ::assur::problem::Scene for Elastic {
         self.start_::<f64>().to_vec()
     }
 }
+impl ::assur::problem::Smooth for Elastic {}

@@ -101,108 +101,89 @@ pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     v86_: S,
 }
 impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquations<S> {
-    type State = [S; 6];
-    type Instant = ElasticInstant<S>;
     #[inline(always)]
     fn states(&self) -> usize {
         6
     }
-    /// 31 operations.
     #[inline(always)]
-    fn instant(&self, time: S) -> Self::Instant {
-        let theta = self.n * time;
-        let (sin_theta_, cos_theta_) = S::sin_cos(theta);
-        let v94_ = sin_theta_ * sin_theta_;
-        let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-        let v101_ = v96_ * sin_theta_;
-        let v105_ = v96_ * cos_theta_;
-        let ddot_x1 = S::mul_add(self.v32_, v105_, self.v31_ * v94_);
-        ElasticInstant {
-            sin_theta_,
-            cos_theta_,
-            v100_: S::ONE / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2),
-            v102_: self.R * v101_,
-            v103_: self.v27_ * v101_,
-            v104_: self.v28_ * v101_,
-            ddot_x1,
-            v110_: self.v32_ * (sin_theta_ * S::mul_add(self.v33_, cos_theta_, -S::ONE)),
-            v113_: S::from_f64(2.0) * S::mul_add(self.v36_, v105_, self.v35_ * v94_),
-            v115_: -(self.m3 * ddot_x1),
-            v117_: -(self.m4 * ddot_x1),
-        }
+    fn instant(&self) -> usize {
+        11
     }
     #[inline(always)]
-    fn instants<const K_: usize>(&self, times: [S; K_]) -> [Self::Instant; K_] {
-        let mut angle_theta_ = [S::ZERO; K_];
-        for k_ in 0..K_ {
-            let time = times[k_];
-            angle_theta_[k_] = self.n * time;
+    fn instants(
+        &self,
+        phase: ::assur::problem::Phase<'_, S>,
+        times: &[S],
+        rows: &mut [S],
+    ) {
+        let (rows, _) = rows.as_chunks_mut::<11>();
+        for (times, rows) in times.chunks(4).zip(rows.chunks_mut(4)) {
+            let mut angle_theta_ = [S::ZERO; 4];
+            for k_ in 0..4 {
+                let time = times[k_.min(times.len() - 1)];
+                angle_theta_[k_] = self.n * time;
+            }
+            let (sin_theta_, cos_theta_) = S::sin_cos_all(angle_theta_);
+            for (k_, row_) in rows.iter_mut().enumerate() {
+                let time = times[k_];
+                let v94_ = sin_theta_[k_] * sin_theta_[k_];
+                let v96_ = S::mul_add(-self.v16_, cos_theta_[k_], S::ONE);
+                let v101_ = v96_ * sin_theta_[k_];
+                let v105_ = v96_ * cos_theta_[k_];
+                let ddot_x1 = S::mul_add(self.v32_, v105_, self.v31_ * v94_);
+                row_[..11]
+                    .copy_from_slice(
+                        &[
+                            sin_theta_[k_],
+                            cos_theta_[k_],
+                            S::ONE
+                                / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2),
+                            self.R * v101_,
+                            self.v27_ * v101_,
+                            self.v28_ * v101_,
+                            ddot_x1,
+                            self.v32_
+                                * (sin_theta_[k_]
+                                    * S::mul_add(self.v33_, cos_theta_[k_], -S::ONE)),
+                            S::from_f64(2.0)
+                                * S::mul_add(self.v36_, v105_, self.v35_ * v94_),
+                            -(self.m3 * ddot_x1),
+                            -(self.m4 * ddot_x1),
+                        ],
+                    );
+            }
         }
-        let (sin_theta_, cos_theta_) = S::sin_cos_all::<K_>(angle_theta_);
-        let mut instants = [ElasticInstant {
-            sin_theta_: S::ZERO,
-            cos_theta_: S::ZERO,
-            v100_: S::ZERO,
-            v102_: S::ZERO,
-            v103_: S::ZERO,
-            v104_: S::ZERO,
-            ddot_x1: S::ZERO,
-            v110_: S::ZERO,
-            v113_: S::ZERO,
-            v115_: S::ZERO,
-            v117_: S::ZERO,
-        }; K_];
-        for k_ in 0..K_ {
-            let time = times[k_];
-            let v94_ = sin_theta_[k_] * sin_theta_[k_];
-            let v96_ = S::mul_add(-self.v16_, cos_theta_[k_], S::ONE);
-            let v101_ = v96_ * sin_theta_[k_];
-            let v105_ = v96_ * cos_theta_[k_];
-            let ddot_x1 = S::mul_add(self.v32_, v105_, self.v31_ * v94_);
-            instants[k_] = ElasticInstant {
-                sin_theta_: sin_theta_[k_],
-                cos_theta_: cos_theta_[k_],
-                v100_: S::ONE / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2),
-                v102_: self.R * v101_,
-                v103_: self.v27_ * v101_,
-                v104_: self.v28_ * v101_,
-                ddot_x1,
-                v110_: self.v32_
-                    * (sin_theta_[k_] * S::mul_add(self.v33_, cos_theta_[k_], -S::ONE)),
-                v113_: S::from_f64(2.0) * S::mul_add(self.v36_, v105_, self.v35_ * v94_),
-                v115_: -(self.m3 * ddot_x1),
-                v117_: -(self.m4 * ddot_x1),
-            };
-        }
-        instants
     }
     /// 28 operations.
     #[inline(always)]
-    fn derivative(
+    fn rates(
         &self,
-        instant: &Self::Instant,
-        state: &Self::State,
-        rate: &mut Self::State,
+        phase: ::assur::problem::Phase<'_, S>,
+        instant: &[S],
+        state: &[S],
+        rates: &mut [S],
     ) {
+        ::assur::exact!(state, 6);
+        ::assur::exact!(mut rates, 6);
         let phi2 = state[0];
         let w3 = state[1];
         let w4 = state[2];
         let dot_phi2 = state[3];
         let dot_w3 = state[4];
         let dot_w4 = state[5];
-        let u4 = S::mul_add(instant.v103_, phi2, w4);
-        let u3 = S::mul_add(-instant.v104_, phi2, w3);
+        let u4 = S::mul_add(instant[4], phi2, w4);
+        let u3 = S::mul_add(-instant[5], phi2, w3);
         let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
         let v159_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
-        *rate = [
+        *rates = [
             dot_phi2,
             dot_w3,
             dot_w4,
-            instant.v100_
+            instant[2]
                 * S::mul_add(
                     -self.c,
                     phi2,
-                    instant.v102_
+                    instant[3]
                         * S::mul_add(
                             -self.v26_,
                             v159_,
@@ -211,19 +192,183 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                                 v155_,
                                 self.m2
                                     * S::mul_add(
-                                        -instant.v113_,
+                                        -instant[8],
                                         dot_phi2,
-                                        S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
+                                        S::mul_add(-instant[7], phi2, instant[6]),
                                     ),
                             ),
                         ),
                 ),
-            self.v40_ * S::mul_add(-self.v23_, v155_, instant.v115_),
-            self.v42_ * (instant.v117_ - v159_),
+            self.v40_ * S::mul_add(-self.v23_, v155_, instant[9]),
+            self.v42_ * (instant[10] - v159_),
         ];
     }
+    #[inline(always)]
+    fn variation(
+        &self,
+        phase: ::assur::problem::Phase<'_, S>,
+        instant: &[S],
+        state: &[S],
+        rates: &mut [S],
+        columns: &[S],
+        products: &mut [S],
+    ) {
+        ::assur::exact!(state, 6);
+        ::assur::exact!(mut rates, 6);
+        let (columns, products) = (
+            columns.as_chunks::<6>().0,
+            products.as_chunks_mut::<6>().0,
+        );
+        let phi2 = state[0];
+        let w3 = state[1];
+        let w4 = state[2];
+        let dot_phi2 = state[3];
+        let dot_w3 = state[4];
+        let dot_w4 = state[5];
+        let v94_ = instant[0] * instant[0];
+        let v96_ = S::mul_add(-self.v16_, instant[1], S::ONE);
+        let v101_ = v96_ * instant[0];
+        let slope_3_0_ = instant[2]
+            * S::mul_add(
+                v96_ * v94_,
+                S::mul_add(
+                    -self.v53_,
+                    S::mul_add(self.v33_, instant[1], -S::ONE),
+                    self.v52_ * v96_,
+                ),
+                self.v43_,
+            );
+        let v123_ = v101_ * instant[2];
+        let slope_3_1_ = -(self.v55_ * v123_);
+        let slope_3_2_ = -(self.v56_ * v123_);
+        let slope_3_3_ = self.v58_
+            * (v123_ * S::mul_add(self.v36_, v96_ * instant[1], self.v35_ * v94_));
+        let slope_4_0_ = -(self.v60_ * v101_);
+        let slope_5_0_ = -(self.v66_ * v101_);
+        let u4 = S::mul_add(instant[4], phi2, w4);
+        let u3 = S::mul_add(-instant[5], phi2, w3);
+        let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+        let v159_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
+        *rates = [
+            dot_phi2,
+            dot_w3,
+            dot_w4,
+            instant[2]
+                * S::mul_add(
+                    -self.c,
+                    phi2,
+                    instant[3]
+                        * S::mul_add(
+                            -self.v26_,
+                            v159_,
+                            S::mul_add(
+                                self.v25_,
+                                v155_,
+                                self.m2
+                                    * S::mul_add(
+                                        -instant[8],
+                                        dot_phi2,
+                                        S::mul_add(-instant[7], phi2, instant[6]),
+                                    ),
+                            ),
+                        ),
+                ),
+            self.v40_ * S::mul_add(-self.v23_, v155_, instant[9]),
+            self.v42_ * (instant[10] - v159_),
+        ];
+        for (column_, product_) in columns.iter().zip(&mut *products) {
+            product_[0] = column_[3];
+            product_[1] = column_[4];
+            product_[2] = column_[5];
+            product_[3] = S::mul_add(
+                slope_3_3_,
+                column_[3],
+                S::mul_add(
+                    slope_3_2_,
+                    column_[2],
+                    S::mul_add(slope_3_1_, column_[1], slope_3_0_ * column_[0]),
+                ),
+            );
+            product_[4] = S::mul_add(
+                self.slope_4_2_,
+                column_[2],
+                S::mul_add(self.slope_4_1_, column_[1], slope_4_0_ * column_[0]),
+            );
+            product_[5] = S::mul_add(
+                self.slope_5_2_,
+                column_[2],
+                S::mul_add(self.slope_5_1_, column_[1], slope_5_0_ * column_[0]),
+            );
+        }
+    }
+    /// 28 operations.
+    #[inline(always)]
+    fn jacobian(
+        &self,
+        phase: ::assur::problem::Phase<'_, S>,
+        instant: &[S],
+        state: &[S],
+        columns: &mut [S],
+    ) {
+        ::assur::exact!(state, 6);
+        ::assur::exact!(mut columns, 6 by 6);
+        let v94_ = instant[0] * instant[0];
+        let v96_ = S::mul_add(-self.v16_, instant[1], S::ONE);
+        let v101_ = v96_ * instant[0];
+        let v123_ = v101_ * instant[2];
+        columns[0] = [
+            S::ZERO,
+            S::ZERO,
+            S::ZERO,
+            instant[2]
+                * S::mul_add(
+                    v96_ * v94_,
+                    S::mul_add(
+                        -self.v53_,
+                        S::mul_add(self.v33_, instant[1], -S::ONE),
+                        self.v52_ * v96_,
+                    ),
+                    self.v43_,
+                ),
+            -(self.v60_ * v101_),
+            -(self.v66_ * v101_),
+        ];
+        columns[1] = [
+            S::ZERO,
+            S::ZERO,
+            S::ZERO,
+            -(self.v55_ * v123_),
+            self.slope_4_1_,
+            self.slope_5_1_,
+        ];
+        columns[2] = [
+            S::ZERO,
+            S::ZERO,
+            S::ZERO,
+            -(self.v56_ * v123_),
+            self.slope_4_2_,
+            self.slope_5_2_,
+        ];
+        columns[3] = [
+            S::ONE,
+            S::ZERO,
+            S::ZERO,
+            self.v58_
+                * (v123_ * S::mul_add(self.v36_, v96_ * instant[1], self.v35_ * v94_)),
+            S::ZERO,
+            S::ZERO,
+        ];
+        columns[4] = [S::ZERO, S::ONE, S::ZERO, S::ZERO, S::ZERO, S::ZERO];
+        columns[5] = [S::ZERO, S::ZERO, S::ONE, S::ZERO, S::ZERO, S::ZERO];
+    }
     #[inline(never)]
-    fn series(&self, time: S, length: S, rows: &mut [S]) -> bool {
+    fn series(
+        &self,
+        phase: ::assur::problem::Phase<'_, S>,
+        time: S,
+        length: S,
+        rows: &mut [S],
+    ) -> bool {
         if !S::SINGLE {
             return false;
         }
@@ -309,287 +454,250 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         }
         true
     }
-    #[inline(always)]
-    fn variation(
-        &self,
-        instant: &Self::Instant,
-        state: &Self::State,
-        rate: &mut Self::State,
-        columns: &[Self::State],
-        products: &mut [Self::State],
-    ) {
-        let phi2 = state[0];
-        let w3 = state[1];
-        let w4 = state[2];
-        let dot_phi2 = state[3];
-        let dot_w3 = state[4];
-        let dot_w4 = state[5];
-        let v94_ = instant.sin_theta_ * instant.sin_theta_;
-        let v96_ = S::mul_add(-self.v16_, instant.cos_theta_, S::ONE);
-        let v101_ = v96_ * instant.sin_theta_;
-        let slope_3_0_ = instant.v100_
-            * S::mul_add(
-                v96_ * v94_,
-                S::mul_add(
-                    -self.v53_,
-                    S::mul_add(self.v33_, instant.cos_theta_, -S::ONE),
-                    self.v52_ * v96_,
-                ),
-                self.v43_,
-            );
-        let v123_ = v101_ * instant.v100_;
-        let slope_3_1_ = -(self.v55_ * v123_);
-        let slope_3_2_ = -(self.v56_ * v123_);
-        let slope_3_3_ = self.v58_
-            * (v123_
-                * S::mul_add(self.v36_, v96_ * instant.cos_theta_, self.v35_ * v94_));
-        let slope_4_0_ = -(self.v60_ * v101_);
-        let slope_5_0_ = -(self.v66_ * v101_);
-        let u4 = S::mul_add(instant.v103_, phi2, w4);
-        let u3 = S::mul_add(-instant.v104_, phi2, w3);
-        let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-        let v159_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
-        *rate = [
-            dot_phi2,
-            dot_w3,
-            dot_w4,
-            instant.v100_
-                * S::mul_add(
-                    -self.c,
-                    phi2,
-                    instant.v102_
-                        * S::mul_add(
-                            -self.v26_,
-                            v159_,
-                            S::mul_add(
-                                self.v25_,
-                                v155_,
-                                self.m2
-                                    * S::mul_add(
-                                        -instant.v113_,
-                                        dot_phi2,
-                                        S::mul_add(-instant.v110_, phi2, instant.ddot_x1),
-                                    ),
-                            ),
-                        ),
-                ),
-            self.v40_ * S::mul_add(-self.v23_, v155_, instant.v115_),
-            self.v42_ * (instant.v117_ - v159_),
-        ];
-        for (column_, product_) in columns.iter().zip(products.iter_mut()) {
-            product_[0] = column_[3];
-            product_[1] = column_[4];
-            product_[2] = column_[5];
-            product_[3] = S::mul_add(
-                slope_3_3_,
-                column_[3],
-                S::mul_add(
-                    slope_3_2_,
-                    column_[2],
-                    S::mul_add(slope_3_1_, column_[1], slope_3_0_ * column_[0]),
-                ),
-            );
-            product_[4] = S::mul_add(
-                self.slope_4_2_,
-                column_[2],
-                S::mul_add(self.slope_4_1_, column_[1], slope_4_0_ * column_[0]),
-            );
-            product_[5] = S::mul_add(
-                self.slope_5_2_,
-                column_[2],
-                S::mul_add(self.slope_5_1_, column_[1], slope_5_0_ * column_[0]),
-            );
-        }
-    }
-    /// 28 operations.
-    #[inline(always)]
-    fn jacobian(
-        &self,
-        instant: &Self::Instant,
-        state: &Self::State,
-        columns: &mut [Self::State],
-    ) {
-        ::core::debug_assert!(columns.len() >= 6);
-        let ::core::option::Option::Some(columns) = columns.first_chunk_mut::<6>() else {
-            return
-        };
-        let v94_ = instant.sin_theta_ * instant.sin_theta_;
-        let v96_ = S::mul_add(-self.v16_, instant.cos_theta_, S::ONE);
-        let v101_ = v96_ * instant.sin_theta_;
-        let v123_ = v101_ * instant.v100_;
-        columns[0] = [
-            S::ZERO,
-            S::ZERO,
-            S::ZERO,
-            instant.v100_
-                * S::mul_add(
-                    v96_ * v94_,
-                    S::mul_add(
-                        -self.v53_,
-                        S::mul_add(self.v33_, instant.cos_theta_, -S::ONE),
-                        self.v52_ * v96_,
-                    ),
-                    self.v43_,
-                ),
-            -(self.v60_ * v101_),
-            -(self.v66_ * v101_),
-        ];
-        columns[1] = [
-            S::ZERO,
-            S::ZERO,
-            S::ZERO,
-            -(self.v55_ * v123_),
-            self.slope_4_1_,
-            self.slope_5_1_,
-        ];
-        columns[2] = [
-            S::ZERO,
-            S::ZERO,
-            S::ZERO,
-            -(self.v56_ * v123_),
-            self.slope_4_2_,
-            self.slope_5_2_,
-        ];
-        columns[3] = [
-            S::ONE,
-            S::ZERO,
-            S::ZERO,
-            self.v58_
-                * (v123_
-                    * S::mul_add(
-                        self.v36_,
-                        v96_ * instant.cos_theta_,
-                        self.v35_ * v94_,
-                    )),
-            S::ZERO,
-            S::ZERO,
-        ];
-        columns[4] = [S::ZERO, S::ONE, S::ZERO, S::ZERO, S::ZERO, S::ZERO];
-        columns[5] = [S::ZERO, S::ZERO, S::ONE, S::ZERO, S::ZERO, S::ZERO];
-    }
+}
+impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquations<S> {
     /// 116 operations.
-    #[inline(always)]
-    fn outputs(&self, time: S, state: &Self::State, values: &mut [S]) {
-        ::core::debug_assert!(values.len() >= 22);
-        let ::core::option::Option::Some(values) = values.first_chunk_mut::<22>() else {
-            return
-        };
-        let phi2 = state[0];
-        let w3 = state[1];
-        let w4 = state[2];
-        let dot_phi2 = state[3];
-        let dot_w3 = state[4];
-        let dot_w4 = state[5];
-        let theta = self.n * time;
-        let shaft = self.c * phi2;
-        let x_difference = w3 - w4;
-        let v_difference = dot_w3 - dot_w4;
-        let ([sin_theta_, sin_v134_], [cos_theta_, _]) = S::sin_cos_all([
-            theta,
-            self.v71_ * time,
-        ]);
-        let v94_ = sin_theta_ * sin_theta_;
-        let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-        let v100_ = S::ONE / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2);
-        let v101_ = v96_ * sin_theta_;
-        let v102_ = self.R * v101_;
-        let v105_ = v96_ * cos_theta_;
-        let ddot_x1 = S::mul_add(self.v32_, v105_, self.v31_ * v94_);
-        let v108_ = S::mul_add(self.v33_, cos_theta_, -S::ONE);
-        let v112_ = S::mul_add(self.v36_, v105_, self.v35_ * v94_);
-        let v113_ = S::from_f64(2.0) * v112_;
-        let x1 = self.R
-            * S::mul_add(-self.v72_, v94_, S::from_f64(2.0) * (sin_v134_ * sin_v134_));
-        let dot_x1 = self.v36_ * v101_;
-        let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
-        let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
-        let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-        let v157_ = S::mul_add(
-            -v113_,
-            dot_phi2,
-            S::mul_add(-(self.v32_ * (sin_theta_ * v108_)), phi2, ddot_x1),
-        );
-        let v159_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
-        let x2 = S::mul_add(-v102_, phi2, x1);
-        let x3 = x1 + w3;
-        let x4 = x1 + w4;
-        let v185_ = v96_ * v100_
-            * S::mul_add(
-                v102_,
-                S::mul_add(
-                    -self.m2,
-                    v157_,
-                    self.v23_
-                        * S::mul_add(
-                            -self.lambda,
-                            v155_,
-                            self.v26_ * S::mul_add(-self.d34, u3, self.d33 * u4),
-                        ),
-                ),
-                shaft,
-            );
-        let ddot_x2 = S::mul_add(
-            self.R * sin_theta_,
-            S::mul_add(-(self.v29_ * v108_), phi2, v185_),
-            S::mul_add(-v113_, dot_phi2, ddot_x1),
-        );
-        let ddot_x3 = S::mul_add(
-            self.v40_,
-            S::mul_add(-self.v23_, v155_, -(self.m3 * ddot_x1)),
-            ddot_x1,
-        );
-        let ddot_x4 = S::mul_add(self.v42_, -(self.m4 * ddot_x1) - v159_, ddot_x1);
-        let F1 = S::mul_add(
-            self.v74_,
-            ddot_x3,
-            S::mul_add(-self.v75_, ddot_x4, self.m1 * ddot_x1),
-        );
-        let F2 = S::mul_add(
-            self.m2,
-            ddot_x2,
-            S::mul_add(-self.v76_, ddot_x3, self.v77_ * ddot_x4),
-        );
-        let drive_torque = S::mul_add(v102_, F1, shaft);
-        let F_difference = F1 - F2;
-        values[0] = x1;
-        values[1] = x2;
-        values[2] = x3;
-        values[3] = x4;
-        values[4] = dot_x1;
-        values[5] = S::mul_add(-v112_, phi2, S::mul_add(-v102_, dot_phi2, dot_x1));
-        values[6] = dot_x1 + dot_w3;
-        values[7] = dot_x1 + dot_w4;
-        values[8] = ddot_x1;
-        values[9] = ddot_x2;
-        values[10] = ddot_x3;
-        values[11] = ddot_x4;
-        values[12] = phi2;
-        values[13] = dot_phi2;
-        values[14] = v100_
-            * S::mul_add(
-                -self.c,
-                phi2,
-                v102_
+    fn outputs(
+        &self,
+        phase: ::assur::problem::Phase<'_, S>,
+        time: S,
+        state: &[S],
+        values: &mut [S],
+    ) {
+        ::assur::exact!(state, 6);
+        S::outline(
+            #[inline(always)]
+            || {
+                ::assur::exact!(mut values, 22);
+                let phi2 = state[0];
+                let w3 = state[1];
+                let w4 = state[2];
+                let dot_phi2 = state[3];
+                let dot_w3 = state[4];
+                let dot_w4 = state[5];
+                let theta = self.n * time;
+                let shaft = self.c * phi2;
+                let x_difference = w3 - w4;
+                let v_difference = dot_w3 - dot_w4;
+                let ([sin_theta_, sin_v134_], [cos_theta_, _]) = S::sin_cos_all([
+                    theta,
+                    self.v71_ * time,
+                ]);
+                let v94_ = sin_theta_ * sin_theta_;
+                let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+                let v100_ = S::ONE
+                    / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2);
+                let v101_ = v96_ * sin_theta_;
+                let v102_ = self.R * v101_;
+                let v105_ = v96_ * cos_theta_;
+                let ddot_x1 = S::mul_add(self.v32_, v105_, self.v31_ * v94_);
+                let v108_ = S::mul_add(self.v33_, cos_theta_, -S::ONE);
+                let v112_ = S::mul_add(self.v36_, v105_, self.v35_ * v94_);
+                let v113_ = S::from_f64(2.0) * v112_;
+                let x1 = self.R
                     * S::mul_add(
-                        -self.v26_,
-                        v159_,
-                        S::mul_add(self.v25_, v155_, self.m2 * v157_),
-                    ),
-            );
-        values[15] = F1;
-        values[16] = F2;
-        values[17] = drive_torque;
-        values[18] = shaft;
-        values[19] = x_difference;
-        values[20] = v_difference;
-        values[21] = F_difference;
+                        -self.v72_,
+                        v94_,
+                        S::from_f64(2.0) * (sin_v134_ * sin_v134_),
+                    );
+                let dot_x1 = self.v36_ * v101_;
+                let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
+                let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
+                let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+                let v157_ = S::mul_add(
+                    -v113_,
+                    dot_phi2,
+                    S::mul_add(-(self.v32_ * (sin_theta_ * v108_)), phi2, ddot_x1),
+                );
+                let v159_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
+                let x2 = S::mul_add(-v102_, phi2, x1);
+                let x3 = x1 + w3;
+                let x4 = x1 + w4;
+                let v185_ = v96_ * v100_
+                    * S::mul_add(
+                        v102_,
+                        S::mul_add(
+                            -self.m2,
+                            v157_,
+                            self.v23_
+                                * S::mul_add(
+                                    -self.lambda,
+                                    v155_,
+                                    self.v26_ * S::mul_add(-self.d34, u3, self.d33 * u4),
+                                ),
+                        ),
+                        shaft,
+                    );
+                let ddot_x2 = S::mul_add(
+                    self.R * sin_theta_,
+                    S::mul_add(-(self.v29_ * v108_), phi2, v185_),
+                    S::mul_add(-v113_, dot_phi2, ddot_x1),
+                );
+                let ddot_x3 = S::mul_add(
+                    self.v40_,
+                    S::mul_add(-self.v23_, v155_, -(self.m3 * ddot_x1)),
+                    ddot_x1,
+                );
+                let ddot_x4 = S::mul_add(
+                    self.v42_,
+                    -(self.m4 * ddot_x1) - v159_,
+                    ddot_x1,
+                );
+                let F1 = S::mul_add(
+                    self.v74_,
+                    ddot_x3,
+                    S::mul_add(-self.v75_, ddot_x4, self.m1 * ddot_x1),
+                );
+                let F2 = S::mul_add(
+                    self.m2,
+                    ddot_x2,
+                    S::mul_add(-self.v76_, ddot_x3, self.v77_ * ddot_x4),
+                );
+                let drive_torque = S::mul_add(v102_, F1, shaft);
+                let F_difference = F1 - F2;
+                values[0] = x1;
+                values[1] = x2;
+                values[2] = x3;
+                values[3] = x4;
+                values[4] = dot_x1;
+                values[5] = S::mul_add(
+                    -v112_,
+                    phi2,
+                    S::mul_add(-v102_, dot_phi2, dot_x1),
+                );
+                values[6] = dot_x1 + dot_w3;
+                values[7] = dot_x1 + dot_w4;
+                values[8] = ddot_x1;
+                values[9] = ddot_x2;
+                values[10] = ddot_x3;
+                values[11] = ddot_x4;
+                values[12] = phi2;
+                values[13] = dot_phi2;
+                values[14] = v100_
+                    * S::mul_add(
+                        -self.c,
+                        phi2,
+                        v102_
+                            * S::mul_add(
+                                -self.v26_,
+                                v159_,
+                                S::mul_add(self.v25_, v155_, self.m2 * v157_),
+                            ),
+                    );
+                values[15] = F1;
+                values[16] = F2;
+                values[17] = drive_torque;
+                values[18] = shaft;
+                values[19] = x_difference;
+                values[20] = v_difference;
+                values[21] = F_difference;
+            },
+        )
     }
-    #[inline(always)]
     fn drivers(&self, time: S, values: &mut [S]) {
-        ::core::debug_assert!(values.len() >= 1);
-        let ::core::option::Option::Some(values) = values.first_chunk_mut::<1>() else {
-            return
-        };
-        values[0] = self.n * time;
+        S::outline(
+            #[inline(always)]
+            || {
+                ::assur::exact!(mut values, 1);
+                values[0] = self.n * time;
+            },
+        )
+    }
+    fn energy(
+        &self,
+        phase: ::assur::problem::Phase<'_, S>,
+        time: S,
+        state: &[S],
+    ) -> ::core::option::Option<(S, S)> {
+        S::outline(
+            #[inline(always)]
+            || {
+                ::assur::exact!(state, 6, ::core::option::Option::None);
+                let phi2 = state[0];
+                let w3 = state[1];
+                let w4 = state[2];
+                let dot_phi2 = state[3];
+                let dot_w3 = state[4];
+                let dot_w4 = state[5];
+                let theta = self.n * time;
+                let v200_ = self.n - dot_phi2;
+                let (sin_theta_, cos_theta_) = S::sin_cos(theta);
+                let v94_ = sin_theta_ * sin_theta_;
+                let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+                let v101_ = v96_ * sin_theta_;
+                let dot_x1 = self.v36_ * v101_;
+                let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
+                let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
+                let dot_x2 = S::mul_add(
+                    -S::mul_add(self.v36_, v96_ * cos_theta_, self.v35_ * v94_),
+                    phi2,
+                    S::mul_add(-(self.R * v101_), dot_phi2, dot_x1),
+                );
+                let dot_x3 = dot_x1 + dot_w3;
+                let dot_x4 = dot_x1 + dot_w4;
+                let v207_ = S::mul_add(
+                    self.v82_,
+                    dot_x4 * dot_x4,
+                    S::mul_add(
+                        self.v81_,
+                        dot_x3 * dot_x3,
+                        S::mul_add(
+                            self.v80_,
+                            v200_ * v200_,
+                            self.v79_ * (v94_ * (v96_ * v96_)),
+                        ),
+                    ),
+                );
+                ::core::option::Option::Some((
+                    S::mul_add(self.v83_, dot_x2 * dot_x2, v207_),
+                    S::mul_add(
+                        self.v85_,
+                        S::mul_add(
+                            u3,
+                            S::mul_add(-self.v86_, u4, self.d44 * u3),
+                            self.d33 * (u4 * u4),
+                        ),
+                        self.v84_ * (phi2 * phi2),
+                    ),
+                ))
+            },
+        )
+    }
+    fn mass(
+        &self,
+        phase: ::assur::problem::Phase<'_, S>,
+        time: S,
+        state: &[S],
+        rows: &mut [S],
+    ) -> bool {
+        S::outline(
+            #[inline(always)]
+            || {
+                ::assur::exact!(state, 6, false);
+                ::assur::exact!(mut rows, 9, false);
+                let theta = self.n * time;
+                let (sin_theta_, cos_theta_) = S::sin_cos(theta);
+                let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+                let v99_ = S::mul_add(
+                    self.v12_,
+                    sin_theta_ * sin_theta_ * (v96_ * v96_),
+                    self.J2,
+                );
+                *rows = [
+                    v99_,
+                    S::ZERO,
+                    S::ZERO,
+                    S::ZERO,
+                    self.m3,
+                    S::ZERO,
+                    S::ZERO,
+                    S::ZERO,
+                    self.m4,
+                ];
+                true
+            },
+        )
     }
 }
+/// The first scene of the mechanism, `Elastic`.
+pub type Batten = Elastic;

@@ -164,10 +164,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         position: &Self::Position,
         columns: &mut [Self::Position],
     ) {
-        ::core::debug_assert!(columns.len() >= 1);
-        let ::core::option::Option::Some(columns) = columns.first_chunk_mut::<1>() else {
-            return
-        };
+        ::assur::exact!(mut columns, 1);
         let v104_ = S::ONE
             / S::mul_add(-position[2], position[5], position[3] * position[4]);
         columns[0][0] = self.v26_
@@ -192,9 +189,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         position: &Self::Position,
         residual: &mut [S],
     ) {
-        ::core::debug_assert!(residual.len() >= 2);
-        let ::core::option::Option::Some(residual) = residual.first_chunk_mut::<2>()
-        else { return };
+        ::assur::exact!(mut residual, 2);
         residual[0] = S::mul_add(
             -self.c,
             position[4],
@@ -213,10 +208,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         position: &Self::Position,
         values: &mut [S],
     ) {
-        ::core::debug_assert!(values.len() >= 1);
-        let ::core::option::Option::Some(values) = values.first_chunk_mut::<1>() else {
-            return
-        };
+        ::assur::exact!(mut values, 1);
         values[0] = position[1];
     }
     #[inline(always)]
@@ -226,10 +218,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         position: &Self::Position,
         values: &mut [S],
     ) {
-        ::core::debug_assert!(values.len() >= 5);
-        let ::core::option::Option::Some(values) = values.first_chunk_mut::<5>() else {
-            return
-        };
+        ::assur::exact!(mut values, 5);
         let v104_ = S::ONE
             / S::mul_add(-position[2], position[5], position[3] * position[4]);
         let v115_ = self.v21_ * v104_;
@@ -257,9 +246,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         S::outline(
             #[inline(always)]
             || {
-                ::core::debug_assert!(values.len() >= 15);
-                let ::core::option::Option::Some(values) = values.first_chunk_mut::<15>()
-                else { return };
+                ::assur::exact!(mut values, 15);
                 let v69_ = self.v21_ * instant.sin_phi_;
                 let v70_ = self.v21_ * instant.cos_phi_;
                 let v103_ = S::mul_add(

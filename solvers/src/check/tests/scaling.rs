@@ -34,33 +34,32 @@ impl<const HIDDEN: u8> Spring<HIDDEN> {
 struct Prepared<S, const HIDDEN: u8>([S; 3]);
 
 impl<S: Scalar, const HIDDEN: u8> Equations<S> for Prepared<S, HIDDEN> {
-    type State = [S; 2];
-    type Instant = S;
-
     fn states(&self) -> usize {
         2
     }
-    fn instant(&self, time: S) -> S {
-        time
-    }
-    fn instants<const K: usize>(&self, times: [S; K]) -> [S; K] {
-        times
-    }
-    fn derivative(&self, _time: &S, &[x, v]: &[S; 2], rate: &mut [S; 2]) {
+
+    fn rates(&self, _phase: Phase<'_, S>, _instant: &[S], state: &[S], rates: &mut [S]) {
         let [mass, stiffness, root] = self.0;
         let hidden = match HIDDEN {
             ACCELERATION => S::from_f64(1e-9),
             FORCE => S::ONE / mass,
             _ => S::ZERO,
         };
-        *rate = [v, root * root + hidden - stiffness / mass * x];
+        rates[0] = state[1];
+        rates[1] = root * root + hidden - stiffness / mass * state[0];
     }
-    fn variation(&self, _: &S, _: &[S; 2], _: &mut [S; 2], _: &[[S; 2]], _: &mut [[S; 2]]) {}
-    fn jacobian(&self, _: &S, _: &[S; 2], _: &mut [[S; 2]]) {}
-    fn outputs(&self, time: S, &[x, v]: &[S; 2], values: &mut [S]) {
-        values[0] = self.0[0] * v;
-        values[1] = x / time;
+
+    fn variation(&self, _: Phase<'_, S>, _: &[S], _: &[S], _: &mut [S], _: &[S], _: &mut [S]) {}
+
+    fn jacobian(&self, _: Phase<'_, S>, _: &[S], _: &[S], _: &mut [S]) {}
+}
+
+impl<S: Scalar, const HIDDEN: u8> Reports<S> for Prepared<S, HIDDEN> {
+    fn outputs(&self, _phase: Phase<'_, S>, time: S, state: &[S], values: &mut [S]) {
+        values[0] = self.0[0] * state[1];
+        values[1] = state[0] / time;
     }
+
     fn drivers(&self, time: S, values: &mut [S]) {
         values[0] = time;
     }
@@ -68,6 +67,9 @@ impl<S: Scalar, const HIDDEN: u8> Equations<S> for Prepared<S, HIDDEN> {
 
 impl<const HIDDEN: u8> Scene for Spring<HIDDEN> {
     type Equations<S: Scalar> = Prepared<S, HIDDEN>;
+
+    const SMOOTH: bool = true;
+
     fn shape() -> &'static Shape {
         const NAMES: &[Quantity] = &[quantity("x", SPEED), quantity("dot(x)", SPEED)];
         const OUTPUTS: &[Quantity] = &[quantity("momentum", SPEED), quantity("mean", SPEED)];

@@ -9,9 +9,9 @@ use nalgebra::{DMatrix, DVector};
 use super::super::Motion;
 use super::error::CycleError;
 use super::{Cycle, follow, variation};
+use crate::model::{Flow, Model};
 use crate::periodic::closing::Closing;
 use crate::periodic::multipliers::{self, Multiplier};
-use crate::model::{Flow, Model};
 use crate::registry::Settings;
 
 /// Steps of Newton's method at most.
@@ -50,8 +50,14 @@ impl Gap<'_> {
         start: &DVector<f64>,
         time: f64,
     ) -> Result<(Motion, DVector<f64>), CycleError> {
-        let motion = follow(self.model, self.mode, (0.0, time), start.as_slice(), self.settings)
-            .map_err(|error| CycleError::Motion(Box::new(error)))?;
+        let motion = follow(
+            self.model,
+            self.mode,
+            (0.0, time),
+            start.as_slice(),
+            self.settings,
+        )
+        .map_err(|error| CycleError::Motion(Box::new(error)))?;
         let change = DVector::from_column_slice(&motion.end) - start;
         Ok((motion, change))
     }

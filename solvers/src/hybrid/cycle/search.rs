@@ -6,8 +6,8 @@ use super::lyapunov::{Stretch, frame};
 use super::newton::Gap;
 use super::returns::Past;
 use super::{Cycle, FOLLOWED, PATIENCE, follow, phase};
-use crate::ode::OdeError;
 use crate::model::Model;
+use crate::ode::OdeError;
 use crate::registry::Settings;
 
 /// So near to its past, over the sizes of its states, a motion is closed at once.

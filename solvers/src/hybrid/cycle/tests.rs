@@ -1,10 +1,8 @@
 //! Motions that repeat by themselves, against known periods.
 
-use super::{Cycle, CycleError, clock_smooth};
-use crate::problem::{Equations, Refused, Scene, Span};
+use super::{Cycle, CycleError, clock_of};
+use crate::model::hand::Hand;
 use crate::registry::{Method, Settings};
-use crate::scalar::Scalar;
-use crate::shape::{Quantity, Shape, Unit};
 
 /// `x'' - (gain - saturation x²) x' + x = force t` in state `x` and `x'`.
 #[derive(Clone, Copy)]
@@ -22,84 +20,20 @@ const VAN_DER_POL: Oscillator = Oscillator {
     start: 0.5,
 };
 
-impl Scene for Oscillator {
-    type Equations<S: Scalar> = Self;
-    fn shape() -> &'static Shape {
-        const STATES: &[Quantity] = &[
-            Quantity::new("x", "", Unit::NONE),
-            Quantity::new("dot(x)", "", Unit::NONE),
-        ];
-        const { &Shape::named("oscillator").states(STATES, &[1.0, 1.0]) }
-    }
-
-    fn prepare<S: Scalar>(&self) -> Self {
-        *self
-    }
-
-    fn check(&self) -> Result<(), Refused> {
-        Ok(())
-    }
-
-    fn span(&self) -> Span {
-        Span::Autonomous
-    }
-
-    fn start(&self) -> Vec<f64> {
-        vec![self.start, 0.0]
-    }
-}
-
-impl<S: Scalar> Equations<S> for Oscillator {
-    type State = [S; 2];
-    type Instant = S;
-
-    fn states(&self) -> usize {
-        2
-    }
-
-    fn instant(&self, time: S) -> S {
-        time
-    }
-
-    fn instants<const K: usize>(&self, times: [S; K]) -> [S; K] {
-        times
-    }
-
-    fn derivative(&self, time: &S, state: &[S; 2], rate: &mut [S; 2]) {
-        self.variation(time, state, rate, &[], &mut []);
-    }
-
-    fn variation(
-        &self,
-        time: &S,
-        state: &[S; 2],
-        rate: &mut [S; 2],
-        columns: &[[S; 2]],
-        products: &mut [[S; 2]],
-    ) {
-        let n = S::from_f64;
-        let [x, v] = *state;
-        let gain = n(self.gain) - n(self.saturation) * x * x;
-        *rate = [v, gain * v - x + n(self.force) * *time];
-        for (column, product) in columns.iter().zip(products) {
-            let by_x = n(-1.0) - n(2.0 * self.saturation) * x * v;
-            *product = [column[1], gain * column[1] + by_x * column[0]];
-        }
-    }
-
-    fn jacobian(&self, time: &S, state: &[S; 2], columns: &mut [[S; 2]]) {
-        let (one, zero) = (S::from_f64(1.0), S::from_f64(0.0));
-        let mut rate = *state;
-        self.variation(time, state, &mut rate, &[[one, zero], [zero, one]], columns);
-    }
-
-    fn outputs(&self, _time: S, _state: &[S; 2], _values: &mut [S]) {}
-
-    fn drivers(&self, _time: S, _values: &mut [S]) {}
-}
-
-fn found(scene: &Oscillator, method: Method, rtol: f64) -> Result<Cycle, CycleError> {
-    clock_smooth(scene, &Settings::new(method, rtol))
+fn found(oscillator: &Oscillator, method: Method, rtol: f64) -> Result<Cycle, CycleError> {
+    let Oscillator {
+        gain,
+        saturation,
+        force,
+        start,
+    } = *oscillator;
+    let rates = |time, [x, v]: [f64; 2]| [v, (gain - saturation * x * x) * v - x + force * time];
+    let rows = |_, [x, v]: [f64; 2]| {
+        let by_x = -1.0 - 2.0 * saturation * x * v;
+        [[0.0, 1.0], [by_x, gain - saturation * x * x]]
+    };
+    let model = Hand::new(rates, rows).starting([start, 0.0]);
+    clock_of(&model, &Settings::new(method, rtol))
 }
 
 /// Checks the period of van der Pol's oscillator with a gain.

@@ -16,10 +16,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::super::{Happened, Motion, Piece};
 use super::error::CycleError;
-use crate::ode::{
-    AbsoluteTolerance, Explicit, OdeError, Options, System, Workspace, integrate,
-};
 use crate::model::{Flow, Model};
+use crate::ode::{AbsoluteTolerance, Explicit, OdeError, Options, System, Workspace, integrate};
 use crate::registry::Settings;
 
 /// The matrix of derivatives of the end of a motion by its begin, SI units.
@@ -64,7 +62,12 @@ fn jump(
     let (first, last) = (&events[0], &events[events.len() - 1]);
     let mut slopes = DVector::zeros(states);
     let local = Flow::on(model, first.from, sides);
-    local.guard_slopes(first.event, first.time, &first.before, slopes.as_mut_slice());
+    local.guard_slopes(
+        first.event,
+        first.time,
+        &first.before,
+        slopes.as_mut_slice(),
+    );
     let passing = local.guard(first.event, first.time, &first.before).1;
     let mut rate = DVector::zeros(states);
     local.rates(first.time, &first.before, rate.as_mut_slice());
@@ -232,7 +235,14 @@ pub(super) fn along(
         ..Options::default()
     };
     let mut workspace = Workspace::new(Explicit::Dop853, &columns);
-    integrate(&columns, (from, to), &start, &options, &mut workspace, &mut ())?;
+    integrate(
+        &columns,
+        (from, to),
+        &start,
+        &options,
+        &mut workspace,
+        &mut (),
+    )?;
     let end = DMatrix::from_column_slice(states, states, workspace.state());
     Ok(scaled(&end, false))
 }

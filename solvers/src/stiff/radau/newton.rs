@@ -4,11 +4,11 @@
 //! their vectors the iteration is one real and one complex linear system.
 
 use super::super::here::Here;
-use crate::ode::first_bad;
-use crate::model::Flow;
 use super::{C, Factors, change};
 use crate::dense::{Complex, Lu, substitute_complex};
+use crate::model::Flow;
 use crate::ode::Options;
+use crate::ode::first_bad;
 
 /// The real eigenvalue of `A⁻¹`: `3 + ∛9 - ∛3` (section IV.8).
 pub(super) const GAMMA: f64 = 3.637834252744496;

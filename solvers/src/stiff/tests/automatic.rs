@@ -1,20 +1,25 @@
 //! The choice between explicit and stiff.
 
 use super::problems::VAN_DER_POL;
-use super::{Method, Problem, tolerances};
+use super::{Hand, Method, march, tolerances};
 
-const OSCILLATOR: Problem<2> = Problem {
-    rate: |_, state, rate| (rate[0], rate[1]) = (state[1], -state[0]),
-    rows: |_, _| [[0.0, 1.0], [-1.0, 0.0]],
-};
+const OSCILLATOR: Hand<2> = Hand::new(
+    |_, [place, speed]| [speed, -place],
+    |_, _| [[0.0, 1.0], [-1.0, 0.0]],
+);
 
 #[test]
 fn an_oscillator_stays_explicit() {
     for rtol in [1e-2, 1e-4, 1e-7, 1e-10, 1e-13] {
         let options = tolerances(rtol, rtol);
-        let motion = OSCILLATOR
-            .march(Method::Automatic, (0.0, 300.0), [1.0, 0.0], &options)
-            .unwrap();
+        let motion = march(
+            &OSCILLATOR,
+            Method::Automatic,
+            (0.0, 300.0),
+            [1.0, 0.0],
+            &options,
+        )
+        .unwrap();
         assert!(motion.switches.is_empty(), "{rtol:e} {:?}", motion.switches);
         // Its steps look like those beside a stiff part. Trials cost little, and become rare.
         let took = motion.statistics;
@@ -26,9 +31,14 @@ fn an_oscillator_stays_explicit() {
 #[test]
 fn van_der_pol_becomes_stiff_at_once() {
     let options = tolerances(1e-6, 1e-6);
-    let motion = VAN_DER_POL
-        .march(Method::Automatic, (0.0, 2.0), [2.0, 0.0], &options)
-        .unwrap();
+    let motion = march(
+        &VAN_DER_POL,
+        Method::Automatic,
+        (0.0, 2.0),
+        [2.0, 0.0],
+        &options,
+    )
+    .unwrap();
     let took = motion.statistics;
     println!("{took:?} {:?}", motion.switches);
     assert!(motion.switches[0].stiff && motion.switches[0].time < 1e-3);
@@ -37,26 +47,22 @@ fn van_der_pol_becomes_stiff_at_once() {
 }
 
 /// Stiff up to `t = 1`, a plain oscillator after it.
-const SOFTENING: Problem<2> = Problem {
-    rate: |time, state, rate| {
+const SOFTENING: Hand<2> = Hand::new(
+    |time, [follower, other]| {
         let stiff = 5e5 * (1.0 - (20.0 * (time - 1.0)).tanh());
-        rate[0] = state[1] - stiff * (state[0] - (10.0 * time).cos());
-        rate[1] = -100.0 * state[0];
+        let rate = other - stiff * (follower - (10.0 * time).cos());
+        [rate, -100.0 * follower]
     },
-    rows: |time, _| {
+    |time, _| {
         let stiff = 5e5 * (1.0 - (20.0 * (time - 1.0)).tanh());
         [[-stiff, 1.0], [-100.0, 0.0]]
     },
-};
+);
 
 #[test]
 fn where_stiffness_ends_the_explicit_method_returns() {
     let options = tolerances(1e-8, 1e-8);
-    let march = |method| {
-        SOFTENING
-            .march(method, (0.0, 20.0), [1.0, 0.0], &options)
-            .unwrap()
-    };
+    let march = |method| march(&SOFTENING, method, (0.0, 20.0), [1.0, 0.0], &options).unwrap();
     let (motion, reference) = (march(Method::Automatic), march(Method::Rosenbrock));
     println!("{:?} {:?}", motion.statistics, motion.switches);
     println!("{:?}", reference.statistics);
@@ -72,21 +78,25 @@ fn where_stiffness_ends_the_explicit_method_returns() {
 
 /// A fast oscillation that is hardly damped and of which nothing is left: stability holds back the explicit method on
 /// the imaginary axis too.
-const RINGING: Problem<3> = Problem {
-    rate: |_, state, rate| {
-        rate[0] = -state[0];
-        rate[1] = state[2];
-        rate[2] = -1e8 * (state[1] - state[0]) - 200.0 * state[2];
+const RINGING: Hand<3> = Hand::new(
+    |_, [slow, place, speed]| {
+        let force = -1e8 * (place - slow) - 200.0 * speed;
+        [-slow, speed, force]
     },
-    rows: |_, _| [[-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1e8, -1e8, -200.0]],
-};
+    |_, _| [[-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1e8, -1e8, -200.0]],
+);
 
 #[test]
 fn a_fast_oscillation_that_has_died_is_stiffness() {
     let options = tolerances(1e-6, 1e-6);
-    let motion = RINGING
-        .march(Method::Automatic, (0.0, 10.0), [1.0, 1.0, -1.0], &options)
-        .unwrap();
+    let motion = march(
+        &RINGING,
+        Method::Automatic,
+        (0.0, 10.0),
+        [1.0, 1.0, -1.0],
+        &options,
+    )
+    .unwrap();
     println!("{:?} {:?}", motion.statistics, motion.switches);
     assert!((motion.end()[1] / (-10.0_f64).exp() - 1.0).abs() < 1e-2);
     assert!(motion.statistics.evaluations < 20_000);

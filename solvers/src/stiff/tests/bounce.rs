@@ -1,7 +1,7 @@
 //! A mass that falls on a contact of 1e9 N/m: events with a stiff method.
 
-use crate::hybrid::{Hybrid, Modes, Motion, march};
-use crate::problem::{Equations, Refused, Scene, Span};
+use crate::hybrid::{Motion, march};
+use crate::problem::{Equations, Events, Phase, Refused, Reports, Scene, Span};
 use crate::registry::{Method, Settings};
 use crate::scalar::Scalar;
 use crate::shape::{Direction, EventEntry};
@@ -15,17 +15,15 @@ struct Ball {
 }
 
 /// The ball in flight (0) or in contact (1).
-#[derive(Clone, Copy)]
 struct Moving<S> {
     stiffness: S,
     damping: S,
-    mode: usize,
 }
 
 impl<S: Scalar> Moving<S> {
     /// Force of the contact.
-    fn force(&self, state: &[S; 2]) -> S {
-        match self.mode {
+    fn force(&self, phase: Phase<'_, S>, state: [S; 2]) -> S {
+        match phase.mode {
             0 => S::ZERO,
             _ => -(self.stiffness * state[0]) - self.damping * state[1],
         }
@@ -33,73 +31,55 @@ impl<S: Scalar> Moving<S> {
 }
 
 impl<S: Scalar> Equations<S> for Moving<S> {
-    type State = [S; 2];
-    type Instant = S;
-
     fn states(&self) -> usize {
         2
     }
 
-    fn instant(&self, time: S) -> S {
-        time
-    }
-
-    fn instants<const K: usize>(&self, times: [S; K]) -> [S; K] {
-        times
-    }
-
-    fn derivative(&self, _instant: &S, state: &[S; 2], rate: &mut [S; 2]) {
-        *rate = [state[1], self.force(state) - S::from_f64(9.81)];
+    fn rates(&self, phase: Phase<'_, S>, _instant: &[S], state: &[S], rates: &mut [S]) {
+        let force = self.force(phase, [state[0], state[1]]);
+        rates.copy_from_slice(&[state[1], force - S::from_f64(9.81)]);
     }
 
     fn variation(
         &self,
-        instant: &S,
-        state: &[S; 2],
-        rate: &mut [S; 2],
-        _columns: &[[S; 2]],
-        products: &mut [[S; 2]],
+        phase: Phase<'_, S>,
+        instant: &[S],
+        state: &[S],
+        rates: &mut [S],
+        _columns: &[S],
+        products: &mut [S],
     ) {
-        self.derivative(instant, state, rate);
-        products.fill([S::from_f64(f64::NAN); 2]);
+        self.rates(phase, instant, state, rates);
+        products.fill(S::from_f64(f64::NAN));
     }
 
-    fn jacobian(&self, _instant: &S, _state: &[S; 2], columns: &mut [[S; 2]]) {
-        columns[0] = [S::ZERO, self.force(&[S::ONE, S::ZERO])];
-        columns[1] = [S::ONE, self.force(&[S::ZERO, S::ONE])];
+    fn jacobian(&self, phase: Phase<'_, S>, _instant: &[S], _state: &[S], columns: &mut [S]) {
+        let by_place = self.force(phase, [S::ONE, S::ZERO]);
+        let by_speed = self.force(phase, [S::ZERO, S::ONE]);
+        columns.copy_from_slice(&[S::ZERO, by_place, S::ONE, by_speed]);
     }
-
-    fn outputs(&self, _time: S, _state: &[S; 2], _values: &mut [S]) {}
-
-    fn drivers(&self, _time: S, _values: &mut [S]) {}
 }
 
-impl<S: Scalar> Modes<S> for Moving<S> {
-    fn mode(&self) -> usize {
-        self.mode
-    }
+impl<S: Scalar> Reports<S> for Moving<S> {}
 
-    fn enter(&mut self, mode: usize) {
-        self.mode = mode;
-    }
-
-    fn side(&mut self, _surface: usize, _side: S) {}
-
-    fn guards(&self, _instant: &S, state: &[S; 2], values: &mut [S], rates: &mut [S]) {
+impl<S: Scalar> Events<S> for Moving<S> {
+    fn guards(
+        &self,
+        _phase: Phase<'_, S>,
+        _time: S,
+        state: &[S],
+        values: &mut [S],
+        rates: &mut [S],
+    ) {
         (values[0], rates[0]) = (state[0], state[1]);
-    }
-
-    fn permits(&self, _event: usize, _instant: &S, _state: &[S; 2]) -> bool {
-        true
-    }
-
-    fn jump(&self, _event: usize, _instant: &S, state: &[S; 2], after: &mut [S; 2]) {
-        *after = *state;
     }
 }
 
 impl Scene for Ball {
     type Equations<S: Scalar> = Moving<S>;
+
+    const SMOOTH: bool = false;
+
     fn shape() -> &'static Shape {
         const STATES: &[Quantity] = &[
             Quantity::new("x", "", Unit::NONE),
@@ -142,8 +122,11 @@ impl Scene for Ball {
         Moving {
             stiffness: S::from_f64(self.stiffness),
             damping: S::from_f64(self.damping),
-            mode: 0,
         }
+    }
+
+    fn events<S: Scalar>(equations: &Moving<S>) -> Option<&dyn Events<S>> {
+        Some(equations)
     }
 
     fn check(&self) -> Result<(), Refused> {
@@ -156,14 +139,6 @@ impl Scene for Ball {
 
     fn start(&self) -> Vec<f64> {
         vec![1.0, 0.0]
-    }
-}
-
-impl Hybrid for Ball {
-    type Modal<S: Scalar> = Moving<S>;
-
-    fn modal<S: Scalar>(&self) -> Moving<S> {
-        self.prepare()
     }
 }
 

@@ -1,13 +1,11 @@
 //! Measured orders.
 
 use super::problems::{SMOOTH, smooth};
-use super::{Method, Problem, STIFF, fixed};
+use super::{Hand, Method, STIFF, fixed, march};
 
 /// Errors at the end, and between the steps, with these fixed steps.
 fn errors(method: Method, step: f64) -> (f64, f64) {
-    let motion = SMOOTH
-        .march(method, (0.0, 2.0), [1.0, 0.0, 1.0], &fixed(step))
-        .unwrap();
+    let motion = march(&SMOOTH, method, (0.0, 2.0), [1.0, 0.0, 1.0], &fixed(step)).unwrap();
     let error = |time: f64| {
         let found = motion.at(time);
         let pairs = found.iter().zip(smooth(time));
@@ -38,18 +36,16 @@ fn rosenbrock_is_of_order_5_and_its_continuous_solution_of_order_4() {
 }
 
 /// Prothero and Robinson: `y' = λ (y - cos t) - sin t` with `λ = -1e6`, whose solution is `cos t`.
-const PROTHERO_ROBINSON: Problem<1> = Problem {
-    rate: |time, state, rate| rate[0] = -1e6 * (state[0] - time.cos()) - time.sin(),
-    rows: |_, _| [[-1e6]],
-};
+const PROTHERO_ROBINSON: Hand<1> = Hand::new(
+    |time, [y]| [-1e6 * (y - time.cos()) - time.sin()],
+    |_, _| [[-1e6]],
+);
 
 /// Stiffness reduces the order: what is left of it where `h λ` is large is part of what a method is.
 #[test]
 fn the_order_that_stiffness_leaves() {
     let error = |method, step| {
-        let motion = PROTHERO_ROBINSON
-            .march(method, (0.0, 1.5), [1.0], &fixed(step))
-            .unwrap();
+        let motion = march(&PROTHERO_ROBINSON, method, (0.0, 1.5), [1.0], &fixed(step)).unwrap();
         (motion.end()[0] - 1.5_f64.cos()).abs()
     };
     let orders = STIFF.map(|method| {
@@ -67,9 +63,7 @@ fn the_order_that_stiffness_leaves() {
 fn motions_can_be_followed_backwards() {
     for method in STIFF.into_iter().chain([Method::Automatic]) {
         let options = super::tolerances(1e-9, 1e-9);
-        let back = SMOOTH
-            .march(method, (2.0, 0.5), smooth(2.0), &options)
-            .unwrap();
+        let back = march(&SMOOTH, method, (2.0, 0.5), smooth(2.0), &options).unwrap();
         for (found, expected) in back.end().iter().zip(smooth(0.5)) {
             assert!((found - expected).abs() < 1e-7, "{method:?} {found}");
         }
@@ -83,9 +77,7 @@ fn the_error_follows_the_tolerance() {
     for method in STIFF {
         for rtol in [1e-4, 1e-6, 1e-8, 1e-10] {
             let options = super::tolerances(rtol, rtol);
-            let motion = SMOOTH
-                .march(method, (0.0, 10.0), [1.0, 0.0, 1.0], &options)
-                .unwrap();
+            let motion = march(&SMOOTH, method, (0.0, 10.0), [1.0, 0.0, 1.0], &options).unwrap();
             let error = (0..=1000)
                 .map(|part| 0.01 * f64::from(part))
                 .map(|time| (motion.at(time)[1] - smooth(time)[1]).abs())

@@ -1,11 +1,11 @@
 //! Published solutions: F. Mazzia, C. Magherini, *Test Set for Initial Value Problem Solvers*, release 2.4 (2008).
 
 use super::problems::{HIRES, ROBERTSON, VAN_DER_POL};
-use super::{Method, Problem, STIFF, relative_error, tolerances};
+use super::{Hand, Method, STIFF, march, relative_error, tolerances};
 
 #[track_caller]
 fn check<const N: usize>(
-    problem: Problem<N>,
+    problem: Hand<N>,
     (start, end): ([f64; N], f64),
     (rtol, atol): (f64, f64),
     expected: [f64; N],
@@ -13,9 +13,7 @@ fn check<const N: usize>(
     evaluations: usize,
 ) {
     for method in STIFF.into_iter().chain([Method::Automatic]) {
-        let motion = problem
-            .march(method, (0.0, end), start, &tolerances(rtol, atol))
-            .unwrap();
+        let motion = march(&problem, method, (0.0, end), start, &tolerances(rtol, atol)).unwrap();
         let error = relative_error(motion.end(), &expected);
         println!(
             "{method:?}: {error:e} {:?} {:?}",

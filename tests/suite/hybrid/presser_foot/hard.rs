@@ -78,7 +78,7 @@ fn contact_regained_at_a_kink_is_regained_exactly_there() {
 /// at all, lets it start from zero.
 #[test]
 fn how_the_force_begins_where_contact_is_regained() {
-    fn begins<C: Hybrid>(foot: &C, motion: &Motion) -> Vec<(f64, f64)> {
+    fn begins<C: Scene>(foot: &C, motion: &Motion) -> Vec<(f64, f64)> {
         let landings = motion.events.iter().filter(|one| one.to == CONTACT);
         let both = landings.filter(|one| one.from == FLIGHT).map(|one| {
             let force = output(foot, "F2", CONTACT, one.time, &one.after);

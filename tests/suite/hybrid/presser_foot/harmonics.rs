@@ -12,10 +12,7 @@ const GAUSS: [(f64, f64); 5] = [
 ];
 
 /// Level of the fabric at an angle of the shaft.
-fn level<C: Foot>(foot: &C, phi: f64) -> f64
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
+fn level<C: Foot>(foot: &C, phi: f64) -> f64 {
     let time = (phi + PI) * foot.period() / (2.0 * PI);
     output(foot, "s", CONTACT, time, &foot.start())
 }
@@ -106,10 +103,7 @@ fn each_harmonic_brings_the_series_nearer() {
 /// whatever the level, as long as all is slow.
 #[test]
 fn the_series_dips_below_the_plate() {
-    fn check<C: Foot>()
-    where
-        C::Modal<f64>: Sensitive<f64>,
-    {
+    fn check<C: Foot>() {
         let foot = C::with(&[("omega", 1.0)]);
         let angles = (0..=600).map(|k| PI * (f64::from(k) / 300.0 - 1.0));
         let lowest = angles.map(|phi| level(&foot, phi)).fold(0.0, f64::min);
@@ -132,10 +126,7 @@ fn the_series_dips_below_the_plate() {
 /// Without any harmonic the fabric lies at the mean level, and the foot rests on it.
 #[test]
 fn the_mean_alone_is_rest() {
-    fn check<C: Foot>(mean: f64)
-    where
-        C::Modal<f64>: Sensitive<f64>,
-    {
+    fn check<C: Foot>(mean: f64) {
         let foot = C::with(&[("order", 0.0)]);
         assert!((level(&foot, 1.0) / mean - 1.0).abs() < 1e-12);
         let found = foot.cycle().unwrap();

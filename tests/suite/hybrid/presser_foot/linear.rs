@@ -3,10 +3,7 @@
 use super::*;
 
 #[track_caller]
-fn check_rows<C: Foot>(name: &str)
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
+fn check_rows<C: Foot>(name: &str) {
     let case = &REFERENCE["linear"][name];
     let mut compared = 0;
     for row in case["rows"].as_array().unwrap() {
@@ -79,10 +76,7 @@ fn at_rest_on_the_plate() {
     }
 }
 
-fn separates<C: Foot>(case: &Value, omega: f64) -> bool
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
+fn separates<C: Foot>(case: &Value, omega: f64) -> bool {
     let mut foot = foot::<C>(case);
     foot.set("omega", omega);
     let found = foot
@@ -94,10 +88,7 @@ where
 /// Contact is lost on one side of each border and kept on the other, one part in a million away; and between the borders
 /// nothing changes.
 #[track_caller]
-fn check_borders<C: Foot>(name: &str, expected: &[bool])
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
+fn check_borders<C: Foot>(name: &str, expected: &[bool]) {
     let case = &REFERENCE["linear"][name];
     let borders = case["borders"].as_array().unwrap();
     let kinds: Vec<bool> = borders
@@ -156,10 +147,7 @@ fn speeds_of_first_separation() {
 
 #[test]
 fn speeds_of_first_separation_of_the_other_fabrics() {
-    fn check<C: Foot>(name: &str)
-    where
-        C::Modal<f64>: Sensitive<f64>,
-    {
+    fn check<C: Foot>(name: &str) {
         let omega = number(&REFERENCE["first_separation"][name]);
         for (factor, expected) in [(1.0 - 1e-7, false), (1.0 + 1e-7, true)] {
             let mut foot = C::default();
@@ -178,10 +166,7 @@ fn speeds_of_first_separation_of_the_other_fabrics() {
 /// One part in a million below the smallest preload the foot leaves the fabric.
 #[test]
 fn the_smallest_preload() {
-    fn check<C: Foot>(name: &str)
-    where
-        C::Modal<f64>: Sensitive<f64>,
-    {
+    fn check<C: Foot>(name: &str) {
         let case = &REFERENCE["linear"][name];
         for row in case["rows"].as_array().unwrap() {
             for (factor, expected) in [(1.0 + 1e-6, false), (1.0 - 1e-6, true)] {

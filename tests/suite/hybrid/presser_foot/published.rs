@@ -2,10 +2,7 @@
 
 use super::*;
 
-fn forces<C: Foot>(changes: &[(&str, f64)]) -> Measured
-where
-    C::Modal<f64>: Sensitive<f64>,
-{
+fn forces<C: Foot>(changes: &[(&str, f64)]) -> Measured {
     let foot = C::with(changes);
     Measured::of(&foot, &foot.cycle().unwrap().motion)
 }
