@@ -1,6 +1,6 @@
 //! Mechanisms as equation files: checked at compile time, solved by generic solvers.
 //!
-//! [`mechanism!`] turns equations into Rust, [`equations!`] whole files of them. The emitted types implement the two
+//! [`mechanism!`] turns equations into Rust, [`equations!`] whole files of them. The emitted types implement the
 //! traits of [`problem`]; the algorithms are in the modules beside it. The macros refer to all of it as `::assur::…`, so
 //! a user depends on this crate alone.
 //!

@@ -1,10 +1,11 @@
 //! The numerical solvers of Assur.
 //!
-//! A mechanism is to them a set of equations `y' = f(t, y)` with outputs, given by the two traits of [`problem`]. They
+//! A mechanism is to them a set of equations `y' = f(t, y)` with outputs, given by the traits of [`problem`]. They
 //! know no symbol, name or unit; where a name stands in a table ([`registry`]), it is carried for whoever prints it.
 //!
 //! | module | what it finds |
 //! |---|---|
+//! | [`model`] | a scene with its values behind a pointer, so that what follows is compiled once |
 //! | [`ode`] | the motion from a start: Tsitouras 5(4), Dormand–Prince 8(5,3), Taylor series; continuous output |
 //! | [`series`] | what emitted code computes those series with |
 //! | [`stiff`] | the same for stiff motions: Radau IIA 5, Rodas5P, and the choice on the way |

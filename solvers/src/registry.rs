@@ -1,7 +1,7 @@
 //! Mechanisms as data: what the command and the generated tests need to run any scene without knowing its type.
 //!
 //! Emitted code fills these tables. The solvers never look at a name or a unit in them; they are carried for whoever
-//! prints the answer, and the dimensions for [`crate::check::scaling`]. Behind `dyn` stand whole runs, never single evaluations.
+//! prints the answer, and the dimensions for [`crate::check::scaling`].
 
 mod bind;
 mod limits;

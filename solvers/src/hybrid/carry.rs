@@ -11,7 +11,7 @@ use crate::stiff::{self, Switch};
 pub(super) enum Carrier {
     Explicit(ode::Workspace),
     Taylor(Taylor),
-    Stiff(stiff::Workspace),
+    Stiff(Box<stiff::Workspace>),
 }
 
 impl Carrier {
@@ -20,7 +20,7 @@ impl Carrier {
         let method = settings.method;
         match (method.explicit(), method.stiff()) {
             (Some(method), _) => Self::Explicit(ode::Workspace::new(method, flow)),
-            (_, Some(method)) => Self::Stiff(stiff::Workspace::new(method, flow)),
+            (_, Some(method)) => Self::Stiff(Box::new(stiff::Workspace::new(method, flow))),
             _ => Self::Taylor(Taylor::new(flow.states(), settings.rtol)),
         }
     }

@@ -87,10 +87,16 @@ impl<'a> Flow<'a> {
         mut compute: impl FnMut(Phase<'_, f64>, &mut [f64]) -> R,
     ) -> R {
         let done = compute(self.phase(), numbers);
-        if self.sides.is_empty() || first_bad(numbers, 1).is_none() {
-            return done;
+        match self.is_lost(numbers) {
+            true => compute(Phase::of(self.mode), numbers),
+            false => done,
         }
-        compute(Phase::of(self.mode), numbers)
+    }
+
+    /// Whether sides are held, and numbers do not exist.
+    #[inline(always)]
+    fn is_lost(&self, numbers: &[f64]) -> bool {
+        !self.sides.is_empty() && first_bad(numbers, 1).is_some()
     }
 
     /// Writes `f(t, y)`.
@@ -134,8 +140,7 @@ impl<'a> Flow<'a> {
     pub fn guards(&self, time: f64, state: &[f64], values: &mut [f64], rates: &mut [f64]) {
         let Some(events) = self.events else { return };
         events.guards(self.phase(), time, state, values, rates);
-        let is_lost = |numbers: &[f64]| first_bad(numbers, 1).is_some();
-        if !self.sides.is_empty() && (is_lost(values) || is_lost(rates)) {
+        if self.is_lost(values) || self.is_lost(rates) {
             events.guards(Phase::of(self.mode), time, state, values, rates);
         }
     }
@@ -211,21 +216,118 @@ impl System for Flow<'_> {
         let varied = false;
         self.model
             .attempt(Steps { method, varied }, self.phase(), room);
-        if !self.sides.is_empty() && first_bad(&room.trial, 1).is_some() {
-            let rates =
-                &|time: f64, state: &[f64], rates: &mut [f64]| self.rates(time, state, rates);
-            system::attempt_each(rates, method, room);
+        room.is_apart = self.is_lost(&room.trial);
+        if room.is_apart {
+            system::attempt_each(
+                &|time, state, rates| self.rates(time, state, rates),
+                method,
+                room,
+            );
         }
     }
 
     fn finish(&self, method: Explicit, room: &mut Room, dense: bool) {
         let varied = false;
-        self.model
-            .finish(Steps { method, varied }, self.phase(), room, dense);
-        if !self.sides.is_empty() && first_bad(&room.slopes, 1).is_some() {
-            let rates =
-                &|time: f64, state: &[f64], rates: &mut [f64]| self.rates(time, state, rates);
+        // What has been tried one evaluation after the other keeps its instants in another way.
+        if !room.is_apart {
+            self.model
+                .finish(Steps { method, varied }, self.phase(), room, dense);
+        }
+        if room.is_apart || self.is_lost(&room.slopes) {
+            let rates = &|time: f64, state: &[f64], rates: &mut [f64]| {
+                self.rates(time, state, rates);
+            };
             system::finish_each(rates, method, room, dense);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ode::Workspace;
+    use crate::problem::{Reports, Span};
+
+    /// `dot(y) = 20 (t - 0.75) + 0.001 sqrt(y)` on one side of a surface, without the root on the other.
+    struct Rooted;
+
+    const SHAPE: Shape = Shape::named("rooted");
+
+    impl Equations<f64> for Rooted {
+        fn states(&self) -> usize {
+            1
+        }
+
+        fn instant(&self) -> usize {
+            1
+        }
+
+        fn instants(&self, _phase: Phase<'_, f64>, times: &[f64], rows: &mut [f64]) {
+            for (row, time) in rows.iter_mut().zip(times) {
+                *row = 20.0 * (time - 0.75);
+            }
+        }
+
+        fn rates(&self, phase: Phase<'_, f64>, instant: &[f64], y: &[f64], rates: &mut [f64]) {
+            let root = if phase.side(0) > 0.0 {
+                y[0].sqrt()
+            } else {
+                0.0
+            };
+            rates[0] = instant[0] + 0.001 * root;
+        }
+
+        fn variation(
+            &self,
+            _: Phase<'_, f64>,
+            _: &[f64],
+            _: &[f64],
+            _: &mut [f64],
+            _: &[f64],
+            _: &mut [f64],
+        ) {
+        }
+
+        fn jacobian(&self, _: Phase<'_, f64>, _: &[f64], _: &[f64], _: &mut [f64]) {}
+    }
+
+    impl Reports<f64> for Rooted {}
+
+    impl Model for Rooted {
+        fn shape(&self) -> &Shape {
+            &SHAPE
+        }
+
+        fn equations(&self) -> &dyn Equations<f64> {
+            self
+        }
+
+        fn reports(&self) -> &dyn Reports<f64> {
+            self
+        }
+
+        fn span(&self) -> Span {
+            Span::Open
+        }
+
+        fn start(&self) -> Vec<f64> {
+            vec![0.0]
+        }
+    }
+
+    /// A step whose stages leave the branch that is held ends with the rate of its end.
+    #[test]
+    fn a_step_beyond_a_branch_has_the_slope_of_its_end() {
+        let flow = Flow::on(&Rooted, 0, &[1.0]);
+        let mut workspace = Workspace::new(Explicit::Dop853, &flow);
+        let room = workspace.room_mut();
+        (room.time, room.step) = (0.5, 0.5);
+        flow.rates(0.5, &[0.0], &mut room.slopes[..1]);
+        flow.attempt(Explicit::Dop853, room);
+        assert!(room.is_apart);
+        flow.finish(Explicit::Dop853, room, true);
+        let (mut expected, end) = ([0.0], room.trial[0]);
+        flow.rates(1.0, &[end], &mut expected);
+        assert_eq!(room.slopes[12], expected[0]);
     }
 }

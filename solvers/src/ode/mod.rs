@@ -2,7 +2,7 @@
 //!
 //! [`integrate`] carries any [`System`] over a stretch of time, forwards or backwards, by a method ([`Explicit`]); what
 //! happens with the steps is up to an [`Observer`]. All its memory is the [`Workspace`]. Of a scene all stages of a step are
-//! one call, compiled for it ([`step`]); everything around them is compiled once.
+//! one call, compiled for it; everything around them is compiled once.
 //! [`march`] is the usual task: the motion of a scene from a start, kept as a [`Trajectory`], also by its Taylor series.
 //!
 //! The control follows E. Hairer, S. P. Nørsett, G. Wanner: *Solving Ordinary Differential Equations I*, 2nd edition,

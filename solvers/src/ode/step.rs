@@ -32,6 +32,8 @@ pub struct Room {
     pub(crate) polynomial: Vec<f64>,
     /// What depends on the time alone, for each stage.
     instants: Vec<f64>,
+    /// Whether the step was tried one evaluation after the other, of which the instants are the times.
+    pub(crate) is_apart: bool,
 }
 
 impl Room {
@@ -49,6 +51,7 @@ impl Room {
             slopes: vec![0.0; method.slopes() * length],
             polynomial: vec![0.0; method.degree() * length],
             instants: Vec::new(),
+            is_apart: false,
         }
     }
 

@@ -34,6 +34,12 @@ impl Workspace {
         &self.room.state
     }
 
+    /// The memory of a step.
+    #[cfg(test)]
+    pub(crate) fn room_mut(&mut self) -> &mut Room {
+        &mut self.room
+    }
+
     /// The coefficients of the method.
     #[inline(always)]
     pub(super) fn tableau(&self) -> &'static Tableau {

@@ -52,7 +52,7 @@ impl ModeEntry {
         self.events.len() + self.kinks
     }
 
-    /// The number of values that [`Modes::guards`](crate::hybrid::Modes::guards) writes: guards, and angles behind them.
+    /// The number of values that [`Events::guards`](crate::problem::Events::guards) writes: guards, and angles behind them.
     pub fn written(&self) -> usize {
         self.guards() + self.turns
     }
