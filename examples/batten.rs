@@ -7,7 +7,6 @@
 //!     cargo run --example batten
 
 use assur::prelude::*;
-use assur::{ode, periodic, shape};
 use assur_equations::batten::Elastic;
 use std::f64::consts::TAU;
 
@@ -28,11 +27,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let batten = Elastic::default();
     let settings = Settings::new(Method::Dop853, 1e-10);
     let period = TAU / batten.n;
-    let orbit = periodic::solve(&batten, period, &settings)?;
+    let steady = batten.solve(&settings)?;
 
     println!(" crank      quantity      computed     published  deviation");
     for (angle, name, published, allowed) in PUBLISHED {
-        let computed = output(&batten, angle / batten.n, &orbit.at(angle / batten.n), name);
+        let computed = steady.value(name, angle / batten.n)?;
         let deviation = computed / published - 1.0;
         println!(
             "{:4.0}°  {name:>12} {computed:13.8} {published:13.8}  {:+7.2} %",
@@ -43,24 +42,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
 
     println!("\nFree motions neither grow nor die, so that no march from rest ever arrives:");
-    for multiplier in &orbit.multipliers {
+    for multiplier in steady.multipliers() {
         println!(
             "  multiplier {multiplier}, modulus {:.9}",
             multiplier.modulus()
         );
         assert!((multiplier.modulus() - 1.0).abs() < 1e-6);
     }
-    let march = ode::march(&batten, (0.0, 100.0 * period), &[0.0; 6], &settings)?;
-    let (after, steady) = (march.end()[0], orbit.start[0]);
+    let march = batten
+        .from([0.0; 6])
+        .until(100.0 * period)
+        .solve(&settings)?;
+    let (after, steady) = (march.at(100.0 * period), steady.at(0.0));
+    let [after, steady] = [after[Elastic::PHI2], steady[Elastic::PHI2]];
     println!("  lag after 100 revolutions {after:.6} rad, in the steady state {steady:.6} rad");
     assert!((after - steady).abs() > 1e-5);
     Ok(())
-}
-
-/// An output of the scene by its name.
-fn output(batten: &Elastic, time: f64, state: &[f64], name: &str) -> f64 {
-    let model: &dyn Model = &Bound::new(batten);
-    let values = model.outputs(time, state);
-    let place = shape::find(Elastic::shape().outputs, name);
-    values[place.expect("an output of the scene")]
 }

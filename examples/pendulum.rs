@@ -4,7 +4,6 @@
 //!
 //!     cargo run --example pendulum
 
-use assur::ode;
 use assur::prelude::*;
 
 assur::mechanism! {
@@ -31,17 +30,9 @@ fn main() {
 /// The period of the swing from rest at an angle: four times the time to the lowest point.
 fn period(angle: f64) -> f64 {
     let settings = Settings::new(Method::Dop853, 1e-13);
-    let motion = ode::march(&Swing::default(), (0.0, 2.0), &[angle, 0.0], &settings).unwrap();
-    let (mut above, mut below) = (0.0, motion.times().iter().copied());
-    let mut below = below.find(|time| motion.at(*time)[0] < 0.0).unwrap();
-    for _ in 0..60 {
-        let middle = (above + below) / 2.0;
-        match motion.at(middle)[0] > 0.0 {
-            true => above = middle,
-            false => below = middle,
-        }
-    }
-    4.0 * above
+    let motion = Swing::default().from([angle, 0.0]).solve(&settings);
+    let lowest = motion.unwrap().first_time(Swing::PHI, 0.0);
+    4.0 * lowest.expect("it swings through")
 }
 
 /// The same by the arithmetic-geometric mean.

@@ -16,13 +16,14 @@ pub use assur_macros::{equations, mechanism};
 #[doc(hidden)]
 pub use assur_solvers::exact;
 pub use assur_solvers::{
-    check, closure, dense, dispatch, hybrid, measure, model, ode, periodic, problem, registry,
-    scalar, series, shape, stiff, study, tolerance,
+    answer, check, closure, dense, dispatch, hybrid, measure, model, ode, periodic, problem,
+    registry, scalar, series, shape, stiff, study, tolerance,
 };
 
 /// What most programs need: `use assur::prelude::*;`.
 pub mod prelude {
     pub use assur_macros::{equations, mechanism};
+    pub use assur_solvers::answer::{Motion, Solve};
     pub use assur_solvers::model::{Bound, Model};
     pub use assur_solvers::problem::{Equations, Phase, Reports, Scene, Smooth};
     pub use assur_solvers::registry::{Method, Settings};

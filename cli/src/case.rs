@@ -1,12 +1,15 @@
 //! One scene with its values: its task, its drivers and its variables.
 
+use std::sync::Arc;
+
+use assur::answer::Motion;
 use assur::model::Model;
 use assur::problem::{Refused, Span};
 use assur::registry::SceneEntry;
+use assur::shape::Subject;
 
 use crate::constants::Constants;
 use crate::error::Failure;
-use crate::motion::Motion;
 use crate::turn::Turn;
 use crate::variables::{self, Variable};
 
@@ -22,7 +25,7 @@ pub struct Case {
     pub task: Span,
     /// Periods after which the motion repeats.
     pub repeats: usize,
-    run: Box<dyn Model>,
+    run: Arc<dyn Model>,
 }
 
 impl Case {
@@ -51,13 +54,24 @@ impl Case {
             constants,
             task,
             repeats: 1,
-            run,
+            run: run.into(),
         })
     }
 
     /// The scene as the solvers see it.
     pub fn run(&self) -> &dyn Model {
         self.run.as_ref()
+    }
+
+    /// The same, to be asked.
+    pub fn model(&self) -> Arc<dyn Model> {
+        self.run.clone()
+    }
+
+    /// What its variables are.
+    pub fn subjects(&self) -> Vec<Subject> {
+        let variables = self.variables.iter();
+        variables.map(|variable| variable.origin).collect()
     }
 
     /// Takes into account after what time the motion repeats: all of its periods are shown.
@@ -82,8 +96,7 @@ impl Case {
 
     /// All variables at a time of the task, SI units.
     pub fn sample(&self, motion: &Motion, time: f64) -> Vec<f64> {
-        let (mode, state) = motion.place(time);
-        variables::evaluate(&self.variables, self.run(), mode, time, &state)
+        motion.values(&self.subjects(), time)
     }
 }
 

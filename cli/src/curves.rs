@@ -1,11 +1,10 @@
 //! The variables over a task: samples, and extremes.
 
-use assur::measure::{self, Extremes};
+use assur::answer::{Motion, Samples};
+use assur::measure::Extremes;
 use assur::problem::Span;
 
 use crate::case::Case;
-use crate::motion::Motion;
-use crate::variables::{self, Variable};
 
 /// Fewest samples over a task; 720 gives every half degree of a revolution.
 const SAMPLES: usize = 720;
@@ -23,6 +22,16 @@ pub struct Curves {
     pub values: Vec<Vec<f64>>,
 }
 
+impl Curves {
+    /// The samples, to be compared with.
+    pub fn samples(&self) -> Samples<'_> {
+        Samples {
+            times: &self.times,
+            values: &self.values,
+        }
+    }
+}
+
 /// Samples the task: evenly, more finely where the solution took many steps; at every step that is shorter than that; at
 /// all extremes; and right before and after each event, so that a jump is one.
 pub fn sample(case: &Case, motion: &Motion, extremes: &[Extremes]) -> Curves {
@@ -30,7 +39,7 @@ pub fn sample(case: &Case, motion: &Motion, extremes: &[Extremes]) -> Curves {
     if case.task == Span::Open {
         return Curves::default();
     }
-    let count = (motion.effort().steps * 4)
+    let count = (motion.statistics().steps * 4)
         .clamp(SAMPLES, MOST_SAMPLES)
         .next_multiple_of(SAMPLES);
     let mut times: Vec<f64> = (0..=count)
@@ -87,24 +96,4 @@ fn furthest(case: &Case, motion: &Motion, times: &[f64]) -> Vec<f64> {
         }
     }
     ends.into_iter().flatten().map(|(_, time)| time).collect()
-}
-
-/// Smallest and largest value of some variables between two times of the task; none unless there is time between.
-pub fn extremes(
-    case: &Case,
-    motion: &Motion,
-    variables: &[Variable],
-    times: (f64, f64),
-) -> Vec<Extremes> {
-    let sample = |mode: usize, time: f64, state: &[f64], values: &mut [f64]| {
-        values.copy_from_slice(&variables::evaluate(
-            variables,
-            case.run(),
-            mode,
-            time,
-            state,
-        ));
-    };
-    let found = measure::extremes(motion.path(), times, variables.len(), &sample);
-    found.into_iter().flatten().collect()
 }

@@ -4,11 +4,11 @@ use assur::problem::Span;
 use assur::registry::{Mechanism, SceneEntry};
 
 use crate::case::Case;
-use crate::motion::Motion;
 use crate::number;
 use crate::style::Style;
 use crate::text::{Align, Columns};
 use crate::variables::Variable;
+use assur::answer::Motion;
 
 /// Instants of a cycle at which scenes are compared.
 const INSTANTS: usize = 720;

@@ -35,7 +35,7 @@ pub fn bands(report: &Report) -> Vec<Band> {
         return Vec::new();
     }
     let (begin, end) = case.task.limits();
-    let (mut bands, mut from, mut mode) = (Vec::new(), begin, report.motion.first_mode(case));
+    let (mut bands, mut from, mut mode) = (Vec::new(), begin, report.motion.first_mode());
     let events = report.motion.events().iter();
     let changes = events.filter(|event| event.to != event.from);
     for (time, next) in changes
@@ -73,7 +73,7 @@ pub fn happened(report: &Report) -> impl Iterator<Item = (&Happened, &'static Ev
 
 /// Name of the mode in which the task begins; empty where there are no modes.
 pub fn first_mode(report: &Report) -> &'static str {
-    report.case.mode(report.motion.first_mode(&report.case))
+    report.case.mode(report.motion.first_mode())
 }
 
 /// What happened, in order.

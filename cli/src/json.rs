@@ -32,13 +32,13 @@ use assur::shape::Quantity;
 use serde_json::{Value, json};
 
 use crate::constants::Constants;
-use crate::doubt::End;
 use crate::events;
 use crate::measures;
 use crate::published::Comparison;
 use crate::report::{Report, Snapshot};
 use crate::settings::{given_atol, method_name};
 use crate::unit;
+use assur::answer::End;
 
 /// Name and version of the format.
 pub const FORMAT: &str = "assur-run/1";
@@ -274,7 +274,7 @@ fn status(complete: bool, report: &Report) -> &'static str {
 }
 
 fn statistics(report: &Report) -> Value {
-    let effort = report.motion.effort();
+    let effort = report.motion.statistics();
     let worst = report.cost.worst.map(|(index, share)| {
         json!({ "name": report.case.variables[index].name, "relative_to_amplitude": share })
     });
@@ -282,9 +282,7 @@ fn statistics(report: &Report) -> Value {
         .motion
         .switches()
         .into_iter()
-        .map(
-            |(time, stiff)| json!({ "time": time, "to": if stiff { "stiff" } else { "explicit" } }),
-        )
+        .map(|one| json!({ "time": one.time, "to": if one.stiff { "stiff" } else { "explicit" } }))
         .collect();
     json!({
         "steps": effort.steps,
@@ -294,8 +292,8 @@ fn statistics(report: &Report) -> Value {
         "stiff_steps": effort.stiff_steps,
         "rounded_steps": effort.rounded_steps,
         "switches": switches,
-        "condition": report.motion.closing().map(|closing| closing.0),
-        "residual": report.motion.closing().map(|closing| closing.1),
+        "condition": report.motion.repeats().map(|repeats| repeats.condition),
+        "residual": report.motion.repeats().map(|repeats| repeats.residual),
         "seconds": report.cost.solve,
         "seconds_with_error_estimate": report.cost.total,
         "largest_estimated_error": worst,

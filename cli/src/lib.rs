@@ -17,7 +17,6 @@ mod check;
 mod constants;
 mod csv;
 mod curves;
-mod doubt;
 mod draw;
 mod effects;
 #[path = "../../macros/src/emit/mod.rs"]

@@ -1,9 +1,11 @@
 //! Numbers of the whole task, for the tables and formats of `assur run`.
 
+use assur::answer::{Estimate, Motion};
 use assur::measure::Missing;
 use assur::shape::Quantity;
 use serde_json::{Value, json};
 
+use crate::case::Case;
 use crate::number;
 use crate::report::Report;
 use crate::table::Page;
@@ -19,6 +21,19 @@ pub struct Measured {
     pub value: Result<f64, Missing>,
     /// Its estimated error, SI units; NaN where there is none.
     pub error: f64,
+}
+
+/// The measures of a motion with their errors.
+pub fn of(case: &Case, motion: &Motion, estimate: &Estimate) -> Vec<Measured> {
+    let found = motion.measures();
+    let errors = estimate.measures(&found);
+    let measures = case.scene.measures.iter().zip(found).zip(errors);
+    let measures = measures.map(|((quantity, value), error)| Measured {
+        quantity,
+        value,
+        error,
+    });
+    measures.collect()
 }
 
 fn modes(report: &Report) -> Vec<&'static str> {

@@ -1,5 +1,6 @@
 //! Published values beside the computed ones.
 
+use assur::answer::{Ends, Estimate, Motion};
 use assur::measure::ALWAYS;
 use assur::registry::{Mechanism, SceneEntry, Settings};
 use assur::shape::{At, Expectation, Subject};
@@ -7,10 +8,9 @@ use assur::shape::{At, Expectation, Subject};
 use crate::case::Case;
 use crate::constants::{Constants, find_preset};
 use crate::curves;
-use crate::doubt::{Doubt, Ends};
 use crate::error::Failure;
+use crate::measures;
 use crate::measures::Measured;
-use crate::motion::Motion;
 use crate::number;
 use crate::report::driver_label;
 use crate::unit;
@@ -71,7 +71,7 @@ pub struct Known<'a> {
     /// The motion.
     pub motion: &'a Motion,
     /// How accurate it is.
-    pub doubt: &'a Doubt,
+    pub estimate: &'a Estimate,
     /// Smallest and largest value of each variable.
     pub ends: &'a [Ends],
     /// Numbers of the whole task, with their errors.
@@ -83,7 +83,7 @@ struct Solved {
     preset: &'static str,
     case: Case,
     motion: Motion,
-    doubt: Doubt,
+    estimate: Estimate,
     ends: Vec<Ends>,
     measures: Vec<Measured>,
 }
@@ -98,19 +98,20 @@ impl Solved {
         let mut constants = Constants::declared(scene);
         constants.apply(find_preset(mechanism, preset)?);
         let mut case = Case::new(constants)?;
-        let motion = case.solve(settings)?;
+        let motion = case.solve(&settings)?;
         case.repeat(&motion);
-        let extremes = curves::extremes(&case, &motion, &case.variables, ALWAYS);
+        let subjects = case.subjects();
+        let extremes = motion.extremes(&subjects, ALWAYS);
         let curves = curves::sample(&case, &motion, &extremes);
-        let doubt = Doubt::of(&case, &motion)?;
-        let mut measures = motion.measures(&case);
-        doubt.tell(&case, &mut measures);
+        let estimate = motion.estimate();
+        let estimate = estimate.map_err(|error| case.unanswered(&error))?;
+        let measures = measures::of(&case, &motion, &estimate);
         Ok(Self {
             preset,
-            ends: doubt.extremes(&case, &motion, &curves, &extremes),
+            ends: estimate.extremes(&motion, &subjects, &curves.samples(), &extremes),
             case,
             motion,
-            doubt,
+            estimate,
             measures,
         })
     }
@@ -119,7 +120,7 @@ impl Solved {
         Known {
             case: &self.case,
             motion: &self.motion,
-            doubt: &self.doubt,
+            estimate: &self.estimate,
             ends: &self.ends,
             measures: &self.measures,
         }
@@ -215,7 +216,7 @@ fn one(
     let (computed, error) = match (time, known.ends.get(variable)) {
         (Some(time), _) => (
             case.sample(known.motion, time)[variable],
-            known.doubt.at(case, known.motion, time)[variable],
+            known.estimate.at(known.motion, &case.subjects(), time)[variable],
         ),
         (None, Some(ends)) => {
             let end = match fact.at {

@@ -2,16 +2,15 @@
 
 use std::time::Instant;
 
+use assur::answer::{Ends, Motion};
 use assur::measure::ALWAYS;
 use assur::problem::Span;
 use assur::registry::{Mechanism, Settings};
 
 use crate::case::Case;
 use crate::curves::{self, Curves};
-use crate::doubt::{Doubt, Ends};
 use crate::error::Failure;
-use crate::measures::Measured;
-use crate::motion::Motion;
+use crate::measures::{self, Measured};
 use crate::multipliers::{self, Multiplier};
 use crate::number;
 use crate::published::{self, Comparison, Known};
@@ -57,12 +56,13 @@ pub struct Report {
 impl Report {
     /// Number of free motions that nothing determines.
     pub fn free(&self) -> usize {
-        self.motion.closing().map_or(0, |closing| closing.2)
+        self.motion.repeats().map_or(0, |repeats| repeats.free)
     }
 
     /// What the multipliers say, a sentence each.
     pub fn conclusions(&self) -> Vec<String> {
-        let (turn, followed) = (self.case.turn(), self.motion.followed());
+        let turn = self.case.turn();
+        let followed = self.motion.repeats().and_then(|repeats| repeats.followed);
         multipliers::conclusions(&self.multipliers, turn, self.free(), followed)
     }
 
@@ -91,7 +91,7 @@ impl Report {
             self.case.variables[index].name,
             number::error(share)
         ));
-        Err(match self.motion.effort().rounded_steps {
+        Err(match self.motion.statistics().rounded_steps {
             0 => failure
                 .reason("with other tolerances the motion is another one")
                 .remedy(
@@ -157,26 +157,27 @@ pub fn collect(
     places: &[Place],
 ) -> Result<Report, Failure> {
     let clock = Instant::now();
-    let motion = case.solve(settings)?;
+    let motion = case.solve(&settings)?;
     case.repeat(&motion);
     let times: Vec<_> = places
         .iter()
         .map(|place| locate(&case, *place))
         .collect::<Result<_, _>>()?;
-    let extremes = curves::extremes(&case, &motion, &case.variables, ALWAYS);
+    let subjects = case.subjects();
+    let extremes = motion.extremes(&subjects, ALWAYS);
     let curves = curves::sample(&case, &motion, &extremes);
-    let mut measures = motion.measures(&case);
-    let doubt = Doubt::of(&case, &motion)?;
-    doubt.tell(&case, &mut measures);
-    let errors = doubt.largest(&case, &motion, &curves);
-    let extremes = doubt.extremes(&case, &motion, &curves, &extremes);
+    let estimate = motion.estimate();
+    let estimate = estimate.map_err(|error| case.unanswered(&error))?;
+    let measures = measures::of(&case, &motion, &estimate);
+    let errors = estimate.largest(&motion, &subjects, &curves.times);
+    let extremes = estimate.extremes(&motion, &subjects, &curves.samples(), &extremes);
     let (from, _) = case.task.limits();
     let snapshot = |time: f64, label: String| Snapshot {
         label,
         time,
         drivers: case.drivers(time),
         values: case.sample(&motion, time),
-        errors: doubt.at(&case, &motion, time),
+        errors: estimate.at(&motion, &subjects, time),
     };
     let start = snapshot(from, place_label(&case, from));
     let places = times.into_iter();
@@ -184,13 +185,13 @@ pub fn collect(
     let known = Known {
         case: &case,
         motion: &motion,
-        doubt: &doubt,
+        estimate: &estimate,
         ends: &extremes,
         measures: &measures,
     };
     let published = published::compare(mechanism, &known)?;
-    let events = doubt.events(&motion);
-    let period_error = doubt.period(&motion);
+    let events = estimate.events(&motion);
+    let period_error = estimate.period(&motion);
     let multipliers = multipliers::read(motion.multipliers());
     let worst = errors.iter().enumerate();
     let worst = worst
@@ -200,8 +201,8 @@ pub fn collect(
         solve: motion.seconds,
         total: clock.elapsed().as_secs_f64(),
         worst,
-        tenfold: doubt.tenfold,
-        is_cut_off: doubt.is_cut_off,
+        tenfold: estimate.tenfold,
+        is_cut_off: estimate.is_cut_off,
     };
     Ok(Report {
         mechanism,

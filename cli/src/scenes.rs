@@ -124,7 +124,7 @@ impl<'a> Measured<'a> {
             cycle: None,
             failure: None,
         };
-        let outcome = case.solve(settings).and_then(|motion| {
+        let outcome = case.solve(&settings).and_then(|motion| {
             if !case.scene.states.is_empty() && case.task != Span::Open {
                 let mut best = f64::INFINITY;
                 for _ in 0..REPEATS {

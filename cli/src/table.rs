@@ -229,7 +229,7 @@ fn last_line(report: &Report) -> String {
         }
         None => "Estimated global error: rounding only".to_owned(),
     };
-    let effort = report.motion.effort();
+    let effort = report.motion.statistics();
     let work = if effort.evaluations > 0 {
         format!(
             "solved in {} by {} with rtol {:e}{} ({} steps{}, {} evaluations)",
@@ -274,9 +274,9 @@ fn stiff_part(report: &Report) -> String {
     if report.motion.settings.method != Method::Auto {
         return String::new();
     }
-    let stiff = number::count(report.motion.effort().stiff_steps);
+    let stiff = number::count(report.motion.statistics().stiff_steps);
     match report.motion.switches().first() {
-        Some((time, _)) => format!(", {stiff} of them stiff, from t = {time:.3e} s on"),
+        Some(first) => format!(", {stiff} of them stiff, from t = {:.3e} s on", first.time),
         None => format!(", {stiff} of them stiff"),
     }
 }

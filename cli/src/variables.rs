@@ -1,9 +1,8 @@
 //! Everything about a motion that has a value at an instant: coordinates, speeds, accelerations, outputs.
 
 use crate::unit;
-use assur::model::Model;
 use assur::registry::SceneEntry;
-use assur::shape::{LinkageEntry, Quantity};
+use assur::shape::{LinkageEntry, Quantity, Subject};
 
 /// Exponents of m, kg, s, A, K, mol, cd as numerator and denominator.
 pub type Dimension = [(i8, i8); 7];
@@ -22,22 +21,11 @@ pub struct Variable {
     /// Its dimension.
     pub dimension: Dimension,
     /// Where its value comes from.
-    pub origin: Origin,
-}
-
-/// Where the value of a variable comes from; the index is that of the scene's table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Origin {
-    /// A component of the state, of a linkage a dependent coordinate.
-    State(usize),
-    /// Time derivative of a component of the state.
-    Rate(usize),
-    /// An output.
-    Output(usize),
+    pub origin: Subject,
 }
 
 impl Variable {
-    fn new(quantity: &Quantity, origin: Origin) -> Self {
+    fn new(quantity: &Quantity, origin: Subject) -> Self {
         Self {
             name: quantity.name.to_owned(),
             summary: quantity.summary.lines().next().unwrap_or("").to_owned(),
@@ -60,7 +48,7 @@ impl Variable {
             unit: per_second(speed.unit),
             factor: speed.factor,
             dimension,
-            origin: Origin::Rate(index),
+            origin: Subject::Rate(index),
         })
     }
 
@@ -88,7 +76,7 @@ pub fn of_scene(scene: &SceneEntry) -> Vec<Variable> {
     let states = scene.states.iter().enumerate();
     let mut list: Vec<_> = states
         .clone()
-        .map(|(index, state)| Variable::new(state, Origin::State(index)))
+        .map(|(index, state)| Variable::new(state, Subject::State(index)))
         .collect();
     list.extend(states.filter_map(|(index, state)| Variable::acceleration(state, index)));
     for (index, output) in scene.outputs.iter().enumerate() {
@@ -103,7 +91,7 @@ pub fn of_scene(scene: &SceneEntry) -> Vec<Variable> {
                     ..Variable::new(output, same.origin)
                 }
             }
-            None => list.push(Variable::new(output, Origin::Output(index))),
+            None => list.push(Variable::new(output, Subject::Output(index))),
         }
     }
     list
@@ -113,42 +101,14 @@ pub fn of_scene(scene: &SceneEntry) -> Vec<Variable> {
 pub fn of_linkage(scene: &SceneEntry, entry: &LinkageEntry) -> Vec<Variable> {
     let outputs = scene.outputs.iter().enumerate();
     let mut list: Vec<_> = outputs
-        .map(|(index, output)| Variable::new(output, Origin::Output(index)))
+        .map(|(index, output)| Variable::new(output, Subject::Output(index)))
         .collect();
     for (index, dependent) in entry.dependents.iter().enumerate() {
         if list.iter().all(|known| known.name != dependent.name) {
-            list.push(Variable::new(dependent, Origin::State(index)));
+            list.push(Variable::new(dependent, Subject::State(index)));
         }
     }
     list
-}
-
-/// The values of all variables at one instant, SI units.
-pub fn evaluate(
-    variables: &[Variable],
-    run: &dyn Model,
-    mode: usize,
-    time: f64,
-    state: &[f64],
-) -> Vec<f64> {
-    let outputs = run.outputs_in(mode, time, state);
-    let rates = if variables
-        .iter()
-        .any(|variable| matches!(variable.origin, Origin::Rate(_)))
-    {
-        run.rates_in(mode, time, state)
-    } else {
-        Vec::new()
-    };
-    let value = |variable: &Variable| match variable.origin {
-        Origin::State(index) => state.get(index),
-        Origin::Rate(index) => rates.get(index),
-        Origin::Output(index) => outputs.get(index),
-    };
-    variables
-        .iter()
-        .map(|variable| value(variable).copied().unwrap_or(f64::NAN))
-        .collect()
 }
 
 #[cfg(test)]

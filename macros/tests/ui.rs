@@ -98,6 +98,11 @@ fn units_have_to_balance() {
 }
 
 #[test]
+fn what_would_not_see_events_does_not_take_a_scene_that_has_some() {
+    check("unseen_events");
+}
+
+#[test]
 fn a_name_has_to_be_declared() {
     check("unknown_name");
 }

@@ -5,6 +5,7 @@
 //!
 //! | module | what it finds |
 //! |---|---|
+//! | [`answer`] | the front door: what is asked of a scene, and its motion |
 //! | [`model`] | a scene with its values behind a pointer, so that what follows is compiled once |
 //! | [`ode`] | the motion from a start: Tsitouras 5(4), Dormand–Prince 8(5,3), Taylor series; continuous output |
 //! | [`series`] | what emitted code computes those series with |
@@ -20,6 +21,7 @@
 //! | [`shape`] | what a scene is made of |
 //! | [`scalar`], [`dispatch`] | the numbers that all of it runs on, and the choice of the instruction set |
 
+pub mod answer;
 pub mod check;
 pub mod closure;
 pub mod dense;

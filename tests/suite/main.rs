@@ -3,12 +3,14 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`boundaries`] | which package may know which |
+//! | [`answers`] | the front door: what a scene is asked |
 //! | [`batten`] | a mechanism against an independent computation, closed forms, limits, energy |
 //! | [`linkages`] | loops against an independent computation, and the misprints of a paper |
 //! | [`hybrid`] | modes and events against closed forms |
 //! | [`series`] | Taylor series against the other method |
 //! | [`hard`] | cases in which the naive way fails, beside ours |
 
+mod answers;
 mod batten;
 mod boundaries;
 mod hard;

@@ -10,7 +10,8 @@ use crate::constants::Constants;
 use crate::error::Failure;
 use crate::number;
 use crate::values::TIME;
-use crate::variables::{self, Origin, Variable};
+use crate::variables::{self, Variable};
+use assur::shape::Subject;
 
 /// A linkage with its values.
 pub struct Case {
@@ -170,9 +171,9 @@ impl Case {
     /// The values of the variables where the dependent coordinates and the outputs have these, SI units.
     pub fn values_of(&self, dependents: &[f64], outputs: &[f64]) -> Vec<f64> {
         let value = |variable: &Variable| match variable.origin {
-            Origin::State(index) => dependents.get(index).copied(),
-            Origin::Output(index) => outputs.get(index).copied(),
-            Origin::Rate(_) => None,
+            Subject::State(index) => dependents.get(index).copied(),
+            Subject::Output(index) => outputs.get(index).copied(),
+            _ => None,
         };
         let values = self.variables.iter().map(value);
         values.map(|value| value.unwrap_or(f64::NAN)).collect()

@@ -11,7 +11,8 @@ use super::case::{Case, Task};
 use super::line::Line;
 use super::search::{Extreme, largest, smallest};
 use super::wording::{Names, Told, tell};
-use crate::variables::{Origin, Variable};
+use crate::variables::Variable;
+use assur::shape::Subject;
 
 /// A driver that does not turn is followed so many widths of its range beyond its ends.
 const BEYOND: f64 = 10.0;
@@ -125,9 +126,9 @@ pub fn stroke<'a>(
     variable: &Variable,
 ) -> Option<&'a Stroke> {
     let index = match variable.origin {
-        Origin::Output(index) => index,
-        Origin::State(index) => case.scene.outputs.len() + index,
-        Origin::Rate(_) => return None,
+        Subject::Output(index) => index,
+        Subject::State(index) => case.scene.outputs.len() + index,
+        _ => return None,
     };
     let stroke = strokes?.get(index)?;
     (!stroke.length().is_nan()).then_some(stroke)

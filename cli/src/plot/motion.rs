@@ -96,7 +96,7 @@ fn marks(report: &Report, positions: &[f64], abscissa: &dyn Fn(f64) -> f64) -> V
 
 /// How the curves were made.
 fn made(report: &Report) -> String {
-    if report.motion.effort().evaluations == 0 {
+    if report.motion.statistics().evaluations == 0 {
         return "closed form".to_owned();
     }
     let mut made = format!(

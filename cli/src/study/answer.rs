@@ -46,8 +46,7 @@ impl Answer {
 fn outcome(question: &Question, index: usize) -> Outcome {
     let run = question.scene.bind.motion(&question.values(index));
     let run = run.map_err(|refused| refused.to_string())?;
-    let motion = motion::over_task(question.scene, run.as_ref(), &question.settings)?;
-    Ok(run.measure(&motion))
+    motion::measures(question.scene, run, &question.settings)
 }
 
 /// Does all runs.

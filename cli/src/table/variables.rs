@@ -1,10 +1,10 @@
 //! All variables at one place, and their extremes over the task.
 
 use super::Page;
-use crate::doubt::End;
 use crate::number;
 use crate::report::{Report, Snapshot};
 use crate::text::{Align, Columns};
+use assur::answer::End;
 
 /// Everything at one place.
 pub fn snapshot(page: &mut Page, report: &Report, snapshot: &Snapshot, heading: &str) {

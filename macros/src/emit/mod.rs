@@ -31,6 +31,7 @@ mod schedule;
 mod series;
 mod shape;
 mod slopes;
+mod subjects;
 mod tests;
 mod values;
 

@@ -1,4 +1,6 @@
 //! Events: what changes the equations of a scene on the way, mode by mode.
+//!
+//! They are asked through a pointer, so that each is a function of its own for the instructions of its numbers.
 
 use assur_model::checked::{Model, SceneModel};
 use assur_model::program::{Event, Value};
@@ -8,7 +10,7 @@ use quote::quote;
 use super::body::{Body, Place};
 use super::equations::exact;
 use super::expression::size;
-use super::layout::Layout;
+use super::layout::{Layout, outlined};
 use super::slopes;
 
 /// For each scene its modes as scenes of their own; none where there are none.
@@ -75,7 +77,7 @@ fn guards(layout: &Layout<'_>) -> TokenStream {
             events.iter().map(|event| body.value(event.guard)),
             events.iter().map(|event| body.value(event.rate)),
         );
-        layout.body(quote! {
+        outlined(quote! {
             #exact
             #statements
             *values = [#(#values),*];
@@ -161,7 +163,7 @@ pub fn each<'a>(
     let arms = modes.flat_map(|(mode, own)| {
         let events = own.program().results.events.iter().enumerate();
         let arms = events.filter_map(move |(event, statement)| {
-            let code = layout.body(arm(own, statement)?);
+            let code = outlined(arm(own, statement)?);
             let (mode, event) = (size(mode), size(event));
             Some(quote!((#mode, #event) => { #code }))
         });

@@ -99,6 +99,11 @@ fn is_word(text: &str) -> bool {
     matches!(tokens.as_slice(), [TokenTree::Ident(_)])
 }
 
+/// `dot(phi)` as `DOT_PHI`: the name of a constant.
+pub fn loud(name: &str) -> String {
+    plain(name).to_uppercase()
+}
+
 /// `two_term` as `TwoTerm`: the name of a type.
 pub fn pascal(name: &str) -> String {
     let mut text = String::new();

@@ -8,7 +8,7 @@ use quote::quote;
 use super::body::{Body, Place};
 use super::expression::size;
 use super::layout::Layout;
-use super::{Origin, docs, linkage, requirements, values};
+use super::{Origin, docs, linkage, requirements, subjects, values};
 
 /// The parameter struct of a scene with its methods.
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
@@ -71,8 +71,11 @@ fn inherent(layout: &Layout<'_>) -> TokenStream {
         "The declared start values of the state.",
     );
     let motion = linkage::motion(layout);
+    let subjects = subjects::items(layout);
     quote! {
         impl #name {
+            #subjects
+
             /// Sets all values, SI units, in the order of the fields.
             pub fn from_values(values: &[f64; #count]) -> Self {
                 Self { #(#fields: values[#places]),* }

@@ -63,6 +63,12 @@ mod pendulum_ {
         }
     }
     impl Swing {
+        /// `phi`
+        pub const PHI: ::assur::shape::Subject = ::assur::shape::Subject::State(0);
+        /// `dot(phi)`
+        pub const DOT_PHI: ::assur::shape::Subject = ::assur::shape::Subject::State(1);
+        /// `pull`
+        pub const PULL: ::assur::shape::Subject = ::assur::shape::Subject::Output(0);
         /// Sets all values, SI units, in the order of the fields.
         pub fn from_values(values: &[f64; 3]) -> Self {
             Self {

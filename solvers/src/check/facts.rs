@@ -1,13 +1,11 @@
 //! Published facts against the computed motion.
 
 use super::{Failed, positions};
-use crate::hybrid;
-use crate::measure::{self, Extremes};
-use crate::model::Model;
-use crate::problem::{Refused, Span};
+use crate::answer::{Motion, Question};
+use crate::measure;
+use crate::problem::Refused;
 use crate::registry::{Bind, Mechanism, Method, SceneEntry, Settings};
 use crate::shape::{At, Constant, Expectation, Quantity, Subject};
-use crate::study;
 
 /// How the motion is found: far more accurately than anything is published.
 const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-11);
@@ -27,9 +25,13 @@ pub fn fact(mechanism: &Mechanism, scene: &str, index: usize) -> Result<(), Fail
     let values = values(mechanism, scene, fact);
     let refused = |refused: Refused| Failed(refused.to_string());
     let computed = match scene.bind {
-        Bind::Motion(bind) => Motion::of(bind(&values).map_err(refused)?)?
-            .value(fact)
-            .ok_or_else(|| Failed(format!("the motion does not get to {:?}", fact.at)))?,
+        Bind::Motion(bind) => {
+            let question = Question::of(bind(&values).map_err(refused)?.into());
+            let motion = question.solve(&SETTINGS);
+            let motion = motion.map_err(|error| Failed(format!("no motion: {error}")))?;
+            value(&motion, fact)
+                .ok_or_else(|| Failed(format!("the motion does not get to {:?}", fact.at)))?
+        }
         Bind::Linkage(bind) => positions::value(scene, &*bind(&values).map_err(refused)?, fact)?,
     };
     let deviation = computed - fact.value;
@@ -89,82 +91,26 @@ fn text(mechanism: &Mechanism, fact: &Expectation, quantity: &Quantity, computed
     )
 }
 
-/// A solved scene.
-struct Motion {
-    run: Box<dyn Model>,
-    span: Span,
-    /// At rest where the scene has no task.
-    path: hybrid::Motion,
+/// The computed value of a fact; nothing where the motion does not get there.
+fn value(motion: &Motion, fact: &Expectation) -> Option<f64> {
+    let at = |time: f64| Some(motion.values(&[fact.subject], motion.task().reduce(time)?)[0]);
+    let extremes = || motion.extremes(&[fact.subject], measure::ALWAYS).pop();
+    let value = match fact.at {
+        At::Time(time) => at(time)?,
+        At::Driver(driver, position) => at(motion.model().time_of(driver, position).ok()?)?,
+        At::Maximum => extremes()?.highest.value,
+        At::Minimum => extremes()?.lowest.value,
+        At::Amplitude => extremes()?.amplitude(),
+        At::Run => measured(motion, fact.subject)?,
+        At::Position(_) => return None,
+    };
+    (!value.is_nan()).then_some(value)
 }
 
-impl Motion {
-    fn of(run: Box<dyn Model>) -> Result<Self, Failed> {
-        let span = run.span();
-        let path = match span {
-            Span::Open => Ok(hybrid::Motion {
-                mode: run.shape().first,
-                ..hybrid::Motion::at_rest(0.0, &run.start())
-            }),
-            _ if run.start().is_empty() => Ok(hybrid::Motion::without_states(
-                run.shape().first,
-                span.limits(),
-            )),
-            _ => study::motion(run.as_ref(), &SETTINGS),
-        };
-        let path = path.map_err(|error| Failed(format!("no motion: {error}")))?;
-        Ok(Self { run, span, path })
-    }
-
-    /// The computed value of a fact; nothing where the motion does not get there.
-    fn value(&self, fact: &Expectation) -> Option<f64> {
-        match fact.at {
-            At::Time(time) => self.at(self.span.reduce(time)?, fact.subject),
-            At::Driver(driver, position) => {
-                let time = self.run.time_of(driver, position).ok()?;
-                self.at(time, fact.subject)
-            }
-            At::Maximum => Some(self.extremes(fact.subject)?.highest.value),
-            At::Minimum => Some(self.extremes(fact.subject)?.lowest.value),
-            At::Amplitude => Some(self.extremes(fact.subject)?.amplitude()),
-            At::Run => self.measured(fact.subject),
-            At::Position(_) => None,
-        }
-    }
-
-    /// A measure of the run.
-    fn measured(&self, subject: Subject) -> Option<f64> {
-        let Subject::Measure(index) = subject else {
-            return None;
-        };
-        self.run.measure(&self.path).get(index)?.ok()
-    }
-
-    /// A state or output at a time.
-    fn at(&self, time: f64, subject: Subject) -> Option<f64> {
-        let (mode, state) = self.path.at(time);
-        self.of_state(mode, time, &state, subject)
-    }
-
-    /// A state or output in a mode at a time and state.
-    fn of_state(&self, mode: usize, time: f64, state: &[f64], subject: Subject) -> Option<f64> {
-        match subject {
-            Subject::Output(index) => {
-                let outputs = self.run.outputs_in(mode, time, state);
-                outputs.get(index).copied()
-            }
-            Subject::State(index) => state.get(index).copied(),
-            Subject::Influence(..) | Subject::Measure(_) => None,
-        }
-    }
-
-    /// Smallest and largest value of a quantity over the task.
-    fn extremes(&self, subject: Subject) -> Option<Extremes> {
-        let sample = |mode: usize, time: f64, state: &[f64], values: &mut [f64]| {
-            values[0] = self
-                .of_state(mode, time, state, subject)
-                .unwrap_or(f64::NAN);
-        };
-        let found = measure::extremes(&self.path, measure::ALWAYS, 1, &sample);
-        found.into_iter().next()?
-    }
+/// A measure of the run.
+fn measured(motion: &Motion, subject: Subject) -> Option<f64> {
+    let Subject::Measure(index) = subject else {
+        return None;
+    };
+    motion.measures().get(index)?.ok()
 }

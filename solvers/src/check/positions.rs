@@ -74,7 +74,7 @@ fn along(
     let value = |sample: &Sample| match fact.subject {
         Subject::Output(index) => sample.outputs.get(index).copied(),
         Subject::State(index) => sample.dependents.get(index).copied(),
-        Subject::Influence(..) | Subject::Measure(_) => None,
+        Subject::Rate(_) | Subject::Influence(..) | Subject::Measure(_) => None,
     };
     let values: Option<Vec<f64>> = path.samples.iter().map(value).collect();
     values.ok_or_else(|| nowhere(fact))
@@ -94,7 +94,9 @@ fn stroke(scene: &SceneEntry, run: &dyn RunLinkage, fact: &Expectation) -> Resul
     let index = match fact.subject {
         Subject::Output(index) => index,
         Subject::State(index) => scene.outputs.len() + index,
-        Subject::Influence(..) | Subject::Measure(_) => return Err(nowhere(fact)),
+        Subject::Rate(_) | Subject::Influence(..) | Subject::Measure(_) => {
+            return Err(nowhere(fact));
+        }
     };
     let strokes = run.strokes(task).map_err(|error| failed(&error))?;
     strokes.into_iter().nth(index).ok_or_else(|| nowhere(fact))

@@ -24,7 +24,8 @@ impl<C: Scene> Bound<C> {
         Self {
             scene: scene.clone(),
             plain: scene.prepare(),
-            fused: is_fused().then(|| scene.prepare()),
+            // SAFETY: it has been asked whether the processor has the instructions.
+            fused: is_fused().then(|| unsafe { prepare(scene) }),
         }
     }
 
@@ -98,6 +99,13 @@ fn fused(phase: Phase<'_, f64>) -> Phase<'_, Fused> {
         mode: phase.mode,
         sides: Fused::of(phase.sides),
     }
+}
+
+/// The equations of a scene on fused numbers.
+#[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma"))]
+#[inline(never)]
+unsafe fn prepare<C: Scene>(scene: &C) -> C::Equations<Fused> {
+    scene.prepare()
 }
 
 /// The stages of a step of a scene.

@@ -92,12 +92,13 @@ pub fn solve<C: Smooth>(
     period: f64,
     settings: &Settings,
 ) -> Result<Orbit, PeriodicError> {
-    of(&Bound::new(scene), period, settings)
+    of(&Bound::new(scene), &scene.start(), period, settings)
 }
 
 /// The same of any model that has no events.
 pub(crate) fn of(
     model: &dyn Model,
+    start: &[f64],
     period: f64,
     settings: &Settings,
 ) -> Result<Orbit, PeriodicError> {
@@ -106,6 +107,7 @@ pub(crate) fn of(
     }
     let period = Period {
         model,
+        start,
         period,
         settings,
     };

@@ -15,6 +15,8 @@ use nalgebra::{DMatrix, DVector};
 pub(super) struct Period<'a> {
     /// The scene.
     pub model: &'a dyn Model,
+    /// The start values; none where there are none.
+    pub start: &'a [f64],
     /// The period.
     pub period: f64,
     /// The method, and its accuracy where nothing else is asked for.
@@ -58,10 +60,10 @@ impl Period<'_> {
 
     /// The declared start values, or zeros if there are none.
     pub fn guess(&self) -> Result<DVector<f64>, PeriodicError> {
-        let (start, states) = (self.model.start(), self.scales().len());
-        match start.len() {
+        let states = self.scales().len();
+        match self.start.len() {
             0 => Ok(DVector::zeros(states)),
-            count if count == states => Ok(self.over_scales(&start)),
+            count if count == states => Ok(self.over_scales(self.start)),
             count => Err(bad_start(count, states).into()),
         }
     }

@@ -67,7 +67,7 @@ impl dyn Model + '_ {
     pub fn periodic(&self, period: f64, settings: &Settings) -> Result<Orbit, PeriodicError> {
         match self.events() {
             Some(_) => Err(PeriodicError::Ode(has_modes())),
-            None => periodic::of(self, period, settings),
+            None => periodic::of(self, &self.start(), period, settings),
         }
     }
 
@@ -85,7 +85,8 @@ impl dyn Model + '_ {
     /// # Errors
     /// See [`CycleError`]; [`CycleError::NoTask`] where it is not known how events depend on the state.
     pub fn clock(&self, settings: &Settings) -> Result<Cycle, CycleError> {
-        hybrid::clock_of(self, settings)
+        let start = (self.shape().first, &self.start()[..]);
+        hybrid::clock_of(self, start, settings)
     }
 
     /// The motion of a scene without events from a start.

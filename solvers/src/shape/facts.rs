@@ -80,6 +80,8 @@ pub enum At {
 pub enum Subject {
     /// A component of the state, of a linkage a dependent coordinate.
     State(usize),
+    /// The time derivative of a component of the state.
+    Rate(usize),
     /// An output.
     Output(usize),
     /// The influence of a variable of a linkage on an output: output, variable.

@@ -198,6 +198,7 @@ impl Shape {
     pub fn quantity(&self, subject: Subject) -> Option<&'static Quantity> {
         match (subject, &self.linkage) {
             (Subject::Output(index) | Subject::Influence(index, _), _) => self.outputs.get(index),
+            (Subject::Rate(_), _) => None,
             (Subject::State(index), Some(linkage)) => linkage.dependents.get(index),
             (Subject::State(index), None) => self.states.get(index),
             (Subject::Measure(index), _) => self.measures.get(index),

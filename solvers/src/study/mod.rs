@@ -13,9 +13,8 @@ use std::num::NonZeroUsize;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::hybrid::Motion;
+use crate::answer::{Error, Question};
 use crate::measure::Missing;
-use crate::model::Model;
 use crate::problem::Span;
 use crate::registry::{Bind, Settings};
 
@@ -35,41 +34,13 @@ pub fn runs(
     each(count, threads, progress, &|index| {
         let run = bind.motion(&values(index));
         let run = run.map_err(|refused| refused.to_string())?;
-        let motion = motion(run.as_ref(), settings)?;
-        Ok(run.measure(&motion))
+        let motion = Question::of(run.into()).solve(settings);
+        let motion = motion.map_err(|error| error.to_string())?;
+        match motion.task() {
+            Span::Open => Err(Error::NoTask.to_string()),
+            _ => Ok(motion.measures()),
+        }
     })
-}
-
-/// The motion of a scene over its task.
-///
-/// # Errors
-/// Why there is none, in words.
-pub fn motion(run: &dyn Model, settings: &Settings) -> Result<Motion, String> {
-    match run.span() {
-        Span::Periodic(period) if run.events().is_some() => {
-            let cycle = run.cycle(period, settings);
-            cycle
-                .map(|cycle| cycle.motion)
-                .map_err(|error| error.to_string())
-        }
-        Span::Autonomous => {
-            let cycle = run.clock(settings);
-            cycle
-                .map(|cycle| cycle.motion)
-                .map_err(|error| error.to_string())
-        }
-        Span::Periodic(period) => {
-            let orbit = run.periodic(period, settings);
-            orbit
-                .map(|orbit| Motion::of(orbit.trajectory))
-                .map_err(|error| error.to_string())
-        }
-        Span::Run(from, to) => {
-            let motion = run.follow((from, to), &run.start(), settings);
-            motion.map_err(|error| error.to_string())
-        }
-        Span::Open => Err("the scene has no task".to_string()),
-    }
 }
 
 /// Does work for each number below `count`, on several threads, and gives the results in their order.

@@ -43,6 +43,12 @@ impl ::core::default::Default for Fall {
     }
 }
 impl Fall {
+    /// `h`
+    pub const H: ::assur::shape::Subject = ::assur::shape::Subject::State(0);
+    /// `dot(h)`
+    pub const DOT_H: ::assur::shape::Subject = ::assur::shape::Subject::State(1);
+    /// `force`
+    pub const FORCE: ::assur::shape::Subject = ::assur::shape::Subject::Output(0);
     /// Sets all values, SI units, in the order of the fields.
     pub fn from_values(values: &[f64; 3]) -> Self {
         Self {

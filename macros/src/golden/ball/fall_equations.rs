@@ -216,20 +216,30 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Events<S> for FallEquations<S
         ::assur::exact!(state, 2);
         match phase.mode {
             0 => {
-                ::assur::exact!(mut values, 1);
-                ::assur::exact!(mut rates, 1);
-                let h = state[0];
-                let dot_h = state[1];
-                *values = [h];
-                *rates = [dot_h];
+                S::outline(
+                    #[inline(always)]
+                    || {
+                        ::assur::exact!(mut values, 1);
+                        ::assur::exact!(mut rates, 1);
+                        let h = state[0];
+                        let dot_h = state[1];
+                        *values = [h];
+                        *rates = [dot_h];
+                    },
+                )
             }
             1 => {
-                ::assur::exact!(mut values, 1);
-                ::assur::exact!(mut rates, 1);
-                let h = state[0];
-                let dot_h = state[1];
-                *values = [h];
-                *rates = [dot_h];
+                S::outline(
+                    #[inline(always)]
+                    || {
+                        ::assur::exact!(mut values, 1);
+                        ::assur::exact!(mut rates, 1);
+                        let h = state[0];
+                        let dot_h = state[1];
+                        *values = [h];
+                        *rates = [dot_h];
+                    },
+                )
             }
             _ => {}
         }
@@ -246,14 +256,24 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Events<S> for FallEquations<S
         ::assur::exact!(mut after, 2);
         match (phase.mode, event) {
             (0, 0) => {
-                let h = state[0];
-                let dot_h = state[1];
-                *after = [h, dot_h];
+                S::outline(
+                    #[inline(always)]
+                    || {
+                        let h = state[0];
+                        let dot_h = state[1];
+                        *after = [h, dot_h];
+                    },
+                )
             }
             (1, 0) => {
-                let h = state[0];
-                let dot_h = state[1];
-                *after = [h, dot_h];
+                S::outline(
+                    #[inline(always)]
+                    || {
+                        let h = state[0];
+                        let dot_h = state[1];
+                        *after = [h, dot_h];
+                    },
+                )
             }
             _ => after.copy_from_slice(state),
         }

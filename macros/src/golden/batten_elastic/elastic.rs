@@ -122,6 +122,68 @@ impl ::core::default::Default for Elastic {
     }
 }
 impl Elastic {
+    /// `phi2`
+    pub const PHI2: ::assur::shape::Subject = ::assur::shape::Subject::State(0);
+    /// `w3`
+    pub const W3: ::assur::shape::Subject = ::assur::shape::Subject::State(1);
+    /// `w4`
+    pub const W4: ::assur::shape::Subject = ::assur::shape::Subject::State(2);
+    /// `dot(phi2)`
+    pub const DOT_PHI2: ::assur::shape::Subject = ::assur::shape::Subject::State(3);
+    /// `dot(w3)`
+    pub const DOT_W3: ::assur::shape::Subject = ::assur::shape::Subject::State(4);
+    /// `dot(w4)`
+    pub const DOT_W4: ::assur::shape::Subject = ::assur::shape::Subject::State(5);
+    /// `x1`
+    pub const X1: ::assur::shape::Subject = ::assur::shape::Subject::Output(0);
+    /// `x2`
+    pub const X2: ::assur::shape::Subject = ::assur::shape::Subject::Output(1);
+    /// `x3`
+    pub const X3: ::assur::shape::Subject = ::assur::shape::Subject::Output(2);
+    /// `x4`
+    pub const X4: ::assur::shape::Subject = ::assur::shape::Subject::Output(3);
+    /// `dot(x1)`
+    pub const DOT_X1: ::assur::shape::Subject = ::assur::shape::Subject::Output(4);
+    /// `dot(x2)`
+    pub const DOT_X2: ::assur::shape::Subject = ::assur::shape::Subject::Output(5);
+    /// `dot(x3)`
+    pub const DOT_X3: ::assur::shape::Subject = ::assur::shape::Subject::Output(6);
+    /// `dot(x4)`
+    pub const DOT_X4: ::assur::shape::Subject = ::assur::shape::Subject::Output(7);
+    /// `ddot(x1)`
+    pub const DDOT_X1: ::assur::shape::Subject = ::assur::shape::Subject::Output(8);
+    /// `ddot(x2)`
+    pub const DDOT_X2: ::assur::shape::Subject = ::assur::shape::Subject::Output(9);
+    /// `ddot(x3)`
+    pub const DDOT_X3: ::assur::shape::Subject = ::assur::shape::Subject::Output(10);
+    /// `ddot(x4)`
+    pub const DDOT_X4: ::assur::shape::Subject = ::assur::shape::Subject::Output(11);
+    /// `ddot(phi2)`
+    pub const DDOT_PHI2: ::assur::shape::Subject = ::assur::shape::Subject::Output(14);
+    /// `F1`
+    pub const F1: ::assur::shape::Subject = ::assur::shape::Subject::Output(15);
+    /// `F2`
+    pub const F2: ::assur::shape::Subject = ::assur::shape::Subject::Output(16);
+    /// `drive_torque`
+    pub const DRIVE_TORQUE: ::assur::shape::Subject = ::assur::shape::Subject::Output(
+        17,
+    );
+    /// `shaft_torque`
+    pub const SHAFT_TORQUE: ::assur::shape::Subject = ::assur::shape::Subject::Output(
+        18,
+    );
+    /// `x_difference`
+    pub const X_DIFFERENCE: ::assur::shape::Subject = ::assur::shape::Subject::Output(
+        19,
+    );
+    /// `v_difference`
+    pub const V_DIFFERENCE: ::assur::shape::Subject = ::assur::shape::Subject::Output(
+        20,
+    );
+    /// `F_difference`
+    pub const F_DIFFERENCE: ::assur::shape::Subject = ::assur::shape::Subject::Output(
+        21,
+    );
     /// Sets all values, SI units, in the order of the fields.
     pub fn from_values(values: &[f64; 13]) -> Self {
         Self {

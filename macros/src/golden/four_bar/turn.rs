@@ -45,6 +45,10 @@ impl ::core::default::Default for Turn {
     }
 }
 impl Turn {
+    /// `theta`
+    pub const THETA: ::assur::shape::Subject = ::assur::shape::Subject::State(0);
+    /// `psi`
+    pub const PSI: ::assur::shape::Subject = ::assur::shape::Subject::State(1);
     /// Sets all values, SI units, in the order of the fields.
     pub fn from_values(values: &[f64; 4]) -> Self {
         Self {

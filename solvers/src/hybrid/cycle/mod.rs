@@ -124,13 +124,18 @@ pub(crate) fn cycle_of(
 /// [`CycleError`]; [`CycleError::Driven`] if the equations depend on the time, [`CycleError::Rest`] if the motion from the
 /// declared start comes to rest.
 pub fn clock<C: Scene>(scene: &C, settings: &Settings) -> Result<Cycle, CycleError> {
-    clock_of(&Bound::new(scene), settings)
+    let start = (C::shape().first, &scene.start()[..]);
+    clock_of(&Bound::new(scene), start, settings)
 }
 
 /// The same of any model.
-pub(crate) fn clock_of(model: &dyn Model, settings: &Settings) -> Result<Cycle, CycleError> {
+pub(crate) fn clock_of(
+    model: &dyn Model,
+    start: (usize, &[f64]),
+    settings: &Settings,
+) -> Result<Cycle, CycleError> {
     has_slopes(model)?;
-    clock::find(model, (model.shape().first, &model.start()), settings)
+    clock::find(model, start, settings)
 }
 
 /// Refuses a model of which it is not known how its events depend on the state.

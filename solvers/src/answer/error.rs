@@ -1,0 +1,86 @@
+//! Why there is no answer.
+
+use crate::hybrid::{CycleError, HybridError};
+use crate::periodic::PeriodicError;
+use crate::problem::Refused;
+use std::fmt;
+
+/// Why there is no answer.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// The mechanism does not accept the values.
+    Refused(Refused),
+    /// The scene states no task, and none was given.
+    NoTask,
+    /// The motion could not be followed to its end. What was followed is in it.
+    Stopped(HybridError),
+    /// No motion that repeats was found.
+    NoCycle(Box<CycleError>),
+    /// No steady state was found.
+    NotSteady(PeriodicError),
+    /// The scene has nothing of this name.
+    Unknown {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        known: Vec<&'static str>,
+    },
+    /// The run does not have this measure.
+    Missing {
+        /// Its name.
+        name: &'static str,
+        /// Why.
+        reason: String,
+    },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Refused(refused) => write!(formatter, "{refused}"),
+            Self::NoTask => formatter.write_str(
+                "the scene has no task: say how long it moves, with `until`, or after what time it repeats",
+            ),
+            Self::Stopped(error) => write!(formatter, "{error}"),
+            Self::NoCycle(error) => write!(formatter, "{error}"),
+            Self::NotSteady(error) => write!(formatter, "{error}"),
+            Self::Unknown { name, known } => {
+                write!(formatter, "there is no `{name}`; there are {}", known.join(", "))
+            }
+            Self::Missing { name, reason } => write!(formatter, "{name}: {reason}"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+impl From<Refused> for Error {
+    fn from(refused: Refused) -> Self {
+        Self::Refused(refused)
+    }
+}
+
+impl From<HybridError> for Error {
+    fn from(error: HybridError) -> Self {
+        Self::Stopped(error)
+    }
+}
+
+impl From<CycleError> for Error {
+    fn from(error: CycleError) -> Self {
+        match error {
+            CycleError::Motion(inner) => Self::Stopped(*inner),
+            other => Self::NoCycle(Box::new(other)),
+        }
+    }
+}
+
+impl From<PeriodicError> for Error {
+    fn from(error: PeriodicError) -> Self {
+        match error {
+            PeriodicError::NotSettled(inner) => Self::from(*inner),
+            other => Self::NotSteady(other),
+        }
+    }
+}

@@ -1,0 +1,260 @@
+//! How accurate a motion is. It is solved again with a tenth of the tolerance, and with ten times the tolerance.
+//!
+//! The error is proportional to the tolerance, so a solution with a tenth of it differs from the printed one by nine tenths
+//! of the printed one's error, and one with ten times the tolerance by nine times that error. The larger of both counts,
+//! twice: two solutions may agree by luck, three of them hardly do. Where double precision leaves no room for a tenth, or
+//! where it takes too long, ten times the tolerance gives an upper bound instead. Rounding is added as a floor.
+
+use super::error::Error;
+use super::motion::Motion;
+use crate::measure::Missing;
+use crate::problem::Span;
+use crate::registry::Settings;
+use crate::shape::Subject;
+
+/// The smallest relative tolerance: double precision leaves no room for less.
+const SMALLEST: f64 = 1e-14;
+/// Estimates are so many times what the solutions differ by.
+const SAFETY: f64 = 2.0;
+/// Roundings of a value.
+pub(super) const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
+/// Steps that a tenth of the tolerance may take: so many times those of the printed solution, and so many more. Methods of order
+/// five, the lowest that there are, take 1.6 times as many.
+const MOST: (usize, usize) = (2, 200);
+/// The first step then, over that of the printed solution.
+const FIRST: f64 = 0.4;
+/// Steps on both sides of a place whose errors are errors of that place, so that no luck makes it look better.
+const NEAR: usize = 2;
+/// How much earlier or later an event may happen in another solution of the same motion, over the length of the task.
+const LATE: f64 = 1e-3;
+/// Places in each of them.
+const PARTS: usize = 4;
+
+/// Other solutions of the same task. What they are asked for is a list of subjects.
+pub struct Estimate {
+    pub(super) others: Vec<Other>,
+    /// How many times the work of the printed solution ten times more accuracy takes; unknown at the limit of double
+    /// precision.
+    pub tenfold: Option<f64>,
+    /// Whether a tenth of the tolerance takes too long, or does not come out.
+    pub is_cut_off: bool,
+}
+
+pub(super) struct Other {
+    pub(super) motion: Motion,
+    /// What its difference from the printed solution is to be multiplied by.
+    pub(super) share: f64,
+}
+
+impl Estimate {
+    /// Solves the task again.
+    pub(super) fn of(motion: &Motion) -> Result<Self, Error> {
+        if motion.shape().states.is_empty() || motion.task() == Span::Open {
+            return Ok(Self {
+                others: Vec::new(),
+                tenfold: None,
+                is_cut_off: false,
+            });
+        }
+        let (question, settings) = (&motion.question, &motion.settings);
+        let rtol = settings.rtol;
+        let finer = (rtol / 10.0 >= SMALLEST).then(|| question.solve(&finer(motion)));
+        let coarser = question.solve(&settings.at(10.0 * rtol));
+        let is_cut_off = matches!(finer, Some(Err(_)));
+        let (finer, coarser) = match (finer, coarser) {
+            (Some(Err(_)) | None, Err(failure)) => return Err(failure),
+            (finer, coarser) => (finer.and_then(Result::ok), coarser.ok()),
+        };
+        let work = motion.statistics().evaluations;
+        let tenfold = finer.as_ref().filter(|_| work > 0);
+        let tenfold = tenfold.map(|finer| finer.statistics().evaluations as f64 / work as f64);
+        let bound = if finer.is_some() { 1.0 / 9.0 } else { 1.0 };
+        let coarser = coarser.filter(|other| finer.is_none() || other.is_like(motion));
+        let share =
+            |motion: Option<Motion>, share: f64| motion.map(|motion| Other { motion, share });
+        let others = [share(finer, 10.0 / 9.0), share(coarser, bound)];
+        Ok(Self {
+            others: others.into_iter().flatten().collect(),
+            tenfold,
+            is_cut_off,
+        })
+    }
+
+    /// The error of a value for which the others have these.
+    pub(super) fn differ(&self, value: f64, others: &[f64]) -> f64 {
+        let pairs = self.others.iter().zip(others);
+        let most = pairs.map(|(other, theirs)| (value - theirs).abs() * other.share);
+        f64::max(SAFETY * most.fold(0.0, larger), ROUNDINGS * value.abs())
+    }
+
+    /// The errors of all variables at one time, but for times at which the solutions differ by an event.
+    pub(super) fn exactly_at(
+        &self,
+        motion: &Motion,
+        subjects: &[Subject],
+        time: f64,
+    ) -> Option<Vec<f64>> {
+        let is_comparable = |other: &&Other| {
+            !motion.is_beside_event(time) && !is_between(motion, &other.motion, time)
+        };
+        let like: Vec<&Other> = self.others.iter().filter(is_comparable).collect();
+        if like.is_empty() && !self.others.is_empty() {
+            return None;
+        }
+        let values = motion.values(subjects, time);
+        let mut errors: Vec<f64> = values.iter().map(|one| ROUNDINGS * one.abs()).collect();
+        for other in like {
+            let theirs = other.motion.values(subjects, time);
+            for ((error, a), b) in errors.iter_mut().zip(&values).zip(theirs) {
+                *error = larger(*error, SAFETY * (a - b).abs() * other.share);
+            }
+        }
+        Some(errors)
+    }
+
+    /// The errors of all variables at one time: the largest of the steps around it.
+    pub fn at(&self, motion: &Motion, subjects: &[Subject], time: f64) -> Vec<f64> {
+        let mut errors = match self.exactly_at(motion, subjects, time) {
+            Some(errors) => errors,
+            // Before or after an event: that is not known.
+            None => self.jump(motion, subjects, time),
+        };
+        // The start of a run is given.
+        if matches!(motion.task(), Span::Run(from, _) if from == time) {
+            return errors;
+        }
+        for near in near(motion, time) {
+            if motion.passed(near) != motion.passed(time) {
+                continue;
+            }
+            for (error, here) in errors.iter_mut().zip(
+                self.exactly_at(motion, subjects, near)
+                    .into_iter()
+                    .flatten(),
+            ) {
+                *error = larger(*error, here);
+            }
+        }
+        errors
+    }
+
+    fn jump(&self, motion: &Motion, subjects: &[Subject], time: f64) -> Vec<f64> {
+        let theirs = self.others.iter();
+        let theirs: Vec<_> = theirs
+            .map(|other| other.motion.values(subjects, time))
+            .collect();
+        let values = motion.values(subjects, time).into_iter().enumerate();
+        values
+            .map(|(index, value)| {
+                let apart = theirs.iter().map(|other| (value - other[index]).abs());
+                apart.fold(0.0, larger)
+            })
+            .collect()
+    }
+
+    /// The largest error of each subject at samples of the task.
+    pub fn largest(&self, motion: &Motion, subjects: &[Subject], times: &[f64]) -> Vec<f64> {
+        let mut errors = vec![0.0; subjects.len()];
+        // Every third sample is enough for a largest value.
+        for time in times.iter().step_by(3) {
+            let here = self.exactly_at(motion, subjects, *time);
+            for (error, here) in errors.iter_mut().zip(here.into_iter().flatten()) {
+                *error = larger(*error, here);
+            }
+        }
+        errors
+    }
+
+    /// The error of the time after which the motion repeats; zero unless that is a result.
+    pub fn period(&self, motion: &Motion) -> f64 {
+        let others = self.others.iter().map(|other| other.motion.length());
+        match (motion.length(), others.collect::<Option<Vec<_>>>()) {
+            (Some(length), Some(others)) => self.differ(length, &others),
+            _ => 0.0,
+        }
+    }
+
+    /// The errors of the times of events; NaN where not all solutions have as many.
+    pub fn events(&self, motion: &Motion) -> Vec<f64> {
+        let events = motion.events();
+        let others = self.others.iter().map(|other| other.motion.events());
+        let others: Vec<_> = others.collect();
+        let errors = events.iter().enumerate().map(|(index, event)| {
+            if others.iter().any(|other| other.len() != events.len()) {
+                return f64::NAN;
+            }
+            let theirs: Vec<_> = others.iter().map(|other| other[index].time).collect();
+            self.differ(event.time, &theirs)
+        });
+        errors.collect()
+    }
+
+    /// The errors of measures; NaN where a solution does not have one.
+    pub fn measures(&self, measures: &[Result<f64, Missing>]) -> Vec<f64> {
+        let others = self.others.iter();
+        let others: Vec<_> = others.map(|other| other.motion.measures()).collect();
+        let errors = measures.iter().enumerate().map(|(index, value)| {
+            let theirs = others.iter().map(|other| other[index]);
+            let theirs: Option<Vec<f64>> = theirs.map(Result::ok).collect();
+            match (value, theirs) {
+                (Ok(value), Some(theirs)) => self.differ(*value, &theirs),
+                _ => f64::NAN,
+            }
+        });
+        errors.collect()
+    }
+}
+
+/// The settings for a tenth of the tolerance: so much work at most, and of a run a first step of its own.
+fn finer(motion: &Motion) -> Settings {
+    let settings = motion.settings.at(motion.settings.rtol / 10.0);
+    let Span::Run(..) = motion.task() else {
+        return settings;
+    };
+    let statistics = motion.statistics();
+    let steps = motion.steps();
+    Settings {
+        max_steps: Some(MOST.0 * (statistics.steps + statistics.rejected) + MOST.1),
+        // Else the first steps, which do not grow any faster, would be the same whatever the tolerance.
+        first_step: steps.get(..2).map(|steps| FIRST * (steps[1] - steps[0])),
+        ..settings
+    }
+}
+
+/// Whether a time lies between the times at which two solutions have an event, which are not far apart: there they differ by a
+/// jump.
+fn is_between(a: &Motion, b: &Motion, time: f64) -> bool {
+    let passed = (a.passed(time), b.passed(time));
+    let next = usize::min(passed.0, passed.1);
+    let (from, to) = a.task().limits();
+    match (a.events().get(next), b.events().get(next)) {
+        _ if passed.0 == passed.1 => false,
+        (Some(a), Some(b)) => (a.time - b.time).abs() < LATE * (to - from),
+        _ => false,
+    }
+}
+
+/// The larger of two errors. No number is larger than one that is not known.
+pub(super) fn larger(a: f64, b: f64) -> f64 {
+    match a.is_nan() || b.is_nan() {
+        true => f64::NAN,
+        false => a.max(b),
+    }
+}
+
+/// Times in the steps around a time.
+pub(super) fn near(motion: &Motion, time: f64) -> Vec<f64> {
+    let steps = motion.steps();
+    let after = steps.partition_point(|step| *step <= time);
+    let last = steps.len().saturating_sub(1);
+    let around = &steps[after.saturating_sub(NEAR + 1).min(last)..(after + NEAR).min(steps.len())];
+    let part = |step: &[f64], part: usize| {
+        step[0] + (step[1] - step[0]) * (part as f64 + 0.5) / PARTS as f64
+    };
+    let parts = around.windows(2).flat_map(|step| {
+        (0..PARTS)
+            .map(|index| part(step, index))
+            .collect::<Vec<_>>()
+    });
+    parts.collect()
+}

@@ -1,0 +1,176 @@
+//! The extremes of a motion with their errors.
+
+use super::estimate::{Estimate, ROUNDINGS, larger, near};
+use super::motion::Motion;
+use crate::measure::{self, Extreme, Extremes};
+use crate::shape::Subject;
+
+/// An extreme with its errors.
+#[derive(Clone, Copy, Debug)]
+pub struct End {
+    /// The value.
+    pub value: f64,
+    /// Its error.
+    pub error: f64,
+    /// The first time at which it is reached, as far as that can be told.
+    pub time: f64,
+    /// The error of this time.
+    pub blur: f64,
+    /// The same if all times count at which the value cannot be told from the extreme.
+    pub reach: f64,
+}
+
+/// The extremes of a variable.
+#[derive(Clone, Copy, Debug)]
+pub struct Ends {
+    /// The smallest.
+    pub lowest: End,
+    /// The largest.
+    pub highest: End,
+}
+
+impl Ends {
+    /// The one with the largest absolute value.
+    pub fn furthest(&self) -> End {
+        match self.lowest.value.abs() > self.highest.value.abs() {
+            true => self.lowest,
+            false => self.highest,
+        }
+    }
+}
+
+/// Samples of a motion.
+#[derive(Clone, Copy, Debug)]
+pub struct Samples<'a> {
+    /// The times.
+    pub times: &'a [f64],
+    /// The values of all subjects at each time.
+    pub values: &'a [Vec<f64>],
+}
+
+impl Motion {
+    /// Smallest and largest value of some subjects between two times of the task; none where there is no time between.
+    pub fn extremes(&self, subjects: &[Subject], times: (f64, f64)) -> Vec<Extremes> {
+        let sample = |mode: usize, time: f64, state: &[f64], values: &mut [f64]| {
+            values.copy_from_slice(&self.values_in(subjects, mode, time, state));
+        };
+        let found = measure::extremes(self.path(), times, subjects.len(), &sample);
+        found.into_iter().flatten().collect()
+    }
+}
+
+impl Estimate {
+    /// The extremes of all subjects with their errors, beside samples. Where other solutions have them is looked for near
+    /// by.
+    pub fn extremes(
+        &self,
+        motion: &Motion,
+        subjects: &[Subject],
+        samples: &Samples<'_>,
+        extremes: &[Extremes],
+    ) -> Vec<Ends> {
+        let steps = motion.steps();
+        let each = subjects.iter().zip(extremes).enumerate();
+        let ends = each.map(|(index, (subject, own))| {
+            let end = |end: fn(&Extremes) -> Extreme| {
+                let mut found = self.end(*subject, &steps, (own, end));
+                let there = self.exactly_at(motion, subjects, found.time);
+                let there = there.map_or(0.0, |errors| errors[index]);
+                found.error = larger(found.error, there);
+                found
+            };
+            Ends {
+                lowest: end(|own| own.lowest),
+                highest: end(|own| own.highest),
+            }
+        });
+        let mut ends: Vec<_> = ends.collect();
+        for (index, (ends, own)) in ends.iter_mut().zip(extremes).enumerate() {
+            let rounding = f64::EPSILON * own.amplitude();
+            for (end, rivals) in [
+                (&mut ends.lowest, &own.low_rivals),
+                (&mut ends.highest, &own.high_rivals),
+            ] {
+                end.error = larger(end.error, rounding);
+                let jitter = |place: (f64, f64)| jitter(motion, subjects[index], place);
+                end.error = larger(end.error, jitter((end.time, end.value)));
+                let error = |rival: &Extreme| {
+                    let own = self.exactly_at(motion, subjects, rival.time);
+                    own.map_or(0.0, |errors| errors[index]) + jitter((rival.time, rival.value))
+                };
+                widen(end, rivals, &error, samples, index);
+            }
+        }
+        ends
+    }
+
+    /// One extreme with what other solutions have in its place.
+    fn end(
+        &self,
+        subject: Subject,
+        steps: &[f64],
+        (own, end): (&Extremes, fn(&Extremes) -> Extreme),
+    ) -> End {
+        let own = end(own);
+        let times = around(steps, own);
+        let theirs = self.others.iter().filter_map(|other| {
+            let found = other.motion.extremes(&[subject], times);
+            found.first().map(end)
+        });
+        let theirs: Vec<_> = theirs.collect();
+        let of = |part: fn(&Extreme) -> f64| theirs.iter().map(part).collect::<Vec<_>>();
+        let blur = self.differ(own.time, &of(|extreme| extreme.time)) + own.blur;
+        End {
+            value: own.value,
+            error: self.differ(own.value, &of(|extreme| extreme.value)),
+            time: own.time,
+            blur,
+            reach: blur,
+        }
+    }
+}
+
+/// Takes the first of the places that cannot be told from an extreme by their values, which have errors of their own.
+fn widen(
+    end: &mut End,
+    rivals: &[Extreme],
+    error: &dyn Fn(&Extreme) -> f64,
+    samples: &Samples<'_>,
+    index: usize,
+) {
+    let is_like = |value: f64| (value - end.value).abs() <= end.error;
+    let may_be_like = |rival: &Extreme| (rival.value - end.value).abs() <= end.error + error(rival);
+    let tops = rivals.iter().filter(|rival| may_be_like(rival));
+    let tops: Vec<f64> = tops.map(|rival| rival.time).collect();
+    let samples = samples.times.iter().zip(samples.values);
+    let samples = samples.filter(|(_, values)| is_like(values[index]));
+    let times = samples.map(|(time, _)| *time).chain(tops.iter().copied());
+    let (from, to) = times.fold((end.time, end.time), |(from, to), time| {
+        (from.min(time), to.max(time))
+    });
+    end.time = tops.into_iter().fold(end.time, f64::min);
+    end.reach = end.blur.max(to - end.time).max(end.time - from);
+}
+
+/// What the rounding of the time of an event makes of a value there, which the motion may leave with any slope.
+fn jitter(motion: &Motion, subject: Subject, (time, value): (f64, f64)) -> f64 {
+    if !motion.is_beside_event(time) {
+        return 0.0;
+    }
+    let rounding = ROUNDINGS * time.abs();
+    let near = near(motion, time).into_iter();
+    let near = near.filter(|near| (near - time).abs() > rounding);
+    let slopes = near.map(|near| {
+        let there = motion.values(&[subject], near)[0];
+        ((there - value) / (near - time)).abs()
+    });
+    rounding * slopes.fold(0.0, f64::max)
+}
+
+/// From the begin of the step before an extreme to the end of the one after it.
+fn around(steps: &[f64], extreme: Extreme) -> (f64, f64) {
+    let last = steps.len().saturating_sub(1);
+    let first = steps.partition_point(|step| *step < extreme.time - extreme.blur);
+    let after = steps.partition_point(|step| *step <= extreme.time + extreme.blur);
+    (steps[first.saturating_sub(2)], steps[(after + 1).min(last)])
+}
