@@ -145,8 +145,16 @@ pub fn influences(
 ) -> LinkageInfo {
     let (declared, linkage) = (&mode.declared, &mode.linkage);
     let variables = linkage.variables(low.names, &declared.constants, kept);
-    linkage.differentiate(low, request, &variables, kept);
     let (geometry, ranges) = (&mode.asked.geometry, &mode.asked.ranges);
+    linkage.influence(low, request, &variables, kept);
+    let constants = kept
+        .iter()
+        .filter_map(|old| declared.constants[*old].as_ref());
+    let mut constants = constants.map(|constant| constant.tolerance);
+    // What is made exactly has no error of second order. Tolerances that are given later find them by dual numbers.
+    if constants.any(|tolerance| tolerance > 0.0) || ranges.have_tolerances() {
+        linkage.curve(low, request, &variables, kept);
+    }
     linkage.info(
         low,
         low.names,

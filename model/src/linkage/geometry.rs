@@ -105,6 +105,11 @@ pub struct Ranges {
 }
 
 impl Ranges {
+    /// Whether a driver is set with an error.
+    pub fn have_tolerances(&self) -> bool {
+        self.list.iter().any(|range| range.tolerance.0 > 0.0)
+    }
+
     /// Reads declared ranges and those of the scene.
     pub fn read(names: &Names, scene: Option<&Scene>, low: &mut Lowering<'_>) -> Self {
         let swept: Vec<&SweepRange> = scene

@@ -126,7 +126,7 @@ impl Linkage {
     }
 
     /// Adds the influence coefficients.
-    pub fn differentiate(
+    pub fn influence(
         &self,
         low: &mut Lowering<'_>,
         request: &mut Request,
@@ -137,13 +137,7 @@ impl Linkage {
             return;
         };
         let graph = &mut low.graph;
-        let symbols: Vec<Symbol> = variables
-            .iter()
-            .map(|variable| match variable {
-                VariableInfo::Constant(new) => Symbol::Parameter(kept[*new] as u32),
-                VariableInfo::Driver(index) => Symbol::Driver(*index as u32),
-            })
-            .collect();
+        let symbols = symbols(variables, kept);
         // The multipliers of an output serve all variables, the derivatives of the coordinates by a variable all outputs.
         if request.results.outputs.len() <= symbols.len() {
             for output in &request.results.outputs {
@@ -158,6 +152,21 @@ impl Linkage {
                 request.results.closing.influence.extend(row);
             }
         }
+    }
+
+    /// Adds the second derivatives, unless they are many or those of what is a derivative itself.
+    pub fn curve(
+        &self,
+        low: &mut Lowering<'_>,
+        request: &mut Request,
+        variables: &[VariableInfo],
+        kept: &[usize],
+    ) {
+        let Some(slopes) = &mut low.slopes else {
+            return;
+        };
+        let graph = &mut low.graph;
+        let symbols = symbols(variables, kept);
         let derived = |output: &Expression| {
             graph
                 .reachable(&[*output])
@@ -250,6 +259,15 @@ impl Linkage {
             links: geometry.links.clone(),
         }
     }
+}
+
+/// What influence coefficients are taken by, as symbols.
+fn symbols(variables: &[VariableInfo], kept: &[usize]) -> Vec<Symbol> {
+    let symbols = variables.iter().map(|variable| match variable {
+        VariableInfo::Constant(new) => Symbol::Parameter(kept[*new] as u32),
+        VariableInfo::Driver(index) => Symbol::Driver(*index as u32),
+    });
+    symbols.collect()
 }
 
 /// What happens when one of some things given changes by one.
