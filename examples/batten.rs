@@ -25,7 +25,7 @@ const PUBLISHED: [(f64, &str, f64, f64); 9] = [
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let batten = Elastic::default();
-    let settings = Settings::new(Method::Dop853, 1e-10);
+    let settings = Settings::new(Method::Dop853).rtol(1e-10);
     let period = TAU / batten.n;
     let steady = batten.solve(&settings)?;
 

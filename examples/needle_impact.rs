@@ -84,7 +84,7 @@ struct Run {
 
 impl Run {
     fn of<C: Scene>(scene: &str, needle: &C, end: f64) -> Self {
-        let settings = Settings::new(Method::Dop853, 1e-11);
+        let settings = Settings::new(Method::Dop853).rtol(1e-11);
         let motion = march(needle, (0.0, end), &needle.start(), &settings).unwrap();
         let values = measure::of(needle, &motion);
         Self {
@@ -399,7 +399,7 @@ fn chances() {
             t_life: hours * HOUR,
             ..ChanceStruck::default()
         };
-        let settings = Settings::new(Method::Dop853, 1e-11);
+        let settings = Settings::new(Method::Dop853).rtol(1e-11);
         let motion = march(&needle, (0.0, 1.0), &needle.start(), &settings).unwrap();
         let [cam, both] = [motion.end[0], motion.end[1]];
         println!("  {hours:9.0} {cam:14.3e} {both:13.6}");

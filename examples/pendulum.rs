@@ -29,7 +29,7 @@ fn main() {
 
 /// The period of the swing from rest at an angle: four times the time to the lowest point.
 fn period(angle: f64) -> f64 {
-    let settings = Settings::new(Method::Dop853, 1e-13);
+    let settings = Settings::new(Method::Dop853).rtol(1e-13);
     let motion = Swing::default().from([angle, 0.0]).solve(&settings);
     let lowest = motion.unwrap().first_time(Swing::PHI, 0.0);
     4.0 * lowest.expect("it swings through")

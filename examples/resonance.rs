@@ -95,7 +95,7 @@ fn curve<C: Smooth>(scene: impl Fn(f64) -> C + Sync) -> Vec<Lag> {
 
 /// The largest lag of a scene in its steady state.
 fn largest_lag<C: Smooth>(scene: &C, period: f64) -> Lag {
-    let settings = Settings::new(Method::Dop853, 1e-9);
+    let settings = Settings::new(Method::Dop853).rtol(1e-9);
     let orbit = periodic::solve(scene, period, &settings).ok()?;
     let lag = |index: u32| 1e3 * orbit.at(period * f64::from(index) / 256.0)[0].abs();
     Some((0..256).map(lag).fold(0.0, f64::max))

@@ -16,9 +16,7 @@
 //!
 //!     cargo run --example table_drive
 
-use assur::hybrid::{Motion, march};
 use assur::prelude::*;
-use assur::shape;
 use assur_equations::table_drive::*;
 
 /// What a run-up comes to.
@@ -233,93 +231,36 @@ fn line<C: Scene>(name: &str, drive: &C) -> RunUp {
 }
 
 fn run<C: Scene>(drive: &C) -> RunUp {
-    let settings = Settings::new(Method::Dop853, 1e-10);
-    let motion = march(drive, (0.0, 0.4), &drive.start(), &settings).unwrap();
-    let read = Reader {
-        drive,
-        motion: &motion,
+    let motion = drive.ask().until(0.4).run().unwrap();
+    let peak = |name: &str, until: f64| {
+        let subject = motion.subject(name).unwrap();
+        let extremes = motion.extremes(&[subject], (0.0, until));
+        extremes.first().map_or((0.0, 0.0), |found| {
+            (found.highest.time, found.highest.value)
+        })
     };
-    let (time, twist) = read.peak("twist", None);
-    let last = read.output("dot(phi2)", 0.4);
-    let reach = |speed: f64| {
-        let time = read.first("dot(phi2)", speed);
-        (time, read.output("phi2", time))
+    let value = |name: &str, time: f64| motion.value(name, time).unwrap();
+    let speed = motion.subject("dot(phi2)").unwrap();
+    let last = value("dot(phi2)", 0.4);
+    let reach = |speed_of: f64| {
+        let time = motion.first_time(speed, speed_of).unwrap_or(f64::NAN);
+        (time, value("phi2", time))
     };
-    let started = motion
-        .events
-        .iter()
-        .find(|event| C::shape().modes[event.to].name == "run");
-    let contact = motion
-        .events
-        .iter()
-        .find(|event| C::shape().modes[event.from].name == "gap");
+    let modes = C::shape().modes;
+    let mut events = motion.events().iter();
+    let started = events.find(|event| modes[event.to].name == "run");
+    let mut events = motion.events().iter();
+    let contact = events.find(|event| modes[event.from].name == "gap");
+    let (time, twist) = peak("twist", 0.4);
     RunUp {
         twist,
         time,
-        rest: read.output("twist", 0.4),
-        elastic: read.peak("elastic_torque", None).1,
-        link: read.peak("link_torque", None).1,
-        before: read
-            .peak("elastic_torque", started.map(|event| event.time))
-            .1,
+        rest: value("twist", 0.4),
+        elastic: peak("elastic_torque", 0.4).1,
+        link: peak("link_torque", 0.4).1,
+        before: peak("elastic_torque", started.map_or(0.4, |event| event.time)).1,
         reached: [0.95, 0.98, 0.99].map(|part| reach(part * last)),
         to_80: reach(80.0),
         impact: contact.map_or(0.0, |event| event.before[2]),
-    }
-}
-
-/// Reads outputs of a motion.
-struct Reader<'a, C> {
-    drive: &'a C,
-    motion: &'a Motion,
-}
-
-impl<C: Scene> Reader<'_, C> {
-    fn output(&self, name: &str, time: f64) -> f64 {
-        let (mode, values) = self.motion.at(time);
-        let model: &dyn Model = &Bound::new(self.drive);
-        model.outputs_in(mode, time, &values)[shape::find(C::shape().outputs, name).unwrap()]
-    }
-
-    /// Times in every stretch between events, closely.
-    fn times(&self) -> impl Iterator<Item = f64> {
-        let pieces = self.motion.pieces.iter().map(Motion::ends);
-        pieces.flat_map(|(from, to)| {
-            (0..4000).map(move |k| from + (to - from) * (f64::from(k) / 4000.0).powi(2))
-        })
-    }
-
-    /// When an output is largest, and how large; up to a time perhaps.
-    fn peak(&self, name: &str, until: Option<f64>) -> (f64, f64) {
-        let times = self
-            .times()
-            .filter(|time| until.is_none_or(|until| *time < until));
-        times
-            .map(|time| (time, self.output(name, time)))
-            .fold(
-                (0.0, 0.0),
-                |best, one| if one.1 > best.1 { one } else { best },
-            )
-    }
-
-    /// When an output first reaches a value.
-    fn first(&self, name: &str, value: f64) -> f64 {
-        let mut below = 0.0;
-        let mut above = f64::NAN;
-        for time in self.times() {
-            if self.output(name, time) >= value {
-                above = time;
-                break;
-            }
-            below = time;
-        }
-        for _ in 0..50 {
-            let middle = (below + above) / 2.0;
-            match self.output(name, middle) >= value {
-                true => above = middle,
-                false => below = middle,
-            }
-        }
-        above
     }
 }

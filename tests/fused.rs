@@ -55,7 +55,7 @@ fn no_solve_calls_the_library() {
         panic!("the scenes have other tasks");
     };
     for method in [Method::Dop853, Method::Tsit5] {
-        let settings = Settings::new(method, 1e-8);
+        let settings = Settings::new(method).rtol(1e-8);
         let calls = || CALLS.load(Ordering::Relaxed);
         let before = calls();
         periodic::solve(&steady, period, &settings).unwrap();

@@ -36,7 +36,7 @@ use crate::events;
 use crate::measures;
 use crate::published::Comparison;
 use crate::report::{Report, Snapshot};
-use crate::settings::{given_atol, method_name};
+use crate::settings::given_atol;
 use crate::unit;
 use assur::answer::End;
 
@@ -126,7 +126,7 @@ pub fn settings(settings: &Settings, scene: &SceneEntry) -> Value {
     let atol =
         atol.map(|(name, unit, value)| json!({ "name": name, "unit": unit, "value": value }));
     json!({
-        "method": method_name(settings.method),
+        "method": settings.method.name(),
         "rtol": settings.rtol,
         "atol": atol.collect::<Value>(),
     })

@@ -20,7 +20,6 @@ use crate::lookup::Registry;
 use crate::number;
 use crate::output;
 use crate::progress::Progress;
-use crate::settings::{DEFAULT_RTOL, method};
 use crate::style::{self, Style};
 use crate::text::{Align, Columns};
 
@@ -37,7 +36,7 @@ const LONG: f64 = 0.1;
 /// A wrong request; or a scene that does not come out, after the others have been printed.
 pub fn execute(options: &ScenesArguments, registry: Registry) -> Result<(), Failure> {
     let mechanism = registry.mechanism(options.name.as_deref(), "scenes", For::All)?;
-    let settings = Settings::new(method(None)?, DEFAULT_RTOL);
+    let settings = Settings::default();
     let of_kind = |linkages: bool| {
         let scenes = mechanism.scenes.iter();
         scenes.filter(move |scene| scene.linkage.is_some() == linkages)

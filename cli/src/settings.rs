@@ -9,18 +9,6 @@ use crate::{lookup, unit, values};
 
 /// Tolerances between which the methods do what they say.
 pub const RTOL: (f64, f64) = (1e-14, 1e-2);
-/// The tolerance unless one is given.
-pub const DEFAULT_RTOL: f64 = 1e-10;
-/// The methods by name, the default one first.
-const METHODS: [(&str, Method); 6] = [
-    ("dop853", Method::Dop853),
-    ("tsit5", Method::Tsit5),
-    ("taylor", Method::Taylor),
-    ("radau", Method::Radau),
-    ("rosenbrock", Method::Rosenbrock),
-    ("auto", Method::Auto),
-];
-
 /// The options.
 #[derive(Args, Debug, Default)]
 pub struct Accuracy {
@@ -63,7 +51,7 @@ impl Accuracy {
         }
         Ok(Settings {
             atol,
-            ..Settings::new(method, rtol)
+            ..Settings::new(method).rtol(rtol)
         })
     }
 }
@@ -117,10 +105,11 @@ pub fn given_atol(
 /// When it is no number or out of range.
 pub fn rtol(text: Option<&str>) -> Result<f64, Failure> {
     let Some(text) = text else {
-        return Ok(DEFAULT_RTOL);
+        return Ok(Settings::default().rtol);
     };
     let range = format!("from {:e} to {:e}", RTOL.0, RTOL.1);
-    let remedy = format!("give a number {range}; the default is {DEFAULT_RTOL:e}");
+    let default = Settings::default().rtol;
+    let remedy = format!("give a number {range}; the default is {default:e}");
     let refuse = |reason: String| {
         Failure::request("the relative tolerance is out of range")
             .place(format!("--rtol {text}"))
@@ -147,12 +136,12 @@ pub fn rtol(text: Option<&str>) -> Result<f64, Failure> {
 /// When there is none of this name; the nearest name is offered.
 pub fn method(text: Option<&str>) -> Result<Method, Failure> {
     let Some(text) = text else {
-        return Ok(METHODS[0].1);
+        return Ok(Method::default());
     };
-    if let Some((_, method)) = METHODS.iter().find(|(name, _)| *name == text) {
-        return Ok(*method);
+    if let Ok(method) = text.parse() {
+        return Ok(method);
     }
-    let names = METHODS.map(|(name, _)| name);
+    let names = Method::ALL.map(Method::name);
     let remedy = match nearest(text, names) {
         Some(name) => format!("did you mean `{name}`?"),
         None => format!("there are: {}", names.join(", ")),
@@ -160,14 +149,6 @@ pub fn method(text: Option<&str>) -> Result<Method, Failure> {
     Err(Failure::request(format!("there is no method `{text}`"))
         .place(format!("--method {text}"))
         .remedy(remedy))
-}
-
-/// Name of a method.
-pub fn method_name(method: Method) -> &'static str {
-    METHODS
-        .iter()
-        .find(|(_, known)| *known == method)
-        .map_or("unknown", |(name, _)| name)
 }
 
 #[cfg(test)]
@@ -190,7 +171,6 @@ mod tests {
     fn methods_are_found_and_offered() {
         assert_eq!(method(Some("tsit5")), Ok(Method::Tsit5));
         assert_eq!(method(Some("auto")), Ok(Method::Auto));
-        assert_eq!(method_name(Method::Rosenbrock), "rosenbrock");
         let failure = method(Some("tsit")).expect_err("no such method");
         assert!(
             failure

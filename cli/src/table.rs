@@ -14,7 +14,7 @@ use crate::list::composition;
 use crate::measures;
 use crate::number;
 use crate::report::Report;
-use crate::settings::{given_atol, method_name};
+use crate::settings::given_atol;
 use crate::style::Style;
 use crate::text::{Align, Columns, wrap};
 
@@ -234,7 +234,7 @@ fn last_line(report: &Report) -> String {
         format!(
             "solved in {} by {} with rtol {:e}{} ({} steps{}, {} evaluations)",
             number::duration(cost.solve),
-            method_name(report.motion.settings.method),
+            report.motion.settings.method,
             report.motion.settings.rtol,
             atol_part(report),
             number::count(effort.steps),

@@ -83,6 +83,7 @@ fn of_motion(scene: &SceneEntry, error: &HybridError) -> Told {
             "check the speeds that are given with --set; else take a shorter time",
         ),
         HybridError::Start { reason } => Told::new(reason.clone(), "check the start values"),
+        other => Told::new(other.to_string(), "check the values given with --set"),
     }
 }
 

@@ -7,7 +7,7 @@ use assur::shape;
 use assur_equations::presser_foot as scenes;
 use std::f64::consts::TAU;
 
-const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-9);
+const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-9);
 
 /// The rack and the fabric.
 #[derive(Clone, Copy)]

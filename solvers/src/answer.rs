@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! let motion = swing.run()?;                                     // its task, its start, the usual method
-//! let motion = swing.solve(&Settings::new(Method::Taylor, 1e-12))?;
+//! let motion = swing.solve(&Settings::new(Method::Taylor).rtol(1e-12))?;
 //! let motion = swing.from([0.1, 0.0]).until(4.0).run()?;
 //! motion.at(4.0)[Swing::PHI]; motion.value("pull", 4.0)?; motion.measure("F_max")?; motion.estimated_error("pull")?;
 //! ```

@@ -60,7 +60,7 @@ pub fn energy<C: Smooth + Default>() -> Result<(), Failed> {
     let equations = scene.prepare::<f64>();
     let (from, to) = scene.span().limits();
     let start = moving_start(&scene, &equations, from);
-    let settings = Settings::new(Method::Dop853, 1e-12);
+    let settings = Settings::new(Method::Dop853).rtol(1e-12);
     let motion = ode::march(&scene, (from, to), &start, &settings)
         .map_err(|error| Failed(format!("the motion could not be followed: {error}")))?;
     let at = |time: f64| {

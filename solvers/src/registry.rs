@@ -15,7 +15,7 @@ pub use bind::{bind, check_values, with};
 pub use limits::{Listed, Listing, RunLimits};
 pub use linkage::{RunLinkage, bind_exact, bind_linkage};
 pub use path::{Path, Sample};
-pub use settings::{Method, Settings};
+pub use settings::{Method, Settings, UnknownMethod};
 pub use tolerance::RunTolerance;
 
 use crate::model::Model;

@@ -75,7 +75,7 @@ fn starts_ends_and_methods_are_said() {
         l: 2.0,
         ..Swing::default()
     };
-    let settings = Settings::new(Method::Taylor, 1e-12);
+    let settings = Settings::new(Method::Taylor).rtol(1e-12);
     let motion = long.from([0.01, 0.0]).until(10.0).solve(&settings).unwrap();
     // A small swing from rest first passes its middle after a quarter of `2 pi sqrt(l/g) (1 + phi0^2/16)`.
     let first = motion.first_time(Swing::PHI, 0.0).unwrap();
@@ -114,11 +114,11 @@ fn a_steady_state_is_asked_the_same() {
 /// What the error is said to be covers what it is, and is not far above it.
 #[test]
 fn errors_are_estimated() {
-    let settings = Settings::new(Method::Dop853, 1e-7);
+    let settings = Settings::new(Method::Dop853).rtol(1e-7);
     let motion = Swing::default().solve(&settings).unwrap();
     let said = motion.estimated_error("phi").unwrap();
     let fine = Swing::default()
-        .solve(&Settings::new(Method::Dop853, 1e-13))
+        .solve(&Settings::new(Method::Dop853).rtol(1e-13))
         .unwrap();
     let times = (0..=400).map(|index| 0.01 * f64::from(index));
     let off = times.map(|time| {

@@ -33,7 +33,7 @@ assur::mechanism! {
     expect at run: drop = 1 m +- 1e-12 m;
 }
 
-const FINE: Settings = Settings::new(Method::Dop853, 1e-11);
+const FINE: Settings = Settings::new(Method::Dop853).rtol(1e-11);
 
 #[test]
 fn measures_of_a_run_with_modes_are_those_of_the_closed_form() {
@@ -157,7 +157,7 @@ fn extremes_of_a_long_run_are_found_in_its_short_beginning() {
         Method::Rosenbrock,
         Method::Auto,
     ] {
-        let settings = Settings::new(method, 1e-9);
+        let settings = Settings::new(method).rtol(1e-9);
         let motion = run.follow((0.0, 60.0), &run.start(), &settings);
         let motion = motion.expect("a motion");
         let sample = |mode: usize, time: f64, state: &[f64], values: &mut [f64]| {

@@ -23,7 +23,7 @@ fn every_scene_moves_as_with_the_other_method() {
                 other => panic!("{name}: {other:?}"),
             };
             let by = |method, rtol| {
-                let settings = Settings::new(method, rtol);
+                let settings = Settings::new(method).rtol(rtol);
                 run.follow(times, &run.start(), &settings)
             };
             // At 1e-12 the other method is itself off by 4e-8 where a foot without damping bounces.
@@ -72,7 +72,7 @@ fn all_functions_have_their_series() {
     let go = functions::Go::default();
     let start = [0.2, 0.5, 0.1, 0.7];
     let by = |method, rtol| {
-        let settings = Settings::new(method, rtol);
+        let settings = Settings::new(method).rtol(rtol);
         hybrid::march(&go, (0.0, 2.0), &start, &settings).expect("it goes on")
     };
     let exact = by(Method::Dop853, 1e-14);
@@ -103,7 +103,7 @@ mod chain {
 fn masses_that_move_have_their_series() {
     let go = chain::Go::default();
     let by = |method| {
-        let settings = Settings::new(method, 1e-12);
+        let settings = Settings::new(method).rtol(1e-12);
         ode::march(&go, (0.0, 3.0), &[2.0, 1.0, 0.0, 0.0], &settings).expect("it swings")
     };
     let (one, other) = (by(Method::Dop853), by(Method::Taylor));
@@ -121,7 +121,7 @@ fn tolerances_that_make_no_sense_are_refused() {
     let go = chain::Go::default();
     for rtol in [0.0, -1.0, 1e-40, 1e40, f64::INFINITY, f64::NAN] {
         let method = Method::Taylor;
-        let settings = Settings::new(method, rtol);
+        let settings = Settings::new(method).rtol(rtol);
         let ended = ode::march(&go, (0.0, 3.0), &[2.0, 1.0, 0.0, 0.0], &settings);
         let message = ended.expect_err("no such tolerance").to_string();
         assert!(message.contains("rtol"), "{rtol}: {message}");

@@ -8,10 +8,10 @@ use assur_equations::REGISTRY;
 use std::f64::consts::TAU;
 
 /// As accurately as the solvers can.
-pub const FINE: Settings = Settings::new(Method::Dop853, 1e-13);
+pub const FINE: Settings = Settings::new(Method::Dop853).rtol(1e-13);
 
 /// As accurately as most questions ask for.
-pub const USUAL: Settings = Settings::new(Method::Dop853, 1e-10);
+pub const USUAL: Settings = Settings::new(Method::Dop853).rtol(1e-10);
 
 /// Revolutions per minute in radians per second.
 pub const RPM: f64 = TAU / 60.0;

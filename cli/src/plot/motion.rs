@@ -11,7 +11,6 @@ use super::selection::Selection;
 use crate::events;
 use crate::number;
 use crate::report::Report;
-use crate::settings::method_name;
 
 /// Draws the figure of a report.
 pub fn draw(report: &Report, selection: &Selection) -> String {
@@ -101,8 +100,7 @@ fn made(report: &Report) -> String {
     }
     let mut made = format!(
         "{} with rtol {:e}",
-        method_name(report.motion.settings.method),
-        report.motion.settings.rtol
+        report.motion.settings.method, report.motion.settings.rtol
     );
     if let Some((_, share)) = report.cost.worst {
         made += &format!(

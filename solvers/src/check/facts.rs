@@ -8,7 +8,7 @@ use crate::registry::{Bind, Mechanism, Method, SceneEntry, Settings};
 use crate::shape::{At, Constant, Expectation, Quantity, Subject};
 
 /// How the motion is found: far more accurately than anything is published.
-const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-11);
+const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-11);
 
 /// Solves a scene and checks one of its published facts, by its place in the list of the scene.
 ///

@@ -6,6 +6,7 @@ use std::fmt;
 
 /// Why a motion with events ended early. The motion so far is in it.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum HybridError {
     /// An integration ended early.
     Ode {

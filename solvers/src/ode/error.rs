@@ -4,6 +4,7 @@ use std::fmt;
 
 /// Why an integration ended early.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum OdeError {
     /// A rate or a state is not a finite number, however short the step.
     NotFinite {

@@ -7,6 +7,7 @@ use std::fmt;
 
 /// Why no repeating motion was found.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum PeriodicError {
     /// A free motion repeats after (nearly) this period and is driven: the motion grows without bound, or its size
     /// depends on less than the integration can tell.

@@ -117,7 +117,7 @@ impl<S: Scalar, const LINEAR: bool> Equations<S> for Oscillator<LINEAR> {
     }
 }
 
-const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-12);
+const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-12);
 
 /// Largest error of an orbit against the closed form of the damped linear oscillator.
 fn error<const LINEAR: bool>(scene: &Oscillator<LINEAR>, orbit: &Orbit) -> f64 {
@@ -160,7 +160,7 @@ fn a_forced_oscillator_has_its_closed_form() {
 #[test]
 fn tsit5_finds_the_same_within_its_tolerance() {
     let scene = Oscillator::<true>::FORCED;
-    let orbit = solve(&scene, TAU, &Settings::new(Method::Tsit5, 1e-8)).unwrap();
+    let orbit = solve(&scene, TAU, &Settings::new(Method::Tsit5).rtol(1e-8)).unwrap();
     let found = error(&scene, &orbit);
     assert!(
         found < 1e-6 && found < 3.0 * orbit.estimated_error[0],
@@ -178,7 +178,7 @@ fn every_method_finds_it() {
         Method::Auto,
         Method::Taylor,
     ] {
-        let settings = Settings::new(method, 1e-10);
+        let settings = Settings::new(method).rtol(1e-10);
         match solve(&scene, TAU, &settings) {
             Ok(orbit) => {
                 // The automatic choice is the explicit method of order 8 here, the others are of order 5.
@@ -200,7 +200,7 @@ fn shooting_agrees_with_superposition() {
     let orbit = solve(
         &Oscillator::<false>::FORCED,
         TAU,
-        &Settings::new(Method::Dop853, 1e-12),
+        &Settings::new(Method::Dop853).rtol(1e-12),
     )
     .unwrap();
     assert!(error(&scene, &orbit) < 3e-12, "{:e}", error(&scene, &orbit));
@@ -235,7 +235,11 @@ fn a_resonance_is_reported() {
         frequency: 1.0,
         ..Oscillator::FORCED
     };
-    let long = solve(&scene, 200.0 * TAU, &Settings::new(Method::Dop853, 1e-8));
+    let long = solve(
+        &scene,
+        200.0 * TAU,
+        &Settings::new(Method::Dop853).rtol(1e-8),
+    );
     assert!(matches!(long, Err(PeriodicError::Resonance { .. })));
     assert!(long.unwrap_err().to_string().starts_with("resonance"));
 }
@@ -374,7 +378,7 @@ fn an_undamped_duffing_oscillator_is_found_at_its_linear_resonance() {
         force: 0.3,
         start: 0.7,
     };
-    let orbit = solve(&scene, TAU, &Settings::new(Method::Dop853, 1e-10)).unwrap();
+    let orbit = solve(&scene, TAU, &Settings::new(Method::Dop853).rtol(1e-10)).unwrap();
     assert!(orbit.residual < 1e-5, "{:e}", orbit.residual);
     assert!(
         (orbit.start[0] - 0.79).abs() < 0.05 && orbit.start[1].abs() < 1e-6,
@@ -394,7 +398,7 @@ fn a_search_that_fails_says_so() {
         force: 0.3,
         start: 0.0,
     };
-    match solve(&scene, TAU, &Settings::new(Method::Dop853, 1e-10)) {
+    match solve(&scene, TAU, &Settings::new(Method::Dop853).rtol(1e-10)) {
         Err(PeriodicError::NotConverged { residual, .. }) => {
             assert!(residual > 1e-4, "{residual:e}")
         }
@@ -411,7 +415,7 @@ fn periods_and_tolerances_are_checked() {
             Err(PeriodicError::BadPeriod { .. })
         ));
     }
-    let settings = Settings::new(Method::Tsit5, 0.0);
+    let settings = Settings::new(Method::Tsit5).rtol(0.0);
     assert!(matches!(
         solve(&scene, TAU, &settings),
         Err(PeriodicError::Ode(_))

@@ -1,11 +1,15 @@
 //! Which method integrates, and how accurately.
 
-/// Name of an integration method.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+use std::fmt;
+use std::str::FromStr;
+
+/// An integration method.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Method {
     /// Explicit Runge–Kutta pair of order 5(4), Tsitouras.
     Tsit5,
     /// Explicit Runge–Kutta method of order 8 with errors of order 5 and 3, Dormand and Prince.
+    #[default]
     Dop853,
     /// Taylor series of the motion, of an order that follows from the tolerance.
     Taylor,
@@ -18,6 +22,28 @@ pub enum Method {
 }
 
 impl Method {
+    /// All methods, the default one first.
+    pub const ALL: [Self; 6] = [
+        Self::Dop853,
+        Self::Tsit5,
+        Self::Taylor,
+        Self::Radau,
+        Self::Rosenbrock,
+        Self::Auto,
+    ];
+
+    /// Its name, as the command takes it and [`Method::from_str`] reads it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Tsit5 => "tsit5",
+            Self::Dop853 => "dop853",
+            Self::Taylor => "taylor",
+            Self::Radau => "radau",
+            Self::Rosenbrock => "rosenbrock",
+            Self::Auto => "auto",
+        }
+    }
+
     /// The method among the explicit ones of Runge and Kutta; none if it is another.
     pub fn explicit(self) -> Option<crate::ode::Explicit> {
         match self {
@@ -38,10 +64,46 @@ impl Method {
     }
 }
 
+impl fmt::Display for Method {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.pad(self.name())
+    }
+}
+
+/// There is no method of this name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownMethod(pub String);
+
+impl fmt::Display for UnknownMethod {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let known = Method::ALL.map(Method::name).join(", ");
+        write!(
+            formatter,
+            "there is no method `{}`; there are: {known}",
+            self.0
+        )
+    }
+}
+
+impl std::error::Error for UnknownMethod {}
+
+impl FromStr for Method {
+    type Err = UnknownMethod;
+
+    fn from_str(name: &str) -> Result<Self, UnknownMethod> {
+        let mut all = Self::ALL.into_iter();
+        all.find(|method| method.name() == name)
+            .ok_or_else(|| UnknownMethod(name.to_owned()))
+    }
+}
+
+/// Relative tolerance unless one is given: that of `assur run`.
+const RTOL: f64 = 1e-10;
+
 /// Which method integrates, how accurately, and what it may take.
 ///
 /// The error of a step is to be smaller than `rtol` times the state, plus an absolute tolerance that keeps a state near
-/// zero from being followed to all digits. `Settings { rtol: 1e-8, ..Settings::default() }` takes the rest as it is.
+/// zero from being followed to all digits. `Settings::new(Method::Taylor).rtol(1e-12)` takes the rest as it is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// The method.
@@ -58,15 +120,22 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// A method and its relative tolerance, the rest as by default.
-    pub const fn new(method: Method, rtol: f64) -> Self {
+    /// A method, the rest as by default.
+    pub const fn new(method: Method) -> Self {
         Self {
             method,
-            rtol,
+            rtol: RTOL,
             atol: Vec::new(),
             max_steps: None,
             first_step: None,
         }
+    }
+
+    /// With this relative tolerance.
+    #[must_use]
+    pub const fn rtol(mut self, rtol: f64) -> Self {
+        self.rtol = rtol;
+        self
     }
 
     /// The same with another relative tolerance; absolute tolerances that are given change by the same factor.
@@ -84,6 +153,30 @@ impl Settings {
 impl Default for Settings {
     /// The explicit method of order 8 at the tolerance of `assur run`, 1e-10.
     fn default() -> Self {
-        Self::new(Method::Dop853, 1e-10)
+        Self::new(Method::Dop853)
+    }
+}
+
+impl fmt::Display for Settings {
+    /// `taylor with rtol 1e-12`
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{} with rtol {:e}", self.method, self.rtol)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_method_is_read_as_it_is_written() {
+        for method in Method::ALL {
+            assert_eq!(method.to_string().parse(), Ok(method));
+        }
+        let unknown = "tsit".parse::<Method>().unwrap_err().to_string();
+        assert!(unknown.starts_with("there is no method `tsit`; there are: dop853, tsit5"));
+        assert_eq!(Method::default(), Settings::default().method);
+        let fine = Settings::new(Method::Taylor).rtol(1e-12);
+        assert_eq!(fine.to_string(), "taylor with rtol 1e-12");
     }
 }

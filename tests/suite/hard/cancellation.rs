@@ -37,7 +37,7 @@ fn the_table_form_cancels_the_deflection_form_does_not() {
 /// it is noise to the bar, whose deflections are a hundred-thousandth of it: 130 000 steps instead of 3000.
 #[test]
 fn a_small_lag_is_no_difference_of_two_positions() {
-    let settings = Settings::new(Method::Dop853, 1e-12);
+    let settings = Settings::new(Method::Dop853).rtol(1e-12);
     let slow = Solved::of(entry("batten", "exact"), &[("n", 73.0 * RPM)], &settings).unwrap();
     let steps = slow.orbit.trajectory.times().len();
     assert!(steps < 5_000, "{steps} steps");

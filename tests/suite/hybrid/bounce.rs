@@ -14,7 +14,7 @@ assur::mechanism! {
     scene fall { run time 0 s .. 3 s; }
 }
 
-const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-10);
+const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-10);
 
 /// Times of the impacts: the first after `√(2h/g)`, each flight `e` times as long as the one before.
 fn impacts(e: f64, count: i32) -> Vec<f64> {

@@ -5,7 +5,7 @@ use assur::model::Flow;
 use assur::ode::{Explicit, Options, Workspace, integrate};
 use assur::prelude::*;
 
-const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-9);
+const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-9);
 
 mod rub {
     assur::mechanism! {
@@ -97,7 +97,7 @@ fn a_branch_that_does_not_exist_beyond_its_surface() {
         Method::Rosenbrock,
         Method::Auto,
     ] {
-        let settings = Settings::new(method, 1e-11);
+        let settings = Settings::new(method).rtol(1e-11);
         let motion = march(&tank, (0.0, 40.0), &[1.0], &settings).expect("it drains");
         // With u = sqrt(h): 2 u du/dt = -pump - k u.
         let (pump, k) = (tank.pump, tank.hole * (2.0 * tank.g).sqrt());

@@ -20,7 +20,7 @@ mod clock {
 
 /// Settings with a tolerance.
 fn fine(rtol: f64) -> Settings {
-    Settings::new(Method::Dop853, rtol)
+    Settings::new(Method::Dop853).rtol(rtol)
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use assur::hybrid::{self, Cycle, CycleError};
 use assur::prelude::*;
 
-const FINE: Settings = Settings::new(Method::Dop853, 1e-12);
+const FINE: Settings = Settings::new(Method::Dop853).rtol(1e-12);
 
 mod ball {
     assur::mechanism! {

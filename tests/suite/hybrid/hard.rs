@@ -3,7 +3,7 @@
 use assur::hybrid::{HybridError, Motion, march};
 use assur::prelude::*;
 
-const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-9);
+const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-9);
 
 /// Texts of the events that happened, with their times.
 fn log<C: Scene>(motion: &Motion) -> Vec<(&'static str, f64)> {

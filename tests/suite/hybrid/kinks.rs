@@ -63,7 +63,7 @@ fn no_jump_and_no_bend_hides_a_crossing() {
         };
         let methods = [Method::Tsit5, Method::Dop853, Method::Radau, Method::Taylor];
         let method = methods[case % 4];
-        let settings = Settings::new(method, 1e-6);
+        let settings = Settings::new(method).rtol(1e-6);
         let motion = march(&one, (0.0, 10.0), &[0.0], &settings).expect("nothing moves");
         let time = |point: usize| 10.0 * point as f64 / POINTS as f64;
         let mut before = seen(&one, 0.0);
@@ -117,7 +117,7 @@ fn what_begins_after_a_long_rest_is_seen() {
         .filter(|pair| swing(pair[0]) < 0.0 && swing(pair[1]) >= 0.0);
     let rises: Vec<f64> = rises.map(|pair| pair[0]).collect();
     assert_eq!(rises.len(), 5);
-    let settings = Settings::new(Method::Dop853, 1e-6);
+    let settings = Settings::new(Method::Dop853).rtol(1e-6);
     let motion = march(&one, (0.0, 60.0), &[1.0, 0.0], &settings).expect("it turns");
     assert!(motion.statistics.largest_step > 2.0);
     assert_eq!(motion.events.len(), rises.len(), "{rises:?}");
@@ -133,7 +133,7 @@ fn what_begins_after_a_long_rest_is_seen() {
 /// More turns than can be looked at are an error, not a motion without events.
 #[test]
 fn an_absurd_speed_is_an_error() {
-    let settings = Settings::new(Method::Dop853, 1e-6);
+    let settings = Settings::new(Method::Dop853).rtol(1e-6);
     let one = rest::Go {
         omega: 1e12,
         ..rest::Go::default()

@@ -3,7 +3,7 @@
 use assur::hybrid::{self, CycleError, Periods};
 use assur::prelude::*;
 
-const FINE: Settings = Settings::new(Method::Dop853, 1e-12);
+const FINE: Settings = Settings::new(Method::Dop853).rtol(1e-12);
 
 mod idle {
     assur::mechanism! {

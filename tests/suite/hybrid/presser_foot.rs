@@ -22,7 +22,7 @@ use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 /// As accurately as the solvers can.
-const FINE: Settings = Settings::new(Method::Dop853, 1e-13);
+const FINE: Settings = Settings::new(Method::Dop853).rtol(1e-13);
 
 static REFERENCE: LazyLock<Value> = LazyLock::new(|| {
     serde_json::from_str(include_str!("../../reference/presser_foot.json")).unwrap()

@@ -3,7 +3,7 @@
 use assur::hybrid::{HybridError, march};
 use assur::prelude::*;
 
-const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-9);
+const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-9);
 
 mod start {
     assur::mechanism! {

@@ -14,7 +14,7 @@ use serde_json::Value;
 use std::sync::LazyLock;
 
 /// As accurately as the solvers can.
-const FINE: Settings = Settings::new(Method::Dop853, 1e-13);
+const FINE: Settings = Settings::new(Method::Dop853).rtol(1e-13);
 
 static REFERENCE: LazyLock<Value> = LazyLock::new(|| {
     serde_json::from_str(include_str!("../../reference/table_drive.json")).unwrap()

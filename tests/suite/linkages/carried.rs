@@ -32,7 +32,7 @@ mod by_hand {
     }
 }
 
-const FINE: Settings = Settings::new(Method::Dop853, 1e-12);
+const FINE: Settings = Settings::new(Method::Dop853).rtol(1e-12);
 
 #[test]
 fn a_loop_beside_a_coordinate_moves_it_as_the_formula_does() {

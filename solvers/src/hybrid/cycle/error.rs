@@ -8,6 +8,7 @@ use crate::ode::OdeError;
 
 /// Why no stable motion that repeats was found.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum CycleError {
     /// The scene has no events, or its task is not a motion that repeats.
     NoTask,

@@ -33,7 +33,11 @@ fn found(oscillator: &Oscillator, method: Method, rtol: f64) -> Result<Cycle, Cy
         [[0.0, 1.0], [by_x, gain - saturation * x * x]]
     };
     let model = Hand::new(rates, rows).starting([start, 0.0]);
-    clock_of(&model, (0, &[start, 0.0]), &Settings::new(method, rtol))
+    clock_of(
+        &model,
+        (0, &[start, 0.0]),
+        &Settings::new(method).rtol(rtol),
+    )
 }
 
 /// Checks the period of van der Pol's oscillator with a gain.

@@ -40,7 +40,7 @@ fn check(scene: &Oscillator<false>, settings: &Settings) -> Orbit {
 
 #[test]
 fn an_oscillator_is_found_at_every_speed_of_its_resonance_curve() {
-    let settings = Settings::new(Method::Dop853, 1e-8);
+    let settings = Settings::new(Method::Dop853).rtol(1e-8);
     for force in [0.3, 0.5, 1.0] {
         for number in 0..SPEEDS {
             check(&duffing(force, speed(number)), &settings);
@@ -59,7 +59,7 @@ fn every_method_finds_the_same_one_near_the_peak() {
             Method::Rosenbrock,
             Method::Auto,
         ]
-        .map(|method| check(&scene, &Settings::new(method, 1e-9)).start[0]);
+        .map(|method| check(&scene, &Settings::new(method).rtol(1e-9)).start[0]);
         let (low, high) = found
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), one| {
@@ -71,7 +71,7 @@ fn every_method_finds_the_same_one_near_the_peak() {
 
 #[test]
 fn the_start_values_pick_one_of_two_motions() {
-    let settings = Settings::new(Method::Dop853, 1e-9);
+    let settings = Settings::new(Method::Dop853).rtol(1e-9);
     let scene = duffing(0.5, 1.6);
     let small = check(&scene, &settings);
     let large = check(
@@ -102,7 +102,7 @@ fn a_motion_of_several_periods_begins_in_a_stated_one() {
             force: 0.0,
             start,
         };
-        let settings = Settings::new(Method::Dop853, rtol);
+        let settings = Settings::new(Method::Dop853).rtol(rtol);
         check(&scene, &settings)
     };
     let found = [of(0.5, 1e-8), of(-0.5, 1e-10), of(0.7, 1e-9)];

@@ -143,7 +143,7 @@ impl Scene for Ball {
 }
 
 fn fall(ball: Ball, method: Method, rtol: f64, end: f64) -> Motion {
-    let settings = Settings::new(method, rtol);
+    let settings = Settings::new(method).rtol(rtol);
     march(&ball, (0.0, end), &[1.0, 0.0], &settings).unwrap()
 }
 

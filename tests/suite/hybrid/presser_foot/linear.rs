@@ -209,7 +209,7 @@ fn without_location_of_events_the_order_is_lost() {
     let naive_order = (mean(1000) / mean(16_000)).ln() / 16f64.ln();
     assert!((0.7..1.4).contains(&naive_order), "{naive_order}");
     let ours = |rtol: f64| {
-        let settings = Settings::new(Method::Tsit5, rtol);
+        let settings = Settings::new(Method::Tsit5).rtol(rtol);
         let times = (0.0, foot.period());
         let motion = hybrid::march_in(&foot, FLIGHT, times, &start, &settings).unwrap();
         (motion.statistics.steps as f64, off(&motion.end))

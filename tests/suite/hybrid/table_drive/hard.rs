@@ -261,7 +261,7 @@ fn a_start_without_acceleration_is_no_stop() {
             ("beta", random(1e-3, 1.0)),
             ("Mc", random(1e-3, 10.0)),
         ];
-        let settings = Settings::new(Method::Dop853, 1e-10);
+        let settings = Settings::new(Method::Dop853).rtol(1e-10);
         let full = Moved::at(Full::with(&values), 3e-3, &settings);
         let first: Vec<_> = full.modes().into_iter().take(2).collect();
         assert!(
@@ -290,7 +290,7 @@ fn a_start_without_acceleration_is_no_stop() {
 #[test]
 fn a_light_table_is_stiff() {
     let evaluations = |inertia: f64| {
-        let settings = Settings::new(Method::Dop853, 1e-6);
+        let settings = Settings::new(Method::Dop853).rtol(1e-6);
         Moved::at(Table1::with(&[("J2", inertia)]), 0.02, &settings)
             .motion
             .statistics
@@ -300,7 +300,7 @@ fn a_light_table_is_stiff() {
     assert!(usual < 3000 && light > 1_000_000, "{usual} {light}");
     let slow = Moved::at(Table1::with(&[("J2", 5e-10)]), 0.02, &FINE_AND_STIFF);
     for method in [Method::Radau, Method::Rosenbrock, Method::Auto] {
-        let settings = Settings::new(method, 1e-6);
+        let settings = Settings::new(method).rtol(1e-6);
         let ours = Moved::at(Table1::with(&[("J2", 5e-10)]), 0.02, &settings);
         let work = ours.motion.statistics.evaluations;
         assert!(work < 3000, "{method:?} {work}");
@@ -325,7 +325,7 @@ fn a_light_table_without_damping_is_not_stopped_by_an_error() {
         for method in stiff {
             for rtol in [1e-5, 1e-6, 1e-7] {
                 let drive = Table1::with(&[("beta", 0.0), ("J2", inertia)]);
-                let moved = Moved::at(drive, END, &Settings::new(method, rtol));
+                let moved = Moved::at(drive, END, &Settings::new(method).rtol(rtol));
                 let what = format!("{method:?} {rtol:e} {inertia:e}");
                 assert_eq!(moved.modes(), ["run"], "{what}");
                 // The motor feels the vibration by its own torque alone, so that both together speed up like one body.
@@ -356,7 +356,7 @@ fn a_table_that_has_run_up_runs_on() {
         for method in [Method::Radau, Method::Rosenbrock] {
             let drive = Table1::with(&[("J1", 9.09e-6)]);
             let end = drive.omega * (1.0 - drive.Mc / drive.Ms);
-            let moved = Moved::at(drive, 0.2, &Settings::new(method, rtol));
+            let moved = Moved::at(drive, 0.2, &Settings::new(method).rtol(rtol));
             let speed = moved.output("dot(phi2)", 0.2);
             assert!(
                 (speed / end - 1.0).abs() < 1e-9,
@@ -369,7 +369,7 @@ fn a_table_that_has_run_up_runs_on() {
 }
 
 /// As accurately as a stiff method does without many steps.
-const FINE_AND_STIFF: Settings = Settings::new(Method::Rosenbrock, 1e-10);
+const FINE_AND_STIFF: Settings = Settings::new(Method::Rosenbrock).rtol(1e-10);
 
 /// Values that make no machine are refused, or are the error of the run that says where.
 #[test]
