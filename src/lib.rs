@@ -23,7 +23,7 @@ pub use assur_solvers::{
 /// What most programs need: `use assur::prelude::*;`.
 pub mod prelude {
     pub use assur_macros::{equations, mechanism};
-    pub use assur_solvers::answer::{Motion, Solve};
+    pub use assur_solvers::answer::{Motion, Move, Solve};
     pub use assur_solvers::model::{Bound, Model};
     pub use assur_solvers::problem::{Equations, Phase, Reports, Scene, Smooth};
     pub use assur_solvers::registry::{Method, Settings};

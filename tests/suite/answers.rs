@@ -42,8 +42,25 @@ mod driven {
     }
 }
 
+mod linked {
+    assur::mechanism! {
+        /// A crank that moves a slide.
+        SliderCrank from "any textbook";
+        dimension r = 50 mm +- 0.1 mm, l = 200 mm;
+        driver phi in 0 deg .. 360 deg;
+        dependent theta: rad ~ 0 deg, s: mm ~ 250 mm;
+        loop slide {
+            x: r*cos(phi) + l*cos(theta) = s;
+            y: r*sin(phi) + l*sin(theta) = 0 mm;
+        }
+        output stroke = s - 150 mm [mm];
+        scene turn { sweep phi; }
+    }
+}
+
 use bouncing::Fall;
 use driven::Steady;
+use linked::Turn;
 use swinging::Swing;
 
 #[test]
@@ -152,4 +169,39 @@ fn what_makes_no_sense_is_an_error_that_says_what_does() {
     assert!(matches!(backwards, Err(Error::Stopped(_))));
     let wrong = Swing::default().from([0.1]).run().unwrap_err().to_string();
     assert!(wrong.contains("1 values are given for 2 states"), "{wrong}");
+}
+
+/// `s = r cos(phi) + sqrt(l^2 - r^2 sin^2(phi))`, and its derivative by the crank times its error.
+#[test]
+fn a_linkage_is_swept_and_made() {
+    let turn = Turn::default();
+    let exact = |r: f64, phi: f64| r * phi.cos() + (0.04 - (r * phi.sin()).powi(2)).sqrt();
+    let sweep = turn.sweep(0.0..=TAU, 73).unwrap();
+    let stroke = sweep.output("stroke").unwrap();
+    assert_eq!(stroke.len(), 73);
+    for (phi, found) in stroke {
+        assert!(
+            (found - exact(0.05, phi) + 0.15).abs() < 1e-15,
+            "{phi}: {found}"
+        );
+    }
+    assert_eq!(sweep.values(Turn::STROKE), sweep.output("stroke").unwrap());
+    let unknown = sweep.output("lift").unwrap_err().to_string();
+    assert_eq!(unknown, "there is no `lift`; there are stroke, theta, s");
+    // The tolerance is three standard deviations.
+    let made = turn
+        .tolerance("stroke")
+        .at("phi", 1.0)
+        .monte_carlo(100_000)
+        .unwrap();
+    let slope = (exact(0.05 + 1e-7, 1.0) - exact(0.05 - 1e-7, 1.0)) / 2e-7;
+    let (found, wanted) = (made.places[0].deviation.value, slope * 1e-4 / 3.0);
+    assert!((found / wanted - 1.0).abs() < 0.01, "{found} {wanted}");
+    let missing = turn.tolerance("stroke").at("psi", 1.0).monte_carlo(100);
+    assert!(
+        missing
+            .unwrap_err()
+            .to_string()
+            .contains("there is no `psi`; there are phi")
+    );
 }

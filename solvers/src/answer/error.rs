@@ -1,8 +1,10 @@
 //! Why there is no answer.
 
+use crate::closure::ClosureError;
 use crate::hybrid::{CycleError, HybridError};
 use crate::periodic::PeriodicError;
 use crate::problem::Refused;
+use crate::tolerance::ToleranceError;
 use std::fmt;
 
 /// Why there is no answer.
@@ -26,6 +28,10 @@ pub enum Error {
         /// What there is.
         known: Vec<&'static str>,
     },
+    /// A linkage does not assemble.
+    Open(ClosureError),
+    /// A question about tolerances makes no sense.
+    Tolerance(ToleranceError),
     /// The run does not have this measure.
     Missing {
         /// Its name.
@@ -48,6 +54,8 @@ impl fmt::Display for Error {
             Self::Unknown { name, known } => {
                 write!(formatter, "there is no `{name}`; there are {}", known.join(", "))
             }
+            Self::Open(error) => write!(formatter, "{error}"),
+            Self::Tolerance(error) => write!(formatter, "{error}"),
             Self::Missing { name, reason } => write!(formatter, "{name}: {reason}"),
         }
     }
@@ -82,5 +90,13 @@ impl From<PeriodicError> for Error {
             PeriodicError::NotSettled(inner) => Self::from(*inner),
             other => Self::NotSteady(other),
         }
+    }
+}
+
+/// The error for a name that there is not.
+pub(super) fn unknown(name: &str, known: impl Iterator<Item = &'static str>) -> Error {
+    Error::Unknown {
+        name: name.to_owned(),
+        known: known.collect(),
     }
 }

@@ -1,6 +1,6 @@
 //! The motion of a scene: of a run, of a steady state, through events or without.
 
-use super::error::Error;
+use super::error::{Error, unknown};
 use super::estimate::Estimate;
 use super::position::Position;
 use super::question::Question;
@@ -347,14 +347,6 @@ fn halved(off: &dyn Fn(f64) -> Option<f64>, (mut from, mut to): (f64, f64), begi
         }
     }
     to
-}
-
-/// The error for a name that there is not.
-fn unknown(name: &str, known: impl Iterator<Item = &'static str>) -> Error {
-    Error::Unknown {
-        name: name.to_owned(),
-        known: known.collect(),
-    }
 }
 
 impl std::fmt::Debug for Motion {

@@ -166,37 +166,71 @@ pub(super) fn between(step: &Step<'_>, part: f64, state: &mut [f64]) {
         state.copy_from_slice(step.after);
         return;
     }
-    match step.basis {
-        Basis::Powers => powers_at(step, part, state),
-        Basis::Alternating => polynomial_at(step, part, state),
+    // States of one to three coordinates stay in registers.
+    match state.len() {
+        2 => write(known::<2>(step, part), step, state),
+        4 => write(known::<4>(step, part), step, state),
+        6 => write(known::<6>(step, part), step, state),
+        _ => any(step, part, state),
     }
 }
 
-/// A power series: even and odd powers apart, since each sum has to wait for itself.
-fn powers_at(step: &Step<'_>, part: f64, state: &mut [f64]) {
-    let (square, length) = (part * part, state.len());
-    for (index, value) in state.iter_mut().enumerate() {
-        let terms = &step.polynomial[index..];
-        let count = step.polynomial.len() / length;
-        let (mut odd, mut even) = (0.0, 0.0);
-        if count % 2 == 1 {
-            odd = terms[(count - 1) * length];
-        }
-        for pair in (0..count / 2).rev() {
-            even = (even + terms[(2 * pair + 1) * length]) * square;
-            odd = odd * square + terms[2 * pair * length];
-        }
-        *value = odd * part + even + step.before[index];
+/// Writes a state that a step has changed by so much.
+#[inline(always)]
+fn write<const N: usize>(change: [f64; N], step: &Step<'_>, state: &mut [f64]) {
+    for (value, (change, before)) in state.iter_mut().zip(change.iter().zip(step.before)) {
+        *value = change + before;
     }
 }
 
-/// A polynomial of a step at a part of it, by Horner's rule.
-fn polynomial_at(step: &Step<'_>, part: f64, state: &mut [f64]) {
+/// What a step changes a state of this length by, at a part of it.
+#[inline(always)]
+fn known<const N: usize>(step: &Step<'_>, part: f64) -> [f64; N] {
+    let (rows, _) = step.polynomial.as_chunks::<N>();
+    let (pairs, last) = rows.as_chunks::<2>();
+    let (mut sum, mut even) = ([0.0; N], [0.0; N]);
+    if step.basis == Basis::Powers {
+        // Even and odd powers apart, since each sum has to wait for itself.
+        let square = part * part;
+        if let [last] = last {
+            sum = *last;
+        }
+        for [one, other] in pairs.iter().rev() {
+            for index in 0..N {
+                even[index] = (even[index] + other[index]) * square;
+                sum[index] = sum[index] * square + one[index];
+            }
+        }
+        for index in 0..N {
+            sum[index] = sum[index] * part + even[index];
+        }
+        return sum;
+    }
+    let mut add = |coefficients: &[f64; N], factor: f64| {
+        for index in 0..N {
+            sum[index] = (sum[index] + coefficients[index]) * factor;
+        }
+    };
+    if let [last] = last {
+        add(last, part);
+    }
+    for [one, other] in pairs.iter().rev() {
+        add(other, 1.0 - part);
+        add(one, part);
+    }
+    sum
+}
+
+/// A state of any length at a part of a step, by Horner's rule.
+fn any(step: &Step<'_>, part: f64, state: &mut [f64]) {
     let length = state.len();
     state.fill(0.0);
     let rows = step.polynomial.chunks_exact(length.max(1)).enumerate();
     for (number, row) in rows.rev() {
-        let factor = if number % 2 == 0 { part } else { 1.0 - part };
+        let factor = match step.basis {
+            Basis::Alternating if number % 2 == 1 => 1.0 - part,
+            _ => part,
+        };
         for (sum, coefficient) in state.iter_mut().zip(row) {
             *sum = (*sum + coefficient) * factor;
         }

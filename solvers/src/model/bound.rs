@@ -87,7 +87,11 @@ impl<C: Scene> Model for Bound<C> {
             match (steps.method, steps.varied) {
                 (Explicit::Tsit5, false) => finish::<C, Tsit5>(equations, own, room, dense),
                 (Explicit::Dop853, false) => finish::<C, Dop853>(equations, own, room, dense),
-                (_, true) => finish_each(&self.plain, steps, phase, room, dense),
+                (_, true) if dense || !C::SMOOTH => {
+                    finish_each(&self.plain, steps, phase, room, dense);
+                }
+                (Explicit::Tsit5, true) => finish_beside::<C, Tsit5>(equations, own, room),
+                (Explicit::Dop853, true) => finish_beside::<C, Dop853>(equations, own, room),
             }
         }
     }
@@ -143,4 +147,17 @@ unsafe fn finish<C: Scene, T: Coefficients>(
     dense: bool,
 ) {
     step::finish::<Fused, T, _>(&Alone { equations, phase }, room, dense);
+}
+
+/// The slope at the end of a step of a motion with its variations.
+#[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma"))]
+#[inline(never)]
+unsafe fn finish_beside<C: Scene, T: Coefficients>(
+    equations: &C::Equations<Fused>,
+    phase: Phase<'_, Fused>,
+    room: &mut Room,
+) {
+    if C::SMOOTH {
+        step::finish::<Fused, T, _>(&Beside { equations, phase }, room, false);
+    }
 }

@@ -241,22 +241,54 @@ impl Taylor {
     /// its end.
     #[inline(always)]
     fn cut_off(&mut self, part: f64) {
-        let states = self.before.len();
-        for index in 0..states {
-            // One state after the other, so that its sums are not kept in memory.
-            let (mut power, mut after, mut slope) = (1.0, self.before[index], 0.0);
-            let rows = self.terms.chunks_exact(states).skip(1);
-            let mut count = 1.0;
-            for (row, terms) in self.polynomial.chunks_exact_mut(states).zip(rows) {
-                power *= part;
+        // States of one to three coordinates stay in registers.
+        match self.before.len() {
+            2 => self.cut_off_known::<2>(part),
+            4 => self.cut_off_known::<4>(part),
+            6 => self.cut_off_known::<6>(part),
+            _ => self.cut_off_any(part),
+        }
+    }
+
+    #[inline(always)]
+    fn cut_off_known<const N: usize>(&mut self, part: f64) {
+        let (rows, _) = self.terms.as_chunks::<N>();
+        let (polynomial, _) = self.polynomial.as_chunks_mut::<N>();
+        let Some((before, rows)) = rows.split_first() else {
+            return;
+        };
+        let (mut after, mut slope) = (*before, [0.0; N]);
+        let (mut power, mut count) = (1.0, 1.0);
+        for (row, terms) in polynomial.iter_mut().zip(rows) {
+            power *= part;
+            for index in 0..N {
                 let value = power * terms[index];
                 row[index] = value;
-                after += value;
-                slope += count * value;
-                count += 1.0;
+                after[index] += value;
+                slope[index] += count * value;
             }
-            self.after[index] = after;
-            self.slopes[index] = slope;
+            count += 1.0;
+        }
+        self.after.copy_from_slice(&after);
+        self.slopes.copy_from_slice(&slope);
+    }
+
+    fn cut_off_any(&mut self, part: f64) {
+        let states = self.before.len();
+        self.after.copy_from_slice(&self.before);
+        self.slopes.fill(0.0);
+        let (mut power, mut count) = (1.0, 1.0);
+        let rows = self.terms.chunks_exact(states.max(1)).skip(1);
+        let polynomial = self.polynomial.chunks_exact_mut(states.max(1));
+        for (row, terms) in polynomial.zip(rows) {
+            power *= part;
+            for (index, term) in terms.iter().enumerate() {
+                let value = power * term;
+                row[index] = value;
+                self.after[index] += value;
+                self.slopes[index] += count * value;
+            }
+            count += 1.0;
         }
     }
 
