@@ -7,7 +7,7 @@
 use std::hint::black_box;
 
 use assur::dispatch::{Task, dispatch};
-use assur::problem::{Equations, Scene};
+use assur::problem::{Equations, Phase, Scene};
 use assur::scalar::Scalar;
 use assur_equations::batten::Elastic;
 
@@ -19,6 +19,8 @@ use crate::table::{Table, number, ratio, verdict};
 const CALLS: usize = 20_000;
 /// Instants of a step of DOP853.
 const STAGES: usize = 11;
+/// Numbers of an instant that there is room for.
+const WIDEST: usize = 11;
 /// A state, neither at rest nor symmetric.
 const STATE: [f64; 6] = [1e-3, -3e-4, -2e-4, 0.05, 0.01, 0.02];
 /// Largest ratio of the emitted code to the hand-written code.
@@ -37,24 +39,40 @@ trait Side<S: Scalar> {
 /// The batten by its emitted code.
 struct Emitted<S: Scalar>(<Elastic as Scene>::Equations<S>);
 
+impl<S: Scalar> Emitted<S> {
+    /// What depends on times alone, a row of so many numbers for each, in what there is room for.
+    #[inline(always)]
+    fn rows<'a>(&self, times: &[S], room: &'a mut [S]) -> (&'a [S], usize) {
+        let width = self.0.instant();
+        let rows = &mut room[..times.len() * width];
+        self.0.instants(Phase::of(0), times, rows);
+        (rows, width)
+    }
+}
+
 impl<S: Scalar> Side<S> for Emitted<S> {
     #[inline(always)]
     fn derivative(&self, time: S, y: &[S; 6], rate: &mut [S; 6]) {
-        self.0.derivative(&self.0.instant(time), y, rate);
+        let mut room = [S::ZERO; WIDEST];
+        let (row, _) = self.rows(&[time], &mut room);
+        self.0.rates(Phase::of(0), row, y, rate);
     }
 
     #[inline(always)]
     fn both(&self, time: S, y: &[S; 6], rate: &mut [S; 6], columns: &mut [[S; 6]; 6]) {
-        let instant = self.0.instant(time);
-        self.0.derivative(&instant, y, rate);
-        self.0.jacobian(&instant, y, columns);
+        let mut room = [S::ZERO; WIDEST];
+        let (row, _) = self.rows(&[time], &mut room);
+        self.0.rates(Phase::of(0), row, y, rate);
+        self.0
+            .jacobian(Phase::of(0), row, y, columns.as_flattened_mut());
     }
 
     #[inline(always)]
     fn step(&self, times: [S; STAGES], y: &[S; 6], rates: &mut [[S; 6]; STAGES]) {
-        let instants = self.0.instants(times);
-        for (instant, rate) in instants.iter().zip(rates) {
-            self.0.derivative(instant, y, rate);
+        let mut room = [S::ZERO; STAGES * WIDEST];
+        let (rows, width) = self.rows(&times, &mut room);
+        for (row, rate) in rows.chunks_exact(width).zip(rates) {
+            self.0.rates(Phase::of(0), row, y, rate);
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use std::hint::black_box;
 
-use assur::hybrid::{self, Cycle, Hybrid, Motion};
+use assur::hybrid::{self, Cycle, Motion};
+use assur::problem::Scene;
 use assur::registry::{Method, Settings};
 use assur_equations::presser_foot::Elliptic;
 
@@ -36,7 +37,7 @@ pub struct Run {
 }
 
 /// The motion as a program asks for it.
-pub fn motion<C: Hybrid>(foot: &C, turns: f64, settings: &Settings) -> Motion {
+pub fn motion<C: Scene>(foot: &C, turns: f64, settings: &Settings) -> Motion {
     let times = (0.0, turns * PERIOD);
     hybrid::march_in(foot, AIR, times, &START, settings).expect("the foot moves on")
 }
@@ -46,7 +47,7 @@ pub fn assur_by(method: Method, turns: f64, rtol: f64) -> Run {
     end_of(&motion(
         &Elliptic::default(),
         turns,
-        &Settings::new(method, rtol),
+        &Settings::new(method).rtol(rtol),
     ))
 }
 
@@ -73,7 +74,7 @@ fn taylor(turns: f64, rtol: f64) -> Run {
 #[inline(never)]
 fn by_hand(turns: f64, rtol: f64) -> Run {
     let method = Method::Dop853;
-    end_of(&motion(&HandFoot, turns, &Settings::new(method, rtol)))
+    end_of(&motion(&HandFoot, turns, &Settings::new(method).rtol(rtol)))
 }
 
 /// The same by hand.
@@ -149,7 +150,7 @@ pub fn cases() -> Vec<Case<'static>> {
 /// The motion that repeats, looked for from the declared start.
 fn repeating() -> Cycle {
     let method = Method::Dop853;
-    let settings = Settings::new(method, RTOL);
+    let settings = Settings::new(method).rtol(RTOL);
     hybrid::cycle(&Elliptic::default(), PERIOD, &settings)
         .expect("the foot has a motion that repeats")
 }
@@ -186,7 +187,7 @@ pub fn report() {
 /// By how much the instants of the events differ, and the kept motions on the way.
 fn kept_apart(rtol: f64) -> (f64, f64) {
     let method = Method::Dop853;
-    let ours = motion(&Elliptic::default(), 1.0, &Settings::new(method, rtol));
+    let ours = motion(&Elliptic::default(), 1.0, &Settings::new(method).rtol(rtol));
     let hand = hand_walk::run::<true, true>(&Foot::default(), START, PERIOD, rtol);
     let changes = ours.events.iter().filter(|one| one.from != one.to);
     let times: Vec<f64> = changes.map(|one| one.time).collect();

@@ -38,6 +38,36 @@ pub struct Instant<S = f64> {
     inverse_inertia: S,
 }
 
+/// Length of a row of the numbers of an instant.
+pub const WIDTH: usize = 5;
+
+impl<S: Scalar> Instant<S> {
+    /// Its numbers in a row.
+    #[inline(always)]
+    pub fn row(&self) -> [S; WIDTH] {
+        [
+            self.x1,
+            self.pin,
+            self.coriolis,
+            self.rate,
+            self.inverse_inertia,
+        ]
+    }
+
+    /// From such a row.
+    #[inline(always)]
+    pub fn of(row: &[S; WIDTH]) -> Self {
+        let [x1, pin, coriolis, rate, inverse_inertia] = *row;
+        Self {
+            x1,
+            pin,
+            coriolis,
+            rate,
+            inverse_inertia,
+        }
+    }
+}
+
 impl Default for Batten {
     fn default() -> Self {
         let (r, l) = (0.075, 0.271);
@@ -146,29 +176,28 @@ impl Batten {
 
     /// Columns of `∂y'/∂y`.
     #[inline(always)]
-    pub fn jacobian(&self, at: &Instant, columns: &mut [[f64; 6]; 6]) {
-        let (low, high) = (self.lambda, 1.0 + self.lambda);
+    pub fn jacobian<S: Scalar>(&self, at: &Instant<S>, columns: &mut [[S; 6]; 6]) {
+        let number = S::from_f64;
+        let [low, high, m2, c] = [self.lambda, 1.0 + self.lambda, self.m2, self.c].map(number);
+        let [inverse_m3, inverse_m4] = [self.inverse_m3, self.inverse_m4].map(number);
         // Forces by the slip, and what of forces turns the shaft.
         let (g3, g4) = self.bar(-low * at.x1, high * at.x1);
         let turn = at.x1 * at.inverse_inertia;
-        let (by3, by4) = (
-            low * self.k33 - high * self.k34,
-            low * self.k34 - high * self.k44,
-        );
-        *columns = [[0.0; 6]; 6];
-        columns[0][3] =
-            turn * (low * g3 - high * g4 - self.m2 * at.rate) - self.c * at.inverse_inertia;
-        columns[0][4] = -g3 * self.inverse_m3;
-        columns[0][5] = -g4 * self.inverse_m4;
+        let [by3, by4] = [[self.k33, self.k34], [self.k34, self.k44]]
+            .map(|[k3, k4]| number(self.lambda * k3 - (1.0 + self.lambda) * k4));
+        *columns = [[S::ZERO; 6]; 6];
+        columns[0][3] = turn * (low * g3 - high * g4 - m2 * at.rate) - c * at.inverse_inertia;
+        columns[0][4] = -g3 * inverse_m3;
+        columns[0][5] = -g4 * inverse_m4;
         columns[1][3] = turn * by3;
-        columns[1][4] = -self.k33 * self.inverse_m3;
-        columns[1][5] = -self.k34 * self.inverse_m4;
+        columns[1][4] = number(-self.k33 * self.inverse_m3);
+        columns[1][5] = number(-self.k34 * self.inverse_m4);
         columns[2][3] = turn * by4;
-        columns[2][4] = -self.k34 * self.inverse_m3;
-        columns[2][5] = -self.k44 * self.inverse_m4;
-        columns[3][0] = 1.0;
-        columns[3][3] = -turn * self.m2 * at.coriolis;
-        columns[4][1] = 1.0;
-        columns[5][2] = 1.0;
+        columns[2][4] = number(-self.k34 * self.inverse_m3);
+        columns[2][5] = number(-self.k44 * self.inverse_m4);
+        columns[3][0] = S::ONE;
+        columns[3][3] = -turn * m2 * at.coriolis;
+        columns[4][1] = S::ONE;
+        columns[5][2] = S::ONE;
     }
 }

@@ -1,11 +1,9 @@
 //! The presser foot by hand for the solvers of Assur: what the macro emits from `presser_foot.eqn`, scene `elliptic`, as
 //! an engineer would write it. So the emitted code is compared with hand-written code in the same loop.
 
-use assur::shape::{ModeEntry, Quantity, Shape, Unit};
-use assur::hybrid::{Hybrid, Modes};
-use assur::shape::{Direction, EventEntry};
-use assur::problem::{Equations, Refused, Scene, Span};
+use assur::problem::{Equations, Events, Phase, Refused, Reports, Scene, Span};
 use assur::scalar::Scalar;
+use assur::shape::{Direction, EventEntry, ModeEntry, Quantity, Shape, Unit};
 
 use crate::foot::{PERIOD, START};
 
@@ -29,40 +27,46 @@ pub struct Moving<S> {
     omega: S,
     edge: S,
     height: S,
-    mode: usize,
-    /// On which side of the plate the rack is, 0 where its height says it.
-    side: S,
 }
 
-/// The angle of the shaft, and the height of the rack above the plate with two rates.
+/// The height of the rack above the plate with two rates.
 #[derive(Clone, Copy, Debug)]
 pub struct Rack<S> {
-    angle: S,
     y: S,
     dy: S,
     ddy: S,
 }
 
+impl<S: Scalar> Rack<S> {
+    /// Height and first rate from a row.
+    #[inline(always)]
+    fn of(row: &[S]) -> Self {
+        Self {
+            y: row[0],
+            dy: row[1],
+            ddy: S::ZERO,
+        }
+    }
+}
+
 impl<S: Scalar> Moving<S> {
     #[inline(always)]
-    fn rack(&self, angle: S, (sine, cosine): (S, S)) -> Rack<S> {
+    fn rack(&self, (sine, cosine): (S, S)) -> Rack<S> {
         let speed = self.height * self.omega;
         // The shaft is half a turn behind.
         Rack {
-            angle,
             y: self.height * (-cosine - self.edge),
             dy: speed * sine,
             ddy: speed * self.omega * cosine,
         }
     }
 
-    /// What the fabric lies on: the rack where it is above the plate.
+    /// What the fabric lies on: the rack where it is above the plate. The side says where it is, or 0 its height.
     #[inline(always)]
     fn ground(&self, rack: &Rack<S>, side: S) -> Rack<S> {
         let height = S::select(S::equal(side, S::ZERO), rack.y, side);
         let on = |value| S::select(S::less(S::ZERO, height), value, S::ZERO);
         Rack {
-            angle: rack.angle,
             y: on(rack.y),
             dy: on(rack.dy),
             ddy: on(rack.ddy),
@@ -88,103 +92,98 @@ impl<S: Scalar> Moving<S> {
 }
 
 impl<S: Scalar> Equations<S> for Moving<S> {
-    type State = [S; 2];
-    type Instant = Rack<S>;
-
+    #[inline(always)]
     fn states(&self) -> usize {
         2
     }
 
-    fn instant(&self, time: S) -> Rack<S> {
-        let angle = self.omega * time;
-        self.rack(angle, S::sin_cos(angle))
+    #[inline(always)]
+    fn instant(&self) -> usize {
+        2
     }
 
     #[inline(always)]
-    fn instants<const K: usize>(&self, times: [S; K]) -> [Rack<S>; K] {
-        let nothing = Rack {
-            angle: S::ZERO,
-            y: S::ZERO,
-            dy: S::ZERO,
-            ddy: S::ZERO,
+    fn instants(&self, phase: Phase<'_, S>, times: &[S], rows: &mut [S]) {
+        if phase.mode == FLIGHT || S::holds(S::less(phase.side(0), S::ZERO)) {
+            return;
+        }
+        let (rows, _) = rows.as_chunks_mut::<2>();
+        for (times, rows) in times.chunks(4).zip(rows.chunks_mut(4)) {
+            let mut angles = [S::ZERO; 4];
+            for (k, angle) in angles.iter_mut().enumerate() {
+                *angle = self.omega * times[k.min(times.len() - 1)];
+            }
+            let (sines, cosines) = S::sin_cos_all(angles);
+            for (k, row) in rows.iter_mut().enumerate() {
+                let rack = self.rack((sines[k], cosines[k]));
+                *row = [rack.y, rack.dy];
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn rates(&self, phase: Phase<'_, S>, instant: &[S], state: &[S], rates: &mut [S]) {
+        let (Some(y), Some(rate)) = (state.first_chunk(), rates.first_chunk_mut()) else {
+            return;
         };
-        let mut racks = [nothing; K];
-        if self.mode == FLIGHT || S::holds(S::less(self.side, S::ZERO)) {
-            return racks;
-        }
-        let angles = times.map(|time| self.omega * time);
-        let (sines, cosines) = S::sin_cos_all(angles);
-        for (k, rack) in racks.iter_mut().enumerate() {
-            *rack = self.rack(angles[k], (sines[k], cosines[k]));
-        }
-        racks
-    }
-
-    #[inline(always)]
-    fn derivative(&self, rack: &Rack<S>, y: &[S; 2], rate: &mut [S; 2]) {
         let free = self.free(y);
-        let ground = self.ground(rack, self.side);
-        *rate = match self.mode {
+        *rate = match phase.mode {
             FLIGHT => [y[1], free],
-            _ => [y[1], self.fabric(&ground, y, S::ZERO).0 + free],
+            _ => {
+                let ground = self.ground(&Rack::of(instant), phase.side(0));
+                [y[1], self.fabric(&ground, y, S::ZERO).0 + free]
+            }
         };
     }
 
     fn variation(
         &self,
-        rack: &Rack<S>,
-        y: &[S; 2],
-        rate: &mut [S; 2],
-        columns: &[[S; 2]],
-        products: &mut [[S; 2]],
+        phase: Phase<'_, S>,
+        instant: &[S],
+        state: &[S],
+        rates: &mut [S],
+        columns: &[S],
+        products: &mut [S],
     ) {
-        self.derivative(rack, y, rate);
-        let mut slopes = [[S::ZERO; 2]; 2];
-        self.jacobian(rack, y, &mut slopes);
-        for (column, product) in columns.iter().zip(products) {
-            *product = [
-                column[1],
-                slopes[0][1] * column[0] + slopes[1][1] * column[1],
-            ];
+        self.rates(phase, instant, state, rates);
+        let mut slopes = [S::ZERO; 4];
+        self.jacobian(phase, instant, state, &mut slopes);
+        for (column, product) in columns.chunks(2).zip(products.chunks_mut(2)) {
+            product[0] = column[1];
+            product[1] = slopes[1] * column[0] + slopes[3] * column[1];
         }
     }
 
-    fn jacobian(&self, rack: &Rack<S>, y: &[S; 2], columns: &mut [[S; 2]]) {
-        let delta = self.ground(rack, self.side).y - y[0];
-        let stiffness = self.c2 + S::from_f64(3.0) * self.c3 * delta * delta;
-        let [stiffness, damping] = match self.mode {
+    fn jacobian(&self, phase: Phase<'_, S>, instant: &[S], state: &[S], columns: &mut [S]) {
+        let [stiffness, damping] = match phase.mode {
             FLIGHT => [S::ZERO; 2],
-            _ => [stiffness, self.mu2],
+            _ => {
+                let delta = self.ground(&Rack::of(instant), phase.side(0)).y - state[0];
+                let stiffness = self.c2 + S::from_f64(3.0) * self.c3 * delta * delta;
+                [stiffness, self.mu2]
+            }
         };
-        columns[0] = [S::ZERO, -self.c1 - stiffness];
-        columns[1] = [S::ONE, -self.mu1 - damping];
+        let slopes = [-self.c1 - stiffness, -self.mu1 - damping];
+        columns.copy_from_slice(&[S::ZERO, slopes[0], S::ONE, slopes[1]]);
     }
+}
 
-    fn outputs(&self, _time: S, _state: &[S; 2], _values: &mut [S]) {}
-
+impl<S: Scalar> Reports<S> for Moving<S> {
     fn drivers(&self, time: S, values: &mut [S]) {
         values[0] = self.omega * time;
     }
 }
 
-impl<S: Scalar> Modes<S> for Moving<S> {
-    fn mode(&self) -> usize {
-        self.mode
-    }
-
-    fn enter(&mut self, mode: usize) {
-        self.mode = mode;
-    }
-
-    fn side(&mut self, _surface: usize, side: S) {
-        self.side = side;
-    }
-
-    #[inline(always)]
-    fn guards(&self, rack: &Rack<S>, y: &[S; 2], values: &mut [S], rates: &mut [S]) {
-        let (ground, free) = (self.ground(rack, S::ZERO), self.free(y));
-        let turn = (rack.angle, self.omega);
-        let pairs = match self.mode {
+impl<S: Scalar> Events<S> for Moving<S> {
+    fn guards(&self, phase: Phase<'_, S>, time: S, state: &[S], values: &mut [S], rates: &mut [S]) {
+        let Some(y) = state.first_chunk() else {
+            return;
+        };
+        let angle = self.omega * time;
+        let rack = self.rack(S::sin_cos(angle));
+        let (ground, free) = (self.ground(&rack, S::ZERO), self.free(y));
+        let turn = (angle, self.omega);
+        let pairs = match phase.mode {
             FLIGHT => {
                 let (force, rate) = self.fabric(&ground, y, free);
                 [
@@ -205,30 +204,37 @@ impl<S: Scalar> Modes<S> for Moving<S> {
         }
     }
 
-    fn permits(&self, event: usize, rack: &Rack<S>, y: &[S; 2]) -> bool {
-        if self.mode == CONTACT {
+    fn permits(&self, phase: Phase<'_, S>, event: usize, time: S, state: &[S]) -> bool {
+        let Some(y) = state.first_chunk().filter(|_| phase.mode == FLIGHT) else {
             return true;
-        }
-        let ground = self.ground(rack, S::ZERO);
+        };
+        let rack = self.rack(S::sin_cos(self.omega * time));
+        let ground = self.ground(&rack, S::ZERO);
         let other = match event {
             0 => self.fabric(&ground, y, S::ZERO).0,
             _ => ground.y - y[0],
         };
         S::holds(S::less(S::ZERO, other))
     }
-
-    fn jump(&self, _event: usize, _rack: &Rack<S>, y: &[S; 2], after: &mut [S; 2]) {
-        *after = *y;
-    }
 }
 
 impl Scene for HandFoot {
     type Equations<S: Scalar> = Moving<S>;
 
+    const SMOOTH: bool = false;
+
     fn shape() -> &'static Shape {
-        const STATES: &[Quantity] = &[Quantity::new("w", "", Unit::NONE), Quantity::new("dot(w)", "", Unit::NONE)];
+        const STATES: &[Quantity] = &[
+            Quantity::new("w", "", Unit::NONE),
+            Quantity::new("dot(w)", "", Unit::NONE),
+        ];
         const DRIVERS: &[Quantity] = &[Quantity::new("phi", "", Unit::NONE)];
-        const { &Shape::named("foot").drivers(DRIVERS).states(STATES, &[1e-3; 2]).modes(MODES, CONTACT) }
+        const {
+            &Shape::named("foot")
+                .drivers(DRIVERS)
+                .states(STATES, &[1e-3; 2])
+                .modes(MODES, CONTACT)
+        }
     }
 
     fn prepare<S: Scalar>(&self) -> Moving<S> {
@@ -245,9 +251,11 @@ impl Scene for HandFoot {
             omega: number(300.0),
             edge: number(edge),
             height: number(1e-3 / (1.0 - edge)),
-            mode: CONTACT,
-            side: S::ZERO,
         }
+    }
+
+    fn events<S: Scalar>(equations: &Moving<S>) -> Option<&dyn Events<S>> {
+        Some(equations)
     }
 
     fn check(&self) -> Result<(), Refused> {
@@ -269,22 +277,22 @@ const fn event(text: &'static str, direction: Direction, target: usize, line: u3
 }
 
 const MODES: &[ModeEntry] = &[
-    ModeEntry::new("contact", "", &[
-        event("the force falls to zero", Direction::Falls, FLIGHT, 1),
-        event("the rack passes the plate", Direction::Crosses, CONTACT, 4).surface(0),
-    ])
+    ModeEntry::new(
+        "contact",
+        "",
+        &[
+            event("the force falls to zero", Direction::Falls, FLIGHT, 1),
+            event("the rack passes the plate", Direction::Crosses, CONTACT, 4).surface(0),
+        ],
+    )
     .bends(0, 1),
-    ModeEntry::new("flight", "", &[
-        event("the fabric is reached", Direction::Rises, CONTACT, 2).conditional(),
-        event("the force rises", Direction::Rises, CONTACT, 3).conditional(),
-    ])
+    ModeEntry::new(
+        "flight",
+        "",
+        &[
+            event("the fabric is reached", Direction::Rises, CONTACT, 2).conditional(),
+            event("the force rises", Direction::Rises, CONTACT, 3).conditional(),
+        ],
+    )
     .bends(1, 1),
 ];
-
-impl Hybrid for HandFoot {
-    type Modal<S: Scalar> = Moving<S>;
-
-    fn modal<S: Scalar>(&self) -> Moving<S> {
-        self.prepare()
-    }
-}

@@ -2,12 +2,12 @@
 
 use std::hint::black_box;
 
-use assur::dispatch::{Task, dispatch, is_fused};
-use assur::ode::{Dop853, Method, Options, Plain, Workspace, integrate};
+use assur::dispatch::is_fused;
+use assur::model::{Bound, Flow};
+use assur::ode::{Explicit, Options, Workspace, integrate};
 use assur::periodic;
 use assur::problem::{Scene, Span};
-use assur::registry::{self, Settings};
-use assur::scalar::Scalar;
+use assur::registry::{Method, Settings};
 use assur_equations::batten::Elastic;
 
 use crate::count::{Case, measure, shortest};
@@ -36,53 +36,29 @@ const RTOL: f64 = 1e-9;
 const REFERENCE_RTOL: f64 = 1e-14;
 /// Natural frequency of the ends of the bar, rad/s, which turns errors of speeds into errors of deflections.
 const FREQUENCY: f64 = 314.0;
-/// Largest ratio of the dispatched code to the hand-written loop.
+/// Largest ratio of the emitted code to the hand-written loop.
 const GOAL: f64 = 1.1;
 
-/// Integration of the emitted code.
-struct Revolutions(f64);
-
-impl Task for Revolutions {
-    type Output = Run;
-
-    #[inline(always)]
-    fn run<S: Scalar>(self) -> Run {
-        emitted_with::<S, Dop853>(self.0)
-    }
-}
-
-/// Ten revolutions of the emitted code with any method.
-#[inline(always)]
-pub fn emitted_with<S: Scalar, M: Method>(rtol: f64) -> Run {
-    let equations = Elastic::default().prepare::<S>();
-    let system = Plain(&equations);
-    let options = Options::scaled(rtol, Elastic::shape().scales);
-    let mut start = [S::ZERO; 6];
-    for (target, value) in start.iter_mut().zip(START) {
-        *target = S::from_f64(value);
-    }
-    let mut workspace = Workspace::<_, M>::new::<S, _>(&system);
+/// Ten revolutions of a scene of the batten with a stepper of Assur.
+pub fn stepped<C: Scene>(scene: &C, method: Explicit, rtol: f64) -> Run {
+    let bound = Bound::new(scene);
+    let flow = Flow::new(&bound, 0);
+    let options = Options::scaled(rtol, C::shape().scales);
+    let mut workspace = Workspace::new(method, &flow);
     let times = (0.0, END);
-    let statistics = integrate(&system, times, &start, &options, &mut workspace, &mut ());
+    let statistics = integrate(&flow, times, &START, &options, &mut workspace, &mut ());
     let mut end = [f64::NAN; 6];
-    for (target, value) in end.iter_mut().zip(workspace.state()) {
-        *target = value.to_f64();
-    }
+    end.copy_from_slice(workspace.state());
     Run {
         end,
         evaluations: statistics.map_or(0, |statistics| statistics.evaluations),
     }
 }
 
+/// Ten revolutions of the emitted code.
 #[inline(never)]
-fn emitted(rtol: f64) -> Run {
-    Revolutions(rtol).run::<f64>()
-}
-
-/// The emitted code on the scalar type that the machine at hand is fastest with.
-#[inline(never)]
-pub fn dispatched(rtol: f64) -> Run {
-    dispatch(Revolutions(rtol))
+pub fn emitted(method: Explicit, rtol: f64) -> Run {
+    stepped(&Elastic::default(), method, rtol)
 }
 
 #[inline(never)]
@@ -102,13 +78,13 @@ fn periodic_motion() -> periodic::Orbit {
     let Span::Periodic(period) = scene.span() else {
         panic!("the scene is not periodic");
     };
-    let settings = Settings::new(registry::Method::Dop853, RTOL);
+    let settings = Settings::new(Method::Dop853).rtol(RTOL);
     periodic::solve(&scene, period, &settings).expect("the batten has a periodic motion")
 }
 
 /// The state at the end, far more accurate than what is compared with it.
 pub fn reference() -> [f64; 6] {
-    emitted(REFERENCE_RTOL).end
+    emitted(Explicit::Dop853, REFERENCE_RTOL).end
 }
 
 /// Error of the deflections of the bar at the end, in metres.
@@ -127,15 +103,13 @@ pub fn error(end: &[f64; 6], reference: &[f64; 6]) -> f64 {
 type Kind = (&'static str, fn(f64) -> Run);
 
 /// All integrations.
-const KINDS: [Kind; 6] = [
+const KINDS: [Kind; 5] = [
     ("hand, sine of std", hand::<false>),
     ("hand, sine of Assur", hand::<true>),
-    (
-        "hand-written equations, Assur's stepper",
-        hand_system::run::<Dop853>,
-    ),
-    ("emitted", emitted),
-    ("emitted, dispatched", dispatched),
+    ("hand-written equations, Assur's stepper", |rtol| {
+        hand_system::run(Explicit::Dop853, rtol)
+    }),
+    ("emitted", |rtol| emitted(Explicit::Dop853, rtol)),
     ("hand, fused, sines of a step packed", best),
 ];
 
@@ -146,7 +120,6 @@ pub fn cases() -> Vec<Case<'static>> {
         "loop-kernel",
         "loop-stepper",
         "loop-emitted",
-        "loop-dispatched",
         "loop-best",
     ];
     let loops = names.into_iter().zip(KINDS).map(|(name, (_, code))| {
@@ -193,21 +166,18 @@ pub fn report() {
     table.print();
     println!("Emitted and hand-written code differ by {check:.1e} m at rtol 1e-14.");
     let fused = if is_fused() { "fused" } else { "plain" };
-    println!("Dispatched code runs on {fused} numbers here.\n");
+    println!("The steps of Assur run on {fused} numbers here.\n");
     let plain = |get: fn(&crate::count::Measure) -> Option<f64>| {
         let [first, second] = [get(&measures[0])?, get(&measures[1])?];
         Some(first.min(second))
     };
     let time = plain(|one| one.microseconds());
     let count = plain(|one| one.instructions);
-    for (what, one) in [("emitted", &measures[3]), ("dispatched", &measures[4])] {
-        let name = |unit| format!("{what} / hand-written loop on plain numbers, {unit}");
-        verdict(&name("instructions"), one.instructions, count, GOAL);
-        verdict(&name("time"), one.microseconds(), time, GOAL);
-    }
-
-    let (ours, limit) = (&measures[4], &measures[5]);
-    let title = |unit| format!("dispatched / best hand-written loop, {unit}");
+    let (ours, limit) = (&measures[3], &measures[4]);
+    let name = |unit| format!("emitted / hand-written loop on plain numbers, {unit}");
+    verdict(&name("instructions"), ours.instructions, count, GOAL);
+    verdict(&name("time"), ours.microseconds(), time, GOAL);
+    let title = |unit| format!("emitted / best hand-written loop, {unit}");
     verdict(
         &title("instructions"),
         ours.instructions,
@@ -224,7 +194,7 @@ pub fn report() {
     let orbit = periodic_motion();
     let columns = ["periodic::solve", "instructions", "time, us"];
     let mut table = Table::new("The periodic motion with DOP853, rtol 1e-9", &columns);
-    let one = &measures[6];
+    let one = &measures[5];
     table.row([
         "elastic batten".to_owned(),
         number(one.instructions),

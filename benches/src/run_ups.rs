@@ -29,7 +29,7 @@ const ROUNDS: usize = 9;
 const END: f64 = 0.1;
 /// Least speed of two threads in that of one.
 const GOAL: f64 = 1.9;
-const SETTINGS: Settings = Settings::new(Method::Dop853, 1e-9);
+const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-9);
 
 fn scene() -> &'static SceneEntry {
     let mut scenes = MECHANISM.scenes.iter();

@@ -11,8 +11,8 @@ use std::time::Instant;
 
 use assur::closure::{Assembly, Linkage};
 use assur::dispatch::{Task, dispatch};
-use assur::shape::Distribution;
 use assur::scalar::Scalar;
+use assur::shape::Distribution;
 use assur::tolerance::{Sampling, Source, Study, monte_carlo};
 use assur_equations::heald_linkage::Printed;
 

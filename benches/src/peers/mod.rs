@@ -14,13 +14,11 @@ mod ode_solvers;
 use std::hint::black_box;
 use std::time::Instant;
 
-use assur::dispatch::{Task, dispatch};
-use assur::ode::{Dop853, Tsit5};
-use assur::scalar::Scalar;
+use assur::ode::Explicit;
 
 use crate::hand_loop::Run;
 use crate::hand_system;
-use crate::revolutions::{dispatched, emitted_with, error, reference};
+use crate::revolutions::{emitted, error, reference};
 use crate::table::{Table, number, power, ratio};
 
 /// Relative tolerances that every method runs with; the absolute ones are `revolutions::SCALE` times as
@@ -42,17 +40,17 @@ struct Peer<R> {
 
 /// All that are compared, ours first.
 const PEERS: [Peer<Run>; 11] = [
-    peer("Assur, emitted, dispatched", "dop853", |rtol| {
-        finished(dispatched(rtol))
+    peer("Assur, emitted", "dop853", |rtol| {
+        finished(emitted(Explicit::Dop853, rtol))
     }),
-    peer("Assur, emitted, dispatched", "tsit5", |rtol| {
-        finished(dispatch(Tsitouras(rtol)))
+    peer("Assur, emitted", "tsit5", |rtol| {
+        finished(emitted(Explicit::Tsit5, rtol))
     }),
     peer("Assur, hand-written equations", "dop853", |rtol| {
-        finished(hand_system::run::<Dop853>(rtol))
+        finished(hand_system::run(Explicit::Dop853, rtol))
     }),
     peer("Assur, hand-written equations", "tsit5", |rtol| {
-        finished(hand_system::run::<Tsit5>(rtol))
+        finished(hand_system::run(Explicit::Tsit5, rtol))
     }),
     peer(
         "differential-equations",
@@ -94,18 +92,6 @@ const fn peer<R>(
 /// A run of Assur, which counts no evaluations when it fails.
 fn finished(run: Run) -> Option<Run> {
     (run.evaluations > 0).then_some(run)
-}
-
-/// Emitted code with Tsitouras' method.
-struct Tsitouras(f64);
-
-impl Task for Tsitouras {
-    type Output = Run;
-
-    #[inline(always)]
-    fn run<S: Scalar>(self) -> Run {
-        emitted_with::<S, Tsit5>(self.0)
-    }
 }
 
 /// One run of a peer and its shortest time in seconds.
