@@ -22,7 +22,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let study = Study {
         output: JACK,
         places: vec![vec![90f64.to_radians()]],
-        sources: Printed::VARIABLES.iter().enumerate().map(source).collect(),
+        sources: Printed::shape()
+            .loops()
+            .variables
+            .iter()
+            .enumerate()
+            .map(source)
+            .collect(),
     };
 
     let found = influences(&linkage, JACK, &study.places)?;
@@ -63,7 +69,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         band / MRAD
     );
     for (source, tolerance) in study.sources.iter().zip(&chosen.tolerances) {
-        let (unit, factor) = match Printed::VARIABLES[source.variable] {
+        let (unit, factor) = match Printed::shape().loops().variables[source.variable] {
             Variable::Constant(_) => ("mm", 1e-3),
             Variable::Driver(_) => ("deg", 1f64.to_radians()),
         };
@@ -109,7 +115,7 @@ fn candidate(source: &Source) -> Candidate {
 
 /// What a variable is called.
 fn name(variable: usize) -> &'static str {
-    match Printed::VARIABLES[variable] {
+    match Printed::shape().loops().variables[variable] {
         Variable::Constant(index) => Printed::shape().constants[index].quantity.name,
         Variable::Driver(_) => "phi4",
     }

@@ -79,16 +79,17 @@ impl<L: Linkage + Default> Task for Loops<L> {
         let range = linkage.ranges()[0];
         let step = S::from_f64((range.to - range.from) / 200.0);
         let mut place = assembly.independents().to_vec();
-        let variables = L::VARIABLES.len();
+        let (shape, entry) = (L::shape(), L::shape().loops());
+        let (outputs, variables) = (shape.outputs.len(), entry.variables.len());
         let lists = [
-            L::OUTPUTS,
-            L::OUTPUTS * variables,
-            L::OUTPUTS * variables * (variables + 1) / 2,
-            L::DEPENDENTS,
-            2 * L::POINTS,
+            outputs,
+            outputs * variables,
+            outputs * variables * (variables + 1) / 2,
+            entry.dependents.len(),
+            2 * entry.points.len(),
         ];
         let mut values = vec![S::ZERO; lists.into_iter().max().unwrap_or(0)];
-        let mut columns = vec![assembly.closure().zeros(); L::INDEPENDENTS];
+        let mut columns = vec![assembly.closure().zeros(); shape.drivers.len()];
         let mut sum = S::ZERO;
         for _ in 0..5 {
             place[0] = place[0] + step;
@@ -97,13 +98,13 @@ impl<L: Linkage + Default> Task for Loops<L> {
             assembly.influence(&mut values);
             let (loops, position) = (assembly.closure(), assembly.position());
             let instant = loops.instant(&place);
-            if L::SECOND {
+            if entry.second {
                 loops.second_influence(&instant, position, &mut values);
             }
             loops.residual(&instant, position, &mut values);
             loops.points(&instant, position, &mut values);
             loops.coefficients(&instant, position, &mut columns);
-            for group in 0..L::GROUPS.len() {
+            for group in 0..entry.groups.len() {
                 std::hint::black_box(loops.margin(group, &instant, position));
             }
             sum = sum + values[0];

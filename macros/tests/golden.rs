@@ -49,6 +49,5 @@ mod ball {
 mod four_bar {
     include!("../src/golden/four_bar/turn.rs");
     include!("../src/golden/four_bar/turn_equations.rs");
-    include!("../src/golden/four_bar/turn_instant.rs");
     include!("../src/golden/four_bar/shapes.rs");
 }

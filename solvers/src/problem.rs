@@ -16,9 +16,9 @@ pub use span::Span;
 use crate::scalar::Scalar;
 use crate::shape::Shape;
 
-/// A vector of scalars, of fixed or of run-time length: one text of each algorithm serves both.
+/// A vector of scalars whose length its type says, as a rule an array.
 pub trait Storage<S>: Clone + AsRef<[S]> + AsMut<[S]> {
-    /// A vector of `length` zeros. A fixed array has its own length and ignores the argument.
+    /// A vector of `length` zeros. An array has its own length and ignores the argument.
     fn zeros(length: usize) -> Self;
 }
 
@@ -27,12 +27,6 @@ impl<S: Scalar, const N: usize> Storage<S> for [S; N] {
     fn zeros(length: usize) -> Self {
         debug_assert_eq!(length, N);
         [S::ZERO; N]
-    }
-}
-
-impl<S: Scalar> Storage<S> for Vec<S> {
-    fn zeros(length: usize) -> Self {
-        vec![S::ZERO; length]
     }
 }
 

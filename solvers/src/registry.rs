@@ -12,12 +12,12 @@ mod settings;
 mod tolerance;
 
 pub use bind::{bind, check_values, with};
-pub use limits::{Listed, Listing, RunLimits};
-pub use linkage::{RunLinkage, bind_exact, bind_linkage};
+pub use limits::{Listed, Listing};
+pub use linkage::bind_linkage;
 pub use path::{Path, Sample};
 pub use settings::{Method, Settings, UnknownMethod};
-pub use tolerance::RunTolerance;
 
+use crate::closure::AnyLinkage;
 use crate::model::Model;
 use crate::problem::Refused;
 use crate::shape::Shape;
@@ -89,7 +89,7 @@ pub enum Bind {
     /// Of a scene that moves by its equations of motion.
     Motion(Binder<dyn Model>),
     /// Of a linkage.
-    Linkage(Binder<dyn RunLinkage>),
+    Linkage(Binder<dyn AnyLinkage>),
 }
 
 impl Bind {
@@ -108,7 +108,7 @@ impl Bind {
     ///
     /// # Errors
     /// The first value or condition that the mechanism does not accept, or that the scene is none.
-    pub fn linkage(&self, values: &[f64]) -> Result<Box<dyn RunLinkage>, Refused> {
+    pub fn linkage(&self, values: &[f64]) -> Result<Box<dyn AnyLinkage>, Refused> {
         match self {
             Bind::Linkage(bind) => bind(values),
             Bind::Motion(_) => Err(other_kind(

@@ -1,8 +1,8 @@
 //! A linkage with its values: how its drivers move, and what is reported.
 
-use assur::closure::{ClosureError, Range};
+use assur::closure::{AnyLinkage, ClosureError, Range};
 use assur::problem::Span;
-use assur::registry::{Path, RunLinkage, Sample, SceneEntry};
+use assur::registry::{Path, Sample, SceneEntry};
 use assur::shape::{LinkageEntry, Quantity};
 
 use crate::case;
@@ -29,7 +29,7 @@ pub struct Case {
     pub ranges: Vec<Range>,
     /// What is done.
     pub task: Task,
-    run: Box<dyn RunLinkage>,
+    run: Box<dyn AnyLinkage>,
 }
 
 /// What moves the drivers. A station of it is a position of each driver that is swept, or a time.
@@ -89,7 +89,7 @@ impl Case {
     }
 
     /// The linkage as the solvers see it.
-    pub fn run(&self) -> &dyn RunLinkage {
+    pub fn run(&self) -> &dyn AnyLinkage {
         self.run.as_ref()
     }
 

@@ -1,7 +1,7 @@
 //! Why a linkage does not get to a position, in the names and units of the equation file.
 
-use assur::closure::{ClosureError, Contradiction, Event, GroupKind};
-use assur::registry::{Mechanism, RunLinkage, SceneEntry};
+use assur::closure::{AnyLinkage, ClosureError, Contradiction, Event, GroupKind};
+use assur::registry::{Mechanism, SceneEntry};
 use assur::shape::{LinkageEntry, Quantity};
 
 use super::case::{amount as quantity_text, label, shown};
@@ -155,7 +155,7 @@ pub fn tell(names: Names<'_>, error: &ClosureError) -> Told {
 pub fn contradiction(
     mechanism: &Mechanism,
     scene: &SceneEntry,
-    run: &dyn RunLinkage,
+    run: &dyn AnyLinkage,
 ) -> Option<String> {
     let entry = scene.linkage.as_ref()?;
     // Why it does not go together at all is told where that matters.

@@ -1,11 +1,10 @@
 //! Where tolerances are looked at.
 
-use assur::closure::Range;
+use assur::closure::{AnyLinkage, Range};
 use assur::problem::Span;
-use assur::registry::RunLinkage;
 
 /// Places over the range of the drivers, of several a grid of as many; or over the time of the task.
-pub fn range(run: &dyn RunLinkage, count: usize) -> Vec<Vec<f64>> {
+pub fn range(run: &dyn AnyLinkage, count: usize) -> Vec<Vec<f64>> {
     let share = |index: usize, count: usize| index as f64 / (count - 1) as f64;
     let (first, last) = match run.span() {
         Span::Open => (0.0, 0.0),
@@ -43,7 +42,7 @@ fn moves(range: &Range) -> bool {
 }
 
 /// Places over the range of the first driver that moves, the others standing where they start; none unless several move.
-pub fn along(run: &dyn RunLinkage, count: usize) -> Option<Vec<Vec<f64>>> {
+pub fn along(run: &dyn AnyLinkage, count: usize) -> Option<Vec<Vec<f64>>> {
     let ranges = run.ranges();
     if run.span() != Span::Open || ranges.iter().filter(|range| moves(range)).count() < 2 {
         return None;

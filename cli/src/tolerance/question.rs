@@ -3,7 +3,8 @@
 mod names;
 mod wanted;
 
-use assur::registry::{Mechanism, RunLinkage, SceneEntry};
+use assur::closure::AnyLinkage;
+use assur::registry::{Mechanism, SceneEntry};
 use assur::shape::Quantity;
 use assur::tolerance::{Sampling, Source, Study};
 
@@ -34,7 +35,7 @@ pub struct Question {
     /// The scene.
     pub scene: &'static SceneEntry,
     /// The linkage with these values.
-    pub run: Box<dyn RunLinkage>,
+    pub run: Box<dyn AnyLinkage>,
     /// Its drivers as they are shown, angles in degrees.
     pub drivers: Vec<Quantity>,
     /// What was given with --set, in words; empty if nothing.

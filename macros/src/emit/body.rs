@@ -137,10 +137,7 @@ impl<'a> Body<'a> {
                 quote!(#owner.#name)
             }
             (_, Place::Evaluation, Stage::Instant) if self.layout.timed.contains(&value) => {
-                match self.layout.scene.linkage {
-                    Some(_) => quote!(instant.#name),
-                    None => self.layout.from_row(value),
-                }
+                self.layout.read_row(value)
             }
             _ => return None,
         };

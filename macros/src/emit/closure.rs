@@ -16,7 +16,8 @@ const LONG: usize = 200;
 
 /// The struct and its implementation of `Closure`.
 pub fn items(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
-    let (name, instant) = (&layout.equations, &layout.instant);
+    let (name, parameters) = (&layout.equations, &layout.parameters);
+    let (instants, instant) = instant::of_drivers(layout);
     let fields = layout.fields(&layout.prepared);
     let text = docs::lines(&format!(
         "Loops of [`{}`], prepared for a scalar type.",
@@ -50,7 +51,7 @@ pub fn items(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
         .iter()
         .map(|(method, target, values)| list(layout, method, target, values));
     let methods = [
-        instant::of_drivers(layout),
+        instants,
         close(layout),
         close_all(layout),
         margin(layout),
@@ -64,9 +65,14 @@ pub fn items(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
 
         impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for #name<S> {
             type Position = [S; #position];
-            type Instant = #instant<S>;
+            type Instant = [S; #instant];
             type Row = [S; #row];
             type Matrix = [S; #matrix];
+
+            #[inline(always)]
+            fn shape(&self) -> &'static ::assur::shape::Shape {
+                &shapes_::#parameters
+            }
 
             #[inline(always)]
             fn zeros(&self) -> Self::Position {

@@ -1,13 +1,12 @@
-//! What depends on the time alone: of a motion rows of numbers for several times at once, of a linkage a struct.
+//! What depends on the time alone: of a motion rows of numbers for several times at once, of a linkage one row.
 
 use std::collections::BTreeMap;
 
 use assur_model::program::{Stage, Value};
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::body::{Body, Place};
-use super::docs;
 use super::expression::{Expression, size};
 use super::layout::Layout;
 use super::pairs::pairs;
@@ -16,42 +15,25 @@ use super::{names, schedule};
 /// Times that are treated together: so many sines are packed well.
 const PACKED: usize = 4;
 
-/// The struct of a linkage.
-pub fn items(layout: &Layout<'_>) -> TokenStream {
-    let name = &layout.instant;
-    let fields = layout.fields(&layout.timed);
-    let text = docs::lines(&format!(
-        "What the equations of [`{}`] need of one time.",
-        layout.parameters
-    ));
-    quote! {
-        #text
-        #[derive(Clone, Copy, Debug)]
-        pub struct #name<S: ::assur::scalar::Scalar> { #fields }
-    }
-}
-
-/// The method of `Closure` that makes it from the drivers.
-pub fn of_drivers(layout: &Layout<'_>) -> TokenStream {
+/// The method of `Closure` that makes the row of a linkage from its drivers, and its length.
+pub fn of_drivers(layout: &Layout<'_>) -> (TokenStream, Literal) {
     let wanted: Vec<Value> = layout.timed.iter().copied().collect();
     let body = Body::new(layout, Place::Independents, &wanted, &[]);
-    let (statements, fields) = (
-        body.statements(&wanted),
-        layout.stored(&layout.timed, &body),
-    );
-    let name = &layout.instant;
-    let made = quote!(#statements #name { #fields });
+    let (statements, numbers) = (body.statements(&wanted), layout.row_of(&body));
+    let length = size(numbers.len());
+    let made = quote!(#statements [#(#numbers),*]);
     let motion = layout.program().results.closing.rates.len() + 1;
     if motion == 1 {
-        return quote! {
+        let method = quote! {
             #[inline(always)]
             fn instant(&self, independents: &[S]) -> Self::Instant {
                 #made
             }
         };
+        return (method, length);
     }
     let motion = size(motion);
-    quote! {
+    let methods = quote! {
         #[inline(always)]
         fn instant(&self, independents: &[S]) -> Self::Instant {
             self.moving(independents, &[S::from_f64(f64::NAN); #motion])
@@ -61,7 +43,8 @@ pub fn of_drivers(layout: &Layout<'_>) -> TokenStream {
         fn moving(&self, independents: &[S], motion: &[S]) -> Self::Instant {
             #made
         }
-    }
+    };
+    (methods, length)
 }
 
 /// The methods of `Equations` that make rows, where there are any.

@@ -28,8 +28,6 @@ pub struct Layout<'a> {
     pub parameters: Ident,
     /// The prepared equations, `ElasticEquations`.
     pub equations: Ident,
-    /// What depends on the time alone, `ElasticInstant`.
-    pub instant: Ident,
     /// Values that the prepared equations store.
     pub prepared: BTreeSet<Value>,
     /// Values that the instant stores.
@@ -125,7 +123,6 @@ impl<'a> Layout<'a> {
             constants: names::distinct(names),
             parameters: names::identifier(type_name),
             equations: format_ident!("{type_name}Equations"),
-            instant: format_ident!("{type_name}Instant"),
             prepared: schedule::frontier(program, &all, Stage::Instant),
             timed: timed(program),
             modes: Vec::new(),
@@ -230,7 +227,7 @@ impl<'a> Layout<'a> {
     }
 
     /// A value that depends on the time alone, read from a row.
-    pub fn from_row(&self, value: Value) -> TokenStream {
+    pub fn read_row(&self, value: Value) -> TokenStream {
         let before = self.timed.range(..value);
         let begin: usize = before.map(|value| self.numbers(*value)).sum();
         let at = |index: usize| whole(begin + index);

@@ -1,6 +1,6 @@
 //! What the solvers ask of the parameters of a linkage.
 
-use assur_model::checked::{GroupKind, LinkageInfo, VariableInfo};
+use assur_model::checked::LinkageInfo;
 use assur_model::program::Value;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -13,32 +13,7 @@ use super::requirements;
 /// The implementation of `Linkage`.
 pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
     let (name, closure) = (&layout.parameters, &layout.equations);
-    let closing = &layout.program().results.closing;
-    let counts = [
-        layout.scene.drivers.len(),
-        match closing.rates.is_empty() {
-            true => 0,
-            false => closing.rates.len() + 1,
-        },
-        linkage.dependents.len(),
-        layout.scene.outputs.len(),
-        linkage.points.len(),
-        layout.constants.len(),
-    ];
-    let [independents, motion, dependents, outputs, points, constants] = counts.map(size);
-    let second = !closing.second.is_empty();
-    let variables = linkage.variables.iter().map(|variable| match variable {
-        VariableInfo::Constant(index) => {
-            let index = size(*index);
-            quote!(::assur::closure::Variable::Constant(#index))
-        }
-        VariableInfo::Driver(index) => {
-            let index = size(*index);
-            quote!(::assur::closure::Variable::Driver(#index))
-        }
-    });
-    let angles = linkage.dependents.iter().map(|one| one.is_angle);
-    let groups = groups(linkage);
+    let constants = size(layout.constants.len());
     let (prepare, check, drive) = (prepare(layout), requirements::check(layout), drive(layout));
     let ranges = linkage.ranges.iter().map(|range| {
         let [from, to, start, period] =
@@ -51,20 +26,10 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
         impl ::assur::closure::Linkage for #name {
             type Closure<S: ::assur::scalar::Scalar> = #closure<S>;
 
+            #[inline(always)]
             fn shape() -> &'static ::assur::shape::Shape {
                 &shapes_::#name
             }
-
-            const INDEPENDENTS: usize = #independents;
-            const MOTION: usize = #motion;
-            const DEPENDENTS: usize = #dependents;
-            const OUTPUTS: usize = #outputs;
-            const POINTS: usize = #points;
-            const CONSTANTS: usize = #constants;
-            const VARIABLES: &'static [::assur::closure::Variable] = &[#(#variables),*];
-            const SECOND: bool = #second;
-            const GROUPS: &'static [::assur::closure::Group] = &[#(#groups),*];
-            const ANGLES: &'static [bool] = &[#(#angles),*];
 
             fn values(&self) -> ::std::vec::Vec<f64> {
                 Self::values(self).to_vec()
@@ -90,28 +55,6 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
             }
         }
     }
-}
-
-fn groups(linkage: &LinkageInfo) -> impl Iterator<Item = TokenStream> {
-    linkage.groups.iter().map(|group| {
-        let kind = match group.kind {
-            GroupKind::Linear => quote!(Linear),
-            GroupKind::Angle => quote!(Angle),
-            GroupKind::Rrr => quote!(Rrr),
-            GroupKind::Rrp => quote!(Rrp),
-            GroupKind::Rpr => quote!(Rpr),
-            GroupKind::General => quote!(General),
-        };
-        let [unknowns, equations] = [&group.unknowns, &group.equations]
-            .map(|list| list.iter().map(|one| size(*one)).collect::<Vec<_>>());
-        quote! {
-            ::assur::closure::Group {
-                kind: ::assur::closure::GroupKind::#kind,
-                unknowns: &[#(#unknowns),*],
-                equations: &[#(#equations),*],
-            }
-        }
-    })
 }
 
 /// What depends on the constants alone, from constants of any scalar type.

@@ -1,6 +1,6 @@
 //! The mechanism as data: `MECHANISM`, and how a scene is bound to values without knowing its type.
 
-use assur_model::checked::{LinkageInfo, Model, VariableInfo};
+use assur_model::checked::Model;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -59,8 +59,7 @@ pub fn table(model: &Model, layouts: &[Layout<'_>], origin: &Origin<'_>) -> Toke
 fn entry(layout: &Layout<'_>) -> TokenStream {
     let type_name = &layout.parameters;
     let (kind, bind) = match &layout.scene.linkage {
-        Some(linkage) if is_made(linkage) => (quote!(Linkage), quote!(bind_linkage)),
-        Some(_) => (quote!(Linkage), quote!(bind_exact)),
+        Some(_) => (quote!(Linkage), quote!(bind_linkage)),
         None => (quote!(Motion), quote!(bind)),
     };
     quote! {
@@ -71,12 +70,4 @@ fn entry(layout: &Layout<'_>) -> TokenStream {
             }),
         }
     }
-}
-
-/// Whether anything in a linkage is made to a tolerance, or is a dimension and so may be.
-fn is_made(linkage: &LinkageInfo) -> bool {
-    let mut variables = linkage.variables.iter();
-    let mut ranges = linkage.ranges.iter();
-    variables.any(|one| matches!(one, VariableInfo::Constant(_)))
-        || ranges.any(|range| range.tolerance.0 > 0.0)
 }

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::layout::Layout;
-use super::{Origin, closure, equations, instant, modes, names, outputs, parameters};
+use super::{Origin, closure, equations, modes, names, outputs, parameters};
 
 /// Names of the types of the scenes: `TwoTerm` for `two_term`; the only scene of a mechanism that states none has the
 /// name of the mechanism.
@@ -29,9 +29,7 @@ pub fn alias(model: &Model, types: &[String]) -> Option<(Ident, Ident)> {
 pub fn exported<'a>(layouts: &'a [Layout<'_>]) -> impl Iterator<Item = TokenStream> + use<'a> {
     layouts.iter().map(|layout| {
         let (parameters, equations) = (&layout.parameters, &layout.equations);
-        let instant = layout.scene.linkage.as_ref().map(|_| &layout.instant);
-        let instant = instant.iter();
-        quote!(#parameters, #equations #(, #instant)*)
+        quote!(#parameters, #equations)
     })
 }
 
@@ -39,8 +37,8 @@ pub fn exported<'a>(layouts: &'a [Layout<'_>]) -> impl Iterator<Item = TokenStre
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
     let parameters = parameters::items(layout, model, origin);
     if let Some(linkage) = &layout.scene.linkage {
-        let (closure, instant) = (closure::items(layout, linkage), instant::items(layout));
-        return quote!(#parameters #closure #instant);
+        let closure = closure::items(layout, linkage);
+        return quote!(#parameters #closure);
     }
     let (equations, reports) = (equations::items(layout), outputs::items(layout));
     let events = modes::items(layout);

@@ -1,11 +1,11 @@
-//! The shapes of the scenes as statics, in a module `shapes_` of their own: what several scenes have in common, units,
+//! The shapes of the scenes, in a module `shapes_` of their own: what several scenes have in common, units,
 //! constants and lists of quantities, stands there once.
 
 use std::collections::BTreeMap;
 
 use assur_model::checked::{
-    ConstantInfo, Direction, Distribution, ExpectInfo, ExpectPlace, LinkageInfo, LoopInfo,
-    ModeModel, QuantityInfo, SceneModel, Subject,
+    ConstantInfo, Direction, Distribution, ExpectInfo, ExpectPlace, GroupKind, LinkageInfo,
+    LoopInfo, ModeModel, QuantityInfo, SceneModel, Subject, VariableInfo,
 };
 use assur_model::program::Program;
 use assur_model::token::Span;
@@ -187,8 +187,13 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
     let linkage = linkage.map(|loops| linkage_entry(layout, loops, origin, shared));
     let carried = scene.carried.iter().map(|one| loop_entry(one, origin));
     let carried = list("carried", carried);
+    // The loops of a linkage are unrolled by what its shape says: a constant is seen wherever they are compiled.
+    let kind = match &linkage {
+        Some(_) => quote!(const),
+        None => quote!(static),
+    };
     quote! {
-        pub static #type_name: Shape = Shape::named(#name)
+        pub #kind #type_name: Shape = Shape::named(#name)
             #summary #effects #choices #preset #constants #drivers #states #linear #outputs #measures
             #equations .operations(Operations::of([#(#operations),*])) #marks #expectations
             #modes #linkage #carried;
@@ -262,7 +267,26 @@ fn linkage_entry(
     origin: &Origin<'_>,
     shared: &mut Shared,
 ) -> TokenStream {
-    let name = &layout.parameters;
+    let closing = &layout.program().results.closing;
+    let motion = match closing.rates.len() {
+        0 => 0,
+        rates => rates + 1,
+    };
+    let (motion, second) = (size(motion), !closing.second.is_empty());
+    let (angles, groups) = (
+        linkage.dependents.iter().map(|one| one.is_angle),
+        groups(linkage),
+    );
+    let variables = linkage.variables.iter().map(|variable| match variable {
+        VariableInfo::Constant(index) => {
+            let index = size(*index);
+            quote!(Variable::Constant(#index))
+        }
+        VariableInfo::Driver(index) => {
+            let index = size(*index);
+            quote!(Variable::Driver(#index))
+        }
+    });
     let dependents = shared.quantities(linkage.dependents.iter().map(|one| &one.quantity));
     let loops = linkage.loops.iter().map(|one| loop_entry(one, origin));
     let tolerances = linkage.ranges.iter().map(|range| {
@@ -278,13 +302,38 @@ fn linkage_entry(
         .linkage(LinkageEntry {
             dependents: #dependents,
             loops: &[#(#loops),*],
-            groups: <super::#name as Linkage>::GROUPS,
-            variables: <super::#name as Linkage>::VARIABLES,
+            angles: &[#(#angles),*],
+            groups: &[#(#groups),*],
+            variables: &[#(#variables),*],
+            motion: #motion,
+            second: #second,
             tolerances: &[#(#tolerances),*],
             points: &[#(#points),*],
             links: &[#(#links),*],
         })
     }
+}
+
+fn groups(linkage: &LinkageInfo) -> impl Iterator<Item = TokenStream> + '_ {
+    linkage.groups.iter().map(|group| {
+        let kind = match group.kind {
+            GroupKind::Linear => quote!(Linear),
+            GroupKind::Angle => quote!(Angle),
+            GroupKind::Rrr => quote!(Rrr),
+            GroupKind::Rrp => quote!(Rrp),
+            GroupKind::Rpr => quote!(Rpr),
+            GroupKind::General => quote!(General),
+        };
+        let [unknowns, equations] = [&group.unknowns, &group.equations]
+            .map(|list| list.iter().map(|one| size(*one)).collect::<Vec<_>>());
+        quote! {
+            Group {
+                kind: GroupKind::#kind,
+                unknowns: &[#(#unknowns),*],
+                equations: &[#(#equations),*],
+            }
+        }
+    })
 }
 
 fn loop_entry(one: &LoopInfo, origin: &Origin<'_>) -> TokenStream {

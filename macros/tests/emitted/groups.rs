@@ -7,7 +7,12 @@ use std::f64::consts::{PI, TAU};
 /// the linkage has these groups.
 #[track_caller]
 fn check<L: Linkage + Default>(kinds: &[GroupKind], expected: impl Fn(f64) -> Vec<f64>) {
-    let found: Vec<_> = L::GROUPS.iter().map(|group| group.kind).collect();
+    let found: Vec<_> = L::shape()
+        .loops()
+        .groups
+        .iter()
+        .map(|group| group.kind)
+        .collect();
     assert_eq!(found, kinds);
     let mut assembly = Assembly::<L, f64>::new(&L::default());
     assembly.start().expect("it assembles");
@@ -17,7 +22,7 @@ fn check<L: Linkage + Default>(kinds: &[GroupKind], expected: impl Fn(f64) -> Ve
         for (j, expected) in expected(theta).into_iter().enumerate() {
             let found = assembly.position().as_ref()[j];
             let mut off = (found - expected).abs();
-            if L::ANGLES[j] {
+            if L::shape().loops().angles[j] {
                 off = (off + PI).rem_euclid(TAU) - PI;
             }
             assert!(
@@ -165,8 +170,11 @@ mod triad {
 #[test]
 fn a_platform_closes_all_its_loops() {
     use assur::closure::Closure;
-    assert_eq!(triad::Triad::GROUPS.len(), 1);
-    assert_eq!(triad::Triad::GROUPS[0].kind, GroupKind::General);
+    assert_eq!(triad::Triad::shape().loops().groups.len(), 1);
+    assert_eq!(
+        triad::Triad::shape().loops().groups[0].kind,
+        GroupKind::General
+    );
     let mut assembly = Assembly::<triad::Triad, f64>::new(&triad::Triad::default());
     assembly.start().expect("it assembles");
     let first = assembly.position().as_ref().to_vec();

@@ -2,10 +2,10 @@
 
 use super::Failed;
 use super::resolve::resolved;
-use crate::closure::{Assembly, Closure, Linkage, Variable};
+use crate::closure::{Answers, AnyLinkage, Guide, Linkage, Square, Variable, instant_at};
 use crate::dense::Lu;
-use crate::problem::Storage;
 use crate::scalar::Dual;
+use crate::shape::LinkageEntry;
 
 /// Largest residual of a loop, as a share of its largest coefficient.
 const RESIDUAL: f64 = 1e-14;
@@ -24,27 +24,30 @@ pub(super) const PLACES: usize = 7;
 /// # Errors
 /// The first value that deviates with what was expected, or why a position was not found.
 pub fn closure<L: Linkage + Default>() -> Result<(), Failed> {
-    let linkage = L::default();
-    let mut assembly = Assembly::<L, f64>::new(&linkage);
-    assembly
-        .start()
-        .map_err(|error| Failed(error.to_string()))?;
+    closure_of(&L::default())
+}
+
+fn closure_of(linkage: &dyn AnyLinkage) -> Result<(), Failed> {
+    let mut assembly = linkage.assemble();
+    let started = assembly.guide().start();
+    started.map_err(|error| Failed(error.to_string()))?;
     for index in 0..PLACES {
-        let place = place(&linkage, index)?;
-        let (drivers, motion) = place.split_at(L::INDEPENDENTS);
+        let place = place(linkage, index)?;
+        let (drivers, motion) = place.split_at(linkage.shape().drivers.len());
         assembly
             .move_to(drivers)
             .map_err(|error| Failed(error.to_string()))?;
-        Position::of(&linkage, &assembly, motion).check()?;
-        resolved(&linkage, &assembly, motion)?;
+        let here = Position::of(linkage, &assembly.guide(), motion);
+        here.check()?;
+        resolved(linkage, &here)?;
     }
     Ok(())
 }
 
 /// A place in the range, or in the time of the task.
-pub(super) fn place<L: Linkage>(linkage: &L, index: usize) -> Result<Vec<f64>, Failed> {
+pub(super) fn place(linkage: &dyn AnyLinkage, index: usize) -> Result<Vec<f64>, Failed> {
     let share = (index as f64 + 0.37) / PLACES as f64;
-    if L::MOTION > 0 {
+    if linkage.shape().loops().motion > 0 {
         let (from, to) = linkage.span().limits();
         let all = linkage.drive(from + (to - from) * share);
         return all.ok_or_else(|| Failed("the drivers do not move in time".into()));
@@ -58,103 +61,110 @@ pub(super) fn place<L: Linkage>(linkage: &L, index: usize) -> Result<Vec<f64>, F
 }
 
 /// A position with everything that is differentiated there.
-pub(super) struct Position<L: Linkage> {
+pub(super) struct Position<'a> {
+    linkage: &'a dyn AnyLinkage,
+    entry: &'static LinkageEntry,
     values: Vec<f64>,
-    independents: Vec<f64>,
-    motion: Vec<f64>,
-    position: Vec<f64>,
+    pub(super) independents: Vec<f64>,
+    pub(super) motion: Vec<f64>,
+    pub(super) position: Vec<f64>,
     pub(super) influence: Vec<f64>,
     second: Vec<f64>,
-    coefficients: Vec<Vec<f64>>,
+    /// The columns of the drivers, one behind the other.
+    coefficients: Vec<f64>,
     residual: Vec<f64>,
-    linkage: std::marker::PhantomData<L>,
 }
 
-impl<L: Linkage> Position<L> {
-    pub(super) fn of(linkage: &L, assembly: &Assembly<L, f64>, motion: &[f64]) -> Self {
-        let closure = assembly.closure();
-        let (independents, position) = (assembly.independents(), assembly.position());
-        let instant = closure.moving(independents, motion);
-        let variables = L::VARIABLES.len();
-        let mut influence = vec![0.0; L::OUTPUTS * variables];
-        closure.influence(&instant, position, &mut influence);
-        let mut second =
-            vec![0.0; usize::from(L::SECOND) * L::OUTPUTS * variables * (variables + 1) / 2];
-        closure.second_influence(&instant, position, &mut second);
-        let mut columns = vec![closure.zeros(); L::INDEPENDENTS];
-        closure.coefficients(&instant, position, &mut columns);
-        let mut residual = vec![0.0; L::DEPENDENTS];
-        closure.residual(&instant, position, &mut residual);
+impl<'a> Position<'a> {
+    pub(super) fn of(linkage: &'a dyn AnyLinkage, guide: &Guide<'_, f64>, motion: &[f64]) -> Self {
+        let (loops, entry) = (guide.loops, linkage.shape().loops());
+        let (independents, position) = (guide.independents.to_vec(), guide.position.to_vec());
+        let instant = instant_at(loops, &independents, motion);
+        let (outputs, variables) = (linkage.shape().outputs.len(), entry.variables.len());
+        let mut influence = vec![0.0; outputs * variables];
+        loops.influence(&instant, &position, &mut influence);
+        let triangle = variables * (variables + 1) / 2;
+        let mut second = vec![0.0; usize::from(entry.second) * outputs * triangle];
+        loops.second_influence(&instant, &position, &mut second);
+        let dependents = entry.dependents.len();
+        let mut coefficients = vec![0.0; independents.len() * dependents];
+        loops.coefficients(&instant, &position, &mut coefficients);
+        let mut residual = vec![0.0; dependents];
+        loops.residual(&instant, &position, &mut residual);
         Self {
+            linkage,
+            entry,
             values: linkage.values(),
-            independents: independents.to_vec(),
+            independents,
             motion: motion.to_vec(),
-            position: position.as_ref().to_vec(),
+            position,
             influence,
             second,
-            coefficients: columns
-                .iter()
-                .map(|column| column.as_ref()[..L::DEPENDENTS].to_vec())
-                .collect(),
+            coefficients,
             residual,
-            linkage: std::marker::PhantomData,
         }
+    }
+
+    /// Number of outputs.
+    pub(super) fn outputs(&self) -> usize {
+        self.linkage.shape().outputs.len()
     }
 
     fn check(&self) -> Result<(), Failed> {
         let mut slopes = Vec::new();
-        for variable in L::VARIABLES {
+        for variable in self.entry.variables {
             slopes.push(self.varied(*variable)?);
         }
-        for driver in 0..L::INDEPENDENTS {
+        let dependents = self.entry.dependents.len();
+        for driver in 0..self.independents.len() {
             let follow = self.varied(Variable::Driver(driver))?.dependents;
             compare(
                 "kinematic coefficients",
-                &self.coefficients[driver],
+                &self.coefficients[driver * dependents..][..dependents],
                 &follow,
                 DEVIATION,
                 &self.independents,
             )?;
         }
-        let count = L::VARIABLES.len();
+        let count = self.entry.variables.len();
         for (j, slope) in slopes.iter().enumerate() {
-            let found: Vec<f64> = (0..L::OUTPUTS)
+            let found: Vec<f64> = (0..self.outputs())
                 .map(|i| self.influence[i * count + j])
                 .collect();
-            let what = format!("influence of {:?} on the outputs", L::VARIABLES[j]);
+            let what = format!("influence of {:?} on the outputs", self.entry.variables[j]);
             compare(&what, &found, &slope.outputs, DEVIATION, &self.independents)?;
         }
         self.check_second(&slopes)
     }
 
     fn check_second(&self, slopes: &[Slopes]) -> Result<(), Failed> {
-        let count = L::VARIABLES.len();
+        let count = self.entry.variables.len();
         let triangle = count * (count + 1) / 2;
-        if !L::SECOND {
+        if !self.entry.second {
             return Ok(());
         }
         let expected = |output: usize, row: usize, column: usize| {
             slopes[column].influence[output * count + row]
         };
         let slope = |output: usize, row: usize| slopes[row].outputs[output].abs();
-        for output in 0..L::OUTPUTS {
+        for output in 0..self.outputs() {
             for row in 0..count {
                 for column in 0..=row {
                     let found = self.second[output * triangle + row * (row + 1) / 2 + column];
                     let wanted = expected(output, row, column);
                     let largest = |row: usize, column: usize| {
-                        (0..L::OUTPUTS)
+                        (0..self.outputs())
                             .map(|one| expected(one, row, column).abs())
                             .fold(0.0, f64::max)
                     };
                     let mean = (largest(row, row) * largest(column, column)).sqrt();
                     // One that is zero is found as the rounding of the slope that does not change.
                     let slope = slope(output, row);
-                    let size = self.size(L::VARIABLES[column]);
+                    let size = self.size(self.entry.variables[column]);
                     let flat = if size > 0.0 { slope / size } else { 0.0 };
                     let scale = largest(row, column).max(mean);
                     if is_off(found, wanted, (SECOND * scale).max(ROUNDING * flat)) {
-                        let (p, q) = (L::VARIABLES[row], L::VARIABLES[column]);
+                        let (p, q) = (self.entry.variables[row], self.entry.variables[column]);
                         return Err(Failed(format!(
                             "second derivative of output {output} by {p:?} and {q:?} at {:?}: found {found}, expected {wanted}",
                             self.independents
@@ -187,21 +197,20 @@ impl<L: Linkage> Position<L> {
             Variable::Constant(index) => (Some(index), None),
             Variable::Driver(index) => (None, Some(index)),
         };
-        let closure = L::prepare::<Dual>(&dual(&self.values, constant));
-        let instant = closure.moving(&dual(&self.independents, driver), &dual(&self.motion, None));
-        let mut position = closure.zeros();
-        let entries = position.as_mut().iter_mut().zip(&self.position);
-        entries.for_each(|(slot, value)| *slot = Dual::constant(*value));
-        for group in 0..L::GROUPS.len() {
-            self.close(&closure, group, &instant, &mut position)?;
+        let loops = self.linkage.differentiate(&dual(&self.values, constant));
+        let independents = dual(&self.independents, driver);
+        let instant = instant_at(&*loops, &independents, &dual(&self.motion, None));
+        let mut position = dual(&self.position, None);
+        for group in 0..self.entry.groups.len() {
+            self.close(&*loops, group, &instant, &mut position)?;
         }
-        let mut outputs = vec![Dual::default(); L::OUTPUTS];
-        closure.outputs(&instant, &position, &mut outputs);
+        let mut outputs = vec![Dual::default(); self.outputs()];
+        loops.outputs(&instant, &position, &mut outputs);
         let mut influence = vec![Dual::default(); self.influence.len()];
-        closure.influence(&instant, &position, &mut influence);
+        loops.influence(&instant, &position, &mut influence);
         let slopes = |list: &[Dual]| list.iter().map(|one| one.slope).collect::<Vec<f64>>();
         Ok(Slopes {
-            dependents: slopes(&position.as_ref()[..L::DEPENDENTS]),
+            dependents: slopes(&position[..self.entry.dependents.len()]),
             outputs: slopes(&outputs),
             influence: slopes(&influence),
         })
@@ -210,31 +219,25 @@ impl<L: Linkage> Position<L> {
     /// Gives the unknowns of a group the derivatives that keep its loops closed.
     fn close(
         &self,
-        closure: &L::Closure<Dual>,
+        loops: &dyn Answers<Dual>,
         group: usize,
-        instant: &<L::Closure<Dual> as Closure<Dual>>::Instant,
-        position: &mut <L::Closure<Dual> as Closure<Dual>>::Position,
+        instant: &[Dual],
+        position: &mut [Dual],
     ) -> Result<(), Failed> {
-        let unknowns = L::GROUPS[group].unknowns;
-        let largest = L::GROUPS
-            .iter()
-            .map(|one| one.unknowns.len())
-            .max()
-            .unwrap_or(0);
-        let mut residual = <L::Closure<Dual> as Closure<Dual>>::Row::zeros(largest);
-        let mut jacobian = <L::Closure<Dual> as Closure<Dual>>::Matrix::zeros(largest * largest);
-        closure.trial(group, instant, position, &mut residual, &mut jacobian);
+        let unknowns = self.entry.groups[group].unknowns;
+        let mut square = Square::of(loops.shape());
+        square.look(loops, group, instant, position);
         let count = unknowns.len();
-        let entries: Vec<f64> = jacobian.as_ref()[..count * count]
+        let entries: Vec<f64> = square.jacobian[..count * count]
             .iter()
             .map(|one| one.value)
             .collect();
         let scale = entries
             .iter()
             .fold(0.0_f64, |most, one| most.max(one.abs()));
-        for (row, equation) in residual.as_ref()[..count]
+        for (row, equation) in square.residual[..count]
             .iter()
-            .zip(L::GROUPS[group].equations)
+            .zip(self.entry.groups[group].equations)
         {
             let (trial, own) = (row.value, self.residual[*equation]);
             if is_off(trial, 0.0, RESIDUAL * scale) || is_off(trial, own, RESIDUAL * scale) {
@@ -244,7 +247,7 @@ impl<L: Linkage> Position<L> {
                 )));
             }
         }
-        let mut right: Vec<f64> = residual.as_ref()[..count]
+        let mut right: Vec<f64> = square.residual[..count]
             .iter()
             .map(|one| -one.slope)
             .collect();
@@ -252,10 +255,10 @@ impl<L: Linkage> Position<L> {
             Lu::new(entries, count).map_err(|error| Failed(format!("group {group}: {error}")))?;
         factors.solve(&mut right);
         for (unknown, slope) in unknowns.iter().zip(right) {
-            position.as_mut()[*unknown].slope = slope;
+            position[*unknown].slope = slope;
         }
         // Sines and cosines follow.
-        closure.trial(group, instant, position, &mut residual, &mut jacobian);
+        square.look(loops, group, instant, position);
         Ok(())
     }
 }

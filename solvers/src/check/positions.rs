@@ -1,15 +1,15 @@
 //! Published facts of a linkage.
 
 use super::Failed;
-use crate::closure::{Along, Stroke};
+use crate::closure::{Along, AnyLinkage, Stroke};
 use crate::problem::Span;
-use crate::registry::{RunLinkage, Sample, SceneEntry};
+use crate::registry::{Sample, SceneEntry};
 use crate::shape::{At, Expectation, Subject};
 
 /// The computed value of what a fact speaks of.
 pub(super) fn value(
     scene: &SceneEntry,
-    run: &dyn RunLinkage,
+    run: &dyn AnyLinkage,
     fact: &Expectation,
 ) -> Result<f64, Failed> {
     match fact.at {
@@ -45,7 +45,7 @@ fn failed(error: &dyn std::fmt::Display) -> Failed {
 /// The value at a place.
 fn at(
     scene: &SceneEntry,
-    run: &dyn RunLinkage,
+    run: &dyn AnyLinkage,
     fact: &Expectation,
     place: Vec<f64>,
 ) -> Result<f64, Failed> {
@@ -63,7 +63,7 @@ fn at(
 
 /// The values at several places on one way.
 fn along(
-    run: &dyn RunLinkage,
+    run: &dyn AnyLinkage,
     fact: &Expectation,
     places: &[Vec<f64>],
 ) -> Result<Vec<f64>, Failed> {
@@ -81,7 +81,7 @@ fn along(
 }
 
 /// The stroke of a value over the range of the first driver, or over the time of the task.
-fn stroke(scene: &SceneEntry, run: &dyn RunLinkage, fact: &Expectation) -> Result<Stroke, Failed> {
+fn stroke(scene: &SceneEntry, run: &dyn AnyLinkage, fact: &Expectation) -> Result<Stroke, Failed> {
     let task = match (run.span(), run.ranges().first()) {
         (Span::Open, Some(range)) => {
             Along::Driver(0, (range.from.min(range.to), range.from.max(range.to)))

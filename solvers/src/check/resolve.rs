@@ -2,7 +2,7 @@
 
 use super::Failed;
 use super::linkage::{Position, compare};
-use crate::closure::{Assembly, Closure, Linkage, Variable};
+use crate::closure::{AnyLinkage, Variable, instant_at};
 
 /// Largest deviation from a difference of positions, whose rounding grows as its step shrinks, as a share of the largest
 /// derivative by the same variable.
@@ -10,27 +10,22 @@ const DIFFERENCE: f64 = 1e-6;
 
 /// Checks the influence coefficients against the outputs of the linkage made anew with each constant a little larger and
 /// smaller, in the same modes.
-pub(super) fn resolved<L: Linkage>(
-    linkage: &L,
-    assembly: &Assembly<L, f64>,
-    motion: &[f64],
-) -> Result<(), Failed> {
-    let near = assembly.position().as_ref()[..L::DEPENDENTS].to_vec();
+pub(super) fn resolved(linkage: &dyn AnyLinkage, here: &Position<'_>) -> Result<(), Failed> {
+    let variables = linkage.shape().loops().variables;
+    let near = &here.position[..linkage.shape().loops().dependents.len()];
     let outputs = |values: &[f64]| -> Result<Vec<f64>, Failed> {
-        let mut other = Assembly::<L, f64>::new(&L::with_values(values));
-        other
-            .start_at(assembly.independents(), &near)
-            .map_err(|error| Failed(error.to_string()))?;
-        let instant = other.closure().moving(other.independents(), motion);
-        let mut list = vec![0.0; L::OUTPUTS];
-        other
-            .closure()
-            .outputs(&instant, other.position(), &mut list);
+        let other = linkage.with_values(values);
+        let mut assembly = other.assemble();
+        let mut guide = assembly.guide();
+        let started = guide.start_at(&here.independents, near);
+        started.map_err(|error| Failed(error.to_string()))?;
+        let instant = instant_at(guide.loops, guide.independents, &here.motion);
+        let mut list = vec![0.0; here.outputs()];
+        guide.loops.outputs(&instant, guide.position, &mut list);
         Ok(list)
     };
-    let here = Position::of(linkage, assembly, motion);
-    let count = L::VARIABLES.len();
-    for (j, variable) in L::VARIABLES.iter().enumerate() {
+    let count = variables.len();
+    for (j, variable) in variables.iter().enumerate() {
         let Variable::Constant(index) = variable else {
             continue;
         };
@@ -57,19 +52,13 @@ pub(super) fn resolved<L: Linkage>(
             .zip(&below)
             .map(|(a, b)| (a - b) / (2.0 * step))
             .collect();
-        let found: Vec<f64> = (0..L::OUTPUTS)
+        let found: Vec<f64> = (0..here.outputs())
             .map(|i| here.influence[i * count + j])
             .collect();
         let what = format!(
             "influence of {variable:?} on the outputs, by putting the linkage together again"
         );
-        compare(
-            &what,
-            &found,
-            &expected,
-            DIFFERENCE,
-            assembly.independents(),
-        )?;
+        compare(&what, &found, &expected, DIFFERENCE, &here.independents)?;
     }
     Ok(())
 }

@@ -4,13 +4,13 @@
 //! chapters 6 and 7) of all loops `F(z, t) = 0` at once, `t` the place on the way. The derivatives come from dual
 //! numbers, so that they exist where the kinematic coefficients do not.
 
+use super::any::AnyLinkage;
 use super::continuation::{Way, scalars};
-use super::newton::{Newton, Position};
-use super::problem::{Closure, Linkage};
+use super::loops::{Answers, Square, instant_at};
 use super::root::brent;
 use crate::dense::Lu;
-use crate::problem::Storage;
-use crate::scalar::Dual;
+use crate::scalar::{Dual, Scalar};
+use crate::shape::LinkageEntry;
 
 /// Largest turn of the tangent in one step: its cosine.
 const STRAIGHT: f64 = 0.97;
@@ -35,35 +35,34 @@ pub(super) struct Point {
 }
 
 /// The curve of positions over a way.
-pub(super) struct Curve<'a, L: Linkage> {
-    closure: L::Closure<Dual>,
+pub(super) struct Curve<'a> {
+    loops: Box<dyn Answers<Dual>>,
+    entry: &'static LinkageEntry,
     way: &'a Way,
     /// Units of the dependent coordinates, and of the place on the way.
     units: Vec<f64>,
-    row: <L::Closure<Dual> as Closure<Dual>>::Row,
-    square: <L::Closure<Dual> as Closure<Dual>>::Matrix,
-    position: Position<L, Dual>,
+    square: Square<Dual>,
+    position: Vec<Dual>,
 }
 
-impl<'a, L: Linkage> Curve<'a, L> {
+impl<'a> Curve<'a> {
     /// The curve. Units of the dependent coordinates and, last, of the place: what counts as much as a radian.
-    pub fn new(linkage: &L, way: &'a Way, units: Vec<f64>) -> Self {
-        let values: Vec<Dual> = linkage.values().into_iter().map(Dual::constant).collect();
-        let closure = L::prepare(&values);
-        let size = Newton::<L, Dual>::size();
+    pub fn new(linkage: &dyn AnyLinkage, way: &'a Way, units: Vec<f64>) -> Self {
+        let values: Vec<Dual> = scalars(&linkage.values());
+        let loops = linkage.differentiate(&values);
         Self {
+            entry: linkage.shape().loops(),
             way,
             units,
-            row: Storage::zeros(size),
-            square: Storage::zeros(size * size),
-            position: closure.zeros(),
-            closure,
+            square: Square::of(linkage.shape()),
+            position: vec![Dual::ZERO; loops.lengths().0],
+            loops,
         }
     }
 
     /// A point of the curve from a closed position, its tangent pointing along the way.
     pub fn begin(&mut self, coordinates: &[f64], t: f64) -> Option<Point> {
-        let n = L::DEPENDENTS;
+        let n = self.entry.dependents.len();
         let mut y: Vec<f64> = coordinates[..n]
             .iter()
             .zip(&self.units)
@@ -78,18 +77,20 @@ impl<'a, L: Linkage> Curve<'a, L> {
 
     /// The place of a point on the way.
     pub fn place(&self, point: &Point) -> f64 {
-        point.y[L::DEPENDENTS] * self.units[L::DEPENDENTS]
+        point.y[self.entry.dependents.len()] * self.units[self.entry.dependents.len()]
     }
 
     /// The dependent coordinates of a point.
     pub fn coordinates(&self, point: &Point) -> Vec<f64> {
-        let parts = point.y[..L::DEPENDENTS].iter().zip(&self.units);
+        let parts = point.y[..self.entry.dependents.len()]
+            .iter()
+            .zip(&self.units);
         parts.map(|(z, unit)| z * unit).collect()
     }
 
     /// The rate of the place along the curve; zero at a dead point.
     pub fn rate(&self, point: &Point) -> f64 {
-        point.tangent[L::DEPENDENTS]
+        point.tangent[self.entry.dependents.len()]
     }
 
     /// The point at a length beyond another one, if it is certainly on the same curve.
@@ -134,7 +135,7 @@ impl<'a, L: Linkage> Curve<'a, L> {
     pub fn reach(&mut self, from: Point, t: f64) -> Option<Point> {
         let mut point = from;
         for _ in 0..STEPS {
-            let left = (t - self.place(&point)) / self.units[L::DEPENDENTS];
+            let left = (t - self.place(&point)) / self.units[self.entry.dependents.len()];
             let mut length = left / self.rate(&point);
             if length.abs() < REACHED {
                 return Some(point);
@@ -168,7 +169,7 @@ impl<'a, L: Linkage> Curve<'a, L> {
     fn tangent(&mut self, y: &[f64], along: &[f64]) -> Option<Vec<f64>> {
         let (mut matrix, _) = self.system(y, along);
         let mut tangent = vec![0.0; y.len()];
-        tangent[L::DEPENDENTS] = 1.0;
+        tangent[self.entry.dependents.len()] = 1.0;
         solve(&mut matrix, &mut tangent)?;
         let length = tangent.iter().map(|part| part * part).sum::<f64>().sqrt();
         tangent.iter_mut().for_each(|part| *part /= length);
@@ -178,7 +179,7 @@ impl<'a, L: Linkage> Curve<'a, L> {
     /// Derivatives of all equations by all coordinates and the place, with a last row added, and the residuals. The rows
     /// are in the order of the groups, in units of their largest derivatives.
     fn system(&mut self, y: &[f64], last: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let n = L::DEPENDENTS;
+        let n = self.entry.dependents.len();
         let mut matrix = vec![0.0; (n + 1) * (n + 1)];
         let mut residual = vec![0.0; n];
         for column in 0..=n {
@@ -200,31 +201,26 @@ impl<'a, L: Linkage> Curve<'a, L> {
 
     /// Evaluates all equations with their derivatives by one coordinate or the place.
     fn look(&mut self, y: &[f64], column: usize, mut take: impl FnMut(usize, Dual)) {
-        let n = L::DEPENDENTS;
+        let n = self.entry.dependents.len();
         let mut independents: Vec<Dual> = scalars(&self.way.at(y[n] * self.units[n]));
         if column == n {
             for (value, part) in independents.iter_mut().zip(self.way.heading()) {
                 value.slope = part * self.units[n];
             }
         }
-        let instant = self.closure.instant(&independents);
+        let instant = instant_at(&*self.loops, &independents, &[]);
         for (j, unit) in self.units[..n].iter().enumerate() {
             let slope = if j == column { *unit } else { 0.0 };
-            self.position.as_mut()[j] = Dual {
+            self.position[j] = Dual {
                 value: y[j] * unit,
                 slope,
             };
         }
         let mut row = 0;
-        for (index, group) in L::GROUPS.iter().enumerate() {
-            self.closure.trial(
-                index,
-                &instant,
-                &mut self.position,
-                &mut self.row,
-                &mut self.square,
-            );
-            for found in &self.row.as_ref()[..group.unknowns.len()] {
+        for (index, group) in self.entry.groups.iter().enumerate() {
+            self.square
+                .look(&*self.loops, index, &instant, &mut self.position);
+            for found in &self.square.residual[..group.unknowns.len()] {
                 take(row, *found);
                 row += 1;
             }

@@ -15,11 +15,16 @@
 //! near where its kinematic coefficients predicted it.
 
 use super::error::ClosureError;
-use super::newton::{Instant, Newton, Position};
-use super::problem::{Closure, GroupKind, Linkage};
-use super::stand::Stand;
-use super::step::Passage;
+use super::guide::{Guide, Moves, Rest, plain, weakest};
+use super::loops::Apart;
+use super::problem::{Closure, Linkage};
+use super::start::Start;
 use crate::scalar::Scalar;
+
+/// Position of a linkage.
+pub(super) type Position<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Position;
+/// What depends on the independent variables of a linkage alone.
+type Instant<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Instant;
 
 /// Where the groups stand: an entry for each. There are no more groups than unknowns, so that a position holds them.
 pub(super) struct Groups<V> {
@@ -58,8 +63,8 @@ pub enum Event {
 /// A linkage with its dimensions fixed, its position and the modes it is assembled in. Moving it allocates nothing,
 /// except near singular positions.
 pub struct Assembly<L: Linkage, S: Scalar> {
-    pub(super) linkage: L,
-    pub(super) closure: L::Closure<S>,
+    linkage: L,
+    pub(super) closure: Apart<L::Closure<S>>,
     /// The independent variables.
     pub(super) independents: Vec<S>,
     /// What depends on them alone.
@@ -67,30 +72,18 @@ pub struct Assembly<L: Linkage, S: Scalar> {
     /// Their change in the last step.
     pub(super) heading: Vec<S>,
     pub(super) position: Position<L, S>,
-    /// The position after a step that is not yet accepted.
-    pub(super) trial: Position<L, S>,
     /// Whole turns that angles have made, in radians.
     pub(super) turns: Position<L, S>,
     pub(super) groups: Groups<Position<L, S>>,
-    /// The same after a step that is not yet accepted.
-    pub(super) next: Groups<Position<L, S>>,
-    /// The kinematic coefficients; used only if a group is iterated.
-    pub(super) columns: Vec<Position<L, S>>,
-    pub(super) newton: Newton<L, S>,
-    pub(super) events: Vec<Event>,
-    /// The groups that stand exactly at a change point.
-    pub(super) stands: Vec<Stand>,
+    rest: Rest<S>,
 }
 
 impl<L: Linkage, S: Scalar> Assembly<L, S> {
-    /// Whether there is nothing to close: formulas over drivers. What closes loops is then not even compiled.
-    pub(super) const LOOSE: bool = L::GROUPS.is_empty();
-
     /// A linkage that is not yet put together: call [`Assembly::start`] next.
     pub fn new(linkage: &L) -> Self {
         let values: Vec<S> = linkage.values().into_iter().map(S::from_f64).collect();
-        let unknown = S::from_f64(f64::NAN);
-        let independents = vec![unknown; L::INDEPENDENTS];
+        let (unknown, shape) = (S::from_f64(f64::NAN), L::shape());
+        let independents = vec![unknown; shape.drivers.len()];
         let (closure, instant) = S::outline(
             #[inline(always)]
             || {
@@ -104,27 +97,68 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             all.as_mut().fill(value);
             all
         };
-        let groups = || Groups {
-            modes: all(S::ONE),
-            sines: all(unknown),
-            changes: all(unknown),
-        };
+        let length = closure.zeros().as_ref().len();
         Self {
             linkage: linkage.clone(),
+            rest: Rest::new(shape, length, instant.as_ref().len()),
             instant,
+            heading: independents.clone(),
             independents,
-            heading: vec![unknown; L::INDEPENDENTS],
             position: closure.zeros(),
-            trial: closure.zeros(),
             turns: closure.zeros(),
-            groups: groups(),
-            next: groups(),
-            columns: vec![closure.zeros(); L::INDEPENDENTS],
-            newton: Newton::new(),
-            events: Vec::new(),
-            stands: Vec::new(),
-            closure,
+            groups: Groups {
+                modes: all(S::ONE),
+                sines: all(unknown),
+                changes: all(unknown),
+            },
+            closure: Apart(closure),
         }
+    }
+
+    /// All of it, whichever linkage it is of.
+    #[inline]
+    pub(crate) fn guide(&mut self) -> Guide<'_, S> {
+        let (groups, rest) = (&mut self.groups, &mut self.rest);
+        Guide {
+            linkage: &self.linkage,
+            loops: &self.closure,
+            entry: L::shape().loops(),
+            independents: &mut self.independents,
+            instant: self.instant.as_mut(),
+            heading: &mut self.heading,
+            position: self.position.as_mut(),
+            turns: self.turns.as_mut(),
+            groups: Groups {
+                modes: groups.modes.as_mut(),
+                sines: groups.sines.as_mut(),
+                changes: groups.changes.as_mut(),
+            },
+            trial: &mut rest.trial,
+            next: &mut rest.next,
+            ahead: &mut rest.ahead,
+            columns: &mut rest.columns,
+            newton: &mut rest.newton,
+            events: &mut rest.events,
+            stands: &mut rest.stands,
+        }
+    }
+
+    /// Puts the linkage together where the start values of the mechanism are meant: where the drivers start, or, if they
+    /// move in time and no start is stated, where they are when the task begins.
+    ///
+    /// # Errors
+    /// [`ClosureError`] if it does not assemble there, or if the start values do not tell which mode is meant.
+    pub fn start(&mut self) -> Result<Start, ClosureError> {
+        self.guide().start()
+    }
+
+    /// Puts the linkage together at these values of the independent variables, in the modes nearest to rough values of
+    /// the dependent coordinates (NaN where nothing is known).
+    ///
+    /// # Errors
+    /// As [`Assembly::start`].
+    pub fn start_at(&mut self, at: &[f64], near: &[f64]) -> Result<Start, ClosureError> {
+        self.guide().start_at(at, near)
     }
 
     /// Moves to other values of the independent variables without leaving the modes, by one step where that is certain
@@ -134,176 +168,50 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// [`ClosureError`], with the place. The linkage then stays at the last position that was reached with certainty.
     #[inline(always)]
     pub fn move_to(&mut self, independents: &[S]) -> Result<(), ClosureError> {
-        if Self::LOOSE {
-            return self.put(independents);
+        let entry = self.closure.0.shape().loops();
+        if entry.groups.is_empty() {
+            return self.guide().put(independents);
         }
-        if !Self::iterates() {
-            return match self.step(independents) {
-                true => Ok(()),
-                false => self.follow(independents),
-            };
+        if entry.is_iterated() {
+            return self.guide().advance(independents);
         }
-        let instant = self.closure.instant(independents);
-        let ratio = self.ratio(independents);
-        if self.close(independents, &instant, ratio) {
-            self.accept(independents, &instant);
-            return Ok(());
+        match self.step(independents) {
+            true => Ok(()),
+            false => self.guide().follow(independents),
         }
-        self.follow(independents)
     }
 
-    /// Goes anywhere, where there is nothing to close.
-    pub(super) fn put(&mut self, independents: &[S]) -> Result<(), ClosureError> {
-        if let Some(bad) = independents.iter().find(|one| !one.to_f64().is_finite()) {
-            let reason = format!("an independent variable is {}", bad.to_f64());
-            return Err(ClosureError::BadRange { reason });
-        }
-        let instant = self.instant_at(independents);
-        S::outline(
-            #[inline(always)]
-            || self.accept(independents, &instant),
-        );
-        Ok(())
-    }
-
-    /// What depends on the independent variables alone, for code that is not compiled for the instructions of the numbers.
-    pub(super) fn instant_at(&self, independents: &[S]) -> Instant<L, S> {
-        S::outline(
-            #[inline(always)]
-            || self.closure.instant(independents),
-        )
-    }
-
-    /// Closes all groups and says whether they have certainly kept their modes. The last step goes into this one `ratio`
-    /// times.
-    #[inline(always)]
-    fn close(&mut self, independents: &[S], instant: &Instant<L, S>, ratio: S) -> bool {
-        /// Written out for the first groups, so that what is known of each is known to the compiler.
-        macro_rules! written_out {
-            ($($index:literal)*) => {{
-                let mut certain = true;
-                $(if L::GROUPS.len() > $index {
-                    certain &= self.close_one($index, independents, instant, ratio);
-                })*
-                certain
-            }};
-        }
-        let mut certain = written_out!(0 1 2 3 4 5);
-        for index in 6..L::GROUPS.len() {
-            certain &= self.close_one(index, independents, instant, ratio);
-        }
-        certain
-    }
-
-    /// Closes one group.
-    #[inline(always)]
-    fn close_one(
-        &mut self,
-        index: usize,
-        independents: &[S],
-        instant: &Instant<L, S>,
-        ratio: S,
-    ) -> bool {
-        let group = &L::GROUPS[index];
-        let before = self.groups.sines.as_ref()[index];
-        let expected = self.groups.changes.as_ref()[index].mul_add(ratio, before);
-        let (sine, mut turned) = if let GroupKind::General = group.kind {
-            self.iterate(index, independents, instant)
-        } else {
-            let mode = self.groups.modes.as_ref()[index];
-            let sine = self.closure.close(index, instant, mode, &mut self.trial);
-            (sine, S::ZERO)
+    /// Moves a long way in several steps, so that nothing on it is missed.
+    ///
+    /// # Errors
+    /// As [`Assembly::move_to`].
+    pub fn travel(&mut self, target: &[S]) -> Result<(), ClosureError> {
+        let (count, from) = (self.guide().parts(target), self.guide().place());
+        let mut moved = |place: &[S]| {
+            S::outline(
+                #[inline(always)]
+                || self.move_to(place),
+            )
         };
-        if group.kind.has_modes() {
-            let (trial, position) = (self.trial.as_mut(), self.position.as_ref());
-            for &j in group.unknowns {
-                if L::ANGLES[j] {
-                    trial[j] = trial[j] + self.turns.as_ref()[j];
-                    turned = turned + (trial[j] - position[j]).abs();
-                }
+        let mut place = target.to_vec();
+        let mut number = 1.0;
+        while number < count {
+            for ((value, to), from) in place.iter_mut().zip(target).zip(&from) {
+                *value = S::from_f64(from + (to.to_f64() - from) * (number / count));
             }
+            moved(&place)?;
+            number += 1.0;
         }
-        self.next.sines.as_mut()[index] = sine;
-        self.next.changes.as_mut()[index] = sine - before;
-        let passage = Passage {
-            before,
-            sine,
-            expected,
-            turned,
-        };
-        passage.certainly_keeps(group.kind)
+        moved(target)
     }
 
-    /// Makes the position that was tried the position.
-    #[inline(always)]
-    pub(super) fn accept(&mut self, independents: &[S], instant: &Instant<L, S>) {
-        self.head(independents);
-        self.accept_groups(instant);
-    }
-
-    /// Takes other independent variables, and how they have changed.
-    #[inline(always)]
-    pub(super) fn head(&mut self, independents: &[S]) {
-        if L::INDEPENDENTS == 1 {
-            self.heading[0] = independents[0] - self.independents[0];
-            self.independents[0] = independents[0];
-            return;
-        }
-        let known = self.independents.iter_mut().zip(&mut self.heading);
-        for (value, (kept, heading)) in independents.iter().zip(known) {
-            *heading = *value - *kept;
-            *kept = *value;
-        }
-    }
-
-    #[inline(always)]
-    fn accept_groups(&mut self, instant: &Instant<L, S>) {
-        self.position.clone_from(&self.trial);
-        for index in 0..L::GROUPS.len() {
-            self.groups.sines.as_mut()[index] = self.next.sines.as_ref()[index];
-            self.groups.changes.as_mut()[index] = self.next.changes.as_ref()[index];
-        }
-        self.instant.clone_from(instant);
-        if Self::iterates() {
-            self.closure
-                .coefficients(instant, &self.position, &mut self.columns);
-        }
-    }
-
-    /// How often the last step goes into the one to these independent variables; NaN if its direction is another.
-    #[inline(always)]
-    pub(super) fn ratio(&self, independents: &[S]) -> S {
-        if let ([to], [from], [heading]) = (independents, &self.independents[..], &self.heading[..])
-        {
-            return (*to - *from) / *heading;
-        }
-        self.ratio_of_many(independents)
-    }
-
-    /// The same for several independent variables.
-    fn ratio_of_many(&self, independents: &[S]) -> S {
-        let (mut square, mut along, mut size) = (0.0, 0.0, 0.0);
-        for (k, to) in independents.iter().enumerate() {
-            let heading = self.heading[k].to_f64();
-            let change = (*to - self.independents[k]).to_f64();
-            square += heading * heading;
-            along += heading * change;
-            size += change * change;
-        }
-        let aligned = along.abs() >= (1.0 - 1e-12) * (square * size).sqrt();
-        S::from_f64(match (independents.is_empty(), aligned) {
-            (true, _) => 0.0,
-            (false, true) => along / square,
-            (false, false) => f64::NAN,
-        })
-    }
-
-    /// Whether a group is iterated.
-    #[inline(always)]
-    pub(super) fn iterates() -> bool {
-        L::GROUPS
-            .iter()
-            .any(|group| group.kind == GroupKind::General)
+    /// Passes through the dead point on the way to these independent variables, by the length of the curve of positions,
+    /// back to where the linkage stands, on the other mode.
+    ///
+    /// # Errors
+    /// [`ClosureError::ModeLost`] if there is no dead point on this way, or the curve could not be followed.
+    pub fn pass_dead_point(&mut self, wanted: &[f64]) -> Result<(), ClosureError> {
+        self.guide().pass_dead_point(wanted)
     }
 
     /// The position: the dependent coordinates first, angles continued over whole turns.
@@ -315,7 +223,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// The loops, prepared.
     #[inline(always)]
     pub fn closure(&self) -> &L::Closure<S> {
-        &self.closure
+        &self.closure.0
     }
 
     /// The independent variables.
@@ -334,29 +242,52 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         self.groups.sines.as_ref()[group].to_f64()
     }
 
+    /// The group nearest to a dead point, and its sine.
+    #[inline(always)]
+    pub fn weakest(&self) -> (usize, f64) {
+        let groups = self.closure.0.shape().loops().groups.len();
+        weakest(&self.groups.sines.as_ref()[..groups])
+    }
+
+    /// The dependent coordinates as plain numbers.
+    pub fn coordinates(&self) -> Vec<f64> {
+        let dependents = self.closure.0.shape().loops().dependents.len();
+        plain(&self.position.as_ref()[..dependents])
+    }
+
     /// Writes the outputs at the position.
     #[inline(always)]
     pub fn outputs(&self, values: &mut [S]) {
-        self.closure.outputs(&self.instant, &self.position, values);
+        self.closure
+            .0
+            .outputs(&self.instant, &self.position, values);
     }
 
-    /// Writes the influence coefficients at the position: outputs by [`Linkage::VARIABLES`].
+    /// Writes the influence coefficients at the position: outputs by
+    /// [`LinkageEntry::variables`](crate::shape::LinkageEntry::variables).
     #[inline(always)]
     pub fn influence(&self, values: &mut [S]) {
         self.closure
+            .0
             .influence(&self.instant, &self.position, values);
     }
 
     /// What happened since this was asked last.
     pub fn take_events(&mut self) -> Vec<Event> {
-        std::mem::take(&mut self.events)
+        self.guide().take_events()
+    }
+}
+
+impl<L: Linkage> Moves for Assembly<L, f64> {
+    fn guide(&mut self) -> Guide<'_, f64> {
+        Self::guide(self)
     }
 
-    /// The independent variables as plain numbers.
-    pub(super) fn place(&self) -> Vec<f64> {
-        self.independents
-            .iter()
-            .map(|value| value.to_f64())
-            .collect()
+    fn move_to(&mut self, independents: &[f64]) -> Result<(), ClosureError> {
+        Self::move_to(self, independents)
+    }
+
+    fn travel(&mut self, target: &[f64]) -> Result<(), ClosureError> {
+        Self::travel(self, target)
     }
 }

@@ -5,11 +5,10 @@
 //! there; any other is cut in two (R. E. Moore, R. B. Kearfott, M. J. Cloud: *Introduction to Interval Analysis*, 2009,
 //! chapter 8). The groups before it are taken as closed exactly.
 
-use super::newton::{Instant, Newton, Position};
-use super::problem::{Closure, Linkage};
+use super::loops::{Square, Trials, instant_at};
 use crate::dense::Lu;
-use crate::problem::Storage;
 use crate::scalar::Interval;
+use crate::shape::LinkageEntry;
 use std::f64::consts::PI;
 
 /// Width at which a box that could not be decided is given up, in radians or parts of the bound.
@@ -35,13 +34,13 @@ pub(super) struct Found {
 }
 
 /// The equations of one group over boxes of its unknowns.
-pub(super) struct Branches<'a, L: Linkage> {
-    closure: &'a L::Closure<Interval>,
-    instant: Instant<L, Interval>,
+pub(super) struct Branches<'a> {
+    loops: &'a dyn Trials<Interval>,
+    entry: &'static LinkageEntry,
+    instant: Vec<Interval>,
     group: usize,
-    position: Position<L, Interval>,
-    row: <L::Closure<Interval> as Closure<Interval>>::Row,
-    square: <L::Closure<Interval> as Closure<Interval>>::Matrix,
+    position: Vec<Interval>,
+    square: Square<Interval>,
 }
 
 /// What the test of a box says.
@@ -54,38 +53,35 @@ enum Verdict {
     Perhaps(Vec<Interval>),
 }
 
-impl<'a, L: Linkage> Branches<'a, L> {
+impl<'a> Branches<'a> {
     /// The equations of a group, the groups before it closed in a position.
     pub fn new(
-        closure: &'a L::Closure<Interval>,
+        loops: &'a dyn Trials<Interval>,
         group: usize,
         independents: &[f64],
         closed: &[f64],
     ) -> Self {
-        let size = Newton::<L, Interval>::size();
-        let places: Vec<Interval> = independents.iter().map(|x| Interval::point(*x)).collect();
-        let mut position = closure.zeros();
-        for (entry, value) in position.as_mut().iter_mut().zip(closed) {
-            *entry = Interval::point(*value);
-        }
+        let points = |list: &[f64]| list.iter().map(|x| Interval::point(*x)).collect();
+        let places: Vec<Interval> = points(independents);
         Self {
-            closure,
-            instant: closure.instant(&places),
+            entry: loops.shape().loops(),
+            instant: instant_at(loops, &places, &[]),
             group,
-            position,
-            row: Storage::zeros(size),
-            square: Storage::zeros(size * size),
+            position: points(closed),
+            square: Square::of(loops.shape()),
+            loops,
         }
     }
 
     /// Finds all solutions, displacements up to a bound, in at most a number of boxes.
     pub fn search(&mut self, bound: f64, most: usize) -> Found {
-        let unknowns = L::GROUPS[self.group].unknowns;
+        let unknowns = self.entry.groups[self.group].unknowns;
+        let angles = self.entry.angles;
         let units: Vec<f64> = unknowns
             .iter()
-            .map(|&j| if L::ANGLES[j] { 1.0 } else { bound })
+            .map(|&j| if angles[j] { 1.0 } else { bound })
             .collect();
-        let reach = |&j: &usize| if L::ANGLES[j] { PI + OVERLAP } else { bound };
+        let reach = |&j: &usize| if angles[j] { PI + OVERLAP } else { bound };
         let whole = unknowns
             .iter()
             .map(reach)
@@ -152,19 +148,15 @@ impl<'a, L: Linkage> Branches<'a, L> {
     /// Values and derivatives of the equations over a box.
     fn look(&mut self, region: &[Interval]) -> (Vec<Interval>, Vec<Interval>) {
         let n = region.len();
-        for (side, &j) in region.iter().zip(L::GROUPS[self.group].unknowns) {
-            self.position.as_mut()[j] = *side;
+        let unknowns = self.entry.groups[self.group].unknowns;
+        for (side, &j) in region.iter().zip(unknowns) {
+            self.position[j] = *side;
         }
-        self.closure.trial(
-            self.group,
-            &self.instant,
-            &mut self.position,
-            &mut self.row,
-            &mut self.square,
-        );
+        self.square
+            .look(self.loops, self.group, &self.instant, &mut self.position);
         (
-            self.row.as_ref()[..n].to_vec(),
-            self.square.as_ref()[..n * n].to_vec(),
+            self.square.residual[..n].to_vec(),
+            self.square.jacobian[..n * n].to_vec(),
         )
     }
 }

@@ -3,12 +3,11 @@
 //! The way is divided until each part is certain. Where a mode ends on the way, the end is found as a zero of the margin
 //! of its group; where two modes meet and both go on, [`super::crossing`] takes over.
 
-use super::assembly::Assembly;
 use super::crossing::Crossing;
 use super::error::ClosureError;
+use super::guide::Guide;
 use super::meeting::Meeting;
-use super::newton::Instant;
-use super::problem::{Closure, GroupKind, Linkage};
+use super::problem::GroupKind;
 use super::root::brent;
 use crate::scalar::Scalar;
 use std::f64::consts::TAU;
@@ -109,7 +108,7 @@ enum Verdict {
     Open(usize),
 }
 
-impl<L: Linkage, S: Scalar> Assembly<L, S> {
+impl<S: Scalar> Guide<'_, S> {
     /// Moves from the last position to other values of the independent variables.
     #[cold]
     #[inline(never)]
@@ -173,7 +172,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
 
     /// Looks why a group does not close at `to`.
     fn look_behind(&mut self, way: &mut Way, progress: &mut Progress, group: usize, to: f64) {
-        if L::GROUPS[group].kind == GroupKind::General {
+        if self.entry.groups[group].kind == GroupKind::General {
             return self.look_ahead(way, progress, group);
         }
         let gap = -self.margin_at(way, to, group);
@@ -194,7 +193,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             return;
         }
         progress.looked = (group, sine);
-        if L::GROUPS[group].kind == GroupKind::General {
+        if self.entry.groups[group].kind == GroupKind::General {
             progress.end = self.turn_ahead(way, progress.done).map(|at| (group, at));
             if progress.end.is_none() {
                 way.crossings
@@ -223,8 +222,8 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let independents = scalars::<S>(&way.at(t));
         let instant = self.instant_at(&independents);
         let ratio = self.ratio(&independents).to_f64();
-        self.trial.clone_from(&self.position);
-        for group in 0..L::GROUPS.len() {
+        self.trial.copy_from_slice(self.position);
+        for group in 0..self.entry.groups.len() {
             let before = self.sine(group);
             let crossing = way.crossing_of(group);
             if crossing.is_some_and(|crossing| crossing.is_beyond(t)) {
@@ -232,7 +231,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             }
             let mode = crossing.map_or(self.mode(group), |crossing| crossing.mode_at(t));
             let (sine, turned) = self.close_near(group, &independents, &instant, mode);
-            let iterated = L::GROUPS[group].kind == GroupKind::General;
+            let iterated = self.entry.groups[group].kind == GroupKind::General;
             let near = crossing.filter(|crossing| crossing.surrounds(t));
             let sine = match near {
                 Some(crossing) if crossing.is_at(t) => self.interpolate(crossing, t, &instant),
@@ -244,13 +243,13 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
                 return Verdict::Open(group);
             }
             let change = sine - before;
-            let expected = self.groups.changes.as_ref()[group].to_f64() * ratio;
+            let expected = self.groups.changes[group].to_f64() * ratio;
             if sure.is_none() && !is_certain(sine, before, expected, turned) {
                 return Verdict::Doubtful(group);
             }
-            self.next.modes.as_mut()[group] = S::from_f64(mode);
-            self.next.sines.as_mut()[group] = S::from_f64(sine);
-            self.next.changes.as_mut()[group] = S::from_f64(change);
+            self.next.modes[group] = S::from_f64(mode);
+            self.next.sines[group] = S::from_f64(sine);
+            self.next.changes[group] = S::from_f64(change);
         }
         Verdict::Certain
     }
@@ -260,26 +259,26 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         &mut self,
         group: usize,
         independents: &[S],
-        instant: &Instant<L, S>,
+        instant: &[S],
         mode: f64,
     ) -> (f64, f64) {
-        let kind = L::GROUPS[group].kind;
+        let kind = self.entry.groups[group].kind;
         if kind == GroupKind::General {
             let (sine, moved) = self.iterate(group, independents, instant);
             return (sine.to_f64(), moved.to_f64());
         }
         let sine = self.closed(group, instant, mode);
         let mut turned = 0.0;
-        for &j in L::GROUPS[group].unknowns {
-            let angle = self.trial.as_ref()[j].to_f64();
+        for &j in self.entry.groups[group].unknowns {
+            let angle = self.trial[j].to_f64();
             if !angle.is_finite() {
                 return (f64::NAN, f64::NAN);
             }
-            if L::ANGLES[j] && kind.has_modes() {
-                let last = self.position.as_ref()[j].to_f64();
-                self.turns.as_mut()[j] = S::from_f64(TAU * ((last - angle) / TAU).round());
-                self.trial.as_mut()[j] = self.trial.as_ref()[j] + self.turns.as_ref()[j];
-                turned += (self.trial.as_ref()[j].to_f64() - last).abs();
+            if self.entry.angles[j] && kind.has_modes() {
+                let last = self.position[j].to_f64();
+                self.turns[j] = S::from_f64(TAU * ((last - angle) / TAU).round());
+                self.trial[j] = self.trial[j] + self.turns[j];
+                turned += (self.trial[j].to_f64() - last).abs();
             }
         }
         (sine, turned)
@@ -289,7 +288,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     pub(super) fn probe(&mut self, way: &Way, t: f64, group: usize, mode: f64) -> f64 {
         let independents = scalars::<S>(&way.at(t));
         let instant = self.instant_at(&independents);
-        self.trial.clone_from(&self.position);
+        self.trial.copy_from_slice(self.position);
         for before in 0..group {
             let crossing = way.crossing_of(before);
             let own = crossing.map_or(self.mode(before), |crossing| crossing.mode_at(t));
@@ -311,15 +310,15 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         }
         let instant = self.instant_at(&scalars::<S>(&way.at(t)));
         if group == 0 {
-            self.trial.clone_from(&self.position);
+            self.trial.copy_from_slice(self.position);
         }
-        self.closure.margin(group, &instant, &self.trial).to_f64()
+        self.loops.margin(group, &instant, self.trial).to_f64()
     }
 
     /// Gap that rounding may leave in a group.
     pub(super) fn allowance(&mut self, way: &Way, t: f64, group: usize) -> f64 {
         let instant = self.instant_at(&scalars::<S>(&way.at(t)));
-        self.trial.clone_from(&self.position);
+        self.trial.copy_from_slice(self.position);
         ROUNDING * self.reach(group, &instant)
     }
 
@@ -342,15 +341,12 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let independents = scalars::<S>(&place);
         let instant = self.instant_at(&independents);
         self.pass_crossings(way, t);
-        self.groups.modes.clone_from(&self.next.modes);
-        S::outline(
-            #[inline(always)]
-            || self.accept(&independents, &instant),
-        );
+        self.groups.modes.copy_from_slice(&self.next.modes);
+        self.accept(&independents, &instant);
     }
 
     fn dead_point(&mut self, group: usize, way: &Way, at: f64) -> ClosureError {
-        let gap = if L::GROUPS[group].kind == GroupKind::General {
+        let gap = if self.entry.groups[group].kind == GroupKind::General {
             self.gap_at(way, 1.0, group)
         } else {
             -self.margin_at(way, 1.0, group)
@@ -370,12 +366,9 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         }
         let instant = self.instant_at(&scalars::<S>(&way.at(t)));
         if group == 0 {
-            self.trial.clone_from(&self.position);
+            self.trial.copy_from_slice(self.position);
         }
-        match self
-            .newton
-            .close(&self.closure, group, &instant, &mut self.trial)
-        {
+        match self.newton.close(self.loops, group, &instant, self.trial) {
             Ok(_) => f64::NAN,
             Err(failure) => failure.reached.residual,
         }

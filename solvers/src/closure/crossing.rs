@@ -4,10 +4,10 @@
 //! with a fixed mode, comes back. All is computed from positions at some distance on both sides, where the sines are
 //! large enough to be known well: at the change point itself half of the digits are lost.
 
-use super::assembly::{Assembly, Event};
+use super::assembly::Event;
 use super::continuation::Way;
-use super::newton::Instant;
-use super::problem::{GroupKind, Linkage};
+use super::guide::Guide;
+use super::problem::GroupKind;
 use super::root::through;
 use super::stand::Stand;
 use crate::scalar::Scalar;
@@ -95,35 +95,22 @@ impl Crossing {
     }
 }
 
-impl<L: Linkage, S: Scalar> Assembly<L, S> {
+impl<S: Scalar> Guide<'_, S> {
     /// Takes the unknowns of a group at a change point from its neighbourhood. Gives the sine.
-    pub(super) fn interpolate(
-        &mut self,
-        crossing: &Crossing,
-        t: f64,
-        instant: &Instant<L, S>,
-    ) -> f64 {
-        let unknowns = L::GROUPS[crossing.group].unknowns;
+    pub(super) fn interpolate(&mut self, crossing: &Crossing, t: f64, instant: &[S]) -> f64 {
+        let unknowns = self.entry.groups[crossing.group].unknowns;
         for (values, &j) in crossing.values.iter().zip(unknowns) {
-            self.trial.as_mut()[j] = S::from_f64(through(crossing.nodes, *values, t));
+            self.trial[j] = S::from_f64(through(crossing.nodes, *values, t));
         }
         let group = crossing.group;
-        self.newton
-            .sine(&self.closure, group, instant, &mut self.trial)
+        self.newton.sine(self.loops, group, instant, self.trial)
     }
 
     /// Closes a group that is iterated from its interpolated unknowns. Gives the sine, NaN if that fails.
-    pub(super) fn close_between(
-        &mut self,
-        crossing: &Crossing,
-        t: f64,
-        instant: &Instant<L, S>,
-    ) -> f64 {
+    pub(super) fn close_between(&mut self, crossing: &Crossing, t: f64, instant: &[S]) -> f64 {
         self.interpolate(crossing, t, instant);
         let group = crossing.group;
-        let closed = self
-            .newton
-            .close(&self.closure, group, instant, &mut self.trial);
+        let closed = self.newton.close(self.loops, group, instant, self.trial);
         closed.map_or(f64::NAN, |closed| closed.sine)
     }
 
@@ -142,7 +129,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     }
 
     fn report(&mut self, crossing: &Crossing, way: &Way) {
-        let iterated = L::GROUPS[crossing.group].kind == GroupKind::General;
+        let iterated = self.entry.groups[crossing.group].kind == GroupKind::General;
         let before = if iterated {
             crossing.modes.0
         } else {

@@ -1,8 +1,9 @@
 //! How far a driver can go.
 
-use super::assembly::Assembly;
+use super::any::AnyLinkage;
 use super::error::ClosureError;
-use super::problem::{Closure, Linkage};
+use super::guide::Guide;
+use super::problem::Linkage;
 
 /// How far one independent variable can go without leaving the mode, the others at their start.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +48,17 @@ pub fn stretch<L: Linkage>(
     variable: usize,
     bounds: (f64, f64),
 ) -> Result<Stretch, ClosureError> {
-    if variable >= L::INDEPENDENTS || !(bounds.0 < bounds.1 && (bounds.1 - bounds.0).is_finite()) {
+    stretch_of(linkage, variable, bounds)
+}
+
+/// The same of any linkage.
+pub(crate) fn stretch_of(
+    linkage: &dyn AnyLinkage,
+    variable: usize,
+    bounds: (f64, f64),
+) -> Result<Stretch, ClosureError> {
+    let drivers = linkage.shape().drivers.len();
+    if variable >= drivers || !(bounds.0 < bounds.1 && (bounds.1 - bounds.0).is_finite()) {
         let reason = format!(
             "bounds {bounds:?} of independent variable {variable}: expected a finite stretch"
         );
@@ -60,26 +71,28 @@ pub fn stretch<L: Linkage>(
 }
 
 /// Goes from the start as far as possible.
-fn end<L: Linkage>(linkage: &L, variable: usize, bound: f64) -> Result<End, ClosureError> {
-    let mut assembly = Assembly::<L, f64>::new(linkage);
-    assembly.start()?;
-    let mut place = assembly.independents().to_vec();
+fn end(linkage: &dyn AnyLinkage, variable: usize, bound: f64) -> Result<End, ClosureError> {
+    let mut assembly = linkage.assemble();
+    assembly.guide().start()?;
+    let mut place = assembly.guide().independents.to_vec();
     place[variable] = bound;
-    match assembly.travel(&place) {
+    let outcome = assembly.travel(&place);
+    let mut guide = assembly.guide();
+    match outcome {
         Ok(()) => {
-            let mut outputs = vec![0.0; L::OUTPUTS];
-            assembly.outputs(&mut outputs);
+            let mut outputs = vec![0.0; linkage.shape().outputs.len()];
+            guide.outputs(&mut outputs);
             Ok(End {
                 at: bound,
                 dead: None,
                 outputs,
-                dependents: assembly.coordinates(),
+                dependents: guide.coordinates(),
             })
         }
         Err(ClosureError::DeadPoint {
             group, at, wanted, ..
         }) => {
-            let (outputs, dependents) = assembly.at_dead_point(&wanted);
+            let (outputs, dependents) = guide.at_dead_point(&wanted);
             Ok(End {
                 at: at[variable],
                 dead: Some(group),
@@ -91,21 +104,21 @@ fn end<L: Linkage>(linkage: &L, variable: usize, bound: f64) -> Result<End, Clos
     }
 }
 
-impl<L: Linkage> Assembly<L, f64> {
+impl Guide<'_, f64> {
     /// The outputs and the dependent coordinates at the dead point on the way to these independent variables.
     fn at_dead_point(&mut self, wanted: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let mut outputs = vec![f64::NAN; L::OUTPUTS];
+        let mut outputs = vec![f64::NAN; self.loops.shape().outputs.len()];
+        let dependents = self.entry.dependents.len();
         let Some((at, coordinates)) = self.dead_position(wanted) else {
-            return (outputs, vec![f64::NAN; L::DEPENDENTS]);
+            return (outputs, vec![f64::NAN; dependents]);
         };
-        let instant = self.closure.instant(&at);
-        self.trial.clone_from(&self.position);
-        self.trial.as_mut()[..L::DEPENDENTS].copy_from_slice(&coordinates);
-        for group in 0..L::GROUPS.len() {
-            self.newton
-                .sine(&self.closure, group, &instant, &mut self.trial);
+        let instant = self.instant_at(&at);
+        self.trial.copy_from_slice(self.position);
+        self.trial[..dependents].copy_from_slice(&coordinates);
+        for group in 0..self.entry.groups.len() {
+            self.newton.sine(self.loops, group, &instant, self.trial);
         }
-        self.closure.outputs(&instant, &self.trial, &mut outputs);
+        self.loops.outputs(&instant, self.trial, &mut outputs);
         (outputs, coordinates)
     }
 }

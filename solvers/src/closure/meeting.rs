@@ -1,9 +1,8 @@
 //! Looking ahead where the sine of a group goes to zero: whether two modes meet there, miss each other or leave a gap.
 
-use super::assembly::Assembly;
 use super::continuation::{Way, scalars};
 use super::crossing::{Crossing, FINEST, SINE};
-use super::problem::Linkage;
+use super::guide::Guide;
 use super::root::through;
 use crate::scalar::Scalar;
 
@@ -20,7 +19,7 @@ pub(super) enum Meeting {
     None,
 }
 
-impl<L: Linkage, S: Scalar> Assembly<L, S> {
+impl<S: Scalar> Guide<'_, S> {
     /// Looks ahead from `done`, where the sine of a group goes to zero, at about `guess` if that is known.
     pub(super) fn meet(
         &mut self,
@@ -42,7 +41,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// Where the sine of a group goes to zero, from its change in the last step.
     pub(super) fn zero_ahead(&self, way: &Way, done: f64, group: usize) -> Option<f64> {
         let steps = self.ratio(&scalars::<S>(&way.at(1.0))).to_f64() / (1.0 - done);
-        let slope = self.groups.changes.as_ref()[group].to_f64() * steps;
+        let slope = self.groups.changes[group].to_f64() * steps;
         let at = done - self.sine(group) / slope;
         (at > done && at < done + 4.0).then_some(at)
     }
@@ -118,7 +117,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     ) -> Meeting {
         let unit = SINE / rate;
         let nodes = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0].map(|k| at + k * unit);
-        let unknowns = L::GROUPS[group].unknowns;
+        let unknowns = self.entry.groups[group].unknowns;
         let mut sines = [0.0; 6];
         let mut same = vec![[0.0; 6]; unknowns.len()];
         let mut other = same.clone();
@@ -129,7 +128,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
                     return Meeting::None;
                 }
                 for (value, &j) in values.iter_mut().zip(unknowns) {
-                    value[k] = self.trial.as_ref()[j].to_f64();
+                    value[k] = self.trial[j].to_f64();
                 }
             }
             if k >= 3 {

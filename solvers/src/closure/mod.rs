@@ -3,8 +3,10 @@
 //! | file | what it does |
 //! |---|---|
 //! | [`problem`](self) | what is asked of a linkage: [`Closure`], [`Linkage`] |
+//! | `any`, `loops` | [`AnyLinkage`]: a linkage and its loops behind a pointer, for what is compiled once for all |
 //! | `newton`, `scaled` | one group that has no closed form |
-//! | `assembly`, `start`, `nearest`, `step`, `predict` | [`Assembly`]: all groups in their modes, put together and moved |
+//! | `assembly`, `step` | [`Assembly`]: all groups in their modes, moved by one certain step |
+//! | `guide`, `start`, `nearest`, `predict` | the same whichever linkage it is: put together, groups iterated |
 //! | `continuation`, `crossing`, `meeting`, `stand` | the same where a step is not certain to keep the modes |
 //! | `undetermined` | what has no value where modes meet |
 //! | `arc`, `turn` | dead points, and passing through them by the length of the curve of positions |
@@ -14,6 +16,7 @@
 //! | `extremes`, `breaks`, `noise` | where a function turns round, jumps, or goes beyond all bounds |
 //! | `modes`, `branch` | all assembly modes at one position |
 
+mod any;
 mod arc;
 mod assembly;
 mod branch;
@@ -22,7 +25,9 @@ mod continuation;
 mod crossing;
 mod error;
 mod extremes;
+mod guide;
 mod limits;
+mod loops;
 mod meeting;
 mod modes;
 mod nearest;
@@ -45,16 +50,22 @@ mod track;
 mod turn;
 mod undetermined;
 
+pub use any::AnyLinkage;
 pub use assembly::{Assembly, Event};
 pub use breaks::Break;
 pub use error::ClosureError;
 pub use extremes::{Extreme, Limit};
+pub(crate) use guide::{Guide, Moves};
+pub(crate) use limits::stretch_of;
 pub use limits::{End, Stretch, stretch};
+pub(crate) use loops::{Answers, Apart, Loops, Square, instant_at};
+pub(crate) use modes::modes_of;
 pub use modes::{Mode, Modes, Search, modes};
-pub use newton::{Closed, Failure, Newton, Stop};
+pub(crate) use newton::Newton;
 pub use positions::Positions;
 pub use problem::{Closure, Group, GroupKind, Linkage, Range, Variable};
 pub use start::{Contradiction, Start};
+pub(crate) use strokes::strokes_of;
 pub use strokes::{Stroke, strokes};
 pub use sweep::{AtDeadPoint, Axis, sweep};
 pub use track::Along;

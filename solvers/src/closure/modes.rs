@@ -3,13 +3,15 @@
 //! Groups in closed form have the modes ±1 each; groups that are iterated are searched completely, see
 //! [`super::branch`]. The list says itself whether it is complete.
 
-use super::assembly::Assembly;
+use super::any::AnyLinkage;
 use super::branch::Branches;
 use super::continuation::ROUNDING;
 use super::error::ClosureError;
-use super::newton::{Instant, Newton, Position};
-use super::problem::{Closure, GroupKind, Linkage};
+use super::loops::{Loops, Trials, instant_at};
+use super::newton::Newton;
+use super::problem::{GroupKind, Linkage};
 use crate::scalar::Interval;
+use crate::shape::LinkageEntry;
 use std::f64::consts::{PI, TAU};
 
 /// Solutions nearer to each other than this are one, in radians or parts of the bound.
@@ -60,63 +62,70 @@ pub struct Modes {
 /// # Errors
 /// [`ClosureError::BadRange`] if the position makes no sense.
 pub fn modes<L: Linkage>(linkage: &L, at: &[f64], search: &Search) -> Result<Modes, ClosureError> {
-    if at.len() != L::INDEPENDENTS || at.iter().any(|value| !value.is_finite()) {
-        let reason = format!(
-            "a position at {at:?}: expected {} finite values",
-            L::INDEPENDENTS
-        );
+    modes_of(linkage, at, search)
+}
+
+/// The same of any linkage.
+pub(crate) fn modes_of(
+    linkage: &dyn AnyLinkage,
+    at: &[f64],
+    search: &Search,
+) -> Result<Modes, ClosureError> {
+    let shape = linkage.shape();
+    let drivers = shape.drivers.len();
+    if at.len() != drivers || at.iter().any(|value| !value.is_finite()) {
+        let reason = format!("a position at {at:?}: expected {drivers} finite values");
         return Err(ClosureError::BadRange { reason });
     }
-    if Assembly::<L, f64>::LOOSE {
-        let only = Mode {
+    let mut list = Modes {
+        complete: true,
+        ..Modes::default()
+    };
+    if shape.loops().groups.is_empty() {
+        list.modes.push(Mode {
             coordinates: Vec::new(),
             sines: Vec::new(),
-        };
-        return Ok(Modes {
-            modes: vec![only],
-            complete: true,
-            ..Modes::default()
         });
+        return Ok(list);
     }
     let values = linkage.values();
     let enclosed: Vec<Interval> = values.iter().map(|value| Interval::point(*value)).collect();
-    let closure = L::prepare::<f64>(&values);
-    let mut listing = Listing::<L> {
-        instant: closure.instant(at),
-        intervals: L::prepare(&enclosed),
+    let loops = linkage.prepare(&values);
+    let mut listing = Listing {
+        entry: shape.loops(),
+        instant: instant_at(&*loops, at, &[]),
+        intervals: linkage.enclose(&enclosed),
         at,
         search,
-        newton: Newton::new(),
+        newton: Newton::new(shape),
         sines: Vec::new(),
-        list: Modes {
-            complete: true,
-            ..Modes::default()
-        },
-        closure,
+        list,
+        loops,
     };
-    let position = listing.closure.zeros();
+    let position = vec![0.0; listing.loops.lengths().0];
     listing.close(0, &position);
     Ok(listing.list)
 }
 
 /// A list in the making.
-struct Listing<'a, L: Linkage> {
-    closure: L::Closure<f64>,
-    instant: Instant<L, f64>,
-    intervals: L::Closure<Interval>,
+struct Listing<'a> {
+    entry: &'static LinkageEntry,
+    loops: Box<dyn Loops<f64>>,
+    instant: Vec<f64>,
+    intervals: Box<dyn Trials<Interval>>,
     at: &'a [f64],
     search: &'a Search,
-    newton: Newton<L, f64>,
+    newton: Newton<f64>,
     /// Sines of the groups that are closed.
     sines: Vec<f64>,
     list: Modes,
 }
 
-impl<L: Linkage> Listing<'_, L> {
+impl Listing<'_> {
     /// Closes the groups from this one on in all ways.
-    fn close(&mut self, group: usize, position: &Position<L, f64>) {
-        let Some(described) = L::GROUPS.get(group) else {
-            let coordinates = position.as_ref()[..L::DEPENDENTS].to_vec();
+    fn close(&mut self, group: usize, position: &[f64]) {
+        let Some(described) = self.entry.groups.get(group) else {
+            let coordinates = position[..self.entry.dependents.len()].to_vec();
             self.list.modes.push(Mode {
                 coordinates,
                 sines: self.sines.clone(),
@@ -131,10 +140,10 @@ impl<L: Linkage> Listing<'_, L> {
     }
 
     /// Closes a group in closed form. Two modes that coincide are one.
-    fn close_in(&mut self, group: usize, position: &Position<L, f64>, modes: &[f64]) {
+    fn close_in(&mut self, group: usize, position: &[f64], modes: &[f64]) {
         for &mode in modes {
-            let mut next = position.clone();
-            let sine = self.closure.close(group, &self.instant, mode, &mut next);
+            let mut next = position.to_vec();
+            let sine = self.loops.close(group, &self.instant, mode, &mut next);
             if !sine.is_nan() {
                 self.go_on(group, sine, &next);
                 if sine.abs() < SAME {
@@ -142,10 +151,10 @@ impl<L: Linkage> Listing<'_, L> {
                 }
                 continue;
             }
-            let margin = self.closure.margin(group, &self.instant, &next);
-            next.clone_from(position);
+            let margin = self.loops.margin(group, &self.instant, &next);
+            next.copy_from_slice(position);
             self.newton
-                .sine(&self.closure, group, &self.instant, &mut next);
+                .sine(&*self.loops, group, &self.instant, &mut next);
             let reach = self
                 .newton
                 .columns()
@@ -161,21 +170,21 @@ impl<L: Linkage> Listing<'_, L> {
     }
 
     /// Closes a group in all ways that a search finds.
-    fn close_all(&mut self, group: usize, position: &Position<L, f64>) {
-        let mut branches = Branches::<L>::new(&self.intervals, group, self.at, position.as_ref());
+    fn close_all(&mut self, group: usize, position: &[f64]) {
+        let mut branches = Branches::new(&*self.intervals, group, self.at, position);
         let found = branches.search(self.search.bound, self.search.boxes);
         self.list.boxes += found.boxes;
         self.list.undecided += found.undecided.len();
         self.list.complete &= found.undecided.is_empty();
         let mut known: Vec<Vec<f64>> = Vec::new();
         for solution in found.solutions.into_iter().chain(found.undecided) {
-            let mut next = position.clone();
-            for (value, &j) in solution.into_iter().zip(L::GROUPS[group].unknowns) {
-                next.as_mut()[j] = value;
+            let mut next = position.to_vec();
+            for (value, &j) in solution.into_iter().zip(self.entry.groups[group].unknowns) {
+                next[j] = value;
             }
             let Ok(closed) = self
                 .newton
-                .close(&self.closure, group, &self.instant, &mut next)
+                .close(&*self.loops, group, &self.instant, &mut next)
             else {
                 continue;
             };
@@ -191,34 +200,37 @@ impl<L: Linkage> Listing<'_, L> {
     }
 
     /// The unknowns of a group, angles brought within half a turn.
-    fn unknowns(&self, group: usize, position: &mut Position<L, f64>) -> Vec<f64> {
+    fn unknowns(&self, group: usize, position: &mut [f64]) -> Vec<f64> {
         let within = |j: usize, value: f64| {
-            if L::ANGLES[j] {
+            if self.entry.angles[j] {
                 value - TAU * (value / TAU).round()
             } else {
                 value
             }
         };
-        let unknowns = L::GROUPS[group].unknowns.iter();
+        let unknowns = self.entry.groups[group].unknowns.iter();
         unknowns
             .map(|&j| {
-                position.as_mut()[j] = within(j, position.as_ref()[j]);
-                position.as_ref()[j]
+                position[j] = within(j, position[j]);
+                position[j]
             })
             .collect()
     }
 
     /// Distance of two solutions of a group.
     fn distance(&self, group: usize, a: &[f64], b: &[f64]) -> f64 {
-        let parts = L::GROUPS[group].unknowns.iter().zip(a.iter().zip(b));
-        let apart = parts.map(|(&j, (a, b))| match L::ANGLES[j] {
+        let parts = self.entry.groups[group]
+            .unknowns
+            .iter()
+            .zip(a.iter().zip(b));
+        let apart = parts.map(|(&j, (a, b))| match self.entry.angles[j] {
             true => ((a - b + PI).rem_euclid(TAU) - PI).abs(),
             false => (a - b).abs() / self.search.bound,
         });
         apart.fold(0.0, f64::max)
     }
 
-    fn go_on(&mut self, group: usize, sine: f64, position: &Position<L, f64>) {
+    fn go_on(&mut self, group: usize, sine: f64, position: &[f64]) {
         self.sines.push(sine);
         self.close(group + 1, position);
         self.sines.pop();

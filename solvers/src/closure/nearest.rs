@@ -4,10 +4,8 @@
 //! only where the start values are near to one: with other dimensions a mode may be nearest that leads nowhere, or far
 //! from the start values of the groups behind. There all assemblies are listed and compared.
 
-use super::assembly::Assembly;
-use super::modes::{Search, modes};
-use super::newton::{Instant, Position};
-use super::problem::{Closure, Linkage};
+use super::guide::Guide;
+use super::modes::{Search, modes_of};
 use super::start::Contradiction;
 use crate::scalar::Scalar;
 use std::f64::consts::{PI, TAU};
@@ -21,9 +19,9 @@ const UNDECIDED: f64 = 1e-3;
 /// Boxes that may be looked at to list the assemblies of a group that is iterated.
 const BOXES: usize = 20_000;
 
-impl<L: Linkage, S: Scalar> Assembly<L, S> {
+impl<S: Scalar> Guide<'_, S> {
     /// Whether the position that has been tried is near to all start values.
-    pub(super) fn is_near(&mut self, instant: &Instant<L, S>, near: &[f64]) -> bool {
+    pub(super) fn is_near(&mut self, instant: &[S], near: &[f64]) -> bool {
         let position = self.trial.clone();
         let apart = self.apart(instant, position, near);
         apart
@@ -32,20 +30,19 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     }
 
     /// The start values that are contradicted by the position that has been tried.
-    pub(super) fn contradicted(
-        &mut self,
-        instant: &Instant<L, S>,
-        near: &[f64],
-    ) -> Vec<Contradiction> {
+    pub(super) fn contradicted(&mut self, instant: &[S], near: &[f64]) -> Vec<Contradiction> {
         let position = self.trial.clone();
         let apart = self.apart(instant, position, near);
         let far = |dependent: &usize| apart[*dependent].abs() > FAR;
         let one = |dependent: usize| Contradiction {
             dependent,
             declared: near[dependent],
-            assembled: towards::<L>(dependent, self.trial.as_ref()[dependent].to_f64(), near),
+            assembled: self.towards(dependent, self.trial[dependent].to_f64(), near),
         };
-        (0..L::DEPENDENTS).filter(far).map(one).collect()
+        (0..self.entry.dependents.len())
+            .filter(far)
+            .map(one)
+            .collect()
     }
 
     /// Puts the linkage into the assembly that is nearest to the start values, if it is not there already. False if
@@ -53,7 +50,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     pub(super) fn place_nearest(
         &mut self,
         at: &[f64],
-        instant: &Instant<L, S>,
+        instant: &[S],
         near: &[f64],
         is_placed: bool,
     ) -> bool {
@@ -62,18 +59,18 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             boxes: BOXES,
             ..Search::default()
         };
-        let listed = modes(&self.linkage, at, &search).map(|found| found.modes);
+        let listed = modes_of(self.linkage, at, &search).map(|found| found.modes);
         let mut all: Vec<(f64, Vec<f64>)> = Vec::new();
         for mode in listed.unwrap_or_default() {
-            let mut position = self.closure.zeros();
-            for (entry, value) in position.as_mut().iter_mut().zip(&mode.coordinates) {
+            let mut position = vec![S::ZERO; self.trial.len()];
+            for (entry, value) in position.iter_mut().zip(&mode.coordinates) {
                 *entry = S::from_f64(*value);
             }
             let apart = self.apart(instant, position, near);
             let known = apart.iter().filter(|apart| !apart.is_nan());
             let distance = known.map(|apart| apart * apart).sum::<f64>().sqrt();
             let coordinates = mode.coordinates.into_iter().enumerate();
-            let coordinates = coordinates.map(|(j, value)| towards::<L>(j, value, near));
+            let coordinates = coordinates.map(|(j, value)| self.towards(j, value, near));
             all.push((distance, coordinates.collect()));
         }
         // Of equal distances the first one counts: its modes are +1 where no start value is known.
@@ -94,16 +91,16 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             return false;
         }
         let same = |(j, value): (usize, &f64)| {
-            (value - towards::<L>(j, here.as_ref()[j].to_f64(), &coordinates)).abs() < 1e-6
+            (value - self.towards(j, here[j].to_f64(), &coordinates)).abs() < 1e-6
         };
         if is_placed && coordinates.iter().enumerate().all(same) {
             return true;
         }
-        let kept = self.groups.modes.clone();
+        let kept = self.groups.modes.to_vec();
         let is_nearer = self.place_all(at, instant, &coordinates).is_ok();
         if !is_nearer {
             // A search has found what the iteration does not settle at: the position that was tried first remains.
-            self.groups.modes = kept;
+            self.groups.modes.copy_from_slice(&kept);
             return is_placed && self.place_all(at, instant, near).is_ok();
         }
         is_nearer
@@ -111,19 +108,13 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
 
     /// How far each dependent coordinate is from its start value, angles but for whole turns, in radians or the
     /// displacements that count as much; NaN where no start value is known.
-    fn apart(
-        &mut self,
-        instant: &Instant<L, S>,
-        mut position: Position<L, S>,
-        near: &[f64],
-    ) -> Vec<f64> {
-        let mut apart = vec![f64::NAN; L::DEPENDENTS];
-        for (group, described) in L::GROUPS.iter().enumerate() {
-            self.newton
-                .sine(&self.closure, group, instant, &mut position);
+    fn apart(&mut self, instant: &[S], mut position: Vec<S>, near: &[f64]) -> Vec<f64> {
+        let mut apart = vec![f64::NAN; self.entry.dependents.len()];
+        for (group, described) in self.entry.groups.iter().enumerate() {
+            self.newton.sine(self.loops, group, instant, &mut position);
             for (&j, unit) in described.unknowns.iter().zip(self.newton.units()) {
-                let change = position.as_ref()[j].to_f64() - near[j];
-                apart[j] = match L::ANGLES[j] {
+                let change = position[j].to_f64() - near[j];
+                apart[j] = match self.entry.angles[j] {
                     true => (change + PI).rem_euclid(TAU) - PI,
                     false => change / unit,
                 };
@@ -131,12 +122,12 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         }
         apart
     }
-}
 
-/// A coordinate, of an angle the one within half a turn of its start value if that is known.
-fn towards<L: Linkage>(j: usize, value: f64, near: &[f64]) -> f64 {
-    match L::ANGLES[j] && near[j].is_finite() {
-        true => value + TAU * ((near[j] - value) / TAU).round(),
-        false => value,
+    /// A coordinate, of an angle the one within half a turn of its start value if that is known.
+    fn towards(&self, j: usize, value: f64, near: &[f64]) -> f64 {
+        match self.entry.angles[j] && near[j].is_finite() {
+            true => value + TAU * ((near[j] - value) / TAU).round(),
+            false => value,
+        }
     }
 }

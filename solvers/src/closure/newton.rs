@@ -4,15 +4,11 @@
 //! section 11.2). Where no part of it does, the Jacobian is near singular, and a Levenberg–Marquardt step takes over: it
 //! leads to a position of least residual, which is either a solution or shows the gap that cannot be closed.
 
-use super::problem::{Closure, Linkage};
+use super::loops::{Square, Trials};
+use super::problem::Group;
 use super::scaled::Scaled;
-use crate::problem::Storage;
 use crate::scalar::Scalar;
-
-/// Position of a linkage.
-pub(super) type Position<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Position;
-/// What depends on the independent variables of a linkage alone.
-pub(super) type Instant<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Instant;
+use crate::shape::{LinkageEntry, Shape};
 
 /// Largest number of iterations.
 const ITERATIONS: usize = 100;
@@ -55,31 +51,25 @@ pub struct Failure {
 }
 
 /// The memory of the iteration, for groups of up to a size.
-pub struct Newton<L: Linkage, S: Scalar> {
-    residual: <L::Closure<S> as Closure<S>>::Row,
-    jacobian: <L::Closure<S> as Closure<S>>::Matrix,
+pub struct Newton<S: Scalar> {
+    entry: &'static LinkageEntry,
+    square: Square<S>,
     /// The system at the last trial.
     scaled: Scaled,
     /// Where the step begins.
     base: Vec<f64>,
 }
 
-impl<L: Linkage, S: Scalar> Newton<L, S> {
+impl<S: Scalar> Newton<S> {
     /// Room for the largest group of the linkage.
-    pub fn new() -> Self {
-        let size = Self::size();
+    pub fn new(shape: &'static Shape) -> Self {
+        let entry = shape.loops();
         Self {
-            residual: Storage::zeros(size),
-            jacobian: Storage::zeros(size * size),
-            scaled: Scaled::new(size),
-            base: vec![0.0; size],
+            entry,
+            square: Square::of(shape),
+            scaled: Scaled::new(entry.largest()),
+            base: vec![0.0; entry.largest()],
         }
-    }
-
-    /// Number of equations of the largest group.
-    pub(super) fn size() -> usize {
-        let sizes = L::GROUPS.iter().map(|group| group.unknowns.len());
-        sizes.max().unwrap_or(0)
     }
 
     /// Closes a group of any kind, starting from the unknowns in `position`, which it completes.
@@ -90,38 +80,42 @@ impl<L: Linkage, S: Scalar> Newton<L, S> {
     /// [`Failure`], with the least residual that was reached; the position is then the one that has it.
     pub fn close(
         &mut self,
-        closure: &L::Closure<S>,
+        loops: &dyn Trials<S>,
         group: usize,
-        instant: &Instant<L, S>,
-        position: &mut Position<L, S>,
+        instant: &[S],
+        position: &mut [S],
     ) -> Result<Closed, Failure> {
-        let mut search = Search {
-            closure,
-            group,
-            instant,
-            position,
-            newton: self,
-        };
-        search.run()
+        self.search(loops, group, instant, position).run()
     }
 
-    /// Sine of the transmission angle of a closed group, from its Jacobian.
+    /// Sine of the transmission angle of a closed group, from its Jacobian. Completes the position.
     pub fn sine(
         &mut self,
-        closure: &L::Closure<S>,
+        loops: &dyn Trials<S>,
         group: usize,
-        instant: &Instant<L, S>,
-        position: &mut Position<L, S>,
+        instant: &[S],
+        position: &mut [S],
     ) -> f64 {
-        let mut search = Search {
-            closure,
-            group,
+        let mut search = self.search(loops, group, instant, position);
+        search.evaluate();
+        search.newton.scaled.sine()
+    }
+
+    fn search<'a>(
+        &'a mut self,
+        loops: &'a dyn Trials<S>,
+        group: usize,
+        instant: &'a [S],
+        position: &'a mut [S],
+    ) -> Search<'a, S> {
+        Search {
+            loops,
+            index: group,
+            group: &self.entry.groups[group],
             instant,
             position,
             newton: self,
-        };
-        search.evaluate();
-        search.newton.scaled.sine()
+        }
     }
 
     /// Lengths of the columns of the Jacobian that was looked at last: how far the equations move per unit of each
@@ -137,22 +131,17 @@ impl<L: Linkage, S: Scalar> Newton<L, S> {
     }
 }
 
-impl<L: Linkage, S: Scalar> Default for Newton<L, S> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 /// One solution in progress.
-struct Search<'a, L: Linkage, S: Scalar> {
-    closure: &'a L::Closure<S>,
-    group: usize,
-    instant: &'a Instant<L, S>,
-    position: &'a mut Position<L, S>,
-    newton: &'a mut Newton<L, S>,
+struct Search<'a, S: Scalar> {
+    loops: &'a dyn Trials<S>,
+    index: usize,
+    group: &'static Group,
+    instant: &'a [S],
+    position: &'a mut [S],
+    newton: &'a mut Newton<S>,
 }
 
-impl<L: Linkage, S: Scalar> Search<'_, L, S> {
+impl<S: Scalar> Search<'_, S> {
     fn run(&mut self) -> Result<Closed, Failure> {
         self.evaluate();
         for iteration in 0..ITERATIONS {
@@ -217,20 +206,16 @@ impl<L: Linkage, S: Scalar> Search<'_, L, S> {
 
     /// Keeps the unknowns, from which steps are taken.
     fn remember(&mut self) {
-        let position: &Position<L, S> = self.position;
-        let unknowns = L::GROUPS[self.group].unknowns;
-        for (base, &j) in self.newton.base.iter_mut().zip(unknowns) {
-            *base = position.as_ref()[j].to_f64();
+        for (base, &j) in self.newton.base.iter_mut().zip(self.group.unknowns) {
+            *base = self.position[j].to_f64();
         }
     }
 
     /// Goes a part of the step from the kept unknowns and looks at the equations there.
     fn advance(&mut self, part: f64) {
-        let unknowns = L::GROUPS[self.group].unknowns;
-        let position: &mut Position<L, S> = self.position;
-        for (k, &j) in unknowns.iter().enumerate() {
+        for (k, &j) in self.group.unknowns.iter().enumerate() {
             let value = self.newton.base[k] + part * self.newton.scaled.step()[k];
-            position.as_mut()[j] = S::from_f64(value);
+            self.position[j] = S::from_f64(value);
         }
         self.evaluate();
     }
@@ -238,23 +223,15 @@ impl<L: Linkage, S: Scalar> Search<'_, L, S> {
     /// Looks at the equations where the search stands.
     fn evaluate(&mut self) {
         let newton = &mut *self.newton;
-        let (residual, jacobian) = (&mut newton.residual, &mut newton.jacobian);
-        S::outline(
-            #[inline(always)]
-            || {
-                let (group, instant) = (self.group, self.instant);
-                self.closure
-                    .trial(group, instant, self.position, residual, jacobian)
-            },
-        );
-        let unknowns = L::GROUPS[self.group].unknowns;
-        let position: &Position<L, S> = self.position;
+        newton
+            .square
+            .look(self.loops, self.index, self.instant, self.position);
+        let angles = newton.entry.angles;
+        let unknowns = self.group.unknowns.iter();
         newton.scaled.set(
-            newton.residual.as_ref().iter().map(|value| value.to_f64()),
-            newton.jacobian.as_ref().iter().map(|value| value.to_f64()),
-            unknowns
-                .iter()
-                .map(|&j| (L::ANGLES[j], position.as_ref()[j].to_f64())),
+            newton.square.residual.iter().map(|value| value.to_f64()),
+            newton.square.jacobian.iter().map(|value| value.to_f64()),
+            unknowns.map(|&j| (angles[j], self.position[j].to_f64())),
         );
     }
 

@@ -4,6 +4,7 @@ use super::assembly::{Assembly, Event};
 use super::error::ClosureError;
 use super::problem::Linkage;
 use crate::scalar::Scalar;
+use crate::shape::Shape;
 
 /// Positions in the order in which they were asked for: the last variable changes fastest.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -55,13 +56,18 @@ impl Positions {
     }
 
     /// Room for a number of positions, all NaN.
-    pub(super) fn new<L: Linkage>(count: usize) -> Self {
+    pub(super) fn new(shape: &Shape, count: usize) -> Self {
         let room = |width: usize| vec![f64::NAN; width * count];
+        let widths = (
+            shape.drivers.len(),
+            shape.loops().dependents.len(),
+            shape.outputs.len(),
+        );
         Self {
-            widths: (L::INDEPENDENTS, L::DEPENDENTS, L::OUTPUTS),
-            independents: room(L::INDEPENDENTS),
-            coordinates: room(L::DEPENDENTS),
-            outputs: room(L::OUTPUTS),
+            widths,
+            independents: room(widths.0),
+            coordinates: room(widths.1),
+            outputs: room(widths.2),
             sines: room(1),
             ..Self::default()
         }

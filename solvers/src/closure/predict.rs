@@ -1,9 +1,7 @@
 //! Groups that are iterated: predicted by the kinematic coefficients, closed by Newton's method, and believed only if
 //! both agree.
 
-use super::assembly::Assembly;
-use super::newton::Instant;
-use super::problem::Linkage;
+use super::guide::Guide;
 use crate::scalar::Scalar;
 
 /// Largest distance between prediction and answer, as a part of the way.
@@ -11,31 +9,23 @@ const DISAGREEMENT: f64 = 0.2;
 /// Distance that counts as none, in radians.
 const NOTHING: f64 = 1e-9;
 
-impl<L: Linkage, S: Scalar> Assembly<L, S> {
+impl<S: Scalar> Guide<'_, S> {
     /// Closes a group of kind `General` near where it is predicted. Gives the sine of its transmission angle, NaN if the
     /// answer cannot be trusted, and twice the largest change of its unknowns in radians or lengths of its longest link.
-    #[inline(never)]
-    pub(super) fn iterate(
-        &mut self,
-        group: usize,
-        independents: &[S],
-        instant: &Instant<L, S>,
-    ) -> (S, S) {
-        let unknowns = L::GROUPS[group].unknowns;
+    pub(super) fn iterate(&mut self, group: usize, independents: &[S], instant: &[S]) -> (S, S) {
+        let unknowns = self.entry.groups[group].unknowns;
         for &j in unknowns {
-            self.trial.as_mut()[j] = S::from_f64(self.predicted(j, independents));
+            self.trial[j] = S::from_f64(self.predicted(j, independents));
         }
-        let closed = self
-            .newton
-            .close(&self.closure, group, instant, &mut self.trial);
+        let closed = self.newton.close(self.loops, group, instant, self.trial);
         let Ok(closed) = closed else {
             return (S::from_f64(f64::NAN), S::ZERO);
         };
         let (mut moved, mut missed) = (0.0, 0.0);
         for (k, &j) in unknowns.iter().enumerate() {
             let unit = self.newton.units()[k];
-            let found = self.trial.as_ref()[j].to_f64();
-            let last = self.position.as_ref()[j].to_f64();
+            let found = self.trial[j].to_f64();
+            let last = self.position[j].to_f64();
             moved = f64::max(moved, (found - last).abs() / unit);
             missed = f64::max(
                 missed,
@@ -49,13 +39,10 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
 
     /// Where the kinematic coefficients predict a dependent coordinate.
     fn predicted(&self, j: usize, independents: &[S]) -> f64 {
-        let mut value = self.position.as_ref()[j].to_f64();
-        for (column, (to, from)) in self
-            .columns
-            .iter()
-            .zip(independents.iter().zip(&self.independents))
-        {
-            value += column.as_ref()[j].to_f64() * (*to - *from).to_f64();
+        let mut value = self.position[j].to_f64();
+        let columns = self.columns.chunks_exact(self.entry.dependents.len());
+        for (column, (to, from)) in columns.zip(independents.iter().zip(&*self.independents)) {
+            value += column[j].to_f64() * (*to - *from).to_f64();
         }
         value
     }

@@ -46,16 +46,19 @@ pub struct Group {
 
 /// The loops of one linkage with its dimensions fixed. The methods neither allocate nor panic; what does not exist is
 /// NaN.
-pub trait Closure<S: Scalar> {
+pub trait Closure<S: Scalar>: Send + Sync + 'static {
     /// A position: the dependent coordinates `z` first, in their declared order, then whatever the model keeps beside
     /// them (sines and cosines of those that are angles). A coordinate of a group is valid once the group is closed.
     type Position: Storage<S>;
-    /// What depends on the independent variables alone.
-    type Instant: Clone;
+    /// A row of what depends on the independent variables alone.
+    type Instant: Storage<S>;
     /// Room for the rows of the largest group: its number of equations.
     type Row: Storage<S>;
     /// Room for the square matrix of the largest group: the square of that number.
     type Matrix: Storage<S>;
+
+    /// What the linkage is made of: a constant, so that what is compiled for these loops alone knows it.
+    fn shape(&self) -> &'static Shape;
 
     /// A position with all entries zero.
     fn zeros(&self) -> Self::Position;
@@ -63,7 +66,8 @@ pub trait Closure<S: Scalar> {
     /// Values that depend on the independent variables alone.
     fn instant(&self, independents: &[S]) -> Self::Instant;
 
-    /// The same with how the drivers move, which outputs may need (length [`Linkage::MOTION`]); without it they are NaN.
+    /// The same with how the drivers move, which outputs may need; without it they are NaN. Length:
+    /// [`LinkageEntry::motion`](crate::shape::LinkageEntry::motion).
     #[inline(always)]
     fn moving(&self, independents: &[S], _motion: &[S]) -> Self::Instant {
         self.instant(independents)
@@ -129,12 +133,12 @@ pub trait Closure<S: Scalar> {
     /// Writes the outputs, in their declared order.
     fn outputs(&self, instant: &Self::Instant, position: &Self::Position, values: &mut [S]);
 
-    /// Writes the influence coefficients: `values[i*VARIABLES + j]` is the derivative of output `i` by variable `j`,
+    /// Writes the influence coefficients: `values[i*variables + j]` is the derivative of output `i` by variable `j`,
     /// with the loops closed.
     fn influence(&self, instant: &Self::Instant, position: &Self::Position, values: &mut [S]);
 
-    /// Writes the second derivatives: for each output the lower triangle, row by row, `VARIABLES*(VARIABLES + 1)/2`
-    /// values. A linkage that has none ([`Linkage::SECOND`]) writes nothing.
+    /// Writes the second derivatives: for each output the lower triangle, row by row, `variables*(variables + 1)/2`
+    /// values. A linkage that has none ([`LinkageEntry::second`](crate::shape::LinkageEntry::second)) writes nothing.
     fn second_influence(
         &self,
         instant: &Self::Instant,
@@ -169,33 +173,12 @@ pub enum Variable {
 }
 
 /// A linkage with its dimensions: the type that a user fills in and hands to a solver.
-pub trait Linkage: Clone + Send + Sync {
+pub trait Linkage: Clone + Send + Sync + 'static {
     /// The loops, prepared for a scalar type.
-    type Closure<S: Scalar>: Closure<S> + Send + Sync;
+    type Closure<S: Scalar>: Closure<S>;
 
     /// What the linkage is made of.
     fn shape() -> &'static Shape;
-
-    /// Number of independent variables: the positions of the drivers.
-    const INDEPENDENTS: usize;
-    /// Length of what says how the drivers move: their speeds, their accelerations, the time; 0 where they are swept.
-    const MOTION: usize;
-    /// Number of dependent coordinates.
-    const DEPENDENTS: usize;
-    /// Number of outputs.
-    const OUTPUTS: usize;
-    /// Number of points.
-    const POINTS: usize;
-    /// Number of constants.
-    const CONSTANTS: usize;
-    /// What influence coefficients are taken by.
-    const VARIABLES: &'static [Variable];
-    /// Whether there are second derivatives.
-    const SECOND: bool;
-    /// The groups, each after those it needs.
-    const GROUPS: &'static [Group];
-    /// Which dependent coordinates are angles, the same after a turn.
-    const ANGLES: &'static [bool];
 
     /// All constants, SI units, in their order.
     fn values(&self) -> Vec<f64>;
@@ -216,10 +199,9 @@ pub trait Linkage: Clone + Send + Sync {
     fn span(&self) -> Span;
 
     /// The independent variables at a time, and behind them how the drivers move; none where they do not move in time.
-    /// Length `INDEPENDENTS + MOTION`.
     fn drive(&self, time: f64) -> Option<Vec<f64>>;
 
-    /// The range of each driver; length `INDEPENDENTS`, NaN where none is stated.
+    /// The range of each driver; NaN where none is stated.
     fn ranges(&self) -> Vec<Range>;
 
     /// Rough values of the dependent coordinates at the start, which pick the assembly mode; NaN where none is stated.

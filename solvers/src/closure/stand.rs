@@ -3,12 +3,12 @@
 //! Which branch that is depends on where the motion goes on, so that it is decided when the place is left: the slopes of
 //! the unknowns, kept from the way that led there, tell the branches apart.
 
-use super::assembly::Assembly;
 use super::continuation::{Way, scalars};
 use super::crossing::{Crossing, SINE};
 use super::error::ClosureError;
+use super::guide::Guide;
 use super::meeting::{CLEAR, Meeting};
-use super::problem::{GroupKind, Linkage};
+use super::problem::GroupKind;
 use crate::scalar::Scalar;
 
 /// Part of a way on which the rate of a sine is measured that begins at zero.
@@ -51,11 +51,11 @@ impl Stand {
     }
 }
 
-impl<L: Linkage, S: Scalar> Assembly<L, S> {
+impl<S: Scalar> Guide<'_, S> {
     /// Prepares to leave the change points that are stood on along the smooth branches.
     pub(super) fn leave_stands(&mut self, way: &mut Way) -> Result<(), ClosureError> {
-        for stand in std::mem::take(&mut self.stands) {
-            let meeting = if L::GROUPS[stand.group].kind == GroupKind::General {
+        for stand in std::mem::take(self.stands) {
+            let meeting = if self.entry.groups[stand.group].kind == GroupKind::General {
                 self.leave_iterated(way, &stand)
                     .map_or(Meeting::None, Meeting::Point)
             } else {
@@ -77,7 +77,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let slopes = stand.slopes_on(way);
         let misses = [1.0, -1.0].map(|mode| {
             self.probe(way, before, group, mode);
-            let parts = L::GROUPS[group].unknowns.iter().zip(&slopes);
+            let parts = self.entry.groups[group].unknowns.iter().zip(&slopes);
             let missed = parts.map(|(&j, slope)| (self.moved(j) - slope * before).abs());
             missed.fold(0.0, f64::max)
         });
@@ -92,7 +92,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
 
     /// How far a dependent coordinate is from where it was.
     fn moved(&self, j: usize) -> f64 {
-        (self.trial.as_ref()[j] - self.position.as_ref()[j]).to_f64()
+        (self.trial[j] - self.position[j]).to_f64()
     }
 
     /// The change point of a group that is iterated, from solutions where the slopes let expect them.
@@ -101,13 +101,13 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let rate = self.close_along(way, stand.group, &slopes, TINY)?.abs() / TINY;
         let unit = SINE / rate;
         let nodes = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0].map(|k| k * unit);
-        let unknowns = L::GROUPS[stand.group].unknowns;
+        let unknowns = self.entry.groups[stand.group].unknowns;
         let mut values = vec![[0.0; 6]; unknowns.len()];
         let mut sines = [0.0; 6];
         for (k, &t) in nodes.iter().enumerate() {
             sines[k] = self.close_along(way, stand.group, &slopes, t)?;
             for (value, &j) in values.iter_mut().zip(unknowns) {
-                value[k] = self.trial.as_ref()[j].to_f64();
+                value[k] = self.trial[j].to_f64();
             }
         }
         Crossing::between(stand.group, nodes, sines, values)
@@ -118,14 +118,14 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         if group > 0 && self.probe(way, t, group - 1, self.mode(group - 1)).is_nan() {
             return None;
         }
-        let unknowns = L::GROUPS[group].unknowns;
+        let unknowns = self.entry.groups[group].unknowns;
         for (slope, &j) in slopes.iter().zip(unknowns) {
-            self.trial.as_mut()[j] = self.position.as_ref()[j] + S::from_f64(slope * t);
+            self.trial[j] = self.position[j] + S::from_f64(slope * t);
         }
         let instant = self.instant_at(&scalars::<S>(&way.at(t)));
         let closed = self
             .newton
-            .close(&self.closure, group, &instant, &mut self.trial)
+            .close(self.loops, group, &instant, self.trial)
             .ok()?;
         let parts = slopes.iter().zip(unknowns);
         let missed = parts

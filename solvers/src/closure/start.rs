@@ -1,9 +1,9 @@
 //! Putting a linkage together: which assembly mode the start values mean.
 
-use super::assembly::Assembly;
 use super::error::ClosureError;
-use super::newton::{Failure, Instant, Stop};
-use super::problem::{Closure, GroupKind, Linkage};
+use super::guide::Guide;
+use super::newton::{Failure, Stop};
+use super::problem::GroupKind;
 use crate::scalar::Scalar;
 use std::f64::consts::{PI, TAU};
 
@@ -36,7 +36,7 @@ pub struct Contradiction {
     pub assembled: f64,
 }
 
-impl<L: Linkage, S: Scalar> Assembly<L, S> {
+impl<S: Scalar> Guide<'_, S> {
     /// Puts the linkage together where the start values of the mechanism are meant: where the drivers start, or, if they
     /// move in time and no start is stated, where they are when the task begins.
     ///
@@ -62,41 +62,41 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// # Errors
     /// As [`Assembly::start`].
     pub fn start_at(&mut self, at: &[f64], near: &[f64]) -> Result<Start, ClosureError> {
-        if at.len() != L::INDEPENDENTS || at.iter().any(|value| !value.is_finite()) {
+        if at.len() != self.independents.len() || at.iter().any(|value| !value.is_finite()) {
             return Err(ClosureError::BadRange {
                 reason: format!(
                     "a start at {at:?}: expected {} finite values",
-                    L::INDEPENDENTS
+                    self.independents.len()
                 ),
             });
         }
         let independents: Vec<S> = at.iter().map(|value| S::from_f64(*value)).collect();
-        if Self::LOOSE {
+        if self.entry.groups.is_empty() {
             self.put(&independents)?;
             return Ok(Start::default());
         }
         let instant = self.instant_at(&independents);
         let unknown = |group: &usize| {
-            let unknowns = L::GROUPS[*group].unknowns;
+            let unknowns = self.entry.groups[*group].unknowns;
             unknowns.iter().all(|&j| near[j].is_nan())
         };
-        let free: Vec<usize> = (0..L::GROUPS.len()).filter(unknown).collect();
+        let free: Vec<usize> = (0..self.entry.groups.len()).filter(unknown).collect();
         let choices: Vec<usize> = free
             .iter()
             .copied()
-            .filter(|&group| L::GROUPS[group].kind.has_modes())
+            .filter(|&group| self.entry.groups[group].kind.has_modes())
             .collect();
-        let kept = self.groups.modes.clone();
+        let kept = self.groups.modes.to_vec();
         let outcome = self.place_freely(at, &instant, near, &choices);
         let is_near = outcome.is_ok() && self.is_near(&instant, near);
         if !is_near && !self.place_nearest(at, &instant, near, outcome.is_ok()) {
-            outcome.inspect_err(|_| self.groups.modes.clone_from(&kept))?;
+            outcome.inspect_err(|_| self.groups.modes.copy_from_slice(&kept))?;
         }
         let contradicted = self.contradicted(&instant, near);
         self.settle(&independents, &instant);
         let assumed = free
             .into_iter()
-            .filter(|&group| L::GROUPS[group].kind != GroupKind::Linear);
+            .filter(|&group| self.entry.groups[group].kind != GroupKind::Linear);
         Ok(Start {
             assumed: assumed.collect(),
             contradicted,
@@ -107,15 +107,14 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     fn place_freely(
         &mut self,
         at: &[f64],
-        instant: &Instant<L, S>,
+        instant: &[S],
         near: &[f64],
         choices: &[usize],
     ) -> Result<(), ClosureError> {
         let mut first = Ok(());
         for bits in 0..1u64 << choices.len().min(16) {
             for (k, &group) in choices.iter().enumerate() {
-                self.groups.modes.as_mut()[group] =
-                    S::from_f64(if bits >> k & 1 == 0 { 1.0 } else { -1.0 });
+                self.groups.modes[group] = S::from_f64(if bits >> k & 1 == 0 { 1.0 } else { -1.0 });
             }
             let outcome = self.place_all(at, instant, near);
             if outcome.is_ok() {
@@ -130,10 +129,10 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     pub(super) fn place_all(
         &mut self,
         at: &[f64],
-        instant: &Instant<L, S>,
+        instant: &[S],
         near: &[f64],
     ) -> Result<(), ClosureError> {
-        for (group, described) in L::GROUPS.iter().enumerate() {
+        for (group, described) in self.entry.groups.iter().enumerate() {
             let sine = match described.kind {
                 GroupKind::General => self.place_iterated(group, at, instant, near)?,
                 GroupKind::Linear => self.closed(group, instant, 1.0),
@@ -142,20 +141,16 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             if sine.is_nan() || sine == 0.0 {
                 return Err(self.explain(group, at, instant));
             }
-            self.next.sines.as_mut()[group] = S::from_f64(sine);
+            self.next.sines[group] = S::from_f64(sine);
             self.unwrap_towards(group, near);
         }
         Ok(())
     }
 
     /// Closes a group in closed form in a mode.
-    pub(super) fn closed(&mut self, group: usize, instant: &Instant<L, S>, mode: f64) -> f64 {
-        let (closure, mode) = (&self.closure, S::from_f64(mode));
-        S::outline(
-            #[inline(always)]
-            || closure.close(group, instant, mode, &mut self.trial),
-        )
-        .to_f64()
+    pub(super) fn closed(&mut self, group: usize, instant: &[S], mode: f64) -> f64 {
+        let mode = S::from_f64(mode);
+        self.loops.close(group, instant, mode, self.trial).to_f64()
     }
 
     /// Closes a group in the mode nearest to rough values, or in the mode that is set if there are none.
@@ -163,19 +158,18 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         &mut self,
         group: usize,
         at: &[f64],
-        instant: &Instant<L, S>,
+        instant: &[S],
         near: &[f64],
     ) -> Result<f64, ClosureError> {
-        let unknowns = L::GROUPS[group].unknowns;
+        let unknowns = self.entry.groups[group].unknowns;
         let mut candidates = [Vec::new(), Vec::new()];
         for (candidate, mode) in candidates.iter_mut().zip([1.0, -1.0]) {
             if self.closed(group, instant, mode).is_nan() {
                 return Err(self.explain(group, at, instant));
             }
-            candidate.extend(unknowns.iter().map(|&j| self.trial.as_ref()[j].to_f64()));
+            candidate.extend(unknowns.iter().map(|&j| self.trial[j].to_f64()));
         }
-        self.newton
-            .sine(&self.closure, group, instant, &mut self.trial);
+        self.newton.sine(self.loops, group, instant, self.trial);
         let wanted: Vec<f64> = unknowns.iter().map(|&j| near[j]).collect();
         let [plus, minus] = &candidates;
         let apart = self.distance(group, plus, minus);
@@ -199,8 +193,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             });
         }
         if stated {
-            self.groups.modes.as_mut()[group] =
-                S::from_f64(if to_plus < to_minus { 1.0 } else { -1.0 });
+            self.groups.modes[group] = S::from_f64(if to_plus < to_minus { 1.0 } else { -1.0 });
         }
         let mode = self.mode(group);
         Ok(self.closed(group, instant, mode))
@@ -208,11 +201,11 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
 
     /// Distance between unknowns of a group, in radians or lengths of its longest link. What is NaN does not count.
     fn distance(&self, group: usize, from: &[f64], to: &[f64]) -> f64 {
-        let unknowns = L::GROUPS[group].unknowns;
+        let unknowns = self.entry.groups[group].unknowns;
         let units = self.newton.units();
         let parts = unknowns.iter().enumerate().map(|(k, &j)| {
             let change = from[k] - to[k];
-            if L::ANGLES[j] {
+            if self.entry.angles[j] {
                 (change + PI).rem_euclid(TAU) - PI
             } else {
                 change / units[k]
@@ -230,16 +223,14 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         &mut self,
         group: usize,
         at: &[f64],
-        instant: &Instant<L, S>,
+        instant: &[S],
         near: &[f64],
     ) -> Result<f64, ClosureError> {
-        for &j in L::GROUPS[group].unknowns {
+        for &j in self.entry.groups[group].unknowns {
             let value = if near[j].is_nan() { 0.0 } else { near[j] };
-            self.trial.as_mut()[j] = S::from_f64(value);
+            self.trial[j] = S::from_f64(value);
         }
-        let closed = self
-            .newton
-            .close(&self.closure, group, instant, &mut self.trial);
+        let closed = self.newton.close(self.loops, group, instant, self.trial);
         match closed {
             Ok(closed) => Ok(closed.sine),
             Err(failure) => Err(failure_at(failure, group, at)),
@@ -248,49 +239,43 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
 
     /// Adds whole turns to the angles of a group, so that they are nearest to rough values.
     fn unwrap_towards(&mut self, group: usize, near: &[f64]) {
-        for &j in L::GROUPS[group].unknowns {
-            let angle = self.trial.as_ref()[j].to_f64();
-            let turns = if L::ANGLES[j] && L::GROUPS[group].kind.has_modes() && near[j].is_finite()
+        for &j in self.entry.groups[group].unknowns {
+            let angle = self.trial[j].to_f64();
+            let turns = if self.entry.angles[j]
+                && self.entry.groups[group].kind.has_modes()
+                && near[j].is_finite()
             {
                 TAU * ((near[j] - angle) / TAU).round()
             } else {
                 0.0
             };
-            self.turns.as_mut()[j] = S::from_f64(turns);
-            self.trial.as_mut()[j] = S::from_f64(angle + turns);
+            self.turns[j] = S::from_f64(turns);
+            self.trial[j] = S::from_f64(angle + turns);
         }
     }
 
     /// Begins the motion where the groups have been closed.
-    fn settle(&mut self, independents: &[S], instant: &Instant<L, S>) {
+    fn settle(&mut self, independents: &[S], instant: &[S]) {
         let unknown = S::from_f64(f64::NAN);
-        self.next.changes.as_mut().fill(unknown);
+        self.next.changes.fill(unknown);
         self.independents.copy_from_slice(independents);
-        S::outline(
-            #[inline(always)]
-            || self.accept(independents, instant),
-        );
+        self.accept(independents, instant);
         self.heading.fill(unknown);
         self.stands.clear();
         self.events.clear();
     }
 
     /// Says why a group in closed form has no position where the groups before it are closed.
-    pub(super) fn explain(
-        &mut self,
-        group: usize,
-        at: &[f64],
-        instant: &Instant<L, S>,
-    ) -> ClosureError {
+    pub(super) fn explain(&mut self, group: usize, at: &[f64], instant: &[S]) -> ClosureError {
         let at = at.to_vec();
-        if L::GROUPS[group].kind == GroupKind::General {
+        if self.entry.groups[group].kind == GroupKind::General {
             return ClosureError::Ambiguous {
                 group,
                 at,
                 apart: 0.0,
             };
         }
-        let margin = self.closure.margin(group, instant, &self.trial).to_f64();
+        let margin = self.loops.margin(group, instant, self.trial).to_f64();
         if margin < -ROUNDING * self.reach(group, instant) {
             return ClosureError::NotAssembled {
                 group,
@@ -309,14 +294,13 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     }
 
     /// Length of the longest link of a group, as its equations see it.
-    pub(super) fn reach(&mut self, group: usize, instant: &Instant<L, S>) -> f64 {
-        for &j in L::GROUPS[group].unknowns {
-            if !self.trial.as_ref()[j].to_f64().is_finite() {
-                self.trial.as_mut()[j] = S::ZERO;
+    pub(super) fn reach(&mut self, group: usize, instant: &[S]) -> f64 {
+        for &j in self.entry.groups[group].unknowns {
+            if !self.trial[j].to_f64().is_finite() {
+                self.trial[j] = S::ZERO;
             }
         }
-        self.newton
-            .sine(&self.closure, group, instant, &mut self.trial);
+        self.newton.sine(self.loops, group, instant, self.trial);
         self.newton
             .columns()
             .iter()

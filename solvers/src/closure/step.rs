@@ -3,8 +3,7 @@
 //! It is what [`Assembly::move_to`] spends its time with. Position and sines stand in local variables until the step is
 //! accepted, so that the compiler keeps them in registers and writes them once.
 
-use super::assembly::Assembly;
-use super::newton::Position;
+use super::assembly::{Assembly, Position};
 use super::problem::{Closure, GroupKind, Linkage};
 use crate::scalar::Scalar;
 
@@ -39,23 +38,24 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     pub(super) fn step(&mut self, independents: &[S]) -> bool {
         /// Written out for the first groups, so that what is known of each is known to the compiler.
         macro_rules! written_out {
-            ($sines:ident $position:ident $ratio:ident: $($index:literal)*) => {{
+            ($groups:ident $sines:ident $position:ident $ratio:ident: $($index:literal)*) => {{
                 let mut certain = true;
-                $(if L::GROUPS.len() > $index {
+                $(if $groups > $index {
                     certain &= self.keeps($index, $sines.as_ref()[$index], $ratio, &mut $position);
                 })*
                 certain
             }};
         }
-        let groups = L::GROUPS.len();
-        let instant = self.closure.instant(independents);
-        let ratio = self.ratio(independents);
-        let (mut position, mut sines) = (self.closure.zeros(), self.closure.zeros());
+        let loops = &self.closure.0;
+        let entry = loops.shape().loops();
+        let groups = entry.groups.len();
+        let instant = loops.instant(independents);
+        let ratio = ratio(independents, &self.independents, &self.heading);
+        let (mut position, mut sines) = (loops.zeros(), loops.zeros());
         let modes = &self.groups.modes.as_ref()[..groups];
         let found = &mut sines.as_mut()[..groups];
-        self.closure
-            .close_all(&instant, modes, &mut position, found);
-        let mut certain = written_out!(sines position ratio: 0 1 2 3 4 5);
+        loops.close_all(&instant, modes, &mut position, found);
+        let mut certain = written_out!(groups sines position ratio: 0 1 2 3 4 5);
         for index in 6..groups {
             certain &= self.keeps(index, sines.as_ref()[index], ratio, &mut position);
         }
@@ -72,16 +72,32 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         certain
     }
 
+    /// Takes other independent variables, and how they have changed.
+    #[inline(always)]
+    fn head(&mut self, independents: &[S]) {
+        if self.closure.0.shape().drivers.len() == 1 {
+            self.heading[0] = independents[0] - self.independents[0];
+            self.independents[0] = independents[0];
+            return;
+        }
+        let known = self.independents.iter_mut().zip(&mut self.heading);
+        for (value, (kept, heading)) in independents.iter().zip(known) {
+            *heading = *value - *kept;
+            *kept = *value;
+        }
+    }
+
     /// Continues the angles of a group over whole turns, and says whether it has certainly kept its mode.
     #[inline(always)]
     fn keeps(&self, index: usize, sine: S, ratio: S, position: &mut Position<L, S>) -> bool {
-        let group = &L::GROUPS[index];
+        let entry = self.closure.0.shape().loops();
+        let group = &entry.groups[index];
         let before = self.groups.sines.as_ref()[index];
         let mut turned = S::ZERO;
         if group.kind.has_modes() {
             let (position, last) = (position.as_mut(), self.position.as_ref());
             for &j in group.unknowns {
-                if L::ANGLES[j] {
+                if entry.angles[j] {
                     position[j] = position[j] + self.turns.as_ref()[j];
                     turned = turned + (position[j] - last[j]).abs();
                 }
@@ -95,4 +111,31 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         };
         passage.certainly_keeps(group.kind)
     }
+}
+
+/// How often the last step goes into the one to these independent variables; NaN if its direction is another.
+#[inline(always)]
+pub(super) fn ratio<S: Scalar>(independents: &[S], known: &[S], heading: &[S]) -> S {
+    if let ([to], [from], [heading]) = (independents, known, heading) {
+        return (*to - *from) / *heading;
+    }
+    ratio_of_many(independents, known, heading)
+}
+
+/// The same for several independent variables.
+fn ratio_of_many<S: Scalar>(independents: &[S], known: &[S], heading: &[S]) -> S {
+    let (mut square, mut along, mut size) = (0.0, 0.0, 0.0);
+    for (k, to) in independents.iter().enumerate() {
+        let heading = heading[k].to_f64();
+        let change = (*to - known[k]).to_f64();
+        square += heading * heading;
+        along += heading * change;
+        size += change * change;
+    }
+    let aligned = along.abs() >= (1.0 - 1e-12) * (square * size).sqrt();
+    S::from_f64(match (independents.is_empty(), aligned) {
+        (true, _) => 0.0,
+        (false, true) => along / square,
+        (false, false) => f64::NAN,
+    })
 }

@@ -4,10 +4,11 @@
 //! search for the greatest value would lose half of the digits. Where an output jumps or goes beyond all bounds it is
 //! looked what it tends to on either side.
 
+use super::any::AnyLinkage;
 use super::breaks::{Break, unbounded};
 use super::error::ClosureError;
 use super::extremes::{self, Course, Extreme, Limit, Sample};
-use super::limits::{End, Stretch, stretch};
+use super::limits::{End, Stretch, stretch_of};
 use super::problem::Linkage;
 use super::track::{Along, Track};
 
@@ -44,10 +45,18 @@ impl Stroke {
 /// Finds the limit positions and the strokes over a task: of all outputs, and behind them of all dependent coordinates.
 ///
 /// # Errors
-/// As [`stretch`]; or, in time, why the linkage does not get through the task.
+/// As [`stretch`](fn@super::stretch); or, in time, why the linkage does not get through the task.
 pub fn strokes<L: Linkage>(linkage: &L, along: Along) -> Result<Vec<Stroke>, ClosureError> {
+    strokes_of(linkage, along)
+}
+
+/// The same of any linkage.
+pub(crate) fn strokes_of(
+    linkage: &dyn AnyLinkage,
+    along: Along,
+) -> Result<Vec<Stroke>, ClosureError> {
     let stretch = match along {
-        Along::Driver(index, bounds) => Some(stretch(linkage, index, bounds)?),
+        Along::Driver(index, bounds) => Some(stretch_of(linkage, index, bounds)?),
         Along::Time(..) => None,
     };
     let mut track = Track::new(linkage, along)?;
@@ -91,7 +100,9 @@ pub fn strokes<L: Linkage>(linkage: &L, along: Along) -> Result<Vec<Stroke>, Clo
         };
         Ok(over(course, ends, &samples))
     };
-    (0..L::OUTPUTS + L::DEPENDENTS).map(stroke).collect()
+    let shape = linkage.shape();
+    let channels = shape.outputs.len() + shape.loops().dependents.len();
+    (0..channels).map(stroke).collect()
 }
 
 /// Equally spaced places over a task, as far as the linkage gets. Ends at dead points cannot be stood on; the rates of

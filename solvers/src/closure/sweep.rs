@@ -2,6 +2,7 @@
 
 use super::assembly::Assembly;
 use super::error::ClosureError;
+use super::guide::Guide;
 use super::positions::{Positions, record};
 use super::problem::Linkage;
 use crate::dispatch::{Task, dispatch};
@@ -51,7 +52,7 @@ pub fn sweep<L: Linkage>(
     axes: &[Axis],
     at_dead_point: AtDeadPoint,
 ) -> Result<Positions, ClosureError> {
-    check(axes, L::INDEPENDENTS)?;
+    check(axes, L::shape().drivers.len())?;
     dispatch(Sweep {
         linkage,
         axes,
@@ -94,14 +95,15 @@ impl<L: Linkage> Task for Sweep<'_, L> {
         let mut assembly = Assembly::<L, S>::new(self.linkage);
         assembly.start()?;
         let count = self.axes.iter().map(|axis| axis.count).product();
-        let mut positions = Positions::new::<L>(count);
+        let shape = L::shape();
+        let mut positions = Positions::new(shape, count);
         let through = self.at_dead_point == AtDeadPoint::Through && self.axes.len() == 1;
-        let limits = assembly.limits();
+        let limits = assembly.guide().limits();
         let short = self.axes.iter().zip(&limits).all(|(axis, limit)| {
             (axis.to - axis.from).abs() <= limit * (axis.count.max(2) - 1) as f64
         });
         let mut place = vec![S::ZERO; self.axes.len()];
-        let mut outputs = vec![S::ZERO; L::OUTPUTS];
+        let mut outputs = vec![S::ZERO; shape.outputs.len()];
         for number in 0..count {
             let index = locate(self.axes, number, &mut place);
             let outcome = if short && number > 0 {
@@ -137,8 +139,8 @@ fn go_back<L: Linkage, S: Scalar>(assembly: &mut Assembly<L, S>, positions: &mut
         return;
     };
     let outcome = assembly.pass_dead_point(wanted);
-    let mut outputs = vec![S::ZERO; L::OUTPUTS];
-    let mut place = vec![S::ZERO; L::INDEPENDENTS];
+    let mut outputs = vec![S::ZERO; L::shape().outputs.len()];
+    let mut place = assembly.independents().to_vec();
     let count = positions.len();
     positions.end = outcome.err();
     for index in (0..count).rev() {
@@ -185,44 +187,21 @@ fn locate<S: Scalar>(axes: &[Axis], number: usize, place: &mut [S]) -> usize {
     index
 }
 
-impl<L: Linkage, S: Scalar> Assembly<L, S> {
-    /// Moves a long way in several steps, so that nothing on it is missed.
-    ///
-    /// # Errors
-    /// As [`Assembly::move_to`].
-    #[inline(always)]
-    pub fn travel(&mut self, target: &[S]) -> Result<(), ClosureError> {
-        S::outline(
-            #[inline(always)]
-            || self.go(target),
-        )
-    }
-
-    #[inline(always)]
-    fn go(&mut self, target: &[S]) -> Result<(), ClosureError> {
-        if Self::LOOSE {
-            return self.put(target);
+impl<S: Scalar> Guide<'_, S> {
+    /// In how many parts a long way is gone, so that nothing on it is missed; none where there is nothing to close.
+    pub(super) fn parts(&self, target: &[S]) -> f64 {
+        if self.entry.groups.is_empty() {
+            return 0.0;
         }
-        let from = self.place();
-        let limits = self.limits();
+        let (from, limits) = (self.place(), self.limits());
         let parts = target.iter().zip(&from).zip(&limits);
-        let count = parts
+        parts
             .map(|((to, from), limit)| ((to.to_f64() - from).abs() / limit).ceil())
-            .fold(1.0, f64::max);
-        let mut place = target.to_vec();
-        let mut number = 1.0;
-        while number < count {
-            for ((value, to), from) in place.iter_mut().zip(target).zip(&from) {
-                *value = S::from_f64(from + (to.to_f64() - from) * (number / count));
-            }
-            self.move_to(&place)?;
-            number += 1.0;
-        }
-        self.move_to(target)
+            .fold(1.0, f64::max)
     }
 
     /// The longest step of each independent variable: a part of its period, or of its range.
-    fn limits(&self) -> Vec<f64> {
+    pub(super) fn limits(&self) -> Vec<f64> {
         let ranges = self.linkage.ranges();
         let limits = ranges.iter().map(|range| {
             let (period, range) = (

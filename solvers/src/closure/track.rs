@@ -1,9 +1,10 @@
 //! A linkage moved along its task, by one of its drivers or in time, and looked at anywhere on it.
 
-use super::assembly::{Assembly, Event};
+use super::any::AnyLinkage;
+use super::assembly::Event;
 use super::error::ClosureError;
 use super::extremes::Sample;
-use super::problem::Linkage;
+use super::guide::Moves;
 use super::rates::Rates;
 use crate::scalar::Dual;
 
@@ -48,29 +49,29 @@ impl Look {
 }
 
 /// A linkage that is moved along.
-pub(super) struct Track<L: Linkage> {
-    assembly: Assembly<L, f64>,
-    rates: Rates<L>,
-    linkage: L,
+pub(super) struct Track<'a> {
+    assembly: Box<dyn Moves>,
+    rates: Rates,
+    linkage: &'a dyn AnyLinkage,
     along: Along,
     standing: Vec<f64>,
     /// Where modes of a group have met, and both go on.
     pub change_points: Vec<f64>,
 }
 
-impl<L: Linkage> Track<L> {
+impl<'a> Track<'a> {
     /// Puts a linkage together.
     ///
     /// # Errors
-    /// As [`Assembly::start`].
-    pub fn new(linkage: &L, along: Along) -> Result<Self, ClosureError> {
-        let mut assembly = Assembly::new(linkage);
-        assembly.start()?;
+    /// As [`Assembly::start`](super::Assembly::start).
+    pub fn new(linkage: &'a dyn AnyLinkage, along: Along) -> Result<Self, ClosureError> {
+        let mut assembly = linkage.assemble();
+        assembly.guide().start()?;
         Ok(Self {
-            standing: assembly.independents().to_vec(),
+            standing: assembly.guide().independents.to_vec(),
             assembly,
             rates: Rates::new(linkage),
-            linkage: linkage.clone(),
+            linkage,
             along,
             change_points: Vec::new(),
         })
@@ -82,22 +83,23 @@ impl<L: Linkage> Track<L> {
     /// Why it does not get there.
     pub fn look(&mut self, at: f64) -> Result<Look, ClosureError> {
         let place = self.place(at)?;
-        let independents = place[..L::INDEPENDENTS].iter().map(|x| x.value);
+        let independents = place[..self.standing.len()].iter().map(|x| x.value);
         self.assembly.travel(&independents.collect::<Vec<_>>())?;
         self.note_change_points(at);
-        let values = self.rates.of(&mut self.assembly, &place);
+        let values = self.rates.of(&mut self.assembly.guide(), &place);
         Ok(Look { at, values })
     }
 
     /// Remembers the change points that were passed on the way to a place, or that it is.
     fn note_change_points(&mut self, at: f64) {
-        let events = self.assembly.take_events().into_iter();
+        let mut guide = self.assembly.guide();
+        let events = guide.take_events().into_iter();
         let passed = events.filter_map(|event| match (event, self.along) {
             (Event::ChangePoint { at, .. }, Along::Driver(index, _)) => at.get(index).copied(),
             (Event::ChangePoint { .. }, Along::Time(..)) => Some(at),
             _ => None,
         });
-        let here = (!self.assembly.stands.is_empty()).then_some(at);
+        let here = (!guide.stands.is_empty()).then_some(at);
         self.change_points.extend(passed.chain(here));
     }
 
@@ -117,7 +119,7 @@ impl<L: Linkage> Track<L> {
                     })
                 };
                 let (here, ahead, behind) = (drive(at)?, drive(at + step)?, drive(at - step)?);
-                let n = L::INDEPENDENTS;
+                let n = self.standing.len();
                 // Behind positions stand speeds, accelerations and the time.
                 let slope = |k: usize| match k {
                     _ if k < 2 * n => here[k + n],

@@ -1,11 +1,11 @@
 //! Dead points of any group: where the curve of positions turns back on its way, and passing through.
 
 use super::arc::{Curve, Point};
-use super::assembly::{Assembly, Event};
+use super::assembly::Event;
 use super::continuation::{Way, scalars};
 use super::crossing::Crossing;
 use super::error::ClosureError;
-use super::problem::Linkage;
+use super::guide::Guide;
 use super::root::brent;
 use crate::scalar::Scalar;
 use std::f64::consts::TAU;
@@ -25,7 +25,7 @@ struct Turn {
     dead: Point,
 }
 
-impl<L: Linkage, S: Scalar> Assembly<L, S> {
+impl<S: Scalar> Guide<'_, S> {
     /// Where the curve of positions from `done` turns back before the end of the way.
     pub(super) fn turn_ahead(&mut self, way: &Way, done: f64) -> Option<f64> {
         let mut curve = self.curve(way);
@@ -53,20 +53,18 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let nodes = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0].map(|k| at + k * unit);
         let mut curve = self.curve(way);
         let mut point = curve.begin(&self.coordinates(), done)?;
-        let unknowns = L::GROUPS[group].unknowns;
+        let unknowns = self.entry.groups[group].unknowns;
         let mut values = vec![[0.0; 6]; unknowns.len()];
         let mut sines = [0.0; 6];
         for (k, &t) in nodes.iter().enumerate() {
             point = curve.reach(point, t)?;
             let coordinates = curve.coordinates(&point);
             let instant = self.instant_at(&scalars::<S>(&way.at(t)));
-            for (entry, value) in self.trial.as_mut().iter_mut().zip(&coordinates) {
+            for (entry, value) in self.trial.iter_mut().zip(&coordinates) {
                 *entry = S::from_f64(*value);
             }
             for before in 0..=group {
-                sines[k] = self
-                    .newton
-                    .sine(&self.closure, before, &instant, &mut self.trial);
+                sines[k] = self.newton.sine(self.loops, before, &instant, self.trial);
             }
             for (value, &j) in values.iter_mut().zip(unknowns) {
                 value[k] = coordinates[j];
@@ -102,8 +100,10 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
                 sine,
             });
         };
-        let before: Vec<f64> = (0..L::GROUPS.len()).map(|group| self.sine(group)).collect();
-        let mut events = std::mem::take(&mut self.events);
+        let before: Vec<f64> = (0..self.entry.groups.len())
+            .map(|group| self.sine(group))
+            .collect();
+        let mut events = std::mem::take(self.events);
         let outcome = self.start_at(&here, &coordinates);
         for (group, sine) in before.into_iter().enumerate() {
             if outcome.is_ok() && sine.signum() != self.sine(group).signum() {
@@ -111,7 +111,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
                 events.push(Event::DeadPoint { group, at, mode });
             }
         }
-        self.events = events;
+        *self.events = events;
         outcome.map(|_| ())
     }
 
@@ -149,8 +149,8 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         None
     }
 
-    fn curve<'a>(&self, way: &'a Way) -> Curve<'a, L> {
-        Curve::new(&self.linkage, way, self.units(way))
+    fn curve<'a>(&self, way: &'a Way) -> Curve<'a> {
+        Curve::new(self.linkage, way, self.units(way))
     }
 
     /// What counts as much as a radian: of the dependent coordinates, the size that displacements have; of the way, the
@@ -159,7 +159,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let coordinates = self.coordinates();
         let sizes = coordinates
             .iter()
-            .zip(L::ANGLES)
+            .zip(self.entry.angles)
             .map(|(value, is_angle)| match value.abs() {
                 size if !is_angle && size > 0.0 => size,
                 _ => 1.0,
@@ -183,28 +183,10 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let fastest = parts.fold(0.0, f64::max);
         sizes.chain([1.0 / fastest]).collect()
     }
-
-    /// The dependent coordinates as plain numbers.
-    pub fn coordinates(&self) -> Vec<f64> {
-        let all = self.position.as_ref()[..L::DEPENDENTS].iter();
-        all.map(|value| value.to_f64()).collect()
-    }
-
-    /// The group nearest to a dead point, and its sine.
-    pub fn weakest(&self) -> (usize, f64) {
-        let sines = (0..L::GROUPS.len()).map(|group| (group, self.sine(group)));
-        sines.fold((0, f64::INFINITY), |least, next| {
-            if next.1.abs() < least.1.abs() {
-                next
-            } else {
-                least
-            }
-        })
-    }
 }
 
 /// Follows the curve until it turns back before the end of its way.
-fn find_turn<L: Linkage>(curve: &mut Curve<'_, L>, begin: Point) -> Option<Turn> {
+fn find_turn(curve: &mut Curve<'_>, begin: Point) -> Option<Turn> {
     let (mut point, mut length) = (begin, FIRST);
     for _ in 0..STEPS {
         match curve.beyond(&point, length) {

@@ -1,10 +1,9 @@
-//! How a linkage can be assembled, and how far it goes; whole runs, as everything behind `dyn`.
+//! How a linkage can be assembled, and how far it goes.
 
 use std::f64::consts::TAU;
 
-use super::linkage::Bound;
 use crate::closure::{
-    self, Along, Closure, ClosureError, Linkage, Newton, Search, Stretch, Stroke,
+    self, Along, AnyLinkage, ClosureError, Newton, Search, Stretch, Stroke, instant_at,
 };
 
 /// Solutions nearer to each other than this are the same, in radians, metres or whatever a coordinate is in.
@@ -40,39 +39,22 @@ pub struct Listed {
     pub residuals: Vec<f64>,
 }
 
-/// A linkage whose dimensions are fixed, as far as its assembly modes and limits go.
-pub trait RunLimits {
+impl dyn AnyLinkage + '_ {
     /// All assembly modes at a place, and which one the start values pick; see [`fn@closure::modes`]. The place is the
     /// positions of the drivers, and behind them how these move where that is known.
     ///
     /// # Errors
     /// [`ClosureError::BadRange`] if the place makes no sense.
-    fn modes(&self, place: &[f64], search: &Search) -> Result<Listing, ClosureError>;
-    /// How far one driver goes within bounds, see [`fn@closure::stretch`].
-    ///
-    /// # Errors
-    /// As there.
-    fn stretch(&self, driver: usize, bounds: (f64, f64)) -> Result<Stretch, ClosureError>;
-    /// Limit positions and strokes of the outputs, and behind them of the dependent coordinates, see
-    /// [`fn@closure::strokes`].
-    ///
-    /// # Errors
-    /// As there.
-    fn strokes(&self, along: Along) -> Result<Vec<Stroke>, ClosureError>;
-}
-
-impl<L: Linkage + 'static, const MADE: bool> RunLimits for Bound<L, MADE> {
-    fn modes(&self, place: &[f64], search: &Search) -> Result<Listing, ClosureError> {
-        let (drivers, motion) = place.split_at(place.len().min(L::INDEPENDENTS));
-        let found = closure::modes(&self.linkage, drivers, search)?;
-        let modes: Vec<_> = found
-            .modes
-            .into_iter()
-            .map(|mode| listed(&self.linkage, (drivers, motion), mode))
+    pub fn modes(&self, place: &[f64], search: &Search) -> Result<Listing, ClosureError> {
+        let (drivers, motion) = place.split_at(place.len().min(self.shape().drivers.len()));
+        let found = closure::modes_of(self, drivers, search)?;
+        let modes = found.modes.into_iter();
+        let modes: Vec<_> = modes
+            .map(|mode| self.listed((drivers, motion), mode))
             .collect();
-        let (declared, stopped) = match there(&self.linkage, drivers) {
+        let (declared, stopped) = match self.there(drivers) {
             Ok(dependents) => {
-                let same = |mode: &Listed| is_same::<L>(&mode.dependents, &dependents);
+                let same = |mode: &Listed| self.is_same(&mode.dependents, &dependents);
                 (modes.iter().position(same), None)
             }
             Err(error) => (None, Some(error)),
@@ -87,61 +69,71 @@ impl<L: Linkage + 'static, const MADE: bool> RunLimits for Bound<L, MADE> {
         })
     }
 
-    fn stretch(&self, driver: usize, bounds: (f64, f64)) -> Result<Stretch, ClosureError> {
-        closure::stretch(&self.linkage, driver, bounds)
+    /// How far one driver goes within bounds, see [`fn@closure::stretch`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn stretch(&self, driver: usize, bounds: (f64, f64)) -> Result<Stretch, ClosureError> {
+        closure::stretch_of(self, driver, bounds)
     }
 
-    fn strokes(&self, along: Along) -> Result<Vec<Stroke>, ClosureError> {
-        closure::strokes(&self.linkage, along)
+    /// Limit positions and strokes of the outputs, and behind them of the dependent coordinates, see
+    /// [`fn@closure::strokes`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn strokes(&self, along: Along) -> Result<Vec<Stroke>, ClosureError> {
+        closure::strokes_of(self, along)
     }
-}
 
-/// A mode with its outputs and what is left of its equations.
-fn listed<L: Linkage>(
-    linkage: &L,
-    (drivers, motion): (&[f64], &[f64]),
-    mode: closure::Mode,
-) -> Listed {
-    let closure = L::prepare::<f64>(&linkage.values());
-    let instant = match motion.len() == L::MOTION {
-        true => closure.moving(drivers, motion),
-        false => closure.instant(drivers),
-    };
-    let mut position = closure.zeros();
-    position.as_mut()[..L::DEPENDENTS].copy_from_slice(&mode.coordinates);
-    // What the position holds beside the coordinates follows from them.
-    let mut newton = Newton::<L, f64>::new();
-    for group in 0..L::GROUPS.len() {
-        newton.sine(&closure, group, &instant, &mut position);
+    /// How drivers move, if as much is given as they have.
+    pub(super) fn motion<'a>(&self, motion: &'a [f64]) -> &'a [f64] {
+        match motion.len() == self.shape().loops().motion {
+            true => motion,
+            false => &[],
+        }
     }
-    let mut outputs = vec![0.0; L::OUTPUTS];
-    closure.outputs(&instant, &position, &mut outputs);
-    let mut residuals = vec![0.0; L::DEPENDENTS];
-    closure.residual(&instant, &position, &mut residuals);
-    Listed {
-        dependents: mode.coordinates,
-        outputs,
-        sines: mode.sines,
-        residuals,
+
+    /// A mode with its outputs and what is left of its equations.
+    fn listed(&self, (drivers, motion): (&[f64], &[f64]), mode: closure::Mode) -> Listed {
+        let (shape, loops) = (self.shape(), self.prepare(&self.values()));
+        let instant = instant_at(&*loops, drivers, self.motion(motion));
+        let mut position = vec![0.0; loops.lengths().0];
+        position[..mode.coordinates.len()].copy_from_slice(&mode.coordinates);
+        // What the position holds beside the coordinates follows from them.
+        let mut newton = Newton::new(shape);
+        for group in 0..shape.loops().groups.len() {
+            newton.sine(&*loops, group, &instant, &mut position);
+        }
+        let mut outputs = vec![0.0; shape.outputs.len()];
+        loops.outputs(&instant, &position, &mut outputs);
+        let mut residuals = vec![0.0; shape.loops().dependents.len()];
+        loops.residual(&instant, &position, &mut residuals);
+        Listed {
+            dependents: mode.coordinates,
+            outputs,
+            sines: mode.sines,
+            residuals,
+        }
     }
-}
 
-/// The dependent coordinates at a place in the mode that the start values pick.
-fn there<L: Linkage>(linkage: &L, place: &[f64]) -> Result<Vec<f64>, ClosureError> {
-    let mut assembly = closure::Assembly::<L, f64>::new(linkage);
-    assembly.start()?;
-    assembly.travel(place)?;
-    Ok(assembly.position().as_ref()[..L::DEPENDENTS].to_vec())
-}
+    /// The dependent coordinates at a place in the mode that the start values pick.
+    fn there(&self, place: &[f64]) -> Result<Vec<f64>, ClosureError> {
+        let mut assembly = self.assemble();
+        assembly.guide().start()?;
+        assembly.travel(place)?;
+        Ok(assembly.guide().coordinates())
+    }
 
-/// Whether two positions are one, angles but for whole turns.
-fn is_same<L: Linkage>(a: &[f64], b: &[f64]) -> bool {
-    let mut pairs = a.iter().zip(b).zip(L::ANGLES);
-    pairs.all(|((a, b), is_angle)| {
-        let apart = match is_angle {
-            true => (a - b) - TAU * ((a - b) / TAU).round(),
-            false => a - b,
-        };
-        apart.abs() < SAME
-    })
+    /// Whether two positions are one, angles but for whole turns.
+    fn is_same(&self, a: &[f64], b: &[f64]) -> bool {
+        let mut pairs = a.iter().zip(b).zip(self.shape().loops().angles);
+        pairs.all(|((a, b), is_angle)| {
+            let apart = match is_angle {
+                true => (a - b) - TAU * ((a - b) / TAU).round(),
+                false => a - b,
+            };
+            apart.abs() < SAME
+        })
+    }
 }

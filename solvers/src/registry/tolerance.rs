@@ -1,149 +1,93 @@
-//! What is asked about the tolerances of a linkage; whole runs, as everything behind `dyn`.
+//! What is asked about the tolerances of a linkage.
 
-use super::linkage::Bound;
-use crate::closure::Linkage;
+use crate::closure::{AnyLinkage, Variable};
 use crate::tolerance::{
     self, Differences, Extremes, Influences, MonteCarlo, Quadratic, Sampling, Study, ToleranceError,
 };
 #[cfg(feature = "allocation")]
 use crate::tolerance::{Allocation, AllocationError, Candidate, Rule};
 
-/// A linkage whose dimensions are fixed, but for their tolerances. Each run is explained where the solvers have it, in
-/// [`mod@crate::tolerance`].
-pub trait RunTolerance {
+/// Each run is explained where the solvers have it, in [`mod@crate::tolerance`]. There is none of a linkage in which nothing
+/// has a tolerance or is a made dimension.
+impl dyn AnyLinkage + '_ {
+    /// Whether anything in it is made to a tolerance, or is a dimension and so may be.
+    fn is_made(&self) -> Result<(), ToleranceError> {
+        let entry = self.shape().loops();
+        let mut variables = entry.variables.iter();
+        let is_made = variables.any(|one| matches!(one, Variable::Constant(_)))
+            || entry.tolerances.iter().any(|one| one.0 > 0.0);
+        is_made.then_some(()).ok_or(ToleranceError::NoSource)
+    }
+
     /// Influence of all variables on the output, see [`fn@tolerance::influences`].
     ///
     /// # Errors
     /// Why a place is not reached.
-    fn influences(&self, study: &Study) -> Result<Influences, ToleranceError>;
+    pub fn influences(&self, study: &Study) -> Result<Influences, ToleranceError> {
+        self.is_made()?;
+        study.check_places(self.shape())?;
+        tolerance::influences_of(self, study.output, &study.places)
+    }
+
     /// The output to second order, see [`fn@tolerance::quadratics`].
     ///
     /// # Errors
     /// [`ToleranceError`].
-    fn quadratics(&self, study: &Study) -> Result<Vec<Quadratic>, ToleranceError>;
+    pub fn quadratics(&self, study: &Study) -> Result<Vec<Quadratic>, ToleranceError> {
+        self.is_made()?;
+        tolerance::quadratics_of(self, study)
+    }
+
     /// Errors at all extremes, see [`fn@tolerance::corners`].
     ///
     /// # Errors
     /// [`ToleranceError`].
-    fn corners(&self, study: &Study) -> Result<Vec<Extremes>, ToleranceError>;
+    pub fn corners(&self, study: &Study) -> Result<Vec<Extremes>, ToleranceError> {
+        self.is_made()?;
+        tolerance::corners_of(self, study)
+    }
+
     /// What the first and the second order miss, see [`fn@tolerance::differences`].
     ///
     /// # Errors
     /// [`ToleranceError`].
-    fn differences(
+    pub fn differences(
         &self,
         study: &Study,
         samples: u64,
         seed: u64,
-    ) -> Result<Vec<Differences>, ToleranceError>;
+    ) -> Result<Vec<Differences>, ToleranceError> {
+        self.is_made()?;
+        tolerance::differences_of(self, study, samples, seed)
+    }
+
     /// Linkages made at random, see [`fn@tolerance::monte_carlo`].
     ///
     /// # Errors
     /// [`ToleranceError`].
-    fn monte_carlo(
+    pub fn monte_carlo(
         &self,
         study: &Study,
         sampling: &Sampling,
         progress: &(dyn Fn(u64) + Sync),
-    ) -> Result<MonteCarlo, ToleranceError>;
-    #[cfg(feature = "allocation")]
+    ) -> Result<MonteCarlo, ToleranceError> {
+        self.is_made()?;
+        tolerance::monte_carlo_of(self, study, sampling, progress)
+    }
+
     /// Tolerances of least cost, see [`fn@tolerance::allocate`].
     ///
     /// # Errors
     /// [`AllocationError`].
-    fn allocate(
-        &self,
-        study: &Study,
-        candidates: &[Candidate],
-        rule: Rule,
-        band: f64,
-    ) -> Result<Allocation, AllocationError>;
-}
-
-impl<L: Linkage> RunTolerance for Bound<L, true> {
-    fn influences(&self, study: &Study) -> Result<Influences, ToleranceError> {
-        study.check_places::<L>()?;
-        tolerance::influences(&self.linkage, study.output, &study.places)
-    }
-
-    fn quadratics(&self, study: &Study) -> Result<Vec<Quadratic>, ToleranceError> {
-        tolerance::quadratics(&self.linkage, study)
-    }
-
-    fn corners(&self, study: &Study) -> Result<Vec<Extremes>, ToleranceError> {
-        tolerance::corners(&self.linkage, study)
-    }
-
-    fn differences(
-        &self,
-        study: &Study,
-        samples: u64,
-        seed: u64,
-    ) -> Result<Vec<Differences>, ToleranceError> {
-        tolerance::differences(&self.linkage, study, samples, seed)
-    }
-
-    fn monte_carlo(
-        &self,
-        study: &Study,
-        sampling: &Sampling,
-        progress: &(dyn Fn(u64) + Sync),
-    ) -> Result<MonteCarlo, ToleranceError> {
-        tolerance::monte_carlo(&self.linkage, study, sampling, progress)
-    }
-
     #[cfg(feature = "allocation")]
-    fn allocate(
+    pub fn allocate(
         &self,
         study: &Study,
         candidates: &[Candidate],
         rule: Rule,
         band: f64,
     ) -> Result<Allocation, AllocationError> {
-        tolerance::allocate(&self.linkage, study, candidates, rule, band)
-    }
-}
-
-/// Nothing in it has a tolerance.
-impl<L: Linkage> RunTolerance for Bound<L, false> {
-    fn influences(&self, _study: &Study) -> Result<Influences, ToleranceError> {
-        Err(ToleranceError::NoSource)
-    }
-
-    fn quadratics(&self, _study: &Study) -> Result<Vec<Quadratic>, ToleranceError> {
-        Err(ToleranceError::NoSource)
-    }
-
-    fn corners(&self, _study: &Study) -> Result<Vec<Extremes>, ToleranceError> {
-        Err(ToleranceError::NoSource)
-    }
-
-    fn differences(
-        &self,
-        _study: &Study,
-        _samples: u64,
-        _seed: u64,
-    ) -> Result<Vec<Differences>, ToleranceError> {
-        Err(ToleranceError::NoSource)
-    }
-
-    fn monte_carlo(
-        &self,
-        _study: &Study,
-        _sampling: &Sampling,
-        _progress: &(dyn Fn(u64) + Sync),
-    ) -> Result<MonteCarlo, ToleranceError> {
-        Err(ToleranceError::NoSource)
-    }
-
-    #[cfg(feature = "allocation")]
-    fn allocate(
-        &self,
-        _study: &Study,
-        _candidates: &[Candidate],
-        _rule: Rule,
-        _band: f64,
-    ) -> Result<Allocation, AllocationError> {
-        Err(AllocationError::Tolerance(ToleranceError::NoSource))
+        self.is_made()?;
+        tolerance::allocate_of(self, study, candidates, rule, band)
     }
 }

@@ -1,7 +1,9 @@
 //! The loops of a linkage.
 
+#[cfg(test)]
+use super::{Constant, Shape, Unit};
 use super::{Distribution, List, Quantity, Text};
-use crate::closure::{Group, Variable};
+use crate::closure::{Group, GroupKind, Variable};
 
 /// The loops of a scene as data.
 #[derive(Clone, Copy, Debug)]
@@ -10,16 +12,52 @@ pub struct LinkageEntry {
     pub dependents: List<Quantity>,
     /// The scalar loop equations.
     pub loops: List<Loop>,
+    /// Which dependent coordinates are angles, the same after a turn.
+    pub angles: List<bool>,
     /// Equations that are closed together, each group after those it needs.
     pub groups: List<Group>,
     /// What influence coefficients are taken by.
     pub variables: List<Variable>,
+    /// Length of what says how the drivers move: their speeds, their accelerations, the time; 0 where they are swept.
+    pub motion: usize,
+    /// Whether there are second derivatives.
+    pub second: bool,
     /// Permitted error of each driver, SI units (zero if none is stated), with its distribution.
     pub tolerances: List<(f64, Distribution)>,
     /// Names of the points.
     pub points: List<Text>,
     /// Lines between them.
     pub links: List<Link>,
+}
+
+impl LinkageEntry {
+    /// Nothing that closes.
+    pub(crate) const NONE: Self = Self {
+        dependents: &[],
+        loops: &[],
+        angles: &[],
+        groups: &[],
+        variables: &[],
+        motion: 0,
+        second: false,
+        tolerances: &[],
+        points: &[],
+        links: &[],
+    };
+
+    /// Whether a group is iterated.
+    #[inline(always)]
+    pub fn is_iterated(&self) -> bool {
+        let mut groups = self.groups.iter();
+        groups.any(|group| group.kind == GroupKind::General)
+    }
+
+    /// Number of equations of the largest group.
+    #[inline(always)]
+    pub fn largest(&self) -> usize {
+        let sizes = self.groups.iter().map(|group| group.unknowns.len());
+        sizes.max().unwrap_or(0)
+    }
 }
 
 /// A scalar loop equation.
@@ -63,4 +101,29 @@ impl Link {
     pub const fn new(points: List<usize>, text: Text) -> Self {
         Self { points, text }
     }
+}
+
+/// The shape of a linkage that a test writes by hand, of one driver: how many constants and outputs it has, which dependent
+/// coordinates are angles, its groups, and what influence coefficients are taken by.
+#[cfg(test)]
+pub(crate) const fn by_hand(
+    [constants, outputs]: [usize; 2],
+    angles: List<bool>,
+    groups: List<Group>,
+    variables: List<Variable>,
+) -> Shape {
+    const QUANTITIES: List<Quantity> = &[Quantity::new("", "", Unit::NONE); 4];
+    let dependents = QUANTITIES.split_at(angles.len()).0;
+    const CONSTANTS: List<Constant> = &[Constant::parameter(QUANTITIES[0], 0.0, 1.0); 10];
+    Shape::named("")
+        .constants(CONSTANTS.split_at(constants).0)
+        .drivers(QUANTITIES.split_at(1).0)
+        .outputs(QUANTITIES.split_at(outputs).0)
+        .linkage(LinkageEntry {
+            dependents,
+            angles,
+            groups,
+            variables,
+            ..LinkageEntry::NONE
+        })
 }

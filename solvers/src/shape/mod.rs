@@ -9,6 +9,8 @@ mod modes;
 mod quantity;
 
 pub use facts::{At, EquationText, Expectation, Mark, Operations, Subject};
+#[cfg(test)]
+pub(crate) use loops::by_hand;
 pub use loops::{Link, LinkageEntry, Loop};
 pub use modes::{Direction, EventEntry, ModeEntry};
 pub use quantity::{Constant, Distribution, Quantity, Unit};
@@ -19,7 +21,7 @@ use crate::measure::Primitive;
 #[doc(hidden)]
 pub mod tables {
     pub use super::*;
-    pub use crate::closure::{Group, GroupKind, Linkage, Variable};
+    pub use crate::closure::{Group, GroupKind, Variable};
     pub use crate::measure::{Kind, Moment, NamedEvent, Primitive};
 }
 
@@ -176,6 +178,15 @@ impl Shape {
     pub const fn linkage(mut self, linkage: LinkageEntry) -> Self {
         self.linkage = Some(linkage);
         self
+    }
+
+    /// The loops; none where the scene is no linkage.
+    #[inline(always)]
+    pub fn loops(&self) -> &LinkageEntry {
+        match &self.linkage {
+            Some(loops) => loops,
+            None => &LinkageEntry::NONE,
+        }
     }
 
     /// The defaults of its constants, of which there are `N`.

@@ -5,11 +5,11 @@
 //! a second derivative larger than its first over the tolerance.
 
 use super::error::ToleranceError;
-use super::exact::Exact;
+use super::exact;
 use super::nominal::Nominal;
-use super::second::quadratics;
+use super::second::quadratics_of;
 use super::source::Study;
-use crate::closure::Linkage;
+use crate::closure::{AnyLinkage, Linkage};
 
 /// Largest number of sources.
 const MOST: usize = 16;
@@ -76,7 +76,15 @@ impl Corners {
 /// [`ToleranceError`] if the question makes no sense, has more than 16 sources, or if the nominal linkage does not get to
 /// a place.
 pub fn corners<L: Linkage>(linkage: &L, study: &Study) -> Result<Vec<Extremes>, ToleranceError> {
-    let forms = quadratics(linkage, study)?;
+    corners_of(linkage, study)
+}
+
+/// The same of any linkage.
+pub(crate) fn corners_of(
+    linkage: &dyn AnyLinkage,
+    study: &Study,
+) -> Result<Vec<Extremes>, ToleranceError> {
+    let forms = quadratics_of(linkage, study)?;
     let sources = study.sources.len();
     if sources > MOST {
         return Err(ToleranceError::TooManyCorners {
@@ -85,7 +93,6 @@ pub fn corners<L: Linkage>(linkage: &L, study: &Study) -> Result<Vec<Extremes>, 
         });
     }
     let nominals = Nominal::along(linkage, &study.places, &study.sources)?;
-    let mut exact = Exact::<L>::new(study, &nominals);
     let none = Extremes {
         exact: Corners::NONE,
         quadratic: Corners::NONE,
@@ -94,7 +101,7 @@ pub fn corners<L: Linkage>(linkage: &L, study: &Study) -> Result<Vec<Extremes>, 
     let mut found = vec![0.0; study.places.len()];
     for corner in 0..1u32 << sources {
         let errors = signed(study, corner);
-        exact.errors(&errors, &mut found);
+        exact::errors(linkage, study, &nominals, &errors, &mut found);
         for ((extremes, form), error) in all.iter_mut().zip(&forms).zip(&found) {
             extremes.exact.add(corner, *error);
             extremes.quadratic.add(corner, form.error(&errors));

@@ -1,12 +1,12 @@
 //! How far the first and the second order are from closing the loops again, over linkages made at random.
 
 use super::error::ToleranceError;
-use super::exact::Exact;
+use super::exact;
 use super::nominal::Nominal;
 use super::random::Random;
-use super::second::quadratics;
+use super::second::quadratics_of;
 use super::source::Study;
-use crate::closure::Linkage;
+use crate::closure::{AnyLinkage, Linkage};
 
 /// How far an approximation is off.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,9 +54,18 @@ pub fn differences<L: Linkage>(
     samples: u64,
     seed: u64,
 ) -> Result<Vec<Differences>, ToleranceError> {
-    let forms = quadratics(linkage, study)?;
+    differences_of(linkage, study, samples, seed)
+}
+
+/// The same of any linkage.
+pub(crate) fn differences_of(
+    linkage: &dyn AnyLinkage,
+    study: &Study,
+    samples: u64,
+    seed: u64,
+) -> Result<Vec<Differences>, ToleranceError> {
+    let forms = quadratics_of(linkage, study)?;
     let nominals = Nominal::along(linkage, &study.places, &study.sources)?;
-    let mut exact = Exact::<L>::new(study, &nominals);
     let mut all = vec![Differences::default(); study.places.len()];
     let mut found = vec![0.0; study.places.len()];
     let mut errors = vec![0.0; study.sources.len()];
@@ -65,7 +74,7 @@ pub fn differences<L: Linkage>(
         for (error, source) in errors.iter_mut().zip(&study.sources) {
             *error = source.half_width * source.distribution.quantile(random.uniform());
         }
-        exact.errors(&errors, &mut found);
+        exact::errors(linkage, study, &nominals, &errors, &mut found);
         for ((one, form), error) in all.iter_mut().zip(&forms).zip(&found) {
             if error.is_nan() {
                 one.failed += 1;

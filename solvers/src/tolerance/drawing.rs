@@ -5,11 +5,11 @@
 
 use super::lead::Lead;
 use super::made::Maker;
-use super::nominal::{Nominal, is_iterated};
+use super::nominal::Nominal;
 use super::random::Random;
-use super::source::Source;
+use super::source::Study;
 use super::tally::{CLASSES, Classes, Sums};
-use crate::closure::Linkage;
+use crate::closure::{AnyLinkage, Linkage};
 use crate::dispatch::Task;
 use crate::scalar::Scalar;
 use crate::shape::Distribution;
@@ -20,29 +20,29 @@ const BATCH: usize = 64;
 
 /// The samples of a block.
 #[derive(Clone, Debug)]
-pub(super) struct Block {
-    pub places: Vec<Sums>,
+pub struct Block {
+    pub(super) places: Vec<Sums>,
     /// Samples that assemble at all places.
-    pub whole: u64,
+    pub(super) whole: u64,
 }
 
 /// What all blocks have in common.
-pub(super) struct Run<'a, L: Linkage> {
-    pub nominals: &'a [Nominal],
-    pub sources: &'a [Source],
-    pub output: usize,
-    pub seed: u64,
+pub struct Run<'a> {
+    pub(super) linkage: &'a dyn AnyLinkage,
+    pub(super) nominals: &'a [Nominal],
+    pub(super) study: &'a Study,
+    pub(super) seed: u64,
     /// Of each place; none while they are not yet chosen.
-    pub classes: Vec<Classes>,
-    pub linkage: PhantomData<L>,
+    pub(super) classes: Vec<Classes>,
 }
 
 /// The drawing of one block.
-pub(super) struct Drawing<'a, 'b, L: Linkage> {
-    pub run: &'a Run<'a, L>,
-    pub from: u64,
-    pub to: u64,
+pub(crate) struct Drawing<'a, 'b, L: Linkage> {
+    pub run: &'a Run<'a>,
+    /// The first sample, and the one behind the last.
+    pub samples: (u64, u64),
     pub counts: &'b mut [u64],
+    pub linkage: PhantomData<L>,
 }
 
 impl<L: Linkage> Task for Drawing<'_, '_, L> {
@@ -50,16 +50,17 @@ impl<L: Linkage> Task for Drawing<'_, '_, L> {
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> Block {
-        let run = self.run;
-        let mut maker = Maker::<L, S, BATCH>::new(run.nominals, run.sources, run.output);
+        let (run, sources) = (self.run, &self.run.study.sources);
+        let output = run.study.output;
+        let mut maker = Maker::<L, S, BATCH>::new(run.nominals, sources, output);
         let mut block = Block {
             places: vec![Sums::NONE; run.nominals.len()],
             whole: 0,
         };
-        let mut errors = vec![[S::ZERO; BATCH]; run.sources.len()];
+        let mut errors = vec![[S::ZERO; BATCH]; sources.len()];
         let mut found = vec![[f64::NAN; BATCH]; run.nominals.len()];
-        for first in (self.from..self.to).step_by(BATCH) {
-            let count = BATCH.min((self.to - first) as usize);
+        for first in (self.samples.0..self.samples.1).step_by(BATCH) {
+            let count = BATCH.min((self.samples.1 - first) as usize);
             run.draw(first, &mut errors);
             maker.make(&errors);
             for sample in 0..count {
@@ -87,13 +88,14 @@ impl<L: Linkage> Task for Drawing<'_, '_, L> {
     }
 }
 
-impl<L: Linkage> Run<'_, L> {
+impl Run<'_> {
     /// Draws the errors of the samples of a batch, source by source, so that each distribution is chosen once.
     #[inline(always)]
     fn draw<S: Scalar>(&self, first: u64, errors: &mut [[S; BATCH]]) {
-        let stride = self.sources.len() as u64;
+        let sources = &self.study.sources;
+        let stride = sources.len() as u64;
         let random = Random::new(self.seed, first.wrapping_mul(stride));
-        for (k, (source, errors)) in self.sources.iter().zip(errors).enumerate() {
+        for (k, (source, errors)) in sources.iter().zip(errors).enumerate() {
             /// Written out, so that what is known of the distribution is known to the compiler.
             macro_rules! draw {
                 ($distribution:expr) => {
@@ -116,16 +118,11 @@ impl<L: Linkage> Run<'_, L> {
     #[cold]
     #[inline(never)]
     fn lead<S: Scalar>(&self, place: usize, errors: &[[S; BATCH]], sample: usize) -> f64 {
-        if !is_iterated::<L>() {
+        if !self.linkage.shape().loops().is_iterated() {
             return f64::NAN;
         }
         let errors: Vec<f64> = errors.iter().map(|one| one[sample].to_f64()).collect();
-        let lead = Lead::<L> {
-            nominal: &self.nominals[place],
-            sources: self.sources,
-            output: self.output,
-            linkage: PhantomData,
-        };
+        let lead = Lead::new(self.linkage, self.study, &self.nominals[place]);
         lead.error(&errors).unwrap_or(f64::NAN)
     }
 }

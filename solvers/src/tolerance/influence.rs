@@ -1,7 +1,8 @@
 //! The influence of all variables on one output along places.
 
 use super::error::ToleranceError;
-use crate::closure::{Assembly, Closure, ClosureError, Linkage};
+use crate::closure::{AnyLinkage, ClosureError, Linkage, Moves, instant_at};
+use crate::shape::Shape;
 
 /// An output and its influence coefficients along places.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,15 +45,25 @@ pub fn influences<L: Linkage>(
     output: usize,
     places: &[Vec<f64>],
 ) -> Result<Influences, ToleranceError> {
-    let mut assembly = Assembly::<L, f64>::new(linkage);
-    assembly.start()?;
+    influences_of(linkage, output, places)
+}
+
+/// The same of any linkage.
+pub(crate) fn influences_of(
+    linkage: &dyn AnyLinkage,
+    output: usize,
+    places: &[Vec<f64>],
+) -> Result<Influences, ToleranceError> {
+    let mut assembly = linkage.assemble();
+    assembly.guide().start()?;
+    let variables = linkage.shape().loops().variables.len();
     let mut found = Influences {
         values: Vec::with_capacity(places.len()),
-        variables: L::VARIABLES.len(),
-        coefficients: Vec::with_capacity(places.len() * L::VARIABLES.len()),
+        variables,
+        coefficients: Vec::with_capacity(places.len() * variables),
     };
     for (index, place) in places.iter().enumerate() {
-        let (value, row) = influence_at(&mut assembly, output, place)?;
+        let (value, row) = influence_at(&mut *assembly, output, place)?;
         if !value.is_finite() || row.iter().any(|one| !one.is_finite()) {
             return Err(ToleranceError::NotFinite {
                 place: index,
@@ -66,23 +77,21 @@ pub fn influences<L: Linkage>(
 }
 
 /// Moves an assembled linkage to a place: an output and its influence coefficients there.
-pub(super) fn influence_at<L: Linkage>(
-    assembly: &mut Assembly<L, f64>,
+pub(super) fn influence_at(
+    assembly: &mut dyn Moves,
     output: usize,
     place: &[f64],
 ) -> Result<(f64, Vec<f64>), ClosureError> {
-    let (drivers, motion) = split::<L>(place)?;
+    let shape = assembly.guide().loops.shape();
+    let (drivers, motion) = split(shape, place)?;
     assembly.move_to(drivers)?;
-    let closure = assembly.closure();
-    let instant = match motion.is_empty() {
-        true => closure.instant(drivers),
-        false => closure.moving(drivers, motion),
-    };
-    let mut values = vec![0.0; L::OUTPUTS];
-    closure.outputs(&instant, assembly.position(), &mut values);
-    let count = L::VARIABLES.len();
-    let mut all = vec![0.0; L::OUTPUTS * count];
-    closure.influence(&instant, assembly.position(), &mut all);
+    let guide = assembly.guide();
+    let instant = instant_at(guide.loops, drivers, motion);
+    let mut values = vec![0.0; shape.outputs.len()];
+    guide.loops.outputs(&instant, guide.position, &mut values);
+    let count = shape.loops().variables.len();
+    let mut all = vec![0.0; shape.outputs.len() * count];
+    guide.loops.influence(&instant, guide.position, &mut all);
     Ok((
         values[output],
         all[output * count..(output + 1) * count].to_vec(),
@@ -90,17 +99,20 @@ pub(super) fn influence_at<L: Linkage>(
 }
 
 /// The positions of the drivers at a place, and how they move there.
-pub(super) fn split<L: Linkage>(place: &[f64]) -> Result<(&[f64], &[f64]), ClosureError> {
-    let all = L::INDEPENDENTS + L::MOTION;
-    if (place.len() != L::INDEPENDENTS && place.len() != all)
+pub(super) fn split<'a>(
+    shape: &Shape,
+    place: &'a [f64],
+) -> Result<(&'a [f64], &'a [f64]), ClosureError> {
+    let drivers = shape.drivers.len();
+    let all = drivers + shape.loops().motion;
+    if (place.len() != drivers && place.len() != all)
         || place.iter().any(|value| !value.is_finite())
     {
         return Err(ClosureError::BadRange {
             reason: format!(
-                "a place {place:?}: expected {} finite values, or {all} with how the drivers move",
-                L::INDEPENDENTS
+                "a place {place:?}: expected {drivers} finite values, or {all} with how the drivers move"
             ),
         });
     }
-    Ok(place.split_at(L::INDEPENDENTS))
+    Ok(place.split_at(drivers))
 }

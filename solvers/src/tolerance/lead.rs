@@ -1,11 +1,11 @@
 //! The careful way to a made linkage: its errors grow from nothing, in steps short enough that no mode can be left.
 
 use super::nominal::Nominal;
-use super::place::{CONTRACTION, NOTHING, Position, largest, unwrap};
+use super::place::{CONTRACTION, NOTHING, unwrap};
 use super::small;
-use super::source::Source;
-use crate::closure::{Closure, GroupKind, Linkage, Variable};
-use crate::problem::Storage;
+use super::source::Study;
+use crate::closure::{AnyLinkage, GroupKind, Loops, Square, Variable, instant_at};
+use crate::shape::LinkageEntry;
 
 /// Shortest step, as a part of the errors. A linkage that comes nearer to its dead point than this is not told from one
 /// beyond it.
@@ -19,21 +19,38 @@ const LONGEST: f64 = 0.25;
 const ITERATIONS: usize = 20;
 
 /// One linkage in the making.
-pub(super) struct Lead<'a, L: Linkage> {
-    pub nominal: &'a Nominal,
-    pub sources: &'a [Source],
-    pub output: usize,
-    pub linkage: std::marker::PhantomData<L>,
+pub(super) struct Lead<'a> {
+    linkage: &'a dyn AnyLinkage,
+    entry: &'static LinkageEntry,
+    study: &'a Study,
+    nominal: &'a Nominal,
 }
 
-impl<L: Linkage> Lead<'_, L> {
+impl<'a> Lead<'a> {
+    /// From a nominal linkage.
+    pub fn new(linkage: &'a dyn AnyLinkage, study: &'a Study, nominal: &'a Nominal) -> Self {
+        Self {
+            linkage,
+            entry: linkage.shape().loops(),
+            study,
+            nominal,
+        }
+    }
+
+    /// The error of the output for the errors of the sources, in one step; none if the linkage does not close.
+    pub fn at_once(&self, errors: &[f64]) -> Option<f64> {
+        let (_, value) = self.close(errors, 1.0, &self.nominal.position)?;
+        Some(value - self.nominal.outputs[self.study.output])
+    }
+
     /// The error of the output for the errors of the sources; none if the mode ends on the way there.
     pub fn error(&self, errors: &[f64]) -> Option<f64> {
         let mut position: Vec<f64> = self.nominal.position.clone();
         let (mut at, mut step, mut output) = (0.0, 0.5, None);
         for _ in 0..STEPS {
             let to = f64::min(1.0, at + step);
-            match self.close(errors, to, &position) {
+            let closed = self.close(errors, to, &position);
+            match closed.filter(|one| one.1.is_finite()) {
                 Some((reached, value)) => {
                     (position, at, output) = (reached, to, Some(value));
                     step *= 2.0;
@@ -41,7 +58,7 @@ impl<L: Linkage> Lead<'_, L> {
                 None => step *= 0.5,
             }
             if at >= 1.0 {
-                return output.map(|value| value - self.nominal.outputs[self.output]);
+                return output.map(|value| value - self.nominal.outputs[self.study.output]);
             }
             if step < SHORTEST {
                 return None;
@@ -54,72 +71,68 @@ impl<L: Linkage> Lead<'_, L> {
     fn close(&self, errors: &[f64], part: f64, near: &[f64]) -> Option<(Vec<f64>, f64)> {
         let mut values = self.nominal.values.clone();
         let mut independents = self.nominal.independents.clone();
-        for (source, error) in self.sources.iter().zip(errors) {
-            match L::VARIABLES[source.variable] {
+        for (source, error) in self.study.sources.iter().zip(errors) {
+            match self.entry.variables[source.variable] {
                 Variable::Constant(index) => values[index] += part * error,
                 Variable::Driver(index) => independents[index] += part * error,
             }
         }
-        let closure = L::prepare::<f64>(&values);
-        let instant = match self.nominal.motion.is_empty() {
-            true => closure.instant(&independents),
-            false => closure.moving(&independents, &self.nominal.motion),
-        };
-        let mut position = closure.zeros();
-        position.as_mut().copy_from_slice(near);
-        for (index, group) in L::GROUPS.iter().enumerate() {
+        let loops = self.linkage.prepare(&values);
+        let instant = instant_at(&*loops, &independents, &self.nominal.motion);
+        let mut position = near.to_vec();
+        for (index, group) in self.entry.groups.iter().enumerate() {
             if group.kind == GroupKind::General {
-                self.iterate(&closure, index, &instant, &mut position)?;
+                self.iterate(&*loops, index, &instant, &mut position)?;
                 continue;
             }
-            let sine = closure.close(index, &instant, self.nominal.modes[index], &mut position);
+            let sine = loops.close(index, &instant, self.nominal.modes[index], &mut position);
             if group.kind.has_modes() {
-                unwrap::<L, f64>(index, &mut position, near);
+                unwrap(self.entry, index, &mut position, near);
             }
             if sine.is_nan() {
                 return None;
             }
         }
-        let mut outputs = vec![0.0; L::OUTPUTS];
-        closure.outputs(&instant, &position, &mut outputs);
-        let value = outputs[self.output];
-        value
-            .is_finite()
-            .then(|| (position.as_ref().to_vec(), value))
+        let mut outputs = vec![0.0; self.nominal.outputs.len()];
+        loops.outputs(&instant, &position, &mut outputs);
+        Some((position, outputs[self.study.output]))
     }
 
     /// Newton's method, believed only while each correction is a quarter of the one before or less.
     fn iterate(
         &self,
-        closure: &L::Closure<f64>,
+        loops: &dyn Loops<f64>,
         index: usize,
-        instant: &<L::Closure<f64> as Closure<f64>>::Instant,
-        position: &mut Position<L, f64>,
+        instant: &[f64],
+        position: &mut [f64],
     ) -> Option<()> {
-        let unknowns = L::GROUPS[index].unknowns;
-        let mut residual = <L::Closure<f64> as Closure<f64>>::Row::zeros(largest::<L>());
-        let mut jacobian = <L::Closure<f64> as Closure<f64>>::Matrix::zeros(largest::<L>().pow(2));
+        let unknowns = self.entry.groups[index].unknowns;
+        let mut square = Square::of(self.linkage.shape());
         let mut before = LONGEST / CONTRACTION;
-        for _ in 0..ITERATIONS {
-            closure.trial(index, instant, position, &mut residual, &mut jacobian);
-            let determinant = small::solve(unknowns.len(), jacobian.as_mut(), residual.as_mut());
-            let mut length: f64 = 0.0;
-            for (step, &j) in residual.as_ref().iter().zip(unknowns) {
-                position.as_mut()[j] -= step;
-                length = length.max((step / self.nominal.units[j]).abs());
+        let mut step = |position: &mut [f64]| {
+            square.look(loops, index, instant, position);
+            let Square { residual, jacobian } = &mut square;
+            let determinant = small::solve(unknowns.len(), jacobian, residual);
+            for (step, &j) in residual.iter().zip(unknowns) {
+                position[j] -= step;
             }
+            let units = unknowns.iter().map(|&j| self.nominal.units[j]);
+            let lengths = residual
+                .iter()
+                .zip(units)
+                .map(|(step, unit)| (step / unit).abs());
+            (determinant, lengths.fold(0.0, f64::max))
+        };
+        for _ in 0..ITERATIONS {
+            let (determinant, length) = step(position);
             let keeps = determinant * self.nominal.sines[index] > 0.0;
             if !(keeps && length <= CONTRACTION * before + NOTHING) {
                 return None;
             }
             if length <= NOTHING {
                 // What is left of this correction is its square over the sine: one more comes down to rounding.
-                closure.trial(index, instant, position, &mut residual, &mut jacobian);
-                small::solve(unknowns.len(), jacobian.as_mut(), residual.as_mut());
-                for (step, &j) in residual.as_ref().iter().zip(unknowns) {
-                    position.as_mut()[j] -= step;
-                }
-                closure.trial(index, instant, position, &mut residual, &mut jacobian);
+                step(position);
+                square.look(loops, index, instant, position);
                 return Some(());
             }
             before = length;

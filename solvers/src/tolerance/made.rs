@@ -21,18 +21,19 @@ pub(super) struct Maker<L: Linkage, S: Scalar, const W: usize> {
 impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
     pub fn new(nominals: &[Nominal], sources: &[Source], output: usize) -> Self {
         let values = nominals.first().map_or(&[][..], |one| &one.values);
-        let values = numbers::<S>(values);
+        let (values, shape) = (numbers::<S>(values), L::shape());
         let zeros = S::outline(
             #[inline(always)]
             || L::prepare(&values).zeros(),
         );
-        let place = |one: &Nominal| Place::new(one, &zeros, sources, output);
+        let variables = shape.loops().variables;
+        let place = |one: &Nominal| Place::new(one, &zeros, (variables, sources), output);
         Self {
-            constants: Varied::constants::<L>(sources, &values),
+            constants: Varied::constants(variables, sources, &values),
             values,
             output,
-            outputs: vec![S::ZERO; L::OUTPUTS],
-            independents: vec![S::ZERO; L::INDEPENDENTS],
+            outputs: vec![S::ZERO; shape.outputs.len()],
+            independents: vec![S::ZERO; shape.drivers.len()],
             places: nominals.iter().map(place).collect(),
         }
     }
@@ -55,16 +56,16 @@ impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
             self.values[constant.index] = constant.made[sample];
         }
         // Of a length that is known, what reads them is not checked again.
-        L::prepare(&self.values[..L::CONSTANTS])
+        L::prepare(&self.values[..L::shape().constants.len()])
     }
 
     /// Closes the made linkage at a place and gives the error of its output; no number if the mode is not certain, or
     /// does not exist.
     #[inline(always)]
     pub fn error(&mut self, closure: &L::Closure<S>, place: usize, sample: usize) -> S {
-        let place = &self.places[place];
-        let independents = &mut self.independents[..L::INDEPENDENTS];
-        let outputs = &mut self.outputs[..L::OUTPUTS];
+        let (place, shape) = (&self.places[place], closure.shape());
+        let independents = &mut self.independents[..shape.drivers.len()];
+        let outputs = &mut self.outputs[..shape.outputs.len()];
         if !place.close(closure, sample, independents, outputs) {
             return S::from_f64(f64::NAN);
         }

@@ -3,16 +3,14 @@
 //! Blocks of samples go to whichever thread is free. The numbers of a sample depend on the seed and on its own number
 //! alone, and sums are joined in the order of the blocks: the answer is the same, bit for bit, for any number of threads.
 
-use super::drawing::{Block, Drawing, Run};
+use super::drawing::{Block, Run};
 use super::error::ToleranceError;
 use super::estimate::{Counted, Estimate, Sampled, share};
 use super::nominal::Nominal;
 use super::normal;
 use super::source::Study;
 use super::tally::{CLASSES, Classes, Sums};
-use crate::closure::Linkage;
-use crate::dispatch::dispatch;
-use std::marker::PhantomData;
+use crate::closure::{AnyLinkage, Linkage};
 use std::num::NonZeroUsize;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -78,18 +76,27 @@ pub fn monte_carlo<L: Linkage>(
     sampling: &Sampling,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<MonteCarlo, ToleranceError> {
-    study.check::<L>()?;
+    monte_carlo_of(linkage, study, sampling, progress)
+}
+
+/// The same of any linkage.
+pub(crate) fn monte_carlo_of(
+    linkage: &dyn AnyLinkage,
+    study: &Study,
+    sampling: &Sampling,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<MonteCarlo, ToleranceError> {
+    study.check(linkage.shape())?;
     sampling.check()?;
     let nominals = Nominal::along(linkage, &study.places, &study.sources)?;
-    let mut run = Run::<L> {
+    let mut run = Run {
+        linkage,
         nominals: &nominals,
-        sources: &study.sources,
-        output: study.output,
+        study,
         seed: sampling.seed,
         classes: Vec::new(),
-        linkage: PhantomData,
     };
-    let pilot = run.block(0, PILOT.min(sampling.samples), &mut []);
+    let pilot = linkage.draw(&run, (0, PILOT.min(sampling.samples)), &mut []);
     let classes = pilot.places.iter().map(|one| Classes::around(one.extremes));
     run.classes = classes.collect();
     let (blocks, counts) = run.all(sampling, progress);
@@ -124,7 +131,7 @@ impl Sampling {
     }
 }
 
-impl<L: Linkage> Run<'_, L> {
+impl Run<'_> {
     /// Draws all blocks. Gives them in their order, and the classes counted.
     fn all(&self, sampling: &Sampling, progress: &(dyn Fn(u64) + Sync)) -> (Vec<Block>, Vec<u64>) {
         let samples = sampling.samples;
@@ -142,7 +149,8 @@ impl<L: Linkage> Run<'_, L> {
                 }
                 let from = index * size;
                 let to = samples.min(from + size);
-                done.push((index, self.block(from, to, &mut counts)));
+                let block = self.linkage.draw(self, (from, to), &mut counts);
+                done.push((index, block));
                 progress(to - from);
             }
             let mut all = gathered.lock().unwrap_or_else(|poison| poison.into_inner());
@@ -164,16 +172,6 @@ impl<L: Linkage> Run<'_, L> {
         (blocks.into_iter().map(|(_, block)| block).collect(), counts)
     }
 
-    /// Draws one block.
-    fn block(&self, from: u64, to: u64, counts: &mut [u64]) -> Block {
-        dispatch(Drawing {
-            run: self,
-            from,
-            to,
-            counts,
-        })
-    }
-
     fn judge(&self, sampling: &Sampling, blocks: &[Block], counts: &[u64]) -> MonteCarlo {
         let place = |(index, nominal): (usize, &Nominal)| {
             let mut sums = Sums::NONE;
@@ -181,7 +179,7 @@ impl<L: Linkage> Run<'_, L> {
                 sums.join(&block.places[index]);
             }
             let counted = Counted {
-                value: nominal.outputs[self.output],
+                value: nominal.outputs[self.study.output],
                 drawn: sampling.samples,
                 sums: &sums,
                 classes: &self.classes[index],

@@ -4,29 +4,29 @@ use super::error::ToleranceError;
 use super::influence::split;
 use super::source::Source;
 use super::variation::Stand;
-use crate::closure::{Assembly, Closure, GroupKind, Linkage, Newton};
+use crate::closure::{AnyLinkage, Guide, Newton, instant_at};
 
 /// The nominal linkage at one place.
 #[derive(Clone, Debug)]
-pub(super) struct Nominal {
+pub struct Nominal {
     /// The constants.
-    pub values: Vec<f64>,
+    pub(super) values: Vec<f64>,
     /// Positions of the drivers.
-    pub independents: Vec<f64>,
+    pub(super) independents: Vec<f64>,
     /// How they move; empty if that is not known.
-    pub motion: Vec<f64>,
+    pub(super) motion: Vec<f64>,
     /// The whole position.
-    pub position: Vec<f64>,
+    pub(super) position: Vec<f64>,
     /// Assembly mode of each group.
-    pub modes: Vec<f64>,
+    pub(super) modes: Vec<f64>,
     /// Sine of the transmission angle of each group.
-    pub sines: Vec<f64>,
+    pub(super) sines: Vec<f64>,
     /// Units in which the dependent coordinates are compared: radians, or turns of the longest link.
-    pub units: Vec<f64>,
+    pub(super) units: Vec<f64>,
     /// Derivatives of the dependent coordinates by the sources: coordinates by sources. Empty if no group is iterated.
-    pub tangents: Vec<f64>,
+    pub(super) tangents: Vec<f64>,
     /// The outputs.
-    pub outputs: Vec<f64>,
+    pub(super) outputs: Vec<f64>,
 }
 
 impl Nominal {
@@ -34,18 +34,18 @@ impl Nominal {
     ///
     /// # Errors
     /// Why it does not get to one of them, or that something is not finite there.
-    pub fn along<L: Linkage>(
-        linkage: &L,
+    pub(super) fn along(
+        linkage: &dyn AnyLinkage,
         places: &[Vec<f64>],
         sources: &[Source],
     ) -> Result<Vec<Self>, ToleranceError> {
-        let mut assembly = Assembly::<L, f64>::new(linkage);
-        assembly.start()?;
+        let mut assembly = linkage.assemble();
+        assembly.guide().start()?;
         let mut all = Vec::with_capacity(places.len());
         for (index, place) in places.iter().enumerate() {
-            let (drivers, motion) = split::<L>(place)?;
+            let (drivers, motion) = split(linkage.shape(), place)?;
             assembly.move_to(drivers)?;
-            let nominal = Self::of(linkage, &assembly, motion, sources);
+            let nominal = Self::of(linkage, assembly.guide(), motion, sources);
             let nominal = nominal.filter(|one| one.outputs.iter().all(|value| value.is_finite()));
             all.push(nominal.ok_or(ToleranceError::NotFinite {
                 place: index,
@@ -56,47 +56,43 @@ impl Nominal {
     }
 
     /// Where the assembly stands; none at a dead point.
-    fn of<L: Linkage>(
-        linkage: &L,
-        assembly: &Assembly<L, f64>,
+    fn of(
+        linkage: &dyn AnyLinkage,
+        mut guide: Guide<'_, f64>,
         motion: &[f64],
         sources: &[Source],
     ) -> Option<Self> {
-        let closure = assembly.closure();
-        let independents = assembly.independents();
-        let instant = match motion.is_empty() {
-            true => closure.instant(independents),
-            false => closure.moving(independents, motion),
-        };
-        let mut outputs = vec![0.0; L::OUTPUTS];
-        closure.outputs(&instant, assembly.position(), &mut outputs);
-        let groups = 0..L::GROUPS.len();
+        let (shape, entry) = (linkage.shape(), linkage.shape().loops());
+        let instant = instant_at(guide.loops, guide.independents, motion);
+        let mut outputs = vec![0.0; shape.outputs.len()];
+        guide.loops.outputs(&instant, guide.position, &mut outputs);
+        let groups = 0..entry.groups.len();
         let mut nominal = Self {
             values: linkage.values(),
-            independents: independents.to_vec(),
+            independents: guide.independents.to_vec(),
             motion: motion.to_vec(),
-            position: assembly.position().as_ref().to_vec(),
-            modes: groups.clone().map(|group| assembly.mode(group)).collect(),
-            sines: groups.map(|group| assembly.sine(group)).collect(),
-            units: vec![1.0; L::DEPENDENTS],
+            position: guide.position.to_vec(),
+            modes: groups.clone().map(|group| guide.mode(group)).collect(),
+            sines: groups.map(|group| guide.sine(group)).collect(),
+            units: vec![1.0; entry.dependents.len()],
             tangents: Vec::new(),
             outputs,
         };
-        if is_iterated::<L>() {
-            nominal.measure(assembly);
-            nominal.differentiate::<L>(sources)?;
+        if entry.is_iterated() {
+            nominal.measure(&mut guide);
+            nominal.differentiate(linkage, sources)?;
         }
         Some(nominal)
     }
 
     /// Finds the units of the unknowns of groups that are iterated.
-    fn measure<L: Linkage>(&mut self, assembly: &Assembly<L, f64>) {
-        let mut newton = Newton::<L, f64>::new();
-        let closure = assembly.closure();
-        let instant = closure.instant(assembly.independents());
-        let mut position = assembly.position().clone();
-        for (index, group) in L::GROUPS.iter().enumerate() {
-            newton.sine(closure, index, &instant, &mut position);
+    fn measure(&mut self, guide: &mut Guide<'_, f64>) {
+        let shape = guide.loops.shape();
+        let mut newton = Newton::new(shape);
+        let instant = instant_at(guide.loops, guide.independents, &[]);
+        let mut position = guide.position.to_vec();
+        for (index, group) in shape.loops().groups.iter().enumerate() {
+            newton.sine(guide.loops, index, &instant, &mut position);
             for (&j, unit) in group.unknowns.iter().zip(newton.units()) {
                 self.units[j] = *unit;
             }
@@ -104,10 +100,11 @@ impl Nominal {
     }
 
     /// Finds how the dependent coordinates follow the sources.
-    fn differentiate<L: Linkage>(&mut self, sources: &[Source]) -> Option<()> {
-        let mut tangents = vec![0.0; L::DEPENDENTS * sources.len()];
+    fn differentiate(&mut self, linkage: &dyn AnyLinkage, sources: &[Source]) -> Option<()> {
+        let mut tangents = vec![0.0; self.units.len() * sources.len()];
+        let variables = linkage.shape().loops().variables;
         for (column, source) in sources.iter().enumerate() {
-            let variation = self.stand().varied::<L>(L::VARIABLES[source.variable]);
+            let variation = self.stand().varied(linkage, variables[source.variable]);
             for (row, slope) in variation.ok()?.dependents.into_iter().enumerate() {
                 tangents[row * sources.len() + column] = slope;
             }
@@ -117,7 +114,7 @@ impl Nominal {
     }
 
     /// Where it stands.
-    pub fn stand(&self) -> Stand<'_> {
+    pub(super) fn stand(&self) -> Stand<'_> {
         Stand {
             values: &self.values,
             independents: &self.independents,
@@ -125,12 +122,4 @@ impl Nominal {
             position: &self.position,
         }
     }
-}
-
-/// Whether a group is iterated.
-#[inline(always)]
-pub(super) fn is_iterated<L: Linkage>() -> bool {
-    L::GROUPS
-        .iter()
-        .any(|group| matches!(group.kind, GroupKind::General))
 }

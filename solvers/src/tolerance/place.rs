@@ -11,9 +11,10 @@ use super::nominal::Nominal;
 use super::small;
 use super::source::Source;
 use super::varied::{self, Lanes, Varied};
-use crate::closure::{Closure, GroupKind, Linkage};
+use crate::closure::{Closure, GroupKind, Linkage, Variable};
 use crate::problem::Storage;
 use crate::scalar::Scalar;
+use crate::shape::LinkageEntry;
 use std::f64::consts::TAU;
 
 /// Largest ratio of successive corrections.
@@ -28,9 +29,9 @@ const LONGEST: f64 = 0.5;
 const ITERATIONS: usize = 6;
 
 /// Position of a linkage.
-pub(super) type Position<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Position;
+type Position<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Position;
 /// What depends on the independent variables of a linkage alone.
-pub(super) type Instant<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Instant;
+type Instant<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Instant;
 
 /// The nominal linkage at one place, ready for `W` samples of a type of number.
 pub(super) struct Place<L: Linkage, S: Scalar, const W: usize> {
@@ -58,7 +59,7 @@ impl<L: Linkage, S: Scalar, const W: usize> Place<L, S, W> {
     pub fn new(
         nominal: &Nominal,
         zeros: &Position<L, S>,
-        sources: &[Source],
+        (variables, sources): (&[Variable], &[Source]),
         output: usize,
     ) -> Self {
         let all = |list: &[f64]| {
@@ -69,7 +70,7 @@ impl<L: Linkage, S: Scalar, const W: usize> Place<L, S, W> {
         let scales: Vec<f64> = nominal.units.iter().map(|unit| 1.0 / unit).collect();
         let independents = numbers(&nominal.independents);
         Self {
-            drivers: Varied::drivers::<L>(sources, &independents),
+            drivers: Varied::drivers(variables, sources, &independents),
             independents,
             motion: numbers(&nominal.motion),
             position: all(&nominal.position),
@@ -77,7 +78,7 @@ impl<L: Linkage, S: Scalar, const W: usize> Place<L, S, W> {
             signs: all(&nominal.sines),
             scales: all(&scales),
             tangents: numbers(&nominal.tangents),
-            moved: vec![[S::ZERO; W]; L::DEPENDENTS],
+            moved: vec![[S::ZERO; W]; nominal.units.len()],
             nominal: S::from_f64(nominal.outputs[output]),
         }
     }
@@ -106,7 +107,7 @@ impl<L: Linkage, S: Scalar, const W: usize> Place<L, S, W> {
         independents: &mut [S],
         outputs: &mut [S],
     ) -> bool {
-        independents.copy_from_slice(&self.independents[..L::INDEPENDENTS]);
+        independents.copy_from_slice(&self.independents[..closure.shape().drivers.len()]);
         for driver in &self.drivers {
             independents[driver.index] = driver.made[sample];
         }
@@ -133,15 +134,16 @@ impl<L: Linkage, S: Scalar, const W: usize> Place<L, S, W> {
     ) -> bool {
         /// Written out for the first groups, so that what is known of each is known to the compiler.
         macro_rules! written_out {
-            ($($index:literal)*) => {{
-                $(if L::GROUPS.len() > $index
+            ($groups:ident: $($index:literal)*) => {{
+                $(if $groups > $index
                     && !self.close_one($index, closure, instant, sample, position) {
                     return false;
                 })*
             }};
         }
-        written_out!(0 1 2 3 4 5);
-        for index in 6..L::GROUPS.len() {
+        let groups = closure.shape().loops().groups.len();
+        written_out!(groups: 0 1 2 3 4 5);
+        for index in 6..groups {
             if !self.close_one(index, closure, instant, sample, position) {
                 return false;
             }
@@ -158,13 +160,15 @@ impl<L: Linkage, S: Scalar, const W: usize> Place<L, S, W> {
         sample: usize,
         position: &mut Position<L, S>,
     ) -> bool {
-        if let GroupKind::General = L::GROUPS[index].kind {
+        let entry = closure.shape().loops();
+        let kind = entry.groups[index].kind;
+        if let GroupKind::General = kind {
             return self.iterate(index, closure, instant, sample, position);
         }
         let mode = self.modes.as_ref()[index];
         let sine = closure.close(index, instant, mode, position);
-        if L::GROUPS[index].kind.has_modes() {
-            unwrap::<L, S>(index, position, self.position.as_ref());
+        if kind.has_modes() {
+            unwrap(entry, index, position.as_mut(), self.position.as_ref());
         }
         S::holds(S::equal(sine, sine))
     }
@@ -179,10 +183,11 @@ impl<L: Linkage, S: Scalar, const W: usize> Place<L, S, W> {
         sample: usize,
         position: &mut Position<L, S>,
     ) -> bool {
-        let unknowns = L::GROUPS[index].unknowns;
-        let n = unknowns.len();
+        let entry = closure.shape().loops();
+        let unknowns = entry.groups[index].unknowns;
+        let (n, largest) = (unknowns.len(), entry.largest());
         let mut before = S::ZERO;
-        let (moves, scales) = (&self.moved[..L::DEPENDENTS], self.scales.as_ref());
+        let (moves, scales) = (&self.moved[..entry.dependents.len()], self.scales.as_ref());
         for &j in unknowns {
             let moved = moves[j][sample];
             position.as_mut()[j] = self.position.as_ref()[j] + moved;
@@ -193,8 +198,8 @@ impl<L: Linkage, S: Scalar, const W: usize> Place<L, S, W> {
         }
         let (nothing, contraction) = (S::from_f64(NOTHING), S::from_f64(CONTRACTION));
         let enough = S::from_f64(ACCURACY) * before + nothing;
-        let mut residual = <L::Closure<S> as Closure<S>>::Row::zeros(largest::<L>());
-        let mut jacobian = <L::Closure<S> as Closure<S>>::Matrix::zeros(largest::<L>().pow(2));
+        let mut residual = <L::Closure<S> as Closure<S>>::Row::zeros(largest);
+        let mut jacobian = <L::Closure<S> as Closure<S>>::Matrix::zeros(largest.pow(2));
         for _ in 0..ITERATIONS {
             closure.trial(index, instant, position, &mut residual, &mut jacobian);
             let determinant = small::solve(n, jacobian.as_mut(), residual.as_mut());
@@ -228,29 +233,20 @@ impl<L: Linkage, S: Scalar, const W: usize> Place<L, S, W> {
 
 /// Puts the angles of a group within half a turn of others.
 #[inline(always)]
-pub(super) fn unwrap<L: Linkage, S: Scalar>(
+pub(super) fn unwrap<S: Scalar>(
+    entry: &LinkageEntry,
     group: usize,
-    position: &mut Position<L, S>,
+    position: &mut [S],
     near: &[S],
 ) {
     let (turn, half) = (S::from_f64(TAU), S::from_f64(0.5));
-    for &j in L::GROUPS[group].unknowns {
-        if L::ANGLES[j] {
-            let angle = position.as_ref()[j];
+    for &j in entry.groups[group].unknowns {
+        if entry.angles[j] {
+            let angle = position[j];
             let turns = ((near[j] - angle) / turn + half).floor();
-            position.as_mut()[j] = turns.mul_add(turn, angle);
+            position[j] = turns.mul_add(turn, angle);
         }
     }
-}
-
-/// Size of the largest group.
-#[inline(always)]
-pub(super) fn largest<L: Linkage>() -> usize {
-    let mut most = 0;
-    for group in L::GROUPS {
-        most = most.max(group.unknowns.len());
-    }
-    most
 }
 
 #[inline(always)]

@@ -14,7 +14,7 @@ use super::influence::influence_at;
 use super::nominal::Nominal;
 use super::source::{Source, Study};
 use super::variation::Stand;
-use crate::closure::{Assembly, Closure, Linkage};
+use crate::closure::{AnyLinkage, Guide, Linkage, instant_at};
 use crate::dense::Singular;
 
 /// An output near the nominal linkage, as a quadratic form of the errors of the sources.
@@ -94,17 +94,26 @@ pub fn quadratics<L: Linkage>(
     linkage: &L,
     study: &Study,
 ) -> Result<Vec<Quadratic>, ToleranceError> {
-    study.check::<L>()?;
+    quadratics_of(linkage, study)
+}
+
+/// The same of any linkage.
+pub(crate) fn quadratics_of(
+    linkage: &dyn AnyLinkage,
+    study: &Study,
+) -> Result<Vec<Quadratic>, ToleranceError> {
+    let shape = linkage.shape();
+    study.check(shape)?;
     let nominals = Nominal::along(linkage, &study.places, &[])?;
-    let mut assembly = Assembly::<L, f64>::new(linkage);
-    assembly.start()?;
+    let mut assembly = linkage.assemble();
+    assembly.guide().start()?;
     let mut all = Vec::with_capacity(nominals.len());
     for (index, nominal) in nominals.iter().enumerate() {
         let place = &study.places[index];
-        let (value, influence) = influence_at(&mut assembly, study.output, place)?;
-        let second = match L::SECOND {
-            true => Ok(emitted(&assembly, &nominal.stand(), study.output)),
-            false => varied::<L>(&nominal.stand(), study.output),
+        let (value, influence) = influence_at(&mut *assembly, study.output, place)?;
+        let second = match shape.loops().second {
+            true => Ok(emitted(&assembly.guide(), &nominal.stand(), study.output)),
+            false => varied(linkage, &nominal.stand(), study.output),
         };
         let quadratic = second
             .ok()
@@ -137,27 +146,29 @@ fn by_sources(value: f64, influence: &[f64], second: &[f64], sources: &[Source])
 }
 
 /// Second derivatives by all variables, from emitted code, which gives the lower triangle.
-fn emitted<L: Linkage>(assembly: &Assembly<L, f64>, stand: &Stand<'_>, output: usize) -> Vec<f64> {
-    let closure = assembly.closure();
-    let instant = match stand.motion.is_empty() {
-        true => closure.instant(stand.independents),
-        false => closure.moving(stand.independents, stand.motion),
-    };
-    let n = L::VARIABLES.len();
+fn emitted(guide: &Guide<'_, f64>, stand: &Stand<'_>, output: usize) -> Vec<f64> {
+    let (loops, shape) = (guide.loops, guide.loops.shape());
+    let instant = instant_at(loops, stand.independents, stand.motion);
+    let n = shape.loops().variables.len();
     let triangle = n * (n + 1) / 2;
-    let mut values = vec![0.0; L::OUTPUTS * triangle];
-    closure.second_influence(&instant, assembly.position(), &mut values);
+    let mut values = vec![0.0; shape.outputs.len() * triangle];
+    loops.second_influence(&instant, guide.position, &mut values);
     let values = &values[output * triangle..];
     let entry = |p: usize, q: usize| values[p.max(q) * (p.max(q) + 1) / 2 + p.min(q)];
     (0..n * n).map(|k| entry(k / n, k % n)).collect()
 }
 
 /// The same by dual numbers, from the first derivatives.
-fn varied<L: Linkage>(stand: &Stand<'_>, output: usize) -> Result<Vec<f64>, Singular> {
-    let n = L::VARIABLES.len();
+fn varied(
+    linkage: &dyn AnyLinkage,
+    stand: &Stand<'_>,
+    output: usize,
+) -> Result<Vec<f64>, Singular> {
+    let variables = linkage.shape().loops().variables;
+    let n = variables.len();
     let mut all = vec![0.0; n * n];
-    for (q, variable) in L::VARIABLES.iter().enumerate() {
-        let variation = stand.varied::<L>(*variable)?;
+    for (q, variable) in variables.iter().enumerate() {
+        let variation = stand.varied(linkage, *variable)?;
         for p in 0..n {
             all[p * n + q] = variation.influence[output * n + p];
         }

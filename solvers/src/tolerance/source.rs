@@ -1,13 +1,12 @@
 //! What errs, and what is asked about it.
 
 use super::error::ToleranceError;
-use crate::closure::Linkage;
-use crate::shape::Distribution;
+use crate::shape::{Distribution, Shape};
 
 /// An independent error of one variable. A variable may have several: a tolerance, and play in its joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source {
-    /// Index into [`Linkage::VARIABLES`].
+    /// Index into [`LinkageEntry::variables`](crate::shape::LinkageEntry::variables).
     pub variable: usize,
     /// Largest error, or three standard deviations of a normal distribution; SI units.
     pub half_width: f64,
@@ -54,22 +53,20 @@ pub struct Study {
 }
 
 impl Study {
-    /// Checks the question.
+    /// Checks the question about a linkage.
     ///
     /// # Errors
     /// What cannot be asked.
-    pub fn check<L: Linkage>(&self) -> Result<(), ToleranceError> {
-        self.check_places::<L>()?;
-        check_sources(&self.sources, L::VARIABLES.len())
+    pub fn check(&self, shape: &Shape) -> Result<(), ToleranceError> {
+        self.check_places(shape)?;
+        check_sources(&self.sources, shape.loops().variables.len())
     }
 
     /// Checks the output, and that there is a place.
-    pub(crate) fn check_places<L: Linkage>(&self) -> Result<(), ToleranceError> {
-        if self.output >= L::OUTPUTS {
-            return Err(ToleranceError::NoOutput {
-                output: self.output,
-                outputs: L::OUTPUTS,
-            });
+    pub(crate) fn check_places(&self, shape: &Shape) -> Result<(), ToleranceError> {
+        let (output, outputs) = (self.output, shape.outputs.len());
+        if output >= outputs {
+            return Err(ToleranceError::NoOutput { output, outputs });
         }
         if self.places.is_empty() {
             return Err(ToleranceError::NoPlace);

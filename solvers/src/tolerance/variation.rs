@@ -1,8 +1,7 @@
 //! How a linkage changes with one variable, by dual numbers: the loops are kept closed in their derivatives.
 
-use crate::closure::{Closure, Linkage, Variable};
+use crate::closure::{Answers, AnyLinkage, Square, Variable, instant_at};
 use crate::dense::{Lu, Singular};
-use crate::problem::Storage;
 use crate::scalar::Dual;
 
 /// Derivatives by one variable at a closed position.
@@ -30,29 +29,28 @@ impl Stand<'_> {
     ///
     /// # Errors
     /// Where the Jacobian of a group is singular there are none.
-    pub fn varied<L: Linkage>(&self, variable: Variable) -> Result<Variation, Singular> {
+    pub fn varied(
+        &self,
+        linkage: &dyn AnyLinkage,
+        variable: Variable,
+    ) -> Result<Variation, Singular> {
         let (constant, driver) = match variable {
             Variable::Constant(index) => (Some(index), None),
             Variable::Driver(index) => (None, Some(index)),
         };
-        let closure = L::prepare::<Dual>(&duals(self.values, constant));
+        let (shape, entry) = (linkage.shape(), linkage.shape().loops());
+        let loops = linkage.differentiate(&duals(self.values, constant));
         let independents = duals(self.independents, driver);
-        let instant = match self.motion.is_empty() {
-            true => closure.instant(&independents),
-            false => closure.moving(&independents, &duals(self.motion, None)),
-        };
-        let mut position = closure.zeros();
-        for (slot, value) in position.as_mut().iter_mut().zip(self.position) {
-            *slot = Dual::constant(*value);
+        let instant = instant_at(&*loops, &independents, &duals(self.motion, None));
+        let mut position = duals(self.position, None);
+        for group in 0..entry.groups.len() {
+            close(&*loops, group, &instant, &mut position)?;
         }
-        for group in 0..L::GROUPS.len() {
-            close::<L>(&closure, group, &instant, &mut position)?;
-        }
-        let mut influence = vec![Dual::default(); L::OUTPUTS * L::VARIABLES.len()];
-        closure.influence(&instant, &position, &mut influence);
+        let mut influence = vec![Dual::default(); shape.outputs.len() * entry.variables.len()];
+        loops.influence(&instant, &position, &mut influence);
         let slopes = |list: &[Dual]| list.iter().map(|one| one.slope).collect();
         Ok(Variation {
-            dependents: slopes(&position.as_ref()[..L::DEPENDENTS]),
+            dependents: slopes(&position[..entry.dependents.len()]),
             influence: slopes(&influence),
         })
     }
@@ -68,28 +66,25 @@ fn duals(list: &[f64], varied: Option<usize>) -> Vec<Dual> {
 }
 
 /// Gives the unknowns of a group the derivatives that keep its loops closed.
-fn close<L: Linkage>(
-    closure: &L::Closure<Dual>,
+fn close(
+    loops: &dyn Answers<Dual>,
     group: usize,
-    instant: &<L::Closure<Dual> as Closure<Dual>>::Instant,
-    position: &mut <L::Closure<Dual> as Closure<Dual>>::Position,
+    instant: &[Dual],
+    position: &mut [Dual],
 ) -> Result<(), Singular> {
-    let largest = L::GROUPS.iter().map(|one| one.unknowns.len()).max();
-    let largest = largest.unwrap_or(0);
-    let mut residual = <L::Closure<Dual> as Closure<Dual>>::Row::zeros(largest);
-    let mut jacobian = <L::Closure<Dual> as Closure<Dual>>::Matrix::zeros(largest * largest);
-    closure.trial(group, instant, position, &mut residual, &mut jacobian);
-    let unknowns = L::GROUPS[group].unknowns;
+    let mut square = Square::of(loops.shape());
+    square.look(loops, group, instant, position);
+    let unknowns = loops.shape().loops().groups[group].unknowns;
     let count = unknowns.len();
-    let entries = jacobian.as_ref()[..count * count].iter();
+    let entries = square.jacobian[..count * count].iter();
     let factors = Lu::new(entries.map(|one| one.value).collect(), count)?;
-    let rows = residual.as_ref()[..count].iter();
+    let rows = square.residual[..count].iter();
     let mut right: Vec<f64> = rows.map(|one| -one.slope).collect();
     factors.solve(&mut right);
     for (unknown, slope) in unknowns.iter().zip(right) {
-        position.as_mut()[*unknown].slope = slope;
+        position[*unknown].slope = slope;
     }
     // Sines and cosines follow.
-    closure.trial(group, instant, position, &mut residual, &mut jacobian);
+    square.look(loops, group, instant, position);
     Ok(())
 }

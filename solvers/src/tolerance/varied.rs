@@ -4,7 +4,7 @@
 //! the sources of one sample has a length that only the run knows.
 
 use super::source::Source;
-use crate::closure::{Linkage, Variable};
+use crate::closure::Variable;
 use crate::scalar::Scalar;
 
 /// Values of `W` samples.
@@ -23,9 +23,9 @@ pub(super) struct Varied<S, const W: usize> {
 
 impl<S: Scalar, const W: usize> Varied<S, W> {
     /// The constants that err.
-    pub fn constants<L: Linkage>(sources: &[Source], nominal: &[S]) -> Vec<Self> {
+    pub fn constants(variables: &[Variable], sources: &[Source], nominal: &[S]) -> Vec<Self> {
         Self::among(sources, nominal, |source| {
-            match L::VARIABLES[source.variable] {
+            match variables[source.variable] {
                 Variable::Constant(index) => Some(index),
                 Variable::Driver(_) => None,
             }
@@ -33,9 +33,9 @@ impl<S: Scalar, const W: usize> Varied<S, W> {
     }
 
     /// The drivers whose positions err.
-    pub fn drivers<L: Linkage>(sources: &[Source], nominal: &[S]) -> Vec<Self> {
+    pub fn drivers(variables: &[Variable], sources: &[Source], nominal: &[S]) -> Vec<Self> {
         Self::among(sources, nominal, |source| {
-            match L::VARIABLES[source.variable] {
+            match variables[source.variable] {
                 Variable::Driver(index) => Some(index),
                 Variable::Constant(_) => None,
             }

@@ -2,9 +2,9 @@
 //!
 //! `ASSUR_EXTREMES=200 cargo test --release --test suite extremes` tries 200 of each scene at 20 000 positions.
 
-use assur::closure::{Along, Stroke};
+use assur::closure::{Along, AnyLinkage, Stroke};
 use assur::problem::Span;
-use assur::registry::{RunLinkage, SceneEntry};
+use assur::registry::SceneEntry;
 use assur_equations::REGISTRY;
 
 /// How far a dimension may be from its default, as a part of it.
@@ -26,7 +26,7 @@ impl Random {
 }
 
 /// A linkage of a scene with other dimensions; none if the mechanism refuses them.
-fn varied(scene: &SceneEntry, random: &mut Random) -> Option<Box<dyn RunLinkage>> {
+fn varied(scene: &SceneEntry, random: &mut Random) -> Option<Box<dyn AnyLinkage>> {
     let one = |constant: &assur::shape::Constant| match constant.is_dimension {
         true => constant.default * (1.0 + SPREAD * (2.0 * random.next() - 1.0)),
         false => constant.default,
@@ -36,7 +36,7 @@ fn varied(scene: &SceneEntry, random: &mut Random) -> Option<Box<dyn RunLinkage>
 }
 
 /// The tasks with one axis: the time, or each driver that is swept.
-fn tasks(run: &dyn RunLinkage) -> Vec<Along> {
+fn tasks(run: &dyn AnyLinkage) -> Vec<Along> {
     match run.span() {
         Span::Open => {
             let ranges = run.ranges().into_iter().enumerate();
@@ -51,7 +51,7 @@ fn tasks(run: &dyn RunLinkage) -> Vec<Along> {
 
 /// The values of outputs and dependent coordinates at very many positions, as far as the linkage gets on both sides of its
 /// start.
-fn many(run: &dyn RunLinkage, along: Along, count: usize) -> Vec<Vec<f64>> {
+fn many(run: &dyn AnyLinkage, along: Along, count: usize) -> Vec<Vec<f64>> {
     let standing: Vec<f64> = run.ranges().iter().map(|range| range.start).collect();
     let (from, to) = along.bounds();
     let start = match along {

@@ -1,7 +1,7 @@
 //! What the names in options mean: what errs, the output, the place.
 
-use assur::closure::Variable;
-use assur::registry::{RunLinkage, SceneEntry};
+use assur::closure::{AnyLinkage, Variable};
+use assur::registry::SceneEntry;
 use assur::shape::{Distribution, LinkageEntry, Quantity};
 use assur::tolerance::Source;
 
@@ -131,7 +131,7 @@ impl Names {
     /// Where `--at` looks.
     pub fn place(
         &self,
-        run: &dyn RunLinkage,
+        run: &dyn AnyLinkage,
         options: &[String],
     ) -> Result<Option<Vec<f64>>, Failure> {
         if options.is_empty() {

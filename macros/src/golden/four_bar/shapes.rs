@@ -47,7 +47,7 @@ mod shapes_ {
         Quantity::new("theta", "", unit_1_),
         Quantity::new("psi", "", unit_1_),
     ];
-    pub static Turn: Shape = Shape::named("turn")
+    pub const Turn: Shape = Shape::named("turn")
         .constants(&Constant::some(&constants_, [0, 1, 2, 3], [0.02, 0.07, 0.05, 0.06]))
         .drivers(list_0_)
         .linear()
@@ -68,8 +68,23 @@ mod shapes_ {
                 Loop::new(10, "frame.x", "m", 1.0),
                 Loop::new(10, "frame.y", "m", 1.0),
             ],
-            groups: <super::Turn as Linkage>::GROUPS,
-            variables: <super::Turn as Linkage>::VARIABLES,
+            angles: &[true, true],
+            groups: &[
+                Group {
+                    kind: GroupKind::Rrr,
+                    unknowns: &[0, 1],
+                    equations: &[0, 1],
+                },
+            ],
+            variables: &[
+                Variable::Constant(0),
+                Variable::Constant(1),
+                Variable::Constant(2),
+                Variable::Constant(3),
+                Variable::Driver(0),
+            ],
+            motion: 0,
+            second: true,
             tolerances: &[(0.0, Distribution::Normal)],
             points: &[],
             links: &[],

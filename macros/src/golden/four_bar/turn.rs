@@ -65,31 +65,10 @@ impl Turn {
 }
 impl ::assur::closure::Linkage for Turn {
     type Closure<S: ::assur::scalar::Scalar> = TurnEquations<S>;
+    #[inline(always)]
     fn shape() -> &'static ::assur::shape::Shape {
         &shapes_::Turn
     }
-    const INDEPENDENTS: usize = 1;
-    const MOTION: usize = 0;
-    const DEPENDENTS: usize = 2;
-    const OUTPUTS: usize = 1;
-    const POINTS: usize = 0;
-    const CONSTANTS: usize = 4;
-    const VARIABLES: &'static [::assur::closure::Variable] = &[
-        ::assur::closure::Variable::Constant(0),
-        ::assur::closure::Variable::Constant(1),
-        ::assur::closure::Variable::Constant(2),
-        ::assur::closure::Variable::Constant(3),
-        ::assur::closure::Variable::Driver(0),
-    ];
-    const SECOND: bool = true;
-    const GROUPS: &'static [::assur::closure::Group] = &[
-        ::assur::closure::Group {
-            kind: ::assur::closure::GroupKind::Rrr,
-            unknowns: &[0, 1],
-            equations: &[0, 1],
-        },
-    ];
-    const ANGLES: &'static [bool] = &[true, true];
     fn values(&self) -> ::std::vec::Vec<f64> {
         Self::values(self).to_vec()
     }

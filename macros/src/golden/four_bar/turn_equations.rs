@@ -47,9 +47,13 @@ pub struct TurnEquations<S: ::assur::scalar::Scalar> {
 }
 impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<S> {
     type Position = [S; 6];
-    type Instant = TurnInstant<S>;
+    type Instant = [S; 12];
     type Row = [S; 2];
     type Matrix = [S; 4];
+    #[inline(always)]
+    fn shape(&self) -> &'static ::assur::shape::Shape {
+        &shapes_::Turn
+    }
     #[inline(always)]
     fn zeros(&self) -> Self::Position {
         [S::ZERO; 6]
@@ -66,20 +70,20 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         let v52_ = S::sqrt((self.v17_ - v43_) * (self.v19_ + v43_));
         let v61_ = S::mul_add(-self.v13_, v44_, S::from_f64(0.5));
         let v65_ = S::sqrt(v43_);
-        TurnInstant {
+        [
             sin_phi_,
             cos_phi_,
             v40_,
             v46_,
-            v48_: -(v46_ * v45_),
-            v55_: S::from_f64(0.5) * (v44_ * v52_ * v40_),
-            v57_: -(v40_ * v45_),
-            v60_: self.v20_ * (sin_phi_ * v44_ * v52_),
-            v62_: v46_ * v61_,
-            v63_: v40_ * v61_,
-            v64_: self.v23_ * v52_,
-            v68_: S::min(self.v10_ - v65_, self.v25_ + v65_),
-        }
+            -(v46_ * v45_),
+            S::from_f64(0.5) * (v44_ * v52_ * v40_),
+            -(v40_ * v45_),
+            self.v20_ * (sin_phi_ * v44_ * v52_),
+            v46_ * v61_,
+            v40_ * v61_,
+            self.v23_ * v52_,
+            S::min(self.v10_ - v65_, self.v25_ + v65_),
+        ]
     }
     #[inline(always)]
     fn close(
@@ -91,19 +95,19 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
     ) -> S {
         match group {
             0 => {
-                let v75_ = instant.v55_ * mode;
-                let v78_ = instant.v60_ * mode;
-                position[2] = self.v5_ * (instant.v57_ + v78_);
-                position[3] = self.v5_ * (instant.v48_ + v75_);
-                position[4] = self.v21_ * (instant.v63_ + v78_);
-                position[5] = self.v21_ * (instant.v62_ + v75_);
+                let v75_ = instant[5] * mode;
+                let v78_ = instant[7] * mode;
+                position[2] = self.v5_ * (instant[6] + v78_);
+                position[3] = self.v5_ * (instant[4] + v75_);
+                position[4] = self.v21_ * (instant[9] + v78_);
+                position[5] = self.v21_ * (instant[8] + v75_);
                 let angles_ = S::atan2_all(
                     [position[3], position[5]],
                     [position[2], position[4]],
                 );
                 position[0] = angles_[0];
                 position[1] = angles_[1];
-                instant.v64_ * mode
+                instant[10] * mode
             }
             _ => S::from_f64(f64::NAN),
         }
@@ -119,7 +123,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
             #[inline(always)]
             || {
                 match group {
-                    0 => instant.v68_,
+                    0 => instant[11],
                     _ => S::from_f64(f64::NAN),
                 }
             },
@@ -143,11 +147,11 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
                 position[5] = sines_[1];
                 let v89_ = self.b * position[2];
                 let v91_ = self.c * position[4];
-                residual[0] = instant.v40_ + v89_ - v91_;
+                residual[0] = instant[2] + v89_ - v91_;
                 residual[1] = S::mul_add(
                     -self.c,
                     position[5],
-                    S::mul_add(self.b, position[3], instant.v46_),
+                    S::mul_add(self.b, position[3], instant[3]),
                 );
                 jacobian[0] = -(self.b * position[3]);
                 jacobian[1] = self.c * position[5];
@@ -168,19 +172,9 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         let v104_ = S::ONE
             / S::mul_add(-position[2], position[5], position[3] * position[4]);
         columns[0][0] = self.v26_
-            * (v104_
-                * S::mul_add(
-                    instant.cos_phi_,
-                    position[5],
-                    -(instant.sin_phi_ * position[4]),
-                ));
+            * (v104_ * S::mul_add(instant[1], position[5], -(instant[0] * position[4])));
         columns[0][1] = self.v27_
-            * (v104_
-                * S::mul_add(
-                    -instant.sin_phi_,
-                    position[2],
-                    instant.cos_phi_ * position[3],
-                ));
+            * (v104_ * S::mul_add(-instant[0], position[2], instant[1] * position[3]));
     }
     #[inline(always)]
     fn residual(
@@ -193,12 +187,12 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         residual[0] = S::mul_add(
             -self.c,
             position[4],
-            S::mul_add(self.b, position[2], instant.v40_),
+            S::mul_add(self.b, position[2], instant[2]),
         );
         residual[1] = S::mul_add(
             -self.c,
             position[5],
-            S::mul_add(self.b, position[3], instant.v46_),
+            S::mul_add(self.b, position[3], instant[3]),
         );
     }
     #[inline(always)]
@@ -223,18 +217,13 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
             / S::mul_add(-position[2], position[5], position[3] * position[4]);
         let v115_ = self.v21_ * v104_;
         values[0] = v115_
-            * S::mul_add(instant.cos_phi_, position[2], instant.sin_phi_ * position[3]);
+            * S::mul_add(instant[1], position[2], instant[0] * position[3]);
         values[1] = v115_;
         values[2] = v115_
             * -S::mul_add(position[2], position[4], position[3] * position[5]);
         values[3] = -(v115_ * position[2]);
         values[4] = self.v27_
-            * (v104_
-                * S::mul_add(
-                    -instant.sin_phi_,
-                    position[2],
-                    instant.cos_phi_ * position[3],
-                ));
+            * (v104_ * S::mul_add(-instant[0], position[2], instant[1] * position[3]));
     }
     #[inline(always)]
     fn second_influence(
@@ -247,25 +236,25 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
             #[inline(always)]
             || {
                 ::assur::exact!(mut values, 15);
-                let v69_ = self.v21_ * instant.sin_phi_;
-                let v70_ = self.v21_ * instant.cos_phi_;
+                let v69_ = self.v21_ * instant[0];
+                let v70_ = self.v21_ * instant[1];
                 let v103_ = S::mul_add(
                     -position[2],
                     position[5],
                     position[3] * position[4],
                 );
                 let v104_ = S::ONE / v103_;
-                let v105_ = instant.sin_phi_ * position[4];
-                let v106_ = S::mul_add(instant.cos_phi_, position[5], -v105_);
+                let v105_ = instant[0] * position[4];
+                let v106_ = S::mul_add(instant[1], position[5], -v105_);
                 let v110_ = S::mul_add(
-                    -instant.sin_phi_,
+                    -instant[0],
                     position[2],
-                    instant.cos_phi_ * position[3],
+                    instant[1] * position[3],
                 );
                 let v114_ = S::mul_add(
-                    instant.cos_phi_,
+                    instant[1],
                     position[2],
-                    instant.sin_phi_ * position[3],
+                    instant[0] * position[3],
                 );
                 let v115_ = self.v21_ * v104_;
                 let v117_ = position[3] * position[5];
@@ -273,17 +262,17 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
                 let v123_ = v103_ * v103_;
                 let v124_ = S::ONE / v123_;
                 let v126_ = S::mul_add(
-                    instant.sin_phi_,
+                    instant[0],
                     position[5],
-                    instant.cos_phi_ * position[4],
+                    instant[1] * position[4],
                 );
                 let v128_ = S::mul_add(-self.b, v114_, self.c * v126_);
                 let v129_ = position[2] * position[4];
                 let v131_ = S::mul_add(v129_, v128_, v117_ * v128_);
                 let v132_ = v104_ * v131_;
-                let v135_ = -S::mul_add(v69_, v132_, instant.cos_phi_ * v126_);
+                let v135_ = -S::mul_add(v69_, v132_, instant[1] * v126_);
                 let v136_ = self.v28_ * position[3];
-                let v138_ = S::mul_add(-v70_, v132_, instant.sin_phi_ * v126_);
+                let v138_ = S::mul_add(-v70_, v132_, instant[0] * v126_);
                 let v139_ = self.v28_ * position[2];
                 let v144_ = S::ONE / (v123_ * v103_);
                 let v148_ = S::mul_add(-self.c, v119_, self.v32_);
@@ -353,8 +342,8 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
                     v104_,
                     S::mul_add(
                         v221_,
-                        -S::mul_add(v70_, v152_, instant.sin_phi_ * v119_),
-                        v222_ * S::mul_add(-instant.cos_phi_, v119_, v69_ * v152_),
+                        -S::mul_add(v70_, v152_, instant[0] * v119_),
+                        v222_ * S::mul_add(-instant[1], v119_, v69_ * v152_),
                     ),
                     self.v35_ * v110_,
                 );
@@ -368,8 +357,8 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
                     v104_
                         * S::mul_add(
                             v222_,
-                            S::mul_add(v69_, v257_, self.a * instant.cos_phi_ * v106_),
-                            v221_ * S::mul_add(-v70_, v257_, instant.v46_ * v106_),
+                            S::mul_add(v69_, v257_, self.a * instant[1] * v106_),
+                            v221_ * S::mul_add(-v70_, v257_, instant[3] * v106_),
                         ),
                 );
                 values[0] = v124_ * S::mul_add(v136_, v135_, v139_ * v138_);
@@ -399,14 +388,14 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
                 values[12] = v124_
                     * S::mul_add(
                         v222_,
-                        S::mul_add(v69_, v189_, -instant.cos_phi_),
-                        v221_ * S::mul_add(-v70_, v189_, -instant.sin_phi_),
+                        S::mul_add(v69_, v189_, -instant[1]),
+                        v221_ * S::mul_add(-v70_, v189_, -instant[0]),
                     );
                 values[13] = v124_
                     * S::mul_add(
                         v221_,
                         -S::mul_add(v70_, v243_, v105_),
-                        v222_ * S::mul_add(-instant.cos_phi_, position[4], v69_ * v243_),
+                        v222_ * S::mul_add(-instant[1], position[4], v69_ * v243_),
                     );
                 values[14] = v104_ * v265_;
             },
@@ -420,3 +409,5 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         values: &mut [S],
     ) {}
 }
+/// The first scene of the mechanism, `Turn`.
+pub type FourBar = Turn;

@@ -3,7 +3,7 @@
 use super::{Dimension, SYSTEMS, TIME, Units};
 use crate::check::Failed;
 use crate::check::linkage::{PLACES, place};
-use crate::closure::{Assembly, Closure, Linkage, Variable};
+use crate::closure::{Answers, AnyLinkage, Apart, Linkage, Variable, instant_at};
 use crate::registry::{Mechanism, SceneEntry};
 use crate::scalar::{Bounded, Scalar};
 use crate::shape::Quantity;
@@ -17,26 +17,41 @@ pub fn closure_scaling<L: Linkage + Default>(
     mechanism: &Mechanism,
     scene: &str,
 ) -> Result<(), Failed> {
+    let prepare =
+        |values: &[Bounded]| -> Box<dyn Answers<Bounded>> { Box::new(Apart(L::prepare(values))) };
+    restated(mechanism, scene, &L::default(), &prepare)
+}
+
+/// Loops with the bounds of their errors, from constants.
+type Prepare<'a> = &'a dyn Fn(&[Bounded]) -> Box<dyn Answers<Bounded>>;
+
+fn restated(
+    mechanism: &Mechanism,
+    scene: &str,
+    linkage: &dyn AnyLinkage,
+    prepare: Prepare<'_>,
+) -> Result<(), Failed> {
     let entry = mechanism.scenes.iter().find(|entry| entry.name == scene);
     let entry = entry.ok_or_else(|| Failed("there is no such scene".into()))?;
-    let quantities = Quantities::of::<L>(entry)?;
-    let linkage = L::default();
+    let quantities = Quantities::of(entry)?;
     let fail = |error: crate::closure::ClosureError| Failed(error.to_string());
-    let mut assembly = Assembly::<L, f64>::new(&linkage);
-    assembly.start().map_err(fail)?;
+    let mut assembly = linkage.assemble();
+    assembly.guide().start().map_err(fail)?;
     let mut compared = 0;
     for index in 0..PLACES {
-        let place = place(&linkage, index)?;
-        assembly.move_to(&place[..L::INDEPENDENTS]).map_err(fail)?;
+        let place = place(linkage, index)?;
+        assembly
+            .move_to(&place[..entry.drivers.len()])
+            .map_err(fail)?;
         let here = Here {
             values: linkage.values(),
             place,
-            position: assembly.position().as_ref().to_vec(),
+            position: assembly.guide().position.to_vec(),
         };
-        let expected = here.evaluate::<L>();
+        let expected = here.evaluate(prepare);
         for units in &SYSTEMS {
             let there = here.restated(&quantities, units);
-            let found = there.evaluate::<L>();
+            let found = there.evaluate(prepare);
             let pairs = expected.iter().zip(found);
             for (component, (expected, found)) in quantities.results.iter().zip(pairs) {
                 if expected.bound.is_finite() {
@@ -63,7 +78,7 @@ struct Quantities {
 }
 
 impl Quantities {
-    fn of<L: Linkage>(entry: &SceneEntry) -> Result<Self, Failed> {
+    fn of(entry: &SceneEntry) -> Result<Self, Failed> {
         let linkage = entry.linkage.as_ref();
         let linkage = linkage.ok_or_else(|| Failed("the scene is no linkage".into()))?;
         let dimensions = |list: &[Quantity]| -> Vec<Dimension> {
@@ -76,7 +91,7 @@ impl Quantities {
             .collect();
         let drivers = dimensions(entry.drivers);
         let mut place = drivers.clone();
-        if L::MOTION > 0 {
+        if linkage.motion > 0 {
             for order in 1..=2 {
                 place.extend(drivers.iter().map(|one| over(*one, TIME, order)));
             }
@@ -140,26 +155,19 @@ impl Here {
     }
 
     /// Outputs and influence coefficients with the bounds of their errors.
-    fn evaluate<L: Linkage>(&self) -> Vec<Bounded> {
+    fn evaluate(&self, prepare: Prepare<'_>) -> Vec<Bounded> {
         let bounded = |list: &[f64]| -> Vec<Bounded> {
             list.iter().map(|one| Bounded::from_f64(*one)).collect()
         };
-        let closure = L::prepare::<Bounded>(&bounded(&self.values));
-        let place = bounded(&self.place);
-        let (drivers, motion) = place.split_at(L::INDEPENDENTS);
-        let instant = match motion.is_empty() {
-            true => closure.instant(drivers),
-            false => closure.moving(drivers, motion),
-        };
-        let mut position = closure.zeros();
-        let slots = position.as_mut().iter_mut();
-        for (slot, value) in slots.zip(bounded(&self.position)) {
-            *slot = value;
-        }
-        let mut outputs = vec![Bounded::ZERO; L::OUTPUTS];
-        closure.outputs(&instant, &position, &mut outputs);
-        let mut influence = vec![Bounded::ZERO; L::OUTPUTS * L::VARIABLES.len()];
-        closure.influence(&instant, &position, &mut influence);
+        let loops = prepare(&bounded(&self.values));
+        let (shape, place) = (loops.shape(), bounded(&self.place));
+        let (drivers, motion) = place.split_at(shape.drivers.len());
+        let instant = instant_at(&*loops, drivers, motion);
+        let position = bounded(&self.position);
+        let mut outputs = vec![Bounded::ZERO; shape.outputs.len()];
+        loops.outputs(&instant, &position, &mut outputs);
+        let mut influence = vec![Bounded::ZERO; outputs.len() * shape.loops().variables.len()];
+        loops.influence(&instant, &position, &mut influence);
         outputs.extend(influence);
         outputs
     }

@@ -3,7 +3,8 @@
 use super::linkages::{FourBar, Heald, Iterated, SixBar};
 use super::published::{residual, started};
 use crate::closure::{
-    Assembly, AtDeadPoint, Axis, Closure, ClosureError, Event, Linkage, Newton, sweep,
+    Apart, Assembly, AtDeadPoint, Axis, Closure, ClosureError, Event, Linkage, Newton, instant_at,
+    sweep,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -426,7 +427,7 @@ fn start_values_pick_the_nearest_mode() {
 #[test]
 fn newton_alone_lands_in_another_mode() {
     let linkage = Heald::printed();
-    let loops = Heald::prepare::<f64>(&linkage.values());
+    let loops = Apart(Heald::prepare::<f64>(&linkage.values()));
     let mut kept = started(&linkage);
     let start = kept.coordinates();
     let (sign, mut other, mut same) = (kept.sine(0).signum(), 0, 0);
@@ -437,12 +438,12 @@ fn newton_alone_lands_in_another_mode() {
         assert_eq!(kept.sine(0).signum(), sign);
         assert!(residual(&kept) < 1e-15);
         // The naive way: Newton's method from rough values, here off by a radian.
-        let mut z = Closure::<f64>::zeros(&loops);
+        let mut z = Closure::<f64>::zeros(&loops.0);
         for (j, value) in start.iter().enumerate() {
             z[j] = value + if number >> j & 1 == 0 { 1.0 } else { -1.0 };
         }
-        let mut newton = Newton::<Heald, f64>::new();
-        if let Ok(closed) = newton.close(&loops, 0, &loops.instant(&[at]), &mut z) {
+        let mut newton = Newton::new(kept.closure().shape());
+        if let Ok(closed) = newton.close(&loops, 0, &instant_at(&loops, &[at], &[]), &mut z) {
             assert!(closed.residual < 1e-15);
             let away = (0..3)
                 .map(|j| apart(z[j], kept.position()[j]))

@@ -16,14 +16,14 @@ fn degrees<L: Linkage>(assembly: &mut Assembly<L, f64>, at: f64) -> f64 {
     assembly
         .move_to(&[at.to_radians()])
         .expect("the mode goes on");
-    let mut values = vec![0.0; L::OUTPUTS];
+    let mut values = vec![0.0; assembly.closure().shape().outputs.len()];
     assembly.outputs(&mut values);
     values[0].to_degrees()
 }
 
 /// Largest residual of an assembled linkage.
 pub fn residual<L: Linkage>(assembly: &Assembly<L, f64>) -> f64 {
-    let mut values = vec![0.0; L::DEPENDENTS];
+    let mut values = vec![0.0; assembly.coordinates().len()];
     let instant = assembly.closure().instant(assembly.independents());
     assembly
         .closure()

@@ -13,7 +13,7 @@ pub use error::AllocationError;
 
 use super::influence::influence_at;
 use super::source::{Study, check_variables};
-use crate::closure::{Assembly, Linkage};
+use crate::closure::{AnyLinkage, Linkage};
 use crate::shape::Distribution;
 use way::{Influence, Peak, Way};
 
@@ -114,17 +114,28 @@ pub fn allocate<L: Linkage>(
     rule: Rule,
     band: f64,
 ) -> Result<Allocation, AllocationError> {
+    allocate_of(linkage, study, candidates, rule, band)
+}
+
+/// The same of any linkage.
+pub(crate) fn allocate_of(
+    linkage: &dyn AnyLinkage,
+    study: &Study,
+    candidates: &[Candidate],
+    rule: Rule,
+    band: f64,
+) -> Result<Allocation, AllocationError> {
     check(candidates, band)?;
-    study.check_places::<L>()?;
+    study.check_places(linkage.shape())?;
     check_variables(
         candidates.iter().map(|one| one.variable),
-        L::VARIABLES.len(),
+        linkage.shape().loops().variables.len(),
     )?;
-    let mut assembly = Assembly::<L, f64>::new(linkage);
-    assembly.start()?;
+    let mut assembly = linkage.assemble();
+    assembly.guide().start()?;
     let places = &study.places;
     let mut influence = |part: f64| {
-        let (_, all) = influence_at(&mut assembly, study.output, &between(places, part))?;
+        let (_, all) = influence_at(&mut *assembly, study.output, &between(places, part))?;
         let weighed = candidates
             .iter()
             .map(|one| rule.weigh(all[one.variable], one));

@@ -5,6 +5,7 @@ use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
 use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
 use crate::shape::Distribution;
+use crate::shape::{Shape, by_hand};
 use std::f64::consts::TAU;
 
 /// Two links that meet: `l2 dir(a) - l3 dir(b) = [d - l1 cos q, -l1 sin q]`; output `b`. Constants `l1, l2, l3, d`.
@@ -13,31 +14,29 @@ struct FourBar([f64; 4]);
 
 struct Loops<S>([S; 4]);
 
-impl Linkage for FourBar {
-    type Closure<S: Scalar> = Loops<S>;
-    fn shape() -> &'static crate::shape::Shape {
-        const { &crate::shape::Shape::named("") }
-    }
-
-    const INDEPENDENTS: usize = 1;
-    const MOTION: usize = 0;
-    const DEPENDENTS: usize = 2;
-    const OUTPUTS: usize = 1;
-    const POINTS: usize = 0;
-    const CONSTANTS: usize = 4;
-    const VARIABLES: &'static [Variable] = &[
+/// What it is made of.
+const SHAPE: Shape = by_hand(
+    [4, 1],
+    &[true; 2],
+    &[Group {
+        kind: GroupKind::Rrr,
+        unknowns: &[0, 1],
+        equations: &[0, 1],
+    }],
+    &[
         Variable::Constant(0),
         Variable::Constant(1),
         Variable::Constant(2),
         Variable::Constant(3),
-    ];
-    const SECOND: bool = false;
-    const GROUPS: &'static [Group] = &[Group {
-        kind: GroupKind::Rrr,
-        unknowns: &[0, 1],
-        equations: &[0, 1],
-    }];
-    const ANGLES: &'static [bool] = &[true; 2];
+    ],
+);
+
+impl Linkage for FourBar {
+    type Closure<S: Scalar> = Loops<S>;
+    #[inline(always)]
+    fn shape() -> &'static Shape {
+        const { &SHAPE }
+    }
 
     fn values(&self) -> Vec<f64> {
         self.0.to_vec()
@@ -82,6 +81,10 @@ impl<S: Scalar> Closure<S> for Loops<S> {
     type Instant = [S; 2];
     type Row = [S; 2];
     type Matrix = [S; 4];
+    #[inline(always)]
+    fn shape(&self) -> &'static Shape {
+        const { &SHAPE }
+    }
 
     fn zeros(&self) -> [S; 2] {
         [S::ZERO; 2]

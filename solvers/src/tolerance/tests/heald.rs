@@ -4,6 +4,7 @@ use super::super::small;
 use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
 use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
+use crate::shape::{Shape, by_hand};
 use std::f64::consts::TAU;
 
 /// Constants `l4, l5, l6, l7, a, b, s`; unknowns `φ5, φ6, φ7`; output `φ7`.
@@ -22,19 +23,16 @@ impl Default for Heald {
 
 pub struct Loops<S>([S; 7]);
 
-impl Linkage for Heald {
-    type Closure<S: Scalar> = Loops<S>;
-    fn shape() -> &'static crate::shape::Shape {
-        const { &crate::shape::Shape::named("") }
-    }
-
-    const INDEPENDENTS: usize = 1;
-    const MOTION: usize = 0;
-    const DEPENDENTS: usize = 3;
-    const OUTPUTS: usize = 1;
-    const POINTS: usize = 0;
-    const CONSTANTS: usize = 7;
-    const VARIABLES: &'static [Variable] = &[
+/// What it is made of.
+const SHAPE: Shape = by_hand(
+    [7, 1],
+    &[true; 3],
+    &[Group {
+        kind: GroupKind::General,
+        unknowns: &[0, 1, 2],
+        equations: &[0, 1, 2],
+    }],
+    &[
         Variable::Constant(0),
         Variable::Constant(1),
         Variable::Constant(2),
@@ -43,14 +41,15 @@ impl Linkage for Heald {
         Variable::Constant(5),
         Variable::Constant(6),
         Variable::Driver(0),
-    ];
-    const SECOND: bool = false;
-    const GROUPS: &'static [Group] = &[Group {
-        kind: GroupKind::General,
-        unknowns: &[0, 1, 2],
-        equations: &[0, 1, 2],
-    }];
-    const ANGLES: &'static [bool] = &[true; 3];
+    ],
+);
+
+impl Linkage for Heald {
+    type Closure<S: Scalar> = Loops<S>;
+    #[inline(always)]
+    fn shape() -> &'static Shape {
+        const { &SHAPE }
+    }
 
     fn values(&self) -> Vec<f64> {
         self.values.to_vec()
@@ -120,6 +119,10 @@ impl<S: Scalar> Closure<S> for Loops<S> {
     type Instant = [S; 2];
     type Row = [S; 3];
     type Matrix = [S; 9];
+    #[inline(always)]
+    fn shape(&self) -> &'static Shape {
+        const { &SHAPE }
+    }
 
     #[inline(always)]
     fn zeros(&self) -> [S; 9] {

@@ -1,9 +1,10 @@
 //! Four-bar: crank, rod and rocker in the plane. `l1 dir(β) + l2 dir(γ) = [a, 0] + l3 dir(θ)`.
 
 use super::{Directions, Dyad, constants, directions, unasked};
-use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
+use crate::closure::{Closure, Group, GroupKind, Linkage, Range};
 use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
+use crate::shape::{List, Shape, by_hand};
 use std::f64::consts::TAU;
 
 /// Constants `l1, l2, l3, a`; unknowns `γ, θ`; outputs both.
@@ -35,13 +36,13 @@ impl Default for FourBar {
     }
 }
 
-pub struct Loops<S> {
+pub struct Loops<S, const ITERATED: bool> {
     crank: S,
     frame: S,
     dyad: Dyad<S>,
 }
 
-impl<S: Scalar> Loops<S> {
+impl<S: Scalar, const ITERATED: bool> Loops<S, ITERATED> {
     #[inline(always)]
     fn span(&self, instant: &[S; 2]) -> [S; 2] {
         [
@@ -51,20 +52,29 @@ impl<S: Scalar> Loops<S> {
     }
 }
 
+/// What it is made of, its loops closed in a way.
+const fn shape(groups: List<Group>) -> Shape {
+    by_hand([4, 2], &[true, true], groups, &[])
+}
+
+/// In closed form.
+const SHAPE: Shape = shape(&[Group {
+    kind: GroupKind::Rrr,
+    unknowns: &[0, 1],
+    equations: &[0, 1],
+}]);
+
+/// By iteration.
+const ITERATED: Shape = shape(&[Group {
+    kind: GroupKind::General,
+    unknowns: &[0, 1],
+    equations: &[0, 1],
+}]);
+
 impl Linkage for FourBar {
-    type Closure<S: Scalar> = Loops<S>;
-    const INDEPENDENTS: usize = 1;
-    const MOTION: usize = 0;
-    const DEPENDENTS: usize = 2;
-    const OUTPUTS: usize = 2;
-    const GROUPS: &'static [Group] = &[Group {
-        kind: GroupKind::Rrr,
-        unknowns: &[0, 1],
-        equations: &[0, 1],
-    }];
-    const ANGLES: &'static [bool] = &[true, true];
-    constants!(4);
-    fn prepare<S: Scalar>(values: &[S]) -> Loops<S> {
+    type Closure<S: Scalar> = Loops<S, false>;
+    constants!();
+    fn prepare<S: Scalar>(values: &[S]) -> Loops<S, false> {
         Loops {
             crank: values[0],
             frame: values[3],
@@ -90,11 +100,18 @@ impl Linkage for FourBar {
     }
 }
 
-impl<S: Scalar> Closure<S> for Loops<S> {
+impl<S: Scalar, const ITERATED: bool> Closure<S> for Loops<S, ITERATED> {
     type Position = [S; 6];
     type Instant = [S; 2];
     type Row = [S; 2];
     type Matrix = [S; 4];
+    #[inline(always)]
+    fn shape(&self) -> &'static Shape {
+        match ITERATED {
+            true => const { &self::ITERATED },
+            false => const { &SHAPE },
+        }
+    }
     unasked!(S);
 
     #[inline(always)]
@@ -145,33 +162,19 @@ impl<S: Scalar> Closure<S> for Loops<S> {
 pub struct Iterated(pub FourBar);
 
 impl Linkage for Iterated {
-    type Closure<S: Scalar> = Loops<S>;
-    fn shape() -> &'static crate::shape::Shape {
-        const { &crate::shape::Shape::named("") }
+    type Closure<S: Scalar> = Loops<S, true>;
+    fn shape() -> &'static Shape {
+        const { &ITERATED }
     }
-
-    const INDEPENDENTS: usize = 1;
-    const MOTION: usize = 0;
-    const DEPENDENTS: usize = 2;
-    const OUTPUTS: usize = 2;
-    const POINTS: usize = 0;
-    const CONSTANTS: usize = 4;
-    const VARIABLES: &'static [Variable] = &[];
-    const SECOND: bool = false;
-    const GROUPS: &'static [Group] = &[Group {
-        kind: GroupKind::General,
-        unknowns: &[0, 1],
-        equations: &[0, 1],
-    }];
-    const ANGLES: &'static [bool] = &[true, true];
     fn values(&self) -> Vec<f64> {
         self.0.values()
     }
     fn with_values(values: &[f64]) -> Self {
         Self(FourBar::with_values(values))
     }
-    fn prepare<S: Scalar>(values: &[S]) -> Loops<S> {
-        FourBar::prepare(values)
+    fn prepare<S: Scalar>(values: &[S]) -> Loops<S, true> {
+        let Loops { crank, frame, dyad } = FourBar::prepare(values);
+        Loops { crank, frame, dyad }
     }
     fn check(&self) -> Result<(), Refused> {
         Ok(())

@@ -6,9 +6,10 @@
 //! ```
 
 use super::{constants, unasked};
-use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
+use crate::closure::{Closure, Group, GroupKind, Linkage, Range};
 use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
+use crate::shape::{Shape, by_hand};
 use std::f64::consts::TAU;
 
 /// Constants `l4, l5, l6, l7, a, b, s, κ`; unknowns `φ5, φ6, φ7`; output `φ7`.
@@ -43,19 +44,21 @@ impl Default for Heald {
 
 pub struct Loops<S>([S; 8]);
 
-impl Linkage for Heald {
-    type Closure<S: Scalar> = Loops<S>;
-    const INDEPENDENTS: usize = 1;
-    const MOTION: usize = 0;
-    const DEPENDENTS: usize = 3;
-    const OUTPUTS: usize = 1;
-    const GROUPS: &'static [Group] = &[Group {
+/// What it is made of.
+const SHAPE: Shape = by_hand(
+    [8, 1],
+    &[true; 3],
+    &[Group {
         kind: GroupKind::General,
         unknowns: &[0, 1, 2],
         equations: &[0, 1, 2],
-    }];
-    const ANGLES: &'static [bool] = &[true; 3];
-    constants!(8);
+    }],
+    &[],
+);
+
+impl Linkage for Heald {
+    type Closure<S: Scalar> = Loops<S>;
+    constants!();
     fn prepare<S: Scalar>(v: &[S]) -> Loops<S> {
         Loops(std::array::from_fn(|k| v[k]))
     }
@@ -114,6 +117,10 @@ impl<S: Scalar> Closure<S> for Loops<S> {
     type Instant = [S; 2];
     type Row = [S; 3];
     type Matrix = [S; 9];
+    #[inline(always)]
+    fn shape(&self) -> &'static Shape {
+        const { &SHAPE }
+    }
     unasked!(S);
 
     #[inline(always)]

@@ -23,14 +23,10 @@ macro_rules! unasked {
 
 /// The constants of a linkage that is a struct of one array.
 macro_rules! constants {
-    ($count:expr) => {
-        fn shape() -> &'static crate::shape::Shape {
-            const { &crate::shape::Shape::named("") }
+    () => {
+        fn shape() -> &'static Shape {
+            const { &SHAPE }
         }
-        const CONSTANTS: usize = $count;
-        const VARIABLES: &'static [Variable] = &[];
-        const SECOND: bool = false;
-        const POINTS: usize = 0;
         fn values(&self) -> Vec<f64> {
             self.values.to_vec()
         }

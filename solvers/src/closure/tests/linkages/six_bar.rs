@@ -1,9 +1,10 @@
 //! Six-bar: a four-bar and a dyad between a point of its coupler and the frame.
 
 use super::{Dyad, constants, directions, unasked};
-use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
+use crate::closure::{Closure, Group, GroupKind, Linkage, Range};
 use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
+use crate::shape::{Shape, by_hand};
 use std::f64::consts::TAU;
 
 /// Constants `l1, l2, l3, a`, the coupler point `cx, cy`, `l5, l6`, its pivot `ox, oy`.
@@ -50,13 +51,11 @@ impl<S: Scalar> Loops<S> {
     }
 }
 
-impl Linkage for SixBar {
-    type Closure<S: Scalar> = Loops<S>;
-    const INDEPENDENTS: usize = 1;
-    const MOTION: usize = 0;
-    const DEPENDENTS: usize = 4;
-    const OUTPUTS: usize = 4;
-    const GROUPS: &'static [Group] = &[
+/// What it is made of.
+const SHAPE: Shape = by_hand(
+    [10, 4],
+    &[true; 4],
+    &[
         Group {
             kind: GroupKind::Rrr,
             unknowns: &[0, 1],
@@ -67,9 +66,13 @@ impl Linkage for SixBar {
             unknowns: &[2, 3],
             equations: &[2, 3],
         },
-    ];
-    const ANGLES: &'static [bool] = &[true; 4];
-    constants!(10);
+    ],
+    &[],
+);
+
+impl Linkage for SixBar {
+    type Closure<S: Scalar> = Loops<S>;
+    constants!();
     fn prepare<S: Scalar>(v: &[S]) -> Loops<S> {
         Loops {
             crank: v[0],
@@ -106,6 +109,10 @@ impl<S: Scalar> Closure<S> for Loops<S> {
     type Instant = [S; 2];
     type Row = [S; 2];
     type Matrix = [S; 4];
+    #[inline(always)]
+    fn shape(&self) -> &'static Shape {
+        const { &SHAPE }
+    }
     unasked!(S);
 
     #[inline(always)]

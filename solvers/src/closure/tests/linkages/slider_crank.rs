@@ -1,9 +1,10 @@
 //! Slider-crank: `l1 dir(β) + l2 dir(φ) = [s, e]`.
 
 use super::{constants, unasked};
-use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
+use crate::closure::{Closure, Group, GroupKind, Linkage, Range};
 use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
+use crate::shape::{Shape, by_hand};
 use std::f64::consts::TAU;
 
 /// Constants `l1, l2, e`; unknowns `φ, s`.
@@ -24,19 +25,21 @@ impl Default for SliderCrank {
 
 pub struct Loops<S>([S; 3]);
 
-impl Linkage for SliderCrank {
-    type Closure<S: Scalar> = Loops<S>;
-    const INDEPENDENTS: usize = 1;
-    const MOTION: usize = 0;
-    const DEPENDENTS: usize = 2;
-    const OUTPUTS: usize = 1;
-    const GROUPS: &'static [Group] = &[Group {
+/// What it is made of.
+const SHAPE: Shape = by_hand(
+    [3, 1],
+    &[true, false],
+    &[Group {
         kind: GroupKind::Rrp,
         unknowns: &[0, 1],
         equations: &[0, 1],
-    }];
-    const ANGLES: &'static [bool] = &[true, false];
-    constants!(3);
+    }],
+    &[],
+);
+
+impl Linkage for SliderCrank {
+    type Closure<S: Scalar> = Loops<S>;
+    constants!();
     fn prepare<S: Scalar>(v: &[S]) -> Loops<S> {
         Loops([v[0], v[1], v[2]])
     }
@@ -67,6 +70,10 @@ impl<S: Scalar> Closure<S> for Loops<S> {
     type Instant = [S; 2];
     type Row = [S; 2];
     type Matrix = [S; 4];
+    #[inline(always)]
+    fn shape(&self) -> &'static Shape {
+        const { &SHAPE }
+    }
     unasked!(S);
 
     #[inline(always)]
