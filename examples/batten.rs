@@ -43,16 +43,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     println!("\nFree motions neither grow nor die, so that no march from rest ever arrives:");
     for multiplier in steady.multipliers() {
-        println!(
-            "  multiplier {multiplier}, modulus {:.9}",
-            multiplier.modulus()
-        );
+        println!("  multiplier {multiplier}, modulus {:.9}", multiplier.modulus());
         assert!((multiplier.modulus() - 1.0).abs() < 1e-6);
     }
-    let march = batten
-        .from([0.0; 6])
-        .until(100.0 * period)
-        .solve(&settings)?;
+    let march = batten.from([0.0; 6]).until(100.0 * period).solve(&settings)?;
     let (after, steady) = (march.at(100.0 * period), steady.at(0.0));
     let [after, steady] = [after[Elastic::PHI2], steady[Elastic::PHI2]];
     println!("  lag after 100 revolutions {after:.6} rad, in the steady state {steady:.6} rad");

@@ -24,11 +24,7 @@ const MU: usize = 1;
 
 fn main() -> Result<(), ClosureError> {
     let four_bar = Turn::default();
-    let revolution = Axis {
-        from: 0.0,
-        to: TAU,
-        count: 13,
-    };
+    let revolution = Axis { from: 0.0, to: TAU, count: 13 };
     let positions = sweep(&four_bar, &[revolution], AtDeadPoint::Stop)?;
     println!("  crank     rocker  transmission angle");
     for index in 0..positions.len() {
@@ -41,10 +37,9 @@ fn main() -> Result<(), ClosureError> {
     let rocker = &strokes[THETA];
     println!("\n  limit positions         crank     rocker      exact");
     let Turn { crank, rod, .. } = four_bar;
-    for (name, found, distance) in [
-        ("folded", rocker.greatest, rod - crank),
-        ("stretched", rocker.least, rod + crank),
-    ] {
+    for (name, found, distance) in
+        [("folded", rocker.greatest, rod - crank), ("stretched", rocker.least, rod + crank)]
+    {
         let exact = rocker_at(&four_bar, distance);
         let [at, value, expected] = [found.at, found.value, exact].map(f64::to_degrees);
         println!("  {name:20} {at:8.4}° {value:9.4}° {expected:9.4}°");
@@ -75,12 +70,7 @@ fn rocker_at(four_bar: &Turn, distance: f64) -> f64 {
 
 /// The acute angle between rod and rocker.
 fn transmission_at(four_bar: &Turn, crank: f64) -> f64 {
-    let (a, b, c, d) = (
-        four_bar.crank,
-        four_bar.rod,
-        four_bar.rocker,
-        four_bar.centres,
-    );
+    let (a, b, c, d) = (four_bar.crank, four_bar.rod, four_bar.rocker, four_bar.centres);
     let diagonal = a * a + d * d - 2.0 * a * d * crank.cos();
     ((b * b + c * c - diagonal) / (2.0 * b * c)).abs().acos()
 }

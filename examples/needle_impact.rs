@@ -64,10 +64,7 @@ impl Formula {
         assembly.travel(&[at]).unwrap();
         let mut values = vec![0.0; L::shape().outputs.len()];
         assembly.outputs(&mut values);
-        Self {
-            names: names(scene).0,
-            values,
-        }
+        Self { names: names(scene).0, values }
     }
 
     fn get(&self, name: &str) -> f64 {
@@ -106,29 +103,13 @@ fn thresholds() {
     let mut last = 0.0;
     for gap in [0.20, 0.25, 0.30] {
         let width = gap * MM;
-        let slides = Formula::of(
-            "sliding",
-            &Sliding {
-                Delta: width,
-                ..Sliding::default()
-            },
-            2.0,
-        );
+        let slides = Formula::of("sliding", &Sliding { Delta: width, ..Sliding::default() }, 2.0);
         let slides = slides.get("limit");
-        let rebounds = Formula::of(
-            "reach",
-            &Reach {
-                Delta: width,
-                ..Reach::default()
-            },
-            INCLINATION,
-        );
+        let rebounds =
+            Formula::of("reach", &Reach { Delta: width, ..Reach::default() }, INCLINATION);
         let other = Formula::of(
             "reach_cos2",
-            &ReachCos2 {
-                Delta: width,
-                ..ReachCos2::default()
-            },
+            &ReachCos2 { Delta: width, ..ReachCos2::default() },
             INCLINATION,
         );
         // A needle that does not rebound at the speed at which one that slides strikes is one that slides.
@@ -143,10 +124,7 @@ fn thresholds() {
             rpm(rebounds),
             rpm(other)
         );
-        assert!(
-            rebounds <= slides && other < slides,
-            "who rebounds strikes no later"
-        );
+        assert!(rebounds <= slides && other < slides, "who rebounds strikes no later");
         assert!(slides > last);
         last = slides;
     }
@@ -160,11 +138,7 @@ fn gaps() {
     for speed in [1.6, 1.7, 1.75, 1.8, 2.0] {
         let gap = |formula: Formula| formula.get("gap_needed") / MM;
         let slides = gap(Formula::of("sliding", &Sliding::default(), speed));
-        let fitted = gap(Formula::of(
-            "struck_fitted",
-            &StruckFitted::default(),
-            speed,
-        ));
+        let fitted = gap(Formula::of("struck_fitted", &StruckFitted::default(), speed));
         let rebounds =
             (speed > 1.67).then(|| gap(Formula::of("struck", &Struck::default(), speed)));
         let rebounds = rebounds.map_or("none".to_string(), |gap| format!("{gap:.3}"));
@@ -181,42 +155,18 @@ fn forces() {
         let speed = 1.5 + 0.05 * f64::from(step);
         let full = Run::of(
             "unselected_full",
-            &UnselectedFull {
-                V_c: speed,
-                ..UnselectedFull::default()
-            },
+            &UnselectedFull { V_c: speed, ..UnselectedFull::default() },
             4e-3,
         );
-        let once = Run::of(
-            "unselected",
-            &Unselected {
-                V_c: speed,
-                ..Unselected::default()
-            },
-            4e-3,
-        );
-        let slides = Run::of(
-            "selected_full",
-            &SelectedFull {
-                V_c: speed,
-                ..SelectedFull::default()
-            },
-            4e-3,
-        );
-        let plain = Run::of(
-            "selected",
-            &Selected {
-                V_c: speed,
-                ..Selected::default()
-            },
-            2e-3,
-        );
+        let once = Run::of("unselected", &Unselected { V_c: speed, ..Unselected::default() }, 4e-3);
+        let slides =
+            Run::of("selected_full", &SelectedFull { V_c: speed, ..SelectedFull::default() }, 4e-3);
+        let plain = Run::of("selected", &Selected { V_c: speed, ..Selected::default() }, 2e-3);
         let both = |run: &Run| [run.get("F_wedge_max"), run.get("F_cam_max")];
         let [[a, b], [c, d], [_, f], [_, h]] = [&full, &once, &slides, &plain].map(both);
         let events = full.motion.events.iter();
-        let contacts = events
-            .filter(|event| UnselectedFull::shape().modes[event.to].name == "press")
-            .count();
+        let contacts =
+            events.filter(|event| UnselectedFull::shape().modes[event.to].name == "press").count();
         println!(
             "  {speed:10.2} {a:8.2} {b:7.2} {c:9.2} {d:7.2} {f:18.2} {h:12.2}   {contacts} contacts with the wedge"
         );
@@ -266,29 +216,11 @@ fn friction() {
         "  P_C, N   slides up to   rebounds from   reaches from    wedge   cam, struck   cam, slides"
     );
     for force in [2.0, 3.0, 4.0, 4.8, 6.0, 8.0] {
-        let limit = Formula::of(
-            "sliding",
-            &Sliding {
-                P_C: force,
-                ..Sliding::default()
-            },
-            1.9,
-        );
-        let graze = Formula::of(
-            "graze",
-            &Graze {
-                P_C: force,
-                ..Graze::default()
-            },
-            INCLINATION,
-        );
+        let limit = Formula::of("sliding", &Sliding { P_C: force, ..Sliding::default() }, 1.9);
+        let graze = Formula::of("graze", &Graze { P_C: force, ..Graze::default() }, INCLINATION);
         let run = Run::of(
             "unselected",
-            &Unselected {
-                P_C: force,
-                V_c: 1.9,
-                ..Unselected::default()
-            },
+            &Unselected { P_C: force, V_c: 1.9, ..Unselected::default() },
             4e-3,
         );
         let [slides, blow] = ["limit", "F"].map(|name| limit.get(name));
@@ -310,11 +242,7 @@ fn friction() {
 /// The least speed at which a struck needle reaches the limiting cam, by runs.
 fn reach_by_runs(force: f64) -> f64 {
     let strikes = |speed: f64| {
-        let needle = Unselected {
-            P_C: force,
-            V_c: speed,
-            ..Unselected::default()
-        };
+        let needle = Unselected { P_C: force, V_c: speed, ..Unselected::default() };
         Run::of("unselected", &needle, 6e-3).get("blows") > 0.0
     };
     let (mut low, mut high) = (0.3, 4.0);
@@ -335,25 +263,14 @@ fn formula_12() {
     for speed in [0.1, 0.3, 0.5, 0.9, 1.0, 1.5, 2.0, 3.0, 5.0] {
         macro_rules! blow {
             ($name:literal, $scene:ident) => {
-                Formula::of(
-                    $name,
-                    &$scene {
-                        V_given: speed,
-                        Delta: 0.0,
-                        ..$scene::default()
-                    },
-                    2.0,
-                )
-                .get("F")
+                Formula::of($name, &$scene { V_given: speed, Delta: 0.0, ..$scene::default() }, 2.0)
+                    .get("F")
             };
         }
         let exact = blow!("blow", Blow);
         let paper = blow!("blow_paper", BlowPaper);
         let total = blow!("blow_total", BlowTotal);
-        println!(
-            "  {speed:10.1} {exact:8.3} {paper:9.3} {:9.3} {total:18.3}",
-            exact - paper
-        );
+        println!("  {speed:10.1} {exact:8.3} {paper:9.3} {:9.3} {total:18.3}", exact - paper);
         assert!(paper < exact && exact - paper < 4.8);
         assert_eq!(paper < 0.0, speed < 0.908);
     }
@@ -393,12 +310,8 @@ fn chances() {
     println!("    time, h   limiting cam     both cams");
     let mut last = 0.0;
     for hours in [1.0, 10.0, 100.0, 1e3, 1e4] {
-        let needle = ChanceStruck {
-            V_c: 1.8,
-            s_ln: 0.2,
-            t_life: hours * HOUR,
-            ..ChanceStruck::default()
-        };
+        let needle =
+            ChanceStruck { V_c: 1.8, s_ln: 0.2, t_life: hours * HOUR, ..ChanceStruck::default() };
         let settings = Settings::new(Method::Dop853).rtol(1e-11);
         let motion = march(&needle, (0.0, 1.0), &needle.start(), &settings).unwrap();
         let [cam, both] = [motion.end[0], motion.end[1]];

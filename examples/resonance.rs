@@ -20,23 +20,13 @@ const RPM: f64 = TAU / 60.0;
 type Lag = Option<f64>;
 
 fn main() -> std::io::Result<()> {
-    let without = curve(|n| Elastic {
-        n,
-        ..Elastic::default()
-    });
-    let with = curve(|n| Damped {
-        n,
-        ..Damped::default()
-    });
+    let without = curve(|n| Elastic { n, ..Elastic::default() });
+    let with = curve(|n| Damped { n, ..Damped::default() });
 
     println!("   speed   without losses   with losses");
     for (speed, without, with) in lines(&without, &with) {
         let shown = |lag: Lag| lag.map_or("resonance".into(), |lag| format!("{lag:.3} mrad"));
-        println!(
-            "{speed:4} rpm   {:>14}   {:>11}",
-            shown(without),
-            shown(with)
-        );
+        println!("{speed:4} rpm   {:>14}   {:>11}", shown(without), shown(with));
     }
     println!("  (published: 3.7 mrad at 250 rpm)");
     check(&without, &with);
@@ -55,10 +45,7 @@ fn check(without: &[Lag], with: &[Lag]) {
     assert!((at(with, 250.0) - 3.7535).abs() < 3e-3);
     let largest = |curve: &[Lag]| curve.iter().flatten().fold(0.0, |a: f64, b| a.max(*b));
     let near = without.iter().filter(|lag| lag.is_none()).count();
-    println!(
-        "  {near} of {} speeds lie too near to a resonance without losses",
-        without.len()
-    );
+    println!("  {near} of {} speeds lie too near to a resonance without losses", without.len());
     assert!((10..100).contains(&near));
     assert!(with.iter().all(Option::is_some));
     assert!(largest(without) > 2.0 * largest(with));
@@ -104,9 +91,7 @@ fn largest_lag<C: Smooth>(scene: &C, period: f64) -> Lag {
 /// The lines of the table.
 fn lines(without: &[Lag], with: &[Lag]) -> Vec<(f64, Lag, Lag)> {
     let places = (0..without.len()).step_by(place(SPEEDS.0 + 25.0));
-    places
-        .map(|it| (speed(it), without[it], with[it]))
-        .collect()
+    places.map(|it| (speed(it), without[it], with[it])).collect()
 }
 
 /// Both curves over the speed; above 15 mrad the drawing ends.
@@ -140,9 +125,7 @@ fn drawing(without: &[Lag], with: &[Lag]) -> String {
             let lag = lag.unwrap_or(15.0);
             write!(path, "{verb}{:.1} {:.1}", x(speed(index)), y(lag)).expect("a string takes all");
         }
-        put(format!(
-            "<path d='{path}' fill='none' stroke='{colour}'/>\n"
-        ));
+        put(format!("<path d='{path}' fill='none' stroke='{colour}'/>\n"));
     }
     svg + "</svg>\n"
 }

@@ -56,10 +56,7 @@ fn main() {
 fn inertia(table_1: &Table1) {
     println!("inertia of the table");
     let runs = [0.25, 0.5, 1.0, 2.0, 4.0].map(|ratio| {
-        let drive = Table1 {
-            J2: ratio * table_1.J1,
-            ..*table_1
-        };
+        let drive = Table1 { J2: ratio * table_1.J1, ..*table_1 };
         line(&format!("  J2/J1 = {ratio}"), &drive)
     });
     for pair in runs.windows(2) {
@@ -73,10 +70,7 @@ fn stiffness(table_1: &Table1) {
     let runs = [177.5, 355.0, 710.0, 1420.0, 2840.0]
         .map(|c| line(&format!("  c = {c} N m/rad"), &Table1 { c, ..*table_1 }));
     for pair in runs.windows(2) {
-        assert!(
-            pair[1].elastic > pair[0].elastic,
-            "a stiffer link bears more"
-        );
+        assert!(pair[1].elastic > pair[0].elastic, "a stiffer link bears more");
         assert!(pair[1].twist < pair[0].twist, "and twists less");
         assert!((pair[1].reached[1].0 / pair[0].reached[1].0 - 1.0).abs() < 0.02);
     }
@@ -85,20 +79,10 @@ fn stiffness(table_1: &Table1) {
 fn resistance(table_1: &Table1) {
     println!("resistance");
     let torques = [0.0, 0.2, 1.0, 2.0, 4.0, 8.0];
-    let runs = torques.map(|torque| {
-        line(
-            &format!("  Mc = {torque} N m"),
-            &Table1 {
-                Mc: torque,
-                ..*table_1
-            },
-        )
-    });
+    let runs = torques
+        .map(|torque| line(&format!("  Mc = {torque} N m"), &Table1 { Mc: torque, ..*table_1 }));
     for (run, torque) in runs.iter().zip(torques) {
-        assert!(
-            (run.rest - torque / table_1.c).abs() < 1e-8,
-            "what winds the link at rest"
-        );
+        assert!((run.rest - torque / table_1.c).abs() < 1e-8, "what winds the link at rest");
     }
     for pair in runs.windows(2) {
         assert!(pair[1].twist > pair[0].twist && pair[1].elastic > pair[0].elastic);
@@ -114,15 +98,9 @@ fn clearance(base: &RunUp) {
     println!("clearance");
     let gaps = [0.0, 0.002, 0.005, 0.01, 0.02];
     let runs = gaps.map(|g| {
-        let drive = Loose {
-            g,
-            ..Loose::default()
-        };
+        let drive = Loose { g, ..Loose::default() };
         let run = run(&drive);
-        print_line(
-            &format!("  g = {} mrad, {:.1} rad/s", g * 1e3, run.impact),
-            &run,
-        );
+        print_line(&format!("  g = {} mrad, {:.1} rad/s", g * 1e3, run.impact), &run);
         run
     });
     assert!((runs[0].elastic / base.elastic - 1.0).abs() < 1e-6);
@@ -150,17 +128,9 @@ fn motor(base: &RunUp) {
 fn first_stage() {
     println!("\nlargest elastic torque in starting torques");
     let still = Blocked::default();
-    let kept = Blocked {
-        beta: 0.0,
-        lambda1: 0.0,
-        lambda2: 0.0,
-        ..still
-    };
+    let kept = Blocked { beta: 0.0, lambda1: 0.0, lambda2: 0.0, ..still };
     // r = omega/k = 1/sqrt(3).
-    let soft = Blocked {
-        c: 3.0 * still.omega.powi(2) * still.J1,
-        ..kept
-    };
+    let soft = Blocked { c: 3.0 * still.omega.powi(2) * still.J1, ..kept };
     let ratio = |drive: &Blocked| run(drive).elastic / drive.Mst;
     let free = Transient::default();
     let moving = run(&free);
@@ -172,25 +142,16 @@ fn first_stage() {
             4.0 / (1.0 - still.omega.powi(2) * still.J1 / still.c),
         ),
         ("and the link is soft", ratio(&soft), 6.0),
-        (
-            "the table can move: before it does",
-            moving.before / free.Mst,
-            free.Mc / free.Mst,
-        ),
+        ("the table can move: before it does", moving.before / free.Mst, free.Mc / free.Mst),
         ("afterwards", moving.elastic / free.Mst, 1.080),
     ] {
         println!("  {name:36} {found:7.3}");
-        assert!(
-            (found / expected - 1.0).abs() < 2e-3,
-            "{name}: {found}, expected {expected}"
-        );
+        assert!((found / expected - 1.0).abs() < 2e-3, "{name}: {found}, expected {expected}");
     }
 }
 
 fn heading() {
-    let units = [
-        "mrad", "ms", "mrad", "N m", "N m", "ms", "ms", "ms", "rad", "ms", "rad",
-    ];
+    let units = ["mrad", "ms", "mrad", "N m", "N m", "ms", "ms", "ms", "rad", "ms", "rad"];
     let names = [
         "twist", "at", "at rest", "elastic", "link", "95 %", "98 %", "99 %", "path", "80 rad/s",
         "path",
@@ -217,10 +178,7 @@ fn print_line(name: &str, run: &RunUp) {
         milli * run.to_80.0,
         run.to_80.1,
     ];
-    println!(
-        "{name:32}{}",
-        numbers.map(|number| format!("{number:9.3}")).concat()
-    );
+    println!("{name:32}{}", numbers.map(|number| format!("{number:9.3}")).concat());
 }
 
 /// Runs a scene and prints what it comes to.
@@ -235,9 +193,7 @@ fn run<C: Scene>(drive: &C) -> RunUp {
     let peak = |name: &str, until: f64| {
         let subject = motion.subject(name).unwrap();
         let extremes = motion.extremes(&[subject], (0.0, until));
-        extremes.first().map_or((0.0, 0.0), |found| {
-            (found.highest.time, found.highest.value)
-        })
+        extremes.first().map_or((0.0, 0.0), |found| (found.highest.time, found.highest.value))
     };
     let value = |name: &str, time: f64| motion.value(name, time).unwrap();
     let speed = motion.subject("dot(phi2)").unwrap();

@@ -6,10 +6,7 @@
 //!
 //! The crate has no types of its own.
 
-#[allow(
-    unused_extern_crates,
-    reason = "emitted code names the facade `::assur`"
-)]
+#[allow(unused_extern_crates, reason = "emitted code names the facade `::assur`")]
 extern crate self as assur;
 
 pub use assur_macros::{equations, mechanism};

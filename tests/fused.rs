@@ -190,11 +190,7 @@ fn long_functions_have_the_instructions_of_their_numbers() {
 fn no_careful_way_calls_the_library() {
     let _turn = check_counter();
     for at_dead_point in [AtDeadPoint::Stop, AtDeadPoint::Through] {
-        let axis = Axis {
-            from: 1.5,
-            to: 5.0,
-            count: 40,
-        };
+        let axis = Axis { from: 1.5, to: 5.0, count: 40 };
         check_calls("through a dead point", || {
             let positions =
                 closure::sweep(&heald_linkage::Printed::default(), &[axis], at_dead_point);

@@ -65,11 +65,7 @@ fn derive(links: usize) -> Derived {
         let start = Instant::now();
         let compiled = assur_model::compile(&lexed.tokens);
         let compiling = start.elapsed().as_secs_f64();
-        assert!(
-            compiled.diagnostics.is_empty(),
-            "{:?}",
-            compiled.diagnostics
-        );
+        assert!(compiled.diagnostics.is_empty(), "{:?}", compiled.diagnostics);
         let model = compiled.model.as_ref().expect("the chain is right");
 
         let start = Instant::now();

@@ -22,11 +22,7 @@ pub struct Case<'a> {
 impl<'a> Case<'a> {
     /// A piece of work, `pieces` times in one call.
     pub fn new(name: &'static str, pieces: usize, work: impl FnMut() + 'a) -> Self {
-        Self {
-            name,
-            pieces,
-            work: Box::new(work),
-        }
+        Self { name, pieces, work: Box::new(work) }
     }
 }
 
@@ -64,12 +60,7 @@ pub fn measure(group: &str, cases: &mut [Case<'_>], rounds: usize) -> Vec<Measur
     let seconds = shortest(cases, rounds);
     let counted = cases.iter().map(|case| instructions(group, case));
     let pairs = counted.zip(seconds);
-    pairs
-        .map(|(instructions, seconds)| Measure {
-            instructions,
-            seconds,
-        })
-        .collect()
+    pairs.map(|(instructions, seconds)| Measure { instructions, seconds }).collect()
 }
 
 /// Shortest time of one piece of each case, in seconds.

@@ -63,8 +63,7 @@ impl<S: Scalar> Side<S> for Emitted<S> {
         let mut room = [S::ZERO; WIDEST];
         let (row, _) = self.rows(&[time], &mut room);
         self.0.rates(Phase::of(0), row, y, rate);
-        self.0
-            .jacobian(Phase::of(0), row, y, columns.as_flattened_mut());
+        self.0.jacobian(Phase::of(0), row, y, columns.as_flattened_mut());
     }
 
     #[inline(always)]
@@ -83,8 +82,7 @@ struct Hand<const KERNEL: bool>(Batten);
 impl<const KERNEL: bool> Side<f64> for Hand<KERNEL> {
     #[inline(always)]
     fn derivative(&self, time: f64, y: &[f64; 6], rate: &mut [f64; 6]) {
-        self.0
-            .derivative(&self.0.instant_by::<KERNEL>(time), y, rate);
+        self.0.derivative(&self.0.instant_by::<KERNEL>(time), y, rate);
     }
 
     #[inline(always)]
@@ -227,12 +225,7 @@ pub fn report() {
         "Derivative and Jacobian at one time",
         "Eleven derivatives, their instants at once",
     ];
-    let kinds = [
-        "hand, sine of std",
-        "hand, sine of Assur",
-        "emitted",
-        "emitted, dispatched",
-    ];
+    let kinds = ["hand, sine of std", "hand, sine of Assur", "emitted", "emitted, dispatched"];
     for (title, group) in workloads.into_iter().zip(measures.chunks(kinds.len())) {
         let columns = ["code", "instructions", "ratio", "time, ns", "ratio"];
         let mut table = Table::new(title, &columns);

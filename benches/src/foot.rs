@@ -44,11 +44,7 @@ pub fn motion<C: Scene>(foot: &C, turns: f64, settings: &Settings) -> Motion {
 
 /// The same, and where it ends.
 pub fn assur_by(method: Method, turns: f64, rtol: f64) -> Run {
-    end_of(&motion(
-        &Elliptic::default(),
-        turns,
-        &Settings::new(method).rtol(rtol),
-    ))
+    end_of(&motion(&Elliptic::default(), turns, &Settings::new(method).rtol(rtol)))
 }
 
 fn end_of(motion: &Motion) -> Run {
@@ -81,11 +77,7 @@ fn by_hand(turns: f64, rtol: f64) -> Run {
 #[inline(never)]
 pub fn hand<const KERNEL: bool, const KEEP: bool>(turns: f64, rtol: f64) -> Run {
     let walk = hand_walk::run::<KERNEL, KEEP>(&Foot::default(), START, turns * PERIOD, rtol);
-    Run {
-        end: walk.state,
-        evaluations: walk.evaluations,
-        events: walk.changes,
-    }
+    Run { end: walk.state, evaluations: walk.evaluations, events: walk.changes }
 }
 
 /// Error of the place at the end in metres: the amplitude of the vibration by which the state is wrong.
@@ -108,24 +100,8 @@ const KINDS: [Kind; 7] = [
 ];
 /// Their names under valgrind, for one turn and for many.
 const NAMES: [[&str; 7]; 2] = [
-    [
-        "std",
-        "kernel",
-        "std-kept",
-        "kernel-kept",
-        "modes",
-        "assur",
-        "taylor",
-    ],
-    [
-        "stds",
-        "kernels",
-        "stds-kept",
-        "kernels-kept",
-        "modess",
-        "assurs",
-        "taylors",
-    ],
+    ["std", "kernel", "std-kept", "kernel-kept", "modes", "assur", "taylor"],
+    ["stds", "kernels", "stds-kept", "kernels-kept", "modess", "assurs", "taylors"],
 ];
 
 /// Everything that is measured.
@@ -216,10 +192,7 @@ fn turns_of(what: &str, turns: f64, measures: &[Measure]) {
         "time, us",
         "ratio",
     ];
-    let mut table = Table::new(
-        &format!("{what}, DOP853 unless said, rtol {RTOL:e}"),
-        &columns,
-    );
+    let mut table = Table::new(&format!("{what}, DOP853 unless said, rtol {RTOL:e}"), &columns);
     // The motion repeats.
     let reference = START;
     let (hand, [modes, ours, series]) = measures.split_at(KINDS.len() - 3) else {
@@ -250,25 +223,10 @@ fn turns_of(what: &str, turns: f64, measures: &[Measure]) {
     table.print();
     let same = std::slice::from_ref(modes);
     let against = [
-        (
-            "Assur",
-            ours,
-            "hand-written equations in the same solver",
-            same,
-        ),
+        ("Assur", ours, "hand-written equations in the same solver", same),
         ("Assur", ours, "best hand-written loop, motion kept", kept),
-        (
-            "Assur, Taylor",
-            series,
-            "best hand-written loop, motion kept",
-            kept,
-        ),
-        (
-            "Assur, Taylor",
-            series,
-            "best hand-written loop, end alone",
-            end,
-        ),
+        ("Assur, Taylor", series, "best hand-written loop, motion kept", kept),
+        ("Assur, Taylor", series, "best hand-written loop, end alone", end),
     ];
     for (who, ours, name, hand) in against {
         let title = |unit| format!("{who} / {name}, {unit}");

@@ -45,26 +45,14 @@ impl<S: Scalar> Instant<S> {
     /// Its numbers in a row.
     #[inline(always)]
     pub fn row(&self) -> [S; WIDTH] {
-        [
-            self.x1,
-            self.pin,
-            self.coriolis,
-            self.rate,
-            self.inverse_inertia,
-        ]
+        [self.x1, self.pin, self.coriolis, self.rate, self.inverse_inertia]
     }
 
     /// From such a row.
     #[inline(always)]
     pub fn of(row: &[S; WIDTH]) -> Self {
         let [x1, pin, coriolis, rate, inverse_inertia] = *row;
-        Self {
-            x1,
-            pin,
-            coriolis,
-            rate,
-            inverse_inertia,
-        }
+        Self { x1, pin, coriolis, rate, inverse_inertia }
     }
 }
 
@@ -95,11 +83,7 @@ impl Batten {
     #[inline(always)]
     pub fn instant_by<const KERNEL: bool>(&self, time: f64) -> Instant {
         let angle = self.n * time;
-        self.instant_from(if KERNEL {
-            Scalar::sin_cos(angle)
-        } else {
-            f64::sin_cos(angle)
-        })
+        self.instant_from(if KERNEL { Scalar::sin_cos(angle) } else { f64::sin_cos(angle) })
     }
 
     /// The same at several times at once, so that the sines of Assur are packed.

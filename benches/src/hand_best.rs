@@ -11,13 +11,7 @@ use crate::hand_loop::Run;
 /// Integrates from 0 to `end` from `start`; absolute tolerances `rtol·scale`.
 #[inline(never)]
 pub fn run(batten: &Batten, end: f64, start: [f64; 6], rtol: f64, scale: f64) -> Run {
-    dispatch(Revolutions {
-        batten,
-        end,
-        start,
-        rtol,
-        scale,
-    })
+    dispatch(Revolutions { batten, end, start, rtol, scale })
 }
 
 struct Revolutions<'a> {
@@ -33,13 +27,7 @@ impl Task for Revolutions<'_> {
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> Run {
-        let Self {
-            batten,
-            end,
-            start,
-            rtol,
-            scale,
-        } = self;
+        let Self { batten, end, start, rtol, scale } = self;
         let mut y = [S::ZERO; 6];
         for (slot, value) in y.iter_mut().zip(start) {
             *slot = S::from_f64(value);
@@ -58,9 +46,7 @@ impl Task for Revolutions<'_> {
                 *slot = S::from_f64(time);
             }
             let at = batten.instants(times);
-            let Attempt {
-                end: next, error, ..
-            } = attempt(
+            let Attempt { end: next, error, .. } = attempt(
                 #[inline(always)]
                 |at, y| {
                     let mut rate = [S::ZERO; 6];
@@ -88,9 +74,6 @@ impl Task for Revolutions<'_> {
         for (number, y) in numbers.iter_mut().zip(y) {
             *number = y.to_f64();
         }
-        Run {
-            end: numbers,
-            evaluations,
-        }
+        Run { end: numbers, evaluations }
     }
 }

@@ -89,13 +89,8 @@ pub fn attempt<S: Scalar, const N: usize, I>(
     let k3 = f(&at[1], &stage);
     let stage = stage!(y, h, (0.02958758547680685, k1), (0.08876275643042054, k3));
     let k4 = f(&at[2], &stage);
-    let stage = stage!(
-        y,
-        h,
-        (0.2413651341592667, k1),
-        (-0.8845494793282861, k3),
-        (0.924834003261792, k4)
-    );
+    let stage =
+        stage!(y, h, (0.2413651341592667, k1), (-0.8845494793282861, k3), (0.924834003261792, k4));
     let k5 = f(&at[3], &stage);
     let stage = stage!(
         y,
@@ -217,16 +212,9 @@ pub fn attempt<S: Scalar, const N: usize, I>(
         sum3 += (e3 / tolerance) * (e3 / tolerance);
     }
     let denominator = sum5 + 0.01 * sum3;
-    let error = if denominator > 0.0 {
-        length * sum5 / (N as f64 * denominator).sqrt()
-    } else {
-        0.0
-    };
-    Attempt {
-        end: next,
-        error,
-        slopes: [*k1, k6, k7, k8, k9, k10, k11, k12],
-    }
+    let error =
+        if denominator > 0.0 { length * sum5 / (N as f64 * denominator).sqrt() } else { 0.0 };
+    Attempt { end: next, error, slopes: [*k1, k6, k7, k8, k9, k10, k11, k12] }
 }
 
 impl<const N: usize> Attempt<N> {

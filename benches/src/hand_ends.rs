@@ -62,11 +62,7 @@ impl Within<'_> {
     pub fn landing<const KERNEL: bool>(&self, mut begin: Guards, passed: &mut u32) -> Found {
         loop {
             let kink = self.foot.pass(*passed);
-            let part = if kink < self.to {
-                (kink - self.from) / self.h
-            } else {
-                1.0
-            };
+            let part = if kink < self.to { (kink - self.from) / self.h } else { 1.0 };
             let end = self.guards::<FLIGHT, KERNEL>(part, *passed);
             let found = self.touch::<KERNEL>(begin, end, *passed);
             if found.is_some() || kink >= self.to {

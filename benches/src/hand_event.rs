@@ -19,11 +19,7 @@ impl Sample {
     /// The function with its sign turned.
     #[inline(always)]
     pub fn turned(self) -> Self {
-        Self {
-            value: -self.value,
-            slope: -self.slope,
-            ..self
-        }
+        Self { value: -self.value, slope: -self.slope, ..self }
     }
 }
 
@@ -115,11 +111,7 @@ mod tests {
     use super::*;
 
     fn fall(value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> Option<f64> {
-        let sample = |part| Sample {
-            part,
-            value: value(part),
-            slope: slope(part),
-        };
+        let sample = |part| Sample { part, value: value(part), slope: slope(part) };
         first_fall(sample(0.0), sample(1.0), 0, &sample)
     }
 

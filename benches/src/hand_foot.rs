@@ -79,11 +79,7 @@ impl Foot {
             RACK => self.ground::<RACK, true>(time, 1),
             _ => {
                 let ground = self.ground::<RACK, true>(time, 1);
-                if ground.s > 0.0 {
-                    ground
-                } else {
-                    Ground::default()
-                }
+                if ground.s > 0.0 { ground } else { Ground::default() }
             }
         };
         let [delta, force] = self.guards(&ground, y, 0.0, 0.0, 1.0).map(|one| one.value);
@@ -119,11 +115,7 @@ impl Foot {
     #[inline(always)]
     pub fn pass(&self, number: u32) -> f64 {
         use std::f64::consts::PI;
-        let side = if number.is_multiple_of(2) {
-            -self.half
-        } else {
-            self.half
-        };
+        let side = if number.is_multiple_of(2) { -self.half } else { self.half };
         (PI * f64::from(2 * (number / 2) + 1) + side) / self.omega
     }
 

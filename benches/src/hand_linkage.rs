@@ -86,15 +86,9 @@ impl<S: Scalar> Dyad<S> {
         let scale = S::from_f64(0.5) / square;
         let across = self.mode * area.sqrt() * scale;
         let along = (square + self.difference) * scale;
-        let a = [
-            along.mul_add(x, -(across * y)),
-            along.mul_add(y, across * x),
-        ];
+        let a = [along.mul_add(x, -(across * y)), along.mul_add(y, across * x)];
         let [over_a, over_b] = self.inverse;
-        [
-            [a[0] * over_a, a[1] * over_a],
-            [(a[0] - x) * over_b, (a[1] - y) * over_b],
-        ]
+        [[a[0] * over_a, a[1] * over_a], [(a[0] - x) * over_b, (a[1] - y) * over_b]]
     }
 }
 
@@ -132,10 +126,7 @@ impl<S: Scalar> SixBar<S> {
             rocker: number(l7),
             point: [number(x), number(y)],
             phase: number(phase),
-            pivots: [
-                [number(l4) * frame[0], number(l4) * frame[1]],
-                [number(x3), number(y3)],
-            ],
+            pivots: [[number(l4) * frame[0], number(l4) * frame[1]], [number(x3), number(y3)]],
             frame,
             first: Dyad::new(number(l2), number(l3), modes[0]),
             second: Dyad::new(number(l6), number(l7), modes[1]),
@@ -152,10 +143,7 @@ impl<S: Scalar> SixBar<S> {
         let arm = self.arm(theta);
         let c = [a[0] + arm[0], a[1] + arm[1]];
         let [sigma, psi] = self.second.close([o3[0] - c[0], o3[1] - c[1]]);
-        Pose {
-            crank: [cosine, sine],
-            links: [theta, rho, sigma, psi],
-        }
+        Pose { crank: [cosine, sine], links: [theta, rho, sigma, psi] }
     }
 
     /// From A to C.
@@ -168,10 +156,7 @@ impl<S: Scalar> SixBar<S> {
     /// `∂Ψ/∂` each dimension, in their order, and behind them `∂Ψ/∂φ`.
     #[inline(always)]
     pub fn influence(&self, pose: &Pose<S>, values: &mut [S; DIMENSIONS + 1]) {
-        let Pose {
-            crank,
-            links: [theta, rho, sigma, psi],
-        } = *pose;
+        let Pose { crank, links: [theta, rho, sigma, psi] } = *pose;
         let (l1, l2, l4, l7) = (self.crank, self.coupler, self.base, self.rocker);
         let k = S::ONE / (l7 * turned(sigma, psi));
         let w = [k * sigma[0], k * sigma[1]];

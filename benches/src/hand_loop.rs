@@ -35,9 +35,7 @@ pub fn run<const KERNEL: bool>(
             h = end - t;
         }
         let at = hand_dop853::times(t, h);
-        let Attempt {
-            end: next, error, ..
-        } = attempt(f, &at, (&y, &k1), h, (rtol, scale));
+        let Attempt { end: next, error, .. } = attempt(f, &at, (&y, &k1), h, (rtol, scale));
         evaluations += 11;
         let factor = (0.9 * error.powf(-1.0 / 8.0)).clamp(1.0 / 3.0, 6.0);
         if error <= 1.0 {
@@ -50,8 +48,5 @@ pub fn run<const KERNEL: bool>(
             h *= factor.min(1.0);
         }
     }
-    Run {
-        end: y,
-        evaluations,
-    }
+    Run { end: y, evaluations }
 }

@@ -41,11 +41,7 @@ impl<S: Scalar> Rack<S> {
     /// Height and first rate from a row.
     #[inline(always)]
     fn of(row: &[S]) -> Self {
-        Self {
-            y: row[0],
-            dy: row[1],
-            ddy: S::ZERO,
-        }
+        Self { y: row[0], dy: row[1], ddy: S::ZERO }
     }
 }
 
@@ -66,11 +62,7 @@ impl<S: Scalar> Moving<S> {
     fn ground(&self, rack: &Rack<S>, side: S) -> Rack<S> {
         let height = S::select(S::equal(side, S::ZERO), rack.y, side);
         let on = |value| S::select(S::less(S::ZERO, height), value, S::ZERO);
-        Rack {
-            y: on(rack.y),
-            dy: on(rack.dy),
-            ddy: on(rack.ddy),
-        }
+        Rack { y: on(rack.y), dy: on(rack.dy), ddy: on(rack.ddy) }
     }
 
     /// `w''` without the fabric.
@@ -186,12 +178,7 @@ impl<S: Scalar> Events<S> for Moving<S> {
         let pairs = match phase.mode {
             FLIGHT => {
                 let (force, rate) = self.fabric(&ground, y, free);
-                [
-                    (ground.y - y[0], ground.dy - y[1]),
-                    (force, rate),
-                    (rack.y, rack.dy),
-                    turn,
-                ]
+                [(ground.y - y[0], ground.dy - y[1]), (force, rate), (rack.y, rack.dy), turn]
             }
             _ => {
                 let (force, _) = self.fabric(&ground, y, S::ZERO);
@@ -224,17 +211,10 @@ impl Scene for HandFoot {
     const SMOOTH: bool = false;
 
     fn shape() -> &'static Shape {
-        const STATES: &[Quantity] = &[
-            Quantity::new("w", "", Unit::NONE),
-            Quantity::new("dot(w)", "", Unit::NONE),
-        ];
+        const STATES: &[Quantity] =
+            &[Quantity::new("w", "", Unit::NONE), Quantity::new("dot(w)", "", Unit::NONE)];
         const DRIVERS: &[Quantity] = &[Quantity::new("phi", "", Unit::NONE)];
-        const {
-            &Shape::named("foot")
-                .drivers(DRIVERS)
-                .states(STATES, &[1e-3; 2])
-                .modes(MODES, CONTACT)
-        }
+        const { &Shape::named("foot").drivers(DRIVERS).states(STATES, &[1e-3; 2]).modes(MODES, CONTACT) }
     }
 
     fn prepare<S: Scalar>(&self) -> Moving<S> {

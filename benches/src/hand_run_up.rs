@@ -27,15 +27,7 @@ pub struct Drive {
 
 impl Default for Drive {
     fn default() -> Self {
-        Self {
-            j1: 5e-4,
-            j2: 5e-4,
-            c: 710.0,
-            beta: 0.980_665,
-            mc: 0.2,
-            ms: 17.2,
-            omega: 157.0,
-        }
+        Self { j1: 5e-4, j2: 5e-4, c: 710.0, beta: 0.980_665, mc: 0.2, ms: 17.2, omega: 157.0 }
     }
 }
 
@@ -116,19 +108,12 @@ impl Drive {
     ) -> [Sample; 2] {
         let (torque, slope) = (self.torque(y), self.torque(rate));
         let pairs = match PHASE {
-            WIND => [
-                (self.mc - self.c * y[0], -self.c * rate[0]),
-                (torque + self.mc, slope),
-            ],
+            WIND => [(self.mc - self.c * y[0], -self.c * rate[0]), (torque + self.mc, slope)],
             STICK => [(self.mc - torque, -slope), (torque + self.mc, slope)],
             RUN => [(y[3], rate[3]), (1.0, 0.0)],
             _ => [(-y[3], -rate[3]), (1.0, 0.0)],
         };
-        pairs.map(|(value, slope)| Sample {
-            part,
-            value,
-            slope: h * slope,
-        })
+        pairs.map(|(value, slope)| Sample { part, value, slope: h * slope })
     }
 
     /// The phase that follows when a guard has fallen.
@@ -179,13 +164,7 @@ impl RunUp {
             let k13 = rate(&(), &tried.end);
             let dense = tried.dense(rate, &[(); 3], (&before, &k13), h);
             self.evaluations += 4;
-            self.steps.push(Kept {
-                phase: PHASE,
-                from,
-                length: h,
-                before,
-                dense,
-            });
+            self.steps.push(Kept { phase: PHASE, from, length: h, before, dense });
             let begin = drive.guards::<PHASE>(&before, &k1, 0.0, h);
             let end = drive.guards::<PHASE>(&tried.end, &k13, 1.0, h);
             let mut found: Option<(f64, usize)> = None;

@@ -41,11 +41,9 @@ impl<S: Scalar> Equations<S> for Batten {
 
     #[inline(always)]
     fn rates(&self, _phase: Phase<'_, S>, instant: &[S], state: &[S], rates: &mut [S]) {
-        let (Some(row), Some(y), Some(rate)) = (
-            instant.first_chunk(),
-            state.first_chunk(),
-            rates.first_chunk_mut(),
-        ) else {
+        let (Some(row), Some(y), Some(rate)) =
+            (instant.first_chunk(), state.first_chunk(), rates.first_chunk_mut())
+        else {
             return;
         };
         self.derivative(&Instant::of(row), y, rate);

@@ -123,14 +123,7 @@ impl Walk {
             }
             let k13 = rate(&grounds[10], &tried.end);
             self.evaluations += 1;
-            let mut within = Within {
-                foot,
-                before: self.state,
-                dense: [[0.0; 2]; 7],
-                from,
-                h,
-                to,
-            };
+            let mut within = Within { foot, before: self.state, dense: [[0.0; 2]; 7], from, h, to };
             if KEEP {
                 within.complete::<PHASE, KERNEL>(&tried, &k13);
                 self.evaluations += 3;

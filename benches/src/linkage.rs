@@ -69,10 +69,7 @@ impl<S: Scalar, F: Functions<S>> ByHand<S, F> {
         let mut dimensions = [0.0; DIMENSIONS];
         dimensions.copy_from_slice(&Linkage::values(&SixBar::default()));
         // By hand the mode is the sign of another product.
-        Self(
-            Hand::new(dimensions, modes().map(|mode| -mode)),
-            PhantomData,
-        )
+        Self(Hand::new(dimensions, modes().map(|mode| -mode)), PhantomData)
     }
 }
 
@@ -98,10 +95,7 @@ impl<S: Scalar> Emitted<S> {
     fn new() -> Self {
         let values = Linkage::values(&SixBar::default());
         let numbers: Vec<S> = values.into_iter().map(S::from_f64).collect();
-        Self {
-            loops: <SixBar as Linkage>::prepare(&numbers),
-            modes: modes().map(S::from_f64),
-        }
+        Self { loops: <SixBar as Linkage>::prepare(&numbers), modes: modes().map(S::from_f64) }
     }
 }
 
@@ -111,8 +105,7 @@ impl<S: Scalar> Side<S> for Emitted<S> {
         let mut position = self.loops.zeros();
         let instant = self.loops.instant(&[angle]);
         let mut sines = [S::ZERO; 2];
-        self.loops
-            .close_all(&instant, &self.modes, &mut position, &mut sines);
+        self.loops.close_all(&instant, &self.modes, &mut position, &mut sines);
         angles.copy_from_slice(&position[..4]);
         if influence {
             self.loops.influence(&instant, &position, values);
@@ -226,40 +219,16 @@ pub fn cases() -> Vec<Case<'static>> {
         one("position-hand", plain, Work(Code::Hand, false)),
         one("position-emitted", plain, Work(Code::Emitted, false)),
         one("position-kept", plain, Work(Code::Kept, false)),
-        one(
-            "position-hand-dispatched",
-            dispatched,
-            Work(Code::Hand, false),
-        ),
-        one(
-            "position-emitted-dispatched",
-            dispatched,
-            Work(Code::Emitted, false),
-        ),
-        one(
-            "position-kept-dispatched",
-            dispatched,
-            Work(Code::Kept, false),
-        ),
+        one("position-hand-dispatched", dispatched, Work(Code::Hand, false)),
+        one("position-emitted-dispatched", dispatched, Work(Code::Emitted, false)),
+        one("position-kept-dispatched", dispatched, Work(Code::Kept, false)),
         one("influence-std", by_std, Work(Code::Hand, true)),
         one("influence-hand", plain, Work(Code::Hand, true)),
         one("influence-emitted", plain, Work(Code::Emitted, true)),
         one("influence-kept", plain, Work(Code::Kept, true)),
-        one(
-            "influence-hand-dispatched",
-            dispatched,
-            Work(Code::Hand, true),
-        ),
-        one(
-            "influence-emitted-dispatched",
-            dispatched,
-            Work(Code::Emitted, true),
-        ),
-        one(
-            "influence-kept-dispatched",
-            dispatched,
-            Work(Code::Kept, true),
-        ),
+        one("influence-hand-dispatched", dispatched, Work(Code::Hand, true)),
+        one("influence-emitted-dispatched", dispatched, Work(Code::Emitted, true)),
+        one("influence-kept-dispatched", dispatched, Work(Code::Kept, true)),
     ]
 }
 
@@ -283,11 +252,7 @@ fn agree() {
                 let period = if index < 4 { TAU } else { f64::INFINITY };
                 let difference = one[index] - expected;
                 let turns = (difference / period).round();
-                let wrong = if turns == 0.0 {
-                    difference
-                } else {
-                    difference - turns * period
-                };
+                let wrong = if turns == 0.0 { difference } else { difference - turns * period };
                 assert!(
                     wrong.abs() < 1e-12 * expected.abs().max(1.0),
                     "{index} at {angle}: {one:?}"

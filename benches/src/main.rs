@@ -129,11 +129,7 @@ fn run_peers(which: Peers) -> ExitCode {
 
 #[cfg(not(feature = "peers"))]
 fn run_peers(which: Peers) -> ExitCode {
-    let word = if which == Peers::Foot {
-        "foot-peers"
-    } else {
-        "peers"
-    };
+    let word = if which == Peers::Foot { "foot-peers" } else { "peers" };
     eprintln!("the libraries are not built in: cargo run --release --features peers {word}");
     ExitCode::from(2)
 }

@@ -20,14 +20,8 @@ use crate::table::{Table, number, power, ratio, verdict};
 /// Ten revolutions at 250 rpm, in seconds.
 pub const END: f64 = 2.4;
 /// Near the periodic motion.
-pub const START: [f64; 6] = [
-    0.0,
-    -0.000_377_352_429_5,
-    -0.000_376_442_960_1,
-    0.080_250_353_39,
-    0.0,
-    0.0,
-];
+pub const START: [f64; 6] =
+    [0.0, -0.000_377_352_429_5, -0.000_376_442_960_1, 0.080_250_353_39, 0.0, 0.0];
 /// Absolute tolerance per unit of the relative one, that of the emitted code too.
 pub const SCALE: f64 = 1e-3;
 /// Relative tolerance of the comparison.
@@ -49,10 +43,7 @@ pub fn stepped<C: Scene>(scene: &C, method: Explicit, rtol: f64) -> Run {
     let statistics = integrate(&flow, times, &START, &options, &mut workspace, &mut ());
     let mut end = [f64::NAN; 6];
     end.copy_from_slice(workspace.state());
-    Run {
-        end,
-        evaluations: statistics.map_or(0, |statistics| statistics.evaluations),
-    }
+    Run { end, evaluations: statistics.map_or(0, |statistics| statistics.evaluations) }
 }
 
 /// Ten revolutions of the emitted code.
@@ -106,22 +97,14 @@ type Kind = (&'static str, fn(f64) -> Run);
 const KINDS: [Kind; 5] = [
     ("hand, sine of std", hand::<false>),
     ("hand, sine of Assur", hand::<true>),
-    ("hand-written equations, Assur's stepper", |rtol| {
-        hand_system::run(Explicit::Dop853, rtol)
-    }),
+    ("hand-written equations, Assur's stepper", |rtol| hand_system::run(Explicit::Dop853, rtol)),
     ("emitted", |rtol| emitted(Explicit::Dop853, rtol)),
     ("hand, fused, sines of a step packed", best),
 ];
 
 /// Everything that is measured.
 pub fn cases() -> Vec<Case<'static>> {
-    let names = [
-        "loop-std",
-        "loop-kernel",
-        "loop-stepper",
-        "loop-emitted",
-        "loop-best",
-    ];
+    let names = ["loop-std", "loop-kernel", "loop-stepper", "loop-emitted", "loop-best"];
     let loops = names.into_iter().zip(KINDS).map(|(name, (_, code))| {
         Case::new(name, 1, move || {
             black_box(code(black_box(RTOL)));
@@ -178,28 +161,14 @@ pub fn report() {
     verdict(&name("instructions"), ours.instructions, count, GOAL);
     verdict(&name("time"), ours.microseconds(), time, GOAL);
     let title = |unit| format!("emitted / best hand-written loop, {unit}");
-    verdict(
-        &title("instructions"),
-        ours.instructions,
-        limit.instructions,
-        GOAL,
-    );
-    verdict(
-        &title("time"),
-        ours.microseconds(),
-        limit.microseconds(),
-        GOAL,
-    );
+    verdict(&title("instructions"), ours.instructions, limit.instructions, GOAL);
+    verdict(&title("time"), ours.microseconds(), limit.microseconds(), GOAL);
 
     let orbit = periodic_motion();
     let columns = ["periodic::solve", "instructions", "time, us"];
     let mut table = Table::new("The periodic motion with DOP853, rtol 1e-9", &columns);
     let one = &measures[5];
-    table.row([
-        "elastic batten".to_owned(),
-        number(one.instructions),
-        number(one.microseconds()),
-    ]);
+    table.row(["elastic batten".to_owned(), number(one.instructions), number(one.microseconds())]);
     table.print();
     let worst = orbit.estimated_error[1].max(orbit.estimated_error[2]);
     println!(
@@ -211,10 +180,7 @@ pub fn report() {
 /// Prints the shortest times of all integrations in microseconds, for `native.sh`.
 pub fn brief() {
     let seconds = shortest(&mut cases(), 200);
-    let times: Vec<String> = seconds
-        .iter()
-        .map(|one| format!("{:.1}", one * 1e6))
-        .collect();
+    let times: Vec<String> = seconds.iter().map(|one| format!("{:.1}", one * 1e6)).collect();
     println!("{}", times.join(" "));
 }
 

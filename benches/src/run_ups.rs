@@ -97,20 +97,10 @@ fn one_run_up() {
     let (hand, assur) = (by_hand(SETTINGS.rtol), by_assur(SETTINGS.rtol));
     let evaluations = [hand.evaluations, assur.statistics.evaluations];
     let errors = [error(&hand.end), error(&assur.end)];
-    let columns = [
-        "code",
-        "evaluations",
-        "error, rad",
-        "instructions",
-        "ratio",
-        "time, us",
-        "ratio",
-    ];
+    let columns =
+        ["code", "evaluations", "error, rad", "instructions", "ratio", "time, us", "ratio"];
     let mut table = Table::new("A run-up with its event, DOP853, rtol 1e-9", &columns);
-    for (k, name) in ["hand, motion kept", "Assur, emitted, motion kept"]
-        .iter()
-        .enumerate()
-    {
+    for (k, name) in ["hand, motion kept", "Assur, emitted, motion kept"].iter().enumerate() {
         let one = &measures[k];
         table.row([
             name.to_string(),
@@ -170,13 +160,8 @@ pub fn report() {
             }
         }
     }
-    let columns = [
-        "a thousand",
-        "1 thread, ms",
-        "2 threads, ms",
-        "times as fast",
-        "by processor time",
-    ];
+    let columns =
+        ["a thousand", "1 thread, ms", "2 threads, ms", "times as fast", "by processor time"];
     let mut table = Table::new("A thousand run-ups with different parameters", &columns);
     for (((name, _), [one, two]), [alone, together]) in codes.iter().zip(best).zip(spent) {
         table.row([
@@ -191,12 +176,7 @@ pub fn report() {
     let load = std::fs::read_to_string("/proc/loadavg").unwrap_or_default();
     println!("Load of the machine: {}", load.trim());
     let ([[one, two], _], [[alone, together], _]) = (best, spent);
-    at_least(
-        "speed of two threads in that of one",
-        Some(one),
-        Some(two),
-        GOAL,
-    );
+    at_least("speed of two threads in that of one", Some(one), Some(two), GOAL);
     let what = "the same by processor time";
     at_least(what, Some(2.0 * alone), Some(together), GOAL);
 }
@@ -208,10 +188,7 @@ fn processor_time() -> f64 {
     // The name of the program, in brackets, may hold anything.
     let fields = text.rsplit(") ").next().unwrap_or_default();
     let number = |index: usize| -> Option<f64> {
-        fields
-            .split(' ')
-            .nth(index)
-            .and_then(|one| one.parse().ok())
+        fields.split(' ').nth(index).and_then(|one| one.parse().ok())
     };
     match (number(11), number(12)) {
         (Some(user), Some(system)) => user + system,

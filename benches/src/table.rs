@@ -10,19 +10,13 @@ impl Table {
     /// An empty table with the names of its columns, units included.
     pub fn new(title: &str, columns: &[&str]) -> Self {
         let header = columns.iter().map(|column| column.to_string()).collect();
-        Self {
-            title: title.to_owned(),
-            rows: vec![header],
-        }
+        Self { title: title.to_owned(), rows: vec![header] }
     }
 
     /// Adds a row. Missing cells at its end are empty.
     pub fn row(&mut self, cells: impl IntoIterator<Item = String>) {
         let mut row: Vec<String> = cells.into_iter().collect();
-        assert!(
-            row.len() <= self.rows[0].len(),
-            "more cells than columns: {row:?}"
-        );
+        assert!(row.len() <= self.rows[0].len(), "more cells than columns: {row:?}");
         row.resize(self.rows[0].len(), String::new());
         self.rows.push(row);
     }

@@ -25,16 +25,7 @@ const CLASSES: usize = 4096;
 /// Largest ratio of the solvers to the loop.
 const GOAL: f64 = 1.2;
 /// Constants `l4, l5, l6, l7, a, b, s` and the drive angle.
-const NOMINAL: [f64; 8] = [
-    0.09,
-    0.23,
-    0.18,
-    0.12,
-    0.08,
-    0.105,
-    0.04,
-    std::f64::consts::FRAC_PI_2,
-];
+const NOMINAL: [f64; 8] = [0.09, 0.23, 0.18, 0.12, 0.08, 0.105, 0.04, std::f64::consts::FRAC_PI_2];
 
 /// Half-widths of the errors.
 fn tolerances() -> [f64; 8] {
@@ -109,11 +100,7 @@ fn loops<S: Scalar>(p: [S; 8], drive: (S, S), z: [S; 3]) -> ([S; 3], [S; 9]) {
     let ([s5, s6, s7], [c5, c6, c7]) = S::sin_cos_all(z);
     let (x5, y5, x6, y6, x7, y7) = (l5 * c5, l5 * s5, l6 * c6, l6 * s6, l7 * c7, l7 * s7);
     (
-        [
-            l4.mul_add(drive.1, x5 - x6 - x7 - b),
-            l4.mul_add(drive.0, y5 - y6 - y7 - a),
-            x6 - s - x7,
-        ],
+        [l4.mul_add(drive.1, x5 - x6 - x7 - b), l4.mul_add(drive.0, y5 - y6 - y7 - a), x6 - s - x7],
         [-y5, y6, y7, x5, -x6, -x7, S::ZERO, -y6, y7],
     )
 }
@@ -203,13 +190,8 @@ fn by_hand(threads: u64, start: [f64; 3], tangents: &[[f64; 8]; 3], fused: bool)
             if from >= SAMPLES {
                 break;
             }
-            let task = Hand {
-                from,
-                to: SAMPLES.min(from + BLOCK),
-                start,
-                tangents,
-                sums: &mut sums,
-            };
+            let task =
+                Hand { from, to: SAMPLES.min(from + BLOCK), start, tangents, sums: &mut sums };
             match fused {
                 true => dispatch(task),
                 false => task.run::<f64>(),
@@ -258,32 +240,18 @@ pub fn report() {
     let study = study();
     let mut table = Table::new(
         "A million heald linkages made at random",
-        &[
-            "code",
-            "1 thread, ms",
-            "2 threads, ms",
-            "standard deviation, mrad",
-        ],
+        &["code", "1 thread, ms", "2 threads, ms", "standard deviation, mrad"],
     );
     let solvers = |threads: u64| {
-        let sampling = Sampling {
-            samples: SAMPLES,
-            threads: threads as usize,
-            ..Sampling::default()
-        };
+        let sampling =
+            Sampling { samples: SAMPLES, threads: threads as usize, ..Sampling::default() };
         let found = monte_carlo(&Printed::default(), &study, &sampling, &|_| ());
         found.expect("it assembles").places[0].deviation.value
     };
     type Code<'a> = (&'a str, Box<dyn Fn(u64) -> f64 + 'a>);
     let codes: [Code<'_>; 3] = [
-        (
-            "hand, plain",
-            Box::new(|n| by_hand(n, start, &tangents, false).deviation()),
-        ),
-        (
-            "hand, dispatched",
-            Box::new(|n| by_hand(n, start, &tangents, true).deviation()),
-        ),
+        ("hand, plain", Box::new(|n| by_hand(n, start, &tangents, false).deviation())),
+        ("hand, dispatched", Box::new(|n| by_hand(n, start, &tangents, true).deviation())),
         ("solvers", Box::new(solvers)),
     ];
     let mut best = [[f64::INFINITY; 2]; 3];
@@ -298,12 +266,7 @@ pub fn report() {
     }
     for ((name, code), [one, two]) in codes.iter().zip(best) {
         let deviation = format!("{:.5}", 1e3 * code(2));
-        table.row([
-            name.to_string(),
-            number(Some(one)),
-            number(Some(two)),
-            deviation,
-        ]);
+        table.row([name.to_string(), number(Some(one)), number(Some(two)), deviation]);
     }
     table.print();
     for threads in 0..2 {

@@ -253,9 +253,7 @@ mod tests {
             ["assur", "run", "--rtol", "1e-9", "batten"],
             ["assur", "run", "batten", "--rtol", "1e-9"],
         ] {
-            let Ok(Arguments {
-                command: Command::Run(options),
-            }) = Arguments::try_parse_from(words)
+            let Ok(Arguments { command: Command::Run(options) }) = Arguments::try_parse_from(words)
             else {
                 panic!("{words:?} is not understood");
             };

@@ -84,9 +84,7 @@ impl Case {
 
     /// What its multipliers count by.
     pub fn turn(&self) -> Turn {
-        Turn {
-            periods: self.repeats,
-        }
+        Turn { periods: self.repeats }
     }
 
     /// Positions of the drivers at a time, SI units.
@@ -102,14 +100,11 @@ impl Case {
 
 /// What to say when the mechanism refuses values.
 pub fn refused(constants: &Constants, refused: &Refused) -> Failure {
-    Failure::request(format!(
-        "scene `{}` does not accept these values",
-        constants.scene.name
-    ))
-    .place(match constants.given_names().as_slice() {
-        [] => "the values of the file".to_owned(),
-        names => format!("--set {}", names.join(", --set ")),
-    })
-    .reason(format!("{}: {}", refused.name, refused.reason))
-    .remedy("change the value with --set, or leave it out for the default")
+    Failure::request(format!("scene `{}` does not accept these values", constants.scene.name))
+        .place(match constants.given_names().as_slice() {
+            [] => "the values of the file".to_owned(),
+            names => format!("--set {}", names.join(", --set ")),
+        })
+        .reason(format!("{}: {}", refused.name, refused.reason))
+        .remedy("change the value with --set, or leave it out for the default")
 }

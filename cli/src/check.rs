@@ -53,11 +53,8 @@ fn check(path: &Path) -> Result<(), Failure> {
         complain(&format!("{name}: {count}\n"));
         return Err(Failure::said());
     };
-    let verdict = if count.is_empty() {
-        "no error".to_owned()
-    } else {
-        format!("no error, {count}")
-    };
+    let verdict =
+        if count.is_empty() { "no error".to_owned() } else { format!("no error, {count}") };
     print(&format!("{name}: {verdict}\n{}", summary(model)))
 }
 

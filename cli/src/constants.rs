@@ -26,11 +26,7 @@ impl Constants {
         Self {
             scene,
             preset: scene.preset,
-            values: scene
-                .constants
-                .iter()
-                .map(|constant| constant.default)
-                .collect(),
+            values: scene.constants.iter().map(|constant| constant.default).collect(),
             given: vec![false; scene.constants.len()],
         }
     }
@@ -66,17 +62,13 @@ impl Constants {
     }
 
     fn position(&self, name: &str) -> Option<usize> {
-        self.scene
-            .constants
-            .iter()
-            .position(|constant| constant.quantity.name == name)
+        self.scene.constants.iter().position(|constant| constant.quantity.name == name)
     }
 
     fn set(&mut self, mechanism: &'static Mechanism, text: &str) -> Result<(), Failure> {
         let (name, value) = split(text, "--set", "n=300rpm")?;
-        let index = self
-            .position(name)
-            .ok_or_else(|| unknown_constant(mechanism, self.scene, name))?;
+        let index =
+            self.position(name).ok_or_else(|| unknown_constant(mechanism, self.scene, name))?;
         if self.given[index] {
             return Err(Failure::request(format!("`{name}` is given twice"))
                 .place(format!("--set {text}"))
@@ -114,16 +106,12 @@ impl Constants {
 /// # Errors
 /// When there is none; the nearest name is offered.
 pub fn find_preset(mechanism: &'static Mechanism, name: &str) -> Result<&'static Preset, Failure> {
-    mechanism
-        .presets
-        .iter()
-        .find(|preset| preset.name == name)
-        .ok_or_else(|| {
-            let names: Vec<_> = mechanism.presets.iter().map(|preset| preset.name).collect();
-            Failure::request(format!("`{}` has no preset `{name}`", mechanism.name))
-                .place(format!("--preset {name}"))
-                .remedy(suggestion(name, &names))
-        })
+    mechanism.presets.iter().find(|preset| preset.name == name).ok_or_else(|| {
+        let names: Vec<_> = mechanism.presets.iter().map(|preset| preset.name).collect();
+        Failure::request(format!("`{}` has no preset `{name}`", mechanism.name))
+            .place(format!("--preset {name}"))
+            .remedy(suggestion(name, &names))
+    })
 }
 
 fn unknown_constant(
@@ -147,24 +135,12 @@ fn unknown_constant(
     let elsewhere: Vec<_> = mechanism
         .scenes
         .iter()
-        .filter(|other| {
-            other
-                .constants
-                .iter()
-                .any(|constant| constant.quantity.name == name)
-        })
+        .filter(|other| other.constants.iter().any(|constant| constant.quantity.name == name))
         .map(|other| other.name)
         .collect();
     if !elsewhere.is_empty() {
-        return failure.remedy(format!(
-            "it belongs to --scene {}",
-            elsewhere.join(", --scene ")
-        ));
+        return failure.remedy(format!("it belongs to --scene {}", elsewhere.join(", --scene ")));
     }
-    let names: Vec<_> = scene
-        .constants
-        .iter()
-        .map(|constant| constant.quantity.name)
-        .collect();
+    let names: Vec<_> = scene.constants.iter().map(|constant| constant.quantity.name).collect();
     failure.remedy(suggestion(name, &names))
 }

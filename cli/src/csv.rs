@@ -17,17 +17,8 @@ pub fn render(report: &Report) -> String {
     if has_modes {
         heading.push("mode".to_owned());
     }
-    heading.extend(
-        scene
-            .drivers
-            .iter()
-            .map(|driver| title(driver.name, driver.unit)),
-    );
-    heading.extend(
-        variables
-            .iter()
-            .map(|variable| title(&variable.name, &variable.unit)),
-    );
+    heading.extend(scene.drivers.iter().map(|driver| title(driver.name, driver.unit)));
+    heading.extend(variables.iter().map(|variable| title(&variable.name, &variable.unit)));
     let mut text = heading.join(",") + "\n";
     let curves = &report.curves;
     let row = |time: f64, drivers: &[f64], values: &[f64]| {
@@ -43,10 +34,7 @@ pub fn render(report: &Report) -> String {
                 .map(|(value, driver)| cell(unit::stated(*value, driver.factor))),
         );
         cells.extend(
-            values
-                .iter()
-                .zip(variables)
-                .map(|(value, variable)| cell(variable.in_unit(*value))),
+            values.iter().zip(variables).map(|(value, variable)| cell(variable.in_unit(*value))),
         );
         cells.join(",") + "\n"
     };
@@ -75,23 +63,12 @@ pub fn events(report: &Report) -> String {
     let mut text = heading.join(",") + "\n";
     for (event, entry, _) in events::happened(report) {
         let (from, to) = (report.case.mode(event.from), report.case.mode(event.to));
-        let mut cells = vec![
-            cell(event.time),
-            quoted(entry.text),
-            quoted(from),
-            quoted(to),
-        ];
+        let mut cells = vec![cell(event.time), quoted(entry.text), quoted(from), quoted(to)];
         let values = event.before.iter().zip(&event.after).zip(states);
         cells.extend(values.flat_map(|((before, after), state)| {
-            [
-                cell(unit::stated(*before, state.factor)),
-                cell(unit::stated(*after, state.factor)),
-            ]
+            [cell(unit::stated(*before, state.factor)), cell(unit::stated(*after, state.factor))]
         }));
-        cells.extend([
-            cell(unit::stated(event.guard, entry.factor)),
-            quoted(entry.unit),
-        ]);
+        cells.extend([cell(unit::stated(event.guard, entry.factor)), quoted(entry.unit)]);
         text += &(cells.join(",") + "\n");
     }
     text
@@ -99,11 +76,7 @@ pub fn events(report: &Report) -> String {
 
 /// A name with its unit, as a heading.
 pub fn title(name: &str, unit: &str) -> String {
-    let title = if unit.is_empty() {
-        name.to_owned()
-    } else {
-        format!("{name} [{unit}]")
-    };
+    let title = if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
     quoted(&title)
 }
 
@@ -117,11 +90,7 @@ fn quoted(text: &str) -> String {
 
 /// A number; an empty cell where there is none.
 pub fn cell(value: f64) -> String {
-    if value.is_finite() {
-        format!("{value:?}")
-    } else {
-        String::new()
-    }
+    if value.is_finite() { format!("{value:?}") } else { String::new() }
 }
 
 #[cfg(test)]

@@ -25,10 +25,7 @@ pub struct Curves {
 impl Curves {
     /// The samples, to be compared with.
     pub fn samples(&self) -> Samples<'_> {
-        Samples {
-            times: &self.times,
-            values: &self.values,
-        }
+        Samples { times: &self.times, values: &self.values }
     }
 }
 
@@ -39,12 +36,10 @@ pub fn sample(case: &Case, motion: &Motion, extremes: &[Extremes]) -> Curves {
     if case.task == Span::Open {
         return Curves::default();
     }
-    let count = (motion.statistics().steps * 4)
-        .clamp(SAMPLES, MOST_SAMPLES)
-        .next_multiple_of(SAMPLES);
-    let mut times: Vec<f64> = (0..=count)
-        .map(|index| from + (to - from) * index as f64 / count as f64)
-        .collect();
+    let count =
+        (motion.statistics().steps * 4).clamp(SAMPLES, MOST_SAMPLES).next_multiple_of(SAMPLES);
+    let mut times: Vec<f64> =
+        (0..=count).map(|index| from + (to - from) * index as f64 / count as f64).collect();
     times.extend(short_steps(case, motion, (to - from) / count as f64));
     let ends = extremes.iter().flat_map(|one| [one.lowest, one.highest]);
     times.extend(ends.map(|extreme| extreme.time));
@@ -55,10 +50,7 @@ pub fn sample(case: &Case, motion: &Motion, extremes: &[Extremes]) -> Curves {
     times.dedup();
     Curves {
         drivers: times.iter().map(|time| case.drivers(*time)).collect(),
-        values: times
-            .iter()
-            .map(|time| case.sample(motion, *time))
-            .collect(),
+        values: times.iter().map(|time| case.sample(motion, *time)).collect(),
         times,
     }
 }
@@ -74,10 +66,7 @@ fn short_steps(case: &Case, motion: &Motion, length: f64) -> Vec<f64> {
     }
     let parts = MOST_SAMPLES / (2 * case.variables.len().max(1));
     let each = times.len().div_ceil(parts.max(1));
-    times
-        .chunks(each)
-        .flat_map(|times| furthest(case, motion, times))
-        .collect()
+    times.chunks(each).flat_map(|times| furthest(case, motion, times)).collect()
 }
 
 /// Of some times those at which a variable is smallest or largest.

@@ -36,9 +36,7 @@ impl<'a> Cycle<'a> {
             scene: case.scene,
             variables: &case.variables,
             task: format!("{:?}", case.task),
-            samples: (0..=INSTANTS)
-                .map(|index| case.sample(motion, time(index)))
-                .collect(),
+            samples: (0..=INSTANTS).map(|index| case.sample(motion, time(index))).collect(),
         })
     }
 
@@ -52,10 +50,7 @@ impl<'a> Cycle<'a> {
     fn change(&self, other: &Self, name: &str) -> Option<(f64, f64)> {
         let pairs = self.column(name)?.zip(other.column(name)?);
         let largest = pairs.fold((0.0, 0.0), |(change, amplitude): (f64, f64), (a, b)| {
-            (
-                change.max((a - b).abs()),
-                amplitude.max(a.abs()).max(b.abs()),
-            )
+            (change.max((a - b).abs()), amplitude.max(a.abs()).max(b.abs()))
         });
         Some(largest)
     }
@@ -74,14 +69,8 @@ struct Step<'a> {
 /// For each effect, choice and preset that two scenes differ by alone, a table of what it changes.
 pub fn render(mechanism: &Mechanism, cycles: &[&Cycle<'_>], style: Style) -> String {
     let steps = steps(cycles);
-    let effects = mechanism
-        .effects
-        .iter()
-        .map(|effect| (effect.name, "effect", effect.summary));
-    let choices = mechanism
-        .choices
-        .iter()
-        .map(|choice| (choice.name, "choice", choice.summary));
+    let effects = mechanism.effects.iter().map(|effect| (effect.name, "effect", effect.summary));
+    let choices = mechanism.choices.iter().map(|choice| (choice.name, "choice", choice.summary));
     let features = effects.chain(choices).chain([("", "preset", "")]);
     let mut text = String::new();
     for (name, kind, summary) in features {
@@ -110,19 +99,11 @@ pub fn render(mechanism: &Mechanism, cycles: &[&Cycle<'_>], style: Style) -> Str
 
 fn table(steps: &[&Step<'_>]) -> Columns {
     let pairs = steps.iter().flat_map(|step| {
-        [
-            (step.words[0].as_str(), Align::Point),
-            (step.words[1].as_str(), Align::Right),
-        ]
+        [(step.words[0].as_str(), Align::Point), (step.words[1].as_str(), Align::Right)]
     });
     let ends = [("", Align::Left), ("unit", Align::Left)];
-    let mut table = Columns::new(
-        ends[..1]
-            .iter()
-            .copied()
-            .chain(pairs)
-            .chain(ends[1..].iter().copied()),
-    );
+    let mut table =
+        Columns::new(ends[..1].iter().copied().chain(pairs).chain(ends[1..].iter().copied()));
     let Some(first) = steps.first() else {
         return table;
     };
@@ -160,17 +141,10 @@ fn steps<'a>(cycles: &[&'a Cycle<'a>]) -> Vec<Step<'a>> {
             let Some((feature, swap)) = difference(first.scene, second.scene) else {
                 continue;
             };
-            let (before, after) = if swap {
-                (*second, *first)
-            } else {
-                (*first, *second)
-            };
+            let (before, after) = if swap { (*second, *first) } else { (*first, *second) };
             steps.push(Step {
                 feature,
-                words: [
-                    format!("{} →", before.scene.name),
-                    after.scene.name.to_owned(),
-                ],
+                words: [format!("{} →", before.scene.name), after.scene.name.to_owned()],
                 before,
                 after,
             });

@@ -27,27 +27,17 @@ enum Kind {
 impl Failure {
     /// The request itself is wrong: exit code 2.
     pub fn request(what: impl Into<String>) -> Self {
-        Self {
-            kind: Kind::Request,
-            what: what.into(),
-            facts: Vec::new(),
-        }
+        Self { kind: Kind::Request, what: what.into(), facts: Vec::new() }
     }
 
     /// The request is right but the numbers did not come out: exit code 1.
     pub fn numerical(what: impl Into<String>) -> Self {
-        Self {
-            kind: Kind::Numerical,
-            ..Self::request(what)
-        }
+        Self { kind: Kind::Numerical, ..Self::request(what) }
     }
 
     /// The request is wrong and every message about it is already printed: exit code 2.
     pub fn said() -> Self {
-        Self {
-            kind: Kind::Said,
-            ..Self::request("")
-        }
+        Self { kind: Kind::Said, ..Self::request("") }
     }
 
     /// Adds where it went wrong.
@@ -71,8 +61,7 @@ impl Failure {
     /// A place that is part of a larger one, which who read that adds, is not said besides.
     fn fact(mut self, label: &'static str, text: impl Into<String>) -> Self {
         let text = text.into();
-        self.facts
-            .retain(|(other, known)| *other != label || !text.starts_with(known.as_str()));
+        self.facts.retain(|(other, known)| *other != label || !text.starts_with(known.as_str()));
         self.facts.push((label, text));
         self
     }

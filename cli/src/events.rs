@@ -38,17 +38,9 @@ pub fn bands(report: &Report) -> Vec<Band> {
     let (mut bands, mut from, mut mode) = (Vec::new(), begin, report.motion.first_mode());
     let events = report.motion.events().iter();
     let changes = events.filter(|event| event.to != event.from);
-    for (time, next) in changes
-        .map(|event| (event.time, event.to))
-        .chain([(end, mode)])
-    {
+    for (time, next) in changes.map(|event| (event.time, event.to)).chain([(end, mode)]) {
         if time > from {
-            bands.push(Band {
-                mode,
-                name: case.mode(mode),
-                from,
-                to: time,
-            });
+            bands.push(Band { mode, name: case.mode(mode), from, to: time });
         }
         (from, mode) = (time, next);
     }

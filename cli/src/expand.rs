@@ -69,11 +69,9 @@ fn of_scene(
     let names: Vec<_> = names.collect();
     model.scenes.retain(|scene| scene.name == name);
     if model.scenes.is_empty() {
-        return Err(
-            Failure::request(format!("`{}` has no scene `{name}`", source.name()))
-                .place(format!("--scene {name}"))
-                .remedy(lookup::suggestion(name, &names)),
-        );
+        return Err(Failure::request(format!("`{}` has no scene `{name}`", source.name()))
+            .place(format!("--scene {name}"))
+            .remedy(lookup::suggestion(name, &names)));
     }
     let mut file = parsed(&model, source, checked)?;
     let within = file.items.iter_mut().find_map(|item| match item {
@@ -102,12 +100,7 @@ fn parsed(model: &Model, source: &Source, checked: &Checked<'_>) -> Result<syn::
             let place = checked.part(span)?;
             Some((place.path.to_owned(), place.line as u32))
         },
-        parts: checked
-            .compiled
-            .parts
-            .iter()
-            .map(|part| part.path.clone())
-            .collect(),
+        parts: checked.compiled.parts.iter().map(|part| part.path.clone()).collect(),
     };
     syn::parse2(emit::mechanism(model, &origin)).map_err(|error| {
         Failure::request("the emitted Rust cannot be laid out")

@@ -52,11 +52,7 @@ pub fn render(report: &Report, figure: Option<&Path>) -> String {
 
 fn object(report: &Report, figure: Option<&Path>) -> Value {
     let results = results(report);
-    let places: Vec<_> = report
-        .places
-        .iter()
-        .map(|place| snapshot(report, place))
-        .collect();
+    let places: Vec<_> = report.places.iter().map(|place| snapshot(report, place)).collect();
     let published: Vec<_> = report.published.iter().map(compared).collect();
     let measures = measures::list(report);
     let complete = !lacks(&results) && !places.iter().any(lacks) && !lacks(&measures);
@@ -106,18 +102,13 @@ pub fn scene(constants: &Constants) -> Value {
 
 /// A text, null if it is empty.
 pub fn text(text: &str) -> Value {
-    if text.is_empty() {
-        Value::Null
-    } else {
-        json!(text)
-    }
+    if text.is_empty() { Value::Null } else { json!(text) }
 }
 
 /// Whether a value is missing in a list of results.
 fn lacks(value: &Value) -> bool {
     let list = value.get("results").unwrap_or(value);
-    list.as_array()
-        .is_some_and(|list| list.iter().any(|result| result["value"].is_null()))
+    list.as_array().is_some_and(|list| list.iter().any(|result| result["value"].is_null()))
 }
 
 /// How a motion was integrated.
@@ -188,12 +179,7 @@ fn results(report: &Report) -> Value {
 }
 
 fn readings(report: &Report, snapshot: &Snapshot) -> Vec<Value> {
-    let variables = report
-        .case
-        .variables
-        .iter()
-        .zip(&snapshot.values)
-        .zip(&snapshot.errors);
+    let variables = report.case.variables.iter().zip(&snapshot.values).zip(&snapshot.errors);
     variables
         .map(|((variable, value), error)| {
             json!({
@@ -245,11 +231,7 @@ pub fn compared(comparison: &Comparison) -> Value {
 fn multipliers(report: &Report) -> Value {
     let mut list = Vec::new();
     for multiplier in &report.multipliers {
-        for sign in if multiplier.pair {
-            &[1.0, -1.0][..]
-        } else {
-            &[1.0][..]
-        } {
+        for sign in if multiplier.pair { &[1.0, -1.0][..] } else { &[1.0][..] } {
             list.push(json!({
                 "re": multiplier.re,
                 "im": sign * multiplier.im,

@@ -22,10 +22,7 @@ pub fn execute(registry: Registry) -> Result<(), Failure> {
             text += &format!("  {line}\n");
         }
         if !mechanism.source.is_empty() {
-            text += &format!(
-                "  {}\n",
-                style.faint(&format!("source: {}", mechanism.source))
-            );
+            text += &format!("  {}\n", style.faint(&format!("source: {}", mechanism.source)));
         }
         let mut table = Columns::new([("", Align::Left); 3]);
         for (index, scene) in mechanism.scenes.iter().enumerate() {
@@ -34,11 +31,7 @@ pub fn execute(registry: Registry) -> Result<(), Failure> {
         }
         for (index, preset) in mechanism.presets.iter().enumerate() {
             let lead = if index == 0 { "presets" } else { "" };
-            table.row([
-                lead.to_owned(),
-                preset.name.to_owned(),
-                preset.summary.to_owned(),
-            ]);
+            table.row([lead.to_owned(), preset.name.to_owned(), preset.summary.to_owned()]);
         }
         text += &table.render(style);
         text.push('\n');
@@ -65,14 +58,7 @@ fn describe(scene: &assur::registry::SceneEntry) -> String {
 /// Effects and choices of a scene, `torsion + bending + crank.exact`.
 pub fn composition(scene: &assur::registry::SceneEntry) -> String {
     let effects = scene.effects.iter().map(|effect| (*effect).to_owned());
-    let choices = scene
-        .choices
-        .iter()
-        .map(|(choice, made)| format!("{choice}.{made}"));
+    let choices = scene.choices.iter().map(|(choice, made)| format!("{choice}.{made}"));
     let parts: Vec<_> = effects.chain(choices).collect();
-    if parts.is_empty() {
-        "no effect".to_owned()
-    } else {
-        parts.join(" + ")
-    }
+    if parts.is_empty() { "no effect".to_owned() } else { parts.join(" + ") }
 }

@@ -100,16 +100,13 @@ pub fn no_linkage(registry: Registry, mechanism: &Mechanism, found: &SceneEntry)
     let others = others.filter(|scene| scene.linkage.is_some());
     let others: Vec<_> = others.map(|scene| scene.name).collect();
     let everywhere: Vec<_> = registry.linkages().map(|one| one.name).collect();
-    Failure::request(format!(
-        "scene `{}` of `{}` is no linkage",
-        found.name, mechanism.name
-    ))
-    .reason("it moves by its equations of motion, and closes no loops")
-    .remedy(match (others.as_slice(), everywhere.as_slice()) {
-        ([], []) => "no mechanism has a linkage yet".to_owned(),
-        ([], names) => format!("linkages are in: {}", names.join(", ")),
-        (names, _) => format!("choose one: --scene {}", names.join(", --scene ")),
-    })
+    Failure::request(format!("scene `{}` of `{}` is no linkage", found.name, mechanism.name))
+        .reason("it moves by its equations of motion, and closes no loops")
+        .remedy(match (others.as_slice(), everywhere.as_slice()) {
+            ([], []) => "no mechanism has a linkage yet".to_owned(),
+            ([], names) => format!("linkages are in: {}", names.join(", ")),
+            (names, _) => format!("choose one: --scene {}", names.join(", --scene ")),
+        })
 }
 
 /// That a scene has no measures.
@@ -126,12 +123,8 @@ pub fn no_measures(mechanism: &Mechanism, found: &SceneEntry) -> Failure {
 /// If the name is that of an effect, of a choice or of an alternative: which scenes have it.
 pub fn with_feature(mechanism: &Mechanism, name: &str) -> Option<String> {
     let scenes = |has: &dyn Fn(&SceneEntry) -> bool| {
-        let names: Vec<_> = mechanism
-            .scenes
-            .iter()
-            .filter(|scene| has(scene))
-            .map(|scene| scene.name)
-            .collect();
+        let names: Vec<_> =
+            mechanism.scenes.iter().filter(|scene| has(scene)).map(|scene| scene.name).collect();
         if names.is_empty() {
             "no scene has it".to_owned()
         } else {
@@ -140,9 +133,7 @@ pub fn with_feature(mechanism: &Mechanism, name: &str) -> Option<String> {
     };
     if mechanism.effects.iter().any(|effect| effect.name == name) {
         let which = scenes(&|scene| scene.effects.contains(&name));
-        return Some(format!(
-            "`{name}` is an effect, which a scene has or has not: {which}"
-        ));
+        return Some(format!("`{name}` is an effect, which a scene has or has not: {which}"));
     }
     if let Some(choice) = mechanism.choices.iter().find(|choice| choice.name == name) {
         let mut text = format!("`{name}` is a choice, which a scene makes:");
@@ -152,23 +143,15 @@ pub fn with_feature(mechanism: &Mechanism, name: &str) -> Option<String> {
         }
         return Some(text);
     }
-    let choice = mechanism
-        .choices
-        .iter()
-        .find(|choice| choice.alternatives.contains(&name))?;
+    let choice = mechanism.choices.iter().find(|choice| choice.alternatives.contains(&name))?;
     let which = scenes(&|scene| scene.choices.contains(&(choice.name, name)));
-    Some(format!(
-        "`{name}` is an alternative of the choice `{}`: {which}",
-        choice.name
-    ))
+    Some(format!("`{name}` is an alternative of the choice `{}`: {which}", choice.name))
 }
 
 /// The nearest of the names, or all of them. A name of a part may lack the part, or have another one.
 pub fn suggestion(wanted: &str, names: &[&str]) -> String {
     let last = |name: &str| name.rsplit('.').next().map(str::to_owned);
-    let alike = names
-        .iter()
-        .filter(|name| name.contains('.') && last(name) == last(wanted));
+    let alike = names.iter().filter(|name| name.contains('.') && last(name) == last(wanted));
     let alike: Vec<_> = alike.map(|name| format!("`{name}`")).collect();
     if !alike.is_empty() {
         return format!("did you mean {}?", alike.join(" or "));
@@ -189,10 +172,7 @@ mod tests {
 
     #[track_caller]
     fn check_nearest(wanted: &str, expected: Option<&str>) {
-        assert_eq!(
-            nearest(wanted, ["batten", "table_drive", "n", "m1"]),
-            expected
-        );
+        assert_eq!(nearest(wanted, ["batten", "table_drive", "n", "m1"]), expected);
     }
 
     #[test]

@@ -28,11 +28,7 @@ pub fn of(case: &Case, motion: &Motion, estimate: &Estimate) -> Vec<Measured> {
     let found = motion.measures();
     let errors = estimate.measures(&found);
     let measures = case.scene.measures.iter().zip(found).zip(errors);
-    let measures = measures.map(|((quantity, value), error)| Measured {
-        quantity,
-        value,
-        error,
-    });
+    let measures = measures.map(|((quantity, value), error)| Measured { quantity, value, error });
     measures.collect()
 }
 
@@ -65,19 +61,11 @@ pub fn section(page: &mut Page, report: &Report) {
                 number::error(unit::stated(measure.error, quantity.factor)),
                 first_line(quantity.summary).to_owned(),
             ),
-            Err(missing) => (
-                "none".to_owned(),
-                String::new(),
-                format!("since {}", missing.text(&modes)),
-            ),
+            Err(missing) => {
+                ("none".to_owned(), String::new(), format!("since {}", missing.text(&modes)))
+            }
         };
-        table.row([
-            quantity.name.to_owned(),
-            value,
-            quantity.unit.to_owned(),
-            error,
-            text,
-        ]);
+        table.row([quantity.name.to_owned(), value, quantity.unit.to_owned(), error, text]);
     }
     page.section("Measures of the whole task", &table);
     page.line("");

@@ -28,9 +28,7 @@ impl Case {
             Error::NotSteady(_) => "no steady state was found",
             _ => "the motion could not be followed to its end",
         };
-        Failure::numerical(what)
-            .reason(told.reason)
-            .remedy(told.remedy)
+        Failure::numerical(what).reason(told.reason).remedy(told.remedy)
     }
 
     /// Seconds that following the motion over one cycle takes, or over the run.

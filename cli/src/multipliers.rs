@@ -73,10 +73,7 @@ impl Multiplier {
             };
         }
         if self.pair {
-            format!(
-                "lasts, and comes round every {}",
-                turn.every(360.0 / self.angle().abs())
-            )
+            format!("lasts, and comes round every {}", turn.every(360.0 / self.angle().abs()))
         } else if self.re > 0.0 {
             "lasts unchanged: resonance".to_owned()
         } else {
@@ -98,28 +95,15 @@ pub fn read(values: &[periodic::Multiplier]) -> Vec<Multiplier> {
         });
         match (im < 0.0, partner) {
             (true, true) => {}
-            (_, pair) => list.push(Multiplier {
-                re,
-                im,
-                pair,
-                error,
-            }),
+            (_, pair) => list.push(Multiplier { re, im, pair, error }),
         }
     }
     // A modulus on the circle is one, so that rounding does not decide the order.
     let rank = |multiplier: &Multiplier| {
         let modulus = multiplier.modulus();
-        if (modulus - 1.0).abs() <= multiplier.circle() {
-            1.0
-        } else {
-            modulus
-        }
+        if (modulus - 1.0).abs() <= multiplier.circle() { 1.0 } else { modulus }
     };
-    list.sort_by(|a, b| {
-        rank(b)
-            .total_cmp(&rank(a))
-            .then(a.angle().total_cmp(&b.angle()))
-    });
+    list.sort_by(|a, b| rank(b).total_cmp(&rank(a)).then(a.angle().total_cmp(&b.angle())));
     list
 }
 
@@ -174,29 +158,17 @@ fn stability(list: &[Multiplier], turn: Turn) -> Vec<String> {
         "some on the unit circle: part of a disturbance lasts for ever".to_owned()
     }];
     for (real, sign, words) in [
-        (
-            1.0,
-            "+1",
-            "at 0 there is resonance and no bounded steady state".to_owned(),
-        ),
+        (1.0, "+1", "at 0 there is resonance and no bounded steady state".to_owned()),
         (
             -1.0,
             "-1",
-            format!(
-                "at 0 the motion may begin to repeat only every second {}",
-                turn.one()
-            ),
+            format!("at 0 the motion may begin to repeat only every second {}", turn.one()),
         ),
     ] {
-        let nearest = list
-            .iter()
-            .min_by(|a, b| a.distance(real).total_cmp(&b.distance(real)));
+        let nearest = list.iter().min_by(|a, b| a.distance(real).total_cmp(&b.distance(real)));
         if let Some(nearest) = nearest {
             let angle = if nearest.pair {
-                format!(
-                    "the pair at ±{}°",
-                    number::short(number_of(nearest.angle(), 5))
-                )
+                format!("the pair at ±{}°", number::short(number_of(nearest.angle(), 5)))
             } else {
                 format!("the one at {}", number::short(number_of(nearest.re, 5)))
             };
@@ -217,22 +189,15 @@ mod tests {
 
     /// Multipliers that are known well.
     fn list(values: &[(f64, f64)]) -> Vec<Multiplier> {
-        let all = values.iter().map(|&(re, im)| periodic::Multiplier {
-            re,
-            im,
-            error: 1e-12,
-        });
+        let all = values.iter().map(|&(re, im)| periodic::Multiplier { re, im, error: 1e-12 });
         read(&all.collect::<Vec<_>>())
     }
 
     #[test]
     fn a_double_one_within_its_error_is_not_called_unstable() {
         // Mathieu's equation on the boundary of stability.
-        let both = [1.0 + 3e-6, 1.0 - 3e-6].map(|re| periodic::Multiplier {
-            re,
-            im: 0.0,
-            error: 2e-5,
-        });
+        let both =
+            [1.0 + 3e-6, 1.0 - 3e-6].map(|re| periodic::Multiplier { re, im: 0.0, error: 2e-5 });
         let list = read(&both);
         assert!(
             list[0].meaning(ONCE).contains("within its error, 2e-5"),
@@ -247,10 +212,7 @@ mod tests {
     fn the_start_values_pick_one() {
         let lines = conclusions(&list(&[(0.5, 0.0)]), ONCE, 0, Some(12));
         let last = lines.last().expect("a line");
-        assert!(
-            last.contains("after 12 periods: where several motions attract"),
-            "{last}"
-        );
+        assert!(last.contains("after 12 periods: where several motions attract"), "{last}");
     }
 
     #[test]

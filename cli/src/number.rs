@@ -12,11 +12,7 @@ pub fn with_error(value: f64, error: f64) -> String {
         return "0".to_owned();
     }
     // One digit more than the error touches.
-    let known = if error > 0.0 {
-        exponent(value) - exponent(error) + 2
-    } else {
-        DIGITS
-    };
+    let known = if error > 0.0 { exponent(value) - exponent(error) + 2 } else { DIGITS };
     significant(value, known.clamp(1, DIGITS) as usize)
 }
 
@@ -29,10 +25,8 @@ pub fn significant(value: f64, digits: usize) -> String {
         return "none".to_owned();
     }
     let rounded = format!("{value:.*e}", digits.saturating_sub(1));
-    let exponent: i32 = rounded
-        .split_once('e')
-        .and_then(|(_, power)| power.parse().ok())
-        .unwrap_or(0);
+    let exponent: i32 =
+        rounded.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0);
     if (-4..9).contains(&exponent) {
         let decimals = (digits as i32 - 1 - exponent).max(0);
         format!("{value:.*}", decimals as usize)
@@ -56,10 +50,7 @@ pub fn short(value: f64) -> String {
     if !mantissa.contains('.') {
         return text;
     }
-    format!(
-        "{}{power}",
-        mantissa.trim_end_matches('0').trim_end_matches('.')
-    )
+    format!("{}{power}", mantissa.trim_end_matches('0').trim_end_matches('.'))
 }
 
 /// A declared value: as many digits as it was written with, at most fifteen; a tiny or huge one with an exponent and at
@@ -102,11 +93,7 @@ pub fn duration(seconds: f64) -> String {
     };
     format!(
         "{} {unit}",
-        short(
-            significant(seconds * factor, 2)
-                .parse()
-                .unwrap_or(seconds * factor)
-        )
+        short(significant(seconds * factor, 2).parse().unwrap_or(seconds * factor))
     )
 }
 
@@ -134,11 +121,7 @@ pub fn percent(share: f64) -> String {
 /// A number with its sign and this many digits.
 pub fn signed(value: f64, digits: usize) -> String {
     let text = significant(value, digits);
-    if value > 0.0 && value.is_finite() {
-        format!("+{text}")
-    } else {
-        text
-    }
+    if value > 0.0 && value.is_finite() { format!("+{text}") } else { text }
 }
 
 /// The power of ten of a number: 2 for 314.

@@ -52,9 +52,9 @@ impl Destination {
     /// When it names a directory or a device, or when its directory cannot be written to.
     pub fn check(path: &Path) -> Result<Self, Failure> {
         let refuse = |why: &str| {
-            Failure::request(format!("cannot write `{}`", path.display()))
-                .reason(why)
-                .remedy("name a file in a directory that you may write to: --plot FILE.svg or --out DIR")
+            Failure::request(format!("cannot write `{}`", path.display())).reason(why).remedy(
+                "name a file in a directory that you may write to: --plot FILE.svg or --out DIR",
+            )
         };
         if path.file_name().is_none() {
             return Err(refuse("it does not name a file"));
@@ -73,10 +73,7 @@ impl Destination {
             directory = directory_of(directory);
         }
         if !directory.is_dir() {
-            return Err(refuse(&format!(
-                "`{}` is not a directory",
-                directory.display()
-            )));
+            return Err(refuse(&format!("`{}` is not a directory", directory.display())));
         }
         for name in missing {
             match fs::symlink_metadata(directory.join(name)) {
@@ -166,11 +163,7 @@ impl Temporary {
         let mut list = pending();
         let number = CREATED.fetch_add(1, Ordering::Relaxed);
         let path = directory.join(format!(".assur-{}-{number}.part", std::process::id()));
-        let file = OpenOptions::new()
-            .write(true)
-            .create(true)
-            .truncate(true)
-            .open(&path)?;
+        let file = OpenOptions::new().write(true).create(true).truncate(true).open(&path)?;
         list.push(path.clone());
         Ok(Self { path, file })
     }
@@ -241,12 +234,7 @@ mod tests {
                 .expect("writable");
             assert_eq!(fs::read_to_string(&path).expect("written"), text);
         }
-        assert_eq!(
-            fs::read_dir(folder.join("sub"))
-                .expect("a directory")
-                .count(),
-            1
-        );
+        assert_eq!(fs::read_dir(folder.join("sub")).expect("a directory").count(), 1);
         let _ = fs::remove_dir_all(folder);
     }
 
@@ -260,10 +248,7 @@ mod tests {
             (PathBuf::from("/dev/null"), "regular"),
         ] {
             let failure = Destination::check(&path).expect_err("must be refused");
-            assert!(
-                failure.render(crate::style::Style::PLAIN).contains(why),
-                "{failure:?}"
-            );
+            assert!(failure.render(crate::style::Style::PLAIN).contains(why), "{failure:?}");
         }
         let _ = fs::remove_dir_all(folder);
     }
@@ -275,11 +260,9 @@ mod tests {
         let file = Destination::check(&longest).expect("255 bytes are permitted");
         file.write(b"whole").expect("writable");
         assert_eq!(fs::read(&longest).expect("written"), b"whole");
-        for path in [
-            "f".repeat(256),
-            format!("new/{}", "d".repeat(256)),
-            format!("{}/f", "d".repeat(256)),
-        ] {
+        for path in
+            ["f".repeat(256), format!("new/{}", "d".repeat(256)), format!("{}/f", "d".repeat(256))]
+        {
             let failure = Destination::check(&folder.join(path)).expect_err("too long");
             let text = failure.render(crate::style::Style::PLAIN);
             assert!(text.contains("too long"), "{text}");
@@ -293,11 +276,7 @@ mod tests {
     fn links_stay() {
         use std::os::unix::fs::symlink;
         let folder = folder("links");
-        for (link, to) in [
-            ("link", "target"),
-            ("circle", "circle"),
-            ("nowhere", "gone/there"),
-        ] {
+        for (link, to) in [("link", "target"), ("circle", "circle"), ("nowhere", "gone/there")] {
             symlink(to, folder.join(link)).expect("links can be made");
         }
         let file = Destination::check(&folder.join("link")).expect("it leads to a file to be");
@@ -318,10 +297,7 @@ mod tests {
         }
         let failure = Destination::figure(&folder.join("a.png")).expect_err("no picture in pixels");
         let text = failure.render(crate::style::Style::PLAIN);
-        assert!(
-            text.contains(".svg only") && text.contains("a.svg"),
-            "{text}"
-        );
+        assert!(text.contains(".svg only") && text.contains("a.svg"), "{text}");
         let _ = fs::remove_dir_all(folder);
     }
 }

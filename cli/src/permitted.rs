@@ -11,13 +11,9 @@ use crate::variables::Dimension;
 pub fn permitted(constant: &Constant, value: f64) -> Result<(), Failure> {
     let quantity = &constant.quantity;
     let show = |value: f64| {
-        format!(
-            "{} {}",
-            number::short(value / quantity.factor),
-            quantity.unit
-        )
-        .trim_end()
-        .to_owned()
+        format!("{} {}", number::short(value / quantity.factor), quantity.unit)
+            .trim_end()
+            .to_owned()
     };
     let (low, high) = constant.range;
     if value < low || value > high {
@@ -26,24 +22,20 @@ pub fn permitted(constant: &Constant, value: f64) -> Result<(), Failure> {
             (true, false) => format!("{} or more", show(low)),
             _ => format!("{} or less", show(high)),
         };
-        return Err(
-            Failure::request(format!("`{}` cannot be {}", quantity.name, show(value)))
-                .reason(format!("the file permits {range}"))
-                .remedy(format!("give a value {range}")),
-        );
+        return Err(Failure::request(format!("`{}` cannot be {}", quantity.name, show(value)))
+            .reason(format!("the file permits {range}"))
+            .remedy(format!("give a value {range}")));
     }
     let declared = low.is_finite() || high.is_finite();
     if value <= 0.0 && constant.default > 0.0 && !declared {
         let kind = kind(quantity.dimension, constant.is_dimension);
         if let Some(kind) = kind {
-            return Err(
-                Failure::request(format!("`{}` cannot be {}", quantity.name, show(value)))
-                    .reason(format!("{kind} is positive"))
-                    .remedy(format!(
-                        "give a value above zero; the default is {}",
-                        show(constant.default)
-                    )),
-            );
+            return Err(Failure::request(format!("`{}` cannot be {}", quantity.name, show(value)))
+                .reason(format!("{kind} is positive"))
+                .remedy(format!(
+                    "give a value above zero; the default is {}",
+                    show(constant.default)
+                )));
         }
     }
     Ok(())
@@ -51,10 +43,8 @@ pub fn permitted(constant: &Constant, value: f64) -> Result<(), Failure> {
 
 /// What a quantity is that cannot be zero or negative.
 fn kind(dimension: Dimension, is_dimension: bool) -> Option<&'static str> {
-    let exponents: Vec<_> = dimension
-        .iter()
-        .map(|(up, down)| f64::from(*up) / f64::from((*down).max(1)))
-        .collect();
+    let exponents: Vec<_> =
+        dimension.iter().map(|(up, down)| f64::from(*up) / f64::from((*down).max(1))).collect();
     match exponents[..3] {
         [0.0, 1.0, 0.0] => Some("a mass"),
         [2.0, 1.0, 0.0] => Some("a moment of inertia"),
@@ -94,10 +84,7 @@ mod tests {
         assert_eq!(permitted(&rate, 0.0), Ok(()));
         let refused = permitted(&rate, -1.0).expect_err("below the range");
         let text = refused.render(Style::PLAIN);
-        assert!(
-            text.contains("the file permits from 0 1/s to 1000000 1/s"),
-            "{text}"
-        );
+        assert!(text.contains("the file permits from 0 1/s to 1000000 1/s"), "{text}");
     }
 
     #[test]

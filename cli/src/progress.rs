@@ -45,10 +45,7 @@ impl Progress {
             let _ = waiting.recv();
             shown.finish_and_clear();
         });
-        Self {
-            bar,
-            watch: Some((done, thread)),
-        }
+        Self { bar, watch: Some((done, thread)) }
     }
 
     /// One part is done.

@@ -59,8 +59,7 @@ impl Comparison {
 
     /// Whether the computed value lies in the band of the file; nothing if the values of the run are others.
     pub fn within(&self) -> Option<bool> {
-        self.comparable
-            .then(|| self.deviation().abs() <= self.fact.tolerance)
+        self.comparable.then(|| self.deviation().abs() <= self.fact.tolerance)
     }
 }
 
@@ -144,24 +143,14 @@ pub fn compare(mechanism: &'static Mechanism, own: &Known<'_>) -> Result<Vec<Com
     for preset in scene.expectations.iter().map(wanted) {
         let is_known = preset == constants.preset || others.iter().any(|one| one.preset == preset);
         if !changed && !is_known {
-            others.push(Solved::new(
-                mechanism,
-                scene,
-                preset,
-                own.motion.settings.clone(),
-            )?);
+            others.push(Solved::new(mechanism, scene, preset, own.motion.settings.clone())?);
         }
     }
     let facts = scene.expectations.iter().filter_map(|fact| {
         let preset = wanted(fact);
         match others.iter().find(|one| one.preset == preset) {
             Some(other) => one(fact, preset, &other.known(), true),
-            None => one(
-                fact,
-                constants.preset,
-                own,
-                !changed && constants.preset == preset,
-            ),
+            None => one(fact, constants.preset, own, !changed && constants.preset == preset),
         }
     });
     Ok(facts.collect())
@@ -195,19 +184,12 @@ fn one(
         });
     }
     let name = quantity.name;
-    let variable = case
-        .variables
-        .iter()
-        .position(|variable| variable.name == name)?;
+    let variable = case.variables.iter().position(|variable| variable.name == name)?;
     let (place, time) = match fact.at {
-        At::Time(time) => (
-            format!("time = {} s", number::short(time)),
-            case.task.reduce(time),
-        ),
-        At::Driver(driver, position) => (
-            driver_label(case, driver, position),
-            case.run().time_of(driver, position).ok(),
-        ),
+        At::Time(time) => (format!("time = {} s", number::short(time)), case.task.reduce(time)),
+        At::Driver(driver, position) => {
+            (driver_label(case, driver, position), case.run().time_of(driver, position).ok())
+        }
         At::Maximum => ("maximum".to_owned(), None),
         At::Minimum => ("minimum".to_owned(), None),
         At::Amplitude => ("amplitude".to_owned(), None),

@@ -159,10 +159,8 @@ pub fn collect(
     let clock = Instant::now();
     let motion = case.solve(&settings)?;
     case.repeat(&motion);
-    let times: Vec<_> = places
-        .iter()
-        .map(|place| locate(&case, *place))
-        .collect::<Result<_, _>>()?;
+    let times: Vec<_> =
+        places.iter().map(|place| locate(&case, *place)).collect::<Result<_, _>>()?;
     let subjects = case.subjects();
     let extremes = motion.extremes(&subjects, ALWAYS);
     let curves = curves::sample(&case, &motion, &extremes);
@@ -267,10 +265,8 @@ fn locate(case: &Case, place: Place) -> Result<(f64, String), Failure> {
         }
         Place::Driver(index, position) => {
             let label = driver_label(case, index, position);
-            case.run()
-                .time_of(index, position)
-                .map(|time| (time, label.clone()))
-                .map_err(|(low, high)| {
+            case.run().time_of(index, position).map(|time| (time, label.clone())).map_err(
+                |(low, high)| {
                     Failure::request(format!("the task does not reach {label}"))
                         .place("--at")
                         .remedy(format!(
@@ -278,7 +274,8 @@ fn locate(case: &Case, place: Place) -> Result<(f64, String), Failure> {
                             driver_label(case, index, low),
                             driver_label(case, index, high)
                         ))
-                })
+                },
+            )
         }
     }
 }
@@ -289,9 +286,7 @@ pub fn driver_label(case: &Case, index: usize, position: f64) -> String {
         return String::new();
     };
     let value = number::short(position / driver.factor);
-    format!("{} = {value} {}", driver.name, driver.unit)
-        .trim_end()
-        .to_owned()
+    format!("{} = {value} {}", driver.name, driver.unit).trim_end().to_owned()
 }
 
 /// A time in words: the position of the first driver, or the time where there is none.

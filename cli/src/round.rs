@@ -5,19 +5,15 @@ use crate::unit;
 use assur::shape::Quantity;
 
 /// Steps of an angle in degrees that divide a turn.
-const DEGREES: [f64; 13] = [
-    1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0, 360.0,
-];
+const DEGREES: [f64; 13] =
+    [1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0, 360.0];
 /// Most positions that are made.
 const MOST: usize = 100_000;
 
 /// Positions between two at round numbers of the unit, both ends included, SI units. The step is the coarsest that
 /// gives at least so many parts.
 pub fn positions(quantity: &Quantity, from: f64, to: f64, parts: usize) -> Vec<f64> {
-    let (first, last) = (
-        unit::stated(from, quantity.factor),
-        unit::stated(to, quantity.factor),
-    );
+    let (first, last) = (unit::stated(from, quantity.factor), unit::stated(to, quantity.factor));
     let width = (last - first).abs();
     if !(width.is_finite() && width > 0.0) {
         return vec![from];
@@ -48,9 +44,7 @@ fn step(wanted: f64, degrees: bool) -> f64 {
     }
     // Rounding must not lose a power of ten.
     let power = 10f64.powf((wanted * (1.0 + 1e-12)).log10().floor());
-    let factor = [5.0, 2.0, 1.0]
-        .into_iter()
-        .find(|factor| factor * power <= wanted * (1.0 + 1e-9));
+    let factor = [5.0, 2.0, 1.0].into_iter().find(|factor| factor * power <= wanted * (1.0 + 1e-9));
     factor.unwrap_or(1.0) * power
 }
 
@@ -73,12 +67,7 @@ mod tests {
     fn angles_divide_a_turn() {
         let turn = [0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0, 360.0];
         check("deg", (0.0, 360.0), 8, &turn);
-        check(
-            "deg",
-            (60.0, 90.0),
-            6,
-            &[60.0, 65.0, 70.0, 75.0, 80.0, 85.0, 90.0],
-        );
+        check("deg", (60.0, 90.0), 6, &[60.0, 65.0, 70.0, 75.0, 80.0, 85.0, 90.0]);
     }
 
     #[test]

@@ -28,11 +28,8 @@ pub fn execute(options: &RunArguments, registry: Registry) -> Result<(), Failure
     if scene.linkage.is_some() {
         return linkage::run::execute(options, mechanism, constants);
     }
-    let places = options
-        .at
-        .iter()
-        .map(|text| values::place(scene, text))
-        .collect::<Result<Vec<_>, _>>()?;
+    let places =
+        options.at.iter().map(|text| values::place(scene, text)).collect::<Result<Vec<_>, _>>()?;
     let settings = options.accuracy.settings(scene)?;
     let curves = Selection::read(scene, options.curves.as_deref())?;
     let figure = match figure_path(options, mechanism, scene) {
@@ -41,14 +38,11 @@ pub fn execute(options: &RunArguments, registry: Registry) -> Result<(), Failure
     };
     let case = Case::new(constants)?;
     if case.task == Span::Open && places.is_empty() {
-        return Err(
-            Failure::request(format!("scene `{}` has no task of its own", scene.name)).remedy(
-                format!(
-                    "say where to look: --at {}=…",
-                    scene.drivers.first().map_or("time", |driver| driver.name)
-                ),
-            ),
-        );
+        return Err(Failure::request(format!("scene `{}` has no task of its own", scene.name))
+            .remedy(format!(
+                "say where to look: --at {}=…",
+                scene.drivers.first().map_or("time", |driver| driver.name)
+            )));
     }
     let progress = Progress::start(format!("{}, scene {}", mechanism.name, scene.name), 0);
     let report = report::collect(mechanism, case, settings, &places)?;
@@ -60,11 +54,7 @@ pub fn execute(options: &RunArguments, registry: Registry) -> Result<(), Failure
         }
         None => None,
     };
-    output::print(&render(
-        &report,
-        options,
-        drawn.as_ref().map(Destination::path),
-    ))?;
+    output::print(&render(&report, options, drawn.as_ref().map(Destination::path)))?;
     report.outcome()
 }
 
@@ -72,14 +62,12 @@ pub fn execute(options: &RunArguments, registry: Registry) -> Result<(), Failure
 fn check_rows(options: &RunArguments, scene: &SceneEntry) -> Result<(), Failure> {
     let (name, lack) = match options.rows {
         Rows::Positions => return Ok(()),
-        Rows::Limits if scene.linkage.is_none() => (
-            "limits",
-            Some("only a linkage has rows of limits".to_owned()),
-        ),
-        Rows::Events if !events::are_stated(scene) => (
-            "events",
-            Some(format!("scene `{}` states no events", scene.name)),
-        ),
+        Rows::Limits if scene.linkage.is_none() => {
+            ("limits", Some("only a linkage has rows of limits".to_owned()))
+        }
+        Rows::Events if !events::are_stated(scene) => {
+            ("events", Some(format!("scene `{}` states no events", scene.name)))
+        }
         Rows::Limits => ("limits", None),
         Rows::Events => ("events", None),
     };
@@ -87,9 +75,8 @@ fn check_rows(options: &RunArguments, scene: &SceneEntry) -> Result<(), Failure>
     match (lack, options.format) {
         (Some(lack), _) => Err(refused(&lack).remedy("leave it out")),
         (None, Format::Csv) => Ok(()),
-        (None, _) => Err(refused("only --format csv has rows").remedy(format!(
-            "add --format csv; the tables and json show the {name} anyway"
-        ))),
+        (None, _) => Err(refused("only --format csv has rows")
+            .remedy(format!("add --format csv; the tables and json show the {name} anyway"))),
     }
 }
 

@@ -61,10 +61,7 @@ pub fn execute(options: &ScenesArguments, registry: Registry) -> Result<(), Fail
     }
     drop(progress);
     let style = style::stdout();
-    let mut text = format!(
-        "{}\n",
-        style.heading(&format!("{}: scenes", mechanism.title))
-    );
+    let mut text = format!("{}\n", style.heading(&format!("{}: scenes", mechanism.title)));
     if !cases.is_empty() {
         text += &sizes(&cases, &measured, style);
     }
@@ -114,15 +111,9 @@ struct Measured<'a> {
 
 impl<'a> Measured<'a> {
     fn of(case: &'a Case, settings: Settings) -> Self {
-        let evaluation = (0..REPEATS)
-            .map(|_| case.run().time_evaluation(CALLS))
-            .fold(f64::INFINITY, f64::min);
-        let mut measured = Self {
-            evaluation,
-            seconds: None,
-            cycle: None,
-            failure: None,
-        };
+        let evaluation =
+            (0..REPEATS).map(|_| case.run().time_evaluation(CALLS)).fold(f64::INFINITY, f64::min);
+        let mut measured = Self { evaluation, seconds: None, cycle: None, failure: None };
         let outcome = case.solve(&settings).and_then(|motion| {
             if !case.scene.states.is_empty() && case.task != Span::Open {
                 let mut best = f64::INFINITY;
@@ -138,9 +129,8 @@ impl<'a> Measured<'a> {
             measured.cycle = Cycle::of(case, &motion);
             Ok(())
         });
-        measured.failure = outcome
-            .err()
-            .map(|failure| failure.place(format!("scene {}", case.scene.name)));
+        measured.failure =
+            outcome.err().map(|failure| failure.place(format!("scene {}", case.scene.name)));
         measured
     }
 }
@@ -195,13 +185,9 @@ struct Moved<'a> {
 
 impl<'a> Moved<'a> {
     fn of(case: &'a linkage::case::Case) -> Self {
-        let position = (0..REPEATS)
-            .map(|_| case.run().time_position(CALLS))
-            .fold(f64::INFINITY, f64::min);
-        let names = Names {
-            entry: case.entry,
-            drivers: &case.drivers,
-        };
+        let position =
+            (0..REPEATS).map(|_| case.run().time_position(CALLS)).fold(f64::INFINITY, f64::min);
+        let names = Names { entry: case.entry, drivers: &case.drivers };
         let told = |error: &ClosureError, what: &str| {
             let failure = tell(names, error).failure(what);
             failure.place(format!("scene {}", case.scene.name))
@@ -212,16 +198,9 @@ impl<'a> Moved<'a> {
                 let what = "the linkage does not reach the whole task";
                 (cycle(case, &lines), stop.map(|error| told(error, what)))
             }
-            Err(error) => (
-                None,
-                Some(told(&error, "the linkage cannot be put together")),
-            ),
+            Err(error) => (None, Some(told(&error, "the linkage cannot be put together"))),
         };
-        Self {
-            position,
-            cycle,
-            failure,
-        }
+        Self { position, cycle, failure }
     }
 }
 
@@ -231,9 +210,7 @@ fn cycle<'a>(case: &'a linkage::case::Case, lines: &[Line]) -> Option<Cycle<'a>>
     let nothing = || vec![f64::NAN; case.variables.len()];
     let values = samples.map(|sample| sample.as_ref().map_or_else(nothing, |one| case.values(one)));
     let axes = case.axes();
-    let axes = axes
-        .iter()
-        .map(|axis| (axis.quantity.name, axis.from, axis.to));
+    let axes = axes.iter().map(|axis| (axis.quantity.name, axis.from, axis.to));
     (!lines.is_empty()).then(|| Cycle {
         scene: case.scene,
         variables: &case.variables,
@@ -293,9 +270,5 @@ fn kinds(entry: &LinkageEntry) -> String {
         _ => format!("{count} {kind}"),
     });
     let parts: Vec<_> = parts.collect();
-    if parts.is_empty() {
-        "formulas".to_owned()
-    } else {
-        parts.join(" + ")
-    }
+    if parts.is_empty() { "formulas".to_owned() } else { parts.join(" + ") }
 }

@@ -49,10 +49,7 @@ impl Accuracy {
             atol.resize(scene.states.len(), None);
             atol[state] = Some(value);
         }
-        Ok(Settings {
-            atol,
-            ..Settings::new(method).rtol(rtol)
-        })
+        Ok(Settings { atol, ..Settings::new(method).rtol(rtol) })
     }
 }
 
@@ -74,9 +71,7 @@ fn absolute(scene: &SceneEntry, text: &str) -> Result<(usize, f64), Failure> {
         return Ok((index, value));
     }
     let failure = Failure::request(format!("a tolerance of `{name}` is a number above 0"));
-    Err(failed(
-        failure.remedy(format!("for example: --atol {example}")),
-    ))
+    Err(failed(failure.remedy(format!("for example: --atol {example}"))))
 }
 
 /// A unit as it stands behind a number; nothing for a pure number.
@@ -94,9 +89,7 @@ pub fn given_atol(
 ) -> Vec<(&'static str, &'static str, f64)> {
     let pairs = scene.states.iter().zip(&settings.atol);
     let given = pairs.filter_map(|(state, atol)| Some((state, (*atol)?)));
-    given
-        .map(|(state, atol)| (state.name, state.unit, unit::stated(atol, state.factor)))
-        .collect()
+    given.map(|(state, atol)| (state.name, state.unit, unit::stated(atol, state.factor))).collect()
 }
 
 /// Reads the relative tolerance.
@@ -116,10 +109,8 @@ pub fn rtol(text: Option<&str>) -> Result<f64, Failure> {
             .reason(reason)
             .remedy(remedy.clone())
     };
-    let value: f64 = text
-        .trim()
-        .parse()
-        .map_err(|_| refuse(format!("`{text}` is not a number")))?;
+    let value: f64 =
+        text.trim().parse().map_err(|_| refuse(format!("`{text}` is not a number")))?;
     if (RTOL.0..=RTOL.1).contains(&value) {
         return Ok(value);
     }
@@ -159,11 +150,7 @@ mod tests {
     fn tolerances_have_a_range() {
         assert_eq!(rtol(Some("1e-9")), Ok(1e-9));
         for wrong in ["0", "-1", "nan", "inf", "1e-20", "1", "ten"] {
-            assert_eq!(
-                rtol(Some(wrong)).map_err(|failure| failure.code()),
-                Err(2),
-                "{wrong}"
-            );
+            assert_eq!(rtol(Some(wrong)).map_err(|failure| failure.code()), Err(2), "{wrong}");
         }
     }
 
@@ -172,10 +159,6 @@ mod tests {
         assert_eq!(method(Some("tsit5")), Ok(Method::Tsit5));
         assert_eq!(method(Some("auto")), Ok(Method::Auto));
         let failure = method(Some("tsit")).expect_err("no such method");
-        assert!(
-            failure
-                .render(crate::style::Style::PLAIN)
-                .contains("did you mean `tsit5`?")
-        );
+        assert!(failure.render(crate::style::Style::PLAIN).contains("did you mean `tsit5`?"));
     }
 }

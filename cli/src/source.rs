@@ -59,17 +59,10 @@ impl Source {
                 _ => unreadable.message,
             };
             let failure = Failure::request(message).place(&name);
-            unreadable
-                .hint
-                .iter()
-                .fold(failure, |failure, hint| failure.remedy(hint))
+            unreadable.hint.iter().fold(failure, |failure, hint| failure.remedy(hint))
         })?;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        Ok(Self {
-            text: text.to_owned(),
-            name,
-            parts: Parts::Folder(folder),
-        })
+        Ok(Self { text: text.to_owned(), name, parts: Parts::Folder(folder) })
     }
 
     /// A text that is at hand, with those of the files of its parts.
@@ -78,11 +71,7 @@ impl Source {
         text: &str,
         parts: &'static [(&'static str, &'static str)],
     ) -> Self {
-        Self {
-            name: name.into(),
-            text: text.to_owned(),
-            parts: Parts::Texts(parts),
-        }
+        Self { name: name.into(), text: text.to_owned(), parts: Parts::Texts(parts) }
     }
 
     /// The path as it was given.
@@ -107,12 +96,7 @@ impl Source {
                 }
             }
         });
-        Ok(Checked {
-            source: self,
-            lexed,
-            texts,
-            compiled,
-        })
+        Ok(Checked { source: self, lexed, texts, compiled })
     }
 
     /// The path of the file of a part, as it would be given.
@@ -163,36 +147,21 @@ fn excerpt(
         let annotations = file.places.iter().map(|(range, words)| {
             let annotation =
                 std::mem::replace(&mut kind, AnnotationKind::Context).span(range.clone());
-            if words.is_empty() {
-                annotation
-            } else {
-                annotation.label(*words)
-            }
+            if words.is_empty() { annotation } else { annotation.label(*words) }
         });
         let annotations: Vec<_> = annotations.collect();
-        Snippet::source(file.text)
-            .path(file.name.as_str())
-            .annotations(annotations)
+        Snippet::source(file.text).path(file.name.as_str()).annotations(annotations)
     });
     let snippets: Vec<_> = snippets.collect();
     let help = hint.map(|hint| Level::HELP.message(hint));
-    let group = level
-        .primary_title(message)
-        .elements(snippets)
-        .elements(help);
-    let renderer = if style.is_coloured() {
-        Renderer::styled()
-    } else {
-        Renderer::plain()
-    };
+    let group = level.primary_title(message).elements(snippets).elements(help);
+    let renderer = if style.is_coloured() { Renderer::styled() } else { Renderer::plain() };
     renderer.render(&[group]) + "\n\n"
 }
 
 fn read(path: &Path) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    fs::File::open(path)?
-        .take(lexer::LARGEST_FILE as u64 + 1)
-        .read_to_end(&mut bytes)?;
+    fs::File::open(path)?.take(lexer::LARGEST_FILE as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
@@ -215,11 +184,8 @@ impl Checked<'_> {
     /// All messages with their excerpts, errors, warnings and notes in the order of the file.
     pub fn messages(&self, style: Style) -> String {
         let list = &self.compiled.diagnostics;
-        let mut text: String = list
-            .iter()
-            .take(SHOWN)
-            .map(|one| self.message(one, style))
-            .collect();
+        let mut text: String =
+            list.iter().take(SHOWN).map(|one| self.message(one, style)).collect();
         if list.len() > SHOWN {
             text += &format!("{} more messages are not shown\n\n", list.len() - SHOWN);
         }
@@ -236,13 +202,7 @@ impl Checked<'_> {
             }
         }
         let hint = diagnostic.hint.as_deref();
-        excerpt(
-            diagnostic.severity,
-            &diagnostic.message,
-            &files,
-            hint,
-            style,
-        )
+        excerpt(diagnostic.severity, &diagnostic.message, &files, hint, style)
     }
 
     /// A place, with some words on it, in its file.

@@ -36,10 +36,7 @@ pub fn execute(options: &StructureArguments, registry: Registry) -> Result<(), F
     };
     output::print(&text)?;
     start.map(|_| ()).map_err(|error| {
-        let names = Names {
-            entry: case.entry,
-            drivers: &case.drivers,
-        };
+        let names = Names { entry: case.entry, drivers: &case.drivers };
         tell(names, &error).failure("the linkage cannot be put together")
     })
 }
@@ -58,18 +55,16 @@ fn start(case: &Case) -> Start {
     match (path.samples.into_iter().next(), path.stopped) {
         (Some(sample), _) => Ok((sample, path.start.assumed)),
         (None, Some(error)) => Err(error),
-        (None, None) => Err(ClosureError::BadRange {
-            reason: "there is no position to start at".to_owned(),
-        }),
+        (None, None) => {
+            Err(ClosureError::BadRange { reason: "there is no position to start at".to_owned() })
+        }
     }
 }
 
 /// The equation of the file that each loop belongs to: a vector equation is several loops.
 fn texts(case: &Case) -> Vec<Option<&'static EquationText>> {
     let base = |name: &'static str| {
-        let component = [".x", ".y", ".z"]
-            .into_iter()
-            .find_map(|end| name.strip_suffix(end));
+        let component = [".x", ".y", ".z"].into_iter().find_map(|end| name.strip_suffix(end));
         component.unwrap_or(name)
     };
     let mut next = 0;
@@ -129,11 +124,7 @@ fn mobility(case: &Case) -> String {
 
 /// Numbers of scalar loop equations, unknowns and drivers.
 fn counts(case: &Case) -> (usize, usize, usize) {
-    (
-        case.entry.loops.len(),
-        case.entry.dependents.len(),
-        case.drivers.len(),
-    )
+    (case.entry.loops.len(), case.entry.dependents.len(), case.drivers.len())
 }
 
 fn loops(page: &mut Page, case: &Case) {
@@ -164,12 +155,8 @@ fn loops(page: &mut Page, case: &Case) {
 
 /// A closure without its keyword and its name.
 fn plain(text: &str) -> &str {
-    let named = text
-        .strip_prefix("closure ")
-        .and_then(|rest| rest.split_once(": "));
-    named
-        .map_or(text, |(_, equation)| equation)
-        .trim_end_matches(';')
+    let named = text.strip_prefix("closure ").and_then(|rest| rest.split_once(": "));
+    named.map_or(text, |(_, equation)| equation).trim_end_matches(';')
 }
 
 fn coordinates(page: &mut Page, case: &Case, start: &Start) {
@@ -241,14 +228,9 @@ fn order(page: &mut Page, case: &Case, start: &Start) {
             group::links(of_group.kind),
             group::solved(of_group.kind)
         ));
-        let picked = if found.assumed {
-            "no start value, assumed"
-        } else {
-            "the start values pick"
-        };
-        let mode = found
-            .mode
-            .map(|mode| format!("{picked} assembly mode {mode:+}"));
+        let picked =
+            if found.assumed { "no start value, assumed" } else { "the start values pick" };
+        let mode = found.mode.map(|mode| format!("{picked} assembly mode {mode:+}"));
         let angle = found.angle.map(|angle| {
             let angle = number::short(number::rounded(angle, 4));
             format!("transmission angle {angle} deg")
@@ -291,17 +273,13 @@ fn json(mechanism: &Mechanism, case: &Case, start: &Start) -> String {
         })
     });
     let sample = start.as_ref().ok().map(|(sample, _)| sample);
-    let unknown = entry
-        .dependents
-        .iter()
-        .enumerate()
-        .map(|(index, dependent)| {
-            json!({
-                "name": dependent.name,
-                "unit": dependent.unit,
-                "start": sample.map(|sample| unit::stated(sample.dependents[index], dependent.factor)),
-            })
-        });
+    let unknown = entry.dependents.iter().enumerate().map(|(index, dependent)| {
+        json!({
+            "name": dependent.name,
+            "unit": dependent.unit,
+            "start": sample.map(|sample| unit::stated(sample.dependents[index], dependent.factor)),
+        })
+    });
     let driver = case.drivers.iter().zip(&case.ranges).enumerate();
     let driver = driver.map(|(index, (driver, range))| {
         json!({

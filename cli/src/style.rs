@@ -45,11 +45,7 @@ impl Style {
     }
 
     fn wrap(self, code: &str, text: &str) -> String {
-        if self.colour {
-            format!("\x1b[{code}m{text}\x1b[0m")
-        } else {
-            text.to_owned()
-        }
+        if self.colour { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_owned() }
     }
 }
 
@@ -66,11 +62,7 @@ pub fn stderr() -> Style {
 fn choose(terminal: bool) -> Style {
     let refused = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
     let dumb = std::env::var_os("TERM").is_some_and(|value| value == "dumb");
-    if terminal && !refused && !dumb {
-        Style::COLOUR
-    } else {
-        Style::PLAIN
-    }
+    if terminal && !refused && !dumb { Style::COLOUR } else { Style::PLAIN }
 }
 
 #[cfg(test)]

@@ -43,12 +43,7 @@ pub fn render(report: &Report, figure: Option<&Path>, style: Style) -> String {
         } else {
             format!(", time = {} s", number::short(place.time))
         };
-        variables::snapshot(
-            &mut page,
-            report,
-            place,
-            &format!("At {}{time}", place.label),
-        );
+        variables::snapshot(&mut page, report, place, &format!("At {}{time}", place.label));
     }
     published::section(&mut page, &report.published);
     multipliers(&mut page, report);
@@ -70,10 +65,7 @@ pub struct Page {
 impl Page {
     /// An empty page.
     pub fn new(style: Style) -> Self {
-        Self {
-            text: String::new(),
-            style,
-        }
+        Self { text: String::new(), style }
     }
 
     /// Adds a line.
@@ -103,15 +95,12 @@ fn head(page: &mut Page, report: &Report) {
             report.case.repeats,
             number::short(all / report.case.repeats as f64)
         ),
-        Span::Periodic(period) => format!(
-            "steady state over one period of {} s",
-            number::short(period)
-        ),
-        Span::Run(from, to) => format!(
-            "motion from {} s to {} s",
-            number::short(from),
-            number::short(to)
-        ),
+        Span::Periodic(period) => {
+            format!("steady state over one period of {} s", number::short(period))
+        }
+        Span::Run(from, to) => {
+            format!("motion from {} s to {} s", number::short(from), number::short(to))
+        }
         Span::Open | Span::Autonomous => "positions".to_owned(),
     };
     let title = format!("{}, scene {}: {task}", report.mechanism.title, scene.name);
@@ -163,11 +152,7 @@ pub fn parameters(page: &mut Page, constants: &Constants) {
             first_line(quantity.summary),
         ]);
     }
-    let heading = if constants.changed() {
-        "Parameters (* changed)"
-    } else {
-        "Parameters"
-    };
+    let heading = if constants.changed() { "Parameters (* changed)" } else { "Parameters" };
     page.section(heading, &table);
     page.line("");
 }
@@ -190,18 +175,11 @@ fn multipliers(page: &mut Page, report: &Report) {
         let angle = number::significant(multiplier.angle(), 6);
         table.row([
             format!("{:.9}", multiplier.modulus()),
-            if multiplier.pair {
-                format!("±{angle}")
-            } else {
-                angle
-            },
+            if multiplier.pair { format!("±{angle}") } else { angle },
             multiplier.meaning(turn),
         ]);
     }
-    let heading = format!(
-        "Floquet multipliers, what one {} does to a disturbance",
-        turn.one()
-    );
+    let heading = format!("Floquet multipliers, what one {} does to a disturbance", turn.one());
     page.section(&heading, &table);
     for line in report.conclusions() {
         for (index, part) in wrap(&line, WIDTH - 4).iter().enumerate() {
@@ -218,11 +196,7 @@ fn last_line(report: &Report) -> String {
         Some((index, share)) => {
             format!(
                 "{}Estimated global error {} of the amplitude ({})",
-                if report.is_inaccurate() {
-                    "INACCURATE. "
-                } else {
-                    ""
-                },
+                if report.is_inaccurate() { "INACCURATE. " } else { "" },
                 number::error(share),
                 report.case.variables[index].name
             )

@@ -28,14 +28,9 @@ const GAP: &str = "  ";
 impl Columns {
     /// A table with a heading for each column.
     pub fn new<'a>(columns: impl IntoIterator<Item = (&'a str, Align)>) -> Self {
-        let (headings, align) = columns
-            .into_iter()
-            .map(|(heading, align)| (heading.to_owned(), align))
-            .unzip();
-        Self {
-            align,
-            rows: vec![headings],
-        }
+        let (headings, align) =
+            columns.into_iter().map(|(heading, align)| (heading.to_owned(), align)).unzip();
+        Self { align, rows: vec![headings] }
     }
 
     /// Adds a row; missing cells are empty.
@@ -48,11 +43,7 @@ impl Columns {
         let headed = self.is_headed();
         let mut text = String::new();
         for (index, line) in self.lines().iter().enumerate() {
-            text += &if index == 0 && headed {
-                style.faint(line)
-            } else {
-                line.clone()
-            };
+            text += &if index == 0 && headed { style.faint(line) } else { line.clone() };
             text.push('\n');
         }
         text
@@ -87,11 +78,7 @@ impl Columns {
     }
 
     fn shape(&self, column: usize) -> Shape {
-        let mut shape = Shape {
-            align: self.align[column],
-            width: 0,
-            before: 0,
-        };
+        let mut shape = Shape { align: self.align[column], width: 0, before: 0 };
         let mut after = 0;
         for (index, row) in self.rows.iter().enumerate() {
             let cell = row.get(column).map_or("", String::as_str);
@@ -130,17 +117,13 @@ impl Shape {
 
 /// Characters before the decimal point, and from it on.
 fn parts(number: &str) -> (usize, usize) {
-    let before = number
-        .find(['.', 'e'])
-        .map_or(width(number), |place| width(&number[..place]));
+    let before = number.find(['.', 'e']).map_or(width(number), |place| width(&number[..place]));
     (before, width(number) - before)
 }
 
 /// Characters of a text; marks that stand over the character before them take no room.
 pub fn width(text: &str) -> usize {
-    text.chars()
-        .filter(|character| !('\u{300}'..='\u{36f}').contains(character))
-        .count()
+    text.chars().filter(|character| !('\u{300}'..='\u{36f}').contains(character)).count()
 }
 
 /// Breaks a text into lines of at most this many characters, at spaces.
@@ -166,11 +149,8 @@ mod tests {
 
     #[test]
     fn points_stand_under_points() {
-        let mut table = Columns::new([
-            ("name", Align::Left),
-            ("value", Align::Point),
-            ("unit", Align::Left),
-        ]);
+        let mut table =
+            Columns::new([("name", Align::Left), ("value", Align::Point), ("unit", Align::Left)]);
         table.row(["a", "1.25", "mm"].map(String::from));
         table.row(["long", "-300.5", ""].map(String::from));
         table.row(["c", "2e-12", "s"].map(String::from));
@@ -196,9 +176,6 @@ mod tests {
 
     #[test]
     fn long_text_is_wrapped() {
-        assert_eq!(
-            wrap("one two three", 7),
-            ["one two", "three"].map(String::from)
-        );
+        assert_eq!(wrap("one two three", 7), ["one two", "three"].map(String::from));
     }
 }

@@ -37,16 +37,11 @@ pub fn tell(scene: &SceneEntry, run: &dyn Model) -> Option<Told> {
         let time = number::short(number::rounded(open, 6));
         what = format!("at time = {time} s the links part");
     }
-    let Loop {
-        name, unit, factor, ..
-    } = scene.carried[index];
+    let Loop { name, unit, factor, .. } = scene.carried[index];
     let reason = format!(
         "{what}: a gap of up to {} (at time = {} s) is left in {name}",
         wording::gap(gap, unit, factor),
         number::short(number::rounded(at, 4)),
     );
-    Some(Told::new(
-        reason,
-        "check the dimensions, those given with --set first",
-    ))
+    Some(Told::new(reason, "check the dimensions, those given with --set first"))
 }

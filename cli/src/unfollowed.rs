@@ -31,40 +31,28 @@ pub fn tell(scene: &SceneEntry, run: &dyn Model, error: &HybridError) -> Told {
 fn of_motion(scene: &SceneEntry, error: &HybridError) -> Told {
     match error {
         HybridError::Ode { error, mode, .. } => ended(scene, error, *mode),
-        HybridError::Loop {
-            time, modes, turns, ..
-        } => Told::new(
+        HybridError::Loop { time, modes, turns, .. } => Told::new(
             format!(
                 "at time = {time} s events lead from mode to mode without end ({turns} were followed): {}",
                 listed(scene, modes)
             ),
             "let one of them ask for more with `if`, or set what keeps the others from happening at once",
         ),
-        HybridError::Chatter {
-            time,
-            since,
-            events,
-            modes,
-            ..
-        } => Told::new(
+        HybridError::Chatter { time, since, events, modes, .. } => Told::new(
             format!(
                 "{events} events between time = {since} s and {time} s, ever sooner after each other, modes {}",
                 listed(scene, modes)
             ),
             "a mode in which the parts stay together would take their place, reached `if` a speed is small enough",
         ),
-        HybridError::Held {
-            time, mode, event, ..
-        } => Told::new(
+        HybridError::Held { time, mode, event, .. } => Told::new(
             format!(
                 "at time = {time} s the motion is driven from both sides onto the place where {}, so that it stays there",
                 event_text(scene, *mode, *event).unwrap_or("a branch changes")
             ),
             "state what holds there as a mode, with `hold`",
         ),
-        HybridError::Guard {
-            time, mode, event, ..
-        } => Told::new(
+        HybridError::Guard { time, mode, event, .. } => Told::new(
             format!(
                 "after time = {time} s what `{}` watches{} is not a number: a root of something negative, or a division by zero",
                 event_text(scene, *mode, *event).unwrap_or("an event"),
@@ -72,9 +60,7 @@ fn of_motion(scene: &SceneEntry, error: &HybridError) -> Told {
             ),
             "check the values given with --set; else keep what the event watches defined, with `max` for instance",
         ),
-        HybridError::Turns {
-            time, mode, turned, ..
-        } => Told::new(
+        HybridError::Turns { time, mode, turned, .. } => Told::new(
             format!(
                 "after time = {time} s an angle that events depend on turns by {turned:.3e} rad within one step{}, too often to look \
                  for events",
@@ -169,20 +155,9 @@ mod tests {
     fn modes_and_events_have_their_names() {
         let names = scene().modes.iter().map(|mode| mode.name);
         let wind = names.clone().position(|name| name == "wind").expect("wind");
-        let told = ended(
-            scene(),
-            &OdeError::NotFinite {
-                time: 0.0,
-                component: 0,
-            },
-            wind,
-        );
+        let told = ended(scene(), &OdeError::NotFinite { time: 0.0, component: 0 }, wind);
         assert!(told.reason.starts_with("in mode wind: "), "{told:?}");
-        let touched = CycleError::Grazing {
-            time: 0.5,
-            mode: wind,
-            event: 0,
-        };
+        let touched = CycleError::Grazing { time: 0.5, mode: wind, event: 0 };
         let told = of_cycle(scene(), &touched);
         let statement = scene().modes[wind].events[0].text;
         let words = format!("at time = 0.5 s `{statement}` is touched in mode wind");

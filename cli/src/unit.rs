@@ -23,15 +23,8 @@ pub struct Parsed {
 /// What cannot be read, and what to write instead.
 pub fn parse(text: &str) -> Result<Parsed, String> {
     let value = unit::parse_value(text).map_err(|error| error.to_string())?;
-    let dimension = value
-        .unit
-        .as_ref()
-        .map_or(unit::Dimension::NONE, |unit| unit.dimension);
-    Ok(Parsed {
-        value: value.si(),
-        dimension: dimension.exponents(),
-        bare: value.unit.is_none(),
-    })
+    let dimension = value.unit.as_ref().map_or(unit::Dimension::NONE, |unit| unit.dimension);
+    Ok(Parsed { value: value.si(), dimension: dimension.exponents(), bare: value.unit.is_none() })
 }
 
 /// A value in SI units as a number of units of this size: the shortest that means the same value, where there is one. So
@@ -46,11 +39,7 @@ pub fn stated(value: f64, factor: f64) -> f64 {
         None => (value / factor, f64::EPSILON * value.abs()),
     };
     let short = format!("{plain:.14e}").parse().unwrap_or(plain);
-    if (si(short, factor) - value).abs() <= slack {
-        short
-    } else {
-        plain
-    }
+    if (si(short, factor) - value).abs() <= slack { short } else { plain }
 }
 
 /// A number of units of this size in SI units, rounded once: as the language scales what a file declares.
@@ -74,9 +63,7 @@ mod tests {
 
     #[test]
     fn declared_values_are_stated_as_they_were_written() {
-        for unit in [
-            "mm", "deg", "rpm", "um", "kN", "mm^2", "km/h", "min", "[1/s]",
-        ] {
+        for unit in ["mm", "deg", "rpm", "um", "kN", "mm^2", "km/h", "min", "[1/s]"] {
             let factor = parse(&format!("1 {unit}")).map_or(1.0, |one| one.value);
             for tenths in 1..4000 {
                 let number = f64::from(tenths) / 10.0;
@@ -93,10 +80,7 @@ mod tests {
             let value = (f64::from(k) * 0.37).sin();
             for factor in [1e-3, 1e-6, std::f64::consts::PI / 180.0, 1e3, 1.0] {
                 let again = si(stated(value, factor), factor);
-                assert!(
-                    (again - value).abs() <= 5e-16 * value.abs(),
-                    "{value} {factor}"
-                );
+                assert!((again - value).abs() <= 5e-16 * value.abs(), "{value} {factor}");
             }
         }
         assert!(stated(f64::NAN, 1e-3).is_nan());

@@ -29,9 +29,7 @@ pub fn place(scene: &'static SceneEntry, text: &str) -> Result<Place, Failure> {
     let example = scene
         .drivers
         .first()
-        .map_or("time=0.1s".to_owned(), |driver| {
-            format!("{}=110deg", driver.name)
-        });
+        .map_or("time=0.1s".to_owned(), |driver| format!("{}=110deg", driver.name));
     let (name, value) = split(text, "--at", &example)?;
     let failed = |failure: Failure| failure.place(format!("--at {text}"));
     if name == "time" {
@@ -44,14 +42,9 @@ pub fn place(scene: &'static SceneEntry, text: &str) -> Result<Place, Failure> {
     }
     let mut names: Vec<_> = scene.drivers.iter().map(|driver| driver.name).collect();
     names.push("time");
-    Err(
-        Failure::request(format!("--at takes the driver or the time, not `{name}`"))
-            .place(format!("--at {text}"))
-            .remedy(format!(
-                "{}\nfor example: --at {example}",
-                suggestion(name, &names)
-            )),
-    )
+    Err(Failure::request(format!("--at takes the driver or the time, not `{name}`"))
+        .place(format!("--at {text}"))
+        .remedy(format!("{}\nfor example: --at {example}", suggestion(name, &names))))
 }
 
 /// The time as a quantity.
@@ -72,16 +65,12 @@ pub fn split<'a>(
     option: &str,
     example: &str,
 ) -> Result<(&'a str, &'a str), Failure> {
-    let parts = text
-        .split_once('=')
-        .map(|(name, value)| (name.trim(), value.trim()));
-    parts
-        .filter(|(name, value)| !name.is_empty() && !value.is_empty())
-        .ok_or_else(|| {
-            Failure::request(format!("{option} takes NAME=VALUE"))
-                .place(format!("{option} {text}"))
-                .remedy(format!("for example: {option} {example}"))
-        })
+    let parts = text.split_once('=').map(|(name, value)| (name.trim(), value.trim()));
+    parts.filter(|(name, value)| !name.is_empty() && !value.is_empty()).ok_or_else(|| {
+        Failure::request(format!("{option} takes NAME=VALUE"))
+            .place(format!("{option} {text}"))
+            .remedy(format!("for example: {option} {example}"))
+    })
 }
 
 /// Notes that a value is given, `what` at `place`.
@@ -160,13 +149,11 @@ pub fn rounding(value: f64) -> f64 {
 /// When it is none, or out of its range.
 pub fn whole(option: &str, text: &str, (least, most): (u64, u64)) -> Result<u64, Failure> {
     let number = text.trim().parse().ok();
-    number
-        .filter(|number| (least..=most).contains(number))
-        .ok_or_else(|| {
-            Failure::request(format!("{option} takes a whole number"))
-                .place(format!("{option} {text}"))
-                .remedy(format!("choose from {least} to {most}"))
-        })
+    number.filter(|number| (least..=most).contains(number)).ok_or_else(|| {
+        Failure::request(format!("{option} takes a whole number"))
+            .place(format!("{option} {text}"))
+            .remedy(format!("choose from {least} to {most}"))
+    })
 }
 
 /// How to write a value: the number that was typed with the unit of the quantity; where none was, what a number looks
@@ -197,9 +184,7 @@ fn written(quantity: &Quantity, number: &str) -> String {
 /// but more of a number, as in `1,5` or `2*355`.
 fn number(text: &str) -> Option<&str> {
     let text = text.trim();
-    let ends = (1..=text.len())
-        .rev()
-        .filter(|end| text.is_char_boundary(*end));
+    let ends = (1..=text.len()).rev().filter(|end| text.is_char_boundary(*end));
     let end = ends.into_iter().find(|end| {
         let digits = text[..*end].ends_with(|last: char| last.is_ascii_digit() || last == '.');
         digits && text[..*end].parse::<f64>().is_ok_and(f64::is_finite)

@@ -74,22 +74,14 @@ fn per_second(unit: &str) -> String {
 /// variable is left out.
 pub fn of_scene(scene: &SceneEntry) -> Vec<Variable> {
     let states = scene.states.iter().enumerate();
-    let mut list: Vec<_> = states
-        .clone()
-        .map(|(index, state)| Variable::new(state, Subject::State(index)))
-        .collect();
+    let mut list: Vec<_> =
+        states.clone().map(|(index, state)| Variable::new(state, Subject::State(index))).collect();
     list.extend(states.filter_map(|(index, state)| Variable::acceleration(state, index)));
     for (index, output) in scene.outputs.iter().enumerate() {
-        match list
-            .iter_mut()
-            .find(|variable| variable.name == output.name)
-        {
+        match list.iter_mut().find(|variable| variable.name == output.name) {
             // Declared by hand: its unit and words are preferred, its value is the same.
             Some(same) => {
-                *same = Variable {
-                    origin: same.origin,
-                    ..Variable::new(output, same.origin)
-                }
+                *same = Variable { origin: same.origin, ..Variable::new(output, same.origin) }
             }
             None => list.push(Variable::new(output, Subject::Output(index))),
         }
@@ -100,9 +92,8 @@ pub fn of_scene(scene: &SceneEntry) -> Vec<Variable> {
 /// All variables of a linkage: outputs, then the dependent coordinates that are none.
 pub fn of_linkage(scene: &SceneEntry, entry: &LinkageEntry) -> Vec<Variable> {
     let outputs = scene.outputs.iter().enumerate();
-    let mut list: Vec<_> = outputs
-        .map(|(index, output)| Variable::new(output, Subject::Output(index)))
-        .collect();
+    let mut list: Vec<_> =
+        outputs.map(|(index, output)| Variable::new(output, Subject::Output(index))).collect();
     for (index, dependent) in entry.dependents.iter().enumerate() {
         if list.iter().all(|known| known.name != dependent.name) {
             list.push(Variable::new(dependent, Subject::State(index)));
@@ -128,18 +119,9 @@ mod tests {
         let mut dimension = [(0, 1); 7];
         dimension[0] = (1, 1);
         dimension[2] = (-1, 1);
-        let speed = Quantity {
-            name: "dot(x3)",
-            summary: "",
-            unit: "m/s",
-            factor: 1.0,
-            dimension,
-        };
+        let speed = Quantity { name: "dot(x3)", summary: "", unit: "m/s", factor: 1.0, dimension };
         let variable = Variable::acceleration(&speed, 4).expect("a speed");
-        assert_eq!(
-            (variable.name.as_str(), variable.unit.as_str()),
-            ("ddot(x3)", "m/s^2")
-        );
+        assert_eq!((variable.name.as_str(), variable.unit.as_str()), ("ddot(x3)", "m/s^2"));
         assert_eq!(variable.dimension[2], (-2, 1));
         assert!(Variable::acceleration(&Quantity { name: "i", ..speed }, 0).is_none());
     }

@@ -33,11 +33,7 @@ fn strobe(foot: Foot, omega: f64, from: Option<Place>) -> Walked {
     let places = (150..186).map(|turn| motion.at(f64::from(turn) * period).1[0]);
     let places = places.collect();
     let end = (motion.mode, motion.end);
-    Walked {
-        exponent: scene.exponent(&end, period, 100) * period,
-        places,
-        end,
-    }
+    Walked { exponent: scene.exponent(&end, period, 100) * period, places, end }
 }
 
 impl Walked {
@@ -102,9 +98,7 @@ fn print_row(foot: Foot, speeds: &[f64], up: &[Walked], down: &[Walked]) {
         println!("{:24}  the two end in different motions at {list} 1/s", "");
     }
     let irregular = |all: &[Walked]| {
-        let count = all
-            .iter()
-            .filter(|one| one.period().is_none() && one.exponent > 0.01);
+        let count = all.iter().filter(|one| one.period().is_none() && one.exponent > 0.01);
         100 * count.count() / all.len()
     };
     println!(
@@ -130,24 +124,18 @@ fn draw_row(svg: &mut String, row: usize, foot: Foot, speeds: &[f64], ways: [&[W
         top + 215.0
     ));
     let zero = top + 180.0;
-    line(format!(
-        "<path d='M50 {zero} H750' stroke='#ccc' fill='none'/>"
-    ));
+    line(format!("<path d='M50 {zero} H750' stroke='#ccc' fill='none'/>"));
     for (all, colour) in ways.into_iter().zip(["#999", "#06c"]) {
         let mut curve = String::new();
         for (omega, walked) in speeds.iter().zip(all) {
             let x = omega - 150.0;
             for place in &walked.places {
                 let y = top + 155.0 - 23.0 * (1e3 * place + 1.5).min(6.5);
-                line(format!(
-                    "<circle cx='{x:.0}' cy='{y:.1}' r='1' fill='{colour}'/>"
-                ));
+                line(format!("<circle cx='{x:.0}' cy='{y:.1}' r='1' fill='{colour}'/>"));
             }
             let y = zero - 25.0 * walked.exponent.clamp(-1.0, 1.0);
             write!(curve, "{x:.0},{y:.1} ").expect("a string takes all");
         }
-        line(format!(
-            "<polyline points='{curve}' stroke='{colour}' fill='none'/>"
-        ));
+        line(format!("<polyline points='{curve}' stroke='{colour}' fill='none'/>"));
     }
 }

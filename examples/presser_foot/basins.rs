@@ -37,9 +37,7 @@ fn both(scene: &dyn Driven, period: f64) -> Vec<Attractor> {
         let cycle = scene.cycle(start.as_ref(), period).unwrap();
         assert!(cycle.is_stable());
         let turns = 0..cycle.multiple;
-        turns
-            .map(|turn| cycle.motion.at(turn as f64 * period))
-            .collect()
+        turns.map(|turn| cycle.motion.at(turn as f64 * period)).collect()
     };
     starts.map(attractor).into()
 }
@@ -69,10 +67,7 @@ pub fn basins() -> std::io::Result<()> {
     for row in 0..SIDE {
         for column in 0..SIDE {
             let part = |k: usize| (k as f64 + 0.5) / SIDE as f64;
-            let start = [
-                1e-3 * (5.0 * part(column) - 1.5),
-                2.0 * (1.0 - part(row)) - 1.0,
-            ];
+            let start = [1e-3 * (5.0 * part(column) - 1.5), 2.0 * (1.0 - part(row)) - 1.0];
             let from = (begins(start), start.to_vec());
             let found = reached(scene, from, period, &all).unwrap_or(2);
             counts[found] += 1;
@@ -90,20 +85,12 @@ pub fn basins() -> std::io::Result<()> {
         let (mode, state) = &all[k][0];
         let way = [(up, "a slow run-up"), (down, "a run-down")].map(|(found, way)| {
             let is_reached = found == k;
-            if is_reached {
-                format!("; {way} comes to it")
-            } else {
-                String::new()
-            }
+            if is_reached { format!("; {way} comes to it") } else { String::new() }
         });
         println!(
             "  the {name}: sole at {:6.3} mm at the bottom, {}, from {:4.1} % of the starts{}",
             1e3 * state[0],
-            if *mode == 0 {
-                "in contact"
-            } else {
-                "in flight"
-            },
+            if *mode == 0 { "in contact" } else { "in flight" },
             share(k),
             way.concat()
         );
@@ -128,11 +115,8 @@ fn draw(cells: &str, all: &[Attractor]) -> std::io::Result<()> {
         let x = 50.0 + 480.0 * (1e3 * state[0] + 1.5) / 5.0;
         let y = 30.0 + 480.0 * (1.0 - state[1]) / 2.0;
         let fill = if *mode == 0 { "black" } else { "white" };
-        writeln!(
-            svg,
-            "<circle cx='{x:.1}' cy='{y:.1}' r='4' fill='{fill}' stroke='red'/>"
-        )
-        .expect("a string takes all");
+        writeln!(svg, "<circle cx='{x:.1}' cy='{y:.1}' r='4' fill='{fill}' stroke='red'/>")
+            .expect("a string takes all");
     }
     svg += "<text x='50' y='530'>height of the sole at the bottom, -1.5 to 3.5 mm; upwards its speed, -1 to 1 m/s</text>\n</svg>\n";
     super::write("presser_foot_basins.svg", &svg)

@@ -47,11 +47,7 @@ pub struct Drive {
 
 impl Drive {
     pub fn at(omega: f64) -> Self {
-        Self {
-            omega,
-            preload: 40.0,
-            hold: 5.0,
-        }
+        Self { omega, preload: 40.0, hold: 5.0 }
     }
 
     pub fn period(self) -> f64 {
@@ -95,12 +91,9 @@ impl Foot {
     pub fn driven(self, drive: Drive) -> Box<dyn Driven> {
         match self {
             Ellipse(rise) => scene!(Elliptic, drive, rise = 1e-3 * rise),
-            Straight(rise, angle) => scene!(
-                Straight,
-                drive,
-                rise = 1e-3 * rise,
-                phi_v = angle.to_radians()
-            ),
+            Straight(rise, angle) => {
+                scene!(Straight, drive, rise = 1e-3 * rise, phi_v = angle.to_radians())
+            }
             Shaped([q1, q2, q3]) => scene!(Straight, drive, q1 = q1, q2 = q2, q3 = q3),
             Machine => scene!(Machine, drive),
             Harmonics(order) => scene!(FiveHarmonics, drive, order = f64::from(order)),
@@ -178,10 +171,7 @@ impl<C: Scene> Driven for C {
     }
 
     fn exponent(&self, (mode, state): &Place, period: f64, counted: usize) -> f64 {
-        let periods = Periods {
-            settling: 10,
-            counted,
-        };
+        let periods = Periods { settling: 10, counted };
         let found = hybrid::lyapunov(self, (*mode, state), period, periods, &SETTINGS);
         found.unwrap_or_else(|error| panic!("{error}")).exponents[0]
     }

@@ -8,14 +8,8 @@ pub fn comparison() {
     println!(
         "forces on the working stroke, contact, and feed of a stitch of 4 mm at forces above 5 N"
     );
-    println!(
-        "{:24}  speed   turns  largest  smallest    mean   free  lift-offs   feed",
-        ""
-    );
-    println!(
-        "{:24}    1/s               N         N       N      %   per turn     mm",
-        ""
-    );
+    println!("{:24}  speed   turns  largest  smallest    mean   free  lift-offs   feed", "");
+    println!("{:24}    1/s               N         N       N      %   per turn     mm", "");
     let paths = [
         Ellipse(1.0),
         Ellipse(0.5),
@@ -78,18 +72,10 @@ pub fn stitch() {
     );
     let speeds = [200.0, 250.0, 300.0, 350.0, 400.0, 500.0];
     print_speeds(&speeds, 12);
-    for foot in [
-        Ellipse(1.0),
-        Ellipse(0.5),
-        Straight(0.5, 60.0),
-        Straight(0.2, 60.0),
-    ] {
+    for foot in [Ellipse(1.0), Ellipse(0.5), Straight(0.5, 60.0), Straight(0.2, 60.0)] {
         let row = speeds.map(|omega| {
             let feed = |hold: f64| {
-                let drive = Drive {
-                    hold,
-                    ..Drive::at(omega)
-                };
+                let drive = Drive { hold, ..Drive::at(omega) };
                 foot.outcome(drive).feed
             };
             let [touching, held] = [0.0, 5.0].map(feed);
@@ -105,10 +91,7 @@ pub fn plates() {
     println!(
         "\nover a needle plate that yields: the ellipse of 1 mm, and the straight path of 0.5 mm over 1e6 N/m"
     );
-    println!(
-        "{:24}  speed   turns  largest  smallest    mean   free  lift-offs   feed",
-        ""
-    );
+    println!("{:24}  speed   turns  largest  smallest    mean   free  lift-offs   feed", "");
     for omega in [200.0, 300.0, 400.0, 500.0] {
         for foot in [Plate(2e5), Plate(1e6), Plate(1e7), Ellipse(1.0)] {
             print_outcome(foot, omega);

@@ -34,19 +34,14 @@ fn compare(exact: Foot, series: Foot, omega: f64) -> Off {
     let force = differences("F2");
     let [a, b] = [&own, &found].map(|motion| {
         let events = motion.events.iter().filter(|one| one.from != one.to);
-        events
-            .map(|one| (one.time, one.to))
-            .collect::<Vec<(f64, usize)>>()
+        events.map(|one| (one.time, one.to)).collect::<Vec<(f64, usize)>>()
     });
     let pairs = a.iter().zip(&b);
     let is_alike = a.len() == b.len() && pairs.clone().all(|(a, b)| a.1 == b.1);
     let turned = |time: f64| (omega * time * 180.0 / PI).abs();
     Off {
         level: 1e6 * rms(&differences("s")),
-        force: (
-            rms(&force),
-            force.iter().fold(0.0, |most: f64, x| most.max(x.abs())),
-        ),
+        force: (rms(&force), force.iter().fold(0.0, |most: f64, x| most.max(x.abs()))),
         contact: is_alike.then(|| pairs.map(|(a, b)| turned(a.0 - b.0)).fold(0.0, f64::max)),
     }
 }
@@ -54,28 +49,16 @@ fn compare(exact: Foot, series: Foot, omega: f64) -> Off {
 /// Errors of forces, instants of contact, and the speed of first separation by the number of harmonics.
 pub fn harmonics() {
     println!("\nharmonics in place of the path: what they change");
-    println!(
-        "{:24}  level      force, rms and largest          contact   leaves the",
-        ""
-    );
-    println!(
-        "{:24}    rms     at 200 1/s      at 300 1/s   at 300 1/s  fabric from",
-        ""
-    );
-    println!(
-        "{:24}     um        N       N       N       N         deg         1/s",
-        ""
-    );
+    println!("{:24}  level      force, rms and largest          contact   leaves the", "");
+    println!("{:24}    rms     at 200 1/s      at 300 1/s   at 300 1/s  fabric from", "");
+    println!("{:24}     um        N       N       N       N         deg         1/s", "");
     let table = |exact: Foot, by: fn(u8) -> Foot| {
         let first = borders(exact)[0];
         println!("{:72}{first:12.3}", exact.name());
         let last = (1..=5).fold(None, |_, order| row(exact, by(order)));
         last.expect("the foot leaves") / first - 1.0
     };
-    let firsts = [
-        table(Ellipse(1.0), Harmonics),
-        table(Machine, MachineHarmonics),
-    ];
+    let firsts = [table(Ellipse(1.0), Harmonics), table(Machine, MachineHarmonics)];
     // 1.1 % and 0.3 %, tests/reference/presser_foot.json.
     assert!((firsts[0] - 0.01134).abs() < 1e-4 && (firsts[1] - 0.00303).abs() < 1e-4);
 }
@@ -83,9 +66,7 @@ pub fn harmonics() {
 /// A row of the table; gives the speed of first separation up to 420 1/s.
 fn row(exact: Foot, series: Foot) -> Option<f64> {
     let (slow, fast) = (compare(exact, series, 200.0), compare(exact, series, 300.0));
-    let contact = fast
-        .contact
-        .map_or("other".into(), |angle| format!("{angle:.2}"));
+    let contact = fast.contact.map_or("other".into(), |angle| format!("{angle:.2}"));
     let first = borders(series).first().copied();
     let border = first.map_or("none".into(), |omega| format!("{omega:.3}"));
     println!(

@@ -43,11 +43,7 @@ pub fn windows() {
             _ => format!("from {:.3} 1/s on", window[0]),
         });
         let text = windows.collect::<Vec<String>>().join(", ");
-        println!(
-            "{:24}  {}",
-            foot.name(),
-            if text.is_empty() { "none" } else { &text }
-        );
+        println!("{:24}  {}", foot.name(), if text.is_empty() { "none" } else { &text });
         found
     });
     // The closed form of the linear fabric, tests/reference/presser_foot.json.
@@ -75,10 +71,7 @@ pub fn preloads() {
     ] {
         let row = speeds.map(|omega| {
             let preload = 1000.0;
-            let drive = Drive {
-                preload,
-                ..Drive::at(omega)
-            };
+            let drive = Drive { preload, ..Drive::at(omega) };
             let least = foot.outcome(drive).least;
             format!("{:8.2}", preload - least * (c1 + c2) / c2)
         });
@@ -97,10 +90,7 @@ pub fn maps() {
         print_speeds(&speeds, 8);
         for preload in [10.0, 20.0, 30.0, 40.0, 60.0, 80.0, 120.0] {
             let row = speeds.map(|omega| {
-                let drive = Drive {
-                    preload,
-                    ..Drive::at(omega)
-                };
+                let drive = Drive { preload, ..Drive::at(omega) };
                 let one = foot.outcome(drive);
                 let mark = if one.turns.is_some() { ' ' } else { '~' };
                 format!("{:7.1}{mark}", 100.0 * one.free)

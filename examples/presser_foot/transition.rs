@@ -35,33 +35,12 @@ fn smallest(shape: [f64; 3]) -> f64 {
 fn directions(number: u32) -> [[f64; 3]; 3] {
     // A quaternion of irrational turns.
     let angle = |step: f64| (f64::from(number) * step).fract() * std::f64::consts::TAU;
-    let (a, b, c) = (
-        angle(0.754_877_666),
-        angle(0.569_840_290),
-        angle(0.618_033_989),
-    );
-    let [x, y, z, w] = [
-        a.cos() * c.cos(),
-        a.sin() * c.cos(),
-        b.cos() * c.sin(),
-        b.sin() * c.sin(),
-    ];
+    let (a, b, c) = (angle(0.754_877_666), angle(0.569_840_290), angle(0.618_033_989));
+    let [x, y, z, w] = [a.cos() * c.cos(), a.sin() * c.cos(), b.cos() * c.sin(), b.sin() * c.sin()];
     [
-        [
-            1.0 - 2.0 * (y * y + z * z),
-            2.0 * (x * y + z * w),
-            2.0 * (x * z - y * w),
-        ],
-        [
-            2.0 * (x * y - z * w),
-            1.0 - 2.0 * (x * x + z * z),
-            2.0 * (y * z + x * w),
-        ],
-        [
-            2.0 * (x * z + y * w),
-            2.0 * (y * z - x * w),
-            1.0 - 2.0 * (x * x + y * y),
-        ],
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + z * w), 2.0 * (x * z - y * w)],
+        [2.0 * (x * y - z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + x * w)],
+        [2.0 * (x * z + y * w), 2.0 * (y * z - x * w), 1.0 - 2.0 * (x * x + y * y)],
     ]
 }
 
@@ -107,10 +86,7 @@ pub fn transition() {
     let text = format!("best transition, q = {q1:.3}, {q2:.3}, {q3:.3}");
     println!("{text:44}{best:7.3} N, after {tried} trials");
     let slopes = [0.1, 0.25, 0.5, 0.75, 1.0].map(|u| format!("{:7.2}", slope(shape, u)));
-    println!(
-        "  its slope at 0.1, 0.25, 0.5, 0.75 and all of the way:{}",
-        slopes.concat()
-    );
+    println!("  its slope at 0.1, 0.25, 0.5, 0.75 and all of the way:{}", slopes.concat());
     for omega in [200.0, 250.0, 350.0, 400.0] {
         let [one, other] = [[0.0; 3], shape].map(|q| Shaped(q).outcome(Drive::at(omega)).smallest);
         println!("  at {omega} 1/s {other:7.3} N, before {one:.3} N");

@@ -23,13 +23,8 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub const ALL: [Self; 5] = [
-        Self::Value,
-        Self::Extreme,
-        Self::ExtremeTime,
-        Self::EventTime,
-        Self::Measure,
-    ];
+    pub const ALL: [Self; 5] =
+        [Self::Value, Self::Extreme, Self::ExtremeTime, Self::EventTime, Self::Measure];
 
     pub fn name(self) -> &'static str {
         match self {
@@ -70,17 +65,11 @@ pub struct Refusal {
 
 /// Asks the command.
 pub fn ask(command: &Path, case: &Case, precision: Precision) -> Result<Answer, Refusal> {
-    let (code, output, complaint) =
-        output(command, case.arguments(precision)).map_err(|error| Refusal {
-            code: None,
-            text: error.to_string(),
-        })?;
+    let (code, output, complaint) = output(command, case.arguments(precision))
+        .map_err(|error| Refusal { code: None, text: error.to_string() })?;
     serde_json::from_slice(&output)
         .map(|json| read(&json))
-        .map_err(|_| Refusal {
-            code,
-            text: String::from_utf8_lossy(&complaint).into_owned(),
-        })
+        .map_err(|_| Refusal { code, text: String::from_utf8_lossy(&complaint).into_owned() })
 }
 
 /// Exit code and both outputs of the command, which is ended if it takes too long.
@@ -129,13 +118,7 @@ fn read(json: &Value) -> Answer {
         for end in ["minimum", "maximum"] {
             let extreme = &result[end];
             let name = format!("{end} of {}", text(&result["name"]));
-            numbers.push(number(
-                Kind::Extreme,
-                &name,
-                extreme,
-                "value",
-                "estimated_error",
-            ));
+            numbers.push(number(Kind::Extreme, &name, extreme, "value", "estimated_error"));
             numbers.push(number(
                 Kind::ExtremeTime,
                 &name,
@@ -148,41 +131,20 @@ fn read(json: &Value) -> Answer {
     for place in list(&json["at"]) {
         for result in list(&place["results"]) {
             let name = format!("{} at {}", text(&result["name"]), text(&place["place"]));
-            numbers.push(number(
-                Kind::Value,
-                &name,
-                result,
-                "value",
-                "estimated_error",
-            ));
+            numbers.push(number(Kind::Value, &name, result, "value", "estimated_error"));
         }
     }
     for (index, event) in list(&json["events"]).iter().enumerate() {
         let name = format!("event {} {}", index + 1, text(&event["event"]));
-        numbers.push(number(
-            Kind::EventTime,
-            &name,
-            event,
-            "time",
-            "estimated_error",
-        ));
+        numbers.push(number(Kind::EventTime, &name, event, "time", "estimated_error"));
     }
     for measure in list(&json["measures"]) {
         let name = text(&measure["name"]);
-        numbers.push(number(
-            Kind::Measure,
-            &name,
-            measure,
-            "value",
-            "estimated_error",
-        ));
+        numbers.push(number(Kind::Measure, &name, measure, "value", "estimated_error"));
     }
     Answer {
         status: text(&json["status"]),
-        events: list(&json["events"])
-            .iter()
-            .map(|event| text(&event["event"]))
-            .collect(),
+        events: list(&json["events"]).iter().map(|event| text(&event["event"])).collect(),
         numbers,
     }
 }

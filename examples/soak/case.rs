@@ -59,9 +59,7 @@ impl Case {
         let time = |random: &mut Random| from + (to - from) * random.uniform();
         let times = match span {
             Span::Open => Vec::new(),
-            _ => (0..TIMES)
-                .map(|_| format!("time={:e}[s]", time(&mut random)))
-                .collect(),
+            _ => (0..TIMES).map(|_| format!("time={:e}[s]", time(&mut random))).collect(),
         };
         Self {
             number,
@@ -91,12 +89,10 @@ impl Case {
     /// The command line of the run that is tried.
     pub fn line(&self, precision: Precision) -> String {
         let words = self.arguments(precision);
-        let quoted = words
-            .iter()
-            .map(|word| match word.contains(['[', ' ', '(']) {
-                true => format!("'{word}'"),
-                false => word.clone(),
-            });
+        let quoted = words.iter().map(|word| match word.contains(['[', ' ', '(']) {
+            true => format!("'{word}'"),
+            false => word.clone(),
+        });
         format!("assur {}", quoted.collect::<Vec<_>>().join(" "))
     }
 }
@@ -107,11 +103,7 @@ fn pick(random: &mut Random, count: usize) -> usize {
 
 /// Values that the mechanism accepts, as words of `--set`, and the task with them.
 fn values(scene: &SceneEntry, random: &mut Random) -> (Vec<String>, Span) {
-    let nominal: Vec<f64> = scene
-        .constants
-        .iter()
-        .map(|constant| constant.default)
-        .collect();
+    let nominal: Vec<f64> = scene.constants.iter().map(|constant| constant.default).collect();
     for _ in 0..40 {
         let mut values = nominal.clone();
         let mut words = Vec::new();
@@ -126,20 +118,13 @@ fn values(scene: &SceneEntry, random: &mut Random) -> (Vec<String>, Span) {
                 "" => String::new(),
                 unit => format!("[{unit}]"),
             };
-            words.push(format!(
-                "{}={:e}{unit}",
-                quantity.name,
-                *value / quantity.factor
-            ));
+            words.push(format!("{}={:e}{unit}", quantity.name, *value / quantity.factor));
         }
         if let Ok(run) = scene.bind.motion(&values) {
             return (words, run.span());
         }
     }
-    let span = scene
-        .bind
-        .motion(&nominal)
-        .map_or(Span::Open, |run| run.span());
+    let span = scene.bind.motion(&nominal).map_or(Span::Open, |run| run.span());
     (Vec::new(), span)
 }
 

@@ -42,14 +42,8 @@ struct Options {
 
 impl Options {
     fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
-        let mut options = Self {
-            minutes: 10.0,
-            seed: 1,
-            from: 0,
-            until: u64::MAX,
-            only: None,
-            threads: 2,
-        };
+        let mut options =
+            Self { minutes: 10.0, seed: 1, from: 0, until: u64::MAX, only: None, threads: 2 };
         while let Some(word) = words.next() {
             let value = words.next().ok_or(format!("{word} needs a value"))?;
             let wrong = |_| format!("{word} does not take `{value}`");
@@ -98,9 +92,8 @@ fn main() -> ExitCode {
                     }
                     let case = Case::make(options.seed, number, options.only.as_deref());
                     let answer = answer::ask(&command, &case, Precision::Tried);
-                    let reference = answer
-                        .is_ok()
-                        .then(|| answer::ask(&command, &case, Precision::Reference));
+                    let reference =
+                        answer.is_ok().then(|| answer::ask(&command, &case, Precision::Reference));
                     let mut tally = tally.lock().unwrap_or_else(|broken| broken.into_inner());
                     tally.add(&case, answer, reference);
                     if number % 100 == 99 {
@@ -110,9 +103,7 @@ fn main() -> ExitCode {
             });
         }
     });
-    let tally = tally
-        .into_inner()
-        .unwrap_or_else(|broken| broken.into_inner());
+    let tally = tally.into_inner().unwrap_or_else(|broken| broken.into_inner());
     print!("{tally}");
     println!("next: --seed {} --from {}", options.seed, next.into_inner());
     match tally.is_clean() {
@@ -124,16 +115,10 @@ fn main() -> ExitCode {
 /// The command of this build, built if it is missing or old.
 fn command() -> Result<PathBuf, String> {
     let example = std::env::current_exe().map_err(|error| error.to_string())?;
-    let folder = example
-        .ancestors()
-        .nth(2)
-        .ok_or("the example stands in no build folder")?;
+    let folder = example.ancestors().nth(2).ok_or("the example stands in no build folder")?;
     let mut build = Command::new(env!("CARGO"));
     build.args(["build", "--quiet", "--bin", "assur"]);
-    build.args([
-        "--manifest-path",
-        concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml"),
-    ]);
+    build.args(["--manifest-path", concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml")]);
     if !cfg!(debug_assertions) {
         build.arg("--release");
     }

@@ -74,11 +74,7 @@ impl Tally {
         *self.ends.entry(format!("{which}: {first}")).or_default() += 1;
         // A panic, a kill, no words at all.
         if !matches!(refusal.code, Some(1 | 2)) || refusal.text.contains("panicked") {
-            self.find(
-                f64::INFINITY,
-                format!("ended with {:?}: {first}", refusal.code),
-                case,
-            );
+            self.find(f64::INFINITY, format!("ended with {:?}: {first}", refusal.code), case);
         }
     }
 
@@ -102,21 +98,15 @@ impl Tally {
                 continue;
             }
             // What the reference says of itself may be the whole difference.
-            let known = if b.error.is_nan() {
-                0.0
-            } else {
-                SHARE * b.error
-            };
+            let known = if b.error.is_nan() { 0.0 } else { SHARE * b.error };
             let excess = ((a.value - b.value).abs() - known).max(0.0);
             let ratio = if excess == 0.0 { 0.0 } else { excess / a.error };
             count.compared += 1;
             count.too_small += usize::from(ratio > SHARE || ratio.is_nan());
             count.worst = count.worst.max(ratio);
             if worst.as_ref().is_none_or(|(most, _)| ratio > *most) {
-                let what = format!(
-                    "{}: {} against {}, said {:.1e}",
-                    a.name, a.value, b.value, a.error
-                );
+                let what =
+                    format!("{}: {} against {}, said {:.1e}", a.name, a.value, b.value, a.error);
                 worst = Some((ratio, what));
             }
         }
@@ -146,9 +136,7 @@ impl Tally {
 
     fn totals(&self) -> (usize, usize) {
         let counts = self.counts.values();
-        counts.fold((0, 0), |sum, count| {
-            (sum.0 + count.compared, sum.1 + count.too_small)
-        })
+        counts.fold((0, 0), |sum, count| (sum.0 + count.compared, sum.1 + count.too_small))
     }
 
     /// Whether no kind of number has too many estimates that are too small, and nothing was found.
@@ -187,11 +175,7 @@ impl fmt::Display for Tally {
         let mut findings: Vec<_> = self.findings.iter().collect();
         findings.sort_by(|a, b| b.weight.total_cmp(&a.weight));
         for finding in findings.iter().take(SHOWN) {
-            writeln!(
-                f,
-                "\n{}\n  {}\n  {}",
-                finding.what, finding.line, finding.beside
-            )?;
+            writeln!(f, "\n{}\n  {}\n  {}", finding.what, finding.line, finding.beside)?;
         }
         Ok(())
     }

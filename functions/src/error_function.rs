@@ -146,10 +146,7 @@ fn split(x: f64) -> (f64, f64) {
 
 /// Value of a polynomial whose coefficients begin with the constant.
 fn horner(coefficients: &[f64], x: f64) -> f64 {
-    coefficients
-        .iter()
-        .rev()
-        .fold(0.0, |value, coefficient| value * x + coefficient)
+    coefficients.iter().rev().fold(0.0, |value, coefficient| value * x + coefficient)
 }
 
 #[cfg(test)]
@@ -223,10 +220,7 @@ mod tests {
         println!("normal_cdf: {distance} ulp");
         assert!(distance <= 4);
         assert_eq!((normal_cdf(-1e300), normal_cdf(1e300)), (0.0, 1.0));
-        assert_eq!(
-            (normal_cdf(f64::NEG_INFINITY), normal_cdf(f64::INFINITY)),
-            (0.0, 1.0)
-        );
+        assert_eq!((normal_cdf(f64::NEG_INFINITY), normal_cdf(f64::INFINITY)), (0.0, 1.0));
         assert!(normal_cdf(f64::NAN).is_nan());
     }
 

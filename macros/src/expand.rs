@@ -16,24 +16,14 @@ use crate::tokens::Source;
 pub fn mechanism(input: TokenStream) -> TokenStream {
     let mut source = Source::read(input);
     let mut parts = Parts::default();
-    let Compiled {
-        name,
-        scene_names,
-        model,
-        diagnostics,
-        parts: files,
-        ..
-    } = assur_model::compile_with(&source.tokens, &mut |wanted| parts.load(wanted, &source));
+    let Compiled { name, scene_names, model, diagnostics, parts: files, .. } =
+        assur_model::compile_with(&source.tokens, &mut |wanted| parts.load(wanted, &source));
     let mut all = Diagnostics::default();
     all.extend(diagnostics);
     (source.parts, source.texts) = (files, parts.texts);
     let diagnostics: Vec<Diagnostic> = all.into_sorted();
-    let broken = diagnostics
-        .iter()
-        .any(|one| one.severity == Severity::Error);
-    let model = model
-        .filter(|_| !broken)
-        .unwrap_or_else(|| stub(&name, &scene_names));
+    let broken = diagnostics.iter().any(|one| one.severity == Severity::Error);
+    let model = model.filter(|_| !broken).unwrap_or_else(|| stub(&name, &scene_names));
     let (file, has_file) = file(&source);
     let line_of = |span| line(&source, span);
     let part_of = |span| {
@@ -77,10 +67,7 @@ fn line(source: &Source, span: assur_model::token::Span) -> u32 {
 /// A mechanism with nothing in it, so that what uses a broken one reports nothing of its own.
 fn stub(name: &str, scenes: &[String]) -> Model {
     let name = if name.is_empty() { "Mechanism" } else { name };
-    let empty = |scene: &String| SceneModel {
-        name: scene.clone(),
-        ..SceneModel::default()
-    };
+    let empty = |scene: &String| SceneModel { name: scene.clone(), ..SceneModel::default() };
     Model {
         name: name.to_owned(),
         documentation: String::new(),

@@ -43,10 +43,8 @@ pub fn equations(input: TokenStream) -> TokenStream {
 fn module(file: &LitStr, others: &[Ident]) -> Result<(Ident, TokenStream), String> {
     let path = file.value();
     let shown = PathBuf::from(&path);
-    let stem = shown
-        .file_stem()
-        .map(|stem| stem.to_string_lossy().into_owned())
-        .unwrap_or_default();
+    let stem =
+        shown.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let name = names::identifier(&stem);
     if !path.ends_with(".eqn") || stem != name.to_string().trim_start_matches("r#") {
         return Err(format!(
@@ -54,9 +52,7 @@ fn module(file: &LitStr, others: &[Ident]) -> Result<(Ident, TokenStream), Strin
         ));
     }
     if others.contains(&name) {
-        return Err(format!(
-            "`{path}` is the second file for the module `{name}`"
-        ));
+        return Err(format!("`{path}` is the second file for the module `{name}`"));
     }
     let place = beside(file, &path);
     if let Some(missing) = place.as_ref().filter(|place| !place.is_file()) {
@@ -67,12 +63,7 @@ fn module(file: &LitStr, others: &[Ident]) -> Result<(Ident, TokenStream), Strin
     }
     let summary = format!(" The equation file `{path}`.");
     let (items, text) = analyzed(place).map_or_else(
-        || {
-            (
-                quote!(::core::include!(#file);),
-                quote!(::core::include_str!(#file)),
-            )
-        },
+        || (quote!(::core::include!(#file);), quote!(::core::include_str!(#file))),
         |tokens| (tokens, quote!("")),
     );
     Ok((

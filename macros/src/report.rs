@@ -35,10 +35,7 @@ pub fn items(diagnostics: &[Diagnostic], source: &Source) -> TokenStream {
 pub fn error(first: proc_macro2::Span, last: proc_macro2::Span, text: &str) -> TokenStream {
     let mut literal = Literal::string(text);
     literal.set_span(last);
-    let mut group = Group::new(
-        Delimiter::Brace,
-        TokenStream::from(TokenTree::from(literal)),
-    );
+    let mut group = Group::new(Delimiter::Brace, TokenStream::from(TokenTree::from(literal)));
     group.set_span(last);
     let mut exclamation = Punct::new('!', Spacing::Alone);
     exclamation.set_span(first);
@@ -85,15 +82,9 @@ fn excerpt(span: Span, source: &Source) -> Option<String> {
     let (first, last) = source.places(span);
     let (first, last) = (first.unwrap(), last.unwrap());
     let (line, column) = (first.line(), first.column());
-    let text = first
-        .local_file()
-        .and_then(|path| std::fs::read_to_string(path).ok());
+    let text = first.local_file().and_then(|path| std::fs::read_to_string(path).ok());
     let end = last.end();
-    let width = if end.line() == line {
-        end.column().saturating_sub(column)
-    } else {
-        0
-    };
+    let width = if end.line() == line { end.column().saturating_sub(column) } else { 0 };
     let text = text.unwrap_or_default();
     Some(underlined(&first.file(), &text, (line, column), width))
 }
@@ -122,10 +113,6 @@ fn underlined(file: &str, text: &str, (line, column): (usize, usize), width: usi
     };
     let width = width.clamp(1, shown.chars().count().max(1));
     let margin = " ".repeat(line.to_string().len());
-    let under = format!(
-        "{}{}",
-        " ".repeat(column.saturating_sub(1)),
-        "^".repeat(width)
-    );
+    let under = format!("{}{}", " ".repeat(column.saturating_sub(1)), "^".repeat(width));
     format!("{place}\n{margin} |\n{line} | {shown}\n{margin} | {under}")
 }

@@ -12,10 +12,7 @@ fn compiled(text: &str) -> (Model, Lexed) {
     let lexed = lexer::lex_file(text).expect("the file can be read");
     let compiled = assur_model::compile(&lexed.tokens);
     let model = compiled.model;
-    (
-        model.unwrap_or_else(|| panic!("{:#?}", compiled.diagnostics)),
-        lexed,
-    )
+    (model.unwrap_or_else(|| panic!("{:#?}", compiled.diagnostics)), lexed)
 }
 
 /// The emitted items of some scenes of a mechanism.
@@ -67,9 +64,7 @@ fn pieces(file: syn::File) -> Vec<(String, String)> {
 /// Compares with a golden file, or writes it.
 #[track_caller]
 fn check(name: &str, emitted: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("src/golden")
-        .join(name);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/golden").join(name);
     if std::env::var_os("ASSUR_BLESS").is_some() {
         std::fs::write(&path, emitted).expect("the golden file can be written");
     }
@@ -165,9 +160,5 @@ fn the_time_to_emit_a_long_chain_does_not_explode() {
         scene swing { run time 0 s .. 1 s; }
     }";
     let rust = prettyplease::unparse(&emitted(text, "chain.eqn", |_| true));
-    assert!(
-        rust.contains("pub struct Swing"),
-        "{}",
-        &rust[..rust.len().min(2000)]
-    );
+    assert!(rust.contains("pub struct Swing"), "{}", &rust[..rust.len().min(2000)]);
 }

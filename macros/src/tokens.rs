@@ -39,10 +39,7 @@ impl Source {
         let span = self.part(span).map_or(span, |place| place.part);
         let at = |index: u32| {
             let last = self.places.len().saturating_sub(1);
-            self.places
-                .get((index as usize).min(last))
-                .copied()
-                .unwrap_or_else(Place::call_site)
+            self.places.get((index as usize).min(last)).copied().unwrap_or_else(Place::call_site)
         };
         (at(span.first), at(span.last.max(span.first)))
     }
@@ -71,22 +68,11 @@ impl Source {
         match tree {
             TokenTree::Ident(word) => {
                 let word = word.to_string();
-                self.push(
-                    TokenKind::Word,
-                    word.strip_prefix("r#").unwrap_or(&word),
-                    place,
-                );
+                self.push(TokenKind::Word, word.strip_prefix("r#").unwrap_or(&word), place);
             }
             TokenTree::Punct(punct) => {
                 let joint = punct.spacing() == Spacing::Joint;
-                self.push(
-                    TokenKind::Punctuation {
-                        character: punct.as_char(),
-                        joint,
-                    },
-                    "",
-                    place,
-                );
+                self.push(TokenKind::Punctuation { character: punct.as_char(), joint }, "", place);
             }
             TokenTree::Literal(literal) => {
                 let (kind, text) = read_literal(literal);
@@ -108,10 +94,7 @@ impl Source {
     }
 
     fn push(&mut self, kind: TokenKind, text: &str, place: Place) {
-        self.tokens.push(Token {
-            kind,
-            text: text.to_owned(),
-        });
+        self.tokens.push(Token { kind, text: text.to_owned() });
         self.places.push(place);
     }
 }
@@ -119,13 +102,7 @@ impl Source {
 /// The text of `[doc = "…"]`, which is what rustc makes of `/// …`.
 fn documentation(group: &Group) -> Option<String> {
     let mut inner = group.stream().into_iter();
-    match (
-        group.delimiter(),
-        inner.next(),
-        inner.next(),
-        inner.next(),
-        inner.next(),
-    ) {
+    match (group.delimiter(), inner.next(), inner.next(), inner.next(), inner.next()) {
         (
             Delimiter::Bracket,
             Some(TokenTree::Ident(word)),

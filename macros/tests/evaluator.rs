@@ -41,10 +41,7 @@ struct Scatter(u64);
 impl Scatter {
     fn next(&mut self) -> f64 {
         let odd = 6_364_136_223_846_793_005;
-        self.0 = self
-            .0
-            .wrapping_mul(odd)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self.0.wrapping_mul(odd).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 }
@@ -76,11 +73,8 @@ fn compare<C: Scene>(model: &SceneModel, from_values: impl Fn(&[f64]) -> C) {
             .map(|constant| constant.default * (1.0 + 0.05 * scatter.next()))
             .collect();
         let time = scatter.next();
-        let state: Vec<f64> = C::shape()
-            .scales
-            .iter()
-            .map(|scale| scale * scatter.next())
-            .collect();
+        let state: Vec<f64> =
+            C::shape().scales.iter().map(|scale| scale * scatter.next()).collect();
         compare_at(model, &from_values(&values), &values, time, &state);
     }
 }
@@ -110,11 +104,7 @@ fn compare_at<C: Scene>(model: &SceneModel, scene: &C, values: &[f64], time: f64
     let expected = model.program.evaluate(values, time, state);
     let mut drivers = vec![Standard(f64::NAN); C::shape().drivers.len()];
     equations.drivers(Standard(time), &mut drivers);
-    check(
-        &numbers(&drivers),
-        &expected.all(&results.drivers),
-        "driver",
-    );
+    check(&numbers(&drivers), &expected.all(&results.drivers), "driver");
     check(&scene.start(), &expected.all(&results.start), "start");
     let span = match scene.span() {
         Span::Periodic(period) => vec![period],
@@ -141,11 +131,7 @@ impl Place<'_> {
         equations.instants(phase, &[self.time], &mut instant);
         let mut rates = self.state.to_vec();
         equations.rates(phase, &instant, self.state, &mut rates);
-        check(
-            &numbers(&rates),
-            &self.expected.all(&results.derivative),
-            "rate",
-        );
+        check(&numbers(&rates), &self.expected.all(&results.derivative), "rate");
 
         let states = self.state.len();
         let mut slopes = vec![Standard(0.0); states * states];
@@ -158,11 +144,7 @@ impl Place<'_> {
 
         let mut outputs = vec![Standard(f64::NAN); shape.outputs.len()];
         equations.outputs(phase, self.time, self.state, &mut outputs);
-        check(
-            &numbers(&outputs),
-            &self.expected.all(&results.outputs),
-            "output",
-        );
+        check(&numbers(&outputs), &self.expected.all(&results.outputs), "output");
     }
 
     /// Compares guards, conditions and jumps.
@@ -175,11 +157,7 @@ impl Place<'_> {
         let expected: Vec<Value> = all.iter().map(|event| event.guard).collect();
         check(&numbers(&values), &self.expected.all(&expected), "guard");
         let expected: Vec<Value> = all.iter().map(|event| event.rate).collect();
-        check(
-            &numbers(&rates),
-            &self.expected.all(&expected),
-            "rate of a guard",
-        );
+        check(&numbers(&rates), &self.expected.all(&expected), "rate of a guard");
         for (event, statement) in all.iter().enumerate() {
             if let Some(condition) = statement.condition {
                 let permits = events.permits(phase, event, self.time, self.state);
@@ -188,11 +166,7 @@ impl Place<'_> {
             if !statement.after.is_empty() {
                 let mut after = self.state.to_vec();
                 events.jump(phase, event, self.time, self.state, &mut after);
-                check(
-                    &numbers(&after),
-                    &self.expected.all(&statement.after),
-                    "state after",
-                );
+                check(&numbers(&after), &self.expected.all(&statement.after), "state after");
             }
         }
     }

@@ -23,10 +23,7 @@ fn facade(folder: &Path) -> PathBuf {
         let data = entry.metadata().and_then(|data| data.modified());
         data.unwrap_or(SystemTime::UNIX_EPOCH)
     };
-    built
-        .max_by_key(age)
-        .expect("cargo has built the facade")
-        .path()
+    built.max_by_key(age).expect("cargo has built the facade").path()
 }
 
 /// What rustc writes.
@@ -83,13 +80,8 @@ fn check_messages(name: &str, found: &str) {
     if std::env::var_os("ASSUR_BLESS").is_some() {
         std::fs::write(&path, found).expect("the messages can be written");
     }
-    let expected = std::fs::read_to_string(&path)
-        .unwrap_or_default()
-        .replace("\r\n", "\n");
-    assert!(
-        found == expected,
-        "{name}.rs: rustc says\n{found}\nexpected\n{expected}"
-    );
+    let expected = std::fs::read_to_string(&path).unwrap_or_default().replace("\r\n", "\n");
+    assert!(found == expected, "{name}.rs: rustc says\n{found}\nexpected\n{expected}");
 }
 
 #[test]

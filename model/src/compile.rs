@@ -174,14 +174,7 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
     let solved = is_complete(low).then(|| {
         let given = quantities::state_symbols(&names);
         let (graph, place) = (&mut low.graph, here.place());
-        motion::solve(
-            graph,
-            &equations,
-            &unknowns,
-            &given,
-            &place,
-            low.diagnostics,
-        )
+        motion::solve(graph, &equations, &unknowns, &given, &place, low.diagnostics)
     });
     let asked = Asked::read(here, reported, &still, low);
     seen.take_up(low);

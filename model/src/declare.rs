@@ -35,26 +35,18 @@ pub fn per_second(unit: &Unit) -> Option<Unit> {
             None => format!("{symbol}/s"),
         },
     };
-    let read = unit::parse_unit_text(&symbol)
-        .ok()
-        .filter(|read| read.dimension == dimension);
+    let read = unit::parse_unit_text(&symbol).ok().filter(|read| read.dimension == dimension);
     Some(read.unwrap_or_else(|| Unit::for_dimension(&dimension)))
 }
 
 /// The first unit that is written in a term.
 fn written_unit(term: &Term, diagnostics: &mut Diagnostics) -> Option<Unit> {
     match &term.kind {
-        TermKind::Number {
-            unit: Some(written),
-            ..
-        } => unit::resolve(written, diagnostics),
+        TermKind::Number { unit: Some(written), .. } => unit::resolve(written, diagnostics),
         TermKind::Unary(_, inner) => written_unit(inner, diagnostics),
-        TermKind::Binary(_, left, right)
-        | TermKind::Bound {
-            value: left,
-            instead: right,
-            ..
-        } => written_unit(left, diagnostics).or_else(|| written_unit(right, diagnostics)),
+        TermKind::Binary(_, left, right) | TermKind::Bound { value: left, instead: right, .. } => {
+            written_unit(left, diagnostics).or_else(|| written_unit(right, diagnostics))
+        }
         _ => None,
     }
 }
@@ -97,10 +89,8 @@ impl Lowering<'_> {
         let (value, kind) = lowered?;
         let number = self.graph.evaluate(&[value], &|_| f64::NAN)[0];
         if !number.is_finite() {
-            self.diagnostics.push(Diagnostic::error(
-                term.span,
-                format!("the value of this is {number}"),
-            ));
+            self.diagnostics
+                .push(Diagnostic::error(term.span, format!("the value of this is {number}")));
             return None;
         }
         Some((number, kind))
@@ -116,8 +106,7 @@ impl Lowering<'_> {
                 "" => "give it as a pure number or an angle".to_owned(),
                 unit => format!("give it in {unit}"),
             };
-            self.diagnostics
-                .push(Diagnostic::error(term.span, message).hint(hint));
+            self.diagnostics.push(Diagnostic::error(term.span, message).hint(hint));
             return None;
         }
         Some(value)
@@ -140,10 +129,7 @@ impl Lowering<'_> {
             self.diagnostics.push(
                 Diagnostic::error(
                     value.span,
-                    format!(
-                        "the value of `{}` is not made of numbers alone",
-                        declared.name.text
-                    ),
+                    format!("the value of `{}` is not made of numbers alone", declared.name.text),
                 )
                 .hint(in_brackets(value).unwrap_or_else(|| {
                     format!(
@@ -277,11 +263,7 @@ impl Lowering<'_> {
             Moved::Swept => (!varies).then_some(rate),
         };
         self.driver_motions[index as usize] = speed.map(|speed| (value, speed));
-        Some(Drive {
-            position: Some(value),
-            rate: Some(rate),
-            acceleration: Some(acceleration),
-        })
+        Some(Drive { position: Some(value), rate: Some(rate), acceleration: Some(acceleration) })
     }
 
     /// A driver without a motion, which is set from outside.
@@ -299,17 +281,16 @@ impl Lowering<'_> {
                 }
                 None => format!("say how it moves, as in `driver {name} = n*time;`"),
             };
-            self.diagnostics
-                .push(Diagnostic::error(driver.name.span, message).hint(hint));
+            self.diagnostics.push(Diagnostic::error(driver.name.span, message).hint(hint));
             return None;
         }
         let bounds = driver.what.range.iter().flat_map(|(low, high)| [low, high]);
         let Some(term) = driver.what.start.iter().chain(bounds).next() else {
             let message = format!("nothing says where the driver `{name}` is");
-            self.diagnostics
-                .push(Diagnostic::error(driver.name.span, message).hint(format!(
-                    "give it a range, as in `driver {name} in 60 deg .. 120 deg;`"
-                )));
+            self.diagnostics.push(
+                Diagnostic::error(driver.name.span, message)
+                    .hint(format!("give it a range, as in `driver {name} in 60 deg .. 120 deg;`")),
+            );
             return None;
         };
         let (_, kind) = self.fixed(term)?;
@@ -367,8 +348,7 @@ impl Lowering<'_> {
                     a.describe(),
                     b.describe()
                 );
-                self.diagnostics
-                    .push(Diagnostic::error(left.span.to(right.span), message));
+                self.diagnostics.push(Diagnostic::error(left.span.to(right.span), message));
                 return None;
             }
         };

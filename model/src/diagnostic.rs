@@ -31,29 +31,17 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// An error at a place.
     pub fn error(span: Span, message: impl Into<String>) -> Self {
-        Self {
-            severity: Severity::Error,
-            span,
-            message: message.into(),
-            related: None,
-            hint: None,
-        }
+        Self { severity: Severity::Error, span, message: message.into(), related: None, hint: None }
     }
 
     /// A warning at a place.
     pub fn warning(span: Span, message: impl Into<String>) -> Self {
-        Self {
-            severity: Severity::Warning,
-            ..Self::error(span, message)
-        }
+        Self { severity: Severity::Warning, ..Self::error(span, message) }
     }
 
     /// A note on a place.
     pub fn note(span: Span, message: impl Into<String>) -> Self {
-        Self {
-            severity: Severity::Note,
-            ..Self::error(span, message)
-        }
+        Self { severity: Severity::Note, ..Self::error(span, message) }
     }
 
     /// Adds the second place.
@@ -109,9 +97,7 @@ impl Diagnostics {
 
     /// Adds all messages of another collection.
     pub fn extend(&mut self, others: impl IntoIterator<Item = Diagnostic>) {
-        others
-            .into_iter()
-            .for_each(|diagnostic| self.push(diagnostic));
+        others.into_iter().for_each(|diagnostic| self.push(diagnostic));
     }
 
     /// Number of errors so far; one that was met in an earlier scene counts again.
@@ -131,8 +117,7 @@ impl Diagnostics {
 
     /// The messages in the order of the file.
     pub fn into_sorted(mut self) -> Vec<Diagnostic> {
-        self.list
-            .sort_by_key(|diagnostic| (diagnostic.span.first, diagnostic.severity));
+        self.list.sort_by_key(|diagnostic| (diagnostic.span.first, diagnostic.severity));
         self.list
     }
 }

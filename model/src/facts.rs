@@ -35,29 +35,22 @@ pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs
     let mut known = BTreeSet::new();
     for output in declared {
         low.begin(Some(output.what.span));
-        let own_name = Term {
-            span: output.name.span,
-            kind: name_kind(&output.name.text),
-        };
+        let own_name = Term { span: output.name.span, kind: name_kind(&output.name.text) };
         let value = output.what.value.as_ref();
         let term = match (value, output.name.text.is_empty()) {
             (Some(value), true) => value,
             _ => &own_name,
         };
         let typed = low.term(term);
-        let name = if output.name.text.is_empty() {
-            print::term(term)
-        } else {
-            output.name.text.clone()
-        };
+        let name =
+            if output.name.text.is_empty() { print::term(term) } else { output.name.text.clone() };
         let shown = value.unwrap_or(term);
         let (values, kind) = match &typed {
             Typed::Quantity(quantity) => (quantity.values(), quantity.kind),
             Typed::Wrong => continue,
             other => {
                 let message = format!("a quantity is reported, and this is {}", other.describe());
-                low.diagnostics
-                    .push(Diagnostic::error(output.what.span, message));
+                low.diagnostics.push(Diagnostic::error(output.what.span, message));
                 continue;
             }
         };
@@ -70,8 +63,7 @@ pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs
                         describe(kind.dimension()),
                         unit.symbol
                     );
-                    low.diagnostics
-                        .push(Diagnostic::error(written.span, message));
+                    low.diagnostics.push(Diagnostic::error(written.span, message));
                     continue;
                 }
                 None => continue,
@@ -87,17 +79,12 @@ pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs
             };
             if !known.insert(label.clone()) {
                 let message = format!("`{label}` is reported twice");
-                low.diagnostics
-                    .push(Diagnostic::warning(output.what.span, message));
+                low.diagnostics.push(Diagnostic::warning(output.what.span, message));
                 continue;
             }
-            outputs
-                .quantities
-                .push(quantity(&label, &output.summary, &unit.dimension, &unit));
+            outputs.quantities.push(quantity(&label, &output.summary, &unit.dimension, &unit));
             outputs.values.push(*value);
-            outputs
-                .free
-                .push(kind == Kind::Any && output.what.unit.is_none());
+            outputs.free.push(kind == Kind::Any && output.what.unit.is_none());
         }
     }
     low.begin(None);
@@ -126,10 +113,7 @@ impl TaskValues {
 
 /// Lowers the task.
 pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
-    let mut task = TaskValues {
-        kind: SpanKind::Open,
-        values: Vec::new(),
-    };
+    let mut task = TaskValues { kind: SpanKind::Open, values: Vec::new() };
     for item in scene.iter().flat_map(|scene| &scene.items) {
         let (kind, terms) = match item {
             SceneItem::Periodic { period } => (SpanKind::Periodic, period.iter().collect()),
@@ -148,10 +132,8 @@ pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
         };
         if task.kind != SpanKind::Open {
             let place = terms.first().map(|term| term.span).unwrap_or_default();
-            low.diagnostics.push(Diagnostic::error(
-                place,
-                "a scene has one task, and this is its second",
-            ));
+            low.diagnostics
+                .push(Diagnostic::error(place, "a scene has one task, and this is its second"));
             continue;
         }
         task.kind = kind;
@@ -162,11 +144,12 @@ pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
                         "a time is expected here, and this is {}",
                         describe(found.dimension())
                     );
-                    low.diagnostics
-                        .push(Diagnostic::error(term.span, message).hint(match task.kind {
+                    low.diagnostics.push(Diagnostic::error(term.span, message).hint(
+                        match task.kind {
                             SpanKind::Run => "a time has a unit: `run time 0 s .. 3 s;`",
                             _ => "a period in terms of a speed `n` is `2*pi/n`",
-                        }));
+                        },
+                    ));
                 } else if !low.is_constant(value) {
                     low.diagnostics.push(Diagnostic::error(
                         term.span,
@@ -200,8 +183,7 @@ fn check_stretch(low: &mut Lowering<'_>, values: &[Expression], terms: &[&Term])
         ),
         _ => return,
     };
-    low.diagnostics
-        .push(Diagnostic::error(place, message).hint(hint));
+    low.diagnostics.push(Diagnostic::error(place, message).hint(hint));
 }
 
 /// The preset of a scene: its name and values.
@@ -210,28 +192,21 @@ pub fn preset(
     file: &File,
     scene: &Scene,
 ) -> Option<(String, Vec<(String, f64)>)> {
-    let chosen = scene.items.iter().find_map(|item| {
-        if let SceneItem::Preset { name } = item {
-            Some(name)
-        } else {
-            None
-        }
-    })?;
-    let all = file
-        .statements
+    let chosen = scene
+        .items
         .iter()
-        .filter_map(|statement| match &statement.kind {
-            StatementKind::Preset { name, values, .. } => Some((name, values)),
-            _ => None,
-        });
+        .find_map(|item| if let SceneItem::Preset { name } = item { Some(name) } else { None })?;
+    let all = file.statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Preset { name, values, .. } => Some((name, values)),
+        _ => None,
+    });
     let known: Vec<_> = all.collect();
     let Some((name, values)) = known.iter().find(|(name, _)| name.text == chosen.text) else {
         let report =
             Diagnostic::error(chosen.span, format!("there is no preset `{}`", chosen.text));
         let names = known.iter().map(|(name, _)| name.text.as_str());
         let near = nearest(&chosen.text, names);
-        low.diagnostics
-            .push(report.meant(near, "declare it with `preset NAME { … }`"));
+        low.diagnostics.push(report.meant(near, "declare it with `preset NAME { … }`"));
         return None;
     };
     let mut list = Vec::new();
@@ -249,9 +224,7 @@ pub fn preset(
 impl Lowering<'_> {
     /// Whether a value depends on dimensions and parameters alone.
     pub fn is_constant(&self, value: Expression) -> bool {
-        !self
-            .graph
-            .depends_on(value, |symbol| !matches!(symbol, Symbol::Parameter(_)))
+        !self.graph.depends_on(value, |symbol| !matches!(symbol, Symbol::Parameter(_)))
     }
 
     /// The symbol that an expression is.

@@ -109,9 +109,7 @@ fn scene_within(
 /// Says which statement takes the most steps, or that a whole scene is too much.
 fn too_large(budget: &Budget, task: &Task<'_>) -> Diagnostic {
     let limit = expression::STEPS / 1_000_000;
-    let scene = task
-        .scene
-        .map_or(task.file.name.span, |(scene, _)| scene.name.span);
+    let scene = task.scene.map_or(task.file.name.span, |(scene, _)| scene.name.span);
     match budget.largest() {
         Some(statement) => Diagnostic::error(
             statement,
@@ -128,16 +126,8 @@ fn too_large(budget: &Budget, task: &Task<'_>) -> Diagnostic {
 
 /// A file without scenes has one, with no effect.
 fn implicit_scene(file: &File) -> Scene {
-    let name = syntax::tree::Name {
-        text: "standard".into(),
-        span: file.name.span,
-    };
-    Scene {
-        name,
-        text: None,
-        selection: Vec::new(),
-        items: Vec::new(),
-    }
+    let name = syntax::tree::Name { text: "standard".into(), span: file.name.span };
+    Scene { name, text: None, selection: Vec::new(), items: Vec::new() }
 }
 
 /// Compiles, for its mistakes alone, every effect and alternative that no scene shows.
@@ -150,13 +140,7 @@ fn check_unshown(
 ) {
     let mut check = |selected: Selected, diagnostics: &mut Diagnostics| {
         if !shown.contains(&selected) {
-            let task = Task {
-                file,
-                survey,
-                selected: &selected,
-                scene: None,
-                is_first: false,
-            };
+            let task = Task { file, survey, selected: &selected, scene: None, is_first: false };
             scene_within(&task, seen, diagnostics);
         }
     };
@@ -184,9 +168,7 @@ fn check_unshown(
             let selected = shown.first().cloned();
             let mut selected = selected.unwrap_or_else(|| Selected::defaults(survey));
             selected.surround(&name.text, survey);
-            selected
-                .choices
-                .insert(name.text.clone(), alternative.clone());
+            selected.choices.insert(name.text.clone(), alternative.clone());
             check(selected, diagnostics);
         }
     }
@@ -210,9 +192,7 @@ fn report_unused(seen: &Seen, diagnostics: &mut Diagnostics) {
 fn effects(survey: &Survey<'_>) -> Vec<Described> {
     let one = |effect: &(&syntax::tree::Name, Option<&str>, &[String])| Described {
         name: effect.0.text.clone(),
-        summary: effect
-            .1
-            .map_or_else(|| effect.2.join("\n").trim().to_string(), str::to_string),
+        summary: effect.1.map_or_else(|| effect.2.join("\n").trim().to_string(), str::to_string),
     };
     survey.effects.iter().map(one).collect()
 }
@@ -223,10 +203,8 @@ fn choices(survey: &Survey<'_>) -> Vec<ChoiceInfo> {
         .iter()
         .map(|(name, text, documentation, alternatives)| ChoiceInfo {
             name: name.text.clone(),
-            summary: text.map_or_else(
-                || documentation.join("\n").trim().to_string(),
-                str::to_string,
-            ),
+            summary: text
+                .map_or_else(|| documentation.join("\n").trim().to_string(), str::to_string),
             alternatives: alternatives
                 .iter()
                 .map(|alternative| alternative.name.text.clone())

@@ -91,10 +91,7 @@ pub fn disagreement(
             "a bare number has no unit: give it one, as in `75 mm` or `0.1 [kg m^2]`".to_string()
         }
         Some(quotient) => {
-            format!(
-                "the sides differ by a factor in {}",
-                Unit::for_dimension(&quotient).symbol
-            )
+            format!("the sides differ by a factor in {}", Unit::for_dimension(&quotient).symbol)
         }
         None => "look for a missing factor".to_string(),
     };
@@ -138,9 +135,7 @@ pub fn power(base: Kind, exponent: f64) -> Option<Kind> {
             if numerator.abs() > 60.0 {
                 return None;
             }
-            dimension
-                .pow(numerator as i8, denominator as i8)
-                .map(Kind::Of)
+            dimension.pow(numerator as i8, denominator as i8).map(Kind::Of)
         }
     }
 }

@@ -55,10 +55,7 @@ fn join(
     let union: BTreeSet<usize> = all.iter().flat_map(|mode| mode.kept.clone()).collect();
     let union: Vec<usize> = union.into_iter().collect();
     // Influence coefficients are taken by the same constants in every mode.
-    if all
-        .iter()
-        .any(|mode| mode.scene.linkage.is_some() && mode.kept != union)
-    {
+    if all.iter().any(|mode| mode.scene.linkage.is_some() && mode.kept != union) {
         all = modes(task, phases, &union, seen, diagnostics)?;
     }
     unite(&mut all);
@@ -91,12 +88,7 @@ fn modes(
     diagnostics: &mut Diagnostics,
 ) -> Option<Vec<Compiled>> {
     let compile = |index| {
-        let here = Here {
-            task,
-            phases,
-            index,
-            constants,
-        };
+        let here = Here { task, phases, index, constants };
         mode(here, seen, diagnostics)
     };
     let all: Vec<Option<Compiled>> = (0..phases.all.len()).map(compile).collect();
@@ -171,9 +163,7 @@ fn check_outputs(
     let measures = model.measures.iter().zip(&other.scene.measures);
     let measures = measures.zip(&other.free[1]);
     let measures = measures.map(|((a, b), free)| (&a.quantity, &b.quantity, *free));
-    let found = outputs
-        .chain(measures)
-        .find(|(a, b, free)| differs(a, b, *free));
+    let found = outputs.chain(measures).find(|(a, b, free)| differs(a, b, *free));
     if model.outputs.len() == other.scene.outputs.len() && found.is_none() {
         return Some(());
     }
@@ -216,9 +206,7 @@ fn report_unconnected(phases: &Phases, all: &[Compiled], diagnostics: &mut Diagn
 /// The modes to which the events of a mode lead.
 fn ways(here: usize, all: &[Compiled]) -> impl Iterator<Item = usize> {
     let events = all[here].events.iter();
-    let targets = events
-        .filter(|event| !event.is_idle)
-        .map(|event| event.target);
+    let targets = events.filter(|event| !event.is_idle).map(|event| event.target);
     targets.filter(move |target| *target != here)
 }
 

@@ -27,22 +27,14 @@ pub struct Energies {
 impl Energies {
     /// The coordinates that occur in them, or whose speeds do.
     pub fn concern(&self, graph: &Graph) -> BTreeSet<u32> {
-        let single = self
-            .kinetic
-            .iter()
-            .chain(&self.potential)
-            .chain(&self.dissipation);
+        let single = self.kinetic.iter().chain(&self.potential).chain(&self.dissipation);
         let forces = self.forces.iter().flat_map(|(force, on)| [force, on]);
         let all: Vec<Expression> = single.chain(forces).copied().collect();
         let coordinate = |symbol| match symbol {
             Symbol::Coordinate(index) | Symbol::Speed(index) => Some(index),
             _ => None,
         };
-        graph
-            .symbols(&all)
-            .into_iter()
-            .filter_map(coordinate)
-            .collect()
+        graph.symbols(&all).into_iter().filter_map(coordinate).collect()
     }
 }
 
@@ -71,24 +63,15 @@ pub fn residuals(
     let mut by_speed: Vec<(Expression, Expression)> = Vec::new();
     let mut by_position: Vec<(Expression, Expression)> = Vec::new();
     let mut whole: Vec<Expression> = Vec::new();
-    for term in energies
-        .kinetic
-        .iter()
-        .flat_map(|term| split(graph, *term))
-        .collect::<Vec<_>>()
-    {
+    for term in energies.kinetic.iter().flat_map(|term| split(graph, *term)).collect::<Vec<_>>() {
         match square(graph, term) {
-            Some(Square {
-                coefficient,
-                velocity,
-            }) if is_rate(velocity) => {
+            Some(Square { coefficient, velocity }) if is_rate(velocity) => {
                 let rates = graph.tangent(&[velocity, coefficient], direction);
                 let inertia = graph.mul(coefficient, rates[0]);
                 let growth = graph.mul(rates[1], velocity);
                 by_speed.push((velocity, graph.add(inertia, growth)));
-                let varies = graph.depends_on(coefficient, |symbol| {
-                    matches!(symbol, Symbol::Coordinate(_))
-                });
+                let varies =
+                    graph.depends_on(coefficient, |symbol| matches!(symbol, Symbol::Coordinate(_)));
                 if varies {
                     let (half, square) = (graph.number(-0.5), graph.powi(velocity, 2));
                     by_position.push((coefficient, graph.mul(half, square)));
@@ -105,11 +88,8 @@ pub fn residuals(
 
     let from_speeds = graph.gradient(&by_speed, &speeds);
     let from_positions = graph.gradient(&by_position, &positions);
-    let mut residuals: Vec<_> = from_speeds
-        .iter()
-        .zip(&from_positions)
-        .map(|(a, b)| graph.add(*a, *b))
-        .collect();
+    let mut residuals: Vec<_> =
+        from_speeds.iter().zip(&from_positions).map(|(a, b)| graph.add(*a, *b)).collect();
     if !whole.is_empty() {
         let weighted: Vec<_> = whole.iter().map(|term| (*term, one)).collect();
         let momenta = graph.gradient(&weighted, &speeds);
@@ -141,29 +121,20 @@ fn square(graph: &mut Graph, term: Expression) -> Option<Square> {
     let moves = |graph: &Graph, e: Expression| {
         graph.depends_on(e, |symbol| matches!(symbol, Symbol::Speed(_)))
     };
-    let at = factors
-        .iter()
-        .position(|factor| match graph.node(*factor) {
-            Node::Power(base, exponent) => {
-                graph.as_number(*exponent) == Some(2.0) && moves(graph, *base)
-            }
-            _ => false,
-        })?;
+    let at = factors.iter().position(|factor| match graph.node(*factor) {
+        Node::Power(base, exponent) => {
+            graph.as_number(*exponent) == Some(2.0) && moves(graph, *base)
+        }
+        _ => false,
+    })?;
     let Node::Power(velocity, _) = *graph.node(factors[at]) else {
         return None;
     };
-    let mut rest: Vec<_> = factors
-        .iter()
-        .enumerate()
-        .filter(|(index, _)| *index != at)
-        .map(|(_, one)| *one)
-        .collect();
+    let mut rest: Vec<_> =
+        factors.iter().enumerate().filter(|(index, _)| *index != at).map(|(_, one)| *one).collect();
     if rest.iter().any(|factor| moves(graph, *factor)) {
         return None;
     }
     rest.push(graph.number(2.0));
-    Some(Square {
-        coefficient: graph.product(&rest),
-        velocity,
-    })
+    Some(Square { coefficient: graph.product(&rest), velocity })
 }

@@ -32,11 +32,7 @@ pub struct Unreadable {
 
 impl Unreadable {
     fn new(range: Range<usize>, message: impl Into<String>, hint: &str) -> Self {
-        Self {
-            range,
-            message: message.into(),
-            hint: (!hint.is_empty()).then(|| hint.to_string()),
-        }
+        Self { range, message: message.into(), hint: (!hint.is_empty()).then(|| hint.to_string()) }
     }
 }
 
@@ -60,10 +56,9 @@ pub fn text(bytes: &[u8]) -> Result<&str, Unreadable> {
         );
     }
     match std::str::from_utf8(bytes) {
-        Ok(text) if text.trim().is_empty() => whole(
-            "the file is empty".into(),
-            "an equation file is one `assur::mechanism! { … }`",
-        ),
+        Ok(text) if text.trim().is_empty() => {
+            whole("the file is empty".into(), "an equation file is one `assur::mechanism! { … }`")
+        }
         Ok(text) => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
         Err(error) => whole(
             format!(
@@ -81,12 +76,7 @@ pub fn text(bytes: &[u8]) -> Result<&str, Unreadable> {
 /// The first place that Rust's rules for tokens do not allow, or what is missing of the envelope.
 pub fn lex_file(text: &str) -> Result<Lexed, Unreadable> {
     let mut lexed = lex_plain(text)?;
-    let words: Vec<&str> = lexed
-        .ranges
-        .iter()
-        .take(5)
-        .map(|range| &text[range.clone()])
-        .collect();
+    let words: Vec<&str> = lexed.ranges.iter().take(5).map(|range| &text[range.clone()]).collect();
     let begin = match words.as_slice() {
         ["assur", ":", ":", "mechanism", "!"] => 5,
         ["mechanism", "!", ..] => 2,
@@ -104,19 +94,11 @@ pub fn lex_file(text: &str) -> Result<Lexed, Unreadable> {
     let end = matching(&lexed.tokens, begin);
     let (Some(TokenKind::Open('{')), Some(end)) = (open, end) else {
         let place = lexed.ranges[begin - 1].clone();
-        return Err(Unreadable::new(
-            place,
-            "`{` is expected after `mechanism!`",
-            "",
-        ));
+        return Err(Unreadable::new(place, "`{` is expected after `mechanism!`", ""));
     };
     if let Some(more) = lexed.ranges.get(end + 1) {
         let hint = "put a second mechanism into a file of its own";
-        return Err(Unreadable::new(
-            more.clone(),
-            "nothing is expected after the mechanism",
-            hint,
-        ));
+        return Err(Unreadable::new(more.clone(), "nothing is expected after the mechanism", hint));
     }
     lexed.tokens = lexed.tokens[begin + 1..end].to_vec();
     lexed.ranges = lexed.ranges[begin + 1..end].to_vec();
@@ -142,12 +124,7 @@ fn matching(tokens: &[Token], begin: usize) -> Option<usize> {
 /// # Errors
 /// The first place that Rust's rules for tokens do not allow.
 pub fn lex_plain(text: &str) -> Result<Lexed, Unreadable> {
-    let mut lexer = Lexer {
-        text,
-        at: 0,
-        lexed: Lexed::default(),
-        open: Vec::new(),
-    };
+    let mut lexer = Lexer { text, at: 0, lexed: Lexed::default(), open: Vec::new() };
     while lexer.at < text.len() {
         lexer.next()?;
     }
@@ -174,10 +151,7 @@ impl<'a> Lexer<'a> {
     }
 
     fn push(&mut self, kind: TokenKind, text: impl Into<String>, length: usize) {
-        self.lexed.tokens.push(Token {
-            kind,
-            text: text.into(),
-        });
+        self.lexed.tokens.push(Token { kind, text: text.into() });
         self.lexed.ranges.push(self.at..self.at + length);
         self.at += length;
     }
@@ -200,18 +174,8 @@ impl<'a> Lexer<'a> {
             ')' | ']' | '}' => return self.close(first),
             '\'' => self.push(TokenKind::Other, "'", 1),
             _ if PUNCTUATION.contains(first) => {
-                let joint = rest[1..]
-                    .chars()
-                    .next()
-                    .is_some_and(|next| PUNCTUATION.contains(next));
-                self.push(
-                    TokenKind::Punctuation {
-                        character: first,
-                        joint,
-                    },
-                    "",
-                    1,
-                );
+                let joint = rest[1..].chars().next().is_some_and(|next| PUNCTUATION.contains(next));
+                self.push(TokenKind::Punctuation { character: first, joint }, "", 1);
             }
             _ if first.is_alphabetic() || first == '_' => {
                 let raw = if rest.starts_with("r#") { 2 } else { 0 };
@@ -248,11 +212,7 @@ impl<'a> Lexer<'a> {
             Some(_) => '}',
             None => {
                 let message = format!("this `{bracket}` closes nothing");
-                return Err(Unreadable::new(
-                    self.at..self.at + 1,
-                    message,
-                    "take it away",
-                ));
+                return Err(Unreadable::new(self.at..self.at + 1, message, "take it away"));
             }
         };
         if bracket != expected {
@@ -324,11 +284,7 @@ impl<'a> Lexer<'a> {
                 other => text.push(other),
             }
         }
-        Err(Unreadable::new(
-            self.at..self.at + 1,
-            "this text is never closed",
-            "end it with `\"`",
-        ))
+        Err(Unreadable::new(self.at..self.at + 1, "this text is never closed", "end it with `\"`"))
     }
 
     /// Digits, a fraction, an exponent and whatever word follows at once: `75mm`, `1e-3`, but `1` of `1..30`.
@@ -365,8 +321,7 @@ impl<'a> Lexer<'a> {
 /// Length of the word at the beginning, in bytes.
 fn word_length(text: &str) -> usize {
     // Raised and lowered digits are numbers to Unicode and no part of a name to Rust.
-    text.find(|c: char| !c.is_alphabetic() && !c.is_ascii_digit() && c != '_')
-        .unwrap_or(text.len())
+    text.find(|c: char| !c.is_alphabetic() && !c.is_ascii_digit() && c != '_').unwrap_or(text.len())
 }
 
 #[cfg(test)]
@@ -375,20 +330,14 @@ mod tests {
 
     fn words(text: &str) -> Vec<String> {
         let lexed = lex_plain(text).unwrap();
-        lexed
-            .ranges
-            .iter()
-            .map(|range| text[range.clone()].to_string())
-            .collect()
+        lexed.ranges.iter().map(|range| text[range.clone()].to_string()).collect()
     }
 
     #[test]
     fn numbers_take_their_suffix_and_leave_ranges_alone() {
         assert_eq!(
             words("75mm 1e-3 1..30 2.5e3 0.1 [kg]"),
-            [
-                "75mm", "1e-3", "1", ".", ".", "30", "2.5e3", "0.1", "[", "kg", "]"
-            ]
+            ["75mm", "1e-3", "1", ".", ".", "30", "2.5e3", "0.1", "[", "kg", "]"]
         );
     }
 
@@ -415,33 +364,15 @@ mod tests {
         check_error("assur::mechanism! { \"x }", "never closed");
         check_error("assur::mechanism! { } }", "closes nothing");
         check_error("fn main() {}", "one `assur::mechanism! { … }`");
-        check_error(
-            "assur::mechanism! { } assur::mechanism! { }",
-            "nothing is expected after",
-        );
+        check_error("assur::mechanism! { } assur::mechanism! { }", "nothing is expected after");
     }
 
     #[test]
     fn files_that_are_no_text_are_refused() {
         assert!(text(b"").unwrap_err().message.contains("empty"));
         assert!(text(b" \n").unwrap_err().message.contains("empty"));
-        assert!(
-            text(&[0x7f, b'E', 0, 0])
-                .unwrap_err()
-                .message
-                .contains("binary")
-        );
-        assert!(
-            text(&[b'a', 0xff, b'b'])
-                .unwrap_err()
-                .message
-                .contains("byte 1")
-        );
-        assert!(
-            text(&vec![b' '; 10 << 20])
-                .unwrap_err()
-                .message
-                .contains("10.0 MiB")
-        );
+        assert!(text(&[0x7f, b'E', 0, 0]).unwrap_err().message.contains("binary"));
+        assert!(text(&[b'a', 0xff, b'b']).unwrap_err().message.contains("byte 1"));
+        assert!(text(&vec![b' '; 10 << 20]).unwrap_err().message.contains("10.0 MiB"));
     }
 }

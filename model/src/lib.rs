@@ -78,18 +78,13 @@ pub fn compile_with(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
     let (give, given) = mpsc::channel();
     let work = move || {
         file::compile(tokens, &mut |wanted| {
-            let answer = ask
-                .send(wanted.clone())
-                .ok()
-                .and_then(|()| given.recv().ok());
+            let answer = ask.send(wanted.clone()).ok().and_then(|()| given.recv().ok());
             answer.unwrap_or_else(|| no_file(wanted))
         })
     };
     // `give` goes with this closure, so that the thread that asks ends even if `loader` panics.
     std::thread::scope(move |scope| {
-        let worker = std::thread::Builder::new()
-            .stack_size(STACK)
-            .spawn_scoped(scope, work);
+        let worker = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, work);
         let Ok(worker) = worker else {
             return file::compile(tokens, loader);
         };

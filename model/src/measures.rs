@@ -36,11 +36,8 @@ impl Measures {
     /// What the tables say of them.
     pub fn info(&self) -> Vec<MeasureInfo> {
         let all = self.quantities.iter().zip(&self.uses);
-        all.map(|(quantity, uses)| MeasureInfo {
-            quantity: quantity.clone(),
-            uses: uses.clone(),
-        })
-        .collect()
+        all.map(|(quantity, uses)| MeasureInfo { quantity: quantity.clone(), uses: uses.clone() })
+            .collect()
     }
 }
 
@@ -51,11 +48,7 @@ pub fn read(
     (modes, events): (Vec<String>, Vec<String>),
 ) -> Measures {
     let mut measures = Measures::default();
-    low.measured = Measuring {
-        modes,
-        events,
-        ..Measuring::default()
-    };
+    low.measured = Measuring { modes, events, ..Measuring::default() };
     for measure in &names.measures {
         let Some(term) = &measure.what.value else {
             continue;
@@ -63,10 +56,8 @@ pub fn read(
         low.measured.is_open = true;
         // A number in it is none of the motion, which can still be stated in other units.
         // By its name, so that another measure that speaks of it looks for nothing twice.
-        let own_name = Term {
-            span: measure.name.span,
-            kind: TermKind::Name(measure.name.text.clone()),
-        };
+        let own_name =
+            Term { span: measure.name.span, kind: TermKind::Name(measure.name.text.clone()) };
         let typed = low.aside(|low| low.term(&own_name));
         low.measured.is_open = false;
         let Some((value, kind)) = typed.as_number() else {
@@ -120,8 +111,7 @@ fn printed(
         describe(kind.dimension()),
         unit.symbol
     );
-    low.diagnostics
-        .push(Diagnostic::error(written.span, message));
+    low.diagnostics.push(Diagnostic::error(written.span, message));
     None
 }
 
@@ -131,9 +121,9 @@ fn is_fixed(low: &mut Lowering<'_>, value: Expression, term: &Term) -> bool {
     if !low.graph.depends_on(value, changes) {
         return true;
     }
-    low.diagnostics.push(
-        Diagnostic::error(term.span, "this changes during the run")
-            .hint("say which number of it is meant, as in `peak(x)`, `mean(x)` or `value(x, end)`"),
-    );
+    low.diagnostics
+        .push(Diagnostic::error(term.span, "this changes during the run").hint(
+            "say which number of it is meant, as in `peak(x)`, `mean(x)` or `value(x, end)`",
+        ));
     false
 }

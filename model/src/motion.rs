@@ -78,14 +78,7 @@ pub fn solve(
     let incidence = incidence(&matrix, equations.len(), unknowns.len());
     let matching = Matching::of(&incidence);
     let place = (scene, &HINTS);
-    if !report_imbalance(
-        &incidence,
-        &matching,
-        equations,
-        unknowns,
-        place,
-        diagnostics,
-    ) {
+    if !report_imbalance(&incidence, &matching, equations, unknowns, place, diagnostics) {
         return None;
     }
     let zero = graph.zero();
@@ -158,10 +151,7 @@ fn matrix(
 }
 
 fn incidence(matrix: &Matrix, rows: usize, columns: usize) -> Incidence {
-    let mut incidence = Incidence {
-        rows: vec![Vec::new(); rows],
-        columns,
-    };
+    let mut incidence = Incidence { rows: vec![Vec::new(); rows], columns };
     for (row, column) in matrix.keys() {
         incidence.rows[*row].push(*column);
     }
@@ -266,10 +256,7 @@ fn mass_matrix(graph: &mut Graph, equations: &[Equation], matrix: &Matrix) -> Ve
         .iter()
         .enumerate()
         .flat_map(|(i, (_, row))| {
-            columns[..=i]
-                .iter()
-                .map(|column| entry(*row, *column))
-                .collect::<Vec<_>>()
+            columns[..=i].iter().map(|column| entry(*row, *column)).collect::<Vec<_>>()
         })
         .collect()
 }

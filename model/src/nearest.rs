@@ -10,9 +10,7 @@ pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Op
     };
     let known: Vec<&str> = known.into_iter().collect();
     let (part, own) = wanted.split_at(part + 1);
-    let beside = known
-        .iter()
-        .filter_map(|name| Some((name.strip_prefix(part)?, *name)));
+    let beside = known.iter().filter_map(|name| Some((name.strip_prefix(part)?, *name)));
     closest(own, beside).or_else(|| {
         let others = known.iter().filter(|name| !name.starts_with(part));
         closest(wanted, others.map(|name| (*name, *name)))
@@ -26,11 +24,7 @@ fn closest<'a>(
 ) -> Option<&'a str> {
     let letters = wanted.chars().count();
     // Of a single letter only its case may differ.
-    let limit = if letters > 1 {
-        2 * (letters / 3).clamp(1, 4)
-    } else {
-        1
-    };
+    let limit = if letters > 1 { 2 * (letters / 3).clamp(1, 4) } else { 1 };
     known
         .into_iter()
         // Each letter more or less counts two.
@@ -56,9 +50,7 @@ fn distance(left: &str, right: &str) -> usize {
                 () if a.to_lowercase().eq(b.to_lowercase()) => 1,
                 () => 2,
             };
-            let mut least = (rows[i][j] + change)
-                .min(rows[i][j + 1] + 2)
-                .min(row[j] + 2);
+            let mut least = (rows[i][j] + change).min(rows[i][j + 1] + 2).min(row[j] + 2);
             if i > 0 && j > 0 && left[i - 1] == *b && *a == right[j - 1] {
                 least = least.min(rows[i - 1][j - 1] + 2);
             }

@@ -121,8 +121,7 @@ impl Parts {
                 EnergyKind::Potential => "of a spring it is `c*x^2/2`, of a weight `m*g*y`",
                 EnergyKind::Dissipation => "of a damper it is `d*dot(x)^2/2`",
             };
-            low.diagnostics
-                .push(Diagnostic::error(value.span, message).hint(hint));
+            low.diagnostics.push(Diagnostic::error(value.span, message).hint(hint));
             return;
         }
         if !low.has_forces(kind, expression, value, span) {
@@ -146,13 +145,9 @@ impl Parts {
                 (force, position)
             }
             (a, b) => {
-                let message = format!(
-                    "the force is {} and its position is {}",
-                    a.describe(),
-                    b.describe()
-                );
-                low.diagnostics
-                    .push(Diagnostic::error(statement.span, message));
+                let message =
+                    format!("the force is {} and its position is {}", a.describe(), b.describe());
+                low.diagnostics.push(Diagnostic::error(statement.span, message));
                 return;
             }
         };
@@ -192,13 +187,10 @@ impl Parts {
         };
         let concerned: Vec<u32> = self.energies.concern(&low.graph).into_iter().collect();
         let rates = std::mem::take(&mut low.rates);
-        let residuals = lagrange::residuals(
-            &mut low.graph,
-            &self.energies,
-            &concerned,
-            &direction,
-            &|e| rates.contains(&e),
-        );
+        let residuals =
+            lagrange::residuals(&mut low.graph, &self.energies, &concerned, &direction, &|e| {
+                rates.contains(&e)
+            });
         low.rates = rates;
         for (coordinate, residual) in concerned.into_iter().zip(residuals) {
             let name = format!(

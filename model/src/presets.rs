@@ -32,10 +32,7 @@ pub fn check_facts(file: &File, scenes: &[(&Scene, &[String])], diagnostics: &mu
             (
                 expect.scene.as_ref(),
                 "scene",
-                scenes
-                    .iter()
-                    .map(|(scene, _)| scene.name.text.as_str())
-                    .collect::<Vec<_>>(),
+                scenes.iter().map(|(scene, _)| scene.name.text.as_str()).collect::<Vec<_>>(),
             ),
             (expect.preset.as_ref(), "preset", presets.clone()),
         ];

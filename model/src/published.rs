@@ -116,10 +116,7 @@ fn wrong_place(expect: &Expect, wanted: &str, at: &ExpectPlace) -> Diagnostic {
             format!("`{wanted}` is no measure, and has a value at each time of the run"),
             "write where: `at time = …`, `at maximum`",
         ),
-        _ => (
-            format!("`{wanted}` is a measure, a number of the whole run"),
-            "write `at run`",
-        ),
+        _ => (format!("`{wanted}` is a measure, a number of the whole run"), "write `at run`"),
     };
     Diagnostic::error(expect.quantity.span, message).hint(hint)
 }
@@ -167,10 +164,7 @@ fn subject(term: &Term, wanted: &str, model: &SceneModel) -> Option<Subject> {
     }
     let linkage = model.linkage.as_ref()?;
     let dependents = &linkage.dependents;
-    if let Some(index) = dependents
-        .iter()
-        .position(|one| one.quantity.name == wanted)
-    {
+    if let Some(index) = dependents.iter().position(|one| one.quantity.name == wanted) {
         return Some(Subject::State(index));
     }
     let TermKind::Call { name, arguments } = &term.kind else {
@@ -180,13 +174,10 @@ fn subject(term: &Term, wanted: &str, model: &SceneModel) -> Option<Subject> {
         return None;
     };
     let by = print::term(by);
-    let variable = linkage
-        .variables
-        .iter()
-        .position(|variable| match variable {
-            VariableInfo::Constant(index) => model.constants[*index].quantity.name == by,
-            VariableInfo::Driver(index) => model.drivers[*index].name == by,
-        })?;
+    let variable = linkage.variables.iter().position(|variable| match variable {
+        VariableInfo::Constant(index) => model.constants[*index].quantity.name == by,
+        VariableInfo::Driver(index) => model.drivers[*index].name == by,
+    })?;
     Some(Subject::Influence(output(&print::term(what))?, variable))
 }
 
@@ -194,18 +185,10 @@ fn subject(term: &Term, wanted: &str, model: &SceneModel) -> Option<Subject> {
 pub fn marks(low: &mut Lowering<'_>, statements: &[Statement]) -> Vec<MarkInfo> {
     let mut list = Vec::new();
     for statement in statements {
-        if let StatementKind::Mark {
-            text,
-            variable,
-            value,
-        } = &statement.kind
-        {
+        if let StatementKind::Mark { text, variable, value } = &statement.kind {
             let places = [(variable.clone(), value.clone())];
             let at = low.places(&places, low.moved == Moved::Swept);
-            list.extend(at.map(|at| MarkInfo {
-                text: text.clone(),
-                at,
-            }));
+            list.extend(at.map(|at| MarkInfo { text: text.clone(), at }));
         }
     }
     list
@@ -220,10 +203,7 @@ impl Lowering<'_> {
                 let text =
                     text.map(|(name, value)| format!("{} = {}", name.text, print::term(value)));
                 let text: Vec<_> = text.collect();
-                return Some((
-                    self.places(places, linkage)?,
-                    format!(" at {}", text.join(", ")),
-                ));
+                return Some((self.places(places, linkage)?, format!(" at {}", text.join(", "))));
             }
             ExpectAt::Extreme(word) => word,
         };
@@ -234,8 +214,7 @@ impl Lowering<'_> {
             "run" => ExpectPlace::Run,
             other => {
                 let message = format!("`{other}` is no place in a motion");
-                self.diagnostics
-                    .push(Diagnostic::error(word.span, message).hint(
+                self.diagnostics.push(Diagnostic::error(word.span, message).hint(
                     "write `maximum`, `minimum`, `amplitude`, `theta = …`, or `run` for a measure",
                 ));
                 return None;
@@ -266,8 +245,7 @@ impl Lowering<'_> {
             match self.place(variable, value)? {
                 ExpectPlace::Driver(index, _) if positions.iter().any(|one| one.0 == index) => {
                     let message = format!("`{}` is given twice", variable.text);
-                    self.diagnostics
-                        .push(Diagnostic::error(variable.span, message));
+                    self.diagnostics.push(Diagnostic::error(variable.span, message));
                     return None;
                 }
                 ExpectPlace::Driver(index, position) => positions.push((index, position)),
@@ -289,15 +267,10 @@ impl Lowering<'_> {
     /// A time, or a position of a driver.
     fn place(&mut self, variable: &Name, value: &Term) -> Option<ExpectPlace> {
         if variable.text == "time" {
-            return self
-                .fixed_of(value, Kind::Of(second()), "the time")
-                .map(ExpectPlace::Time);
+            return self.fixed_of(value, Kind::Of(second()), "the time").map(ExpectPlace::Time);
         }
-        let Some(Role::Driver(index)) = self
-            .names
-            .table
-            .get(&variable.text)
-            .map(|entry| &entry.role)
+        let Some(Role::Driver(index)) =
+            self.names.table.get(&variable.text).map(|entry| &entry.role)
         else {
             let drivers: Vec<_> = self
                 .names
@@ -311,10 +284,7 @@ impl Lowering<'_> {
                     variable.span,
                     format!("`{}` is neither a driver nor the time", variable.text),
                 )
-                .hint(format!(
-                    "a place in the motion is a value of {}",
-                    drivers.join(" or ")
-                )),
+                .hint(format!("a place in the motion is a value of {}", drivers.join(" or "))),
             );
             return None;
         };

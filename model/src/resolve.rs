@@ -93,12 +93,7 @@ impl Names {
         match &statement.kind {
             StatementKind::Constant(what) => {
                 let declared = (&what.target, summary, what);
-                self.list(
-                    declared,
-                    Role::Constant,
-                    |all| &mut all.constants,
-                    diagnostics,
-                );
+                self.list(declared, Role::Constant, |all| &mut all.constants, diagnostics);
             }
             StatementKind::Driver(what) => {
                 let declared = (&what.target, summary, what);
@@ -106,21 +101,11 @@ impl Names {
             }
             StatementKind::Dependent(what) => {
                 let declared = (&what.target, summary, what);
-                self.list(
-                    declared,
-                    Role::Dependent,
-                    |all| &mut all.dependents,
-                    diagnostics,
-                );
+                self.list(declared, Role::Dependent, |all| &mut all.dependents, diagnostics);
             }
             StatementKind::Coordinate(what) => {
                 let declared = (&what.target, summary, what);
-                self.list(
-                    declared,
-                    Role::Coordinate,
-                    |all| &mut all.coordinates,
-                    diagnostics,
-                );
+                self.list(declared, Role::Coordinate, |all| &mut all.coordinates, diagnostics);
             }
             StatementKind::State(what) => {
                 let declared = (&what.target, summary, what);
@@ -128,18 +113,9 @@ impl Names {
             }
             StatementKind::Point { target, value } => {
                 let role = |_| Role::Let(value.clone());
-                self.list(
-                    (target, summary, value),
-                    role,
-                    |all| &mut all.points,
-                    diagnostics,
-                );
+                self.list((target, summary, value), role, |all| &mut all.points, diagnostics);
             }
-            StatementKind::Let {
-                target,
-                arguments,
-                value,
-            } => {
+            StatementKind::Let { target, arguments, value } => {
                 let role = match arguments {
                     None => Role::Let(value.clone()),
                     Some(arguments) => Role::Function(arguments.clone(), value.clone()),
@@ -152,9 +128,7 @@ impl Names {
             StatementKind::Measure { what, text } => {
                 self.declare_measure(what, text.as_ref().unwrap_or(&summary), diagnostics);
             }
-            StatementKind::Part {
-                name, mechanism, ..
-            } => {
+            StatementKind::Part { name, mechanism, .. } => {
                 self.insert(name, Role::Part(mechanism.text.clone()), diagnostics);
             }
             _ => {}
@@ -174,11 +148,7 @@ impl Names {
         };
         let index = list(self).len() as u32;
         if self.insert(&name, role(index), diagnostics) {
-            list(self).push(Declared {
-                name,
-                summary,
-                what: what.clone(),
-            });
+            list(self).push(Declared { name, summary, what: what.clone() });
         }
     }
 
@@ -194,21 +164,14 @@ impl Names {
                 Some(name) => name,
                 None => return,
             },
-            None => Name {
-                text: String::new(),
-                span: output.span,
-            },
+            None => Name { text: String::new(), span: output.span },
         };
         if let (false, Some(value)) = (name.text.is_empty(), &output.value)
             && !self.insert(&name, Role::Let(value.clone()), diagnostics)
         {
             return;
         }
-        self.outputs.push(Declared {
-            name,
-            summary,
-            what: output.clone(),
-        });
+        self.outputs.push(Declared { name, summary, what: output.clone() });
     }
 
     fn declare_measure(&mut self, what: &Output, summary: &str, diagnostics: &mut Diagnostics) {
@@ -219,11 +182,7 @@ impl Names {
             return;
         };
         if self.insert(&name, Role::Measure(value.clone()), diagnostics) {
-            self.measures.push(Declared {
-                name,
-                summary: summary.to_string(),
-                what: what.clone(),
-            });
+            self.measures.push(Declared { name, summary: summary.to_string(), what: what.clone() });
         }
     }
 
@@ -232,11 +191,8 @@ impl Names {
         let own = name.text.rsplit('.').next().unwrap_or_default();
         if FUNCTIONS.contains(&own) || QUANTITIES.contains(&own) {
             diagnostics.push(
-                Diagnostic::error(
-                    name.span,
-                    format!("`{}` belongs to the language", name.text),
-                )
-                .hint("choose another name"),
+                Diagnostic::error(name.span, format!("`{}` belongs to the language", name.text))
+                    .hint("choose another name"),
             );
             return false;
         }
@@ -258,13 +214,7 @@ impl Names {
             );
             return false;
         }
-        self.table.insert(
-            name.text.clone(),
-            Entry {
-                span: name.span,
-                role,
-            },
-        );
+        self.table.insert(name.text.clone(), Entry { span: name.span, role });
         true
     }
 }

@@ -49,40 +49,25 @@ pub struct Survey<'a> {
 impl<'a> Survey<'a> {
     /// Looks through a file, nested blocks included.
     pub fn of(file: &'a File, diagnostics: &mut Diagnostics) -> Self {
-        let mut survey = Self {
-            unread: Some(&file.unread),
-            ..Self::default()
-        };
+        let mut survey = Self { unread: Some(&file.unread), ..Self::default() };
         survey.visit(&file.statements, &mut Vec::new());
         survey.report_duplicates(diagnostics);
-        file.statements
-            .iter()
-            .for_each(|statement| report_misplaced(statement, true, diagnostics));
+        file.statements.iter().for_each(|statement| report_misplaced(statement, true, diagnostics));
         survey
     }
 
     fn visit(&mut self, statements: &'a [Statement], around: &mut Vec<Around>) {
         for statement in statements {
             match &statement.kind {
-                StatementKind::Effect {
-                    name,
-                    text,
-                    body,
-                    otherwise,
-                } => {
-                    self.effects
-                        .push((name, text.as_deref(), &statement.documentation));
+                StatementKind::Effect { name, text, body, otherwise } => {
+                    self.effects.push((name, text.as_deref(), &statement.documentation));
                     self.around.insert(&name.text, around.clone());
                     around.push(Around::Effect(name.text.clone()));
                     self.visit(body, around);
                     around.pop();
                     self.visit(otherwise, around);
                 }
-                StatementKind::Choice {
-                    name,
-                    text,
-                    alternatives,
-                } => {
+                StatementKind::Choice { name, text, alternatives } => {
                     self.choices.push((
                         name,
                         text.as_deref(),
@@ -99,9 +84,7 @@ impl<'a> Survey<'a> {
                         around.pop();
                     }
                 }
-                StatementKind::If {
-                    then, otherwise, ..
-                } => {
+                StatementKind::If { then, otherwise, .. } => {
                     self.visit(then, around);
                     self.visit(otherwise, around);
                 }
@@ -112,8 +95,7 @@ impl<'a> Survey<'a> {
                 StatementKind::Part { name, .. } => self.parts.push(&name.text),
                 kind => {
                     self.hidden.extend(
-                        kind.declared()
-                            .map(|target| (target.name.text.as_str(), target.name.span)),
+                        kind.declared().map(|target| (target.name.text.as_str(), target.name.span)),
                     );
                 }
             }
@@ -156,10 +138,7 @@ impl<'a> Survey<'a> {
                 if let Some(choice) = self.choices.iter().find(|choice| choice.0.text == *name) {
                     return Some(no_alternative_said(condition.span, choice));
                 }
-                let near = nearest(
-                    name,
-                    self.effects.iter().map(|effect| effect.0.text.as_str()),
-                )?;
+                let near = nearest(name, self.effects.iter().map(|effect| effect.0.text.as_str()))?;
                 let report =
                     Diagnostic::error(condition.span, format!("there is no effect `{name}`"));
                 Some(report.hint(format!("did you mean `{near}`?")))
@@ -201,11 +180,7 @@ impl<'a> Survey<'a> {
             .map(|effect| effect.0)
             .chain(self.choices.iter().map(|choice| choice.0));
         report_twice(selectable, "effect or choice", diagnostics);
-        report_twice(
-            self.scenes.iter().map(|(scene, _)| &scene.name),
-            "scene",
-            diagnostics,
-        );
+        report_twice(self.scenes.iter().map(|(scene, _)| &scene.name), "scene", diagnostics);
         for (_, _, _, alternatives) in &self.choices {
             report_twice(
                 alternatives.iter().map(|alternative| &alternative.name),
@@ -239,10 +214,7 @@ fn report_twice<'a>(
 
 fn no_alternative(wanted: &Name, choice: &Choice<'_>) -> Diagnostic {
     let known: Vec<_> = choice.3.iter().map(|one| one.name.text.as_str()).collect();
-    let message = format!(
-        "the choice `{}` has no alternative `{}`",
-        choice.0.text, wanted.text
-    );
+    let message = format!("the choice `{}` has no alternative `{}`", choice.0.text, wanted.text);
     Diagnostic::error(wanted.span, message)
         .related(choice.0.span, "the choice")
         .hint(format!("it has {}", known.join(", ")))
@@ -251,12 +223,9 @@ fn no_alternative(wanted: &Name, choice: &Choice<'_>) -> Diagnostic {
 fn no_alternative_said(span: Span, choice: &Choice<'_>) -> Diagnostic {
     let name = &choice.0.text;
     let example = choice.3.first().map_or("…", |one| one.name.text.as_str());
-    Diagnostic::error(
-        span,
-        format!("`{name}` is a choice: say which alternative holds"),
-    )
-    .related(choice.0.span, "the choice")
-    .hint(format!("for example `{name}.{example}`"))
+    Diagnostic::error(span, format!("`{name}` is a choice: say which alternative holds"))
+        .related(choice.0.span, "the choice")
+        .hint(format!("for example `{name}.{example}`"))
 }
 
 /// Scenes, presets and published facts belong to the whole file: inside a block they would be overlooked.
@@ -265,29 +234,19 @@ fn report_misplaced(statement: &Statement, outside: bool, diagnostics: &mut Diag
         StatementKind::Scene(_) => "a scene",
         StatementKind::Preset { .. } => "a preset",
         StatementKind::Expect(_) => "a published fact",
-        StatementKind::Effect {
-            body, otherwise, ..
-        }
-        | StatementKind::If {
-            then: body,
-            otherwise,
-            ..
-        } => {
+        StatementKind::Effect { body, otherwise, .. }
+        | StatementKind::If { then: body, otherwise, .. } => {
             return body
                 .iter()
                 .chain(otherwise)
                 .for_each(|one| report_misplaced(one, false, diagnostics));
         }
         StatementKind::Choice { alternatives, .. } => {
-            let bodies = alternatives
-                .iter()
-                .flat_map(|alternative| &alternative.body);
+            let bodies = alternatives.iter().flat_map(|alternative| &alternative.body);
             return bodies.for_each(|one| report_misplaced(one, false, diagnostics));
         }
         StatementKind::For { body, .. } | StatementKind::Mode { body, .. } => {
-            return body
-                .iter()
-                .for_each(|one| report_misplaced(one, false, diagnostics));
+            return body.iter().for_each(|one| report_misplaced(one, false, diagnostics));
         }
         _ => return,
     };
@@ -346,9 +305,7 @@ impl Selected {
             match (&selection.alternative, choice) {
                 (Some(alternative), Some(choice)) => {
                     if choice.3.iter().any(|one| one.name.text == alternative.text) {
-                        selected
-                            .choices
-                            .insert(name.clone(), alternative.text.clone());
+                        selected.choices.insert(name.clone(), alternative.text.clone());
                     } else {
                         good = false;
                         diagnostics.push(no_alternative(alternative, choice));
@@ -369,22 +326,14 @@ impl Selected {
                 _ if survey.is_unread(name) => good = false,
                 (alternative, _) => {
                     good = false;
-                    let what = if alternative.is_some() {
-                        "choice"
-                    } else {
-                        "effect"
-                    };
+                    let what = if alternative.is_some() { "choice" } else { "effect" };
                     let known: Vec<&str> = match alternative {
-                        Some(_) => survey
-                            .choices
-                            .iter()
-                            .map(|choice| choice.0.text.as_str())
-                            .collect(),
-                        None => survey
-                            .effects
-                            .iter()
-                            .map(|effect| effect.0.text.as_str())
-                            .collect(),
+                        Some(_) => {
+                            survey.choices.iter().map(|choice| choice.0.text.as_str()).collect()
+                        }
+                        None => {
+                            survey.effects.iter().map(|effect| effect.0.text.as_str()).collect()
+                        }
                     };
                     let mut report = Diagnostic::error(
                         selection.name.span,
@@ -409,16 +358,10 @@ impl Selected {
 
     /// What is switched on, for messages: "with `torsion` and `crank.exact`".
     pub fn describe(&self) -> String {
-        let choices = self
-            .choices
-            .iter()
-            .map(|(choice, alternative)| format!("`{choice}.{alternative}`"));
-        let all: Vec<String> = self
-            .effects
-            .iter()
-            .map(|effect| format!("`{effect}`"))
-            .chain(choices)
-            .collect();
+        let choices =
+            self.choices.iter().map(|(choice, alternative)| format!("`{choice}.{alternative}`"));
+        let all: Vec<String> =
+            self.effects.iter().map(|effect| format!("`{effect}`")).chain(choices).collect();
         if all.is_empty() {
             "without effects".into()
         } else {
@@ -434,14 +377,9 @@ impl Selected {
             }
             TermKind::Member { base, name } => match &base.kind {
                 TermKind::Name(wanted) => {
-                    let choice = survey
-                        .choices
-                        .iter()
-                        .find(|choice| choice.0.text == *wanted)?;
+                    let choice = survey.choices.iter().find(|choice| choice.0.text == *wanted)?;
                     choice.3.iter().find(|one| one.name.text == name.text)?;
-                    self.choices
-                        .get(wanted)
-                        .map(|alternative| *alternative == name.text)
+                    self.choices.get(wanted).map(|alternative| *alternative == name.text)
                 }
                 _ => None,
             },
@@ -467,13 +405,7 @@ pub fn specialise(
     selected: &Selected,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Statement> {
-    let mut opener = Opener {
-        survey,
-        selected,
-        diagnostics,
-        flat: Vec::new(),
-        copies: 0,
-    };
+    let mut opener = Opener { survey, selected, diagnostics, flat: Vec::new(), copies: 0 };
     opener.open(&file.statements);
     opener.flat
 }
@@ -495,21 +427,14 @@ impl Opener<'_, '_> {
                 return;
             }
             match &statement.kind {
-                StatementKind::Effect {
-                    name,
-                    body,
-                    otherwise,
-                    ..
-                } => {
+                StatementKind::Effect { name, body, otherwise, .. } => {
                     self.open(if self.selected.effects.contains(&name.text) {
                         body
                     } else {
                         otherwise
                     });
                 }
-                StatementKind::Choice {
-                    name, alternatives, ..
-                } => {
+                StatementKind::Choice { name, alternatives, .. } => {
                     let held = self.selected.choices.get(&name.text);
                     if let Some(alternative) =
                         alternatives.iter().find(|one| Some(&one.name.text) == held)
@@ -517,20 +442,13 @@ impl Opener<'_, '_> {
                         self.open(&alternative.body);
                     }
                 }
-                StatementKind::If {
-                    condition,
-                    then,
-                    otherwise,
-                } => match self.selected.decide(condition, self.survey) {
-                    Some(held) => self.open(if held { then } else { otherwise }),
-                    None => self.undecided(condition),
-                },
-                StatementKind::For {
-                    index,
-                    from,
-                    to,
-                    body,
-                } => {
+                StatementKind::If { condition, then, otherwise } => {
+                    match self.selected.decide(condition, self.survey) {
+                        Some(held) => self.open(if held { then } else { otherwise }),
+                        None => self.undecided(condition),
+                    }
+                }
+                StatementKind::For { index, from, to, body } => {
                     if let Some((first, last)) = bounds(from, to, self.diagnostics) {
                         self.repeat(statement.span, &index.text, first..=last, body);
                     }
@@ -540,11 +458,7 @@ impl Opener<'_, '_> {
                     self.open(body);
                     let body = std::mem::replace(&mut self.flat, outside);
                     self.flat.push(Statement {
-                        kind: StatementKind::Mode {
-                            name: name.clone(),
-                            text: text.clone(),
-                            body,
-                        },
+                        kind: StatementKind::Mode { name: name.clone(), text: text.clone(), body },
                         ..statement.clone()
                     });
                 }
@@ -568,14 +482,11 @@ impl Opener<'_, '_> {
             if self.copies > LIMIT {
                 let message =
                     format!("the repetitions up to here come to more than {LIMIT} statements");
-                self.diagnostics
-                    .push_once("repetitions".into(), Diagnostic::error(span, message));
+                self.diagnostics.push_once("repetitions".into(), Diagnostic::error(span, message));
                 return;
             }
-            let copies: Vec<_> = body
-                .iter()
-                .map(|one| statement_with_index(one, index, value))
-                .collect();
+            let copies: Vec<_> =
+                body.iter().map(|one| statement_with_index(one, index, value)).collect();
             self.open(&copies);
             if self.copies > LIMIT {
                 return;

@@ -46,13 +46,7 @@ impl Slopes {
                 let matrix: Vec<Vec<_>> = group
                     .equations
                     .iter()
-                    .map(|row| {
-                        group
-                            .unknowns
-                            .iter()
-                            .map(|column| entry(row, column))
-                            .collect()
-                    })
+                    .map(|row| group.unknowns.iter().map(|column| entry(row, column)).collect())
                     .collect();
                 let inverse = inverse(graph, &matrix);
                 Inverse {
@@ -62,13 +56,7 @@ impl Slopes {
                 }
             })
             .collect();
-        Self {
-            residuals: residuals.to_vec(),
-            rows,
-            groups,
-            by: Map::default(),
-            unknowns,
-        }
+        Self { residuals: residuals.to_vec(), rows, groups, by: Map::default(), unknowns }
     }
 
     /// Entry of the matrix `∂F/∂z`.
@@ -86,11 +74,7 @@ impl Slopes {
         let zero = graph.zero();
         let mut values = vec![zero; self.unknowns];
         for group in &self.groups {
-            let Inverse {
-                equations,
-                unknowns,
-                rows: inverse,
-            } = group;
+            let Inverse { equations, unknowns, rows: inverse } = group;
             let right: Vec<_> = equations
                 .iter()
                 .map(|&row| {
@@ -105,11 +89,8 @@ impl Slopes {
                 })
                 .collect();
             for (unknown, row) in unknowns.iter().zip(inverse) {
-                let terms: Vec<_> = row
-                    .iter()
-                    .zip(&right)
-                    .map(|(a, b)| graph.mul(*a, *b))
-                    .collect();
+                let terms: Vec<_> =
+                    row.iter().zip(&right).map(|(a, b)| graph.mul(*a, *b)).collect();
                 values[*unknown] = graph.sum(&terms);
             }
         }
@@ -178,20 +159,13 @@ fn inverse(graph: &mut Graph, matrix: &[Vec<Expression>]) -> Vec<Vec<Expression>
             (0..size)
                 .map(|equation| {
                     let without = |left_out: usize| -> Vec<usize> {
-                        all.iter()
-                            .copied()
-                            .filter(|index| *index != left_out)
-                            .collect()
+                        all.iter().copied().filter(|index| *index != left_out).collect()
                     };
                     let rest = match size {
                         1 => one,
                         _ => minor(graph, matrix, &without(equation), &without(unknown)),
                     };
-                    let sign = if (unknown + equation) % 2 == 0 {
-                        1.0
-                    } else {
-                        -1.0
-                    };
+                    let sign = if (unknown + equation) % 2 == 0 { 1.0 } else { -1.0 };
                     let cofactor = graph.scale(sign, rest);
                     graph.div(cofactor, determinant)
                 })
@@ -217,18 +191,10 @@ fn minor(
         if entry == zero {
             continue;
         }
-        let others: Vec<usize> = columns
-            .iter()
-            .copied()
-            .filter(|other| other != column)
-            .collect();
+        let others: Vec<usize> = columns.iter().copied().filter(|other| other != column).collect();
         let below = minor(graph, matrix, &rows[1..], &others);
         let share = graph.mul(entry, below);
-        terms.push(if index % 2 == 0 {
-            share
-        } else {
-            graph.neg(share)
-        });
+        terms.push(if index % 2 == 0 { share } else { graph.neg(share) });
     }
     graph.sum(&terms)
 }

@@ -40,16 +40,10 @@ impl Texts {
     /// It is not there, or is no equation file.
     pub fn read(&mut self, folder: &Path, path: &str) -> Result<Vec<Token>, Unreadable> {
         let place = folder.join(path);
-        let wrong = |message: String| Unreadable {
-            range: 0..0,
-            message,
-            hint: None,
-        };
+        let wrong = |message: String| Unreadable { range: 0..0, message, hint: None };
         let missing = || {
             let shown = place.display();
-            wrong(format!(
-                "there is no file `{path}` beside this one (looked for `{shown}`)"
-            ))
+            wrong(format!("there is no file `{path}` beside this one (looked for `{shown}`)"))
         };
         let failed = |error: std::io::Error| match error.kind() {
             ErrorKind::NotFound => missing(),
@@ -73,10 +67,7 @@ impl Texts {
     pub fn lex(&mut self, path: &str, bytes: &[u8]) -> Result<Vec<Token>, Unreadable> {
         let cannot = |error: Unreadable, place: String| Unreadable {
             range: 0..0,
-            message: format!(
-                "the file of the part cannot be read: {place}: {}",
-                error.message
-            ),
+            message: format!("the file of the part cannot be read: {place}: {}", error.message),
             hint: error.hint,
         };
         let text = lexer::text(bytes).map_err(|error| cannot(error, path.to_string()))?;
@@ -84,8 +75,7 @@ impl Texts {
             let (line, column) = line_and_column(text, error.range.start);
             cannot(error, format!("{path}:{line}:{column}"))
         })?;
-        self.files
-            .insert(path.to_string(), (text.to_string(), lexed.ranges));
+        self.files.insert(path.to_string(), (text.to_string(), lexed.ranges));
         Ok(lexed.tokens)
     }
 
@@ -126,21 +116,9 @@ mod tests {
         let mut texts = Texts::default();
         assert_eq!(texts.lex("lift.eqn", LIFT.as_bytes()).unwrap().len(), 9);
         let part = Span { first: 3, last: 5 };
-        let parts = [PartFile {
-            path: "lift.eqn".into(),
-            first: 20,
-            place: part,
-        }];
+        let parts = [PartFile { path: "lift.eqn".into(), first: 20, place: part }];
         assert_eq!(texts.place(&parts, Span::token(19)), None);
-        let found = texts
-            .place(
-                &parts,
-                Span {
-                    first: 25,
-                    last: 27,
-                },
-            )
-            .unwrap();
+        let found = texts.place(&parts, Span { first: 25, last: 27 }).unwrap();
         assert_eq!((found.line, found.column, found.part), (3, 13, part));
         assert_eq!(&LIFT[found.range], "2*a");
     }

@@ -12,18 +12,12 @@ pub struct Span {
 impl Span {
     /// The span of one token.
     pub fn token(index: u32) -> Self {
-        Self {
-            first: index,
-            last: index,
-        }
+        Self { first: index, last: index }
     }
 
     /// From the beginning of this span to the end of the other.
     pub fn to(self, other: Span) -> Self {
-        Self {
-            first: self.first,
-            last: other.last,
-        }
+        Self { first: self.first, last: other.last }
     }
 }
 

@@ -45,10 +45,7 @@ fn fold(term: &Term) -> Option<i64> {
 
 /// The bounds of a repetition, checked.
 pub fn bounds(from: &Term, to: &Term, diagnostics: &mut Diagnostics) -> Option<(i64, i64)> {
-    let (first, last) = (
-        whole_number(from, diagnostics)?,
-        whole_number(to, diagnostics)?,
-    );
+    let (first, last) = (whole_number(from, diagnostics)?, whole_number(to, diagnostics)?);
     let count = last.saturating_sub(first).saturating_add(1);
     if count > LIMIT {
         let message =
@@ -105,16 +102,11 @@ impl Visitor for Numbering<'_> {
         match &mut term.kind {
             TermKind::Name(name) if name == self.index => term.kind = number_kind(self.value),
             TermKind::Index { index, .. } => self.inner_index(index),
-            TermKind::Sum {
-                index, from, to, ..
-            } if index.text == self.index => {
+            TermKind::Sum { index, from, to, .. } if index.text == self.index => {
                 self.term(from);
                 self.term(to);
             }
-            _ => term
-                .parts_mut()
-                .into_iter()
-                .for_each(|part| self.term(part)),
+            _ => term.parts_mut().into_iter().for_each(|part| self.term(part)),
         }
     }
 
@@ -131,10 +123,7 @@ impl Visitor for Numbering<'_> {
 }
 
 fn number_kind(number: i64) -> TermKind {
-    TermKind::Number {
-        value: number as f64,
-        unit: None,
-    }
+    TermKind::Number { value: number as f64, unit: None }
 }
 
 /// The name of a target: `x`, or `x[3]`.
@@ -143,10 +132,7 @@ pub fn target_name(target: &Target, diagnostics: &mut Diagnostics) -> Option<Nam
         None => Some(target.name.clone()),
         Some(index) => {
             let number = whole_number(index, diagnostics)?;
-            Some(Name {
-                text: format!("{}[{number}]", target.name.text),
-                span: target.name.span,
-            })
+            Some(Name { text: format!("{}[{number}]", target.name.text), span: target.name.span })
         }
     }
 }
@@ -159,10 +145,8 @@ pub fn equation_name(
 ) -> String {
     let label = label.as_ref();
     let named = label.and_then(|label| target_name(label, diagnostics));
-    named.map_or_else(
-        || format!("{} = {}", print::term(left), print::term(right)),
-        |name| name.text,
-    )
+    named
+        .map_or_else(|| format!("{} = {}", print::term(left), print::term(right)), |name| name.text)
 }
 
 #[cfg(test)]
@@ -171,10 +155,7 @@ mod tests {
     use crate::token::Span;
 
     fn term(kind: TermKind) -> Term {
-        Term {
-            span: Span::default(),
-            kind,
-        }
+        Term { span: Span::default(), kind }
     }
 
     fn number(value: f64) -> Term {
@@ -185,11 +166,7 @@ mod tests {
     fn twice_k_plus_one() -> Term {
         let k = term(TermKind::Name("k".into()));
         let twice = TermKind::Binary(BinaryOperator::Multiply, Box::new(number(2.0)), Box::new(k));
-        term(TermKind::Binary(
-            BinaryOperator::Add,
-            Box::new(term(twice)),
-            Box::new(number(1.0)),
-        ))
+        term(TermKind::Binary(BinaryOperator::Add, Box::new(term(twice)), Box::new(number(1.0))))
     }
 
     #[test]
@@ -202,12 +179,7 @@ mod tests {
 
     #[test]
     fn an_index_that_is_no_whole_number_is_an_error() {
-        for bad in [
-            twice_k_plus_one(),
-            number(0.5),
-            number(f64::NAN),
-            number(1e300),
-        ] {
+        for bad in [twice_k_plus_one(), number(0.5), number(f64::NAN), number(1e300)] {
             let mut diagnostics = Diagnostics::default();
             assert_eq!(whole_number(&bad, &mut diagnostics), None);
             assert!(diagnostics.has_errors());
@@ -219,9 +191,6 @@ mod tests {
         let mut diagnostics = Diagnostics::default();
         assert_eq!(bounds(&number(1.0), &number(1e6), &mut diagnostics), None);
         let messages = diagnostics.into_sorted();
-        assert!(
-            messages[0].message.contains("1000000 values"),
-            "{messages:?}"
-        );
+        assert!(messages[0].message.contains("1000000 values"), "{messages:?}");
     }
 }

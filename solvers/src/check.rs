@@ -70,15 +70,10 @@ pub fn energy<C: Smooth + Default>() -> Result<(), Failed> {
     };
     let all: Vec<(f64, f64, f64)> = motion.times().iter().map(|time| at(*time)).collect();
     let (_, kinetic, potential) = at(from);
-    let exchanged = all
-        .iter()
-        .map(|(_, now, level)| now.abs() + (level - potential).abs())
-        .fold(0.0, f64::max);
+    let exchanged =
+        all.iter().map(|(_, now, level)| now.abs() + (level - potential).abs()).fold(0.0, f64::max);
     let drift = |entry: &(f64, f64, f64)| entry.1 - kinetic + (entry.2 - potential);
-    match all
-        .iter()
-        .find(|entry| drift(entry).is_nan() || drift(entry).abs() > DRIFT * exchanged)
-    {
+    match all.iter().find(|entry| drift(entry).is_nan() || drift(entry).abs() > DRIFT * exchanged) {
         None => Ok(()),
         Some(entry) => Err(Failed(format!(
             "at {} s the energy has changed by {:e} J, while {exchanged:e} J are exchanged; expected a change of at most {:e} J",

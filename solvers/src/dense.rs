@@ -104,15 +104,12 @@ mod tests {
         });
         let right: [f64; N] = std::array::from_fn(|i| 1.0 - i as f64 * 0.7);
         let x = factor::<S, N>(lower).solve(right.map(S::from_f64));
-        (0..N)
-            .map(|i| (0..N).map(|j| full[i][j] * x[j].to_f64()).sum::<f64>() - right[i])
-            .fold(0.0, |worst: f64, value| {
-                if value.is_nan() {
-                    value
-                } else {
-                    worst.max(value.abs())
-                }
-            })
+        (0..N).map(|i| (0..N).map(|j| full[i][j] * x[j].to_f64()).sum::<f64>() - right[i]).fold(
+            0.0,
+            |worst: f64, value| {
+                if value.is_nan() { value } else { worst.max(value.abs()) }
+            },
+        )
     }
 
     #[test]
@@ -130,10 +127,7 @@ mod tests {
         // L = [[1, 0, 0], [2, 1, 0], [3, 4, 1]], D = diag(4, 2, 1).
         let all = factor([[4.0, 0.0, 0.0], [8.0, 18.0, 0.0], [12.0, 32.0, 69.0]]);
         assert_eq!(all.reciprocals, [0.25, 0.5, 1.0]);
-        assert_eq!(
-            (all.lower[1][0], all.lower[2][0], all.lower[2][1]),
-            (2.0, 3.0, 4.0)
-        );
+        assert_eq!((all.lower[1][0], all.lower[2][0], all.lower[2][1]), (2.0, 3.0, 4.0));
         assert_eq!(all.solve([24.0, 58.0, 113.0]), [1.0, 1.0, 1.0]);
         let singular = factor([[1.0f64, 1.0], [1.0, 1.0]]).solve([1.0, 2.0]);
         assert!(!singular[0].is_finite());

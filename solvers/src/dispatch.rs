@@ -104,11 +104,8 @@ mod tests {
     #[test]
     fn compiled_copies_give_the_same_bits() {
         let angles = [0.3, -40.0, 2.0e4, 1.0e9];
-        let expected = if is_fused() {
-            Sines(angles).run::<Fused>()
-        } else {
-            Sines(angles).run::<f64>()
-        };
+        let expected =
+            if is_fused() { Sines(angles).run::<Fused>() } else { Sines(angles).run::<f64>() };
         assert_eq!(dispatch(Sines(angles)), expected);
     }
 }

@@ -111,18 +111,13 @@ impl Bind {
     pub fn linkage(&self, values: &[f64]) -> Result<Box<dyn AnyLinkage>, Refused> {
         match self {
             Bind::Linkage(bind) => bind(values),
-            Bind::Motion(_) => Err(other_kind(
-                "no linkage: it moves by its equations of motion",
-            )),
+            Bind::Motion(_) => Err(other_kind("no linkage: it moves by its equations of motion")),
         }
     }
 }
 
 fn other_kind(reason: &str) -> Refused {
-    Refused {
-        name: "the scene".to_string(),
-        reason: format!("it is {reason}"),
-    }
+    Refused { name: "the scene".to_string(), reason: format!("it is {reason}") }
 }
 
 /// One scene of a mechanism: its shape, and what fixes its values.

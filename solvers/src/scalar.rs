@@ -168,20 +168,14 @@ pub trait Scalar:
     /// The greater of two numbers; NaN if either is NaN.
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        let first = Self::or(
-            Self::less_equal(other, self),
-            Self::not(Self::equal(self, self)),
-        );
+        let first = Self::or(Self::less_equal(other, self), Self::not(Self::equal(self, self)));
         Self::select(first, self, other)
     }
 
     /// The smaller of two numbers; NaN if either is NaN.
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        let first = Self::or(
-            Self::less_equal(self, other),
-            Self::not(Self::equal(self, self)),
-        );
+        let first = Self::or(Self::less_equal(self, other), Self::not(Self::equal(self, self)));
         Self::select(first, self, other)
     }
 }
@@ -214,13 +208,7 @@ mod tests {
             assert_eq!(a.min(b).to_f64(), f64::min(left, right));
         }
         let nan = number(f64::NAN);
-        for value in [
-            nan.max(three),
-            three.max(nan),
-            nan.min(three),
-            three.min(nan),
-            nan.sign(),
-        ] {
+        for value in [nan.max(three), three.max(nan), nan.min(three), three.min(nan), nan.sign()] {
             assert!(value.to_f64().is_nan());
         }
         assert_eq!(number(-2.5).floor().to_f64(), -3.0);

@@ -47,12 +47,9 @@ mod linked {
         /// A crank that moves a slide.
         SliderCrank from "any textbook";
         dimension r = 50 mm +- 0.1 mm, l = 200 mm;
-        driver phi in 0 deg .. 360 deg;
-        dependent theta: rad ~ 0 deg, s: mm ~ 250 mm;
-        loop slide {
-            x: r*cos(phi) + l*cos(theta) = s;
-            y: r*sin(phi) + l*sin(theta) = 0 mm;
-        }
+        driver phi ~ 60 deg in 0 deg .. 360 deg;
+        dependent theta ~ -10 deg, s: mm ~ 220 mm;
+        closure slide: r*dir(phi) + l*dir(theta) = [s, 0 mm];
         output stroke = s - 150 mm [mm];
         scene turn { sweep phi; }
     }
@@ -88,10 +85,7 @@ fn measures_have_names() {
 
 #[test]
 fn starts_ends_and_methods_are_said() {
-    let long = Swing {
-        l: 2.0,
-        ..Swing::default()
-    };
+    let long = Swing { l: 2.0, ..Swing::default() };
     let settings = Settings::new(Method::Taylor).rtol(1e-12);
     let motion = long.from([0.01, 0.0]).until(10.0).solve(&settings).unwrap();
     // A small swing from rest first passes its middle after a quarter of `2 pi sqrt(l/g) (1 + phi0^2/16)`.
@@ -134,28 +128,19 @@ fn errors_are_estimated() {
     let settings = Settings::new(Method::Dop853).rtol(1e-7);
     let motion = Swing::default().solve(&settings).unwrap();
     let said = motion.estimated_error("phi").unwrap();
-    let fine = Swing::default()
-        .solve(&Settings::new(Method::Dop853).rtol(1e-13))
-        .unwrap();
+    let fine = Swing::default().solve(&Settings::new(Method::Dop853).rtol(1e-13)).unwrap();
     let times = (0..=400).map(|index| 0.01 * f64::from(index));
     let off = times.map(|time| {
         let [a, b] = [&motion, &fine].map(|motion| motion.at(time)[Swing::PHI]);
         (a - b).abs()
     });
     let off = off.fold(0.0, f64::max);
-    assert!(
-        off > 1e-10 && said > 0.5 * off && said < 20.0 * off,
-        "{said:e} {off:e}"
-    );
+    assert!(off > 1e-10 && said > 0.5 * off && said < 20.0 * off, "{said:e} {off:e}");
 }
 
 #[test]
 fn what_makes_no_sense_is_an_error_that_says_what_does() {
-    let refused = Swing {
-        l: 20.0,
-        ..Swing::default()
-    }
-    .run();
+    let refused = Swing { l: 20.0, ..Swing::default() }.run();
     let Err(error @ Error::Refused(_)) = refused else {
         panic!("it is accepted");
     };
@@ -180,28 +165,16 @@ fn a_linkage_is_swept_and_made() {
     let stroke = sweep.output("stroke").unwrap();
     assert_eq!(stroke.len(), 73);
     for (phi, found) in stroke {
-        assert!(
-            (found - exact(0.05, phi) + 0.15).abs() < 1e-15,
-            "{phi}: {found}"
-        );
+        assert!((found - exact(0.05, phi) + 0.15).abs() < 1e-15, "{phi}: {found}");
     }
     assert_eq!(sweep.values(Turn::STROKE), sweep.output("stroke").unwrap());
     let unknown = sweep.output("lift").unwrap_err().to_string();
     assert_eq!(unknown, "there is no `lift`; there are stroke, theta, s");
     // The tolerance is three standard deviations.
-    let made = turn
-        .tolerance("stroke")
-        .at("phi", 1.0)
-        .monte_carlo(100_000)
-        .unwrap();
+    let made = turn.tolerance("stroke").at("phi", 1.0).monte_carlo(100_000).unwrap();
     let slope = (exact(0.05 + 1e-7, 1.0) - exact(0.05 - 1e-7, 1.0)) / 2e-7;
     let (found, wanted) = (made.places[0].deviation.value, slope * 1e-4 / 3.0);
     assert!((found / wanted - 1.0).abs() < 0.01, "{found} {wanted}");
     let missing = turn.tolerance("stroke").at("psi", 1.0).monte_carlo(100);
-    assert!(
-        missing
-            .unwrap_err()
-            .to_string()
-            .contains("there is no `psi`; there are phi")
-    );
+    assert!(missing.unwrap_err().to_string().contains("there is no `psi`; there are phi"));
 }

@@ -8,22 +8,10 @@ use std::path::{Path, PathBuf};
 const ARROWS: [(&str, &str, Allowed); 7] = [
     ("assur-functions", "functions", Allowed::Nothing),
     ("assur-model", "model", Allowed::Only(&["assur-functions"])),
-    (
-        "assur-solvers",
-        "solvers",
-        Allowed::Only(&["assur-functions", "nalgebra", "clarabel"]),
-    ),
+    ("assur-solvers", "solvers", Allowed::Only(&["assur-functions", "nalgebra", "clarabel"])),
     ("assur-macros", "macros", Allowed::Of(&["assur-model"])),
-    (
-        "assur",
-        "",
-        Allowed::Only(&["assur-macros", "assur-solvers"]),
-    ),
-    (
-        "assur-equations",
-        "equations",
-        Allowed::Only(&["assur", "assur-cli"]),
-    ),
+    ("assur", "", Allowed::Only(&["assur-macros", "assur-solvers"])),
+    ("assur-equations", "equations", Allowed::Only(&["assur", "assur-cli"])),
     ("assur-cli", "cli", Allowed::Of(&["assur", "assur-model"])),
 ];
 
@@ -80,10 +68,7 @@ fn check_dependencies(manifest: &str, expected: &[&str]) {
 
 #[test]
 fn dependencies_are_read_from_all_their_sections() {
-    check_dependencies(
-        "[package]\nname = \"a\"\n[dependencies]\n\n[lints]\nb = 1",
-        &[],
-    );
+    check_dependencies("[package]\nname = \"a\"\n[dependencies]\n\n[lints]\nb = 1", &[]);
     check_dependencies(
         "[dependencies]\n# c = \"1\"\nsyn = { version = \"1\" }\nd.workspace = true\n[dev-dependencies]\ne = \"1\"",
         &["syn", "d"],
@@ -98,10 +83,7 @@ fn dependencies_are_read_from_all_their_sections() {
 fn arrows_do_not_turn() {
     for (package, folder, allowed) in ARROWS {
         let manifest = read(&root().join(folder).join("Cargo.toml"));
-        assert!(
-            manifest.contains(&format!("name = \"{package}\"")),
-            "{folder}"
-        );
+        assert!(manifest.contains(&format!("name = \"{package}\"")), "{folder}");
         let found = dependencies(&manifest);
         let found: BTreeSet<&str> = found.iter().map(String::as_str).collect();
         match allowed {
@@ -111,10 +93,8 @@ fn arrows_do_not_turn() {
                 assert!(extra.is_empty(), "{package} -> {extra:?}");
             }
             Allowed::Of(names) => {
-                let ours: Vec<&str> = found
-                    .into_iter()
-                    .filter(|it| it.starts_with("assur"))
-                    .collect();
+                let ours: Vec<&str> =
+                    found.into_iter().filter(|it| it.starts_with("assur")).collect();
                 assert_eq!(ours, names, "{package}");
             }
         }
@@ -147,14 +127,8 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 #[test]
 fn solvers_and_model_do_not_name_each_other() {
     for (folder, foreign) in [
-        (
-            "solvers/src",
-            &["assur_model", "assur_macros", "proc_macro"][..],
-        ),
-        (
-            "model/src",
-            &["assur_solvers", "assur_macros", "proc_macro", "syn::"],
-        ),
+        ("solvers/src", &["assur_model", "assur_macros", "proc_macro"][..]),
+        ("model/src", &["assur_solvers", "assur_macros", "proc_macro", "syn::"]),
         ("macros/src", &["assur_solvers"]),
     ] {
         for path in files(&root().join(folder)) {
@@ -170,20 +144,14 @@ fn solvers_and_model_do_not_name_each_other() {
 fn the_list_of_equation_files_is_the_directory() {
     let folder = root().join("equations/src");
     let text = read(&folder.join("lib.rs"));
-    let listed: BTreeSet<&str> = text
-        .split('"')
-        .skip(1)
-        .step_by(2)
-        .filter(|name| name.ends_with(".eqn"))
-        .collect();
+    let listed: BTreeSet<&str> =
+        text.split('"').skip(1).step_by(2).filter(|name| name.ends_with(".eqn")).collect();
     let present: Vec<PathBuf> = files(&folder)
         .into_iter()
         .filter(|path| path.extension().is_some_and(|it| it == "eqn"))
         .collect();
-    let present: BTreeSet<&str> = present
-        .iter()
-        .map(|path| path.strip_prefix(&folder).unwrap().to_str().unwrap())
-        .collect();
+    let present: BTreeSet<&str> =
+        present.iter().map(|path| path.strip_prefix(&folder).unwrap().to_str().unwrap()).collect();
     assert_eq!(listed, present);
     let registered: BTreeSet<&str> = assur_equations::REGISTRY.iter().map(|it| it.file).collect();
     assert_eq!(registered, present);

@@ -41,20 +41,8 @@ fn measures_of_a_run_with_modes_are_those_of_the_closed_form() {
     let motion = assur::hybrid::march(&scene, (0.0, 2.0), &scene.start(), &FINE).unwrap();
     let found = measure::of(&scene, &motion);
     let (g, t) = (9.81, (2.0f64 / 9.81).sqrt());
-    let expected = [
-        1.0,
-        g * t,
-        t,
-        1.0,
-        2.0 - t,
-        g * (2.0 - t) / 2.0,
-        g,
-        f64::NAN,
-        1.0,
-        1.0,
-        1.0,
-        0.0,
-    ];
+    let expected =
+        [1.0, g * t, t, 1.0, 2.0 - t, g * (2.0 - t) / 2.0, g, f64::NAN, 1.0, 1.0, 1.0, 0.0];
     assert_eq!(found.len(), expected.len());
     for (index, (found, expected)) in found.iter().zip(expected).enumerate() {
         match found {
@@ -67,25 +55,10 @@ fn measures_of_a_run_with_modes_are_those_of_the_closed_form() {
 #[test]
 fn the_tables_name_them_with_their_units() {
     let entry = MECHANISM.scenes[0];
-    let names: Vec<_> = entry
-        .measures
-        .iter()
-        .map(|one| (one.name, one.unit))
-        .collect();
-    assert_eq!(
-        names[..4],
-        [
-            ("highest", "m"),
-            ("impact", "m/s"),
-            ("fall", "ms"),
-            ("kept", "")
-        ]
-    );
+    let names: Vec<_> = entry.measures.iter().map(|one| (one.name, one.unit)).collect();
+    assert_eq!(names[..4], [("highest", "m"), ("impact", "m/s"), ("fall", "ms"), ("kept", "")]);
     assert_eq!(entry.measures[5].unit, "m/s^2");
-    assert_eq!(
-        entry.measures[3].summary,
-        "energy at the impact over that at the start"
-    );
+    assert_eq!(entry.measures[3].summary, "energy at the impact over that at the start");
 }
 
 mod swing {
@@ -106,10 +79,7 @@ mod swing {
 fn an_extreme_beside_the_end_of_a_step_is_found() {
     for turn in 0..200 {
         let angle = f64::from(turn) * 0.01;
-        let scene = swing::Swing {
-            T: 0.9,
-            ..swing::Swing::default()
-        };
+        let scene = swing::Swing { T: 0.9, ..swing::Swing::default() };
         let start = [1e-3 * angle.cos(), 1e-2 * angle.sin()];
         let motion = assur::hybrid::march(&scene, (0.0, 2.0), &start, &FINE).unwrap();
         for (index, expected) in [1e-3, -1e-3, 1e-3].into_iter().enumerate() {
@@ -166,23 +136,10 @@ fn extremes_of_a_long_run_are_found_in_its_short_beginning() {
         let found = measure::extremes(&motion, ALWAYS, 1, &sample)[0].clone();
         let found = found.expect("there are some");
         let (lowest, highest) = (found.lowest, found.highest);
-        assert!(
-            (highest.value - 56_962.739_1).abs() < 1e-2,
-            "{method:?}: {highest:?}"
-        );
-        assert!(
-            (highest.time - 0.002_101_900_62).abs() < 1e-9,
-            "{method:?}: {highest:?}"
-        );
-        assert!(
-            (lowest.value + 37_360.330).abs() < 1e-1,
-            "{method:?}: {lowest:?}"
-        );
+        assert!((highest.value - 56_962.739_1).abs() < 1e-2, "{method:?}: {highest:?}");
+        assert!((highest.time - 0.002_101_900_62).abs() < 1e-9, "{method:?}: {highest:?}");
+        assert!((lowest.value + 37_360.330).abs() < 1e-1, "{method:?}: {lowest:?}");
         let measures = run.measure(&motion);
-        assert_eq!(
-            measures,
-            [Ok(highest.value), Ok(lowest.value)],
-            "{method:?}"
-        );
+        assert_eq!(measures, [Ok(highest.value), Ok(lowest.value)], "{method:?}");
     }
 }

@@ -10,11 +10,7 @@ use assur_equations::REGISTRY;
 fn every_scene_moves_as_with_the_other_method() {
     let mut compared = 0;
     for mechanism in REGISTRY {
-        for scene in mechanism
-            .scenes
-            .iter()
-            .filter(|scene| !scene.states.is_empty())
-        {
+        for scene in mechanism.scenes.iter().filter(|scene| !scene.states.is_empty()) {
             let name = format!("{} {}", mechanism.name, scene.name);
             let run = bind(scene, &[]).expect("its values are good");
             let times = match run.span() {

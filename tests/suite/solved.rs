@@ -19,10 +19,7 @@ pub const RPM: f64 = TAU / 60.0;
 /// The entry of a scene.
 pub fn entry(mechanism: &str, scene: &str) -> &'static SceneEntry {
     let mechanism = REGISTRY.iter().find(|entry| entry.name == mechanism);
-    let mut scenes = mechanism
-        .expect("a mechanism of the registry")
-        .scenes
-        .iter();
+    let mut scenes = mechanism.expect("a mechanism of the registry").scenes.iter();
     let scene = scenes.find(|entry| entry.name == scene);
     scene.expect("a scene of the mechanism")
 }
@@ -31,10 +28,7 @@ pub fn entry(mechanism: &str, scene: &str) -> &'static SceneEntry {
 pub fn values(entry: &SceneEntry, changes: &[(&str, f64)]) -> Vec<f64> {
     let mut values: Vec<f64> = entry.constants.iter().map(|it| it.default).collect();
     for (name, value) in changes {
-        let place = entry
-            .constants
-            .iter()
-            .position(|it| it.quantity.name == *name);
+        let place = entry.constants.iter().position(|it| it.quantity.name == *name);
         values[place.unwrap_or_else(|| panic!("no constant `{name}`"))] = *value;
     }
     values
@@ -71,13 +65,7 @@ impl Solved {
         let Span::Periodic(period) = run.span() else {
             panic!("the scene {} has another task", entry.name);
         };
-        Ok(Self {
-            orbit: run.periodic(period, settings)?,
-            entry,
-            run,
-            period,
-            values,
-        })
+        Ok(Self { orbit: run.periodic(period, settings)?, entry, run, period, values })
     }
 
     /// A constant.
@@ -96,12 +84,7 @@ impl Solved {
         let start = &self.orbit.start;
         let end = match start.is_empty() {
             true => Vec::new(),
-            false => self
-                .run
-                .march((0.0, time), start, &FINE)
-                .unwrap()
-                .end()
-                .to_vec(),
+            false => self.run.march((0.0, time), start, &FINE).unwrap().end().to_vec(),
         };
         self.run.outputs(time, &end)
     }

@@ -49,10 +49,7 @@ fn run(
 ) -> Option<Run> {
     let equations = Equations(Batten::default());
     let solution = solve_ode(&mut method, &equations, 0.0, END, &START, &mut Silent).ok()?;
-    Some(Run {
-        end: *method.y(),
-        evaluations: solution.evals.function,
-    })
+    Some(Run { end: *method.y(), evaluations: solution.evals.function })
 }
 
 /// Makes a function of a method with tolerances.

@@ -63,10 +63,7 @@ where
         *value = state.y[index];
     }
     let statistics = solver.problem().eqn().rhs().statistics();
-    Ok(Run {
-        end,
-        evaluations: statistics.number_of_calls,
-    })
+    Ok(Run { end, evaluations: statistics.number_of_calls })
 }
 
 /// Tsitouras, order 5.

@@ -15,36 +15,18 @@ pub const TURNS: f64 = 10.0;
 /// Achieved errors at which times are compared, in metres.
 const ERRORS: [f64; 3] = [1e-9, 1e-11, 1e-13];
 /// How many times as fast Assur is to be.
-const GOALS: [(&str, f64); 3] = [
-    ("diffsol", 3.0),
-    ("diffsol, all found", 3.0),
-    ("SciPy", 100.0),
-];
+const GOALS: [(&str, f64); 3] = [("diffsol", 3.0), ("diffsol, all found", 3.0), ("SciPy", 100.0)];
 
 /// All that are compared, ours first.
 const PEERS: [Peer<Run>; 8] = [
-    peer("Assur, emitted", "dop853", |rtol| {
-        Some(assur_by(Method::Dop853, TURNS, rtol))
-    }),
-    peer("Assur, emitted", "tsit5", |rtol| {
-        Some(assur_by(Method::Tsit5, TURNS, rtol))
-    }),
-    peer("Assur, emitted", "taylor", |rtol| {
-        Some(assur_by(Method::Taylor, TURNS, rtol))
-    }),
-    peer("hand, motion kept", "dop853", |rtol| {
-        Some(hand::<true, true>(TURNS, rtol))
-    }),
-    peer("diffsol", "tsit45", |rtol| {
-        foot_diffsol::tsit45(TURNS, rtol)
-    }),
-    peer("diffsol, all found", "tsit45", |rtol| {
-        foot_diffsol::finding(TURNS, rtol)
-    }),
+    peer("Assur, emitted", "dop853", |rtol| Some(assur_by(Method::Dop853, TURNS, rtol))),
+    peer("Assur, emitted", "tsit5", |rtol| Some(assur_by(Method::Tsit5, TURNS, rtol))),
+    peer("Assur, emitted", "taylor", |rtol| Some(assur_by(Method::Taylor, TURNS, rtol))),
+    peer("hand, motion kept", "dop853", |rtol| Some(hand::<true, true>(TURNS, rtol))),
+    peer("diffsol", "tsit45", |rtol| foot_diffsol::tsit45(TURNS, rtol)),
+    peer("diffsol, all found", "tsit45", |rtol| foot_diffsol::finding(TURNS, rtol)),
     peer("diffsol", "bdf", |rtol| foot_diffsol::bdf(TURNS, rtol)),
-    peer("diffsol", "esdirk34", |rtol| {
-        foot_diffsol::esdirk34(TURNS, rtol)
-    }),
+    peer("diffsol", "esdirk34", |rtol| foot_diffsol::esdirk34(TURNS, rtol)),
 ];
 
 /// Measures and prints.

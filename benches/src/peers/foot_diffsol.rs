@@ -71,11 +71,7 @@ where
     let foot = Foot::default();
     let (end, mut passed, mut events) = (turns * PERIOD, 0, 0);
     let stop = |solver: &mut _, passed: u32, phase: &Cell<u8>| {
-        let stop = if FIND || phase.get() == FLIGHT {
-            end
-        } else {
-            foot.pass(passed).min(end)
-        };
+        let stop = if FIND || phase.get() == FLIGHT { end } else { foot.pass(passed).min(end) };
         OdeSolverMethod::set_stop_time(solver, stop).map(|()| stop)
     };
     let mut until = stop(&mut solver, passed, phase)?;
@@ -122,11 +118,7 @@ where
     let state = solver.state();
     let end = [state.y.get_index(0), state.y.get_index(1)];
     let statistics = solver.problem().eqn().rhs().statistics();
-    Ok(Run {
-        end,
-        evaluations: statistics.number_of_calls,
-        events,
-    })
+    Ok(Run { end, evaluations: statistics.number_of_calls, events })
 }
 
 /// Makes a function of a method.

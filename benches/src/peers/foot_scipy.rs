@@ -39,12 +39,7 @@ fn read(line: &str, method: &str) -> Option<Point> {
     let [rtol, evaluations, error, seconds] = numbers.ok()?[..] else {
         return None;
     };
-    Some(Point {
-        rtol,
-        error,
-        evaluations: evaluations as usize,
-        seconds,
-    })
+    Some(Point { rtol, error, evaluations: evaluations as usize, seconds })
 }
 
 #[cfg(test)]

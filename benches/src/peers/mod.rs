@@ -40,38 +40,18 @@ struct Peer<R> {
 
 /// All that are compared, ours first.
 const PEERS: [Peer<Run>; 11] = [
-    peer("Assur, emitted", "dop853", |rtol| {
-        finished(emitted(Explicit::Dop853, rtol))
-    }),
-    peer("Assur, emitted", "tsit5", |rtol| {
-        finished(emitted(Explicit::Tsit5, rtol))
-    }),
+    peer("Assur, emitted", "dop853", |rtol| finished(emitted(Explicit::Dop853, rtol))),
+    peer("Assur, emitted", "tsit5", |rtol| finished(emitted(Explicit::Tsit5, rtol))),
     peer("Assur, hand-written equations", "dop853", |rtol| {
         finished(hand_system::run(Explicit::Dop853, rtol))
     }),
     peer("Assur, hand-written equations", "tsit5", |rtol| {
         finished(hand_system::run(Explicit::Tsit5, rtol))
     }),
-    peer(
-        "differential-equations",
-        "dop853",
-        differential_equations::dop853,
-    ),
-    peer(
-        "differential-equations",
-        "dopri5",
-        differential_equations::dopri5,
-    ),
-    peer(
-        "differential-equations",
-        "rkv988e",
-        differential_equations::verner,
-    ),
-    peer(
-        "ode_solvers, time as a state",
-        "dop853",
-        ode_solvers::dop853,
-    ),
+    peer("differential-equations", "dop853", differential_equations::dop853),
+    peer("differential-equations", "dopri5", differential_equations::dopri5),
+    peer("differential-equations", "rkv988e", differential_equations::verner),
+    peer("ode_solvers, time as a state", "dop853", ode_solvers::dop853),
     peer("ode_solvers", "dopri5", ode_solvers::dopri5),
     peer("diffsol", "tsit45", diffsol::tsit45),
     peer("diffsol", "bdf", diffsol::bdf),
@@ -82,11 +62,7 @@ const fn peer<R>(
     method: &'static str,
     run: fn(f64) -> Option<R>,
 ) -> Peer<R> {
-    Peer {
-        library,
-        method,
-        run,
-    }
+    Peer { library, method, run }
 }
 
 /// A run of Assur, which counts no evaluations when it fails.
@@ -106,17 +82,10 @@ struct Point {
 fn points<R>(peers: &[Peer<R>], said: impl Fn(&R) -> (f64, usize)) -> Vec<Vec<Option<Point>>> {
     let first = |peer: &Peer<R>, rtol| {
         let (error, evaluations) = said(&(peer.run)(rtol)?);
-        error.is_finite().then_some(Point {
-            rtol,
-            error,
-            evaluations,
-            seconds: f64::INFINITY,
-        })
+        error.is_finite().then_some(Point { rtol, error, evaluations, seconds: f64::INFINITY })
     };
-    let mut points: Vec<Vec<Option<Point>>> = peers
-        .iter()
-        .map(|peer| RTOLS.iter().map(|rtol| first(peer, *rtol)).collect())
-        .collect();
+    let mut points: Vec<Vec<Option<Point>>> =
+        peers.iter().map(|peer| RTOLS.iter().map(|rtol| first(peer, *rtol)).collect()).collect();
     let mut spent = vec![[0.0; RTOLS.len()]; peers.len()];
     for _ in 0..ROUNDS {
         for ((peer, points), spent) in peers.iter().zip(&mut points).zip(&mut spent) {
@@ -148,9 +117,7 @@ fn time_at(error: f64, points: &[Option<Point>]) -> Option<f64> {
         Some((coarse.seconds.ln() + share * (fine.seconds / coarse.seconds).ln()).exp())
     });
     let better = points.iter().filter(|point| point.error <= error);
-    pairs
-        .chain(better.map(|point| point.seconds))
-        .reduce(f64::min)
+    pairs.chain(better.map(|point| point.seconds)).reduce(f64::min)
 }
 
 /// Measures and prints.
@@ -160,13 +127,7 @@ pub fn report() {
     let names = PEERS.map(|peer| [peer.library, peer.method]);
     all_runs("Ten revolutions, all runs", &names, &points);
     for error in ERRORS {
-        let columns = [
-            "library",
-            "method",
-            "time, us",
-            "/ Assur",
-            "/ Assur, same equations",
-        ];
+        let columns = ["library", "method", "time, us", "/ Assur", "/ Assur, same equations"];
         let title = format!("Ten revolutions, time for an error of {error:e} m");
         let mut table = Table::new(&title, &columns);
         let times: Vec<Option<f64>> = points.iter().map(|all| time_at(error, all)).collect();
@@ -185,15 +146,8 @@ pub fn report() {
 
 /// The table of all runs.
 fn all_runs(title: &str, names: &[[&str; 2]], points: &[Vec<Option<Point>>]) {
-    let columns = [
-        "library",
-        "method",
-        "rtol",
-        "evaluations",
-        "error, m",
-        "time, us",
-        "ns / evaluation",
-    ];
+    let columns =
+        ["library", "method", "rtol", "evaluations", "error, m", "time, us", "ns / evaluation"];
     let mut table = Table::new(title, &columns);
     for (names, points) in names.iter().zip(points) {
         for (point, rtol) in points.iter().zip(RTOLS) {
@@ -220,14 +174,7 @@ mod tests {
 
     #[test]
     fn times_are_interpolated() {
-        let point = |error, seconds| {
-            Some(Point {
-                rtol: 0.0,
-                error,
-                evaluations: 1,
-                seconds,
-            })
-        };
+        let point = |error, seconds| Some(Point { rtol: 0.0, error, evaluations: 1, seconds });
         let points = [point(1e-8, 1.0), None, point(1e-10, 4.0), point(1e-9, 5.0)];
         assert!((time_at(1e-9, &points).unwrap() - 2.0).abs() < 1e-12);
         assert_eq!(time_at(1e-12, &points), None);

@@ -22,8 +22,7 @@ impl System<f64, State> for Equations {
     fn system(&self, time: f64, y: &State, rate: &mut State) {
         let [column] = &y.data.0;
         let [rates] = &mut rate.data.0;
-        self.0
-            .derivative(&self.0.instant_by::<true>(time), column, rates);
+        self.0.derivative(&self.0.instant_by::<true>(time), column, rates);
     }
 }
 
@@ -35,24 +34,19 @@ impl System<f64, Timed> for Autonomous {
     fn system(&self, _time: f64, y: &Timed, rate: &mut Timed) {
         let [column] = &y.data.0;
         let [rates] = &mut rate.data.0;
-        let (Some((y, [time])), Some((rates, [clock]))) = (
-            column.split_first_chunk::<6>(),
-            rates.split_first_chunk_mut::<6>(),
-        ) else {
+        let (Some((y, [time])), Some((rates, [clock]))) =
+            (column.split_first_chunk::<6>(), rates.split_first_chunk_mut::<6>())
+        else {
             return;
         };
         *clock = 1.0;
-        self.0
-            .derivative(&self.0.instant_by::<true>(*time), y, rates);
+        self.0.derivative(&self.0.instant_by::<true>(*time), y, rates);
     }
 }
 
 /// What a run gives, from its last state.
 fn run(end: Option<&[f64]>, statistics: Result<Stats, IntegrationError>) -> Option<Run> {
-    Some(Run {
-        end: *end?.first_chunk()?,
-        evaluations: statistics.ok()?.num_eval as usize,
-    })
+    Some(Run { end: *end?.first_chunk()?, evaluations: statistics.ok()?.num_eval as usize })
 }
 
 /// Dormand and Prince, order 8.

@@ -52,12 +52,7 @@ impl Geometry {
         let paths: Vec<_> = (0..count).map(of_point).collect();
         let all = |index: usize| {
             let shown = others.iter().map(|sample| point(sample, index));
-            paths[index]
-                .iter()
-                .flatten()
-                .copied()
-                .chain(shown)
-                .collect::<Vec<_>>()
+            paths[index].iter().flatten().copied().chain(shown).collect::<Vec<_>>()
         };
         let places = (0..count).flat_map(all);
         let corners = corners(places.filter(is_finite));
@@ -75,19 +70,12 @@ impl Geometry {
             0 | 1 => Moves::Free,
             _ => moves(&all(index), nothing),
         };
-        Self {
-            moves: (0..count).map(moves).collect(),
-            is_closed,
-            corners,
-            paths,
-        }
+        Self { moves: (0..count).map(moves).collect(), is_closed, corners, paths }
     }
 
     /// Whether all points of a link stand.
     pub fn is_frame(&self, points: &[usize]) -> bool {
-        points
-            .iter()
-            .all(|&index| self.moves[index] == Moves::Stands)
+        points.iter().all(|&index| self.moves[index] == Moves::Stands)
     }
 }
 
@@ -118,10 +106,7 @@ pub fn distance(a: Point, b: Point) -> f64 {
 }
 
 fn corners(points: impl Iterator<Item = Point>) -> (Point, Point) {
-    let nothing = (
-        (f64::INFINITY, f64::INFINITY),
-        (f64::NEG_INFINITY, f64::NEG_INFINITY),
-    );
+    let nothing = ((f64::INFINITY, f64::INFINITY), (f64::NEG_INFINITY, f64::NEG_INFINITY));
     let (low, high) = points.fold(nothing, |(low, high), (x, y)| {
         ((low.0.min(x), low.1.min(y)), (high.0.max(x), high.1.max(y)))
     });
@@ -137,9 +122,7 @@ fn moves(path: &[Point], nothing: f64) -> Moves {
     let Some(first) = finite.next() else {
         return Moves::Stands;
     };
-    let far = finite
-        .clone()
-        .max_by(|a, b| distance(first, *a).total_cmp(&distance(first, *b)));
+    let far = finite.clone().max_by(|a, b| distance(first, *a).total_cmp(&distance(first, *b)));
     let Some(far) = far.filter(|far| distance(first, *far) > nothing) else {
         return Moves::Stands;
     };
@@ -158,14 +141,10 @@ mod tests {
 
     #[test]
     fn points_stand_or_move_straight_or_freely() {
-        let circle: Vec<_> = (0..20)
-            .map(|k| (f64::from(k).cos(), f64::from(k).sin()))
-            .collect();
+        let circle: Vec<_> = (0..20).map(|k| (f64::from(k).cos(), f64::from(k).sin())).collect();
         assert_eq!(moves(&circle, 1e-7), Moves::Free);
         assert_eq!(moves(&[(1.0, 2.0); 5], 1e-7), Moves::Stands);
-        let line: Vec<_> = (0..20)
-            .map(|k| (0.6 * f64::from(k), 0.8 * f64::from(k)))
-            .collect();
+        let line: Vec<_> = (0..20).map(|k| (0.6 * f64::from(k), 0.8 * f64::from(k))).collect();
         let Moves::Straight((x, y)) = moves(&line, 1e-7) else {
             panic!("a straight path");
         };

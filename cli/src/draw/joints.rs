@@ -24,17 +24,9 @@ pub fn slide(at: Point, along: Point) -> [Point; 4] {
     // Upwards is downwards in pixels.
     let (u, v) = ((along.0, -along.1), (along.1, along.0));
     let corner = |a: f64, b: f64| {
-        (
-            at.0 + a * SLIDE.0 * u.0 + b * SLIDE.1 * v.0,
-            at.1 + a * SLIDE.0 * u.1 + b * SLIDE.1 * v.1,
-        )
+        (at.0 + a * SLIDE.0 * u.0 + b * SLIDE.1 * v.0, at.1 + a * SLIDE.0 * u.1 + b * SLIDE.1 * v.1)
     };
-    [
-        corner(1.0, 1.0),
-        corner(-1.0, 1.0),
-        corner(-1.0, -1.0),
-        corner(1.0, -1.0),
-    ]
+    [corner(1.0, 1.0), corner(-1.0, 1.0), corner(-1.0, -1.0), corner(1.0, -1.0)]
 }
 
 /// Whether a point is drawn as a slide: it moves straight, and no other that does so is linked to it.

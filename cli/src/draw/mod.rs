@@ -60,10 +60,8 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
     let (still, moving) = (file("positions")?, file("moving")?);
     let case = Case::new(constants)?;
     if case.entry.points.is_empty() {
-        return Err(
-            Failure::request(format!("scene `{}` has no points", scene.name))
-                .remedy("state them in the equation file: point A = [0, 0]; link A - B \"crank\";"),
-        );
+        return Err(Failure::request(format!("scene `{}` has no points", scene.name))
+            .remedy("state them in the equation file: point A = [0, 0]; link A - B \"crank\";"));
     }
     let places = options.at.iter().map(|text| place::read(&case, text));
     let places = places.collect::<Result<Vec<_>, _>>()?;
@@ -133,16 +131,9 @@ impl Way {
     /// # Errors
     /// When it cannot be put together, or has no way to go and positions are wanted of it.
     fn follow(case: &Case, wanted: bool) -> Result<Self, Failure> {
-        let names = Names {
-            entry: case.entry,
-            drivers: &case.drivers,
-        };
-        let mut way = Self {
-            ends: Vec::new(),
-            samples: Vec::new(),
-            standing: standing(case),
-            stop: None,
-        };
+        let names = Names { entry: case.entry, drivers: &case.drivers };
+        let mut way =
+            Self { ends: Vec::new(), samples: Vec::new(), standing: standing(case), stop: None };
         let axes = case.axes();
         if axes.is_empty() && wanted {
             let driver = case.drivers.first().map_or("…", |driver| driver.name);
@@ -170,8 +161,7 @@ impl Way {
                 return Err(way.stop.unwrap_or_else(Failure::said));
             };
             way.ends.push((*first, *last));
-            way.samples
-                .push(line.reached().map(|(_, sample)| sample.clone()).collect());
+            way.samples.push(line.reached().map(|(_, sample)| sample.clone()).collect());
         }
         Ok(way)
     }
@@ -199,9 +189,7 @@ impl Way {
         let found = self.line(case, 0, (0..count).map(value).collect());
         let found = found.map(|line| line.samples).unwrap_or_default();
         let found = found.into_iter().flatten();
-        found
-            .map(|sample| (case.label(&sample.independents), sample))
-            .collect()
+        found.map(|sample| (case.label(&sample.independents), sample)).collect()
     }
 
     /// Positions of a moving picture: once round, or there and back, slowly at the ends; one axis after the other.
@@ -215,15 +203,9 @@ impl Way {
             };
             if geometry.is_closed {
                 let share = |index: usize| index as f64 / FRAMES as f64;
-                return (0..=FRAMES)
-                    .map(|index| first + (last - first) * share(index))
-                    .collect();
+                return (0..=FRAMES).map(|index| first + (last - first) * share(index)).collect();
             }
-            let begin = if self.ends.len() > 1 {
-                self.standing[axis]
-            } else {
-                first
-            };
+            let begin = if self.ends.len() > 1 { self.standing[axis] } else { first };
             let begin = begin.clamp(first.min(last), first.max(last));
             let part = |from: f64, to: f64| {
                 let share = (to - from).abs() / (last - first).abs();
@@ -243,9 +225,7 @@ impl Way {
                 station
             };
             let stations: Vec<_> = values(axis).into_iter().map(station).collect();
-            case.follow(&stations)
-                .map(|path| path.samples)
-                .unwrap_or_default()
+            case.follow(&stations).map(|path| path.samples).unwrap_or_default()
         };
         (0..self.ends.len()).flat_map(line).collect()
     }
@@ -257,13 +237,7 @@ fn standing(case: &Case) -> Vec<f64> {
         Task::Sweep(drivers) => {
             let ranges = drivers.iter().map(|&index| &case.ranges[index]);
             ranges
-                .map(|range| {
-                    if range.start.is_finite() {
-                        range.start
-                    } else {
-                        range.from
-                    }
-                })
+                .map(|range| if range.start.is_finite() { range.start } else { range.from })
                 .collect()
         }
         Task::Time(span) => vec![span.limits().0],
@@ -274,12 +248,8 @@ fn standing(case: &Case) -> Vec<f64> {
 /// The positions in words, those of one driver together: `φ₄ = 60, 75, 90 °`.
 fn label(drivers: &[Quantity], positions: &[(String, Sample)]) -> String {
     let of_driver = |(index, driver): (usize, &Quantity)| {
-        let values = positions
-            .iter()
-            .map(|(_, sample)| sample.independents[index] / driver.factor);
-        let largest = values
-            .clone()
-            .fold(0.0, |most, value| value.abs().max(most));
+        let values = positions.iter().map(|(_, sample)| sample.independents[index] / driver.factor);
+        let largest = values.clone().fold(0.0, |most, value| value.abs().max(most));
         let texts = values.map(|value| match value.abs() < 1e-9 * largest {
             true => number::short(0.0),
             false => number::short(number::rounded(value, 5)),
@@ -292,13 +262,9 @@ fn label(drivers: &[Quantity], positions: &[(String, Sample)]) -> String {
             "°" => "°".to_owned(),
             other => format!(" {other}"),
         };
-        format!(
-            "{} = {}{unit}",
-            name::set(driver.name).text,
-            texts.join(", ")
-        )
-        .trim_end()
-        .to_owned()
+        format!("{} = {}{unit}", name::set(driver.name).text, texts.join(", "))
+            .trim_end()
+            .to_owned()
     };
     let drivers = drivers.iter().enumerate().map(of_driver);
     drivers.collect::<Vec<_>>().join("; ")

@@ -18,13 +18,8 @@ pub fn draw(picture: &Picture<'_>, frames: &[Sample]) -> String {
     let title = format!("{}: motion", picture.mechanism.title);
     let sheet = Sheet::new(picture, "");
     let mut svg = sheet.begin(&title);
-    let frames: Vec<_> = frames
-        .iter()
-        .map(|frame| pixels(picture, &sheet, frame))
-        .collect();
-    let clock = Clock {
-        seconds: WAY * frames.len() as f64 / FRAMES as f64,
-    };
+    let frames: Vec<_> = frames.iter().map(|frame| pixels(picture, &sheet, frame)).collect();
+    let clock = Clock { seconds: WAY * frames.len() as f64 / FRAMES as f64 };
     paths(&mut svg, picture, &sheet);
     if let Some(first) = frames.first() {
         svg.begin("the linkage");
@@ -61,10 +56,7 @@ fn list(points: impl Iterator<Item = Point>) -> String {
 
 /// A polygon or polyline through points that move.
 fn shape(svg: &mut Svg, element: &str, class: &str, shapes: &[Vec<Point>], clock: &Clock) {
-    let texts: Vec<_> = shapes
-        .iter()
-        .map(|shape| list(shape.iter().copied()))
-        .collect();
+    let texts: Vec<_> = shapes.iter().map(|shape| list(shape.iter().copied())).collect();
     let Some(first) = texts.first() else { return };
     let opening = format!(r#"<{element} class="{class}" points="{first}">"#);
     let inside = clock.animate("points", texts.iter().cloned());
@@ -92,9 +84,7 @@ fn pivots(svg: &mut Svg, picture: &Picture<'_>, frames: &[Vec<Point>], clock: &C
     for index in 0..picture.case.entry.points.len() {
         let at = |frame: &Vec<Point>| frame[index];
         if let Some(along) = joints::slides(picture, index) {
-            let shapes = frames
-                .iter()
-                .map(|frame| joints::slide(at(frame), along).to_vec());
+            let shapes = frames.iter().map(|frame| joints::slide(at(frame), along).to_vec());
             shape(svg, "polygon", "slide", &shapes.collect::<Vec<_>>(), clock);
         }
         if picture.geometry.moves[index] == Moves::Stands {

@@ -50,11 +50,7 @@ pub fn names(picture: &Picture<'_>, at: &[Point]) -> Vec<Name> {
         match names.iter_mut().find(same) {
             Some(known) if known.words.contains(&words) => {}
             Some(known) => known.words.push(words),
-            None => names.push(Name {
-                index,
-                words: vec![words],
-                middle: place,
-            }),
+            None => names.push(Name { index, words: vec![words], middle: place }),
         }
     }
     let drawn = Drawn::new(picture, at);

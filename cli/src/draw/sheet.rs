@@ -84,11 +84,7 @@ impl Sheet {
         let (low, high) = picture.geometry.corners;
         let size = (high.0 - low.0, high.1 - low.1);
         let fit = |room: f64, size: f64| {
-            if size > 0.0 {
-                room / size
-            } else {
-                f64::INFINITY
-            }
+            if size > 0.0 { room / size } else { f64::INFINITY }
         };
         let scale = fit(LARGEST.0, size.0).min(fit(LARGEST.1, size.1));
         let scale = if scale.is_finite() { scale } else { 1e3 };
@@ -128,11 +124,7 @@ impl Sheet {
         }
         for entry in &self.legend {
             let (x, y) = entry.at;
-            svg.line(
-                &format!("link {}", entry.class),
-                (x + 4.0, y - 4.0),
-                (x + 24.0, y - 4.0),
-            );
+            svg.line(&format!("link {}", entry.class), (x + 4.0, y - 4.0), (x + 24.0, y - 4.0));
             svg.text("unit", (x + 34.0, y), Anchor::Start, &entry.text);
         }
         self.scale_bar(&mut svg);
@@ -173,9 +165,7 @@ pub fn colour(picture: &Picture<'_>, link: usize) -> String {
     if picture.geometry.is_frame(links[link].points) {
         return "k".to_owned();
     }
-    let moving = links[..link]
-        .iter()
-        .filter(|link| !picture.geometry.is_frame(link.points));
+    let moving = links[..link].iter().filter(|link| !picture.geometry.is_frame(link.points));
     format!("c{}", moving.count() % COLOURS)
 }
 
@@ -200,11 +190,7 @@ fn legend(picture: &Picture<'_>, width: f64, top: f64) -> Vec<Entry> {
         if (full || begins) && at.0 > 30.0 {
             at = (30.0, at.1 + 19.0);
         }
-        entries.push(Entry {
-            class: colour(picture, index),
-            text,
-            at,
-        });
+        entries.push(Entry { class: colour(picture, index), text, at });
         at.0 += needed;
     }
     entries
@@ -212,9 +198,7 @@ fn legend(picture: &Picture<'_>, width: f64, top: f64) -> Vec<Entry> {
 
 /// The part of the mechanism that a link belongs to, as its points are named; empty if to none.
 fn part(picture: &Picture<'_>, points: &[usize]) -> &'static str {
-    let name = points
-        .first()
-        .map(|&index| picture.case.entry.points[index]);
+    let name = points.first().map(|&index| picture.case.entry.points[index]);
     let part = name.and_then(|name| name.rsplit_once('.'));
     part.map_or("", |(part, _)| part)
 }

@@ -32,9 +32,7 @@ pub fn draw(picture: &Picture<'_>, positions: &[&Sample]) -> String {
 /// The pixels of the points at a position.
 pub fn pixels(picture: &Picture<'_>, sheet: &Sheet, sample: &Sample) -> Vec<Point> {
     let points = 0..picture.case.entry.points.len();
-    points
-        .map(|index| sheet.pixel(point(sample, index)))
-        .collect()
+    points.map(|index| sheet.pixel(point(sample, index))).collect()
 }
 
 /// The path of each moving point over the way, and the line of each slide.
@@ -44,10 +42,7 @@ pub fn paths(svg: &mut Svg, picture: &Picture<'_>, sheet: &Sheet) {
         let pixels = |path: &Vec<Point>| -> Vec<Point> {
             path.iter().map(|point| sheet.pixel(*point)).collect()
         };
-        match (
-            picture.geometry.moves[index],
-            joints::slides(picture, index),
-        ) {
+        match (picture.geometry.moves[index], joints::slides(picture, index)) {
             (Moves::Stands, _) => {}
             (_, Some(along)) => {
                 let all: Vec<_> = paths.iter().flat_map(pixels).collect();

@@ -66,10 +66,7 @@ impl Case {
             .linkage(&constants.values)
             .map_err(|refused| case::refused(&constants, &refused))?;
         let Some(entry) = &scene.linkage else {
-            return Err(Failure::request(format!(
-                "scene `{}` is no linkage",
-                scene.name
-            )));
+            return Err(Failure::request(format!("scene `{}` is no linkage", scene.name)));
         };
         let ranges = run.ranges();
         let task = match run.span() {
@@ -106,11 +103,7 @@ impl Case {
                 .collect(),
             Task::Time(span) => {
                 let (from, to) = span.limits();
-                vec![Axis {
-                    quantity: TIME,
-                    from,
-                    to,
-                }]
+                vec![Axis { quantity: TIME, from, to }]
             }
             Task::Open => Vec::new(),
         }
@@ -148,9 +141,9 @@ impl Case {
         match (path.samples.pop(), path.stopped) {
             (Some(sample), None) => Ok(sample),
             (_, Some(error)) => Err(error),
-            (None, None) => Err(ClosureError::BadRange {
-                reason: "there is no position to go to".to_owned(),
-            }),
+            (None, None) => {
+                Err(ClosureError::BadRange { reason: "there is no position to go to".to_owned() })
+            }
         }
     }
 
@@ -203,11 +196,7 @@ pub fn amount(quantity: &Quantity, value: f64) -> String {
 /// A driver as it is shown: nobody reads a crank angle in radians.
 pub fn shown(driver: &Quantity) -> Quantity {
     match driver.unit {
-        "rad" => Quantity {
-            unit: "deg",
-            factor: 1f64.to_radians(),
-            ..*driver
-        },
+        "rad" => Quantity { unit: "deg", factor: 1f64.to_radians(), ..*driver },
         _ => *driver,
     }
 }
@@ -215,9 +204,7 @@ pub fn shown(driver: &Quantity) -> Quantity {
 /// The drivers that have a range go over it.
 fn swept(ranges: &[Range]) -> Task {
     let goes = |range: &Range| range.from.is_finite() && range.to != range.from;
-    let moving: Vec<_> = (0..ranges.len())
-        .filter(|&index| goes(&ranges[index]))
-        .collect();
+    let moving: Vec<_> = (0..ranges.len()).filter(|&index| goes(&ranges[index])).collect();
     let stands = |range: &Range| range.start.is_finite();
     match moving.is_empty() || !ranges.iter().all(|range| goes(range) || stands(range)) {
         true => Task::Open,

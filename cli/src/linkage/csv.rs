@@ -21,11 +21,7 @@ pub fn render(report: &Report) -> String {
     if timed {
         heading.push(title(TIME.name, TIME.unit));
     }
-    heading.extend(
-        case.drivers
-            .iter()
-            .map(|driver| title(driver.name, driver.unit)),
-    );
+    heading.extend(case.drivers.iter().map(|driver| title(driver.name, driver.unit)));
     heading.extend(case.variables.iter().map(|one| title(&one.name, &one.unit)));
     for (_, of_group) in transmitting(report) {
         let name = format!("transmission({})", group::equations(case.entry, of_group));
@@ -68,12 +64,7 @@ pub fn limits(report: &Report) -> String {
             .collect()
     };
     let mut row = |(name, unit): (&str, &str), what: &str, value: f64, at: Vec<String>| {
-        let start = [
-            title(name, ""),
-            unit.to_owned(),
-            what.to_owned(),
-            bounded(value),
-        ];
+        let start = [title(name, ""), unit.to_owned(), what.to_owned(), bounded(value)];
         text += &(start.into_iter().chain(at).collect::<Vec<_>>().join(",") + "\n");
     };
     for (variable, limits) in case.variables.iter().zip(&report.limits) {
@@ -92,18 +83,8 @@ pub fn limits(report: &Report) -> String {
         }
         for gap in reach::gaps(case, stroke) {
             let [before, after] = [gap.place.value, gap.after].map(|one| variable.in_unit(one));
-            row(
-                named,
-                &format!("before {}", gap.kind()),
-                before,
-                at(&gap.place),
-            );
-            row(
-                named,
-                &format!("after {}", gap.kind()),
-                after,
-                at(&gap.place),
-            );
+            row(named, &format!("before {}", gap.kind()), before, at(&gap.place));
+            row(named, &format!("after {}", gap.kind()), after, at(&gap.place));
         }
     }
     for reach in &report.reach {

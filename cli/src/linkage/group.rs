@@ -11,21 +11,14 @@ pub fn equations(entry: &LinkageEntry, group: &Group) -> String {
 
 /// Names of the dependent coordinates of a group, `phi5, phi6`.
 pub fn unknowns(entry: &LinkageEntry, group: &Group) -> String {
-    let names = group
-        .unknowns
-        .iter()
-        .map(|&index| entry.dependents[index].name);
+    let names = group.unknowns.iter().map(|&index| entry.dependents[index].name);
     names.collect::<Vec<_>>().join(", ")
 }
 
 /// The group in a sentence: its equations and its unknowns.
 pub fn both(entry: &LinkageEntry, index: usize) -> String {
     match entry.groups.get(index) {
-        Some(group) => format!(
-            "{} (for {})",
-            equations(entry, group),
-            unknowns(entry, group)
-        ),
+        Some(group) => format!("{} (for {})", equations(entry, group), unknowns(entry, group)),
         None => format!("group {}", index + 1),
     }
 }

@@ -28,12 +28,7 @@ pub fn at(case: &Case, place: &[f64]) -> Vec<Influence> {
             .filter_map(move |(index, variable)| {
                 Some(Influence {
                     variable: quantity(case, *variable)?,
-                    values: values
-                        .iter()
-                        .skip(index)
-                        .step_by(variables.len())
-                        .copied()
-                        .collect(),
+                    values: values.iter().skip(index).step_by(variables.len()).copied().collect(),
                 })
             })
     };

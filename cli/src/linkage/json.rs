@@ -37,19 +37,12 @@ use crate::variables::Variable;
 pub fn render(report: &Report, figure: Option<&Path>) -> String {
     let case = &report.case;
     let positions = positions(report);
-    let places: Vec<_> = report
-        .places
-        .iter()
-        .map(|place| snapshot(case, place))
-        .collect();
+    let places: Vec<_> = report.places.iter().map(|place| snapshot(case, place)).collect();
     let lacks = |one: &Value| {
         let results = one["results"].as_array();
         results.is_some_and(|list| list.iter().any(|result| result["value"].is_null()))
     };
-    let status = match (
-        report.is_complete(),
-        positions.iter().chain(&places).any(lacks),
-    ) {
+    let status = match (report.is_complete(), positions.iter().chain(&places).any(lacks)) {
         (false, _) => "stopped",
         (true, true) => "incomplete",
         (true, false) => "complete",
@@ -104,11 +97,7 @@ fn task(case: &Case) -> Value {
         }
         Task::Time(span) => {
             let (from, to) = span.limits();
-            let kind = if matches!(span, Span::Periodic(_)) {
-                "periodic"
-            } else {
-                "run"
-            };
+            let kind = if matches!(span, Span::Periodic(_)) { "periodic" } else { "run" };
             json!({ "kind": kind, "from": from, "to": to, "unit": "s" })
         }
         Task::Open => json!({ "kind": "open" }),
@@ -117,10 +106,7 @@ fn task(case: &Case) -> Value {
 
 fn positions(report: &Report) -> Vec<Value> {
     let case = &report.case;
-    let stations = report
-        .rows
-        .iter()
-        .flat_map(|line| line.stations.iter().zip(&line.samples));
+    let stations = report.rows.iter().flat_map(|line| line.stations.iter().zip(&line.samples));
     let one = stations.map(|(station, sample)| {
         let mut object = place(case, station, &case.place(station));
         object.insert("results".to_owned(), results(case, sample.as_ref()));

@@ -49,8 +49,7 @@ impl Line {
         for (index, sample) in order.into_iter().zip(found) {
             self.samples[index] = Some(sample);
         }
-        self.met
-            .extend(path.events.into_iter().map(|(_, event)| event));
+        self.met.extend(path.events.into_iter().map(|(_, event)| event));
         self.stops.extend(path.stopped);
         self.assumed = path.start.assumed;
         Ok(())
@@ -160,9 +159,7 @@ impl Grid {
                 _ => vec![(axis.from + axis.to) / 2.0],
             }
         });
-        Self {
-            axes: axes.collect(),
-        }
+        Self { axes: axes.collect() }
     }
 
     /// As many values as curves and extremes need.
@@ -174,9 +171,8 @@ impl Grid {
             _ => 12,
         };
         let along = axes.iter();
-        let axes = along
-            .map(|axis| round::positions(&axis.quantity, axis.from, axis.to, parts))
-            .collect();
+        let axes =
+            along.map(|axis| round::positions(&axis.quantity, axis.from, axis.to, parts)).collect();
         Self { axes }
     }
 }
@@ -203,22 +199,13 @@ fn at_round_positions(case: &Case) -> Option<Vec<f64>> {
     };
     let (from, to) = span.limits();
     let position = |time: f64| case.place(&[time]).first().copied().unwrap_or(f64::NAN);
-    let axis = Axis {
-        quantity: *case.drivers.first()?,
-        from: position(from),
-        to: position(to),
-    };
+    let axis = Axis { quantity: *case.drivers.first()?, from: position(from), to: position(to) };
     let wanted = a_few(&[axis]).pop()?;
     let (last, between) = wanted.get(1..)?.split_last()?;
     let run = Span::Run(from, to);
-    let times = between
-        .iter()
-        .map(|wanted| run.time_of(position, *wanted).ok());
-    let times: Vec<f64> = [Some(from)]
-        .into_iter()
-        .chain(times)
-        .chain([Some(to)])
-        .collect::<Option<_>>()?;
+    let times = between.iter().map(|wanted| run.time_of(position, *wanted).ok());
+    let times: Vec<f64> =
+        [Some(from)].into_iter().chain(times).chain([Some(to)]).collect::<Option<_>>()?;
     let advances = times.windows(2).all(|pair| pair[0] < pair[1]);
     (advances && last.is_finite()).then_some(times)
 }

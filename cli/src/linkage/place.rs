@@ -33,12 +33,7 @@ pub fn read(case: &Case, text: &str) -> Result<Place, Failure> {
         Task::Time(span) => in_time(case, *span, &positions),
         _ => swept(case, &positions),
     };
-    place
-        .map(|place| Place {
-            option: format!("--at {text}"),
-            ..place
-        })
-        .map_err(failed)
+    place.map(|place| Place { option: format!("--at {text}"), ..place }).map_err(failed)
 }
 
 /// Where the drivers start, or where they are when the task begins if they move in time.
@@ -94,11 +89,7 @@ fn unknown(case: &Case, name: &str, example: &str) -> Failure {
     if matches!(case.task, Task::Time(_)) {
         names.push(TIME.name);
     }
-    let known = case
-        .scene
-        .constants
-        .iter()
-        .any(|one| one.quantity.name == name);
+    let known = case.scene.constants.iter().any(|one| one.quantity.name == name);
     let remedy = match known {
         true => format!("`{name}` is set with --set {name}=…"),
         false => suggestion(name, &names),
@@ -114,9 +105,7 @@ fn swept(case: &Case, positions: &[Position]) -> Result<Place, Failure> {
             independents[*index] = *position;
         }
     }
-    let unknown = independents
-        .iter()
-        .position(|position| !position.is_finite());
+    let unknown = independents.iter().position(|position| !position.is_finite());
     if let Some(index) = unknown {
         let name = case.drivers[index].name;
         return Err(Failure::request(format!("`{name}` has no start position"))
@@ -151,10 +140,8 @@ fn swept(case: &Case, positions: &[Position]) -> Result<Place, Failure> {
 
 fn in_time(case: &Case, span: Span, positions: &[Position]) -> Result<Place, Failure> {
     let [(index, value)] = positions else {
-        return Err(
-            Failure::request("the drivers of this scene move in time, all together")
-                .remedy("name one of them, or the time"),
-        );
+        return Err(Failure::request("the drivers of this scene move in time, all together")
+            .remedy("name one of them, or the time"));
     };
     let time = match index {
         None => span.reduce(*value).ok_or_else(|| {
@@ -184,13 +171,7 @@ fn in_time(case: &Case, span: Span, positions: &[Position]) -> Result<Place, Fai
             format!("{} = {}", driver.name, amount(driver, *value))
         }
     };
-    Ok(Place {
-        option: String::new(),
-        label,
-        time: Some(time),
-        independents,
-        outside: Vec::new(),
-    })
+    Ok(Place { option: String::new(), label, time: Some(time), independents, outside: Vec::new() })
 }
 
 /// When a driver that moves in time first has a position.

@@ -38,10 +38,7 @@ pub fn compare(
             list.extend(one(fact, case, (lines, strokes), own && !changed));
             continue;
         }
-        if others
-            .iter()
-            .all(|(other, ..)| other.constants.preset != preset)
-        {
+        if others.iter().all(|(other, ..)| other.constants.preset != preset) {
             let mut constants = Constants::declared(case.scene);
             constants.apply(find_preset(mechanism, preset)?);
             let other = Case::new(constants)?;
@@ -50,9 +47,7 @@ pub fn compare(
             let strokes = reach::strokes(&other);
             others.push((other, lines, strokes));
         }
-        let found = others
-            .iter()
-            .find(|(other, ..)| other.constants.preset == preset);
+        let found = others.iter().find(|(other, ..)| other.constants.preset == preset);
         if let Some((other, lines, strokes)) = found {
             let known = (&lines[..], strokes.as_ref());
             list.extend(one(fact, other, known, true).map(|compared| Comparison {
@@ -71,10 +66,7 @@ fn one(
     comparable: bool,
 ) -> Option<Comparison> {
     let quantity = case.scene.quantity(fact.subject)?;
-    let variable = case
-        .variables
-        .iter()
-        .position(|variable| variable.name == quantity.name)?;
+    let variable = case.variables.iter().position(|variable| variable.name == quantity.name)?;
     let value = |sample: &Sample| case.values(sample)[variable];
     let at = |place: Vec<f64>| match fact.subject {
         Subject::Influence(output, by) => {
@@ -120,11 +112,7 @@ fn one(
                 _ => None,
             };
             let computed = within.map_or(f64::NAN, |time| at(case.place(&[time])));
-            (
-                format!("time = {} s", number::short(time)),
-                within,
-                computed,
-            )
+            (format!("time = {} s", number::short(time)), within, computed)
         }
     };
     let printed = &case.variables[variable];
@@ -134,11 +122,7 @@ fn one(
             let name = format!("diff({}, {})", printed.name, by.name);
             (name, influence::unit_of(printed, &by), None)
         }
-        _ => (
-            printed.name.clone(),
-            (printed.unit.clone(), printed.factor),
-            Some(variable),
-        ),
+        _ => (printed.name.clone(), (printed.unit.clone(), printed.factor), Some(variable)),
     };
     Some(Comparison {
         fact,

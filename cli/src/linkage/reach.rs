@@ -54,10 +54,8 @@ impl Gap {
     /// What it is in a word.
     pub fn kind(&self) -> &'static str {
         let sides = [self.place.value, self.after];
-        match (
-            sides.iter().any(|side| side.is_infinite()),
-            sides.iter().any(|side| side.is_nan()),
-        ) {
+        match (sides.iter().any(|side| side.is_infinite()), sides.iter().any(|side| side.is_nan()))
+        {
             (true, _) => "pole",
             (false, true) => "end",
             (false, false) => "jump",
@@ -92,10 +90,7 @@ fn of_driver(case: &Case, driver: usize) -> Reach {
         driver,
         turns: stretch.as_ref().is_ok_and(is_free),
         stretch: stretch.map_err(|error| {
-            let names = Names {
-                entry: case.entry,
-                drivers: &case.drivers,
-            };
+            let names = Names { entry: case.entry, drivers: &case.drivers };
             tell(names, &error)
         }),
     }
@@ -155,16 +150,8 @@ pub fn dead_end(case: &Case, group: usize) -> Option<Extreme> {
         return None;
     };
     let found = case.run().stretch(driver, bounds).ok()?;
-    let end = [found.low, found.high]
-        .into_iter()
-        .find(|end| end.dead == Some(group))?;
-    Some(place(
-        case,
-        Place {
-            at: end.at,
-            value: 0.0,
-        },
-    ))
+    let end = [found.low, found.high].into_iter().find(|end| end.dead == Some(group))?;
+    Some(place(case, Place { at: end.at, value: 0.0 }))
 }
 
 /// A place of a stroke as one of the task.
@@ -173,11 +160,7 @@ fn place(case: &Case, found: Place) -> Extreme {
     let station = vec![settled(found.at, width.abs())];
     let mut independents = case.place(&station);
     independents.truncate(case.drivers.len());
-    Extreme {
-        station,
-        independents,
-        value: found.value,
-    }
+    Extreme { station, independents, value: found.value }
 }
 
 /// Beside the stroke, and beside the range of the driver, this part of them is rounding.
@@ -188,16 +171,7 @@ pub fn turns(case: &Case, stroke: &Stroke) -> Vec<Turn> {
     let length = Some(stroke.length()).filter(|length| length.is_finite());
     let turns = stroke.limits.iter().map(|limit| {
         let value = settled(limit.place.value, length.unwrap_or(0.0));
-        Turn {
-            place: place(
-                case,
-                Place {
-                    value,
-                    ..limit.place
-                },
-            ),
-            is_highest: limit.is_highest,
-        }
+        Turn { place: place(case, Place { value, ..limit.place }), is_highest: limit.is_highest }
     });
     turns.collect()
 }
@@ -207,14 +181,8 @@ pub fn gaps(case: &Case, stroke: &Stroke) -> Vec<Gap> {
     let length = Some(stroke.length()).filter(|length| length.is_finite());
     let value = |value: f64| settled(value, length.unwrap_or(0.0));
     let gap = |found: &Break| {
-        let below = Place {
-            at: found.at,
-            value: value(found.before),
-        };
-        Gap {
-            place: place(case, below),
-            after: value(found.after),
-        }
+        let below = Place { at: found.at, value: value(found.before) };
+        Gap { place: place(case, below), after: value(found.after) }
     };
     stroke.breaks.iter().map(gap).collect()
 }

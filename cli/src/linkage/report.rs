@@ -96,9 +96,7 @@ impl Report {
             self.cost.positions
         );
         let failure = first.failure(what);
-        Err(stops
-            .take(3)
-            .fold(failure, |failure, stop| failure.reason(stop.reason)))
+        Err(stops.take(3).fold(failure, |failure, stop| failure.reason(stop.reason)))
     }
 }
 
@@ -111,10 +109,7 @@ pub fn collect(
     case: Case,
     places: Vec<Place>,
 ) -> Result<Report, Failure> {
-    let names = Names {
-        entry: case.entry,
-        drivers: &case.drivers,
-    };
+    let names = Names { entry: case.entry, drivers: &case.drivers };
     let clock = Instant::now();
     let apart = |error: ClosureError| {
         let told = tell(names, &error);
@@ -123,10 +118,8 @@ pub fn collect(
     let lines = case.grid(&Grid::fine(&case)).map_err(apart)?;
     let closing = clock.elapsed().as_secs_f64();
     let rows = case.grid(&Grid::coarse(&case)).map_err(apart)?;
-    let places: Vec<_> = places
-        .into_iter()
-        .map(|place| snapshot(&case, place))
-        .collect::<Result<_, _>>()?;
+    let places: Vec<_> =
+        places.into_iter().map(|place| snapshot(&case, place)).collect::<Result<_, _>>()?;
     let strokes = reach::strokes(&case);
     let variables = 0..case.variables.len();
     let limits = variables.map(|index| reach::extremes(&case, &lines, strokes.as_ref(), index));
@@ -139,18 +132,11 @@ pub fn collect(
             Some((index, dead.or_else(worst)?))
         });
     let transmissions = transmissions.collect();
-    let mut met: Vec<_> = lines
-        .iter()
-        .flat_map(|line| &line.met)
-        .map(|one| event(names, one))
-        .collect();
+    let mut met: Vec<_> =
+        lines.iter().flat_map(|line| &line.met).map(|one| event(names, one)).collect();
     met.dedup();
     let mut stops: Vec<Told> = Vec::new();
-    for told in lines
-        .iter()
-        .flat_map(|line| &line.stops)
-        .map(|error| tell(names, error))
-    {
+    for told in lines.iter().flat_map(|line| &line.stops).map(|error| tell(names, error)) {
         if !stops.contains(&told) {
             stops.push(told);
         }
@@ -189,27 +175,17 @@ pub fn collect(
 /// Why it does not get there.
 pub fn snapshot(case: &Case, place: Place) -> Result<Snapshot, Failure> {
     let sample = case.at(place.independents.clone()).map_err(|error| {
-        let names = Names {
-            entry: case.entry,
-            drivers: &case.drivers,
-        };
+        let names = Names { entry: case.entry, drivers: &case.drivers };
         tell(names, &error)
             .failure(format!("the linkage does not get to {}", place.label))
             .place(place.option.as_str())
     })?;
-    Ok(Snapshot {
-        influence: influence::at(case, &place.independents),
-        sample,
-        place,
-    })
+    Ok(Snapshot { influence: influence::at(case, &place.independents), sample, place })
 }
 
 /// The loop equation that is left worst.
 fn gap(lines: &[Line], places: &[Snapshot]) -> Option<(usize, f64)> {
-    let swept = lines
-        .iter()
-        .flat_map(Line::reached)
-        .map(|(_, sample)| sample);
+    let swept = lines.iter().flat_map(Line::reached).map(|(_, sample)| sample);
     let all = swept.chain(places.iter().map(|place| &place.sample));
     let left = all.flat_map(|sample| sample.residuals.iter().map(|left| left.abs()).enumerate());
     left.max_by(|(_, a), (_, b)| a.total_cmp(b))
@@ -223,10 +199,9 @@ pub fn task(case: &Case) -> String {
     };
     match &case.task {
         Task::Sweep(drivers) => format!("positions over {}", names(drivers)),
-        Task::Time(Span::Periodic(period)) => format!(
-            "positions over one period of {} s",
-            crate::number::short(*period)
-        ),
+        Task::Time(Span::Periodic(period)) => {
+            format!("positions over one period of {} s", crate::number::short(*period))
+        }
         Task::Time(span) => {
             let (from, to) = span.limits();
             let [from, to] = [from, to].map(crate::number::short);

@@ -38,10 +38,8 @@ pub fn execute(
     let places = places.collect::<Result<Vec<_>, _>>()?;
     if case.task == Task::Open && places.is_empty() {
         let driver = scene.drivers.first().map_or("…", |driver| driver.name);
-        return Err(
-            Failure::request(format!("scene `{}` has no range to go over", scene.name))
-                .remedy(format!("say where to look: --at {driver}=…")),
-        );
+        return Err(Failure::request(format!("scene `{}` has no range to go over", scene.name))
+            .remedy(format!("say where to look: --at {driver}=…")));
     }
     let progress = Progress::start(format!("{}, scene {}", mechanism.name, scene.name), 0);
     let report = report::collect(mechanism, case, places)?;
@@ -53,11 +51,7 @@ pub fn execute(
         }
         None => None,
     };
-    output::print(&render(
-        &report,
-        options,
-        drawn.as_ref().map(Destination::path),
-    ))?;
+    output::print(&render(&report, options, drawn.as_ref().map(Destination::path)))?;
     report.outcome()
 }
 

@@ -26,9 +26,7 @@ pub fn largest(case: &Case, lines: &[Line], of: impl Fn(&Sample) -> f64) -> Opti
     let values = reached.map(|(station, sample)| (station, of(sample)));
     // Of equal values the first one counts.
     let better = |best: (_, f64), other: (_, f64)| if other.1 > best.1 { other } else { best };
-    let (station, value) = values
-        .filter(|(_, value)| value.is_finite())
-        .reduce(better)?;
+    let (station, value) = values.filter(|(_, value)| value.is_finite()).reduce(better)?;
     let mut best = (station.to_vec(), value);
     let axes = case.axes();
     let mut steps: Vec<f64> = axes.iter().map(|axis| first_step(axis, lines)).collect();
@@ -41,9 +39,7 @@ pub fn largest(case: &Case, lines: &[Line], of: impl Fn(&Sample) -> f64) -> Opti
                 let (low, high) = (axis.from.min(axis.to), axis.from.max(axis.to));
                 station[index] = (station[index] + direction * steps[index]).clamp(low, high);
                 trials += 1;
-                let value = case
-                    .at(case.place(&station))
-                    .map_or(f64::NAN, |sample| of(&sample));
+                let value = case.at(case.place(&station)).map_or(f64::NAN, |sample| of(&sample));
                 if value > best.1 {
                     best = (station, value);
                     break;
@@ -65,19 +61,12 @@ pub fn largest(case: &Case, lines: &[Line], of: impl Fn(&Sample) -> f64) -> Opti
 /// Where something is smallest; none where it is nowhere a number.
 pub fn smallest(case: &Case, lines: &[Line], of: impl Fn(&Sample) -> f64) -> Option<Extreme> {
     let found = largest(case, lines, |sample| -of(sample))?;
-    Some(Extreme {
-        value: -found.value,
-        ..found
-    })
+    Some(Extreme { value: -found.value, ..found })
 }
 
 /// Half the distance of samples along an axis.
 fn first_step(axis: &Axis, lines: &[Line]) -> f64 {
-    let most = lines
-        .iter()
-        .map(|line| line.stations.len())
-        .max()
-        .unwrap_or(0);
+    let most = lines.iter().map(|line| line.stations.len()).max().unwrap_or(0);
     let along = if lines.len() > 1 { 24 } else { most };
     (axis.to - axis.from).abs() / along.max(2) as f64
 }

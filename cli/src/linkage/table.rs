@@ -79,12 +79,7 @@ fn drivers(page: &mut Page, report: &Report) {
             _ if range.from == range.to => ["".to_owned(), "stands".to_owned(), show(range.start)],
             _ => [range.from, range.to, range.start].map(show),
         };
-        table.row(
-            [driver.name.to_owned()]
-                .into_iter()
-                .chain(cells)
-                .chain([summary]),
-        );
+        table.row([driver.name.to_owned()].into_iter().chain(cells).chain([summary]));
     }
     page.section("Drivers", &table);
     page.line("");
@@ -104,22 +99,11 @@ fn positions(page: &mut Page, report: &Report) {
         "" => name.to_owned(),
         _ => format!("{name}, {unit}"),
     };
-    let of_axes = axes
-        .iter()
-        .map(|axis| with_unit(axis.quantity.name, axis.quantity.unit));
-    let of_drivers = driven
-        .iter()
-        .map(|driver| with_unit(driver.name, driver.unit));
-    let of_variables = case
-        .variables
-        .iter()
-        .map(|one| with_unit(&one.name, &one.unit));
+    let of_axes = axes.iter().map(|axis| with_unit(axis.quantity.name, axis.quantity.unit));
+    let of_drivers = driven.iter().map(|driver| with_unit(driver.name, driver.unit));
+    let of_variables = case.variables.iter().map(|one| with_unit(&one.name, &one.unit));
     let headings: Vec<_> = of_axes.chain(of_drivers).chain(of_variables).collect();
-    let mut table = Columns::new(
-        headings
-            .iter()
-            .map(|heading| (heading.as_str(), Align::Point)),
-    );
+    let mut table = Columns::new(headings.iter().map(|heading| (heading.as_str(), Align::Point)));
     let decimals = decimals(report);
     for (index, line) in report.rows.iter().enumerate() {
         if index > 0 && report.rows.len() > 1 {
@@ -127,14 +111,9 @@ fn positions(page: &mut Page, report: &Report) {
         }
         for (station, sample) in line.stations.iter().zip(&line.samples) {
             let axes = axes.iter().zip(station);
-            let mut row: Vec<_> = axes
-                .map(|(axis, value)| number::short(value / axis.quantity.factor))
-                .collect();
-            let place = if timed {
-                case.place(station)
-            } else {
-                Vec::new()
-            };
+            let mut row: Vec<_> =
+                axes.map(|(axis, value)| number::short(value / axis.quantity.factor)).collect();
+            let place = if timed { case.place(station) } else { Vec::new() };
             let driven = driven.iter().zip(&place);
             row.extend(driven.map(|(driver, position)| number::short(position / driver.factor)));
             row.extend(cells(report, sample.as_ref(), &decimals));
@@ -149,9 +128,7 @@ fn positions(page: &mut Page, report: &Report) {
 /// rounding beside others of its kind has as many as they.
 fn decimals(report: &Report) -> Vec<Option<usize>> {
     let most = |limits: &Option<(Extreme, Extreme)>| {
-        let ends = limits
-            .as_ref()
-            .map(|(low, high)| low.value.abs().max(high.value.abs()));
+        let ends = limits.as_ref().map(|(low, high)| low.value.abs().max(high.value.abs()));
         ends.filter(|most| most.is_finite()).unwrap_or(0.0)
     };
     let variables = &report.case.variables;
@@ -177,9 +154,7 @@ fn cells(report: &Report, sample: Option<&Sample>, decimals: &[Option<usize>]) -
     };
     let values = case.values(sample);
     let columns = case.variables.iter().zip(values).zip(decimals);
-    columns
-        .map(|((variable, value), decimals)| fixed(variable.in_unit(value), *decimals))
-        .collect()
+    columns.map(|((variable, value), decimals)| fixed(variable.in_unit(value), *decimals)).collect()
 }
 
 fn fixed(value: f64, decimals: Option<usize>) -> String {
@@ -188,11 +163,7 @@ fn fixed(value: f64, decimals: Option<usize>) -> String {
         Some(decimals) => {
             let text = format!("{value:.decimals$}");
             let zero = text.chars().all(|one| matches!(one, '-' | '0' | '.'));
-            if zero {
-                text.trim_start_matches('-').to_owned()
-            } else {
-                text
-            }
+            if zero { text.trim_start_matches('-').to_owned() } else { text }
         }
         None => number::significant(value, DIGITS as usize),
     }
@@ -236,10 +207,9 @@ fn status(page: &mut Page, report: &Report) {
     let positions = number::count(cost.reached);
     let share = match report.is_complete() {
         true if cost.positions == 0 => format!("Closed in {}", number::duration(cost.total)),
-        true => format!(
-            "Complete: {positions} positions closed in {}",
-            number::duration(cost.closing)
-        ),
+        true => {
+            format!("Complete: {positions} positions closed in {}", number::duration(cost.closing))
+        }
         false => format!(
             "Incomplete: {positions} of {} positions closed in {}",
             number::count(cost.positions),

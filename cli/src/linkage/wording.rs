@@ -32,9 +32,7 @@ pub struct Told {
 impl Told {
     /// The message of a command that wanted to do something.
     pub fn failure(self, what: impl Into<String>) -> Failure {
-        Failure::numerical(what)
-            .reason(self.reason)
-            .remedy(self.remedy)
+        Failure::numerical(what).reason(self.reason).remedy(self.remedy)
     }
 }
 
@@ -43,11 +41,7 @@ pub fn tell(names: Names<'_>, error: &ClosureError) -> Told {
     let place = |at: &[f64]| label(names.drivers, at);
     let group = |index: usize| group::both(names.entry, index);
     match error {
-        ClosureError::NotAssembled {
-            group: index,
-            at,
-            gap,
-        } => Told {
+        ClosureError::NotAssembled { group: index, at, gap } => Told {
             place: place(at),
             reason: format!(
                 "at {} the links do not meet: a gap of {} is left in {}",
@@ -57,13 +51,7 @@ pub fn tell(names: Names<'_>, error: &ClosureError) -> Told {
             ),
             remedy: "check the dimensions, those given with --set first; or choose another position",
         },
-        ClosureError::NotConverged {
-            group: index,
-            at,
-            residual,
-            iterations,
-            sine,
-        } => Told {
+        ClosureError::NotConverged { group: index, at, residual, iterations, sine } => Told {
             place: place(at),
             reason: format!(
                 "at {} the iteration for {} did not settle: {} is left after {iterations} steps (transmission angle \
@@ -75,12 +63,7 @@ pub fn tell(names: Names<'_>, error: &ClosureError) -> Told {
             ),
             remedy: "give start values nearer to the position in the equation file, `dependent phi5 ~ 10 deg`",
         },
-        ClosureError::DeadPoint {
-            group: index,
-            at,
-            wanted,
-            gap,
-        } => {
+        ClosureError::DeadPoint { group: index, at, wanted, gap } => {
             let beyond = match gap.is_finite() {
                 true => format!(
                     "; at {} a gap of {} would be left",
@@ -100,11 +83,7 @@ pub fn tell(names: Names<'_>, error: &ClosureError) -> Told {
                 remedy: "stay on this side of the dead point, or change the dimensions with --set",
             }
         }
-        ClosureError::Ambiguous {
-            group: index,
-            at,
-            apart,
-        } => Told {
+        ClosureError::Ambiguous { group: index, at, apart } => Told {
             place: place(at),
             reason: format!(
                 "at {} the two assembly modes of {} cannot be told apart{}",
@@ -125,12 +104,7 @@ pub fn tell(names: Names<'_>, error: &ClosureError) -> Told {
             reason: format!("at {} {} has no finite value", place(at), group(*index)),
             remedy: "a root, a division or a logarithm leaves its range there: check the values given with --set",
         },
-        ClosureError::ModeLost {
-            group: index,
-            at,
-            wanted,
-            sine,
-        } => Told {
+        ClosureError::ModeLost { group: index, at, wanted, sine } => Told {
             place: place(at),
             reason: format!(
                 "beyond {} on the way to {} the assembly mode of {} cannot be followed with certainty (transmission \
@@ -164,10 +138,7 @@ pub fn contradiction(
         let quantity = entry.dependents.get(found.dependent).map(shown)?;
         let [declared, assembled] =
             [found.declared, found.assembled].map(|value| quantity_text(&quantity, value));
-        Some(format!(
-            "{} ~ {declared} is assembled at {assembled}",
-            quantity.name
-        ))
+        Some(format!("{} ~ {declared} is assembled at {assembled}", quantity.name))
     };
     let list: Vec<_> = start.contradicted.iter().filter_map(one).collect();
     (!list.is_empty()).then(|| {
@@ -203,11 +174,7 @@ pub fn place_of(event: &Event) -> Option<&[f64]> {
 
 /// A dead point of a group in words.
 pub fn dead_point(entry: &LinkageEntry, index: usize) -> String {
-    format!(
-        "dead point of {}: {}",
-        group::both(entry, index),
-        dead(entry, index)
-    )
+    format!("dead point of {}: {}", group::both(entry, index), dead(entry, index))
 }
 
 /// What is singular at the dead point of a group.
@@ -224,18 +191,14 @@ fn dead(entry: &LinkageEntry, index: usize) -> &'static str {
 pub fn event(names: Names<'_>, event: &Event) -> (String, String) {
     let group = |index: usize| group::both(names.entry, index);
     match event {
-        Event::ChangePoint {
-            group: index, at, ..
-        } => (
+        Event::ChangePoint { group: index, at, .. } => (
             label(names.drivers, at),
             format!(
                 "change point of {}: both assembly modes meet; the motion goes on smoothly",
                 group(*index)
             ),
         ),
-        Event::DeadPoint {
-            group: index, at, ..
-        } => (
+        Event::DeadPoint { group: index, at, .. } => (
             label(names.drivers, at),
             format!(
                 "dead point of {}: the motion goes back in the other assembly mode",
@@ -248,13 +211,8 @@ pub fn event(names: Names<'_>, event: &Event) -> (String, String) {
 
 /// A residual of a group with its unit: lengths in millimetres, angles in degrees.
 fn amount(entry: &LinkageEntry, group: usize, residual: f64) -> String {
-    let loops = entry
-        .groups
-        .get(group)
-        .map_or(&[][..], |group| group.equations);
-    let mut units = loops
-        .iter()
-        .map(|&index| (entry.loops[index].unit, entry.loops[index].factor));
+    let loops = entry.groups.get(group).map_or(&[][..], |group| group.equations);
+    let mut units = loops.iter().map(|&index| (entry.loops[index].unit, entry.loops[index].factor));
     let first = units.next();
     match first.filter(|first| units.all(|other| other == *first)) {
         Some((unit, factor)) => gap(residual, unit, factor),
@@ -274,10 +232,7 @@ pub fn gap(value: f64, unit: &str, factor: f64) -> String {
 
 fn degrees(sine: f64) -> String {
     match sine.is_finite() {
-        true => format!(
-            "{} deg",
-            number::short(number::rounded(group::transmission(sine), 2))
-        ),
+        true => format!("{} deg", number::short(number::rounded(group::transmission(sine), 2))),
         false => "unknown".to_owned(),
     }
 }
@@ -290,31 +245,13 @@ mod tests {
     use assur::shape::Loop;
 
     const fn length(name: &'static str) -> Loop {
-        Loop {
-            name,
-            unit: "m",
-            factor: 1.0,
-            line: 1,
-        }
+        Loop { name, unit: "m", factor: 1.0, line: 1 }
     }
 
     const ENTRY: LinkageEntry = LinkageEntry {
-        dependents: &[
-            Quantity {
-                name: "phi5",
-                ..TIME
-            },
-            Quantity {
-                name: "phi6",
-                ..TIME
-            },
-        ],
+        dependents: &[Quantity { name: "phi5", ..TIME }, Quantity { name: "phi6", ..TIME }],
         loops: &[length("loop.x"), length("loop.y")],
-        groups: &[Group {
-            kind: GroupKind::Rrr,
-            unknowns: &[0, 1],
-            equations: &[0, 1],
-        }],
+        groups: &[Group { kind: GroupKind::Rrr, unknowns: &[0, 1], equations: &[0, 1] }],
         variables: &[],
         tolerances: &[],
         points: &[],
@@ -323,26 +260,15 @@ mod tests {
 
     #[track_caller]
     fn check(error: &ClosureError, expected: &str) {
-        let driver = Quantity {
-            name: "phi4",
-            unit: "deg",
-            factor: 1f64.to_radians(),
-            ..TIME
-        };
-        let names = Names {
-            entry: &ENTRY,
-            drivers: &[driver],
-        };
+        let driver = Quantity { name: "phi4", unit: "deg", factor: 1f64.to_radians(), ..TIME };
+        let names = Names { entry: &ENTRY, drivers: &[driver] };
         assert_eq!(tell(names, error).reason, expected);
     }
 
     #[test]
     fn a_gap_is_told_in_millimetres() {
-        let error = ClosureError::NotAssembled {
-            group: 0,
-            at: vec![90f64.to_radians()],
-            gap: 0.012_345_6,
-        };
+        let error =
+            ClosureError::NotAssembled { group: 0, at: vec![90f64.to_radians()], gap: 0.012_345_6 };
         check(
             &error,
             "at phi4 = 90 deg the links do not meet: a gap of 12.35 mm is left in loop.x, loop.y (for phi5, phi6)",
@@ -367,10 +293,7 @@ mod tests {
 
     #[test]
     fn what_has_no_group_of_ours_is_told_all_the_same() {
-        let error = ClosureError::NotFinite {
-            group: 7,
-            at: vec![0.0],
-        };
+        let error = ClosureError::NotFinite { group: 7, at: vec![0.0] };
         check(&error, "at phi4 = 0 deg group 8 has no finite value");
     }
 }

@@ -35,9 +35,8 @@ pub fn render(answer: &Answer) -> String {
 fn row(answer: &Answer, found: &Found, mode: &Listed, declared: bool) -> String {
     let case = &answer.case;
     let drivers = case.drivers.iter().zip(&found.place.independents);
-    let mut cells: Vec<_> = drivers
-        .map(|(driver, position)| cell(unit::stated(*position, driver.factor)))
-        .collect();
+    let mut cells: Vec<_> =
+        drivers.map(|(driver, position)| cell(unit::stated(*position, driver.factor))).collect();
     cells.extend(answer.values(mode).into_iter().map(cell));
     for (one, sine) in case.entry.groups.iter().zip(&mode.sines) {
         let sign = match sign(*sine) {

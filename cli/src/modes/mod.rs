@@ -74,10 +74,7 @@ pub fn execute(options: &ModesArguments, registry: Registry) -> Result<(), Failu
     let case = Case::new(constants)?;
     let places = match options.at.as_slice() {
         [] => vec![place::start(&case)?],
-        given => given
-            .iter()
-            .map(|text| place::read(&case, text))
-            .collect::<Result<_, _>>()?,
+        given => given.iter().map(|text| place::read(&case, text)).collect::<Result<_, _>>()?,
     };
     let clock = Instant::now();
     let found = places.into_iter().map(|place| find(&case, place));
@@ -95,10 +92,7 @@ pub fn execute(options: &ModesArguments, registry: Registry) -> Result<(), Failu
 }
 
 fn find(case: &Case, place: Place) -> Result<Found, Failure> {
-    let names = Names {
-        entry: case.entry,
-        drivers: &case.drivers,
-    };
+    let names = Names { entry: case.entry, drivers: &case.drivers };
     let listing = case
         .run()
         .modes(&place.independents, &Search::default())
@@ -115,9 +109,7 @@ impl Answer {
     pub fn values(&self, mode: &Listed) -> Vec<f64> {
         let values = self.case.values_of(&mode.dependents, &mode.outputs);
         let pairs = self.case.variables.iter().zip(values);
-        pairs
-            .map(|(variable, value)| variable.in_unit(value))
-            .collect()
+        pairs.map(|(variable, value)| variable.in_unit(value)).collect()
     }
 
     /// The loop equation that is left worst in a mode, and what is left of it in SI units.

@@ -19,10 +19,7 @@ const NOISE: f64 = 1e-14;
 pub fn render(answer: &Answer, style: Style) -> String {
     let mut page = Page::new(style);
     let case = &answer.case;
-    let title = format!(
-        "{}, scene {}: assembly modes",
-        answer.mechanism.title, case.scene.name
-    );
+    let title = format!("{}, scene {}: assembly modes", answer.mechanism.title, case.scene.name);
     about(&mut page, &title, &case.constants);
     groups(&mut page, answer);
     for found in &answer.found {
@@ -88,12 +85,7 @@ fn standing(answer: &Answer, found: &Found) -> Columns {
     let values: Vec<_> = modes.iter().map(|mode| texts(answer, mode)).collect();
     for (index, variable) in answer.case.variables.iter().enumerate() {
         let cells = values.iter().map(|texts| texts[index].clone());
-        row(
-            &variable.name,
-            cells.collect(),
-            &variable.unit,
-            variable.summary.clone(),
-        );
+        row(&variable.name, cells.collect(), &variable.unit, variable.summary.clone());
     }
     for (index, one) in entry.groups.iter().enumerate() {
         let signs = modes.iter().map(|mode| sign(mode.sines[index]).to_owned());
@@ -120,17 +112,12 @@ fn lying(answer: &Answer, found: &Found) -> Columns {
         unit => format!("{}, {unit}", one.name),
     });
     let headings: Vec<_> = headings.collect();
-    let columns = headings
-        .iter()
-        .map(|heading| (heading.as_str(), Align::Point));
-    let columns = [("", Align::Right), ("signs", Align::Left)]
-        .into_iter()
-        .chain(columns)
-        .chain([
-            ("transmission, deg", Align::Point),
-            ("gap left", Align::Left),
-            ("", Align::Left),
-        ]);
+    let columns = headings.iter().map(|heading| (heading.as_str(), Align::Point));
+    let columns = [("", Align::Right), ("signs", Align::Left)].into_iter().chain(columns).chain([
+        ("transmission, deg", Align::Point),
+        ("gap left", Align::Left),
+        ("", Align::Left),
+    ]);
     let mut table = Columns::new(columns);
     for (index, mode) in found.listing.modes.iter().enumerate() {
         let signs: Vec<_> = mode.sines.iter().map(|sine| sign(*sine)).collect();
@@ -179,9 +166,7 @@ fn gap(answer: &Answer, mode: &Listed) -> String {
 fn worst(answer: &Answer, sines: &[f64]) -> Option<f64> {
     let groups = answer.case.entry.groups.iter().zip(sines);
     let transmitting = groups.filter(|(one, _)| group::transmits(one));
-    transmitting
-        .map(|(_, sine)| group::transmission(*sine))
-        .reduce(f64::min)
+    transmitting.map(|(_, sine)| group::transmission(*sine)).reduce(f64::min)
 }
 
 /// Whether these are all, and what becomes of the mode that is meant.
@@ -199,10 +184,7 @@ fn remarks(page: &mut Page, answer: &Answer, found: &Found) {
     let mut lines = vec![(said, !listing.complete)];
     if let Some(told) = &found.unreached {
         lines.push((
-            format!(
-                "The mode of the start values does not get here: {}.",
-                told.reason
-            ),
+            format!("The mode of the start values does not get here: {}.", told.reason),
             true,
         ));
     }

@@ -21,27 +21,17 @@ impl Across {
     pub fn new(report: &Report) -> Self {
         let driver = report.case.scene.drivers.first();
         let steady =
-            report
-                .curves
-                .drivers
-                .windows(2)
-                .all(|pair| match (pair[0].first(), pair[1].first()) {
-                    (Some(before), Some(after)) => before <= after,
-                    _ => false,
-                });
+            report.curves.drivers.windows(2).all(|pair| match (pair[0].first(), pair[1].first()) {
+                (Some(before), Some(after)) => before <= after,
+                _ => false,
+            });
         let ends = (report.curves.drivers.first(), report.curves.drivers.last());
         let advances = matches!(ends, (Some(first), Some(last)) if first < last);
         match driver.filter(|_| steady && advances && report.is_cycle()) {
-            Some(driver) => Self {
-                driver: true,
-                ..Self::along(driver)
-            },
-            None => Self {
-                driver: false,
-                degrees: false,
-                factor: 1.0,
-                title: "time, s".to_owned(),
-            },
+            Some(driver) => Self { driver: true, ..Self::along(driver) },
+            None => {
+                Self { driver: false, degrees: false, factor: 1.0, title: "time, s".to_owned() }
+            }
         }
     }
 
@@ -53,30 +43,16 @@ impl Across {
         } else {
             (name::unit(quantity.unit), quantity.factor)
         };
-        let what = quantity
-            .summary
-            .lines()
-            .next()
-            .unwrap_or("")
-            .trim_end_matches('.');
+        let what = quantity.summary.lines().next().unwrap_or("").trim_end_matches('.');
         let letter = name::set(quantity.name).text;
         let parts = [what, &letter, &unit].into_iter();
         let parts: Vec<_> = parts.filter(|part| !part.is_empty()).collect();
-        Self {
-            driver: false,
-            degrees,
-            factor,
-            title: parts.join(", "),
-        }
+        Self { driver: false, degrees, factor, title: parts.join(", ") }
     }
 
     /// The position on the axis at a time.
     pub fn at(&self, report: &Report, time: f64) -> f64 {
-        let driven = if self.driver {
-            report.case.drivers(time).first().copied()
-        } else {
-            None
-        };
+        let driven = if self.driver { report.case.drivers(time).first().copied() } else { None };
         driven.unwrap_or(time) / self.factor
     }
 

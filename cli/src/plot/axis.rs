@@ -38,10 +38,7 @@ impl Axis {
         let (low, high) = widen(low, high);
         let wanted = (high - low) / intervals as f64;
         let steps = [5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0, 720.0];
-        let step = steps
-            .into_iter()
-            .find(|step| *step >= 0.8 * wanted)
-            .filter(|_| wanted >= 4.0);
+        let step = steps.into_iter().find(|step| *step >= 0.8 * wanted).filter(|_| wanted >= 4.0);
         Self::with_step(low, high, step.unwrap_or_else(|| round_step(wanted)))
     }
 
@@ -51,10 +48,7 @@ impl Axis {
         let last = ((high + slack) / step).floor() as i64;
         Self {
             ends: (low, high),
-            ticks: (first..=last)
-                .take(100)
-                .map(|index| index as f64 * step)
-                .collect(),
+            ticks: (first..=last).take(100).map(|index| index as f64 * step).collect(),
             decimals: (-(step * 1.0001).log10().floor()).clamp(0.0, 12.0) as usize,
         }
     }
@@ -77,10 +71,7 @@ impl Axis {
             grouped.push(digit);
         }
         let zero = text.chars().all(|character| matches!(character, '0' | '.'));
-        format!(
-            "{}{grouped}{fraction}",
-            if value < 0.0 && !zero { "−" } else { "" }
-        )
+        format!("{}{grouped}{fraction}", if value < 0.0 && !zero { "−" } else { "" })
     }
 }
 
@@ -100,10 +91,7 @@ fn widen(low: f64, high: f64) -> (f64, f64) {
 fn round_step(wanted: f64) -> f64 {
     let power = 10f64.powf(wanted.log10().floor());
     let steps = [1.0, 2.0, 5.0, 10.0];
-    let factor = steps
-        .into_iter()
-        .find(|factor| factor * power >= wanted * 0.999)
-        .unwrap_or(10.0);
+    let factor = steps.into_iter().find(|factor| factor * power >= wanted * 0.999).unwrap_or(10.0);
     factor * power
 }
 
@@ -125,18 +113,12 @@ mod tests {
     fn ticks_are_round() {
         check(&Axis::around(-2.1, 2.05, 4), &["−4", "−2", "0", "2", "4"]);
         check(&Axis::around(0.0, 150.67, 4), &["0", "50", "100", "150"]);
-        check(
-            &Axis::around(-0.0037, 0.0037, 4),
-            &["−0.004", "−0.002", "0.000", "0.002", "0.004"],
-        );
+        check(&Axis::around(-0.0037, 0.0037, 4), &["−0.004", "−0.002", "0.000", "0.002", "0.004"]);
     }
 
     #[test]
     fn degrees_have_their_own_round_numbers() {
-        check(
-            &Axis::degrees(0.0, 360.0, 6),
-            &["0", "60", "120", "180", "240", "300", "360"],
-        );
+        check(&Axis::degrees(0.0, 360.0, 6), &["0", "60", "120", "180", "240", "300", "360"]);
         check(
             &Axis::degrees(0.0, 720.0, 8),
             &["0", "90", "180", "270", "360", "450", "540", "630", "720"],
@@ -148,9 +130,6 @@ mod tests {
         check(&Axis::around(0.0, 0.0, 2), &["−1", "0", "1"]);
         assert!(!Axis::around(f64::NAN, 1.0, 4).ticks.is_empty());
         check(&Axis::around(0.0, 2e7, 2), &["0", "1·10⁷", "2·10⁷"]);
-        check(
-            &Axis::around(0.0, 20000.0, 2),
-            &["0", "10\u{2009}000", "20\u{2009}000"],
-        );
+        check(&Axis::around(0.0, 20000.0, 2), &["0", "10\u{2009}000", "20\u{2009}000"]);
     }
 }

@@ -37,11 +37,7 @@ pub struct Bands<'a> {
 impl<'a> Bands<'a> {
     /// Bands on a horizontal scale.
     pub fn new(all: &'a [Band], scale: Scale) -> Self {
-        Self {
-            all,
-            scale,
-            colours: colours(all),
-        }
+        Self { all, scale, colours: colours(all) }
     }
 
     /// Height of the strip.
@@ -151,17 +147,10 @@ fn colours(bands: &[Band]) -> BTreeMap<usize, usize> {
 mod tests {
     use super::*;
 
-    const SCALE: Scale = Scale {
-        values: (0.0, 100.0),
-        pixels: (0.0, 400.0),
-    };
+    const SCALE: Scale = Scale { values: (0.0, 100.0), pixels: (0.0, 400.0) };
 
     fn band(mode: usize, name: &str, ends: (f64, f64)) -> Band {
-        Band {
-            ends,
-            mode,
-            name: name.to_owned(),
-        }
+        Band { ends, mode, name: name.to_owned() }
     }
 
     fn drawn(all: &[Band]) -> (String, String) {
@@ -174,11 +163,8 @@ mod tests {
 
     #[test]
     fn names_without_room_go_to_a_legend_of_all_modes() {
-        let narrow = [
-            band(0, "gap", (0.0, 2.0)),
-            band(1, "wind", (2.0, 4.0)),
-            band(2, "run", (4.0, 100.0)),
-        ];
+        let narrow =
+            [band(0, "gap", (0.0, 2.0)), band(1, "wind", (2.0, 4.0)), band(2, "run", (4.0, 100.0))];
         let (strip, legend) = drawn(&narrow);
         assert!(strip.contains(">run<"), "{strip}");
         assert!(!strip.contains(">gap<") && !strip.contains(">wind<"));
@@ -212,17 +198,9 @@ mod tests {
 
     #[test]
     fn a_long_legend_has_several_rows() {
-        let names = [
-            "first mode",
-            "second mode",
-            "third mode",
-            "fourth mode",
-            "fifth mode",
-        ];
+        let names = ["first mode", "second mode", "third mode", "fourth mode", "fifth mode"];
         let all = names.iter().enumerate();
-        let all: Vec<_> = all
-            .map(|(mode, name)| band(mode, name, (0.0, 1.0)))
-            .collect();
+        let all: Vec<_> = all.map(|(mode, name)| band(mode, name, (0.0, 1.0))).collect();
         assert_eq!(Bands::new(&all, SCALE).legend_height(), 2.0 * ROW);
     }
 }

@@ -34,13 +34,7 @@ pub fn tracks<'a>(data: &Data<'a>, selection: &Selection) -> Vec<Track<'a>> {
             .iter()
             .filter(|value| value.is_finite())
             .fold(0.0, |most: f64, value| most.max(value.abs()));
-        Track {
-            index,
-            variable,
-            kind: Kind::of(variable),
-            values,
-            amplitude,
-        }
+        Track { index, variable, kind: Kind::of(variable), values, amplitude }
     };
     wanted.map(track).collect()
 }
@@ -71,15 +65,10 @@ pub fn clusters<'a, 't>(tracks: &'t [Track<'a>]) -> Vec<Vec<&'t Track<'a>>> {
 /// The unit in which most of the cluster is given, of two the one with the handier numbers; a finer one where these
 /// would be small.
 pub fn unit<'t>(cluster: &[&'t Track<'_>]) -> (&'t str, f64) {
-    let most = cluster
-        .iter()
-        .map(|track| track.amplitude)
-        .fold(0.0, f64::max);
+    let most = cluster.iter().map(|track| track.amplitude).fold(0.0, f64::max);
     let rank = |track: &Track<'_>| {
-        let same = cluster
-            .iter()
-            .filter(|other| other.variable.unit == track.variable.unit)
-            .count();
+        let same =
+            cluster.iter().filter(|other| other.variable.unit == track.variable.unit).count();
         let handy = (0.5..5000.0).contains(&(most / track.variable.factor));
         (handy, same)
     };
@@ -124,9 +113,7 @@ pub fn finer_unit<'t>(track: &'t Track<'_>, most: f64) -> (&'t str, f64) {
         Kind::Rotation(_) if own.0 == "rad" => &[("mrad", 1e-3), ("urad", 1e-6)],
         _ => &[],
     };
-    let handy = finer
-        .iter()
-        .copied()
-        .find(|(_, factor)| *factor < own.1 * 1.1 && most / factor >= 0.1);
+    let handy =
+        finer.iter().copied().find(|(_, factor)| *factor < own.1 * 1.1 && most / factor >= 0.1);
     handy.filter(|_| most / own.1 < 0.1).unwrap_or(own)
 }

@@ -72,9 +72,7 @@ fn sample(report: &Report, stations: &[Option<Vec<f64>>]) -> Vec<Vec<f64>> {
         case.run().influence(&place).ok()
     };
     let found = stations.iter().map(at);
-    found
-        .map(|values| values.unwrap_or_else(|| vec![f64::NAN; all]))
-        .collect()
+    found.map(|values| values.unwrap_or_else(|| vec![f64::NAN; all])).collect()
 }
 
 /// The coefficients that are wanted and are not zero everywhere.
@@ -82,10 +80,7 @@ fn tracks(report: &Report, selection: &Selection, found: &[Vec<f64>]) -> Vec<Tra
     let case = &report.case;
     let width = case.entry.variables.len();
     let mut tracks = Vec::new();
-    for (output, shown) in case.variables[..case.scene.outputs.len()]
-        .iter()
-        .enumerate()
-    {
+    for (output, shown) in case.variables[..case.scene.outputs.len()].iter().enumerate() {
         for (variable, of) in case.entry.variables.iter().enumerate() {
             let Some(by) = influence::quantity(case, *of) else {
                 continue;
@@ -95,18 +90,10 @@ fn tracks(report: &Report, selection: &Selection, found: &[Vec<f64>]) -> Vec<Tra
                 continue;
             }
             let (unit, factor) = unit_of(shown, &by);
-            let column = found
-                .iter()
-                .map(|row| row[output * width + variable] / factor);
+            let column = found.iter().map(|row| row[output * width + variable] / factor);
             let values: Vec<f64> = column.collect();
             if size(&values) > 0.0 {
-                tracks.push(Track {
-                    output,
-                    variable,
-                    by,
-                    unit: (unit, factor),
-                    values,
-                });
+                tracks.push(Track { output, variable, by, unit: (unit, factor), values });
             }
         }
     }
@@ -178,10 +165,7 @@ fn panel(
     order.truncate(CURVES);
     order.sort_unstable();
     let shown: Vec<&Track> = order.into_iter().map(|index| group[index]).collect();
-    let most = shown
-        .iter()
-        .map(|track| size(&track.values))
-        .fold(0.0, f64::max);
+    let most = shown.iter().map(|track| size(&track.values)).fold(0.0, f64::max);
     let (unit, finer) = finer(&shown.first()?.unit.0, most);
     let curves = shown.iter().map(|track| {
         let values = track.values.iter().map(|value| value * finer).collect();

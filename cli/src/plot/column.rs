@@ -37,13 +37,7 @@ impl<'a> Column<'a> {
         bands: &'a [Band],
     ) -> Self {
         let labels = marks::labels(marks, &scale);
-        Self {
-            panels,
-            scale,
-            axis,
-            labels,
-            bands: Bands::new(bands, scale),
-        }
+        Self { panels, scale, axis, labels, bands: Bands::new(bands, scale) }
     }
 
     /// Height of the labels of marks.
@@ -59,10 +53,7 @@ impl<'a> Column<'a> {
 
     /// Where the column ends if it begins at this height.
     pub fn bottom(&self, top: f64) -> f64 {
-        let panels = self
-            .panels
-            .iter()
-            .map(|panel| self.heading_height(panel) + HEIGHT + BELOW);
+        let panels = self.panels.iter().map(|panel| self.heading_height(panel) + HEIGHT + BELOW);
         let modes = self.bands.strip_height() + self.bands.legend_height();
         top + self.label_height() + panels.sum::<f64>() - BELOW + modes + FOOT
     }
@@ -110,10 +101,7 @@ impl<'a> Column<'a> {
         let (left, right) = self.scale.pixels;
         let bottom = top + HEIGHT;
         let axis = vertical(panel);
-        let up = Scale {
-            values: axis.ends,
-            pixels: (bottom, top),
-        };
+        let up = Scale { values: axis.ends, pixels: (bottom, top) };
         self.bands.behind(svg, (top, HEIGHT));
         self.grid(svg, &axis, &up);
         svg.rectangle("frame", (left, top), (right - left, HEIGHT));
@@ -147,12 +135,7 @@ impl<'a> Column<'a> {
             let y = up.pixel(*tick);
             let class = if *tick == 0.0 { "zero" } else { "grid" };
             svg.line(class, (left, y), (right, y));
-            svg.text(
-                "number",
-                (left - 7.0, y + 4.0),
-                Anchor::End,
-                &axis.label(*tick),
-            );
+            svg.text("number", (left - 7.0, y + 4.0), Anchor::End, &axis.label(*tick));
         }
         for label in &self.labels {
             let x = self.scale.pixel(label.mark.at);
@@ -162,10 +145,7 @@ impl<'a> Column<'a> {
 }
 
 fn vertical(panel: &Panel) -> Axis {
-    let curves = panel
-        .curves
-        .iter()
-        .flat_map(|line| line.values.iter().copied());
+    let curves = panel.curves.iter().flat_map(|line| line.values.iter().copied());
     let values = curves.chain(panel.facts.iter().map(|fact| fact.value));
     let (low, high) = values
         .filter(|value| value.is_finite())

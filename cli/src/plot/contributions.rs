@@ -64,24 +64,14 @@ pub fn contributions(chart: &Chart) -> String {
     let top = layers.last().map_or(&[][..], |layer| layer);
     let most = top.iter().copied().fold(0.0, f64::max);
     let low = chart.places.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = chart
-        .places
-        .iter()
-        .copied()
-        .fold(f64::NEG_INFINITY, f64::max);
+    let high = chart.places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let along = match chart.abscissa.1.as_str() {
         "deg" => Axis::degrees(low, high, 6),
         _ => Axis::between(low, high, 6),
     };
     let up = Axis::around(0.0, most, 5);
-    let x = Scale {
-        values: along.ends,
-        pixels: (LEFT, WIDTH - RIGHT),
-    };
-    let y = Scale {
-        values: up.ends,
-        pixels: (HEIGHT - BOTTOM, TOP),
-    };
+    let x = Scale { values: along.ends, pixels: (LEFT, WIDTH - RIGHT) };
+    let y = Scale { values: up.ends, pixels: (HEIGHT - BOTTOM, TOP) };
     let mut svg = Svg::new(WIDTH, HEIGHT);
     svg.rectangle("paper", (0.0, 0.0), (WIDTH, HEIGHT));
     svg.text("title", (LEFT, 20.0), Anchor::Start, &chart.title);
@@ -112,10 +102,7 @@ fn with_rest(chart: &Chart) -> Chart {
             values: (0..chart.places.len()).map(sum).collect(),
         });
     }
-    Chart {
-        bands,
-        ..chart.clone()
-    }
+    Chart { bands, ..chart.clone() }
 }
 
 /// The upper edges of the layers, below all of them zero.
@@ -147,22 +134,12 @@ fn axes(svg: &mut Svg, chart: &Chart, (along, up): (&Axis, &Axis), (x, y): (&Sca
     for tick in &up.ticks {
         let at = y.pixel(*tick);
         svg.line("grid", (LEFT, at), (right, at));
-        svg.text(
-            "tick",
-            (LEFT - 6.0, at + 4.0),
-            Anchor::End,
-            &up.label(*tick),
-        );
+        svg.text("tick", (LEFT - 6.0, at + 4.0), Anchor::End, &up.label(*tick));
     }
     for tick in &along.ticks {
         let at = x.pixel(*tick);
         svg.line("axis", (at, bottom), (at, bottom + 4.0));
-        svg.text(
-            "tick",
-            (at, bottom + 18.0),
-            Anchor::Middle,
-            &along.label(*tick),
-        );
+        svg.text("tick", (at, bottom + 18.0), Anchor::Middle, &along.label(*tick));
     }
     svg.line("axis", (LEFT, bottom), (right, bottom));
     svg.line("axis", (LEFT, TOP), (LEFT, bottom));
@@ -178,21 +155,12 @@ fn names(svg: &mut Svg, chart: &Chart) {
     let left = WIDTH - RIGHT + 12.0;
     for (index, band) in chart.bands.iter().enumerate() {
         let y = TOP + 10.0 + ROW * (chart.bands.len() - 1 - index) as f64;
-        svg.rectangle(
-            &format!("f{}", index % FILLS),
-            (left, y - 9.0),
-            (10.0, 10.0),
-        );
+        svg.rectangle(&format!("f{}", index % FILLS), (left, y - 9.0), (10.0, 10.0));
         svg.text("name", (left + 16.0, y), Anchor::Start, &band.name);
     }
     let y = TOP + 10.0 + ROW * chart.bands.len() as f64;
     svg.path("deviation", &[(left, y - 4.0), (left + 12.0, y - 4.0)]);
-    svg.text(
-        "name",
-        (left + 16.0, y),
-        Anchor::Start,
-        "standard deviation",
-    );
+    svg.text("name", (left + 16.0, y), Anchor::Start, "standard deviation");
 }
 
 #[cfg(test)]
@@ -201,10 +169,7 @@ mod tests {
 
     #[test]
     fn the_smallest_of_many_layers_are_one() {
-        let band = |index: usize| Band {
-            name: format!("l{index}"),
-            values: vec![1.0],
-        };
+        let band = |index: usize| Band { name: format!("l{index}"), values: vec![1.0] };
         let chart = with_rest(&Chart {
             title: String::new(),
             note: String::new(),
@@ -221,10 +186,8 @@ mod tests {
 
     #[test]
     fn layers_lie_on_each_other() {
-        let band = |name: &str, values: [f64; 2]| Band {
-            name: name.to_owned(),
-            values: values.to_vec(),
-        };
+        let band =
+            |name: &str, values: [f64; 2]| Band { name: name.to_owned(), values: values.to_vec() };
         let chart = Chart {
             title: "a & b".to_owned(),
             note: String::new(),

@@ -35,12 +35,7 @@ fn piece_of(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
             open.push((index, to));
         }
     }
-    points
-        .iter()
-        .zip(keep)
-        .filter(|(_, keep)| *keep)
-        .map(|(point, _)| *point)
-        .collect()
+    points.iter().zip(keep).filter(|(_, keep)| *keep).map(|(point, _)| *point).collect()
 }
 
 /// Distance of a point from a line through two others.
@@ -48,11 +43,7 @@ fn distance(point: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
     let (along, up) = (to.0 - from.0, to.1 - from.1);
     let (x, y) = (point.0 - from.0, point.1 - from.1);
     let length = along.hypot(up);
-    if length == 0.0 {
-        x.hypot(y)
-    } else {
-        (along * y - up * x).abs() / length
-    }
+    if length == 0.0 { x.hypot(y) } else { (along * y - up * x).abs() / length }
 }
 
 #[cfg(test)]
@@ -61,19 +52,16 @@ mod tests {
 
     #[test]
     fn a_straight_line_keeps_its_ends() {
-        let points: Vec<_> = (0..100)
-            .map(|index| (f64::from(index), 2.0 * f64::from(index)))
-            .collect();
+        let points: Vec<_> =
+            (0..100).map(|index| (f64::from(index), 2.0 * f64::from(index))).collect();
         assert_eq!(simplify(&points), [(0.0, 0.0), (99.0, 198.0)]);
     }
 
     #[test]
     fn a_sine_stays_a_sine() {
         let wave = |x: f64| 80.0 * (x / 40.0).sin();
-        let points: Vec<_> = (0..2000)
-            .map(|index| f64::from(index) / 5.0)
-            .map(|x| (x, wave(x)))
-            .collect();
+        let points: Vec<_> =
+            (0..2000).map(|index| f64::from(index) / 5.0).map(|x| (x, wave(x))).collect();
         let few = simplify(&points);
         assert!(few.len() < 120, "{}", few.len());
         for pair in few.windows(2) {

@@ -88,11 +88,7 @@ impl Figure {
             true => arrange(self.panels),
             false => stack(self.panels, self.beside),
         };
-        let width = if panels.len() == 1 {
-            WIDTH_ALONE
-        } else {
-            WIDTH
-        };
+        let width = if panels.len() == 1 { WIDTH_ALONE } else { WIDTH };
         let whole = panels.len().max(1) as f64 * (LEFT + width + RIGHT);
         let limit = ((whole - LEFT - RIGHT) / CHARACTER) as usize;
         let lead = text::wrap(&self.lead, limit);
@@ -100,10 +96,7 @@ impl Figure {
         let ends = Across::ends(&self.positions);
         let columns = panels.iter().enumerate().map(|(index, panels)| {
             let left = index as f64 * (LEFT + width + RIGHT) + LEFT;
-            let scale = Scale {
-                values: ends,
-                pixels: (left, left + width),
-            };
+            let scale = Scale { values: ends, pixels: (left, left + width) };
             let axis = self.across.axis(ends.0, ends.1, width);
             Column::new(panels, scale, axis, &self.marks, &self.bands)
         });
@@ -168,22 +161,16 @@ pub fn lead(constants: &Constants) -> String {
     if let Some(line) = scene.summary.lines().next().filter(|line| !line.is_empty()) {
         sentence += &format!(": {}", line.trim_end_matches('.'));
     }
-    let changed = scene
-        .constants
-        .iter()
-        .enumerate()
-        .filter(|(index, _)| constants.is_changed(*index))
-        .map(|(index, constant)| {
-            let quantity = &constant.quantity;
-            let value = number::declared(constants.values[index] / quantity.factor);
-            format!(
-                "{} = {value} {}",
-                name::set(quantity.name).text,
-                name::unit(quantity.unit)
-            )
-            .trim_end()
-            .to_owned()
-        });
+    let changed =
+        scene.constants.iter().enumerate().filter(|(index, _)| constants.is_changed(*index)).map(
+            |(index, constant)| {
+                let quantity = &constant.quantity;
+                let value = number::declared(constants.values[index] / quantity.factor);
+                format!("{} = {value} {}", name::set(quantity.name).text, name::unit(quantity.unit))
+                    .trim_end()
+                    .to_owned()
+            },
+        );
     let changed: Vec<_> = changed.collect();
     if !changed.is_empty() {
         sentence += &format!(". With {}", changed.join(", "));

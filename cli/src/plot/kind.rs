@@ -24,9 +24,8 @@ pub enum Kind {
 impl Kind {
     /// The kind of a variable.
     pub fn of(variable: &Variable) -> Self {
-        let exponents: [f64; 7] = variable
-            .dimension
-            .map(|(up, down)| f64::from(up) / f64::from(down.max(1)));
+        let exponents: [f64; 7] =
+            variable.dimension.map(|(up, down)| f64::from(up) / f64::from(down.max(1)));
         // A derivative by an angle has the dimension of what it is taken of.
         if variable.unit.ends_with("/rad") {
             return Self::Other(variable.dimension);
@@ -34,9 +33,7 @@ impl Kind {
         if exponents[3..].iter().any(|exponent| *exponent != 0.0) {
             return Self::Other(variable.dimension);
         }
-        let angular = ["rad", "deg", "rpm"]
-            .iter()
-            .any(|unit| variable.unit.starts_with(unit));
+        let angular = ["rad", "deg", "rpm"].iter().any(|unit| variable.unit.starts_with(unit));
         match exponents[..3] {
             [1.0, 0.0, 0.0] => Self::Translation(0),
             [1.0, 0.0, -1.0] => Self::Translation(1),

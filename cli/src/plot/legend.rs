@@ -52,11 +52,7 @@ pub fn draw(svg: &mut Svg, panel: &Panel, (left, right): (f64, f64), y: f64) {
     svg.text("heading", (left, y), Anchor::Start, &heading(panel));
     let below = rows(panel, right - left) > 0;
     let total: f64 = panel.curves.iter().map(entry_width).sum();
-    let (mut x, mut line) = if below {
-        (left, y + ROW)
-    } else {
-        (right - total + 14.0, y)
-    };
+    let (mut x, mut line) = if below { (left, y + ROW) } else { (right - total + 14.0, y) };
     for curve in &panel.curves {
         let width = entry_width(curve);
         if below && x + width > right && x > left {

@@ -43,10 +43,7 @@ pub fn draw(report: &Report, selection: &Selection) -> String {
         panels,
         beside,
         made: made(report),
-        positions: positions
-            .into_iter()
-            .map(|position| position / across.factor)
-            .collect(),
+        positions: positions.into_iter().map(|position| position / across.factor).collect(),
         across,
     }
     .draw()
@@ -69,9 +66,7 @@ fn is_driven(report: &Report) -> bool {
     let line = report.lines.first();
     matches!(case.task, Task::Time(_))
         && line.is_some_and(|line| {
-            line.stations
-                .windows(2)
-                .all(|pair| first(&pair[0]) < first(&pair[1]))
+            line.stations.windows(2).all(|pair| first(&pair[0]) < first(&pair[1]))
         })
 }
 
@@ -99,10 +94,7 @@ fn curves(
     let mut order: Vec<usize> = (0..line.stations.len()).collect();
     let position = |index: usize| abscissa(report, &line.stations[index], driven);
     // A sweep may run backwards, an axis does not.
-    if order
-        .windows(2)
-        .any(|pair| position(pair[1]) < position(pair[0]))
-    {
+    if order.windows(2).any(|pair| position(pair[1]) < position(pair[0])) {
         order.reverse();
     }
     let positions: Vec<f64> = order.iter().map(|&index| position(index)).collect();
@@ -126,16 +118,8 @@ fn curves(
     let one = |index: usize| {
         let values: Vec<_> = values.iter().map(|row| vec![row[index]]).collect();
         let known = published.iter().filter(|known| known.variable == index);
-        let known = known.map(|known| Published {
-            variable: 0,
-            ..*known
-        });
-        let mut panels = choose(
-            &variables[index..=index],
-            &values,
-            known.collect(),
-            selection,
-        );
+        let known = known.map(|known| Published { variable: 0, ..*known });
+        let mut panels = choose(&variables[index..=index], &values, known.collect(), selection);
         let lines = panels.iter_mut().flat_map(|panel| &mut panel.curves);
         lines.for_each(|line| line.colour = Some(index));
         panels
@@ -150,41 +134,26 @@ fn choose(
     published: Vec<Published>,
     selection: &Selection,
 ) -> Vec<Panel> {
-    let data = Data {
-        variables,
-        values,
-        errors: &vec![0.0; variables.len()],
-        published,
-    };
+    let data = Data { variables, values, errors: &vec![0.0; variables.len()], published };
     panels::choose(&data, selection)
 }
 
 /// Whether a few curves of one kind change so little beside their distance that each needs a panel of its own.
 fn is_apart(variables: &[Variable], values: &[Vec<f64>]) -> bool {
-    let alike = variables
-        .windows(2)
-        .all(|pair| Kind::of(&pair[0]) == Kind::of(&pair[1]));
+    let alike = variables.windows(2).all(|pair| Kind::of(&pair[0]) == Kind::of(&pair[1]));
     if !alike || !(2..=ALONE).contains(&variables.len()) {
         return false;
     }
     let ends = |index: usize| {
-        let column = values
-            .iter()
-            .map(|row| row[index])
-            .filter(|value| value.is_finite());
+        let column = values.iter().map(|row| row[index]).filter(|value| value.is_finite());
         column.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
             (low.min(value), high.max(value))
         })
     };
     let each: Vec<_> = (0..variables.len()).map(ends).collect();
-    let most = each
-        .iter()
-        .map(|(low, high)| high - low)
-        .fold(0.0, f64::max);
+    let most = each.iter().map(|(low, high)| high - low).fold(0.0, f64::max);
     let low = each.iter().fold(f64::INFINITY, |low, one| low.min(one.0));
-    let high = each
-        .iter()
-        .fold(f64::NEG_INFINITY, |high, one| high.max(one.1));
+    let high = each.iter().fold(f64::NEG_INFINITY, |high, one| high.max(one.1));
     high - low > APART * most
 }
 
@@ -236,10 +205,7 @@ fn families(report: &Report, selection: &Selection, axes: &[Axis]) -> (Vec<f64>,
         positions.reverse();
     }
     let shown = &case.variables[..wanted(report, selection)];
-    let shown = shown
-        .iter()
-        .enumerate()
-        .filter(|(_, one)| selection.admits(&one.name));
+    let shown = shown.iter().enumerate().filter(|(_, one)| selection.admits(&one.name));
     let panels = shown.map(|(index, variable)| {
         let curves = lines.iter().map(|line| {
             let mut values = column(report, line, variable, index);
@@ -268,12 +234,7 @@ fn member(axis: &Axis, line: &Line) -> Name {
     let unit = name::unit(axis.quantity.unit);
     let space = if unit == "°" { "" } else { " " };
     let letter = name::set(axis.quantity.name).text;
-    Name {
-        text: format!("{letter} = {value}{space}{unit}")
-            .trim_end()
-            .to_owned(),
-        italic: false,
-    }
+    Name { text: format!("{letter} = {value}{space}{unit}").trim_end().to_owned(), italic: false }
 }
 
 /// Where the way ends or modes meet, the marks of the equation file, and what was asked for.
@@ -312,18 +273,14 @@ fn marks(report: &Report, across: &Across, positions: &[f64]) -> Vec<Mark> {
         };
         Some(mark(at, &one.place.label, true))
     });
-    let positions: Vec<_> = positions
-        .iter()
-        .map(|position| position / across.factor)
-        .collect();
+    let positions: Vec<_> = positions.iter().map(|position| position / across.factor).collect();
     marks::sort(stops.chain(met).chain(stated).chain(asked), &positions)
 }
 
 fn made(report: &Report) -> String {
     let kinds = report.case.entry.groups.iter();
-    let iterated = kinds
-        .filter(|group| !group.kind.has_modes() && group.equations.len() > 1)
-        .count();
+    let iterated =
+        kinds.filter(|group| !group.kind.has_modes() && group.equations.len() > 1).count();
     match (report.is_complete(), iterated) {
         (false, _) => "the linkage does not get to all positions".to_owned(),
         (true, 0) => "loops closed in closed form".to_owned(),

@@ -29,10 +29,7 @@ pub fn sort(all: impl Iterator<Item = Mark>, positions: &[f64]) -> Vec<Mark> {
     let width = (last - first).abs();
     let mut marks: Vec<Mark> = Vec::new();
     for mark in all {
-        if marks
-            .iter()
-            .all(|other| (other.at - mark.at).abs() > NEAR * width)
-        {
+        if marks.iter().all(|other| (other.at - mark.at).abs() > NEAR * width) {
             marks.push(mark);
         }
     }
@@ -93,19 +90,12 @@ mod tests {
     use super::*;
 
     fn mark(at: f64, label: &str) -> Mark {
-        Mark {
-            at,
-            label: label.to_owned(),
-            asked: false,
-        }
+        Mark { at, label: label.to_owned(), asked: false }
     }
 
     #[test]
     fn labels_do_not_touch() {
-        let scale = Scale {
-            values: (0.0, 360.0),
-            pixels: (60.0, 510.0),
-        };
+        let scale = Scale { values: (0.0, 360.0), pixels: (60.0, 510.0) };
         let marks = [
             mark(0.0, "rear dead centre"),
             mark(20.0, "locks"),
@@ -125,10 +115,7 @@ mod tests {
 
     #[test]
     fn labels_with_room_stand_in_one_row() {
-        let scale = Scale {
-            values: (0.0, 360.0),
-            pixels: (60.0, 510.0),
-        };
+        let scale = Scale { values: (0.0, 360.0), pixels: (60.0, 510.0) };
         let marks = [mark(0.0, "rear dead centre"), mark(110.0, "locks")];
         assert!(labels(&marks, &scale).iter().all(|label| label.row == 0));
     }

@@ -18,19 +18,13 @@ pub fn draw(report: &Report, selection: &Selection) -> String {
     let abscissa = |time: f64| across.at(report, time);
     let times = report.curves.times.iter();
     let positions: Vec<f64> = times.map(|time| abscissa(*time)).collect();
-    let known = report
-        .published
-        .iter()
-        .filter(|comparison| comparison.comparable);
+    let known = report.published.iter().filter(|comparison| comparison.comparable);
     let published = known.filter_map(|comparison| {
         Some(Published {
             variable: comparison.variable?,
             at: comparison.time.map(abscissa),
             value: comparison.fact.value,
-            is_extreme: matches!(
-                comparison.fact.at,
-                At::Maximum | At::Minimum | At::Amplitude
-            ),
+            is_extreme: matches!(comparison.fact.at, At::Maximum | At::Minimum | At::Amplitude),
         })
     });
     let data = Data {
@@ -79,11 +73,7 @@ fn marks(report: &Report, positions: &[f64], abscissa: &dyn Fn(f64) -> f64) -> V
             At::Driver(driver, position) => case.run().time_of(driver, position).ok()?,
             _ => return None,
         };
-        Some(Mark {
-            at: abscissa(time),
-            label: mark.text.to_owned(),
-            asked: false,
-        })
+        Some(Mark { at: abscissa(time), label: mark.text.to_owned(), asked: false })
     });
     let asked = report.places.iter().map(|place| Mark {
         at: abscissa(place.time),
@@ -98,15 +88,10 @@ fn made(report: &Report) -> String {
     if report.motion.statistics().evaluations == 0 {
         return "closed form".to_owned();
     }
-    let mut made = format!(
-        "{} with rtol {:e}",
-        report.motion.settings.method, report.motion.settings.rtol
-    );
+    let mut made =
+        format!("{} with rtol {:e}", report.motion.settings.method, report.motion.settings.rtol);
     if let Some((_, share)) = report.cost.worst {
-        made += &format!(
-            ", estimated error {} of the amplitude",
-            number::error(share)
-        );
+        made += &format!(", estimated error {} of the amplitude", number::error(share));
     }
     made
 }

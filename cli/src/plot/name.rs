@@ -39,10 +39,7 @@ const GREEK: [(&str, char); 24] = [
 /// The base name under any `dot(…)`, with the number of dots: `ddot(x3)` gives `x3` and 2.
 pub fn base(name: &str) -> (&str, usize) {
     for (front, dots) in [("dot(", 1), ("ddot(", 2)] {
-        if let Some(inner) = name
-            .strip_prefix(front)
-            .and_then(|rest| rest.strip_suffix(')'))
-        {
+        if let Some(inner) = name.strip_prefix(front).and_then(|rest| rest.strip_suffix(')')) {
             return (inner, dots);
         }
     }
@@ -55,11 +52,8 @@ pub fn set(name: &str) -> Name {
     let stem =
         inner.trim_end_matches(|character: char| character.is_ascii_digit() || character == '_');
     let index = inner[stem.len()..].trim_start_matches('_');
-    let letter = GREEK
-        .iter()
-        .find(|(word, _)| *word == stem)
-        .map(|(_, letter)| *letter)
-        .or_else(|| {
+    let letter =
+        GREEK.iter().find(|(word, _)| *word == stem).map(|(_, letter)| *letter).or_else(|| {
             let mut characters = stem.chars();
             characters
                 .next()
@@ -77,10 +71,7 @@ pub fn set(name: &str) -> Name {
             1 => format!("rate of {words}"),
             _ => format!("acceleration of {words}"),
         };
-        return Name {
-            text,
-            italic: false,
-        };
+        return Name { text, italic: false };
     };
     let mut text = String::from(letter);
     match dots {
@@ -88,11 +79,7 @@ pub fn set(name: &str) -> Name {
         1 => text.push('\u{307}'),
         _ => text.push('\u{308}'),
     }
-    text.extend(
-        index
-            .chars()
-            .filter_map(|digit| char::from_u32(0x2080 + digit.to_digit(10)?)),
-    );
+    text.extend(index.chars().filter_map(|digit| char::from_u32(0x2080 + digit.to_digit(10)?)));
     Name { text, italic: true }
 }
 
@@ -129,10 +116,9 @@ pub fn raise(character: char) -> char {
         '1' => '¹',
         '2' => '²',
         '3' => '³',
-        digit => digit
-            .to_digit(10)
-            .and_then(|digit| char::from_u32(0x2070 + digit))
-            .unwrap_or(digit),
+        digit => {
+            digit.to_digit(10).and_then(|digit| char::from_u32(0x2070 + digit)).unwrap_or(digit)
+        }
     }
 }
 
@@ -142,13 +128,7 @@ mod tests {
 
     #[track_caller]
     fn check(name: &str, text: &str, italic: bool) {
-        assert_eq!(
-            set(name),
-            Name {
-                text: text.to_owned(),
-                italic
-            }
-        );
+        assert_eq!(set(name), Name { text: text.to_owned(), italic });
     }
 
     #[test]

@@ -174,10 +174,7 @@ fn key(track: &Track<'_>) -> (Kind, String) {
 /// A line for tracks that coincide.
 fn line(group: &[&Track<'_>], values: impl Iterator<Item = f64>) -> Line {
     Line {
-        names: group
-            .iter()
-            .map(|track| name::set(&track.variable.name))
-            .collect(),
+        names: group.iter().map(|track| name::set(&track.variable.name)).collect(),
         values: values.collect(),
         colour: None,
         key: match group {
@@ -198,10 +195,7 @@ fn panel(data: &Data<'_>, cluster: &[&Track<'_>]) -> Option<Panel> {
     });
     let mut curves: Vec<_> = curves.collect();
     // Black is for the first curve of several; another one has the colour of the first variable in it.
-    let several = groups
-        .iter()
-        .zip(&mut curves)
-        .filter(|(group, _)| group.len() > 1);
+    let several = groups.iter().zip(&mut curves).filter(|(group, _)| group.len() > 1);
     for (group, line) in several.skip(1) {
         line.key = Some(key(group[0]));
     }
@@ -262,14 +256,8 @@ fn differences(data: &Data<'_>, cluster: &[&Track<'_>]) -> Option<Panel> {
         let pairs = track.values.iter().zip(&mean);
         pairs.map(|(value, mean)| value - mean).collect()
     };
-    let most = group
-        .iter()
-        .flat_map(apart)
-        .fold(0.0, |most: f64, value| most.max(value.abs()));
-    let noise = group
-        .iter()
-        .map(|track| data.errors[track.index])
-        .fold(0.0, f64::max);
+    let most = group.iter().flat_map(apart).fold(0.0, |most: f64, value| most.max(value.abs()));
+    let noise = group.iter().map(|track| data.errors[track.index]).fold(0.0, f64::max);
     if !(most > 20.0 * noise && most > 1e-9 * first.amplitude) {
         return None;
     }

@@ -30,14 +30,8 @@ mod tests {
 
     #[test]
     fn ends_meet_ends() {
-        let scale = Scale {
-            values: (-1.0, 3.0),
-            pixels: (100.0, 20.0),
-        };
-        assert_eq!(
-            (scale.pixel(-1.0), scale.pixel(3.0), scale.pixel(1.0)),
-            (100.0, 20.0, 60.0)
-        );
+        let scale = Scale { values: (-1.0, 3.0), pixels: (100.0, 20.0) };
+        assert_eq!((scale.pixel(-1.0), scale.pixel(3.0), scale.pixel(1.0)), (100.0, 20.0, 60.0));
         assert!(scale.contains(3.0) && !scale.contains(3.1));
     }
 }

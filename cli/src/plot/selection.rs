@@ -36,15 +36,10 @@ impl Selection {
             Some(entry) => variables::of_linkage(scene, entry),
             None => variables::of_scene(scene),
         };
-        let known: Vec<_> = variables
-            .iter()
-            .map(|variable| variable.name.as_str())
-            .collect();
+        let known: Vec<_> = variables.iter().map(|variable| variable.name.as_str()).collect();
         let coefficients = coefficients(scene);
-        let known: Vec<_> = known
-            .into_iter()
-            .chain(coefficients.iter().map(String::as_str))
-            .collect();
+        let known: Vec<_> =
+            known.into_iter().chain(coefficients.iter().map(String::as_str)).collect();
         let named = names(text);
         if let Some(unknown) = named.iter().find(|name| !known.contains(&name.as_str())) {
             return Err(Failure::request(format!(
@@ -52,10 +47,7 @@ impl Selection {
                 scene.name
             ))
             .place(format!("--curves {text}"))
-            .remedy(format!(
-                "{}\n--curves all draws all of them",
-                suggestion(unknown, &known)
-            )));
+            .remedy(format!("{}\n--curves all draws all of them", suggestion(unknown, &known))));
         }
         Ok(Self::Named(named))
     }
@@ -105,10 +97,7 @@ mod tests {
 
     #[test]
     fn commas_inside_brackets_belong_to_a_name() {
-        assert_eq!(
-            names("phi2, dot(x3),inner(u, v)"),
-            ["phi2", "dot(x3)", "inner(u, v)"]
-        );
+        assert_eq!(names("phi2, dot(x3),inner(u, v)"), ["phi2", "dot(x3)", "inner(u, v)"]);
         assert_eq!(names(""), [""]);
     }
 }

@@ -102,37 +102,21 @@ fn axes(
     top: f64,
     grid: bool,
 ) -> (Scale, Scale) {
-    let x = Scale {
-        values: along.ends,
-        pixels: (LEFT, WIDTH - RIGHT),
-    };
-    let y = Scale {
-        values: up.ends,
-        pixels: (top + PANEL, top + 14.0),
-    };
+    let x = Scale { values: along.ends, pixels: (LEFT, WIDTH - RIGHT) };
+    let y = Scale { values: up.ends, pixels: (top + PANEL, top + 14.0) };
     for tick in &up.ticks {
         let at = y.pixel(*tick);
         if grid {
             svg.line("grid", (LEFT, at), (WIDTH - RIGHT, at));
         }
-        svg.text(
-            "tick",
-            (LEFT - 6.0, at + 4.0),
-            Anchor::End,
-            &up.label(*tick),
-        );
+        svg.text("tick", (LEFT - 6.0, at + 4.0), Anchor::End, &up.label(*tick));
     }
     for tick in &along.ticks {
         let at = x.pixel(*tick);
         if grid {
             svg.line("grid", (at, y.pixels.1), (at, y.pixels.0));
         }
-        svg.text(
-            "tick",
-            (at, y.pixels.0 + 16.0),
-            Anchor::Middle,
-            &along.label(*tick),
-        );
+        svg.text("tick", (at, y.pixels.0 + 16.0), Anchor::Middle, &along.label(*tick));
     }
     let below = (WIDTH - RIGHT, y.pixels.0 + 34.0);
     svg.text("label", below, Anchor::End, names.0);
@@ -149,12 +133,7 @@ fn curve(svg: &mut Svg, sheet: &Sheet, top: f64) {
     let (left, right) = ends(sheet.points.iter().map(|point| point.0));
     let (low, high) = ends(sheet.points.iter().map(|point| point.1));
     if low > high {
-        svg.text(
-            "label",
-            (LEFT, top + 30.0),
-            Anchor::Start,
-            &format!("{}: none", sheet.up),
-        );
+        svg.text("label", (LEFT, top + 30.0), Anchor::Start, &format!("{}: none", sheet.up));
         return;
     }
     let (along, up) = (Axis::between(left, right, 7), Axis::around(low, high, 5));
@@ -178,19 +157,11 @@ fn shades(svg: &mut Svg, map: &Map, top: f64) {
     let along = Axis::between(left, right, 7);
     let up = Axis::between(bottom, ceiling, 5);
     let lacks = map.values.iter().any(|value| !value.is_finite());
-    let white = if lacks {
-        "; pale where there is none"
-    } else {
-        ""
-    };
+    let white = if lacks { "; pale where there is none" } else { "" };
     let title = format!("{} (up), {} in colour{white}", map.up, map.name);
     let (x, y) = axes(svg, (&along, &up), (&map.along, &title), top, false);
     let shade = |value: f64| {
-        let share = if high > low {
-            (value - low) / (high - low)
-        } else {
-            0.0
-        };
+        let share = if high > low { (value - low) / (high - low) } else { 0.0 };
         ((share * SHADES as f64) as usize).min(SHADES - 1)
     };
     for (row, b) in map.rows.iter().enumerate() {
@@ -214,11 +185,7 @@ fn shades(svg: &mut Svg, map: &Map, top: f64) {
     let step = (y.pixels.0 - y.pixels.1) / SHADES as f64;
     for index in 0..SHADES {
         let at = y.pixels.0 - (index + 1) as f64 * step;
-        svg.rectangle(
-            &format!("s{index}"),
-            (WIDTH - RIGHT + 14.0, at),
-            (14.0, step + 0.4),
-        );
+        svg.rectangle(&format!("s{index}"), (WIDTH - RIGHT + 14.0, at), (14.0, step + 0.4));
     }
     for (value, at) in [(low, y.pixels.0), (high, y.pixels.1 + 10.0)] {
         let text = crate::number::significant(value, 3);

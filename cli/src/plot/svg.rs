@@ -24,19 +24,13 @@ pub struct Svg {
 impl Svg {
     /// An empty picture.
     pub fn new(width: f64, height: f64) -> Self {
-        Self {
-            width,
-            height,
-            body: String::new(),
-        }
+        Self { width, height, body: String::new() }
     }
 
     /// A straight line.
     pub fn line(&mut self, class: &str, from: (f64, f64), to: (f64, f64)) {
         let [x1, y1, x2, y2] = [from.0, from.1, to.0, to.1].map(short);
-        self.push(&format!(
-            r#"<line class="{class}" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"/>"#
-        ));
+        self.push(&format!(r#"<line class="{class}" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"/>"#));
     }
 
     /// A line through points; a gap where a point is not finite.
@@ -58,20 +52,12 @@ impl Svg {
 
     /// A closed shape with these corners.
     pub fn polygon(&mut self, class: &str, corners: &[(f64, f64)]) {
-        if corners
-            .iter()
-            .any(|(x, y)| !(x.is_finite() && y.is_finite()))
-        {
+        if corners.iter().any(|(x, y)| !(x.is_finite() && y.is_finite())) {
             return;
         }
-        let points = corners
-            .iter()
-            .map(|(x, y)| format!("{},{}", short(*x), short(*y)));
+        let points = corners.iter().map(|(x, y)| format!("{},{}", short(*x), short(*y)));
         let points: Vec<_> = points.collect();
-        self.push(&format!(
-            r#"<polygon class="{class}" points="{}"/>"#,
-            points.join(" ")
-        ));
+        self.push(&format!(r#"<polygon class="{class}" points="{}"/>"#, points.join(" ")));
     }
 
     /// An element as it stands; whoever writes it escapes its texts.
@@ -90,9 +76,7 @@ impl Svg {
     /// A circle.
     pub fn circle(&mut self, class: &str, centre: (f64, f64), radius: f64) {
         let [x, y, radius] = [centre.0, centre.1, radius].map(short);
-        self.push(&format!(
-            r#"<circle class="{class}" cx="{x}" cy="{y}" r="{radius}"/>"#
-        ));
+        self.push(&format!(r#"<circle class="{class}" cx="{x}" cy="{y}" r="{radius}"/>"#));
     }
 
     /// A text on its base line.
@@ -143,11 +127,7 @@ impl Svg {
 pub fn short(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".to_owned()
-    } else {
-        text.to_owned()
-    }
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
 /// A text as XML may contain it: markup escaped, characters that XML forbids left out.
@@ -180,10 +160,7 @@ mod tests {
     #[test]
     fn a_gap_lifts_the_pen() {
         let mut svg = Svg::new(10.0, 10.0);
-        svg.path(
-            "c",
-            &[(0.0, 0.0), (1.0, 1.004), (f64::NAN, 0.0), (2.0, -0.001)],
-        );
+        svg.path("c", &[(0.0, 0.0), (1.0, 1.004), (f64::NAN, 0.0), (2.0, -0.001)]);
         assert!(svg.finish("", "", "").contains(r#"d="M0 0L1 1M2 0""#));
     }
 }

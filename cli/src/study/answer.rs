@@ -58,18 +58,13 @@ pub fn find(question: &Question) -> Result<Answer, Failure> {
     let clock = std::time::Instant::now();
     let what = format!("{}, scene {}", question.mechanism.name, question.scene.name);
     let progress = Progress::start(what, count as u64);
-    let outcomes = study::each(
-        count,
-        question.threads,
-        &|more| progress.advance_by(more),
-        &|index| outcome(question, index),
-    );
+    let outcomes =
+        study::each(count, question.threads, &|more| progress.advance_by(more), &|index| {
+            outcome(question, index)
+        });
     drop(progress);
-    let mut answer = Answer {
-        outcomes,
-        spreads: Vec::new(),
-        seconds: clock.elapsed().as_secs_f64(),
-    };
+    let mut answer =
+        Answer { outcomes, spreads: Vec::new(), seconds: clock.elapsed().as_secs_f64() };
     if let (true, Some((_, reason))) = (answer.failures() == count, answer.first_failure()) {
         return Err(Failure::numerical(format!("none of {count} runs came out"))
             .reason(format!("the first: {reason}"))

@@ -29,34 +29,19 @@ pub struct StudyArguments {
     #[arg(long, value_name = "NAME=FROM..TO:COUNT")]
     pub over: Vec<String>,
     /// Number of runs with values made at random.
-    #[arg(
-        long,
-        value_name = "NUMBER",
-        conflicts_with = "over",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "NUMBER", conflicts_with = "over", allow_hyphen_values = true)]
     pub samples: Option<String>,
     /// A tolerance, `J2=10%` or `J2=5e-5[kg m^2]`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE", requires = "samples")]
     pub tolerance: Vec<String>,
     /// Which values are made: the same seed gives the same ones.
-    #[arg(
-        long,
-        value_name = "NUMBER",
-        default_value = "1",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "NUMBER", default_value = "1", allow_hyphen_values = true)]
     pub seed: String,
     /// The measures, `F_largest,free`; all unless given.
     #[arg(long, value_name = "NAMES")]
     pub measure: Option<String>,
     /// Number of threads; as many as the machine has unless given.
-    #[arg(
-        long,
-        value_name = "NUMBER",
-        default_value = "0",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "NUMBER", default_value = "0", allow_hyphen_values = true)]
     pub threads: String,
     #[command(flatten)]
     pub accuracy: Accuracy,

@@ -8,10 +8,7 @@ use crate::plot::{self, Layer, Map, Sheet};
 
 /// Draws it: a panel for each measure, one below the other.
 pub fn draw(question: &Question, answer: &Answer) -> String {
-    let title = format!(
-        "{}, scene {}",
-        question.mechanism.title, question.scene.name
-    );
+    let title = format!("{}, scene {}", question.mechanism.title, question.scene.name);
     let panels = question.measures.iter().map(|index| match &question.way {
         Way::Grid(ranges) => match ranges.as_slice() {
             [along, up] => Layer::Map(map(question, answer, (along, up), *index)),
@@ -32,11 +29,7 @@ fn curve(question: &Question, answer: &Answer, range: &Range, index: usize) -> S
     let (along, positions) = scaled(question, range);
     let measure = &question.scene.measures[index];
     let values = (0..positions.len()).map(|run| answer.value(run, index) / measure.factor);
-    Sheet {
-        along,
-        up: headed(measure),
-        points: positions.iter().copied().zip(values).collect(),
-    }
+    Sheet { along, up: headed(measure), points: positions.iter().copied().zip(values).collect() }
 }
 
 /// The share of runs below each value.
@@ -50,9 +43,7 @@ fn shares(question: &Question, answer: &Answer, count: usize, index: usize) -> S
     Sheet {
         along: headed(measure),
         up: "share of the runs below".to_owned(),
-        points: points
-            .map(|(place, value)| (*value, (place as f64 + 0.5) / whole))
-            .collect(),
+        points: points.map(|(place, value)| (*value, (place as f64 + 0.5) / whole)).collect(),
     }
 }
 
@@ -65,9 +56,7 @@ fn map(question: &Question, answer: &Answer, (along, up): (&Range, &Range), inde
         along: x,
         up: y,
         name: headed(measure),
-        values: runs
-            .map(|run| answer.value(run, index) / measure.factor)
-            .collect(),
+        values: runs.map(|run| answer.value(run, index) / measure.factor).collect(),
         columns,
         rows,
     }

@@ -24,18 +24,11 @@ pub struct Range {
 /// # Errors
 /// When the scene has none; the nearest name is offered.
 pub fn constant(scene: &SceneEntry, name: &str, option: &str) -> Result<usize, Failure> {
-    let names: Vec<&str> = scene
-        .constants
-        .iter()
-        .map(|one| one.quantity.name)
-        .collect();
+    let names: Vec<&str> = scene.constants.iter().map(|one| one.quantity.name).collect();
     names.iter().position(|one| *one == name).ok_or_else(|| {
-        Failure::request(format!(
-            "scene `{}` has no dimension or parameter `{name}`",
-            scene.name
-        ))
-        .place(option.to_owned())
-        .remedy(suggestion(name, &names))
+        Failure::request(format!("scene `{}` has no dimension or parameter `{name}`", scene.name))
+            .place(option.to_owned())
+            .remedy(suggestion(name, &names))
     })
 }
 
@@ -58,16 +51,11 @@ pub fn read(scene: &SceneEntry, text: &str) -> Result<Range, Failure> {
             .place(place)
             .remedy(format!("for example: --over {EXAMPLE}")));
     };
-    let count: usize = count
-        .parse()
-        .ok()
-        .filter(|count| (2..=MOST).contains(count))
-        .ok_or_else(|| {
+    let count: usize =
+        count.parse().ok().filter(|count| (2..=MOST).contains(count)).ok_or_else(|| {
             Failure::request(format!("`{count}` is no number of values"))
                 .place(place.clone())
-                .remedy(format!(
-                    "give a whole number from 2 to {MOST} after the colon"
-                ))
+                .remedy(format!("give a whole number from 2 to {MOST} after the colon"))
         })?;
     // `10..80N` means newtons on both sides.
     let is_number = |one: char| one.is_ascii_digit() || "+-.eE ".contains(one);
@@ -98,8 +86,5 @@ pub fn read(scene: &SceneEntry, text: &str) -> Result<Range, Failure> {
         true => to,
         false => from + (to - from) * (number as f64 / last),
     };
-    Ok(Range {
-        constant: index,
-        values: (0..count).map(value).collect(),
-    })
+    Ok(Range { constant: index, values: (0..count).map(value).collect() })
 }

@@ -68,9 +68,7 @@ fn curves(page: &mut Page, question: &Question, answer: &Answer, range: &Range) 
     let headings: Vec<String> = std::iter::once(headed(constant))
         .chain(question.measures.iter().map(|index| headed(&all[*index])))
         .collect();
-    let columns = headings
-        .iter()
-        .map(|heading| (heading.as_str(), Align::Point));
+    let columns = headings.iter().map(|heading| (heading.as_str(), Align::Point));
     let mut table = Columns::new(columns);
     let stride = range.values.len().div_ceil(ROWS);
     for (run, value) in range.values.iter().enumerate().step_by(stride) {
@@ -90,17 +88,13 @@ fn curves(page: &mut Page, question: &Question, answer: &Answer, range: &Range) 
 fn maps(page: &mut Page, question: &Question, answer: &Answer, (along, down): (&Range, &Range)) {
     let constants = question.scene.constants;
     let quantities = [along, down].map(|range| &constants[range.constant].quantity);
-    let skip = (
-        along.values.len().div_ceil(12),
-        down.values.len().div_ceil(ROWS),
-    );
+    let skip = (along.values.len().div_ceil(12), down.values.len().div_ceil(ROWS));
     for index in &question.measures {
         let measure = &question.scene.measures[*index];
         let first = format!("{} \\ {}", headed(quantities[1]), headed(quantities[0]));
         let tops = along.values.iter().step_by(skip.0);
-        let tops: Vec<String> = tops
-            .map(|value| number::short(value / quantities[0].factor))
-            .collect();
+        let tops: Vec<String> =
+            tops.map(|value| number::short(value / quantities[0].factor)).collect();
         let columns = std::iter::once((first.as_str(), Align::Point))
             .chain(tops.iter().map(|top| (top.as_str(), Align::Point)));
         let mut table = Columns::new(columns);
@@ -177,9 +171,7 @@ fn failures(page: &mut Page, question: &Question, answer: &Answer) {
             .map(|range| {
                 let quantity = &question.scene.constants[range.constant].quantity;
                 let value = number::short(values[range.constant] / quantity.factor);
-                format!("{} = {value} {}", quantity.name, quantity.unit)
-                    .trim_end()
-                    .to_owned()
+                format!("{} = {value} {}", quantity.name, quantity.unit).trim_end().to_owned()
             })
             .collect(),
         Way::Random(..) => vec![format!("run {first}")],

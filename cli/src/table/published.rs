@@ -28,9 +28,7 @@ pub fn section(page: &mut Page, published: &[Comparison]) {
         let note = if comparison.fact.remark.is_empty() {
             String::new()
         } else {
-            let known = remarks
-                .iter()
-                .position(|remark| *remark == comparison.fact.remark);
+            let known = remarks.iter().position(|remark| *remark == comparison.fact.remark);
             let number = known.unwrap_or_else(|| {
                 remarks.push(comparison.fact.remark);
                 remarks.len() - 1
@@ -41,17 +39,11 @@ pub fn section(page: &mut Page, published: &[Comparison]) {
             comparison.name.clone(),
             comparison.place.clone(),
             number::declared(comparison.in_unit(comparison.fact.value)),
-            number::with_error(
-                comparison.in_unit(comparison.computed),
-                comparison.in_unit(error),
-            ),
+            number::with_error(comparison.in_unit(comparison.computed), comparison.in_unit(error)),
             comparison.unit.clone(),
             number::signed(comparison.in_unit(comparison.deviation()), 2),
             number::percent(comparison.relative()),
-            format!(
-                "± {}",
-                number::short(comparison.in_unit(comparison.fact.tolerance))
-            ),
+            format!("± {}", number::short(comparison.in_unit(comparison.fact.tolerance))),
             match comparison.within() {
                 Some(true) => "within",
                 Some(false) => "OUTSIDE",
@@ -64,11 +56,7 @@ pub fn section(page: &mut Page, published: &[Comparison]) {
     page.section("Published values", &table);
     for (index, remark) in remarks.iter().enumerate() {
         for (line, part) in wrap(remark, WIDTH - 8).iter().enumerate() {
-            let lead = if line == 0 {
-                format!("[{}]", index + 1)
-            } else {
-                String::new()
-            };
+            let lead = if line == 0 { format!("[{}]", index + 1) } else { String::new() };
             let line = page.style.faint(&format!("  {lead:<5}{part}"));
             page.line(&line);
         }

@@ -15,12 +15,7 @@ pub fn snapshot(page: &mut Page, report: &Report, snapshot: &Snapshot, heading: 
         ("± error", Align::Left),
         ("", Align::Left),
     ]);
-    let rows = report
-        .case
-        .variables
-        .iter()
-        .zip(&snapshot.values)
-        .zip(&snapshot.errors);
+    let rows = report.case.variables.iter().zip(&snapshot.values).zip(&snapshot.errors);
     for ((variable, value), error) in rows {
         table.row([
             variable.name.clone(),

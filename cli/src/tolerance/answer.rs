@@ -81,22 +81,14 @@ pub fn find(question: &Question) -> Result<Answer, Failure> {
         tolerance::linear(&influences, &study.sources)
     };
     let range = linear(study).map_err(said)?;
-    let along = question.along.as_ref().map(|places| {
-        linear(&Study {
-            places: places.clone(),
-            ..study.clone()
-        })
-    });
+    let along = question
+        .along
+        .as_ref()
+        .map(|places| linear(&Study { places: places.clone(), ..study.clone() }));
     let along = along.transpose().map_err(said)?;
     let worst = tolerance::worst_place(&range);
-    let place = question
-        .at
-        .clone()
-        .unwrap_or_else(|| study.places[worst].clone());
-    let there = Study {
-        places: vec![place.clone()],
-        ..study.clone()
-    };
+    let place = question.at.clone().unwrap_or_else(|| study.places[worst].clone());
+    let there = Study { places: vec![place.clone()], ..study.clone() };
     let at_place = linear(&there).map_err(said)?.swap_remove(0);
     if !(at_place.worst.is_finite() && (at_place.deviation * at_place.deviation).is_finite()) {
         return Err(Failure::request(
@@ -144,9 +136,7 @@ fn made(question: &Question, study: &Study) -> Result<MonteCarlo, ToleranceError
     let what = format!("{}, linkages made at random", question.mechanism.name);
     let bar = Progress::start(what, question.sampling.samples);
     let progress = |more| bar.advance_by(more);
-    question
-        .run
-        .monte_carlo(study, &question.sampling, &progress)
+    question.run.monte_carlo(study, &question.sampling, &progress)
 }
 
 fn allocation(question: &Question) -> Result<Option<Allocation>, Failure> {
@@ -154,42 +144,28 @@ fn allocation(question: &Question) -> Result<Option<Allocation>, Failure> {
         return Ok(None);
     };
     let run = &question.run;
-    let found = run.allocate(
-        &question.study,
-        &wanted.candidates,
-        wanted.rule,
-        wanted.band,
-    );
-    found
-        .map(Some)
-        .map_err(|error| out_of_reach(question, error))
+    let found = run.allocate(&question.study, &wanted.candidates, wanted.rule, wanted.band);
+    found.map(Some).map_err(|error| out_of_reach(question, error))
 }
 
 /// A failure of the solvers, with places and sources by their names.
 fn said(question: &Question, error: ToleranceError) -> Failure {
-    let source = |source: usize| {
-        question
-            .labels
-            .get(source)
-            .map_or("?", |one| one.quantity.name)
-    };
+    let source = |source: usize| question.labels.get(source).map_or("?", |one| one.quantity.name);
     match error {
-        ToleranceError::BadSamples {
-            samples,
-            least,
-            most,
-        } => Failure::request(format!("{samples} linkages cannot be made"))
-            .place(format!("--samples {samples}"))
-            .remedy(format!("choose from {least} to {most}")),
-        ToleranceError::BadHalfWidth {
-            source: index,
-            half_width,
-        } => Failure::request(format!("`{}` cannot err by {half_width}", source(index))),
+        ToleranceError::BadSamples { samples, least, most } => {
+            Failure::request(format!("{samples} linkages cannot be made"))
+                .place(format!("--samples {samples}"))
+                .remedy(format!("choose from {least} to {most}"))
+        }
+        ToleranceError::BadHalfWidth { source: index, half_width } => {
+            Failure::request(format!("`{}` cannot err by {half_width}", source(index)))
+        }
         ToleranceError::Closure(error) => {
-            let names = question.scene.linkage.as_ref().map(|entry| Names {
-                entry,
-                drivers: &question.drivers,
-            });
+            let names = question
+                .scene
+                .linkage
+                .as_ref()
+                .map(|entry| Names { entry, drivers: &question.drivers });
             let reason = match names {
                 Some(names) => tell(names, &error).reason,
                 None => error.to_string(),
@@ -210,9 +186,7 @@ fn said(question: &Question, error: ToleranceError) -> Failure {
 fn out_of_reach(question: &Question, error: AllocationError) -> Failure {
     let name = |candidate: usize| {
         let own = question.labels.iter().filter(|one| !one.is_play);
-        own.map(|one| one.quantity.name)
-            .nth(candidate)
-            .unwrap_or("?")
+        own.map(|one| one.quantity.name).nth(candidate).unwrap_or("?")
     };
     let unit = Unit::of(question);
     match error {
@@ -295,14 +269,8 @@ impl Unit {
     pub fn of(question: &Question) -> Self {
         let output = question.output();
         match output.unit {
-            "deg" | "rad" => Self {
-                name: "mrad",
-                factor: 1e-3,
-            },
-            name => Self {
-                name,
-                factor: output.factor,
-            },
+            "deg" | "rad" => Self { name: "mrad", factor: 1e-3 },
+            name => Self { name, factor: output.factor },
         }
     }
 
@@ -363,10 +331,7 @@ impl Answer {
             ordinate: unit.name.to_owned(),
             places: places.iter().map(abscissa).collect(),
             bands: self.ranking.iter().map(band).collect(),
-            deviation: along
-                .iter()
-                .map(|one| one.deviation / unit.factor)
-                .collect(),
+            deviation: along.iter().map(|one| one.deviation / unit.factor).collect(),
         }
     }
 }

@@ -42,28 +42,13 @@ pub struct ToleranceArguments {
     #[arg(long, value_enum, default_value_t = Kind::All)]
     pub kind: Kind,
     /// Number of linkages made at random.
-    #[arg(
-        long,
-        value_name = "NUMBER",
-        default_value = "100000",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "NUMBER", default_value = "100000", allow_hyphen_values = true)]
     pub samples: String,
     /// Which of them: the same seed gives the same ones.
-    #[arg(
-        long,
-        value_name = "NUMBER",
-        default_value = "1",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "NUMBER", default_value = "1", allow_hyphen_values = true)]
     pub seed: String,
     /// Multiplies all tolerances.
-    #[arg(
-        long,
-        value_name = "FACTOR",
-        default_value_t = 1.0,
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, allow_hyphen_values = true)]
     pub scale: f64,
     /// Another tolerance, `l5=0.02mm`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
@@ -81,12 +66,7 @@ pub struct ToleranceArguments {
     #[arg(long, value_name = "NAME=LOW..HIGH", requires = "allocate")]
     pub limit: Vec<String>,
     /// Places over the range.
-    #[arg(
-        long,
-        value_name = "NUMBER",
-        default_value = "61",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "NUMBER", default_value = "61", allow_hyphen_values = true)]
     pub places: String,
     /// What is printed.
     #[arg(long, value_enum, default_value_t = Format::Table)]

@@ -10,10 +10,7 @@ pub fn render(question: &Question, answer: &Answer) -> String {
     let unit = Unit::of(question);
     let drivers = &question.drivers;
     let output = question.output();
-    let mut heading: Vec<String> = drivers
-        .iter()
-        .map(|one| title(one.name, one.unit))
-        .collect();
+    let mut heading: Vec<String> = drivers.iter().map(|one| title(one.name, one.unit)).collect();
     heading.push(title(output.name, output.unit));
     heading.push(title("worst case", unit.name));
     heading.push(title("standard deviation", unit.name));
@@ -29,12 +26,7 @@ pub fn render(question: &Question, answer: &Answer) -> String {
         cells.push(unit::stated(linear.value, output.factor));
         cells.push(unit::stated(linear.worst, unit.factor));
         cells.push(unit::stated(linear.deviation, unit.factor));
-        cells.extend(
-            linear
-                .contributions
-                .iter()
-                .map(|one| unit::stated(one.worst, unit.factor)),
-        );
+        cells.extend(linear.contributions.iter().map(|one| unit::stated(one.worst, unit.factor)));
         let cells: Vec<String> = cells.into_iter().map(cell).collect();
         text += &(cells.join(",") + "\n");
     }

@@ -26,11 +26,7 @@ use crate::unit;
 
 /// The object, with its last line ended.
 pub fn render(question: &Question, answer: &Answer, figure: Option<&Path>) -> String {
-    let page = Page {
-        question,
-        answer,
-        unit: Unit::of(question),
-    };
+    let page = Page { question, answer, unit: Unit::of(question) };
     let object = json!({
         "format": "assur-tolerance/1",
         "mechanism": question.mechanism.name,

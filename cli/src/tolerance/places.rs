@@ -12,9 +12,7 @@ pub fn range(run: &dyn AnyLinkage, count: usize) -> Vec<Vec<f64>> {
     };
     if run.drive(first).is_some() {
         let time = |index: usize| first + share(index, count) * (last - first);
-        return (0..count)
-            .filter_map(|index| run.drive(time(index)))
-            .collect();
+        return (0..count).filter_map(|index| run.drive(time(index))).collect();
     }
     let ranges = run.ranges();
     let moving = ranges.iter().filter(|range| moves(range)).count().max(1);

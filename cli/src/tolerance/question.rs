@@ -82,12 +82,9 @@ impl Question {
             return Err(lookup::no_linkage(registry, mechanism, scene));
         };
         let run = scene.bind.linkage(&constants.values).map_err(|refused| {
-            Failure::request(format!(
-                "scene `{}` does not accept these values",
-                scene.name
-            ))
-            .reason(refused.to_string())
-            .remedy("change the value with --set, or leave it out for the default")
+            Failure::request(format!("scene `{}` does not accept these values", scene.name))
+                .reason(refused.to_string())
+                .remedy("change the value with --set, or leave it out for the default")
         })?;
         let places = values::whole("--places", &options.places, (2, PLACES))? as usize;
         let sampling = Sampling {
@@ -143,20 +140,14 @@ impl Question {
 
 /// The dimensions whose tolerances lead out of their declared ranges, each in words.
 fn beyond(constants: &Constants, labels: &[Label], study: &Study) -> Vec<String> {
-    let own = labels
-        .iter()
-        .zip(&study.sources)
-        .filter(|(one, _)| !one.is_play);
+    let own = labels.iter().zip(&study.sources).filter(|(one, _)| !one.is_play);
     let note = |(label, source): (&Label, &Source)| {
         let all = constants.scene.constants;
-        let index = all
-            .iter()
-            .position(|one| one.quantity.name == label.quantity.name)?;
+        let index = all.iter().position(|one| one.quantity.name == label.quantity.name)?;
         let (value, half_width) = (constants.values[index], source.half_width);
         let extremes = [value - half_width, value + half_width];
-        let refused = extremes
-            .into_iter()
-            .find_map(|extreme| permitted(&all[index], extreme).err())?;
+        let refused =
+            extremes.into_iter().find_map(|extreme| permitted(&all[index], extreme).err())?;
         let half_width = number::declared(half_width / label.quantity.factor);
         Some(format!(
             "{}, which +- {half_width} {} leads to: what lies there is counted all the same",
@@ -174,9 +165,7 @@ fn changed(constants: &Constants) -> String {
     let words = given.map(|(index, constant)| {
         let quantity = &constant.quantity;
         let value = number::declared(constants.values[index] / quantity.factor);
-        format!("{} = {value} {}", quantity.name, quantity.unit)
-            .trim_end()
-            .to_owned()
+        format!("{} = {value} {}", quantity.name, quantity.unit).trim_end().to_owned()
     });
     words.collect::<Vec<_>>().join(", ")
 }

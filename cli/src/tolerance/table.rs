@@ -19,13 +19,7 @@ const DIGITS: usize = 5;
 
 /// All tables, with the last line ended.
 pub fn render(question: &Question, answer: &Answer, figure: Option<&Path>, style: Style) -> String {
-    let page = Page {
-        text: String::new(),
-        style,
-        question,
-        answer,
-        unit: Unit::of(question),
-    };
+    let page = Page { text: String::new(), style, question, answer, unit: Unit::of(question) };
     page.whole(figure)
 }
 
@@ -78,10 +72,7 @@ impl Page<'_> {
         if question.is_named && !others.is_empty() {
             self.line(&format!("Other outputs: {others}."));
         }
-        self.line(&format!(
-            "Found in {}.",
-            number::duration(self.answer.seconds)
-        ));
+        self.line(&format!("Found in {}.", number::duration(self.answer.seconds)));
         self.text
     }
 
@@ -165,10 +156,9 @@ impl Page<'_> {
                 number::significant(100.0 * rank.mean, 3),
                 number::significant(100.0 * rank.largest, 3),
                 match rank.largest > 0.0 {
-                    true => format!(
-                        "at {}",
-                        place_text(question, &question.study.places[rank.place])
-                    ),
+                    true => {
+                        format!("at {}", place_text(question, &question.study.places[rank.place]))
+                    }
                     false => String::new(),
                 },
             ]);

@@ -22,13 +22,7 @@ fn result<'a>(list: &'a Value, name: &str) -> &'a Value {
 #[test]
 fn everything_is_listed() {
     let text = answer(&["list"], &folder("list"));
-    for word in [
-        "batten\n",
-        "batten_table\n",
-        "elastic",
-        "first_order",
-        "assur run batten",
-    ] {
+    for word in ["batten\n", "batten_table\n", "elastic", "first_order", "assur run batten"] {
         assert!(text.contains(word), "{word}");
     }
 }
@@ -54,14 +48,7 @@ fn the_default_run_prints_tables_and_draws_its_figure() {
     assert!(!text.contains("OUTSIDE"), "{text}");
     assert_eq!(entries(&directory), [directory.join("batten-elastic.svg")]);
     let figure = std::fs::read_to_string(directory.join("batten-elastic.svg")).expect("a figure");
-    for word in [
-        "<svg",
-        "rear dead centre",
-        "front dead centre",
-        "locks",
-        "φ₂",
-        "rad/s²",
-    ] {
+    for word in ["<svg", "rear dead centre", "front dead centre", "locks", "φ₂", "rad/s²"] {
         assert!(figure.contains(word), "{word}");
     }
 }
@@ -87,10 +74,7 @@ fn events_are_listed() {
 #[test]
 fn json_has_its_documented_fields() {
     let directory = folder("json");
-    let object = json(
-        &["run", "batten", "--at", "theta=1.9198", "--at", "time=10ms"],
-        &directory,
-    );
+    let object = json(&["run", "batten", "--at", "theta=1.9198", "--at", "time=10ms"], &directory);
     let names: Vec<_> = object.as_object().expect("an object").keys().collect();
     let documented = [
         "format",
@@ -123,19 +107,14 @@ fn json_has_its_documented_fields() {
     assert!(object["statistics"]["evaluations"].as_u64() > Some(0));
     assert_eq!(object["multipliers"].as_array().map(Vec::len), Some(6));
     for result in object["results"].as_array().expect("results") {
-        assert!(
-            result["value"].is_number() && result["unit"].is_string(),
-            "{result}"
-        );
+        assert!(result["value"].is_number() && result["unit"].is_string(), "{result}");
         assert!(result["estimated_error"].is_number(), "{result}");
         assert!(result["maximum"]["value"].is_number(), "{result}");
     }
     let [place, later] = object["at"].as_array().expect("places").as_slice() else {
         panic!("two places");
     };
-    let lag = result(&place["results"], "phi2")["value"]
-        .as_f64()
-        .expect("a number");
+    let lag = result(&place["results"], "phi2")["value"].as_f64().expect("a number");
     assert!((lag + 0.000758).abs() < 1e-5, "{lag}");
     assert!(result(&place["results"], "F1")["unit"] == "N");
     assert_eq!(later["time"], 0.01);
@@ -143,19 +122,13 @@ fn json_has_its_documented_fields() {
         assert_eq!(published["within"], true, "{published}");
         assert!(published["deviation"].is_number());
     }
-    assert!(
-        entries(&directory).is_empty(),
-        "JSON draws no figure unasked"
-    );
+    assert!(entries(&directory).is_empty(), "JSON draws no figure unasked");
 }
 
 #[test]
 fn values_are_changed_with_their_units() {
     let directory = folder("set");
-    let object = json(
-        &["run", "batten", "--set", "n=300rpm", "--set", "R=7cm"],
-        &directory,
-    );
+    let object = json(&["run", "batten", "--set", "n=300rpm", "--set", "R=7cm"], &directory);
     assert_eq!(result(&object["parameters"], "n")["value"], 300.0);
     assert_eq!(result(&object["parameters"], "n")["changed"], true);
     let crank = result(&object["parameters"], "R")["value"].as_f64();
@@ -163,11 +136,7 @@ fn values_are_changed_with_their_units() {
     let period = object["task"]["to"].as_f64().expect("a number");
     assert!((period - 0.2).abs() < 1e-12, "{period}");
     for published in object["published"].as_array().expect("facts") {
-        assert_eq!(
-            published["within"],
-            Value::Null,
-            "published for other values"
-        );
+        assert_eq!(published["within"], Value::Null, "published for other values");
     }
 }
 
@@ -175,25 +144,11 @@ fn values_are_changed_with_their_units() {
 fn every_scene_comes_out() {
     let directory = folder("every");
     for (name, scenes) in [
-        (
-            "batten",
-            &[
-                "rigid",
-                "torsion",
-                "bending",
-                "uncoupled",
-                "exact",
-                "damped",
-                "start",
-            ][..],
-        ),
+        ("batten", &["rigid", "torsion", "bending", "uncoupled", "exact", "damped", "start"][..]),
         ("batten_table", &["table", "identity", "own"]),
     ] {
         for scene in scenes {
-            let object = json(
-                &["run", name, "--scene", scene, "--method", "tsit5"],
-                &directory,
-            );
+            let object = json(&["run", name, "--scene", scene, "--method", "tsit5"], &directory);
             assert_eq!(object["status"], "complete", "{name} {scene}");
             assert_eq!(object["settings"]["method"], "tsit5");
         }
@@ -220,21 +175,11 @@ fn figures_go_where_they_are_asked_for() {
     let directory = folder("figures");
     answer(&["run", "batten", "--out", "new/folder"], &directory);
     assert!(directory.join("new/folder/batten-elastic.svg").is_file());
-    let plot = [
-        "run",
-        "batten",
-        "--curves",
-        "F1,dot(x3)",
-        "--plot",
-        "chosen.svg",
-    ];
+    let plot = ["run", "batten", "--curves", "F1,dot(x3)", "--plot", "chosen.svg"];
     answer(&plot, &directory);
     let chosen = std::fs::read_to_string(directory.join("chosen.svg")).expect("a figure");
     assert!(chosen.contains("F₁") && chosen.contains("Velocity") && !chosen.contains("φ"));
-    answer(
-        &["run", "batten", "--curves", "all", "--plot", "all.svg"],
-        &directory,
-    );
+    answer(&["run", "batten", "--curves", "all", "--plot", "all.svg"], &directory);
     let all = std::fs::read_to_string(directory.join("all.svg")).expect("a figure");
     assert!(all.contains("Torque") && all.contains("Acceleration"));
     let parts = |path: &Path| path.to_string_lossy().contains(".part");
@@ -243,10 +188,7 @@ fn figures_go_where_they_are_asked_for() {
 
 #[test]
 fn scenes_are_compared() {
-    let text = answer(
-        &["scenes", "batten", "--set", "beta_t=2ms"],
-        &folder("scenes"),
-    );
+    let text = answer(&["scenes", "batten", "--set", "beta_t=2ms"], &folder("scenes"));
     for word in [
         "states",
         "equations",
@@ -310,10 +252,7 @@ fn solutions_that_agree_by_luck_do_not_make_an_error_small() {
     };
     let (rough, fine) = (start_of_table("1e-6"), start_of_table("1e-12"));
     let wrong = (rough.0 - fine.0).abs();
-    assert!(
-        wrong <= rough.1 && rough.1 < 1e3 * wrong,
-        "{wrong:e} {rough:?}"
-    );
+    assert!(wrong <= rough.1 && rough.1 < 1e3 * wrong, "{wrong:e} {rough:?}");
 }
 
 /// Values are SI inside and printed in the unit of their file: what was declared or is round as it was written.
@@ -324,22 +263,12 @@ fn declared_and_round_values_are_printed_as_they_are_written() {
     let object = json(&set, &directory);
     assert_eq!(result(&object["parameters"], "l4")["value"], 90.3);
     let driver = result(&object["drivers"], "phi4");
-    assert_eq!(
-        (&driver["from"], &driver["to"]),
-        (&60.0.into(), &120.0.into())
-    );
+    assert_eq!((&driver["from"], &driver["to"]), (&60.0.into(), &120.0.into()));
     let facts = object["published"].as_array().expect("a list");
     let fact = facts.iter().find(|fact| fact["published"] == -58.60509);
     assert!(fact.is_some(), "{facts:?}");
     let text = answer(&["run", "heald_linkage", "--format", "csv"], &directory);
-    let places: Vec<&str> = text
-        .lines()
-        .skip(1)
-        .filter_map(|row| row.split(',').next())
-        .collect();
-    assert!(
-        places.contains(&"60.2") && places.contains(&"119.9"),
-        "{places:?}"
-    );
+    let places: Vec<&str> = text.lines().skip(1).filter_map(|row| row.split(',').next()).collect();
+    assert!(places.contains(&"60.2") && places.contains(&"119.9"), "{places:?}");
     assert!(places.iter().all(|place| place.len() <= 5), "{places:?}");
 }

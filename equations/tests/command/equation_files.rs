@@ -55,38 +55,18 @@ fn wrong_files_are_refused_with_their_place() {
     let mut large = with("m*ddot(x)", "m*ddot(x) // ");
     large.resize(10_000_000, b'x');
     let cases: &[(&str, Vec<u8>, &[&str])] = &[
-        (
-            "syntax",
-            with("m = 2 kg", "m = = kg"),
-            &["syntax.eqn:5:", "error"],
-        ),
+        ("syntax", with("m = 2 kg", "m = = kg"), &["syntax.eqn:5:", "error"]),
         ("units", with("k*x", "k*m"), &["units.eqn:9:"]),
         ("name", with("k*x", "q*x"), &["name.eqn:9:", "`q`"]),
-        (
-            "unknown_unit",
-            with("2 kg", "2 kgg"),
-            &["unknown_unit.eqn:5:", "kgg"],
-        ),
+        ("unknown_unit", with("2 kg", "2 kgg"), &["unknown_unit.eqn:5:", "kgg"]),
         ("empty", Vec::new(), &["empty.eqn", "the file is empty"]),
         ("blank", b" \n\n".to_vec(), &["the file is empty"]),
         ("comment", b"// nothing\n".to_vec(), &["assur::mechanism!"]),
-        (
-            "binary",
-            vec![0, 159, 146, 150, 0, 1],
-            &["binary.eqn", "is binary"],
-        ),
+        ("binary", vec![0, 159, 146, 150, 0, 1], &["binary.eqn", "is binary"]),
         ("latin", b"assur::mechanism! { \xe9 }".to_vec(), &["UTF-8"]),
         ("large", large, &["large.eqn", "9.5 MiB", "1 MiB"]),
-        (
-            "deep",
-            with("k = 50 [N/m]", &deep).to_vec(),
-            &["deep.eqn:7:", "nested"],
-        ),
-        (
-            "open",
-            RIGHT.trim_end().trim_end_matches('}').into(),
-            &["never closed"],
-        ),
+        ("deep", with("k = 50 [N/m]", &deep).to_vec(), &["deep.eqn:7:", "nested"]),
+        ("open", RIGHT.trim_end().trim_end_matches('}').into(), &["never closed"]),
         (
             "effect",
             with("scene free {", "scene free = friction {"),
@@ -99,10 +79,7 @@ fn wrong_files_are_refused_with_their_place() {
         ),
         (
             "unbalanced",
-            with(
-                "    motion swing",
-                "    coordinate z: m = 0;\n    motion swing",
-            ),
+            with("    motion swing", "    coordinate z: m = 0;\n    motion swing"),
             &["unbalanced.eqn:", "ddot(z)"],
         ),
     ];
@@ -112,11 +89,7 @@ fn wrong_files_are_refused_with_their_place() {
         check_refused(&["check", &file], words, &directory);
         check_refused(&["expand", &file], words, &directory);
     }
-    check_refused(
-        &["check", "nowhere.eqn"],
-        &["cannot read `nowhere.eqn`"],
-        &directory,
-    );
+    check_refused(&["check", "nowhere.eqn"], &["cannot read `nowhere.eqn`"], &directory);
     check_refused(&["check", "."], &["cannot read `.`"], &directory);
 }
 
@@ -135,10 +108,7 @@ fn one_wrong_file_of_two_is_enough() {
 fn emitted_rust_is_laid_out() {
     let directory = folder("expand");
     std::fs::write(directory.join("right.eqn"), RIGHT).expect("writable");
-    for arguments in [
-        &["expand", "right.eqn"][..],
-        &["expand", "batten", "--scene", "torsion"],
-    ] {
+    for arguments in [&["expand", "right.eqn"][..], &["expand", "batten", "--scene", "torsion"]] {
         let text = answer(arguments, &directory);
         syn::parse_file(&text).expect("Rust");
         assert!(text.contains("\n    "), "it is indented");
@@ -184,26 +154,16 @@ fn parts_are_read_from_beside_the_file() {
     assert!(text.starts_with("own/pair.eqn: no error\n"), "{text}");
     let text = answer(&["expand", "own/pair.eqn"], &directory);
     assert!(text.contains("pub second_k: f64"), "{text}");
-    assert!(
-        text.contains("include_str!(\"parts/spring.eqn\")"),
-        "{text}"
-    );
+    assert!(text.contains("include_str!(\"parts/spring.eqn\")"), "{text}");
 
     std::fs::write(&spring, SPRING.replace("k*x", "k*x + k")).expect("writable");
-    let words = [
-        "own/parts/spring.eqn:6:20",
-        "6 |     output force = k*x + k;",
-    ];
+    let words = ["own/parts/spring.eqn:6:20", "6 |     output force = k*x + k;"];
     check_refused(&["check", "own/pair.eqn"], &words, &directory);
     std::fs::write(&spring, SPRING.replace("force", "power")).expect("writable");
     let words = ["own/pair.eqn:8:", "`first.force`"];
     check_refused(&["check", "own/pair.eqn"], &words, &directory);
     std::fs::write(&spring, SPRING.replace("8 [N/m]", "8 [N]")).expect("writable");
-    let words = [
-        "own/pair.eqn:7:",
-        "own/parts/spring.eqn:4:",
-        "what its file says",
-    ];
+    let words = ["own/pair.eqn:7:", "own/parts/spring.eqn:4:", "what its file says"];
     check_refused(&["check", "own/pair.eqn"], &words, &directory);
     std::fs::write(&spring, SPRING.replace("k*x;", "(k*x;")).expect("writable");
     let words = ["own/pair.eqn:6:", "parts/spring.eqn:7:1: found `}`"];

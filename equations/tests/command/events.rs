@@ -7,10 +7,7 @@ use super::{answer, check_refused, folder, run};
 /// What a command prints, in a directory of its own.
 fn printed(arguments: &[&str], more: &[&str]) -> String {
     let all = [arguments, more].concat();
-    let name = format!(
-        "events-{}",
-        all.join("-").replace(['/', '=', '[', ']'], "-")
-    );
+    let name = format!("events-{}", all.join("-").replace(['/', '=', '[', ']'], "-"));
     answer(&all, &folder(&name))
 }
 
@@ -31,10 +28,7 @@ fn rows(arguments: &[&str]) -> Vec<Vec<String>> {
 fn check_same(cell: &str, value: &Value) {
     let cell: f64 = cell.parse().expect("a number");
     let value = value.as_f64().expect("a number");
-    assert!(
-        (cell - value).abs() <= 1e-15 * value.abs(),
-        "{cell} {value}"
-    );
+    assert!((cell - value).abs() <= 1e-15 * value.abs(), "{cell} {value}");
 }
 
 /// The rows say what the object says.
@@ -80,14 +74,7 @@ fn events_of_a_motion_that_repeats_are_rows() {
 #[test]
 fn rows_of_events_need_events_and_csv() {
     let directory = folder("events_refused");
-    let linkage = [
-        "run",
-        "heald_linkage",
-        "--format",
-        "csv",
-        "--rows",
-        "events",
-    ];
+    let linkage = ["run", "heald_linkage", "--format", "csv", "--rows", "events"];
     check_refused(&linkage, &["states no events", "--rows events"], &directory);
     let table = ["run", "table_drive", "--rows", "events"];
     check_refused(&table, &["only --format csv has rows"], &directory);
@@ -150,23 +137,12 @@ fn hints_do_not_change_the_value() {
 #[test]
 fn a_figure_names_every_mode_once_beside_its_colour() {
     let directory = folder("events_figure");
-    let run = [
-        "run",
-        "table_drive",
-        "--scene",
-        "loose_switched",
-        "--curves",
-        "twist",
-    ];
+    let run = ["run", "table_drive", "--scene", "loose_switched", "--curves", "twist"];
     answer(&[&run[..], &["--plot", "bands.svg"]].concat(), &directory);
     let figure = std::fs::read_to_string(directory.join("bands.svg")).expect("a figure");
     // The first two last too short for a name in the strip and stand in the legend alone.
     for (name, count) in [("gap", 1), ("wind", 1), ("run", 2)] {
-        assert_eq!(
-            figure.matches(&format!(">{name}<")).count(),
-            count,
-            "{name}"
-        );
+        assert_eq!(figure.matches(&format!(">{name}<")).count(), count, "{name}");
     }
     let pixels = [&run[..], &["--plot", "bands.png"]].concat();
     check_refused(&pixels, &[".svg only", "bands.svg"], &directory);

@@ -16,8 +16,7 @@ fn json(arguments: &[&str], directory: &Path) -> Value {
 #[track_caller]
 fn named<'a>(list: &'a Value, name: &str) -> &'a Value {
     let mut list = list.as_array().expect("a list").iter();
-    list.find(|one| one["name"] == name)
-        .expect("one of this name")
+    list.find(|one| one["name"] == name).expect("one of this name")
 }
 
 #[track_caller]
@@ -35,10 +34,7 @@ fn check_numerical(arguments: &[&str], words: &[&str], directory: &Path) {
     for word in words {
         assert!(complaint.contains(word), "no {word:?} in\n{complaint}");
     }
-    assert!(
-        !complaint.contains("group"),
-        "a name is missing: {complaint}"
-    );
+    assert!(!complaint.contains("group"), "a name is missing: {complaint}");
 }
 
 #[test]
@@ -112,9 +108,7 @@ fn json_has_its_documented_fields() {
     };
     check_near(&named(&inside["results"], "phi7")["value"], -70.06145, 5e-6);
     let influence = inside["influence"].as_array().expect("a list");
-    let rod = influence
-        .iter()
-        .find(|one| one["by"] == "l5" && one["of"] == "phi7");
+    let rod = influence.iter().find(|one| one["by"] == "l5" && one["of"] == "phi7");
     check_near(&rod.expect("one")["value"], 0.00454753, 5e-9);
     assert_eq!(inside["outside"].as_array().map(Vec::len), Some(0));
     let said = outside["outside"][0].as_str().expect("words");
@@ -122,10 +116,7 @@ fn json_has_its_documented_fields() {
     for published in object["published"].as_array().expect("facts") {
         assert_eq!(published["within"], true, "{published}");
     }
-    assert!(
-        entries(&directory).is_empty(),
-        "JSON draws no figure unasked"
-    );
+    assert!(entries(&directory).is_empty(), "JSON draws no figure unasked");
 }
 
 #[test]
@@ -156,24 +147,13 @@ fn what_cannot_be_closed_says_by_how_much() {
     let directory = folder("linkage_impossible");
     check_numerical(
         &["run", NAME, "--set", "l5=20mm"],
-        &[
-            "cannot be put together",
-            "phi4 = 90 deg",
-            "63.58 mm",
-            "loop.x, loop.y, guide",
-            "--set",
-        ],
+        &["cannot be put together", "phi4 = 90 deg", "63.58 mm", "loop.x, loop.y, guide", "--set"],
         &directory,
     );
     assert!(entries(&directory).is_empty(), "a figure of nothing");
     check_numerical(
         &["run", NAME, "--at", "phi4=230deg"],
-        &[
-            "does not get to phi4 = 230 deg",
-            "--at phi4=230deg",
-            "dead point",
-            "220.223 deg",
-        ],
+        &["does not get to phi4 = 230 deg", "--at phi4=230deg", "dead point", "220.223 deg"],
         &directory,
     );
     assert!(entries(&directory).is_empty(), "a figure of nothing");
@@ -183,11 +163,7 @@ fn what_cannot_be_closed_says_by_how_much() {
 fn wrong_requests_are_refused() {
     let directory = folder("linkage_refused");
     let cases: &[(&str, &str, &[&str])] = &[
-        (
-            "--at",
-            "phi5=10deg",
-            &["not `phi5`", "did you mean `phi4`?"],
-        ),
+        ("--at", "phi5=10deg", &["not `phi5`", "did you mean `phi4`?"]),
         ("--at", "l4=10mm", &["not `l4`", "--set l4"]),
         ("--at", "time=1s", &["not `time`", "phi4=90deg"]),
         ("--at", "phi4=1kg", &["wrong unit"]),
@@ -197,11 +173,7 @@ fn wrong_requests_are_refused() {
         ("--at", "phi4=", &["NAME=VALUE"]),
         ("--at", "", &["NAME=VALUE"]),
         ("--at", "90deg=phi4", &["not `90deg`"]),
-        (
-            "--at",
-            "phi4=70deg,phi4=80deg",
-            &["given twice", "repeat --at"],
-        ),
+        ("--at", "phi4=70deg,phi4=80deg", &["given twice", "repeat --at"]),
         ("--set", "l4=0mm", &["`l4` cannot be 0 mm"]),
         ("--set", "phi4=70deg", &["is driven", "--at phi4"]),
         ("--curves", "phi8", &["did you mean `phi"]),
@@ -218,11 +190,7 @@ fn wrong_requests_are_refused() {
         check_refused(&[command], &["needs a linkage"], &directory);
         check_refused(&[command, "heald"], &["no mechanism"], &directory);
     }
-    check_refused(
-        &["draw", NAME, "--at", "phi4=1kg"],
-        &["wrong unit"],
-        &directory,
-    );
+    check_refused(&["draw", NAME, "--at", "phi4=1kg"], &["wrong unit"], &directory);
 }
 
 #[test]
@@ -248,51 +216,22 @@ fn the_structure_is_told_in_words_and_as_data() {
 #[test]
 fn drawings_show_all_points_and_move() {
     let directory = folder("linkage_draw");
-    let text = answer(
-        &["draw", NAME, "--scene", "straight", "--out", "new"],
-        &directory,
-    );
+    let text = answer(&["draw", NAME, "--scene", "straight", "--out", "new"], &directory);
     assert!(text.contains("heald_linkage-straight-moving.svg"), "{text}");
     let read = |name: &str| std::fs::read_to_string(directory.join("new").join(name)).expect(name);
     let still = read("heald_linkage-straight-positions.svg");
-    for word in [
-        "<svg",
-        ">D<",
-        ">E<",
-        ">F<",
-        ">J<",
-        ">L<",
-        "knife arm",
-        "mm",
-        "class=\"slide\"",
-    ] {
+    for word in ["<svg", ">D<", ">E<", ">F<", ">J<", ">L<", "knife arm", "mm", "class=\"slide\""] {
         assert!(still.contains(word), "{word}");
     }
-    assert_eq!(
-        still.matches("class=\"ground\"").count(),
-        2,
-        "D and L stand"
-    );
+    assert_eq!(still.matches("class=\"ground\"").count(), 2, "D and L stand");
     let moving = read("heald_linkage-straight-moving.svg");
     let lengths: Vec<_> = moving
         .split("values=\"")
         .skip(1)
         .map(|values| values.split('"').next().unwrap_or("").split(';').count())
         .collect();
-    assert!(
-        lengths.len() > 8 && lengths.iter().all(|one| *one == lengths[0]),
-        "{lengths:?}"
-    );
-    let chosen = [
-        "draw",
-        NAME,
-        "--at",
-        "phi4=70deg",
-        "--at",
-        "phi4=200deg",
-        "--out",
-        "new",
-    ];
+    assert!(lengths.len() > 8 && lengths.iter().all(|one| *one == lengths[0]), "{lengths:?}");
+    let chosen = ["draw", NAME, "--at", "phi4=70deg", "--at", "phi4=200deg", "--out", "new"];
     assert!(answer(&chosen, &directory).contains("70, 200°"));
 }
 
@@ -300,23 +239,15 @@ fn drawings_show_all_points_and_move() {
 fn scenes_and_files_are_summed_up() {
     let directory = folder("linkage_scenes");
     let text = answer(&["scenes", NAME], &directory);
-    for word in [
-        "loops",
-        "unknowns",
-        "position",
-        "coupled",
-        "positions over phi4",
-        "guide.straight",
-    ] {
+    for word in
+        ["loops", "unknowns", "position", "coupled", "positions over phi4", "guide.straight"]
+    {
         assert!(text.contains(word), "{word} is missing in\n{text}");
     }
     assert!(answer(&["list"], &directory).contains("moved by phi4"));
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/src/heald_linkage.eqn");
     let text = answer(&["check", file], &directory);
-    assert!(
-        text.contains("unknowns") && !text.contains("states"),
-        "{text}"
-    );
+    assert!(text.contains("unknowns") && !text.contains("states"), "{text}");
     let text = answer(&["expand", NAME, "--scene", "straight"], &directory);
     syn::parse_file(&text).expect("Rust");
 }
@@ -334,10 +265,7 @@ fn a_timed_run_knows_limit_positions_as_a_sweep_does() {
     let run = |scene| json(&["run", "selvedge_linkage", "--scene", scene], &directory);
     let (timed, swept) = (run("turning"), run("crank"));
     for name in ["chi", "gamma2", "mu"] {
-        let pairs: Vec<_> = turns(&timed, name)
-            .into_iter()
-            .zip(turns(&swept, name))
-            .collect();
+        let pairs: Vec<_> = turns(&timed, name).into_iter().zip(turns(&swept, name)).collect();
         assert!(pairs.len() >= 2, "{name}");
         for (one, other) in pairs {
             assert!((one - other).abs() < 1e-12 * 360.0, "{name}: {one} {other}");
@@ -351,10 +279,7 @@ fn a_timed_run_knows_limit_positions_as_a_sweep_does() {
     check_near(&highest["time"], 0.1 * expected / 360.0, 1e-14);
     // How fast the lever turns, in degrees per second, is the speed of 600 rpm times the ratio.
     let speed = 600.0 * 360.0 / 60.0;
-    let (fast, ratio) = (
-        named(&timed["results"], "dot(chi)"),
-        named(&swept["results"], "ratio"),
-    );
+    let (fast, ratio) = (named(&timed["results"], "dot(chi)"), named(&swept["results"], "ratio"));
     for end in ["minimum", "maximum"] {
         let expected = ratio[end]["value"].as_f64().expect("a number") * speed;
         check_near(&fast[end]["value"], expected, 1e-11 * speed);
@@ -364,15 +289,10 @@ fn a_timed_run_knows_limit_positions_as_a_sweep_does() {
 #[test]
 fn an_extreme_that_decides_has_its_own_kind_beside_a_pole() {
     // The least convex pitch radius, which decides about undercut, lies between poles and rests.
-    let object = json(
-        &["run", "selvedge_linkage", "--scene", "cam"],
-        &folder("linkage_pole"),
-    );
+    let object = json(&["run", "selvedge_linkage", "--scene", "cam"], &folder("linkage_pole"));
     let radius = named(&object["results"], "pitch_radius");
     let turns = radius["limit_positions"].as_array().expect("a list");
-    let convex = turns
-        .iter()
-        .filter(|turn| turn["value"].as_f64() > Some(0.0));
+    let convex = turns.iter().filter(|turn| turn["value"].as_f64() > Some(0.0));
     let least = convex.min_by(|a, b| {
         let value = |one: &Value| one["value"].as_f64().unwrap_or(f64::NAN);
         value(a).total_cmp(&value(b))
@@ -384,17 +304,10 @@ fn an_extreme_that_decides_has_its_own_kind_beside_a_pole() {
     for (end, expected) in [("minimum", Value::Null), ("maximum", Value::Null)] {
         assert_eq!(radius[end]["value"], expected);
         assert_eq!(radius[end]["unbounded"], true);
-        check_near(
-            &radius[end]["at"]["drivers"][0]["value"],
-            240.246_480_6,
-            1e-7,
-        );
+        check_near(&radius[end]["at"]["drivers"][0]["value"], 240.246_480_6, 1e-7);
     }
     let breaks = radius["breaks"].as_array().expect("a list");
-    let kinds: Vec<_> = breaks
-        .iter()
-        .map(|one| (&one["before"], &one["after"]))
-        .collect();
+    let kinds: Vec<_> = breaks.iter().map(|one| (&one["before"], &one["after"])).collect();
     let (up, down) = (Value::from("inf"), Value::from("-inf"));
     assert_eq!(kinds, [(&up, &down), (&down, &up)]);
 }
@@ -402,11 +315,7 @@ fn an_extreme_that_decides_has_its_own_kind_beside_a_pole() {
 #[test]
 fn the_rod_and_the_lever_are_square_to_the_last_digit() {
     let object = json(&["run", "selvedge_linkage"], &folder("linkage_square"));
-    check_near(
-        &named(&object["results"], "mu")["maximum"]["value"],
-        90.0,
-        1e-12,
-    );
+    check_near(&named(&object["results"], "mu")["maximum"]["value"], 90.0, 1e-12);
 }
 
 #[test]
@@ -445,17 +354,10 @@ fn start_values_far_from_the_position_are_told() {
 fn a_change_point_is_passed_and_what_has_no_value_there_is_left_out() {
     let directory = folder("linkage_change_point");
     let sizes = ["--set", "l1=40mm", "--set", "l2=100mm", "--set", "l3=40mm"];
-    let object = json(
-        &[&["run", "selvedge_linkage"], &sizes[..]].concat(),
-        &directory,
-    );
+    let object = json(&[&["run", "selvedge_linkage"], &sizes[..]].concat(), &directory);
     let events = object["events"].as_array().expect("a list");
     assert_eq!(events[0]["place"], "beta = 180 deg");
-    assert!(
-        events[0]["event"]
-            .as_str()
-            .is_some_and(|text| text.starts_with("change point"))
-    );
+    assert!(events[0]["event"].as_str().is_some_and(|text| text.starts_with("change point")));
     // The open branch, chi = 180 deg - beta, all the way; its rate is zero over zero where the modes meet.
     for position in object["positions"].as_array().expect("a list") {
         let beta = position["drivers"][0]["value"].as_f64().expect("a number");

@@ -53,10 +53,7 @@ fn check_refused(arguments: &[&str], words: &[&str], directory: &Path) {
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {complaint}");
     assert!(output.stdout.is_empty(), "{arguments:?} prints an answer");
     for word in words {
-        assert!(
-            complaint.contains(word),
-            "{arguments:?}: no {word:?} in\n{complaint}"
-        );
+        assert!(complaint.contains(word), "{arguments:?}: no {word:?} in\n{complaint}");
     }
     assert!(!complaint.contains("panicked"), "{complaint}");
     assert_eq!(entries(directory), before, "{arguments:?} leaves files");

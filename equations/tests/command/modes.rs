@@ -93,22 +93,12 @@ fn each_mode_is_closed_and_one_is_declared() {
 #[test]
 fn a_mode_that_does_not_get_there_is_told() {
     let directory = folder("modes_unreached");
-    let table = answer(
-        &["modes", "heald_linkage", "--at", "phi4=230deg"],
-        &directory,
-    );
-    for word in [
-        "2 assembly modes",
-        "There is no other.",
-        "dead point at phi4 = 220.223 deg",
-    ] {
+    let table = answer(&["modes", "heald_linkage", "--at", "phi4=230deg"], &directory);
+    for word in ["2 assembly modes", "There is no other.", "dead point at phi4 = 220.223 deg"] {
         assert!(table.contains(word), "{word} is missing in\n{table}");
     }
     let none = ["--scene", "straight", "--at", "phi4=180deg"];
-    let table = answer(
-        &[&["modes", "heald_linkage"], &none[..]].concat(),
-        &directory,
-    );
+    let table = answer(&[&["modes", "heald_linkage"], &none[..]].concat(), &directory);
     assert!(table.contains("no assembly mode"), "{table}");
 }
 
@@ -119,49 +109,24 @@ fn dyads_have_two_modes_each() {
     assert_eq!(rows.lines().count(), 5, "{rows}");
     assert_eq!(rows.lines().filter(|row| row.ends_with(",1")).count(), 1);
     // Outputs that are speeds need the motion of the drivers.
-    let turning = [
-        "modes",
-        "selvedge_linkage",
-        "--scene",
-        "turning",
-        "--at",
-        "time=0.02s",
-    ];
+    let turning = ["modes", "selvedge_linkage", "--scene", "turning", "--at", "time=0.02s"];
     let found = json(&turning, &directory);
     let modes = found["places"][0]["modes"].as_array().expect("a list");
     assert_eq!(modes.len(), 2);
-    let speeds: Vec<f64> = modes
-        .iter()
-        .map(|mode| value(&mode["results"], "dot(chi)"))
-        .collect();
-    assert!(
-        speeds.iter().all(|speed| speed.abs() > 1000.0),
-        "{speeds:?}"
-    );
+    let speeds: Vec<f64> = modes.iter().map(|mode| value(&mode["results"], "dot(chi)")).collect();
+    assert!(speeds.iter().all(|speed| speed.abs() > 1000.0), "{speeds:?}");
 }
 
 #[test]
 fn wrong_requests_are_refused() {
     let directory = folder("modes_refused");
     for (arguments, words) in [
-        (
-            &["modes"][..],
-            &["needs a linkage", "assur modes heald_linkage"][..],
-        ),
+        (&["modes"][..], &["needs a linkage", "assur modes heald_linkage"][..]),
         (&["modes", "batten"], &["no linkage"]),
-        (
-            &["modes", "heald_linkage", "--at", "phi5=1deg"],
-            &["positions of drivers"],
-        ),
-        (
-            &["modes", "sewing_feed", "--set", "feed.e_v=7mm"],
-            &["did you mean `lift.e_v`?"],
-        ),
+        (&["modes", "heald_linkage", "--at", "phi5=1deg"], &["positions of drivers"]),
+        (&["modes", "sewing_feed", "--set", "feed.e_v=7mm"], &["did you mean `lift.e_v`?"]),
         (&["run", "batten", "--rows", "limits"], &["only a linkage"]),
-        (
-            &["run", "heald_linkage", "--rows", "limits"],
-            &["--format csv"],
-        ),
+        (&["run", "heald_linkage", "--rows", "limits"], &["--format csv"]),
     ] {
         check_refused(arguments, words, &directory);
     }
@@ -177,12 +142,7 @@ fn drivers_go_from_dead_point_to_dead_point() {
     check_near(&reach["high"]["at"], 220.223, 5e-4);
     assert_eq!(reach["low"]["dead_point"], "loop.x, loop.y, guide");
     let table = answer(&["run", "selvedge_linkage"], &directory);
-    for word in [
-        "beta  turns all round",
-        "Limit positions",
-        "stroke",
-        "38.62483287",
-    ] {
+    for word in ["beta  turns all round", "Limit positions", "stroke", "38.62483287"] {
         assert!(table.contains(word), "{word} is missing in\n{table}");
     }
 }
@@ -192,42 +152,20 @@ fn limit_positions_of_a_four_bar_are_exact() {
     let directory = folder("modes_limits");
     let found = json(&["run", "selvedge_linkage"], &directory);
     let results = found["results"].as_array().expect("a list").iter();
-    let chi = results
-        .clone()
-        .find(|one| one["name"] == "chi")
-        .expect("chi");
+    let chi = results.clone().find(|one| one["name"] == "chi").expect("chi");
     // Crank and rod in line, by the cosine law: rod less crank, rod and crank.
     let [l1, l2, l3, a_w] = [25.0, 90.0, 60.0, 100.0_f64];
-    let exact = |reach: f64| {
-        ((a_w * a_w + l3 * l3 - reach * reach) / (2.0 * a_w * l3))
-            .acos()
-            .to_degrees()
-    };
+    let exact =
+        |reach: f64| ((a_w * a_w + l3 * l3 - reach * reach) / (2.0 * a_w * l3)).acos().to_degrees();
     let turns = chi["limit_positions"].as_array().expect("a list");
     assert_eq!(turns.len(), 2);
     check_near(&turns[0]["value"], exact(l2 + l1), 1e-11);
     check_near(&turns[1]["value"], exact(l2 - l1), 1e-11);
     check_near(&chi["stroke"], exact(l2 + l1) - exact(l2 - l1), 1e-11);
-    let rows = answer(
-        &[
-            "run",
-            "selvedge_linkage",
-            "--format",
-            "csv",
-            "--rows",
-            "limits",
-        ],
-        &directory,
-    );
-    assert!(
-        rows.starts_with("name,unit,what,value,beta [deg]\n"),
-        "{rows}"
-    );
-    assert!(
-        rows.lines()
-            .any(|row| row.starts_with("chi,deg,lowest,38.6248328")),
-        "{rows}"
-    );
+    let rows =
+        answer(&["run", "selvedge_linkage", "--format", "csv", "--rows", "limits"], &directory);
+    assert!(rows.starts_with("name,unit,what,value,beta [deg]\n"), "{rows}");
+    assert!(rows.lines().any(|row| row.starts_with("chi,deg,lowest,38.6248328")), "{rows}");
 }
 
 #[test]
@@ -235,39 +173,23 @@ fn what_stands_for_a_moment_does_not_turn() {
     let directory = folder("modes_standing");
     let found = json(&["run", "feed_rack"], &directory);
     let mut results = found["results"].as_array().expect("a list").iter();
-    let height = results
-        .find(|one| one["name"] == "tooth.y")
-        .expect("tooth.y");
+    let height = results.find(|one| one["name"] == "tooth.y").expect("tooth.y");
     assert_eq!(height["limit_positions"].as_array().map(Vec::len), Some(0));
 }
 
 #[test]
 fn a_grid_shows_the_reach_of_both_drivers() {
     let directory = folder("modes_grid");
-    let found = json(
-        &[
-            "run",
-            "sewing_feed",
-            "--scene",
-            "map",
-            "--set",
-            "lift.e_v=6.5mm",
-        ],
-        &directory,
-    );
+    let found =
+        json(&["run", "sewing_feed", "--scene", "map", "--set", "lift.e_v=6.5mm"], &directory);
     assert_eq!(found["task"]["over"].as_array().map(Vec::len), Some(2));
     let reach = found["reach"].as_array().expect("a list");
-    assert_eq!(
-        (&reach[0]["driver"], &reach[0]["turns"]),
-        (&"phi".into(), &true.into())
-    );
+    assert_eq!((&reach[0]["driver"], &reach[0]["turns"]), (&"phi".into(), &true.into()));
     assert_eq!(reach[1]["driver"], "nu");
     let dead = reach[1]["high"]["dead_point"].as_str();
     assert_eq!(dead, Some("stitch.regulator.x, stitch.regulator.y"));
     let mut parameters = found["parameters"].as_array().expect("a list").iter();
-    let set = parameters
-        .find(|one| one["name"] == "lift.e_v")
-        .expect("a part's");
+    let set = parameters.find(|one| one["name"] == "lift.e_v").expect("a part's");
     assert_eq!(set["changed"], true);
 }
 
@@ -276,22 +198,10 @@ fn figures_show_coefficients_with_their_units() {
     let directory = folder("modes_figure");
     answer(&["run", "heald_linkage", "--plot", "all.svg"], &directory);
     let figure = std::fs::read_to_string(directory.join("all.svg")).expect("a figure");
-    for word in [
-        "Kinematic coefficients by φ₄",
-        "Influence on φ₇, mrad/mm",
-        "l₄",
-        ">s<",
-    ] {
+    for word in ["Kinematic coefficients by φ₄", "Influence on φ₇, mrad/mm", "l₄", ">s<"] {
         assert!(figure.contains(word), "{word}");
     }
-    let few = [
-        "run",
-        "heald_linkage",
-        "--plot",
-        "few.svg",
-        "--curves",
-        "diff(phi7, l5),phi7",
-    ];
+    let few = ["run", "heald_linkage", "--plot", "few.svg", "--curves", "diff(phi7, l5),phi7"];
     answer(&few, &directory);
     let figure = std::fs::read_to_string(directory.join("few.svg")).expect("a figure");
     assert!(figure.contains("Influence on φ₇") && !figure.contains("φ₅"));

@@ -51,11 +51,7 @@ fn about(mechanism: &'static Mechanism) -> Vec<Question> {
         .map(|(scene, words)| {
             let (command, options) = words.split_first().expect("a command");
             let start = [command, name, "--scene", scene.name];
-            start
-                .iter()
-                .chain(options)
-                .map(|word| word.to_string())
-                .collect()
+            start.iter().chain(options).map(|word| word.to_string()).collect()
         })
         .collect();
     list.push(vec!["scenes".to_owned(), name.to_owned()]);
@@ -85,10 +81,7 @@ fn of_scene(scene: &SceneEntry) -> Vec<Vec<&'static str>> {
         list.push(vec!["draw"]);
         list.extend(formats(&["structure"], &all[..2]));
         list.extend(formats(&["modes"], &all));
-        list.extend(formats(
-            &["tolerance", "--samples", "2000", "--plot", "figure.svg"],
-            &all,
-        ));
+        list.extend(formats(&["tolerance", "--samples", "2000", "--plot", "figure.svg"], &all));
     }
     list
 }
@@ -116,14 +109,9 @@ fn blanked(text: &str, costs: bool) -> String {
         if line.trim_start().starts_with("\"seconds") {
             return line.split(':').next().unwrap_or("").to_owned() + ": …";
         }
-        let words: Vec<&str> = line
-            .split(' ')
-            .filter(|word| !costs || !word.is_empty())
-            .collect();
+        let words: Vec<&str> = line.split(' ').filter(|word| !costs || !word.is_empty()).collect();
         let measured = |at: usize| {
-            let unit = words
-                .get(at + 1)
-                .map(|word| word.trim_end_matches(['.', ';', ',', ':']));
+            let unit = words.get(at + 1).map(|word| word.trim_end_matches(['.', ';', ',', ':']));
             let is_time = matches!(unit, Some("ns" | "µs" | "ms" | "s"));
             is_time
                 && words[at].parse::<f64>().is_ok()
@@ -141,14 +129,8 @@ fn blanked(text: &str, costs: bool) -> String {
 #[test]
 fn measured_times_are_blanked() {
     assert_eq!(
-        blanked(
-            "solved in 41 ms by dop853 with 2 ms in 3 steps\n  \"seconds\": 0.5,\n",
-            false
-        ),
+        blanked("solved in 41 ms by dop853 with 2 ms in 3 steps\n  \"seconds\": 0.5,\n", false),
         "solved in … … by dop853 with 2 ms in 3 steps\n  \"seconds\": …\n"
     );
-    assert_eq!(
-        blanked("  elastic   54   26 ns   4.1 ms\n", true),
-        "elastic 54 … … … …\n"
-    );
+    assert_eq!(blanked("  elastic   54   26 ns   4.1 ms\n", true), "elastic 54 … … … …\n");
 }

@@ -8,71 +8,29 @@ use super::{check_refused, command, folder, run};
 fn wrong_names() {
     let directory = folder("wrong_names");
     let cases: &[(&[&str], &[&str])] = &[
-        (
-            &["run"],
-            &["needs a mechanism", "batten", "assur run batten"],
-        ),
+        (&["run"], &["needs a mechanism", "batten", "assur run batten"]),
         (&["scenes"], &["needs a mechanism", "assur scenes batten"]),
         (&["expand"], &["needs a mechanism"]),
-        (
-            &["run", "baten"],
-            &["no mechanism `baten`", "did you mean `batten`?"],
-        ),
+        (&["run", "baten"], &["no mechanism `baten`", "did you mean `batten`?"]),
         (&["scenes", "baten"], &["did you mean `batten`?"]),
         (&["expand", "baten"], &["did you mean `batten`?"]),
         (&["run", "gearbox"], &["there are: batten"]),
-        (
-            &["run", "batten", "--scene", "exakt"],
-            &["--scene exakt", "did you mean `exact`?"],
-        ),
-        (
-            &["expand", "batten", "--scene", "exakt"],
-            &["did you mean `exact`?"],
-        ),
-        (
-            &["run", "batten", "--scene", "coupling"],
-            &["is an effect", "--scene elastic"],
-        ),
-        (
-            &["run", "batten", "--scene", "K2"],
-            &["alternative", "--scene first_order"],
-        ),
-        (
-            &["run", "batten", "--set", "m5=3kg"],
-            &["no parameter `m5`", "did you mean `m"],
-        ),
-        (
-            &["run", "batten", "--set", "beta_t=1ms"],
-            &["--scene damped"],
-        ),
-        (
-            &["run", "batten", "--set", "theta=1rad"],
-            &["is driven", "--at theta"],
-        ),
-        (
-            &["run", "batten", "--scene", "rigid", "--set", "c=1"],
-            &["no parameter `c`"],
-        ),
-        (
-            &["scenes", "batten", "--set", "m5=3kg"],
-            &["no parameter `m5`"],
-        ),
-        (
-            &["run", "batten", "--method", "dop583"],
-            &["--method dop583", "did you mean `dop853`?"],
-        ),
+        (&["run", "batten", "--scene", "exakt"], &["--scene exakt", "did you mean `exact`?"]),
+        (&["expand", "batten", "--scene", "exakt"], &["did you mean `exact`?"]),
+        (&["run", "batten", "--scene", "coupling"], &["is an effect", "--scene elastic"]),
+        (&["run", "batten", "--scene", "K2"], &["alternative", "--scene first_order"]),
+        (&["run", "batten", "--set", "m5=3kg"], &["no parameter `m5`", "did you mean `m"]),
+        (&["run", "batten", "--set", "beta_t=1ms"], &["--scene damped"]),
+        (&["run", "batten", "--set", "theta=1rad"], &["is driven", "--at theta"]),
+        (&["run", "batten", "--scene", "rigid", "--set", "c=1"], &["no parameter `c`"]),
+        (&["scenes", "batten", "--set", "m5=3kg"], &["no parameter `m5`"]),
+        (&["run", "batten", "--method", "dop583"], &["--method dop583", "did you mean `dop853`?"]),
         (
             &["run", "batten", "--method", "euler"],
             &["dop853, tsit5, taylor, radau, rosenbrock, auto"],
         ),
-        (
-            &["run", "batten_table", "--preset", "idenity"],
-            &["did you mean `identity`?"],
-        ),
-        (
-            &["run", "batten", "--curves", "phi"],
-            &["--curves phi", "did you mean `phi2`?"],
-        ),
+        (&["run", "batten_table", "--preset", "idenity"], &["did you mean `identity`?"]),
+        (&["run", "batten", "--curves", "phi"], &["--curves phi", "did you mean `phi2`?"]),
         (&["run", "batten", "--format", "xml"], &["table, json, csv"]),
         (&["run", "batten", "--fromat", "json"], &["--format"]),
         (&["frobnicate"], &["frobnicate"]),
@@ -105,10 +63,7 @@ fn wrong_values() {
         ("m1=1e99kg", &["`m1` cannot be"]),
         ("R=0mm", &["`R` cannot be 0 mm"]),
         ("R=-75mm", &["`R` cannot be -75 mm"]),
-        (
-            "R=300mm",
-            &["--set R", "connecting rod has to be longer", "help:"],
-        ),
+        ("R=300mm", &["--set R", "connecting rod has to be longer", "help:"]),
         ("d34=5e-6[m/N]", &["positive definite"]),
     ];
     for (set, words) in cases {
@@ -148,41 +103,20 @@ fn tolerances_out_of_range() {
 fn absolute_tolerances_that_cannot_be() {
     let directory = folder("absolute");
     let cases: [(&str, &[&str]); 6] = [
-        (
-            "phi2",
-            &["--atol takes NAME=VALUE", "--atol 'phi2=1e-12[rad]'"],
-        ),
-        (
-            "phy2=1 rad",
-            &["`phy2` is no state of scene `start`", "did you mean"],
-        ),
+        ("phi2", &["--atol takes NAME=VALUE", "--atol 'phi2=1e-12[rad]'"]),
+        ("phy2=1 rad", &["`phy2` is no state of scene `start`", "did you mean"]),
         ("phi2=1mm", &["`1mm` has the wrong unit for `phi2`"]),
         ("phi2=0", &["a tolerance of `phi2` is a number above 0"]),
-        (
-            "phi2=-1 rad",
-            &["a tolerance of `phi2` is a number above 0"],
-        ),
+        ("phi2=-1 rad", &["a tolerance of `phi2` is a number above 0"]),
         ("phi2=nan", &["help:"]),
     ];
     for (atol, words) in cases {
         let asked = ["run", "batten", "--scene", "start", "--atol", atol];
         check_refused(&asked, words, &directory);
     }
-    let twice = [
-        "run",
-        "batten",
-        "--scene",
-        "start",
-        "--atol",
-        "phi2=1e-9 rad",
-        "--atol",
-        "phi2=1e-8 rad",
-    ];
-    check_refused(
-        &twice,
-        &["the tolerance of `phi2` is given twice"],
-        &directory,
-    );
+    let twice =
+        ["run", "batten", "--scene", "start", "--atol", "phi2=1e-9 rad", "--atol", "phi2=1e-8 rad"];
+    check_refused(&twice, &["the tolerance of `phi2` is given twice"], &directory);
     let linkage = ["run", "heald_linkage", "--atol", "phi4=1 deg"];
     check_refused(&linkage, &["a linkage takes no --atol"], &directory);
 }
@@ -198,29 +132,18 @@ fn outputs_that_cannot_be_written() {
         ("--plot", "file/figure.svg", "is not a directory"),
         ("--out", "file", "is not a directory"),
     ] {
-        check_refused(
-            &["run", "batten", option, path],
-            &[words, "help:"],
-            &directory,
-        );
+        check_refused(&["run", "batten", option, path], &[words, "help:"], &directory);
     }
     let both = ["run", "batten", "--plot", "a.svg", "--out", "b"];
     check_refused(&both, &["cannot be used with"], &directory);
-    assert_eq!(
-        std::fs::read(directory.join("file")).expect("there"),
-        b"kept"
-    );
+    assert_eq!(std::fs::read(directory.join("file")).expect("there"), b"kept");
 }
 
 #[test]
 fn a_wrong_request_keeps_the_figure_of_the_last_run() {
     let directory = folder("keeps");
     std::fs::write(directory.join("batten-elastic.svg"), "old").expect("writable");
-    check_refused(
-        &["run", "batten", "--set", "n=0rpm"],
-        &["cannot be 0 rpm"],
-        &directory,
-    );
+    check_refused(&["run", "batten", "--set", "n=0rpm"], &["cannot be 0 rpm"], &directory);
     let kept = std::fs::read(directory.join("batten-elastic.svg"));
     assert_eq!(kept.expect("there"), b"old");
 }
@@ -246,24 +169,12 @@ fn numbers_that_are_none() {
             arguments.extend(["--samples", "10"]);
         }
         let place = format!("{option} {value}");
-        check_refused(
-            &arguments,
-            &[&place, "whole number", "choose from"],
-            &directory,
-        );
+        check_refused(&arguments, &[&place, "whole number", "choose from"], &directory);
     }
     let study = |over: &'static str| ["study", "presser_foot", "--over", over];
     let example = "--over 'omega=200..400[1/s]:41'";
-    check_refused(
-        &study("omega=1..2:2"),
-        &["needs a unit", example],
-        &directory,
-    );
-    check_refused(
-        &study("omega=400..nan[1/s]:2"),
-        &["finite number", "`nan[1/s]`"],
-        &directory,
-    );
+    check_refused(&study("omega=1..2:2"), &["needs a unit", example], &directory);
+    check_refused(&study("omega=400..nan[1/s]:2"), &["finite number", "`nan[1/s]`"], &directory);
 }
 
 #[test]
@@ -300,11 +211,7 @@ fn a_place_is_printed_once() {
 fn long_and_strange_words() {
     let directory = folder("long_words");
     let long = "x".repeat(100_000);
-    let [set, option, at] = [
-        format!("n={long}"),
-        format!("--{long}"),
-        format!("{long}=1deg"),
-    ];
+    let [set, option, at] = [format!("n={long}"), format!("--{long}"), format!("{long}=1deg")];
     let cases: [&[&str]; 9] = [
         &["run", &long],
         &["run", "batten", &option],
@@ -322,22 +229,10 @@ fn long_and_strange_words() {
         assert!(complaint.len() < 6000, "{} bytes", complaint.len());
     }
     for name in ["", "  "] {
-        check_refused(
-            &["run", name],
-            &["name of the mechanism is empty"],
-            &directory,
-        );
+        check_refused(&["run", name], &["name of the mechanism is empty"], &directory);
     }
-    check_refused(
-        &["run", "b\u{e4}tten"],
-        &["did you mean `batten`?"],
-        &directory,
-    );
-    check_refused(
-        &["run", "bat\u{1b}[31mten"],
-        &["`bat\\u{1b}[31mten`"],
-        &directory,
-    );
+    check_refused(&["run", "b\u{e4}tten"], &["did you mean `batten`?"], &directory);
+    check_refused(&["run", "bat\u{1b}[31mten"], &["`bat\\u{1b}[31mten`"], &directory);
 }
 
 /// Every subcommand says when its answer could not be printed.

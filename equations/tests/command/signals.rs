@@ -7,9 +7,8 @@ use std::time::{Duration, Instant};
 use super::{command, entries, folder};
 
 /// A run of ten minutes of motion, which takes the command seconds.
-const LONG: [&str; 9] = [
-    "run", "batten", "--scene", "start", "--set", "n=1rpm", "--rtol", "1e-13", "--plot",
-];
+const LONG: [&str; 9] =
+    ["run", "batten", "--scene", "start", "--set", "n=1rpm", "--rtol", "1e-13", "--plot"];
 
 #[test]
 fn an_interrupt_leaves_no_file() {
@@ -38,12 +37,7 @@ fn an_interrupt_leaves_no_file() {
 #[test]
 fn a_closed_pipe_is_no_mistake() {
     let directory = folder("pipe");
-    for arguments in [
-        &["list"][..],
-        &["expand", "batten"],
-        &["scenes", "batten"],
-        &["--help"],
-    ] {
+    for arguments in [&["list"][..], &["expand", "batten"], &["scenes", "batten"], &["--help"]] {
         let mut child = command(arguments, &directory)
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())

@@ -12,28 +12,13 @@ fn object(arguments: &[&str]) -> Value {
 
 fn named<'a>(list: &'a Value, name: &str) -> &'a Value {
     let mut all = list.as_array().expect("a list").iter();
-    all.find(|one| one["name"] == name)
-        .unwrap_or_else(|| panic!("no {name} in {list}"))
+    all.find(|one| one["name"] == name).unwrap_or_else(|| panic!("no {name} in {list}"))
 }
 
 #[test]
 fn a_motion_through_events_that_repeats_is_shown_over_all_its_periods() {
-    let once = object(&[
-        "run",
-        "presser_foot",
-        "--set",
-        "omega=300[1/s]",
-        "--format",
-        "json",
-    ]);
-    let twice = object(&[
-        "run",
-        "presser_foot",
-        "--set",
-        "omega=400[1/s]",
-        "--format",
-        "json",
-    ]);
+    let once = object(&["run", "presser_foot", "--set", "omega=300[1/s]", "--format", "json"]);
+    let twice = object(&["run", "presser_foot", "--set", "omega=400[1/s]", "--format", "json"]);
     for (run, periods, omega) in [(&once, 1.0, 300.0), (&twice, 2.0, 400.0)] {
         assert_eq!(run["task"]["periods"], periods);
         let to = run["task"]["to"].as_f64().unwrap();
@@ -44,53 +29,27 @@ fn a_motion_through_events_that_repeats_is_shown_over_all_its_periods() {
         let leaves = leaves.filter(|event| event["to"] == "flight").count() as f64;
         assert_eq!(named(&run["measures"], "flights")["value"], leaves);
         let moduli = run["multipliers"].as_array().unwrap().iter();
-        assert!(
-            moduli
-                .map(|one| one["modulus"].as_f64().unwrap())
-                .all(|one| one < 1.0)
-        );
+        assert!(moduli.map(|one| one["modulus"].as_f64().unwrap()).all(|one| one < 1.0));
     }
 }
 
 #[test]
 fn measures_have_an_estimated_error_or_say_why_there_are_none() {
-    let run = object(&[
-        "run",
-        "table_drive",
-        "--scene",
-        "table_1",
-        "--format",
-        "json",
-    ]);
+    let run = object(&["run", "table_drive", "--scene", "table_1", "--format", "json"]);
     let twist = named(&run["measures"], "largest_twist");
     assert_eq!(twist["unit"], "mrad");
-    let (value, error) = (
-        twist["value"].as_f64().unwrap(),
-        twist["estimated_error"].as_f64().unwrap(),
-    );
-    assert!(
-        value > 0.0 && error > 0.0 && error < 1e-6 * value,
-        "{twist}"
-    );
+    let (value, error) =
+        (twist["value"].as_f64().unwrap(), twist["estimated_error"].as_f64().unwrap());
+    assert!(value > 0.0 && error > 0.0 && error < 1e-6 * value, "{twist}");
     // The largest sample of the curve is no larger, and not much smaller.
     let sampled = named(&run["results"], "twist");
     let largest = sampled["maximum"]["value"].as_f64().unwrap() * 1e3;
     assert!((largest - value).abs() < 1e-9 * value, "{largest} {value}");
-    let blocked = object(&[
-        "run",
-        "table_drive",
-        "--scene",
-        "blocked",
-        "--format",
-        "json",
-    ]);
+    let blocked = object(&["run", "table_drive", "--scene", "blocked", "--format", "json"]);
     let never = named(&blocked["measures"], "start_of_table");
     assert!(never["value"].is_null());
     assert_eq!(never["missing"], "the mode `run` is never entered");
-    let table = answer(
-        &["run", "table_drive", "--scene", "blocked"],
-        &folder("blocked_table"),
-    );
+    let table = answer(&["run", "table_drive", "--scene", "blocked"], &folder("blocked_table"));
     assert!(
         table.contains("Measures of the whole task") && table.contains("never entered"),
         "{table}"
@@ -116,9 +75,7 @@ fn with<'a>(more: &[&'a str], words: &[&'a str]) -> Vec<&'a str> {
 fn a_grid_has_a_run_for_each_pair_of_values_whatever_the_number_of_threads() {
     let json = with(GRID, &["--format", "json", "--threads", "1"]);
     let study = object(&json);
-    let free = named(&study["measures"], "free")["values"]
-        .as_array()
-        .unwrap();
+    let free = named(&study["measures"], "free")["values"].as_array().unwrap();
     assert_eq!(free.len(), 6);
     // The first range changes fastest: run 4 is omega = 250 with F10 = 60 N.
     let single = object(&[
@@ -142,10 +99,7 @@ fn a_grid_has_a_run_for_each_pair_of_values_whatever_the_number_of_threads() {
     );
     let directory = folder("study_map");
     let table = answer(&with(GRID, &["--plot", "map.svg"]), &directory);
-    assert!(
-        table.contains("F10, N \\ omega, 1/s") && table.contains("Figure: map.svg"),
-        "{table}"
-    );
+    assert!(table.contains("F10, N \\ omega, 1/s") && table.contains("Figure: map.svg"), "{table}");
     let drawn = std::fs::read_to_string(directory.join("map.svg")).unwrap();
     assert!(drawn.contains("<svg") && drawn.contains("free"), "{drawn}");
 }
@@ -178,31 +132,13 @@ fn values_made_at_random_are_the_same_for_the_same_seed() {
 fn wrong_studies_are_refused() {
     let directory = folder("wrong_studies");
     let cases: &[(&[&str], &[&str])] = &[
-        (
-            &["study", "batten"],
-            &["has no measures", "measure x_max = peak(x);"],
-        ),
+        (&["study", "batten"], &["has no measures", "measure x_max = peak(x);"]),
         (&["study", "presser_foot"], &["--over NAME=FROM..TO:COUNT"]),
-        (
-            &["study", "presser_foot", "--over", "omga=1..2:3"],
-            &["`omga`", "omega"],
-        ),
-        (
-            &["study", "presser_foot", "--over", "omega=200..300"],
-            &["NAME=FROM..TO:COUNT"],
-        ),
-        (
-            &["study", "presser_foot", "--over", "omega=200..300[1/s]:1"],
-            &["from 2 to"],
-        ),
-        (
-            &["study", "presser_foot", "--over", "omega=200..200[1/s]:5"],
-            &["no length"],
-        ),
-        (
-            &["study", "presser_foot", "--over", "omega=200mm..300mm:5"],
-            &["wrong unit"],
-        ),
+        (&["study", "presser_foot", "--over", "omga=1..2:3"], &["`omga`", "omega"]),
+        (&["study", "presser_foot", "--over", "omega=200..300"], &["NAME=FROM..TO:COUNT"]),
+        (&["study", "presser_foot", "--over", "omega=200..300[1/s]:1"], &["from 2 to"]),
+        (&["study", "presser_foot", "--over", "omega=200..200[1/s]:5"], &["no length"]),
+        (&["study", "presser_foot", "--over", "omega=200mm..300mm:5"], &["wrong unit"]),
         (
             &["study", "presser_foot", "--over", "omega=-5..300[1/s]:5"],
             &["--over omega=-5..300[1/s]:5"],
@@ -223,47 +159,16 @@ fn wrong_studies_are_refused() {
             &["has a tolerance", "--tolerance NAME=10%"],
         ),
         (
-            &[
-                "study",
-                "presser_foot",
-                "--samples",
-                "0",
-                "--tolerance",
-                "m=1%",
-            ],
+            &["study", "presser_foot", "--samples", "0", "--tolerance", "m=1%"],
             &["--samples", "choose from 2"],
         ),
         (
-            &[
-                "study",
-                "presser_foot",
-                "--samples",
-                "1e12",
-                "--tolerance",
-                "m=1%",
-            ],
+            &["study", "presser_foot", "--samples", "1e12", "--tolerance", "m=1%"],
             &["--samples", "choose from 2"],
         ),
+        (&["study", "presser_foot", "--samples", "10", "--tolerance", "m=-1%"], &["above zero"]),
         (
-            &[
-                "study",
-                "presser_foot",
-                "--samples",
-                "10",
-                "--tolerance",
-                "m=-1%",
-            ],
-            &["above zero"],
-        ),
-        (
-            &[
-                "study",
-                "presser_foot",
-                "--samples",
-                "10",
-                "--tolerance",
-                "m=0",
-            ],
+            &["study", "presser_foot", "--samples", "10", "--tolerance", "m=0"],
             &["`0` is no tolerance of `m`", "above zero"],
         ),
         (
@@ -291,25 +196,11 @@ fn wrong_studies_are_refused() {
             &["given twice, with --over and --set"],
         ),
         (
-            &[
-                "study",
-                "presser_foot",
-                "--over",
-                "omega=200..300[1/s]:3",
-                "--plot",
-                "lift_off.png",
-            ],
+            &["study", "presser_foot", "--over", "omega=200..300[1/s]:3", "--plot", "lift_off.png"],
             &[".svg only", "lift_off.svg"],
         ),
         (
-            &[
-                "study",
-                "presser_foot",
-                "--over",
-                "omega=200..300[1/s]:3",
-                "--measure",
-                "fre",
-            ],
+            &["study", "presser_foot", "--over", "omega=200..300[1/s]:3", "--measure", "fre"],
             &["did you mean `free`?"],
         ),
     ];

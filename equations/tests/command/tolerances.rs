@@ -5,11 +5,7 @@ use serde_json::Value;
 
 /// The JSON answer for the heald linkage with more arguments.
 fn heald(arguments: &[&str], directory: &std::path::Path) -> Value {
-    let all = [
-        &["tolerance", "heald_linkage", "--format", "json"],
-        arguments,
-    ]
-    .concat();
+    let all = [&["tolerance", "heald_linkage", "--format", "json"], arguments].concat();
     serde_json::from_str(&answer(&all, directory)).expect("one JSON object")
 }
 
@@ -25,15 +21,8 @@ fn the_bands_of_the_specification() {
     let bands = &found["bands"];
     assert!(near(&bands["worst"], 2.0570, 3e-5), "{bands}");
     assert!(near(&bands["deviation"], 0.55949, 2e-5), "{bands}");
-    assert!(near(
-        &bands["monte_carlo"]["deviation"]["value"],
-        0.55949,
-        1e-2
-    ));
-    assert_eq!(
-        bands["monte_carlo"]["assembled"],
-        bands["monte_carlo"]["drawn"]
-    );
+    assert!(near(&bands["monte_carlo"]["deviation"]["value"], 0.55949, 1e-2));
+    assert_eq!(bands["monte_carlo"]["assembled"], bands["monte_carlo"]["drawn"]);
     assert_eq!(found["status"], "complete");
     assert_eq!(found["output"]["error_unit"], "mrad");
     let shares = found["contributions"].as_array().expect("a list").iter();
@@ -49,51 +38,30 @@ fn linkages_that_do_not_assemble_are_not_passed_over() {
     assert_eq!(found["status"], "conditional");
     let failures = found["bands"]["monte_carlo"]["failures"]["value"].as_f64();
     assert!(failures.is_some_and(|share| share > 0.4 && share < 0.6));
-    let table = answer(
-        &[&["tolerance", "heald_linkage"], &place[..]].concat(),
-        &folder,
-    );
+    let table = answer(&[&["tolerance", "heald_linkage"], &place[..]].concat(), &folder);
     assert!(table.contains("do not assemble in this mode"), "{table}");
 }
 
 #[test]
 fn scaled_tolerances_show_what_the_sum_misses() {
     let folder = folder("tolerance_scaled");
-    let found = heald(
-        &["--at", "phi4=90deg", "--scale", "20", "--kind", "second"],
-        &folder,
-    );
+    let found = heald(&["--at", "phi4=90deg", "--scale", "20", "--kind", "second"], &folder);
     let second = &found["bands"]["second"];
     assert!(near(&found["bands"]["worst"], 41.140, 1e-3));
-    assert!(
-        near(&second["extremes_closed"]["greatest"], 41.793, 1e-3),
-        "{second}"
-    );
+    assert!(near(&second["extremes_closed"]["greatest"], 41.793, 1e-3), "{second}");
 }
 
 #[test]
 fn tolerances_of_least_cost_keep_the_band() {
     let folder = folder("tolerance_allocation");
-    let found = heald(
-        &["--allocate", "1mrad", "--limit", "s=0.05mm..0.2mm"],
-        &folder,
-    );
+    let found = heald(&["--allocate", "1mrad", "--limit", "s=0.05mm..0.2mm"], &folder);
     let chosen = &found["allocation"];
     assert!(near(&chosen["greatest"], 1.0, 1e-6), "{chosen}");
     let tolerances = chosen["tolerances"].as_array().expect("a list");
-    let s = tolerances
-        .iter()
-        .find(|one| one["name"] == "s")
-        .expect("it is there");
+    let s = tolerances.iter().find(|one| one["name"] == "s").expect("it is there");
     assert!(near(&s["half_width"], 0.05, 1e-6), "{s}");
-    let out_of_reach = [
-        "tolerance",
-        "heald_linkage",
-        "--allocate",
-        "0.1mrad",
-        "--limit",
-        "l5=0.1mm..",
-    ];
+    let out_of_reach =
+        ["tolerance", "heald_linkage", "--allocate", "0.1mrad", "--limit", "l5=0.1mm.."];
     let output = run(&out_of_reach, &folder);
     assert_eq!(output.status.code(), Some(1));
     let complaint = String::from_utf8_lossy(&output.stderr);
@@ -123,10 +91,7 @@ fn figure_and_rows_over_the_range() {
         &folder,
     );
     assert_eq!(rows.lines().count(), 8);
-    assert!(
-        rows.starts_with("phi4 [deg],phi7 [deg],worst case [mrad]"),
-        "{rows}"
-    );
+    assert!(rows.starts_with("phi4 [deg],phi7 [deg],worst case [mrad]"), "{rows}");
     let drawn = std::fs::read_to_string(folder.join("bands.svg")).expect("a figure");
     assert!(drawn.contains("l₅ (play)") && drawn.ends_with("</svg>\n"));
 }
@@ -148,13 +113,7 @@ fn parts_grids_and_motions_have_tolerances_too() {
         let all = [&["tolerance"], arguments, &["--format", "json"]].concat();
         serde_json::from_str(&answer(&all, &folder)).expect("one JSON object")
     };
-    let found = json(&[
-        "sewing_feed",
-        "--set",
-        "lift.e_v=7mm",
-        "--output",
-        "tooth.y",
-    ]);
+    let found = json(&["sewing_feed", "--set", "lift.e_v=7mm", "--output", "tooth.y"]);
     assert_eq!(found["changed"], "lift.e_v = 7 mm");
     assert_eq!(found["output"]["error_unit"], "mm");
     // A grid of both drivers, not its diagonal.
@@ -169,17 +128,10 @@ fn parts_grids_and_motions_have_tolerances_too() {
 #[test]
 fn a_place_beyond_a_dead_point_is_told_by_name() {
     let folder = folder("tolerance_beyond");
-    let output = run(
-        &["tolerance", "heald_linkage", "--at", "phi4=230deg"],
-        &folder,
-    );
+    let output = run(&["tolerance", "heald_linkage", "--at", "phi4=230deg"], &folder);
     assert_eq!(output.status.code(), Some(1));
     let complaint = String::from_utf8_lossy(&output.stderr);
-    for word in [
-        "dead point at phi4 = 220.223 deg",
-        "loop.x, loop.y, guide",
-        "mm would be left",
-    ] {
+    for word in ["dead point at phi4 = 220.223 deg", "loop.x, loop.y, guide", "mm would be left"] {
         assert!(complaint.contains(word), "{complaint}");
     }
 }
@@ -190,69 +142,25 @@ fn wrong_questions_are_refused() {
     for (arguments, words) in [
         (&["batten"][..], &["no linkage"][..]),
         (&["heald_linkage", "--samples", "0"], &["choose from 2"]),
-        (
-            &["heald_linkage", "--samples", "1000000000000"],
-            &["choose from 2"],
-        ),
-        (
-            &["heald_linkage", "--output", "phi9"],
-            &["phi9", "did you mean"],
-        ),
-        (
-            &["heald_linkage", "--play", "l5=-1mm"],
-            &["less than nothing"],
-        ),
+        (&["heald_linkage", "--samples", "1000000000000"], &["choose from 2"]),
+        (&["heald_linkage", "--output", "phi9"], &["phi9", "did you mean"]),
+        (&["heald_linkage", "--play", "l5=-1mm"], &["less than nothing"]),
         (&["heald_linkage", "--play", "l5=1kg"], &["wrong unit"]),
-        (
-            &["heald_linkage", "--tolerance", "l9=1mm"],
-            &["nothing that can err"],
-        ),
+        (&["heald_linkage", "--tolerance", "l9=1mm"], &["nothing that can err"]),
         (&["heald_linkage", "--scale", "0"], &["--scale"]),
         (&["heald_linkage", "--allocate", "0mrad"], &["positive"]),
-        (
-            &[
-                "heald_linkage",
-                "--allocate",
-                "1mrad",
-                "--limit",
-                "s=2mm..1mm",
-            ],
-            &["`s`", "nothing"],
-        ),
-        (
-            &["heald_linkage", "--allocate", "1mrad", "--cost", "s=-1"],
-            &["`s`"],
-        ),
+        (&["heald_linkage", "--allocate", "1mrad", "--limit", "s=2mm..1mm"], &["`s`", "nothing"]),
+        (&["heald_linkage", "--allocate", "1mrad", "--cost", "s=-1"], &["`s`"]),
         (&["heald_linkage", "--places", "1"], &["choose from 2"]),
         (&["heald_linkage", "--samples", "-5"], &["-5", "--samples"]),
+        (&["heald_linkage", "--tolerance", "l5=-0.1mm"], &["less than nothing"]),
+        (&["heald_linkage", "--allocate", "1mm"], &["no band", "1mrad"]),
         (
-            &["heald_linkage", "--tolerance", "l5=-0.1mm"],
-            &["less than nothing"],
-        ),
-        (
-            &["heald_linkage", "--allocate", "1mm"],
-            &["no band", "1mrad"],
-        ),
-        (
-            &[
-                "heald_linkage",
-                "--tolerance",
-                "l5=1mm",
-                "--tolerance",
-                "l5=2mm",
-            ],
+            &["heald_linkage", "--tolerance", "l5=1mm", "--tolerance", "l5=2mm"],
             &["the tolerance of `l5` is given twice", "--tolerance l5=2mm"],
         ),
         (
-            &[
-                "heald_linkage",
-                "--allocate",
-                "1mrad",
-                "--cost",
-                "s=2",
-                "--cost",
-                "s=3",
-            ],
+            &["heald_linkage", "--allocate", "1mrad", "--cost", "s=2", "--cost", "s=3"],
             &["the weight of `s` is given twice"],
         ),
         (
@@ -302,10 +210,7 @@ fn beside_a_dead_point_the_orders_are_not_trusted_and_what_is_closed_is_no_turns
     let second = &heald(&place, &folder)["bands"]["second"];
     assert_eq!(second["trusted"], false);
     let greatest = second["extremes_closed"]["greatest"].as_f64();
-    assert!(
-        greatest.is_some_and(|one| one > 50.0 && one < 60.0),
-        "{second}"
-    );
+    assert!(greatest.is_some_and(|one| one > 50.0 && one < 60.0), "{second}");
     let usual = &heald(&["--at", "phi4=90deg", "--kind", "second"], &folder)["bands"]["second"];
     assert_eq!(usual["trusted"], true);
 }
@@ -313,26 +218,12 @@ fn beside_a_dead_point_the_orders_are_not_trusted_and_what_is_closed_is_no_turns
 #[test]
 fn a_tolerance_that_leaves_the_range_of_its_dimension_is_told() {
     let folder = folder("tolerance_range");
-    let wide = [
-        "--at",
-        "phi4=90deg",
-        "--kind",
-        "rss",
-        "--tolerance",
-        "l5=300mm",
-    ];
+    let wide = ["--at", "phi4=90deg", "--kind", "rss", "--tolerance", "l5=300mm"];
     let found = heald(&wide, &folder);
     let note = found["notes"][0].as_str().expect("a note");
     assert!(note.contains("`l5` cannot be -70 mm"), "{note}");
     let usual = heald(&wide[..4], &folder);
     assert_eq!(usual["notes"], Value::Array(Vec::new()));
-    let huge = [
-        "tolerance",
-        "heald_linkage",
-        "--at",
-        "phi4=90deg",
-        "--scale",
-        "1e308",
-    ];
+    let huge = ["tolerance", "heald_linkage", "--at", "phi4=90deg", "--scale", "1e308"];
     check_refused(&huge, &["too large to compute", "--scale"], &folder);
 }

@@ -11,8 +11,5 @@ pub fn blocks(statements: &[TokenStream]) -> TokenStream {
     if statements.len() <= BLOCK {
         return quote!(#(#statements)*);
     }
-    statements
-        .chunks(BLOCK)
-        .map(|block| quote!({ #(#block)* }))
-        .collect()
+    statements.chunks(BLOCK).map(|block| quote!({ #(#block)* })).collect()
 }

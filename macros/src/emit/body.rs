@@ -66,15 +66,9 @@ impl<'a> Body<'a> {
         named: &[Value],
         given: BTreeMap<Value, Expression>,
     ) -> Self {
-        let mut body = Self {
-            layout,
-            place,
-            statements: Vec::new(),
-            written: given,
-        };
-        let needed = schedule::needed(layout.program(), wanted, &|value| {
-            body.outside(value).is_some()
-        });
+        let mut body = Self { layout, place, statements: Vec::new(), written: given };
+        let needed =
+            schedule::needed(layout.program(), wanted, &|value| body.outside(value).is_some());
         let uses = body.uses(&needed, wanted, named);
         for Levels { mut before, batch } in schedule::levels(layout.program(), &needed) {
             before.sort_by_key(|value| body.input_order(*value));
@@ -103,10 +97,7 @@ impl<'a> Body<'a> {
     ) -> BTreeMap<Value, usize> {
         let mut uses = BTreeMap::new();
         let inner = needed.iter().flat_map(|value| self.kind(*value).operands());
-        for value in inner
-            .chain(wanted.iter().copied())
-            .chain(named.iter().copied())
-        {
+        for value in inner.chain(wanted.iter().copied()).chain(named.iter().copied()) {
             *uses.entry(value).or_insert(0) += 1;
         }
         uses
@@ -151,10 +142,7 @@ impl<'a> Body<'a> {
         }
         self.outside(value).unwrap_or_else(|| {
             let name = self.layout.names.of(value);
-            Expression {
-                reads: BTreeSet::from([value]),
-                ..Expression::whole(quote!(#name))
-            }
+            Expression { reads: BTreeSet::from([value]), ..Expression::whole(quote!(#name)) }
         })
     }
 
@@ -166,9 +154,7 @@ impl<'a> Body<'a> {
     /// Adds the statement for an operation, or keeps it to be written where it is read.
     fn state(&mut self, value: Value, uses: usize) {
         let kind = self.kind(value);
-        let named = self.layout.program().operations[value.0 as usize]
-            .name
-            .is_some();
+        let named = self.layout.program().operations[value.0 as usize].name.is_some();
         let text = match kind {
             OperationKind::Number(_) => return,
             OperationKind::Input(input) => self.input(*input),
@@ -184,11 +170,7 @@ impl<'a> Body<'a> {
         } else {
             let (name, tokens) = (self.layout.names.of(value), &text.tokens);
             let tokens = quote!(let #name = #tokens;);
-            self.statements.push(Statement {
-                tokens,
-                defines: vec![value],
-                reads: text.reads,
-            });
+            self.statements.push(Statement { tokens, defines: vec![value], reads: text.reads });
         }
     }
 
@@ -248,10 +230,8 @@ impl<'a> Body<'a> {
             }
             None => quote!(_),
         };
-        let angles: Vec<Expression> = pairs
-            .iter()
-            .map(|pair| self.expression(pair.angle))
-            .collect();
+        let angles: Vec<Expression> =
+            pairs.iter().map(|pair| self.expression(pair.angle)).collect();
         let texts: Vec<&TokenStream> = angles.iter().map(|angle| &angle.tokens).collect();
         let sines: Vec<_> = pairs.iter().map(|pair| name(&pair.sine)).collect();
         let cosines: Vec<_> = pairs.iter().map(|pair| name(&pair.cosine)).collect();
@@ -261,26 +241,16 @@ impl<'a> Body<'a> {
             _ => quote!(let ([#(#sines),*], [#(#cosines),*]) = S::sin_cos_all([#(#texts),*]);),
         };
         let reads = angles.into_iter().flat_map(|angle| angle.reads).collect();
-        self.statements.push(Statement {
-            tokens,
-            defines: batch.to_vec(),
-            reads,
-        });
+        self.statements.push(Statement { tokens, defines: batch.to_vec(), reads });
     }
 
     /// The statements, in blocks when they are many. `wanted` are the values read after them.
     pub fn statements(&self, wanted: &[Value]) -> TokenStream {
         if self.statements.len() <= BLOCK {
-            return self
-                .statements
-                .iter()
-                .map(|statement| statement.tokens.clone())
-                .collect();
+            return self.statements.iter().map(|statement| statement.tokens.clone()).collect();
         }
-        let mut read_later: BTreeSet<Value> = wanted
-            .iter()
-            .flat_map(|value| self.expression(*value).reads)
-            .collect();
+        let mut read_later: BTreeSet<Value> =
+            wanted.iter().flat_map(|value| self.expression(*value).reads).collect();
         let mut blocks = Vec::new();
         for block in self.statements.chunks(BLOCK).rev() {
             let kept: Vec<_> = block
@@ -291,11 +261,7 @@ impl<'a> Body<'a> {
                 .collect();
             let inner = block.iter().map(|statement| &statement.tokens);
             blocks.push(quote!(let (#(#kept,)*) = { #(#inner)* (#(#kept,)*) };));
-            read_later.extend(
-                block
-                    .iter()
-                    .flat_map(|statement| statement.reads.iter().copied()),
-            );
+            read_later.extend(block.iter().flat_map(|statement| statement.reads.iter().copied()));
         }
         blocks.into_iter().rev().collect()
     }

@@ -19,37 +19,20 @@ pub fn items(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
     let (name, parameters) = (&layout.equations, &layout.parameters);
     let (instants, instant) = instant::of_drivers(layout);
     let fields = layout.fields(&layout.prepared);
-    let text = docs::lines(&format!(
-        "Loops of [`{}`], prepared for a scalar type.",
-        layout.parameters
-    ));
-    let largest = linkage
-        .groups
-        .iter()
-        .map(|group| group.unknowns.len())
-        .max()
-        .unwrap_or(0);
-    let [position, row, matrix] = [
-        layout.program().results.closing.position(),
-        largest,
-        largest * largest,
-    ]
-    .map(size);
+    let text =
+        docs::lines(&format!("Loops of [`{}`], prepared for a scalar type.", layout.parameters));
+    let largest = linkage.groups.iter().map(|group| group.unknowns.len()).max().unwrap_or(0);
+    let [position, row, matrix] =
+        [layout.program().results.closing.position(), largest, largest * largest].map(size);
     let closing = &layout.program().results.closing;
     let lists = [
         ("residual", quote!(residual), closing.residuals.clone()),
-        (
-            "outputs",
-            quote!(values),
-            layout.program().results.outputs.clone(),
-        ),
+        ("outputs", quote!(values), layout.program().results.outputs.clone()),
         ("influence", quote!(values), closing.influence.clone()),
         ("second_influence", quote!(values), closing.second.clone()),
         ("points", quote!(values), closing.points.clone()),
     ];
-    let lists = lists
-        .iter()
-        .map(|(method, target, values)| list(layout, method, target, values));
+    let lists = lists.iter().map(|(method, target, values)| list(layout, method, target, values));
     let methods = [
         instants,
         close(layout),
@@ -114,10 +97,8 @@ fn close(layout: &Layout<'_>) -> TokenStream {
 /// All groups in one, with their angles taken together; nothing where one is iterated or reads an angle of another.
 fn close_all(layout: &Layout<'_>) -> TokenStream {
     let groups = &layout.program().results.closing.groups;
-    let forms: Option<Vec<Form>> = groups
-        .iter()
-        .map(|closed| Some(form(layout, closed.as_ref()?)))
-        .collect();
+    let forms: Option<Vec<Form>> =
+        groups.iter().map(|closed| Some(form(layout, closed.as_ref()?))).collect();
     let Some(forms) = forms.filter(|forms| forms.len() > 1) else {
         return TokenStream::new();
     };
@@ -163,16 +144,9 @@ fn form(layout: &Layout<'_>, closed: &ClosedForm<Value>) -> Form {
         let cosine = program.results.closing.cosines.get(place).copied();
         cosine.flatten().is_some_and(has)
     };
-    let (angles, others): (Vec<_>, Vec<_>) = closed
-        .values
-        .iter()
-        .copied()
-        .partition(|entry| is_angle(entry.0));
-    let wanted: Vec<Value> = others
-        .iter()
-        .map(|entry| entry.1)
-        .chain([closed.sine])
-        .collect();
+    let (angles, others): (Vec<_>, Vec<_>) =
+        closed.values.iter().copied().partition(|entry| is_angle(entry.0));
+    let wanted: Vec<Value> = others.iter().map(|entry| entry.1).chain([closed.sine]).collect();
     let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
     let statements = body.statements(&wanted);
     let writes = others.iter().map(|(place, value)| {
@@ -181,11 +155,10 @@ fn form(layout: &Layout<'_>, closed: &ClosedForm<Value>) -> Form {
     });
     let read = schedule::needed(program, &wanted, &|_| false);
     let reads =
-        read.into_iter()
-            .filter_map(|value| match program.operations[value.0 as usize].kind {
-                OperationKind::Input(Input::Position(place)) => Some(place as usize),
-                _ => None,
-            });
+        read.into_iter().filter_map(|value| match program.operations[value.0 as usize].kind {
+            OperationKind::Input(Input::Position(place)) => Some(place as usize),
+            _ => None,
+        });
     Form {
         statements: quote!(#statements #(#writes)*),
         sine: body.value(closed.sine),
@@ -240,27 +213,18 @@ fn trial(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
     let arms = linkage.groups.iter().map(|group| {
         let count = group.unknowns.len();
         let slope = |row: usize, column: usize| {
-            let found = closing
-                .slopes
-                .iter()
-                .find(|entry| (entry.0, entry.1) == (row, column));
+            let found = closing.slopes.iter().find(|entry| (entry.0, entry.1) == (row, column));
             found.map(|entry| entry.2)
         };
-        let residuals: Vec<Value> = group
-            .equations
-            .iter()
-            .map(|row| closing.residuals[*row])
-            .collect();
+        let residuals: Vec<Value> =
+            group.equations.iter().map(|row| closing.residuals[*row]).collect();
         let slopes: Vec<Option<Value>> = group
             .equations
             .iter()
             .flat_map(|row| group.unknowns.iter().map(|column| slope(*row, *column)))
             .collect();
-        let wanted: Vec<Value> = residuals
-            .iter()
-            .copied()
-            .chain(slopes.iter().flatten().copied())
-            .collect();
+        let wanted: Vec<Value> =
+            residuals.iter().copied().chain(slopes.iter().flatten().copied()).collect();
         let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
         let statements = body.statements(&wanted);
         let sines = sines(layout, &group.unknowns);
@@ -295,10 +259,8 @@ fn trial(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
 /// Takes sines and cosines of the angles among some dependent coordinates.
 fn sines(layout: &Layout<'_>, unknowns: &[usize]) -> TokenStream {
     let cosines = &layout.program().results.closing.cosines;
-    let kept: Vec<(usize, usize)> = unknowns
-        .iter()
-        .filter_map(|one| Some((*one, cosines[*one]?)))
-        .collect();
+    let kept: Vec<(usize, usize)> =
+        unknowns.iter().filter_map(|one| Some((*one, cosines[*one]?))).collect();
     if kept.is_empty() {
         return TokenStream::new();
     }
@@ -323,9 +285,7 @@ fn coefficients(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
     let mut writes = Vec::new();
     for driver in 0..layout.scene.drivers.len() {
         for dependent in 0..linkage.dependents.len() {
-            let entry = entries
-                .iter()
-                .find(|entry| (entry.0, entry.1) == (dependent, driver));
+            let entry = entries.iter().find(|entry| (entry.0, entry.1) == (dependent, driver));
             let value = entry.map_or(quote!(S::ZERO), |entry| body.value(entry.2));
             let (dependent, driver) = (size(dependent), size(driver));
             writes.push(quote!(columns[#driver][#dependent] = #value;));

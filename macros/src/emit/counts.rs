@@ -24,13 +24,7 @@ pub struct Counts {
 impl Counts {
     /// All of them.
     pub fn all(&self) -> [usize; 5] {
-        [
-            self.prepare,
-            self.instant,
-            self.derivative,
-            self.jacobian,
-            self.outputs,
-        ]
+        [self.prepare, self.instant, self.derivative, self.jacobian, self.outputs]
     }
 }
 
@@ -49,10 +43,7 @@ pub fn of(layout: &Layout<'_>) -> Counts {
     let (evaluated, slopes): (Vec<Value>, Vec<Value>) = match &layout.scene.linkage {
         Some(linkage) => {
             let closing = &results.closing;
-            (
-                closing.of_position(&linkage.groups),
-                closing.influence.clone(),
-            )
+            (closing.of_position(&linkage.groups), closing.influence.clone())
         }
         None => {
             let slopes = results.jacobian.iter().map(|entry| entry.2);

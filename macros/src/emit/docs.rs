@@ -13,11 +13,7 @@ pub fn lines(text: &str) -> TokenStream {
     text.trim_end()
         .lines()
         .map(|line| {
-            let line = if line.is_empty() {
-                String::new()
-            } else {
-                format!(" {line}")
-            };
+            let line = if line.is_empty() { String::new() } else { format!(" {line}") };
             quote!(#[doc = #line])
         })
         .collect()
@@ -61,17 +57,11 @@ pub fn scene(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> String 
     text += ".\n";
     let effects = scene.effects.iter().map(|name| {
         let known = model.effects.iter().find(|effect| effect.name == *name);
-        format!(
-            "* `{name}`: {}\n",
-            plain(known.map_or("", |effect| &effect.summary))
-        )
+        format!("* `{name}`: {}\n", plain(known.map_or("", |effect| &effect.summary)))
     });
     let choices = scene.choices.iter().map(|(choice, held)| {
         let known = model.choices.iter().find(|info| info.name == *choice);
-        format!(
-            "* `{choice}.{held}`: {}\n",
-            plain(known.map_or("", |info| &info.summary))
-        )
+        format!("* `{choice}.{held}`: {}\n", plain(known.map_or("", |info| &info.summary)))
     });
     let selected: String = effects.chain(choices).collect();
     if !selected.is_empty() {
@@ -108,19 +98,11 @@ fn equations(layout: &Layout<'_>, origin: &Origin<'_>) -> String {
     if equations.is_empty() {
         return String::new();
     }
-    let longest = equations
-        .iter()
-        .map(|equation| equation.text.chars().count())
-        .max()
-        .unwrap_or(0)
-        .min(80);
+    let longest =
+        equations.iter().map(|equation| equation.text.chars().count()).max().unwrap_or(0).min(80);
     let mut text = String::from("\n```text\n");
     for equation in equations {
-        let unit = if equation.unit.is_empty() {
-            "1"
-        } else {
-            &equation.unit
-        };
+        let unit = if equation.unit.is_empty() { "1" } else { &equation.unit };
         text += &format!(
             "{:longest$}   [{unit}]  {}\n",
             equation.text.replace('\n', " "),
@@ -141,17 +123,8 @@ fn place(origin: &Origin<'_>, span: Span) -> String {
 const QUANTITY: &[&str] = &["name", "unit", ""];
 
 fn quantity_row(quantity: &QuantityInfo) -> String {
-    let unit = if quantity.unit.is_empty() {
-        "1"
-    } else {
-        &quantity.unit
-    };
-    format!(
-        "| `{}` | {} | {} |\n",
-        quantity.name,
-        code(unit),
-        cell(&quantity.summary)
-    )
+    let unit = if quantity.unit.is_empty() { "1" } else { &quantity.unit };
+    format!("| `{}` | {} | {} |\n", quantity.name, code(unit), cell(&quantity.summary))
 }
 
 fn constant_row(constant: &ConstantInfo) -> String {
@@ -171,24 +144,14 @@ fn table(title: &str, heads: &[&str], rows: impl Iterator<Item = String>) -> Str
     }
     let heads: String = heads
         .iter()
-        .map(|head| {
-            if head.is_empty() {
-                "|  ".to_owned()
-            } else {
-                format!("| {head} ")
-            }
-        })
+        .map(|head| if head.is_empty() { "|  ".to_owned() } else { format!("| {head} ") })
         .collect();
     let rule: String = "|---".repeat(heads.matches('|').count());
     format!("\n{title}:\n\n{heads}|\n{rule}|\n{rows}")
 }
 
 fn code(text: &str) -> String {
-    if text.is_empty() {
-        String::new()
-    } else {
-        format!("`{}`", text.replace('|', "\\|"))
-    }
+    if text.is_empty() { String::new() } else { format!("`{}`", text.replace('|', "\\|")) }
 }
 
 fn cell(text: &str) -> String {
@@ -197,7 +160,5 @@ fn cell(text: &str) -> String {
 
 /// A text of the user's in which brackets mean nothing to rustdoc.
 pub fn plain(text: &str) -> String {
-    text.replace('[', "\\[")
-        .replace(']', "\\]")
-        .replace('<', "\\<")
+    text.replace('[', "\\[").replace(']', "\\]").replace('<', "\\<")
 }

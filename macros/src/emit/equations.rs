@@ -31,22 +31,18 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
             quote!(#(#fields),*)
         }
     };
-    let modes = layout
-        .modes
-        .iter()
-        .zip(&layout.scene.modes)
-        .map(|(mode, own)| {
-            let (name, fields) = (&mode.equations, mode.fields(&mode.prepared));
-            let text = match own.name.as_str() {
-                "" => docs::lines("In the only mode."),
-                name => docs::lines(&format!("In the mode `{name}`.")),
-            };
-            quote! {
-                #text
-                #[derive(Clone, Copy, Debug)]
-                struct #name<S: ::assur::scalar::Scalar> { #fields }
-            }
-        });
+    let modes = layout.modes.iter().zip(&layout.scene.modes).map(|(mode, own)| {
+        let (name, fields) = (&mode.equations, mode.fields(&mode.prepared));
+        let text = match own.name.as_str() {
+            "" => docs::lines("In the only mode."),
+            name => docs::lines(&format!("In the mode `{name}`.")),
+        };
+        quote! {
+            #text
+            #[derive(Clone, Copy, Debug)]
+            struct #name<S: ::assur::scalar::Scalar> { #fields }
+        }
+    });
     let text = docs::lines(&format!(
         "Equations of [`{}`], prepared for a scalar type.",
         layout.parameters
@@ -139,10 +135,8 @@ fn columns(layout: &Layout<'_>) -> TokenStream {
             .collect();
         let at = size(column);
         if states <= SHORT {
-            let values = (0..states).map(|row| {
-                of.get(&row)
-                    .map_or(quote!(S::ZERO), |value| body.value(*value))
-            });
+            let values = (0..states)
+                .map(|row| of.get(&row).map_or(quote!(S::ZERO), |value| body.value(*value)));
             writes.push(quote!(columns[#at] = [#(#values),*];));
         } else {
             writes.push(quote!(columns[#at] = [S::ZERO; #count];));
@@ -192,9 +186,8 @@ fn products(layout: &Layout<'_>) -> TokenStream {
     let body = Body::new(layout, Place::Evaluation, &results.derivative, &slopes);
     let statements = body.statements(&all);
     let values = results.derivative.iter().map(|value| body.value(*value));
-    let rows: Vec<TokenStream> = (0..layout.states())
-        .map(|row| product(layout, &body, row))
-        .collect();
+    let rows: Vec<TokenStream> =
+        (0..layout.states()).map(|row| product(layout, &body, row)).collect();
     let rows = blocks(&rows);
     quote! {
         #statements
@@ -212,14 +205,8 @@ fn product(layout: &Layout<'_>, body: &Body<'_>, row: usize) -> TokenStream {
         OperationKind::Number(number) => Some(number),
         _ => None,
     };
-    let entries = program
-        .results
-        .jacobian
-        .iter()
-        .filter(|entry| entry.0 as usize == row);
-    let entries: Vec<_> = entries
-        .filter(|entry| number(entry.2) != Some(0.0))
-        .collect();
+    let entries = program.results.jacobian.iter().filter(|entry| entry.0 as usize == row);
+    let entries: Vec<_> = entries.filter(|entry| number(entry.2) != Some(0.0)).collect();
     let mut sum: Option<TokenStream> = None;
     let mut parts = Vec::new();
     for (index, (_, column, value)) in entries.iter().enumerate() {

@@ -70,11 +70,7 @@ impl Expression {
     /// The text, in parentheses if it holds together less tightly than asked.
     fn at_least(&self, binding: Binding) -> TokenStream {
         let tokens = &self.tokens;
-        if self.binding < binding {
-            quote!((#tokens))
-        } else {
-            tokens.clone()
-        }
+        if self.binding < binding { quote!((#tokens)) } else { tokens.clone() }
     }
 }
 
@@ -84,21 +80,11 @@ pub fn number(value: f64) -> TokenStream {
         return quote!(f64::NAN);
     }
     if value.is_infinite() {
-        return if value > 0.0 {
-            quote!(f64::INFINITY)
-        } else {
-            quote!(f64::NEG_INFINITY)
-        };
+        return if value > 0.0 { quote!(f64::INFINITY) } else { quote!(f64::NEG_INFINITY) };
     }
     let size = value.abs();
-    let literal = format!("{size:?}")
-        .parse()
-        .unwrap_or_else(|_| Literal::f64_unsuffixed(size));
-    if value.is_sign_negative() {
-        quote!(-#literal)
-    } else {
-        quote!(#literal)
-    }
+    let literal = format!("{size:?}").parse().unwrap_or_else(|_| Literal::f64_unsuffixed(size));
+    if value.is_sign_negative() { quote!(-#literal) } else { quote!(#literal) }
 }
 
 /// A number as a scalar.
@@ -193,26 +179,14 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
             (quote!(#solution[#index]), Whole)
         }
     };
-    let reads = all
-        .iter()
-        .flat_map(|one| one.reads.iter().copied())
-        .collect();
+    let reads = all.iter().flat_map(|one| one.reads.iter().copied()).collect();
     let weight = 1 + all.iter().map(|one| one.weight).sum::<usize>();
     let opposite = (binding == Sign).then(|| at(0, Whole));
     let factors = matches!(kind, Kind::Multiply(..)).then(|| {
-        [0, 1].map(|index| Factor {
-            text: all[index].tokens.clone(),
-            negated: all[index].negated(),
-        })
+        [0, 1]
+            .map(|index| Factor { text: all[index].tokens.clone(), negated: all[index].negated() })
     });
-    Expression {
-        tokens,
-        binding,
-        reads,
-        weight,
-        opposite,
-        factors,
-    }
+    Expression { tokens, binding, reads, weight, opposite, factors }
 }
 
 /// A sum or difference of two values of which one is a product that nothing else reads.

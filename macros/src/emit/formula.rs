@@ -12,11 +12,7 @@ const LONGEST: usize = 100;
 
 /// The formula of a value in terms of named and of other stored values; nothing when it would be long.
 pub fn of(layout: &Layout<'_>, value: Value, stored: &BTreeSet<Value>) -> Option<String> {
-    let printer = Printer {
-        layout,
-        stored,
-        of: value,
-    };
+    let printer = Printer { layout, stored, of: value };
     let (text, _) = printer.text(value);
     (text.chars().count() <= LONGEST).then_some(text)
 }
@@ -71,11 +67,7 @@ impl Printer<'_> {
         let read = kind.operands();
         let at = |index: usize, binding: Binding| {
             let (text, own) = self.text(read[index]);
-            if own < binding {
-                format!("({text})")
-            } else {
-                text
-            }
+            if own < binding { format!("({text})") } else { text }
         };
         let list = || {
             let texts: Vec<String> = read.iter().map(|value| self.text(*value).0).collect();
@@ -108,15 +100,9 @@ impl Printer<'_> {
             Kind::And(..) => (format!("({} and {})", at(0, Sum), at(1, Sum)), Whole),
             Kind::Or(..) => (format!("({} or {})", at(0, Sum), at(1, Sum)), Whole),
             Kind::Not(_) => (format!("not {}", at(0, Whole)), Whole),
-            Kind::Select { .. } => (
-                format!(
-                    "if {} {{ {} }} else {{ {} }}",
-                    at(0, Sum),
-                    at(1, Sum),
-                    at(2, Sum)
-                ),
-                Sum,
-            ),
+            Kind::Select { .. } => {
+                (format!("if {} {{ {} }} else {{ {} }}", at(0, Sum), at(1, Sum), at(2, Sum)), Sum)
+            }
             Kind::Factor { .. } => (format!("factors({})", list()), Whole),
             Kind::Solve { .. } => (format!("solve({})", list()), Whole),
             Kind::Element { index, .. } => (format!("{}[{index}]", at(0, Whole)), Whole),

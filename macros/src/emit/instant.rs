@@ -89,9 +89,7 @@ fn rows(layout: &Layout<'_>) -> TokenStream {
         let slopes = results.jacobian.iter().map(|(_, _, value)| *value);
         let rates: Vec<Value> = results.derivative.iter().copied().chain(slopes).collect();
         let resting = program.resting(&rates, side);
-        let stages = resting
-            .iter()
-            .map(|value| program.operations[value.0 as usize].stage);
+        let stages = resting.iter().map(|value| program.operations[value.0 as usize].stage);
         stages.into_iter().all(|stage| stage != Stage::Instant)
     };
     if is_idle(None) {
@@ -99,11 +97,8 @@ fn rows(layout: &Layout<'_>) -> TokenStream {
     }
     let idle = (0..program.surfaces.len() as u32).flat_map(|surface| {
         let index = size(surface as usize);
-        [
-            (-1.0, quote!(phase.side(#index), S::ZERO)),
-            (1.0, quote!(S::ZERO, phase.side(#index))),
-        ]
-        .map(|(side, pair)| (is_idle(Some((surface, side))), pair))
+        [(-1.0, quote!(phase.side(#index), S::ZERO)), (1.0, quote!(S::ZERO, phase.side(#index)))]
+            .map(|(side, pair)| (is_idle(Some((surface, side))), pair))
     });
     let idle: Vec<TokenStream> = idle
         .filter(|(is_idle, _)| *is_idle)

@@ -51,13 +51,7 @@ fn timed(program: &Program) -> BTreeSet<Value> {
     let mut first: Vec<Value> = results.derivative.clone();
     first.extend(closing.residuals.iter().copied().chain(slopes));
     for closed in closing.groups.iter().flatten() {
-        first.extend(
-            closed
-                .values
-                .iter()
-                .map(|entry| entry.1)
-                .chain([closed.sine]),
-        );
+        first.extend(closed.values.iter().map(|entry| entry.1).chain([closed.sine]));
     }
     let mut timed = schedule::frontier(program, &first, Stage::State);
     timed.retain(|value| stage(*value) == Stage::Instant);
@@ -113,10 +107,7 @@ impl<'a> Layout<'a> {
             .chain(results.closing.all())
             .chain(results.events.iter().flat_map(|event| event.all()))
             .collect();
-        let names = scene
-            .constants
-            .iter()
-            .map(|constant| constant.quantity.name.as_str());
+        let names = scene.constants.iter().map(|constant| constant.quantity.name.as_str());
         Self {
             scene,
             names: Names::new(scene),
@@ -139,10 +130,7 @@ impl<'a> Layout<'a> {
             field: Some(names::identifier(&names::snake(&name))),
             ..Layout::new(mode, &format!("{type_name}{name}"))
         });
-        Self {
-            modes: modes.collect(),
-            ..Self::new(scene, type_name)
-        }
+        Self { modes: modes.collect(), ..Self::new(scene, type_name) }
     }
 
     /// Whether the functions are too long to be written out wherever they are called: rustc would take minutes, and what
@@ -337,11 +325,7 @@ impl<'a> Layout<'a> {
         }
         let fields = stored.iter().map(|value| {
             let (name, text) = (self.names.of(*value), text(*value));
-            if *name == text.to_string() {
-                text
-            } else {
-                quote!(#name: #text)
-            }
+            if *name == text.to_string() { text } else { quote!(#name: #text) }
         });
         quote!(#(#fields),*)
     }

@@ -61,10 +61,7 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
 fn prepare(layout: &Layout<'_>) -> TokenStream {
     let wanted: Vec<Value> = layout.prepared.iter().copied().collect();
     let body = Body::new(layout, Place::Values, &wanted, &[]);
-    let (statements, fields) = (
-        body.statements(&wanted),
-        layout.stored(&layout.prepared, &body),
-    );
+    let (statements, fields) = (body.statements(&wanted), layout.stored(&layout.prepared, &body));
     let closure = &layout.equations;
     quote! {
         #[inline(always)]
@@ -79,9 +76,7 @@ fn prepare(layout: &Layout<'_>) -> TokenStream {
 fn drive(layout: &Layout<'_>) -> TokenStream {
     let value = match layout.program().results.closing.rates.is_empty() {
         true => quote!(::core::option::Option::None),
-        false => quote!(::core::option::Option::Some(
-            self.drive_::<f64>(time).to_vec()
-        )),
+        false => quote!(::core::option::Option::Some(self.drive_::<f64>(time).to_vec())),
     };
     quote! {
         fn drive(&self, time: f64) -> ::core::option::Option<::std::vec::Vec<f64>> {

@@ -68,14 +68,10 @@ pub fn mechanism(model: &Model, origin: &Origin<'_>) -> TokenStream {
         .zip(&types)
         .map(|((scene, modes), name)| Layout::with_modes(scene, modes, name))
         .collect();
-    let scenes = layouts
-        .iter()
-        .map(|layout| scene::items(layout, model, origin));
+    let scenes = layouts.iter().map(|layout| scene::items(layout, model, origin));
     let alias = scene::alias(model, &types);
     let alias_name = alias.iter().map(|(name, _)| quote!(#name));
-    let exported = scene::exported(&layouts)
-        .chain(alias_name)
-        .chain([quote!(MECHANISM)]);
+    let exported = scene::exported(&layouts).chain(alias_name).chain([quote!(MECHANISM)]);
     let alias_item = alias.as_ref().map(|(name, target)| {
         let text = docs::lines(&format!("The first scene of the mechanism, `{target}`."));
         quote!(#text pub type #name = #target;)

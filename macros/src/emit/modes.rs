@@ -31,13 +31,7 @@ pub fn split(model: &Model) -> Vec<Vec<SceneModel>> {
         }
     };
     let scenes = model.scenes.iter();
-    scenes
-        .map(|scene| {
-            (0..scene.modes.len())
-                .map(|index| mode(scene, index))
-                .collect()
-        })
-        .collect()
+    scenes.map(|scene| (0..scene.modes.len()).map(|index| mode(scene, index)).collect()).collect()
 }
 
 /// The implementation of `Events`; none for a scene without modes.
@@ -60,19 +54,14 @@ fn guards(layout: &Layout<'_>) -> TokenStream {
     let states = size(layout.states());
     let body = layout.in_mode(&quote!({}), &|mode| {
         let events = &mode.program().results.events;
-        let values: Vec<Value> = events
-            .iter()
-            .flat_map(|event| [event.guard, event.rate])
-            .collect();
+        let values: Vec<Value> =
+            events.iter().flat_map(|event| [event.guard, event.rate]).collect();
         if values.is_empty() {
             return TokenStream::new();
         }
         let body = Body::new(mode, Place::Time, &values, &[]);
         let statements = body.statements(&values);
-        let exact = exact(&[
-            (quote!(mut values), events.len()),
-            (quote!(mut rates), events.len()),
-        ]);
+        let exact = exact(&[(quote!(mut values), events.len()), (quote!(mut rates), events.len())]);
         let (values, rates) = (
             events.iter().map(|event| body.value(event.guard)),
             events.iter().map(|event| body.value(event.rate)),

@@ -80,13 +80,8 @@ fn plain(name: &str) -> String {
         plain.truncate(plain.trim_end_matches('_').len());
     }
     if IMPOSSIBLE.contains(&plain.as_str()) || !is_word(&plain) {
-        plain = format!(
-            "v{}_",
-            plain
-                .chars()
-                .filter(char::is_ascii_alphanumeric)
-                .collect::<String>()
-        );
+        plain =
+            format!("v{}_", plain.chars().filter(char::is_ascii_alphanumeric).collect::<String>());
     }
     plain
 }
@@ -154,10 +149,7 @@ pub fn distinct_types(names: impl IntoIterator<Item = String>) -> Vec<String> {
     let ends = ["", "Equations", "Instant"];
     let mut all = Vec::new();
     for mut name in names {
-        while ends
-            .iter()
-            .any(|end| taken.contains(&format!("{name}{end}")))
-        {
+        while ends.iter().any(|end| taken.contains(&format!("{name}{end}"))) {
             name.push('_');
         }
         taken.extend(ends.iter().map(|end| format!("{name}{end}")));
@@ -200,11 +192,7 @@ impl Names {
                 }
                 _ => result_name(scene, Value(index as u32)),
             };
-            of.push(free(
-                wished.unwrap_or_else(|| format!("v{index}_")),
-                index,
-                &mut taken,
-            ));
+            of.push(free(wished.unwrap_or_else(|| format!("v{index}_")), index, &mut taken));
         }
         Self { of }
     }
@@ -217,10 +205,9 @@ impl Names {
 
 fn input_name(scene: &SceneModel, input: Input) -> Option<String> {
     let quantity = match input {
-        Input::Parameter(index) => scene
-            .constants
-            .get(index as usize)
-            .map(|constant| &constant.quantity),
+        Input::Parameter(index) => {
+            scene.constants.get(index as usize).map(|constant| &constant.quantity)
+        }
         Input::State(index) => scene.states.get(index as usize),
         Input::Time => return Some("time_".to_owned()),
         Input::Driver(index) => return driver_name(scene, index as usize),
@@ -255,36 +242,22 @@ fn position_name(scene: &SceneModel, place: usize) -> Option<String> {
         return Some(plain(&one.quantity.name));
     }
     let cosines = &scene.program.results.closing.cosines;
-    let index = cosines
-        .iter()
-        .position(|one| one.is_some_and(|one| place == one || place == one + 1))?;
-    let function = if cosines[index] == Some(place) {
-        "cos"
-    } else {
-        "sin"
-    };
-    Some(format!(
-        "{function}_{}_",
-        plain(&dependents[index].quantity.name)
-    ))
+    let index =
+        cosines.iter().position(|one| one.is_some_and(|one| place == one || place == one + 1))?;
+    let function = if cosines[index] == Some(place) { "cos" } else { "sin" };
+    Some(format!("{function}_{}_", plain(&dependents[index].quantity.name)))
 }
 
 fn trigonometric_name(function: Function, angle: &Ident) -> String {
     let angle = bare(angle);
-    let prefix = if function == Function::Sin {
-        "sin"
-    } else {
-        "cos"
-    };
+    let prefix = if function == Function::Sin { "sin" } else { "cos" };
     format!("{prefix}_{angle}_")
 }
 
 /// A name without what makes it one of Rust's or of the printer's: `type` for `r#type`, `v3` for `v3_`.
 pub fn bare(name: &Ident) -> String {
     let name = name.to_string();
-    name.trim_start_matches("r#")
-        .trim_end_matches('_')
-        .to_owned()
+    name.trim_start_matches("r#").trim_end_matches('_').to_owned()
 }
 
 /// The name of a driver or output, `slope_2_0_` for an entry of the Jacobian, `rate_2_` for a derivative.

@@ -17,14 +17,8 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
     let first = &layout.first_mode().program().results;
     let drivers = of_time(layout, "drivers", &first.drivers);
     let margins = of_time(layout, "margins", &first.margins);
-    let methods = [
-        outputs(layout),
-        drivers,
-        margins,
-        energy(layout),
-        mass(layout),
-        measures(layout),
-    ];
+    let methods =
+        [outputs(layout), drivers, margins, energy(layout), mass(layout), measures(layout)];
     let methods = methods.iter().flatten();
     quote! {
         impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for #name<S> {
@@ -36,9 +30,8 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
 fn outputs(layout: &Layout<'_>) -> Option<TokenStream> {
     let text = layout.counted(counts::of(layout).outputs);
     let states = size(layout.states());
-    let outputs = layout.in_mode(&quote!({}), &|mode| {
-        of_state(mode, &mode.program().results.outputs)
-    });
+    let outputs =
+        layout.in_mode(&quote!({}), &|mode| of_state(mode, &mode.program().results.outputs));
     (!layout.scene.outputs.is_empty()).then(|| {
         quote! {
             #text
@@ -75,9 +68,8 @@ fn of_state(layout: &Layout<'_>, wanted: &[Value]) -> TokenStream {
 /// The methods for measures, where the scene has any.
 fn measures(layout: &Layout<'_>) -> Option<TokenStream> {
     let states = size(layout.states());
-    let measured = layout.in_mode(&quote!({}), &|mode| {
-        of_state(mode, &mode.program().results.measured)
-    });
+    let measured =
+        layout.in_mode(&quote!({}), &|mode| of_state(mode, &mode.program().results.measured));
     let first = layout.first_mode();
     let measures = outlined(writes(first, &first.program().results.measures));
     (!layout.scene.measures.is_empty()).then(|| {
@@ -167,18 +159,16 @@ fn energy(layout: &Layout<'_>) -> Option<TokenStream> {
         })
     });
     let mut modes = layout.each_mode().iter();
-    modes
-        .any(|mode| mode.program().results.energy.len() == 2)
-        .then(|| {
-            quote! {
-                fn energy(
-                    &self,
-                    phase: ::assur::problem::Phase<'_, S>,
-                    time: S,
-                    state: &[S],
-                ) -> ::core::option::Option<(S, S)> {
-                    #body
-                }
+    modes.any(|mode| mode.program().results.energy.len() == 2).then(|| {
+        quote! {
+            fn energy(
+                &self,
+                phase: ::assur::problem::Phase<'_, S>,
+                time: S,
+                state: &[S],
+            ) -> ::core::option::Option<(S, S)> {
+                #body
             }
-        })
+        }
+    })
 }

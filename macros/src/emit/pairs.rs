@@ -26,17 +26,10 @@ pub fn pairs(layout: &Layout<'_>, batch: &[Value]) -> Vec<Pair> {
         let Some(angle) = arguments.first().copied() else {
             continue;
         };
-        let index = pairs
-            .iter()
-            .position(|pair| pair.angle == angle)
-            .unwrap_or_else(|| {
-                pairs.push(Pair {
-                    angle,
-                    sine: None,
-                    cosine: None,
-                });
-                pairs.len() - 1
-            });
+        let index = pairs.iter().position(|pair| pair.angle == angle).unwrap_or_else(|| {
+            pairs.push(Pair { angle, sine: None, cosine: None });
+            pairs.len() - 1
+        });
         match function {
             Function::Sin => pairs[index].sine = Some(*value),
             _ => pairs[index].cosine = Some(*value),

@@ -14,14 +14,10 @@ use super::{Origin, docs, linkage, requirements, subjects, values};
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
     let (name, constants) = (&layout.parameters, &layout.scene.constants);
     let text = docs::lines(&docs::scene(layout, model, origin));
-    let fields = layout
-        .constants
-        .iter()
-        .zip(constants)
-        .map(|(field, constant)| {
-            let text = docs::lines(&values::field(constant));
-            quote!(#text pub #field: f64)
-        });
+    let fields = layout.constants.iter().zip(constants).map(|(field, constant)| {
+        let text = docs::lines(&values::field(constant));
+        quote!(#text pub #field: f64)
+    });
     let inherent = inherent(layout);
     let implementation = match &layout.scene.linkage {
         Some(loops) => linkage::implementation(layout, loops),
@@ -179,10 +175,7 @@ fn prepare(layout: &Layout<'_>) -> TokenStream {
 fn prepared(layout: &Layout<'_>) -> TokenStream {
     let wanted: Vec<Value> = layout.prepared.iter().copied().collect();
     let body = Body::new(layout, Place::Parameters, &wanted, &[]);
-    let (statements, fields) = (
-        body.statements(&wanted),
-        layout.stored(&layout.prepared, &body),
-    );
+    let (statements, fields) = (body.statements(&wanted), layout.stored(&layout.prepared, &body));
     let equations = &layout.equations;
     quote!(#statements #equations { #fields })
 }

@@ -13,11 +13,7 @@ pub fn table(model: &Model, layouts: &[Layout<'_>], origin: &Origin<'_>) -> Toke
     let (name, title) = (names::snake(&model.name), &model.name);
     let (summary, source, file) = (&model.documentation, &model.source, &origin.file);
     let (file, text, parts) = match origin.has_file {
-        true => (
-            quote!(#file),
-            quote!(::core::include_str!(#file)),
-            origin.parts.as_slice(),
-        ),
+        true => (quote!(#file), quote!(::core::include_str!(#file)), origin.parts.as_slice()),
         false => (quote!(""), quote!(""), [].as_slice()),
     };
     let effects = model.effects.iter().map(|effect| {

@@ -31,11 +31,8 @@ pub fn check(layout: &Layout<'_>) -> TokenStream {
 
 /// `found R = 75 mm, l = 70 mm; expected R < l`
 fn refused(layout: &Layout<'_>, requirement: &RequirementInfo) -> TokenStream {
-    let name = if requirement.message.is_empty() {
-        &requirement.text
-    } else {
-        &requirement.message
-    };
+    let name =
+        if requirement.message.is_empty() { &requirement.text } else { &requirement.message };
     let mut found = Vec::new();
     let mut values = Vec::new();
     for index in &requirement.names {
@@ -44,13 +41,9 @@ fn refused(layout: &Layout<'_>, requirement: &RequirementInfo) -> TokenStream {
         };
         let (field, quantity) = (&layout.constants[*index], &constant.quantity);
         found.push(
-            format!(
-                "{} = {{}} {}",
-                escape(&quantity.name),
-                escape(&quantity.unit)
-            )
-            .trim_end()
-            .to_owned(),
+            format!("{} = {{}} {}", escape(&quantity.name), escape(&quantity.unit))
+                .trim_end()
+                .to_owned(),
         );
         let factor = number(quantity.factor);
         values.push(if quantity.factor == 1.0 {
@@ -59,11 +52,8 @@ fn refused(layout: &Layout<'_>, requirement: &RequirementInfo) -> TokenStream {
             quote!(self.#field / #factor)
         });
     }
-    let found = if found.is_empty() {
-        String::new()
-    } else {
-        format!("found {}; ", found.join(", "))
-    };
+    let found =
+        if found.is_empty() { String::new() } else { format!("found {}; ", found.join(", ")) };
     let reason = format!("{found}expected {}", escape(&requirement.text));
     quote! {
         ::core::result::Result::Err(::assur::problem::Refused {

@@ -30,10 +30,7 @@ pub fn shape(program: &Program, value: Value) -> Shape {
 
 /// Whether a value is a number written out, which is never stored.
 pub fn is_number(program: &Program, value: Value) -> bool {
-    matches!(
-        program.operations[value.0 as usize].kind,
-        OperationKind::Number(_)
-    )
+    matches!(program.operations[value.0 as usize].kind, OperationKind::Number(_))
 }
 
 /// The values that some results rest on, as far as the values given from outside, in the order of the program.
@@ -55,11 +52,8 @@ pub fn needed(
 /// The values of earlier stages that results of a stage read directly, or are; numbers left out.
 pub fn frontier(program: &Program, wanted: &[Value], stage: Stage) -> BTreeSet<Value> {
     let earlier = |value: Value| program.operations[value.0 as usize].stage < stage;
-    let mut border: BTreeSet<Value> = wanted
-        .iter()
-        .copied()
-        .filter(|value| earlier(*value))
-        .collect();
+    let mut border: BTreeSet<Value> =
+        wanted.iter().copied().filter(|value| earlier(*value)).collect();
     for value in needed(program, wanted, &earlier) {
         let read = program.operations[value.0 as usize].kind.operands();
         border.extend(read.into_iter().filter(|value| earlier(*value)));
@@ -91,17 +85,9 @@ pub fn levels(program: &Program, needed: &BTreeSet<Value>) -> Vec<Levels> {
     let mut levels: Vec<Levels> = Vec::new();
     for value in needed {
         let read = program.operations[value.0 as usize].kind.operands();
-        let own = read
-            .iter()
-            .filter_map(|operand| level.get(operand))
-            .copied()
-            .max()
-            .unwrap_or(0);
+        let own = read.iter().filter_map(|operand| level.get(operand)).copied().max().unwrap_or(0);
         while levels.len() <= own {
-            levels.push(Levels {
-                before: Vec::new(),
-                batch: Vec::new(),
-            });
+            levels.push(Levels { before: Vec::new(), batch: Vec::new() });
         }
         if angle(program, *value).is_some() {
             levels[own].batch.push(*value);

@@ -132,10 +132,7 @@ impl<'a> Series<'a> {
             Kind::Call(Function::Sign | Function::Floor, _) => true,
             Kind::Number(_) | Kind::Input(_) => false,
             Kind::Factor { .. } | Kind::Solve { .. } | Kind::Element { .. } => false,
-            _ => kind
-                .operands()
-                .into_iter()
-                .all(|operand| self.is_steady(operand)),
+            _ => kind.operands().into_iter().all(|operand| self.is_steady(operand)),
         }
     }
 
@@ -167,10 +164,8 @@ impl<'a> Series<'a> {
     /// A condition of the first terms, which the statements are to keep.
     fn kept(&mut self, condition: TokenStream) -> Ident {
         let name = format_ident!("kept_{}_", self.makers.len());
-        self.makers
-            .push(quote!(let mut #name = S::less(S::ZERO, S::ZERO);));
-        self.statements
-            .push(quote!(if k_ == 0 { #name = #condition; }));
+        self.makers.push(quote!(let mut #name = S::less(S::ZERO, S::ZERO);));
+        self.statements.push(quote!(if k_ == 0 { #name = #condition; }));
         name
     }
 
@@ -253,8 +248,7 @@ impl<'a> Series<'a> {
     /// Makes something that remembers terms.
     fn made(&mut self, kind: TokenStream) -> Ident {
         let name = format_ident!("memory_{}_", self.makers.len());
-        self.makers
-            .push(quote!(let mut #name = ::assur::series::#kind::default();));
+        self.makers.push(quote!(let mut #name = ::assur::series::#kind::default();));
         name
     }
 
@@ -379,12 +373,7 @@ impl<'a> Series<'a> {
     /// The solution of a system.
     fn solve(&mut self, factor: Value, right: &[Value]) -> TokenStream {
         let right: Vec<TokenStream> = right.iter().map(|value| self.term(*value)).collect();
-        let OperationKind::Factor {
-            form,
-            size: rows,
-            entries,
-        } = self.kind(factor)
-        else {
+        let OperationKind::Factor { form, size: rows, entries } = self.kind(factor) else {
             let factor = self.constant(factor);
             return quote!(#factor.solve([#(#right),*]));
         };

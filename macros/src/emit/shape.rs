@@ -19,15 +19,9 @@ use super::{Origin, counts, measures};
 /// The module with the shapes of all scenes, which have the names of their types.
 pub fn module(layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
     let mut shared = Shared::default();
-    let shapes: Vec<TokenStream> = layouts
-        .iter()
-        .map(|layout| shape(layout, origin, &mut shared))
-        .collect();
-    let Shared {
-        units,
-        constants,
-        lists,
-    } = &shared;
+    let shapes: Vec<TokenStream> =
+        layouts.iter().map(|layout| shape(layout, origin, &mut shared)).collect();
+    let Shared { units, constants, lists } = &shared;
     let (units, constants, lists) = (units.items(), constants.items(), lists.items());
     let count = size(constants.len());
     let units = units.iter().enumerate().map(|(index, unit)| {
@@ -120,8 +114,7 @@ impl Shared {
                 let distribution = distribution(constant.distribution);
                 quote!(.made(#tolerance, #distribution))
             });
-        self.constants
-            .place(quote!(Constant::#kind(#quantity, #low, #high) #made))
+        self.constants.place(quote!(Constant::#kind(#quantity, #low, #high) #made))
     }
 }
 
@@ -139,23 +132,14 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
         let name = format_ident!("{name}");
         (!text.is_empty()).then(|| quote!(.#name(#text)))
     };
-    let (summary, preset) = (
-        text("summary", &scene.summary),
-        text("preset", &scene.preset),
-    );
+    let (summary, preset) = (text("summary", &scene.summary), text("preset", &scene.preset));
     let effects = list("effects", scene.effects.iter().map(|one| quote!(#one)));
-    let choices = scene
-        .choices
-        .iter()
-        .map(|(choice, held)| quote!((#choice, #held)));
+    let choices = scene.choices.iter().map(|(choice, held)| quote!((#choice, #held)));
     let choices = list("choices", choices);
     let constants = constants(scene, shared);
     let [drivers, outputs] =
         [("drivers", &scene.drivers), ("outputs", &scene.outputs)].map(|(name, quantities)| {
-            let (name, some) = (
-                format_ident!("{name}"),
-                shared.quantities(quantities.iter()),
-            );
+            let (name, some) = (format_ident!("{name}"), shared.quantities(quantities.iter()));
             (!quantities.is_empty()).then(|| quote!(.#name(#some)))
         });
     let states = (!scene.states.is_empty()).then(|| {
@@ -176,10 +160,7 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
         quote!(Mark::new(#text, #at))
     });
     let marks = list("marks", marks);
-    let expectations = scene
-        .expectations
-        .iter()
-        .map(|one| expectation(one, origin));
+    let expectations = scene.expectations.iter().map(|one| expectation(one, origin));
     let expectations = list("expectations", expectations);
     let linear = layout.program().linear.then(|| quote!(.linear()));
     let modes = modes(layout, origin);
@@ -273,10 +254,7 @@ fn linkage_entry(
         rates => rates + 1,
     };
     let (motion, second) = (size(motion), !closing.second.is_empty());
-    let (angles, groups) = (
-        linkage.dependents.iter().map(|one| one.is_angle),
-        groups(linkage),
-    );
+    let (angles, groups) = (linkage.dependents.iter().map(|one| one.is_angle), groups(linkage));
     let variables = linkage.variables.iter().map(|variable| match variable {
         VariableInfo::Constant(index) => {
             let index = size(*index);

@@ -11,11 +11,8 @@ use super::{Origin, names};
 /// The module of the tests; nothing when there is nothing to test.
 pub fn module(layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
     let modules = names::distinct(layouts.iter().map(|layout| layout.scene.name.as_str()));
-    let scenes: TokenStream = layouts
-        .iter()
-        .zip(&modules)
-        .map(|(layout, name)| scene(layout, name, origin))
-        .collect();
+    let scenes: TokenStream =
+        layouts.iter().zip(&modules).map(|(layout, name)| scene(layout, name, origin)).collect();
     if scenes.is_empty() {
         return scenes;
     }
@@ -29,17 +26,8 @@ pub fn module(layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
 }
 
 fn scene(layout: &Layout<'_>, module: &Ident, origin: &Origin<'_>) -> TokenStream {
-    let own = [
-        jacobian(layout),
-        energy(layout),
-        closure(layout),
-        scaling(layout),
-    ];
-    let tests: TokenStream = own
-        .into_iter()
-        .flatten()
-        .chain([facts(layout, origin)])
-        .collect();
+    let own = [jacobian(layout), energy(layout), closure(layout), scaling(layout)];
+    let tests: TokenStream = own.into_iter().flatten().chain([facts(layout, origin)]).collect();
     if tests.is_empty() {
         return tests;
     }
@@ -114,12 +102,8 @@ fn facts(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
     let tests = facts.iter().zip(functions).enumerate();
     tests
         .map(|(index, (fact, function))| {
-            let text = format!(
-                " `{}`, {}:{}",
-                fact.label,
-                origin.file,
-                (origin.line_of)(fact.span)
-            );
+            let text =
+                format!(" `{}`, {}:{}", fact.label, origin.file, (origin.line_of)(fact.span));
             let (scene, index) = (&scene.name, size(index));
             quote! {
                 #[doc = #text]

@@ -6,15 +6,9 @@ use super::docs::plain;
 
 /// Documentation of a field: `Crank radius. 75 mm ± 0.05 mm; here in SI units.`
 pub fn field(constant: &ConstantInfo) -> String {
-    let summary = plain(constant.quantity.summary.trim())
-        .trim_end_matches('.')
-        .to_owned();
+    let summary = plain(constant.quantity.summary.trim()).trim_end_matches('.').to_owned();
     let summary = if summary.is_empty() {
-        if constant.is_dimension {
-            "Dimension".to_owned()
-        } else {
-            "Parameter".to_owned()
-        }
+        if constant.is_dimension { "Dimension".to_owned() } else { "Parameter".to_owned() }
     } else {
         summary
     };

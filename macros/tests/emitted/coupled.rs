@@ -31,9 +31,7 @@ fn all_equations_hold() {
     let rate = rate::<DoublePendulum>(0.0, &STATE);
     let [x, y, u, v, dx, dy, du, dv, ..] = STATE;
     let (r, s, dr, ds) = (u - x, v - y, du - dx, dv - dy);
-    let [ax, ay, au, av, p, q] = rate[4..] else {
-        panic!("{rate:?}")
-    };
+    let [ax, ay, au, av, p, q] = rate[4..] else { panic!("{rate:?}") };
     check(
         &[2.0 * ax, 2.0 * ay + p * y, 3.0 * au, 3.0 * av],
         &[-p * x + q * r, -19.62 + q * s, -q * r, -29.43 - q * s],
@@ -45,33 +43,19 @@ fn all_equations_hold() {
 #[test]
 fn the_evaluator_agrees() {
     let lexed = assur_model::lexer::lex_plain(TEXT).unwrap();
-    let scene = assur_model::compile(&lexed.tokens)
-        .model
-        .unwrap()
-        .scenes
-        .remove(0);
+    let scene = assur_model::compile(&lexed.tokens).model.unwrap().scenes.remove(0);
     let values: Vec<f64> = scene.constants.iter().map(|one| one.default).collect();
     let computed = scene.program.evaluate(&values, 0.0, &STATE);
     let results = &scene.program.results;
-    check(
-        &rate::<DoublePendulum>(0.0, &STATE),
-        &computed.all(&results.derivative),
-    );
-    check(
-        &super::outputs::<DoublePendulum>(0.0, &STATE),
-        &computed.all(&results.outputs),
-    );
+    check(&rate::<DoublePendulum>(0.0, &STATE), &computed.all(&results.derivative));
+    check(&super::outputs::<DoublePendulum>(0.0, &STATE), &computed.all(&results.outputs));
 }
 
 /// The Jacobian is that of differences: the solution is never differentiated, but solved for once more.
 #[test]
 fn the_jacobian_is_that_of_differences() {
     let lexed = assur_model::lexer::lex_plain(TEXT).unwrap();
-    let scene = assur_model::compile(&lexed.tokens)
-        .model
-        .unwrap()
-        .scenes
-        .remove(0);
+    let scene = assur_model::compile(&lexed.tokens).model.unwrap().scenes.remove(0);
     let values: Vec<f64> = scene.constants.iter().map(|one| one.default).collect();
     let computed = scene.program.evaluate(&values, 0.0, &STATE);
     let step = 1e-5;
@@ -88,10 +72,7 @@ fn the_jacobian_is_that_of_differences() {
                 entries.filter(|entry| (entry.0, entry.1) == (row as u32, column as u32));
             let found = entries.next().map_or(0.0, |entry| computed.get(entry.2));
             let expected = (above[row] - below[row]) / (2.0 * step);
-            assert!(
-                (found - expected).abs() < 1e-6,
-                "{row} {column}: {found} {expected}"
-            );
+            assert!((found - expected).abs() < 1e-6, "{row} {column}: {found} {expected}");
         }
     }
 }

@@ -7,12 +7,7 @@ use std::f64::consts::{PI, TAU};
 /// the linkage has these groups.
 #[track_caller]
 fn check<L: Linkage + Default>(kinds: &[GroupKind], expected: impl Fn(f64) -> Vec<f64>) {
-    let found: Vec<_> = L::shape()
-        .loops()
-        .groups
-        .iter()
-        .map(|group| group.kind)
-        .collect();
+    let found: Vec<_> = L::shape().loops().groups.iter().map(|group| group.kind).collect();
     assert_eq!(found, kinds);
     let mut assembly = Assembly::<L, f64>::new(&L::default());
     assembly.start().expect("it assembles");
@@ -171,10 +166,7 @@ mod triad {
 fn a_platform_closes_all_its_loops() {
     use assur::closure::Closure;
     assert_eq!(triad::Triad::shape().loops().groups.len(), 1);
-    assert_eq!(
-        triad::Triad::shape().loops().groups[0].kind,
-        GroupKind::General
-    );
+    assert_eq!(triad::Triad::shape().loops().groups[0].kind, GroupKind::General);
     let mut assembly = Assembly::<triad::Triad, f64>::new(&triad::Triad::default());
     assembly.start().expect("it assembles");
     let first = assembly.position().as_ref().to_vec();
@@ -185,9 +177,7 @@ fn a_platform_closes_all_its_loops() {
         let mut residual = [f64::NAN; 5];
         let instant = closure.instant(&[theta]);
         closure.residual(&instant, assembly.position(), &mut residual);
-        let largest = residual
-            .iter()
-            .fold(0.0, |most: f64, one| most.max(one.abs()));
+        let largest = residual.iter().fold(0.0, |most: f64, one| most.max(one.abs()));
         assert!(largest < 1e-16, "{largest:e} m at {degree} + 30 degrees");
     }
     for (last, first) in assembly.position().as_ref().iter().zip(first) {

@@ -22,10 +22,7 @@ assur::mechanism! {
 #[test]
 fn names_keep_their_meaning() {
     let names = Default::default();
-    check(
-        &[names.r#type, names.None, names.MECHANISM],
-        &[2.0, 1.0, 1.0],
-    );
+    check(&[names.r#type, names.None, names.MECHANISM], &[2.0, 1.0, 1.0]);
     let state = [0.1, 0.2, 0.3, 0.4];
     let second = -3.0 * (0.2 - 0.1_f64.sin());
     check(&rate::<Default>(0.0, &state), &[0.3, 0.4, -1.3, second]);

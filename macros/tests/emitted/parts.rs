@@ -28,16 +28,8 @@ fn parts_of_parts_are_solved_with_the_whole() {
 
 #[test]
 fn names_of_parts_are_names_in_rust() {
-    let hung = Damped {
-        m: 1.0,
-        pair_second_k: 9.0,
-        pair_second_c: 1.0,
-        ..Damped::default()
-    };
-    let names = Damped::shape()
-        .constants
-        .iter()
-        .map(|one| one.quantity.name);
+    let hung = Damped { m: 1.0, pair_second_k: 9.0, pair_second_c: 1.0, ..Damped::default() };
+    let names = Damped::shape().constants.iter().map(|one| one.quantity.name);
     let expected = [
         "m",
         "pair_first_k",
@@ -84,9 +76,8 @@ mod linkage {
             .constants
             .iter()
             .map(|one| one.quantity.name);
-        let all = [
-            "r", "left.l1", "left.l2", "left.l3", "left.a", "right.l1", "right.l2", "right.a",
-        ];
+        let all =
+            ["r", "left.l1", "left.l2", "left.l3", "left.a", "right.l1", "right.l2", "right.a"];
         assert_eq!(constants.collect::<Vec<_>>(), all);
     }
 }

@@ -16,18 +16,12 @@ assur::mechanism! {
 
 #[test]
 fn the_pendulum_swings() {
-    let pendulum = Swing {
-        l: 0.5,
-        ..Swing::default()
-    };
+    let pendulum = Swing { l: 0.5, ..Swing::default() };
     let rate = rate_of(&pendulum, 0.0, &[0.1, 0.25]);
     check(&rate, &[0.25, -9.81 / 0.5 * 0.1_f64.sin()]);
     let equations = pendulum.prepare::<f64>();
     let energy = equations.energy(Phase::of(0), 0.0, &[0.1, 0.25]).unwrap();
-    check(
-        &[energy.0, energy.1],
-        &[0.25 * 0.25 * 0.25, -2.0 * 9.81 * 0.5 * 0.1_f64.cos()],
-    );
+    check(&[energy.0, energy.1], &[0.25 * 0.25 * 0.25, -2.0 * 9.81 * 0.5 * 0.1_f64.cos()]);
 }
 
 #[test]

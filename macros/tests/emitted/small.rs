@@ -55,11 +55,5 @@ fn a_scene_may_have_nothing_but_a_state() {
     check(&rate::<bare::Bare>(0.0, &[3.0]), &[-3.0]);
     assert_eq!(bare::Bare {}.span(), Span::Open);
     assert_eq!(bare::Bare::from_values(&[]).values(), []);
-    assert_eq!(
-        (
-            bare::Bare::shape().outputs.len(),
-            bare::Bare::shape().drivers.len()
-        ),
-        (0, 0)
-    );
+    assert_eq!((bare::Bare::shape().outputs.len(), bare::Bare::shape().drivers.len()), (0, 0));
 }

@@ -85,10 +85,7 @@ fn functions_mean_the_same() {
                         (close || both_nan(other), other)
                     }
                 };
-                assert!(
-                    same,
-                    "{function:?} of {x:e} and {y:e}: {found:e}, not {expected:e}"
-                );
+                assert!(same, "{function:?} of {x:e} and {y:e}: {found:e}, not {expected:e}");
             }
         }
     }

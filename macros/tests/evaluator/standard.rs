@@ -65,10 +65,7 @@ impl Scalar for Standard {
         if mask { then } else { otherwise }
     }
     fn sin_cos_all<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
-        (
-            angles.map(|angle| Self(angle.0.sin())),
-            angles.map(|angle| Self(angle.0.cos())),
-        )
+        (angles.map(|angle| Self(angle.0.sin())), angles.map(|angle| Self(angle.0.cos())))
     }
     fn atan2(y: Self, x: Self) -> Self {
         Self(y.0.atan2(x.0))

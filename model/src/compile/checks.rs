@@ -28,10 +28,7 @@ pub fn masses(low: &mut Lowering<'_>, mode: &Mode<'_>, values: &[f64]) {
             )
         } else if let (true, Some(coordinate)) = (value < 0.0, equation.lagrange) {
             let name = &names.coordinates[coordinate].name.text;
-            (
-                format!("the mass that `{name}` moves is negative"),
-                "a kinetic energy is positive",
-            )
+            (format!("the mass that `{name}` moves is negative"), "a kinetic energy is positive")
         } else if negative.is_some() {
             (format!("`{unknown}` is multiplied by a negative mass"), "")
         } else {

@@ -26,10 +26,7 @@ pub fn values(mode: &Mode<'_>, scene: &Scene, low: &mut Lowering<'_>) -> Chosen 
         let default = info.as_ref().map_or(f64::NAN, |info| info.default);
         value(&declared.name.text).unwrap_or(default)
     });
-    Chosen {
-        preset,
-        values: values.collect(),
-    }
+    Chosen { preset, values: values.collect() }
 }
 
 /// Makes inputs of the constants that anything in the program depends on, and describes them. Gives their indices.

@@ -61,9 +61,7 @@ pub fn quantities(here: Here<'_>, low: &mut Lowering<'_>) -> Declared {
     let states = names.states.iter().enumerate();
     let states = states.map(|(index, one)| (Symbol::State(indexed(index)), one));
     let unknowns = coordinates.chain(states);
-    let units = unknowns
-        .map(|(symbol, one)| low.unknown(symbol, one))
-        .collect();
+    let units = unknowns.map(|(symbol, one)| low.unknown(symbol, one)).collect();
     let dependents = names.dependents.iter().enumerate();
     let dependents = dependents.map(|(index, one)| low.dependent(indexed(index), one));
     let dependent_units = dependents.collect();

@@ -28,12 +28,7 @@ fn stand_still(
     low: &mut Lowering<'_>,
 ) {
     equations.retain(|equation| equation.lagrange.is_none_or(|one| !still.contains(&one)));
-    let all: Vec<_> = low
-        .names
-        .coordinates
-        .iter()
-        .chain(&low.names.states)
-        .collect();
+    let all: Vec<_> = low.names.coordinates.iter().chain(&low.names.states).collect();
     for index in still {
         if equations.len() + still.len() <= all.len() {
             break;

@@ -68,10 +68,7 @@ fn is_conservative(mode: &Mode<'_>, low: &Lowering<'_>) -> bool {
 /// The mode with its events, those of the file before the switching surfaces.
 pub fn compiled(mode: Mode<'_>, scene: SceneModel, kept: Vec<usize>) -> Compiled {
     let here = mode.here;
-    let place = here
-        .scene()
-        .map(|scene| scene.name.span)
-        .unwrap_or_default();
+    let place = here.scene().map(|scene| scene.name.span).unwrap_or_default();
     let surfaces = scene.program.surfaces.iter().enumerate();
     let surfaces =
         surfaces.map(|(index, guard)| EventInfo::surface(index, guard, here.index, place));

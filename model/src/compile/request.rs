@@ -22,11 +22,7 @@ pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
         requirements: mode.parts.conditions.clone(),
         span: asked.span.values.clone(),
         start: asked.start.clone(),
-        events: asked
-            .events
-            .iter()
-            .map(|(event, _)| event.clone())
-            .collect(),
+        events: asked.events.iter().map(|(event, _)| event.clone()).collect(),
         ..Results::default()
     };
     let highest = (0..solved.derivatives.len() as u32).map(Symbol::Acceleration);
@@ -114,9 +110,7 @@ pub fn loops(
     for (index, drive) in drives.iter().enumerate() {
         let position = drive.position;
         let driver = Symbol::Driver(index as u32);
-        request
-            .bindings
-            .extend(position.map(|value| (driver, value)));
+        request.bindings.extend(position.map(|value| (driver, value)));
     }
     linkage.carry(low, low.names, drives, values, request)
 }
@@ -128,10 +122,7 @@ fn give_drivers(request: &mut Request, count: usize) {
         request.inputs.extend([
             (Symbol::Driver(index), Input::Driver(index)),
             (Symbol::DriverRate(index), Input::Driver(count + index)),
-            (
-                Symbol::DriverAcceleration(index),
-                Input::Driver(2 * count + index),
-            ),
+            (Symbol::DriverAcceleration(index), Input::Driver(2 * count + index)),
         ]);
     }
 }
@@ -147,20 +138,11 @@ pub fn influences(
     let variables = linkage.variables(low.names, &declared.constants, kept);
     let (geometry, ranges) = (&mode.asked.geometry, &mode.asked.ranges);
     linkage.influence(low, request, &variables, kept);
-    let constants = kept
-        .iter()
-        .filter_map(|old| declared.constants[*old].as_ref());
+    let constants = kept.iter().filter_map(|old| declared.constants[*old].as_ref());
     let mut constants = constants.map(|constant| constant.tolerance);
     // What is made exactly has no error of second order. Tolerances that are given later find them by dual numbers.
     if constants.any(|tolerance| tolerance > 0.0) || ranges.have_tolerances() {
         linkage.curve(low, request, &variables, kept);
     }
-    linkage.info(
-        low,
-        low.names,
-        &declared.dependent_units,
-        geometry,
-        ranges,
-        variables,
-    )
+    linkage.info(low, low.names, &declared.dependent_units, geometry, ranges, variables)
 }

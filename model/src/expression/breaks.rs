@@ -66,10 +66,7 @@ impl Graph {
     /// The slopes of a bend, each of which jumps, without a sign before it.
     pub fn slopes_of_bend(&mut self, bend: Expression) -> Vec<Expression> {
         let slopes = self.slopes(bend);
-        slopes
-            .into_iter()
-            .map(|(_, slope)| self.split_coefficient(slope).1)
-            .collect()
+        slopes.into_iter().map(|(_, slope)| self.split_coefficient(slope).1).collect()
     }
 
     fn is_sign(&self, one: Expression) -> bool {
@@ -77,8 +74,7 @@ impl Graph {
     }
 
     fn is_even(&self, exponent: Expression) -> bool {
-        self.as_number(exponent)
-            .is_some_and(|number| number % 2.0 == 0.0)
+        self.as_number(exponent).is_some_and(|number| number % 2.0 == 0.0)
     }
 
     /// Whether a branch goes from constant to constant where its condition changes.
@@ -117,10 +113,8 @@ impl Graph {
         let others = factors.iter().copied().filter(|other| *other != factor);
         let zeros = self.zeros(others.collect(), false);
         let needed = self.zeros(vec![surface], true);
-        let mut moving = needed
-            .iter()
-            .filter(|one| self.depends_on(**one, course.moves))
-            .peekable();
+        let mut moving =
+            needed.iter().filter(|one| self.depends_on(**one, course.moves)).peekable();
         moving.peek().is_some() && moving.all(|one| zeros.contains(one))
     }
 

@@ -123,10 +123,8 @@ impl Graph {
         collect_like(&mut like);
         like.retain(|(_, coefficient)| *coefficient != 0.0);
         laws::pythagoras(self, &mut like, &mut constant);
-        let mut list: Vec<Expression> = like
-            .into_iter()
-            .map(|(rest, coefficient)| self.scale(coefficient, rest))
-            .collect();
+        let mut list: Vec<Expression> =
+            like.into_iter().map(|(rest, coefficient)| self.scale(coefficient, rest)).collect();
         if constant != 0.0 || list.is_empty() {
             list.push(self.number(constant));
         }
@@ -147,10 +145,7 @@ impl Graph {
                     && self.name_of(rest).is_none() =>
             {
                 let terms = terms.to_vec();
-                terms
-                    .into_iter()
-                    .map(|one| self.scale(coefficient, one))
-                    .collect()
+                terms.into_iter().map(|one| self.scale(coefficient, one)).collect()
             }
             _ => vec![term],
         }
@@ -226,9 +221,7 @@ impl Graph {
         match self.node(factor) {
             Node::Number(value) => *number *= value.get(),
             Node::Product(inner) if inner.len() <= LONG => {
-                inner
-                    .iter()
-                    .for_each(|one| self.gather(*one, number, powers));
+                inner.iter().for_each(|one| self.gather(*one, number, powers));
             }
             Node::Power(base, exponent) => match self.as_number(*exponent) {
                 Some(exponent) => powers.push((*base, exponent)),
@@ -294,10 +287,8 @@ impl Graph {
                 _ => {}
             },
             Node::Product(factors) if whole => {
-                let powers: Vec<_> = factors
-                    .iter()
-                    .map(|factor| self.powi_or(*factor, number))
-                    .collect();
+                let powers: Vec<_> =
+                    factors.iter().map(|factor| self.powi_or(*factor, number)).collect();
                 return self.product(&powers);
             }
             _ => {}
@@ -308,9 +299,8 @@ impl Graph {
     /// A function.
     pub fn call(&mut self, function: Function, arguments: &[Expression]) -> Expression {
         let numbers: Option<Vec<f64>> = arguments.iter().map(|one| self.as_number(*one)).collect();
-        if let Some(value) = numbers
-            .map(|values| function.apply(&values))
-            .filter(|value| value.is_finite())
+        if let Some(value) =
+            numbers.map(|values| function.apply(&values)).filter(|value| value.is_finite())
         {
             return self.number(value);
         }

@@ -22,10 +22,7 @@ impl Graph {
                 rates.insert(one, rate);
             }
         }
-        roots
-            .iter()
-            .map(|root| rates.get(root).copied().unwrap_or(zero))
-            .collect()
+        roots.iter().map(|root| rates.get(root).copied().unwrap_or(zero)).collect()
     }
 
     fn rate(
@@ -81,9 +78,8 @@ impl Graph {
         };
         let size = size as usize;
         let of = |operand: &Expression| rates.get(operand).copied().unwrap_or(zero);
-        let elements: Vec<_> = (0..size as u32)
-            .map(|index| self.intern(Node::Element(solution, index)))
-            .collect();
+        let elements: Vec<_> =
+            (0..size as u32).map(|index| self.intern(Node::Element(solution, index))).collect();
         let mut new_right = Vec::new();
         for (row, right) in right.iter().enumerate() {
             let mut list = vec![of(right)];
@@ -105,10 +101,7 @@ impl Graph {
     ) -> Vec<Expression> {
         let roots: Vec<_> = weighted.iter().map(|(value, _)| *value).collect();
         let reachable = self.reachable(&roots);
-        if reachable
-            .iter()
-            .any(|one| matches!(self.node(*one), Node::Solve(..)))
-        {
+        if reachable.iter().any(|one| matches!(self.node(*one), Node::Solve(..))) {
             return self.gradient_by_columns(weighted, symbols);
         }
         let wanted: Set<Symbol> = symbols.iter().copied().collect();
@@ -132,9 +125,9 @@ impl Graph {
                 Node::Symbol(symbol) => {
                     found.insert(symbol, weight);
                 }
-                Node::Sum(terms) => terms
-                    .iter()
-                    .for_each(|term| shares.entry(*term).or_default().push(weight)),
+                Node::Sum(terms) => {
+                    terms.iter().for_each(|term| shares.entry(*term).or_default().push(weight))
+                }
                 Node::Select(condition, a, b) => {
                     let zero = self.zero();
                     let (then, otherwise) = (
@@ -153,10 +146,7 @@ impl Graph {
             }
         }
         let zero = self.zero();
-        symbols
-            .iter()
-            .map(|symbol| found.get(symbol).copied().unwrap_or(zero))
-            .collect()
+        symbols.iter().map(|symbol| found.get(symbol).copied().unwrap_or(zero)).collect()
     }
 
     fn gradient_by_columns(
@@ -352,10 +342,7 @@ impl Graph {
                     self.compare(Relation::Less, a, b)
                 };
                 self.carry_switch(value, first);
-                vec![
-                    (a, self.select(first, one, zero)),
-                    (b, self.select(first, zero, one)),
-                ]
+                vec![(a, self.select(first, one, zero)), (b, self.select(first, zero, one))]
             }
         }
     }

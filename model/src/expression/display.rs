@@ -12,10 +12,7 @@ impl Graph {
     /// An expression as text; what has a name is written by its name unless it is the whole, and the inner parts of a
     /// long one are left out: `…`.
     pub fn display(&self, expression: Expression) -> String {
-        let writer = Writer {
-            graph: self,
-            left: Cell::new(LONGEST),
-        };
+        let writer = Writer { graph: self, left: Cell::new(LONGEST) };
         writer.write(expression, 0, true)
     }
 }
@@ -38,51 +35,30 @@ impl Writer<'_> {
         };
         self.left.set(left);
         let list = |items: &[Expression]| {
-            items
-                .iter()
-                .map(|one| self.write(*one, 0, false))
-                .collect::<Vec<_>>()
-                .join(", ")
+            items.iter().map(|one| self.write(*one, 0, false)).collect::<Vec<_>>().join(", ")
         };
         let (text, power) = match graph.node(expression) {
-            Node::Symbol(symbol) => (
-                graph
-                    .name_of(expression)
-                    .map_or_else(|| plain(*symbol), str::to_string),
-                9,
-            ),
-            Node::Number(value) => (
-                format!("{}", value.get()),
-                if value.get() < 0.0 { 1 } else { 9 },
-            ),
+            Node::Symbol(symbol) => {
+                (graph.name_of(expression).map_or_else(|| plain(*symbol), str::to_string), 9)
+            }
+            Node::Number(value) => {
+                (format!("{}", value.get()), if value.get() < 0.0 { 1 } else { 9 })
+            }
             Node::Sum(terms) => (self.write_sum(terms), 1),
             Node::Product(factors) => (self.write_product(factors), 2),
             Node::Power(base, exponent) => match graph.as_number(*exponent) {
                 Some(0.5) => (format!("sqrt({})", self.write(*base, 0, false)), 9),
                 Some(number) if number < 0.0 => (self.write_product(&[expression]), 2),
                 _ => (
-                    format!(
-                        "{}^{}",
-                        self.write(*base, 4, false),
-                        self.write(*exponent, 4, false)
-                    ),
+                    format!("{}^{}", self.write(*base, 4, false), self.write(*exponent, 4, false)),
                     3,
                 ),
             },
-            Node::Call(function, arguments) => (
-                format!(
-                    "{}({})",
-                    format!("{function:?}").to_lowercase(),
-                    list(arguments)
-                ),
-                9,
-            ),
+            Node::Call(function, arguments) => {
+                (format!("{}({})", format!("{function:?}").to_lowercase(), list(arguments)), 9)
+            }
             Node::Compare(relation, a, b) => (
-                format!(
-                    "{relation:?}({}, {})",
-                    self.write(*a, 0, false),
-                    self.write(*b, 0, false)
-                ),
+                format!("{relation:?}({}, {})", self.write(*a, 0, false), self.write(*b, 0, false)),
                 9,
             ),
             Node::And(a, b) => (format!("and({})", list(&[*a, *b])), 9),
@@ -90,19 +66,14 @@ impl Writer<'_> {
             Node::Not(a) => (format!("not({})", list(&[*a])), 9),
             Node::Select(c, a, b) => (format!("select({})", list(&[*c, *a, *b])), 9),
             Node::Factor(_, size, entries) => (format!("factor{size}({})", list(entries)), 9),
-            Node::Solve(factor, right) => (
-                format!("solve({}, {})", self.write(*factor, 0, false), list(right)),
-                9,
-            ),
+            Node::Solve(factor, right) => {
+                (format!("solve({}, {})", self.write(*factor, 0, false), list(right)), 9)
+            }
             Node::Element(solution, index) => {
                 (format!("{}[{index}]", self.write(*solution, 9, false)), 9)
             }
         };
-        if power < least {
-            format!("({text})")
-        } else {
-            text
-        }
+        if power < least { format!("({text})") } else { text }
     }
 
     fn write_sum(&self, terms: &[Expression]) -> String {
@@ -136,11 +107,7 @@ impl Writer<'_> {
                 _ => above.push(self.write(*factor, 2, false)),
             }
         }
-        let above = if above.is_empty() {
-            "1".to_string()
-        } else {
-            above.join("*")
-        };
+        let above = if above.is_empty() { "1".to_string() } else { above.join("*") };
         match below.as_slice() {
             [] => format!("{sign}{above}"),
             [one] => format!("{sign}{above}/{one}"),

@@ -166,10 +166,7 @@ impl Graph {
 
     /// An empty graph whose steps are counted.
     pub fn within(budget: Rc<Budget>) -> Self {
-        Self {
-            budget,
-            ..Self::default()
-        }
+        Self { budget, ..Self::default() }
     }
 
     /// What the graph may cost.
@@ -181,24 +178,17 @@ impl Graph {
     pub(super) fn intern(&mut self, node: Node) -> Expression {
         self.budget.spend(1 + node.operands().count());
         let hash = BuildHasherDefault::<WordHasher>::default().hash_one(&node) as u32;
-        if let Some(known) = self
-            .index
-            .find(hash, |known| self.nodes[known as usize] == node)
-        {
+        if let Some(known) = self.index.find(hash, |known| self.nodes[known as usize] == node) {
             return Expression(known);
         }
         let support = match &node {
             Node::Symbol(symbol) => self.supports.single(*symbol),
             _ => {
-                let sets = node
-                    .operands()
-                    .map(|operand| self.support[operand.0 as usize]);
+                let sets = node.operands().map(|operand| self.support[operand.0 as usize]);
                 self.supports.union(sets)
             }
         };
-        let depths = node
-            .operands()
-            .map(|operand| 1 + self.depth[operand.0 as usize]);
+        let depths = node.operands().map(|operand| 1 + self.depth[operand.0 as usize]);
         let depth = depths.max().unwrap_or(0);
         if depth > DEEPEST {
             self.budget.exhaust();
@@ -227,9 +217,7 @@ impl Graph {
     /// Gives an expression the name that it has in the file, unless it has one.
     pub fn name(&mut self, expression: Expression, name: &str) {
         if !matches!(self.node(expression), Node::Number(_)) {
-            self.names
-                .entry(expression)
-                .or_insert_with(|| name.to_string());
+            self.names.entry(expression).or_insert_with(|| name.to_string());
         }
     }
 
@@ -352,17 +340,12 @@ impl Graph {
             let node = self.node(old).clone();
             let value = match &node {
                 Node::Symbol(symbol) => map[symbol],
-                _ => self.rebuild(&node, &|operand| {
-                    new.get(&operand).copied().unwrap_or(operand)
-                }),
+                _ => self.rebuild(&node, &|operand| new.get(&operand).copied().unwrap_or(operand)),
             };
             self.carry_name(old, value);
             new.insert(old, value);
         }
-        roots
-            .iter()
-            .map(|root| new.get(root).copied().unwrap_or(*root))
-            .collect()
+        roots.iter().map(|root| new.get(root).copied().unwrap_or(*root)).collect()
     }
 
     /// The name of an expression goes to what has taken its place, unless that is something given.
@@ -383,9 +366,7 @@ impl Graph {
         node: &Node,
         new: &Map<Expression, Expression>,
     ) -> Expression {
-        self.rebuild(node, &|operand| {
-            new.get(&operand).copied().unwrap_or(operand)
-        })
+        self.rebuild(node, &|operand| new.get(&operand).copied().unwrap_or(operand))
     }
 
     /// Carries a name over; see [`Graph::simplify`].

@@ -37,9 +37,7 @@ impl Index {
         if 2 * self.count >= self.slots.len() {
             let empty = vec![None; (2 * self.slots.len()).max(64)];
             let old = std::mem::replace(&mut self.slots, empty);
-            old.into_iter()
-                .flatten()
-                .for_each(|(hash, handle)| self.put(hash, handle));
+            old.into_iter().flatten().for_each(|(hash, handle)| self.put(hash, handle));
         }
         self.count += 1;
         self.put(hash, handle);
@@ -61,10 +59,7 @@ pub struct WordHasher(u64);
 
 impl WordHasher {
     fn add(&mut self, word: u64) {
-        self.0 = self
-            .0
-            .wrapping_add(word)
-            .wrapping_mul(0xf135_7aea_2e62_a9c5);
+        self.0 = self.0.wrapping_add(word).wrapping_mul(0xf135_7aea_2e62_a9c5);
     }
 }
 

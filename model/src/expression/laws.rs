@@ -7,10 +7,7 @@ use super::graph::{Expression, Graph, Node};
 /// An identity of functions.
 struct Law {
     /// Its name.
-    #[cfg_attr(
-        not(test),
-        expect(dead_code, reason = "names are for the reader and the tests")
-    )]
+    #[cfg_attr(not(test), expect(dead_code, reason = "names are for the reader and the tests"))]
     name: &'static str,
     /// The functions that it concerns.
     functions: &'static [Function],
@@ -97,10 +94,7 @@ pub fn pythagoras(graph: &mut Graph, like: &mut Vec<(Expression, f64)>, constant
             Node::Product(factors) => factors,
             _ => &[term],
         };
-        if factors
-            .iter()
-            .all(|factor| squared(graph, *factor, Function::Sin).is_none())
-        {
+        if factors.iter().all(|factor| squared(graph, *factor, Function::Sin).is_none()) {
             continue;
         }
         let factors = factors.to_vec();
@@ -181,25 +175,15 @@ mod tests {
         forms.extend(inner.map(|inner| graph.intern(Node::Call(inner, [x].into()))));
         let mut met = false;
         for form in forms {
-            let arguments = vec![
-                form;
-                if matches!(function, Function::Max | Function::Min) {
-                    2
-                } else {
-                    1
-                }
-            ];
+            let arguments =
+                vec![form; if matches!(function, Function::Max | Function::Min) { 2 } else { 1 }];
             let Some(simpler) = (law.apply)(&mut graph, function, &arguments) else {
                 continue;
             };
             met = true;
             let naive = graph.intern(Node::Call(function, arguments.into()));
             let values = graph.evaluate(&[naive, simpler], &|_| 0.37);
-            assert!(
-                (values[0] - values[1]).abs() < 1e-15,
-                "{}: {values:?}",
-                law.name
-            );
+            assert!((values[0] - values[1]).abs() < 1e-15, "{}: {values:?}", law.name);
         }
         assert!(met, "the law {} is never met by {function:?}", law.name);
     }
@@ -207,10 +191,7 @@ mod tests {
     #[test]
     fn the_squares_of_sine_and_cosine_add_to_one() {
         let mut graph = Graph::new();
-        let (x, r) = (
-            graph.symbol(Symbol::Time),
-            graph.symbol(Symbol::Parameter(0)),
-        );
+        let (x, r) = (graph.symbol(Symbol::Time), graph.symbol(Symbol::Parameter(0)));
         let squares = [Function::Sin, Function::Cos].map(|function| {
             let value = graph.call(function, &[x]);
             let square = graph.powi(value, 2);

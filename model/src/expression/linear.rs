@@ -72,11 +72,8 @@ fn solve_symmetric(size: usize, lower: &[f64], right: &[f64]) -> Vec<f64> {
             for k in 0..column {
                 value -= factor[at(row, k)] * factor[at(column, k)] * factor[at(k, k)];
             }
-            factor[at(row, column)] = if row == column {
-                value
-            } else {
-                value / factor[at(column, column)]
-            };
+            factor[at(row, column)] =
+                if row == column { value } else { value / factor[at(column, column)] };
         }
     }
     let mut solution = right.to_vec();

@@ -39,9 +39,7 @@ impl Graph {
         right: &[Expression],
     ) -> Vec<Expression> {
         let solution = self.intern(Node::Solve(factor, right.into()));
-        (0..right.len() as u32)
-            .map(|index| self.intern(Node::Element(solution, index)))
-            .collect()
+        (0..right.len() as u32).map(|index| self.intern(Node::Element(solution, index))).collect()
     }
 
     fn written_out(&mut self, lower: &[Expression], right: &[Expression]) -> Vec<Expression> {

@@ -32,9 +32,7 @@ pub fn function(
         return None;
     };
     let mut rest = terms.to_vec();
-    let one = rest
-        .iter()
-        .position(|term| graph.as_number(*term) == Some(1.0))?;
+    let one = rest.iter().position(|term| graph.as_number(*term) == Some(1.0))?;
     rest.remove(one);
     let rest = graph.sum(&rest);
     match function {
@@ -120,10 +118,7 @@ fn prosthaphaeresis(
     }
     let (less, more) = (graph.sub(x, y), graph.add(x, y));
     let (less, more) = (half(graph, less), half(graph, more));
-    let factors = [
-        graph.call(function, &[more]),
-        graph.call(Function::Sin, &[less]),
-    ];
+    let factors = [graph.call(function, &[more]), graph.call(Function::Sin, &[less])];
     let product = graph.product(&factors);
     Some(graph.scale(2.0, product))
 }

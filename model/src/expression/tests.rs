@@ -42,9 +42,7 @@ fn slope(function: impl Fn(f64) -> f64, x: f64) -> f64 {
             .max((table[row][column] - table[row - 1][column - 1]).abs())
     };
     let places = (1..7).flat_map(|row| (1..=row).map(move |column| (row, column)));
-    let (row, column) = places
-        .min_by(|a, b| error(a.0, a.1).total_cmp(&error(b.0, b.1)))
-        .unwrap();
+    let (row, column) = places.min_by(|a, b| error(a.0, a.1).total_cmp(&error(b.0, b.1))).unwrap();
     table[row][column]
 }
 
@@ -140,15 +138,9 @@ fn every_function_of_two_numbers_has_its_derivatives() {
 
 #[test]
 fn all_functions_are_tested() {
-    let tested = UNARY
-        .iter()
-        .map(|one| one.0)
-        .chain(BINARY.iter().map(|one| one.0));
+    let tested = UNARY.iter().map(|one| one.0).chain(BINARY.iter().map(|one| one.0));
     // The last variant of the enumeration is `Ln1p`.
-    assert_eq!(
-        tested.collect::<std::collections::HashSet<_>>().len(),
-        Function::Ln1p as usize + 1
-    );
+    assert_eq!(tested.collect::<std::collections::HashSet<_>>().len(), Function::Ln1p as usize + 1);
 }
 
 #[test]
@@ -252,10 +244,7 @@ fn equal_expressions_have_equal_handles() {
     let square = graph.mul(x, x);
     assert_eq!(square, graph.powi(x, 2));
     let root = graph.sqrt(square);
-    assert!(
-        matches!(graph.node(root), Node::Call(Function::Abs, _)),
-        "√(x²) is |x|"
-    );
+    assert!(matches!(graph.node(root), Node::Call(Function::Abs, _)), "√(x²) is |x|");
 }
 
 #[test]

@@ -68,8 +68,7 @@ fn stated(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>) -> Vec<P
             _ => {
                 let message = "only a coordinate, its `dot`, or a state can be started";
                 let report = Diagnostic::error(target.span, message);
-                low.diagnostics
-                    .push(report.hint("the rest follows from them"));
+                low.diagnostics.push(report.hint("the rest follows from them"));
                 continue;
             }
         };
@@ -132,13 +131,10 @@ impl Starts<'_> {
             );
             let (name, of) = self.started(slot);
             let report = Diagnostic::error(term.span, message).related(of, "declared here");
-            low.diagnostics
-                .push(report.hint(fitting_value(kind, &name)));
+            low.diagnostics.push(report.hint(fitting_value(kind, &name)));
         } else if !low.is_constant(value) {
-            low.diagnostics.push(Diagnostic::error(
-                term.span,
-                "a start value can depend on constants alone",
-            ));
+            low.diagnostics
+                .push(Diagnostic::error(term.span, "a start value can depend on constants alone"));
         }
         let coordinates = self.names.coordinates.len();
         self.values[slot] = value;
@@ -199,10 +195,8 @@ impl Starts<'_> {
         for (declared, given) in positions.chain(names.states.iter().zip(states)) {
             let name = &declared.name;
             if !given && !names.absent.contains_key(&name.text) {
-                let message = format!(
-                    "`{}` has no start value, and a scene runs from the start",
-                    name.text
-                );
+                let message =
+                    format!("`{}` has no start value, and a scene runs from the start", name.text);
                 low.diagnostics.push(
                     Diagnostic::error(name.span, message)
                         .hint("write it after the unit, as in `coordinate x: m = 0;`"),

@@ -37,11 +37,7 @@ pub fn apply(
     }
     let mut found = false;
     visit(held, &mut |statement| {
-        let Some(target) = statement
-            .kind
-            .declared()
-            .filter(|one| one.name.text == name)
-        else {
+        let Some(target) = statement.kind.declared().filter(|one| one.name.text == name) else {
             return;
         };
         found = true;
@@ -109,12 +105,7 @@ fn bind(
         }
         StatementKind::Driver(driver) => {
             let bounds = driver.range.iter().flat_map(|(low, high)| [low, high]);
-            let instead = driver
-                .start
-                .iter()
-                .chain(bounds)
-                .chain(&driver.motion)
-                .next();
+            let instead = driver.start.iter().chain(bounds).chain(&driver.motion).next();
             if let Some(value) = &binding.value {
                 at_start("driven from outside")?;
                 no_limits(binding, name, "is driven from outside")?;
@@ -141,10 +132,8 @@ fn bind(
             *start = binding.start.clone();
         }
         _ => {
-            let message = format!(
-                "`{name}` follows from other quantities of `{}`",
-                whose.mechanism
-            );
+            let message =
+                format!("`{name}` follows from other quantities of `{}`", whose.mechanism);
             let report = Diagnostic::error(binding.target.name.span, message);
             let hint = "a part is given its drivers, dimensions, parameters and start values";
             return Err((report, hint.into()));
@@ -192,11 +181,7 @@ fn given(name: &str, value: &Term, instead: Option<&Term>) -> Term {
 }
 
 fn abbreviation(target: &Target, value: Term) -> StatementKind {
-    StatementKind::Let {
-        target: target.clone(),
-        arguments: None,
-        value,
-    }
+    StatementKind::Let { target: target.clone(), arguments: None, value }
 }
 
 /// What can be bound of a part, as its file calls it.
@@ -221,11 +206,7 @@ pub fn known(part: &str, held: &mut [Statement]) -> Vec<String> {
 }
 
 fn unknown(own: &str, binding: &Binding, whose: &Whose<'_>) -> Diagnostic {
-    let Whose {
-        part,
-        mechanism,
-        known,
-    } = whose;
+    let Whose { part, mechanism, known } = whose;
     let message = format!("the part `{part}` has no `{own}`");
     let report = Diagnostic::error(binding.target.name.span, message);
     let otherwise = match known.is_empty() {

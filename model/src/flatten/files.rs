@@ -36,12 +36,7 @@ pub struct Files<'a, 'b> {
 impl<'a, 'b> Files<'a, 'b> {
     /// Begins behind the tokens of the main file.
     pub fn new(tokens: usize, loader: &'a mut Loader<'b>) -> Self {
-        Self {
-            loader,
-            known: BTreeMap::new(),
-            list: Vec::new(),
-            next: tokens,
-        }
+        Self { loader, known: BTreeMap::new(), list: Vec::new(), next: tokens }
     }
 
     /// The tree of a file. `place` is where the main file needs it, `named` where it is named.
@@ -75,10 +70,7 @@ impl<'a, 'b> Files<'a, 'b> {
         place: Span,
         diagnostics: &mut Diagnostics,
     ) -> Result<Option<Rc<File>>, Unreadable> {
-        let tokens = (self.loader)(&Wanted {
-            path: path.to_string(),
-            place,
-        })?;
+        let tokens = (self.loader)(&Wanted { path: path.to_string(), place })?;
         let first = u32::try_from(self.next).ok();
         let first = first.filter(|_| !tokens.is_empty()).ok_or(Unreadable {
             range: 0..0,
@@ -86,11 +78,7 @@ impl<'a, 'b> Files<'a, 'b> {
             hint: None,
         })?;
         self.next += tokens.len();
-        self.list.push(PartFile {
-            path: path.to_string(),
-            first,
-            place,
-        });
+        self.list.push(PartFile { path: path.to_string(), first, place });
         Ok(parse(&tokens, first, diagnostics).map(Rc::new))
     }
 }

@@ -86,13 +86,7 @@ impl Flattener<'_, '_> {
     ) {
         let mut here: BTreeMap<&str, Span> = BTreeMap::new();
         for statement in statements {
-            let StatementKind::Part {
-                name,
-                mechanism,
-                file,
-                ..
-            } = &statement.kind
-            else {
+            let StatementKind::Part { name, mechanism, file, .. } = &statement.kind else {
                 let repeated = repeated || matches!(statement.kind, StatementKind::For { .. });
                 for body in statement.kind.blocks() {
                     self.collect(body, prefix, repeated, parts, scope);
@@ -173,8 +167,7 @@ impl Flattener<'_, '_> {
         self.count += 1 + read.statements.iter().map(Statement::count).sum::<usize>();
         if self.count > LIMIT {
             let message = format!("the parts up to here come to more than {LIMIT} statements");
-            self.diagnostics
-                .push_once("parts".into(), Diagnostic::error(place, message));
+            self.diagnostics.push_once("parts".into(), Diagnostic::error(place, message));
             return None;
         }
         self.open.push(path);
@@ -204,13 +197,7 @@ impl Flattener<'_, '_> {
                 *body = self.place(body, scope, parts);
             }
             scope.leave(locals);
-            if let StatementKind::Part {
-                name,
-                mechanism,
-                bindings,
-                ..
-            } = &mut statement.kind
-            {
+            if let StatementKind::Part { name, mechanism, bindings, .. } = &mut statement.kind {
                 let Some(mut held) = parts.remove(&name.span).flatten() else {
                     continue;
                 };
@@ -231,28 +218,16 @@ impl Flattener<'_, '_> {
         held: &mut [Statement],
     ) {
         let mut bound: BTreeMap<String, Span> = BTreeMap::new();
-        let whose = binding::Whose {
-            part,
-            mechanism,
-            known: binding::known(part, held),
-        };
+        let whose = binding::Whose { part, mechanism, known: binding::known(part, held) };
         for binding in bindings {
             let name = format!("{part}.{}", binding.target.name.text);
             let span = binding.target.name.span;
             if let Some(earlier) = bound.insert(name.clone(), span) {
                 let report = Diagnostic::error(span, format!("`{name}` is bound twice"));
-                self.diagnostics
-                    .push(report.related(earlier, "the first time"));
+                self.diagnostics.push(report.related(earlier, "the first time"));
                 continue;
             }
-            binding::apply(
-                &binding,
-                &name,
-                &whose,
-                held,
-                &self.unread,
-                self.diagnostics,
-            );
+            binding::apply(&binding, &name, &whose, held, &self.unread, self.diagnostics);
         }
     }
 }
@@ -264,11 +239,7 @@ fn is_kept(kind: &mut StatementKind) -> bool {
         | StatementKind::Preset { .. }
         | StatementKind::Expect(_)
         | StatementKind::Mark { .. } => false,
-        StatementKind::Output(Output {
-            name: Some(target),
-            value: Some(value),
-            ..
-        }) => {
+        StatementKind::Output(Output { name: Some(target), value: Some(value), .. }) => {
             *kind = StatementKind::Let {
                 target: target.clone(),
                 arguments: None,

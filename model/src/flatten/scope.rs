@@ -79,9 +79,7 @@ impl<'a> Scope<'a> {
     /// A name that is used. One that the file does not declare gets the prefix as well, so that it is missing rather
     /// than found in the file around.
     fn used(&self, name: &mut String) {
-        let of_language = [QUANTITIES, FUNCTIONS]
-            .iter()
-            .any(|list| list.contains(&name.as_str()));
+        let of_language = [QUANTITIES, FUNCTIONS].iter().any(|list| list.contains(&name.as_str()));
         if !of_language && !self.locals.contains(name) {
             name.insert_str(0, self.prefix);
         }
@@ -108,12 +106,7 @@ impl Visitor for Scope<'_> {
                     return;
                 }
             }
-            TermKind::Sum {
-                index,
-                from,
-                to,
-                body,
-            } => {
+            TermKind::Sum { index, from, to, body } => {
                 self.term(from);
                 self.term(to);
                 self.locals.push(index.text.clone());
@@ -123,9 +116,7 @@ impl Visitor for Scope<'_> {
             }
             _ => {}
         }
-        term.parts_mut()
-            .into_iter()
-            .for_each(|part| self.term(part));
+        term.parts_mut().into_iter().for_each(|part| self.term(part));
     }
 
     fn target(&mut self, target: &mut Target) {
@@ -139,8 +130,7 @@ impl Visitor for Scope<'_> {
 
     fn body(&mut self, arguments: &[Name], body: &mut Term) {
         let before = self.locals.len();
-        self.locals
-            .extend(arguments.iter().map(|one| one.text.clone()));
+        self.locals.extend(arguments.iter().map(|one| one.text.clone()));
         self.term(body);
         self.locals.truncate(before);
     }

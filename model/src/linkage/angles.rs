@@ -6,9 +6,7 @@ use crate::program::Function;
 
 /// The expressions with `sin(a ± b)` written out wherever `a` is a dependent coordinate.
 pub fn expand(graph: &mut Graph, roots: &[Expression]) -> Vec<Expression> {
-    expand_where(graph, roots, &|symbol| {
-        matches!(symbol, Symbol::Dependent(_))
-    })
+    expand_where(graph, roots, &|symbol| matches!(symbol, Symbol::Dependent(_)))
 }
 
 /// The same for any kind of symbol.
@@ -27,21 +25,14 @@ pub fn expand_where(
             Node::Call(function @ (Function::Sin | Function::Cos), arguments) => {
                 let argument = new.get(&arguments[0]).copied().unwrap_or(arguments[0]);
                 let (cosine, sine) = of(graph, argument, wanted);
-                if *function == Function::Sin {
-                    sine
-                } else {
-                    cosine
-                }
+                if *function == Function::Sin { sine } else { cosine }
             }
             _ => graph.rebuild_with(&node, &new),
         };
         graph.carry(old, value);
         new.insert(old, value);
     }
-    roots
-        .iter()
-        .map(|root| new.get(root).copied().unwrap_or(*root))
-        .collect()
+    roots.iter().map(|root| new.get(root).copied().unwrap_or(*root)).collect()
 }
 
 /// Cosine and sine of an angle.
@@ -51,10 +42,7 @@ fn of(
     wanted: &dyn Fn(Symbol) -> bool,
 ) -> (Expression, Expression) {
     let whole = |graph: &mut Graph| {
-        (
-            graph.call(Function::Cos, &[angle]),
-            graph.call(Function::Sin, &[angle]),
-        )
+        (graph.call(Function::Cos, &[angle]), graph.call(Function::Sin, &[angle]))
     };
     let Node::Sum(terms) = graph.node(angle).clone() else {
         return whole(graph);
@@ -70,10 +58,7 @@ fn of(
     let one = terms[index];
     let others: Vec<Expression> = terms.iter().copied().filter(|term| *term != one).collect();
     let rest = graph.sum(&others);
-    let (cos_a, sin_a) = (
-        graph.call(Function::Cos, &[one]),
-        graph.call(Function::Sin, &[one]),
-    );
+    let (cos_a, sin_a) = (graph.call(Function::Cos, &[one]), graph.call(Function::Sin, &[one]));
     let (cos_b, sin_b) = of(graph, rest, wanted);
     let products = [
         graph.mul(cos_a, cos_b),
@@ -81,10 +66,7 @@ fn of(
         graph.mul(sin_a, cos_b),
         graph.mul(cos_a, sin_b),
     ];
-    (
-        graph.sub(products[0], products[1]),
-        graph.add(products[2], products[3]),
-    )
+    (graph.sub(products[0], products[1]), graph.add(products[2], products[3]))
 }
 
 /// The expressions with some of them replaced by others.
@@ -112,8 +94,7 @@ pub fn replace(
 pub fn is_turn(graph: &mut Graph, roots: &[Expression], angle: Symbol) -> bool {
     let expanded = expand_where(graph, roots, &|symbol| symbol == angle);
     let free = free_of(graph, &expanded, &[angle]);
-    free.iter()
-        .all(|root| !graph.depends_on(*root, |symbol| symbol == angle))
+    free.iter().all(|root| !graph.depends_on(*root, |symbol| symbol == angle))
 }
 
 /// The expressions with the cosine of each angle replaced by `Argument(2k)` and its sine by `Argument(2k + 1)`.

@@ -112,13 +112,8 @@ impl Linkage {
     /// What a group says of itself: the names of all its equations.
     fn carried_info(&self, group: &Group) -> LoopInfo {
         let names = group.equations.iter();
-        let names: Vec<&str> = names
-            .map(|index| self.equations[*index].name.as_str())
-            .collect();
-        LoopInfo {
-            name: names.join(", "),
-            ..self.loop_info(group.equations[0])
-        }
+        let names: Vec<&str> = names.map(|index| self.equations[*index].name.as_str()).collect();
+        LoopInfo { name: names.join(", "), ..self.loop_info(group.equations[0]) }
     }
 
     /// How far values are from the declared ones; angles are the same after a turn.

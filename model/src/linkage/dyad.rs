@@ -18,35 +18,26 @@ pub fn affine(
 ) -> Option<(GroupKind, Closed)> {
     let rest = equations.rest.as_slice();
     match (equations.shares.as_slice(), unknowns) {
-        ([Share::Slide(slopes)], [unknown]) => Some((
-            GroupKind::Linear,
-            one_slide(graph, slopes[0], rest[0], *unknown),
-        )),
-        ([Share::Turn(rows)], [unknown]) => Some((
-            GroupKind::Angle,
-            angle(graph, rows[0], rest[0], *unknown, mode),
-        )),
-        ([Share::Slide(a), Share::Slide(b)], [first, second]) => Some((
-            GroupKind::Linear,
-            two_slides(graph, [a, b], rest, [*first, *second]),
-        )),
+        ([Share::Slide(slopes)], [unknown]) => {
+            Some((GroupKind::Linear, one_slide(graph, slopes[0], rest[0], *unknown)))
+        }
+        ([Share::Turn(rows)], [unknown]) => {
+            Some((GroupKind::Angle, angle(graph, rows[0], rest[0], *unknown, mode)))
+        }
+        ([Share::Slide(a), Share::Slide(b)], [first, second]) => {
+            Some((GroupKind::Linear, two_slides(graph, [a, b], rest, [*first, *second])))
+        }
         ([Share::Turn(a), Share::Turn(b)], [first, second]) => {
             let links = [link(graph, a)?, link(graph, b)?];
             let target = target(graph, rest);
-            Some((
-                GroupKind::Rrr,
-                rrr(graph, links, target, [*first, *second], mode),
-            ))
+            Some((GroupKind::Rrr, rrr(graph, links, target, [*first, *second], mode)))
         }
         ([Share::Turn(rows), Share::Slide(slopes)], [turn, slide])
         | ([Share::Slide(slopes), Share::Turn(rows)], [slide, turn]) => {
             let link = link(graph, rows)?;
             let direction = [slopes[0], slopes[1]];
             let target = target(graph, rest);
-            Some((
-                GroupKind::Rrp,
-                rrp(graph, link, direction, target, [*turn, *slide], mode),
-            ))
+            Some((GroupKind::Rrp, rrp(graph, link, direction, target, [*turn, *slide], mode)))
         }
         _ => None,
     }
@@ -61,11 +52,7 @@ fn target(graph: &mut Graph, rest: &[Expression]) -> Complex {
 fn one_slide(graph: &mut Graph, slope: Expression, rest: Expression, unknown: usize) -> Closed {
     let negated = graph.neg(rest);
     let value = graph.div(negated, slope);
-    Closed {
-        values: vec![(Slot::Value(unknown), value)],
-        sine: graph.one(),
-        margin: graph.one(),
-    }
+    Closed { values: vec![(Slot::Value(unknown), value)], sine: graph.one(), margin: graph.one() }
 }
 
 /// Two displacements along `a` and `b`.
@@ -79,19 +66,10 @@ fn two_slides(
     let target = target(graph, rest);
     let determinant = cross(graph, a, b);
     let numerators = [cross(graph, target, b), cross(graph, a, target)];
-    let values = [0, 1].map(|k| {
-        (
-            Slot::Value(unknowns[k]),
-            graph.div(numerators[k], determinant),
-        )
-    });
+    let values = [0, 1].map(|k| (Slot::Value(unknowns[k]), graph.div(numerators[k], determinant)));
     let lengths = [length(graph, a), length(graph, b)];
     let product = graph.mul(lengths[0], lengths[1]);
-    Closed {
-        values: values.to_vec(),
-        sine: graph.div(determinant, product),
-        margin: graph.one(),
-    }
+    Closed { values: values.to_vec(), sine: graph.div(determinant, product), margin: graph.one() }
 }
 
 /// `A cos φ + B sin φ + rest = 0`. With `R² = A² + B²` and `h² = (R − rest)(R + rest)`:
@@ -122,11 +100,7 @@ fn angle(
         graph.sub(radius, size)
     };
     let unit = [graph.div(cosine, square), graph.div(sine, square)];
-    Closed {
-        values: turned(graph, unknown, unit, 1.0),
-        sine: graph.div(signed, radius),
-        margin,
-    }
+    Closed { values: turned(graph, unknown, unit, 1.0), sine: graph.div(signed, radius), margin }
 }
 
 /// `w₁·e^{±iφ₁} + w₂·e^{±iφ₂} = V`. The first link as a vector is `u = (q·V + σ·h·V⊥)/V²` with `q = (V² + a² − b²)/2`, the
@@ -185,11 +159,7 @@ fn rrr(
         let quotient = graph.div(signed, product);
         graph.scale(order, quotient)
     };
-    Closed {
-        values,
-        sine,
-        margin,
-    }
+    Closed { values, sine, margin }
 }
 
 /// `w·e^{±iφ} + s·U = V`. With `k = U × V` and `h² = (a·U − k)(a·U + k)`: `s = (V·U + σ·h)/U²`.
@@ -228,11 +198,7 @@ fn rrp(
         let quotient = graph.div(signed, reach);
         graph.scale(order, quotient)
     };
-    Closed {
-        values,
-        sine,
-        margin,
-    }
+    Closed { values, sine, margin }
 }
 
 /// `(m·s + n)·e^{±iφ} = V`. With `x = m × n` and `h² = (|m|·|V| − x)(|m|·|V| + x)`: `s = (σ·h − m·n)/m²`, and
@@ -251,11 +217,7 @@ pub fn rpr(
     let across = cross(graph, direction, offset);
     let height = height(graph, reach, across);
     // The determinant of the columns (angle, displacement) is −σ·h.
-    let order = if turn < displacement {
-        -slide.sense
-    } else {
-        slide.sense
-    };
+    let order = if turn < displacement { -slide.sense } else { slide.sense };
     let signed = with_mode(graph, mode, order, height);
     let along = inner(graph, direction, offset);
     let square = squares(graph, direction);
@@ -277,14 +239,7 @@ pub fn rpr(
         let quotient = graph.div(signed, reach);
         graph.scale(order, quotient)
     };
-    Some((
-        GroupKind::Rpr,
-        Closed {
-            values,
-            sine,
-            margin,
-        },
-    ))
+    Some((GroupKind::Rpr, Closed { values, sine, margin }))
 }
 
 /// The entries of an angle whose unit vector is this one, turning in a sense.

@@ -30,10 +30,8 @@ impl Geometry {
         }
         for statement in statements {
             if let StatementKind::Link { points, text } = &statement.kind {
-                let found: Option<Vec<usize>> = points
-                    .iter()
-                    .map(|point| geometry.find(point, low))
-                    .collect();
+                let found: Option<Vec<usize>> =
+                    points.iter().map(|point| geometry.find(point, low)).collect();
                 geometry.links.extend(found.map(|points| {
                     LinkInfo {
                         points,
@@ -90,10 +88,7 @@ impl Geometry {
 impl Lowering<'_> {
     /// Whether a point was declared wrongly, which has been reported.
     fn has_wrong_point(&self, name: &str) -> bool {
-        self.names
-            .points
-            .iter()
-            .any(|point| point.name.text == name)
+        self.names.points.iter().any(|point| point.name.text == name)
     }
 }
 
@@ -122,27 +117,22 @@ impl Ranges {
             .flatten()
             .collect();
         for one in &swept {
-            let is_known = names
-                .drivers
-                .iter()
-                .any(|driver| driver.name.text == one.driver.text);
+            let is_known = names.drivers.iter().any(|driver| driver.name.text == one.driver.text);
             if !is_known && !low.is_unread(&one.driver.text) {
                 let known = || names.drivers.iter().map(|driver| driver.name.text.as_str());
                 let report = Diagnostic::error(
                     one.driver.span,
                     format!("there is no driver `{}`", one.driver.text),
                 );
-                low.diagnostics
-                    .push(match nearest(&one.driver.text, known()) {
-                        Some(near) => report.hint(format!("did you mean `{near}`?")),
-                        None if names.drivers.is_empty() => report.hint(
-                            "what moves by itself is followed in time: `run time 0 s .. 1 s;`",
-                        ),
-                        None => report.hint(format!(
-                            "the drivers are {}",
-                            known().collect::<Vec<_>>().join(", ")
-                        )),
-                    });
+                low.diagnostics.push(match nearest(&one.driver.text, known()) {
+                    Some(near) => report.hint(format!("did you mean `{near}`?")),
+                    None if names.drivers.is_empty() => report
+                        .hint("what moves by itself is followed in time: `run time 0 s .. 1 s;`"),
+                    None => report.hint(format!(
+                        "the drivers are {}",
+                        known().collect::<Vec<_>>().join(", ")
+                    )),
+                });
             }
         }
         let list = names
@@ -168,15 +158,10 @@ impl Lowering<'_> {
     ) -> Option<RangeInfo> {
         let kind = self.kind_of(Symbol::Driver(index));
         let what = format!("`{}`", driver.name.text);
-        let stated = swept
-            .and_then(|one| one.range.as_ref())
-            .or(driver.what.range.as_ref());
+        let stated = swept.and_then(|one| one.range.as_ref()).or(driver.what.range.as_ref());
         let (mut from, mut to) = (f64::NAN, f64::NAN);
         if let Some((low, high)) = stated {
-            (from, to) = (
-                self.fixed_of(low, kind, &what)?,
-                self.fixed_of(high, kind, &what)?,
-            );
+            (from, to) = (self.fixed_of(low, kind, &what)?, self.fixed_of(high, kind, &what)?);
             if from == to || (driver.what.range.as_ref() == stated && from > to) {
                 self.diagnostics.push(
                     Diagnostic::error(
@@ -189,10 +174,9 @@ impl Lowering<'_> {
             }
         }
         let declared = match &driver.what.range {
-            Some((low, high)) => (
-                self.fixed_of(low, kind, &what)?,
-                self.fixed_of(high, kind, &what)?,
-            ),
+            Some((low, high)) => {
+                (self.fixed_of(low, kind, &what)?, self.fixed_of(high, kind, &what)?)
+            }
             None => (from, to),
         };
         let start = match &driver.what.start {
@@ -217,12 +201,6 @@ impl Lowering<'_> {
             Some(tolerance) => self.tolerance(tolerance, kind)?,
             None => (0.0, Distribution::default()),
         };
-        Some(RangeInfo {
-            from,
-            to,
-            start,
-            period: f64::INFINITY,
-            tolerance,
-        })
+        Some(RangeInfo { from, to, start, period: f64::INFINITY, tolerance })
     }
 }

@@ -62,12 +62,7 @@ impl Group {
             Some((kind, closed)) => (kind, Some(closed)),
             None => (GroupKind::General, None),
         };
-        Self {
-            kind,
-            equations,
-            unknowns,
-            closed,
-        }
+        Self { kind, equations, unknowns, closed }
     }
 }
 
@@ -109,19 +104,14 @@ pub struct TurningSlide {
 
 impl Basics {
     fn of(graph: &mut Graph, residuals: &[Expression], unknowns: &[usize], angle: &[bool]) -> Self {
-        let dependents: Vec<Symbol> = unknowns
-            .iter()
-            .map(|one| Symbol::Dependent(*one as u32))
-            .collect();
+        let dependents: Vec<Symbol> =
+            unknowns.iter().map(|one| Symbol::Dependent(*one as u32)).collect();
         let residuals = angles::free_of(graph, residuals, &dependents);
         let symbols = unknowns
             .iter()
             .enumerate()
             .map(|(k, unknown)| match angle[*unknown] {
-                true => vec![
-                    Symbol::Argument(2 * k as u32),
-                    Symbol::Argument(2 * k as u32 + 1),
-                ],
+                true => vec![Symbol::Argument(2 * k as u32), Symbol::Argument(2 * k as u32 + 1)],
                 false => vec![Symbol::Dependent(*unknown as u32)],
             })
             .collect();
@@ -146,11 +136,7 @@ impl Basics {
     /// The equations where all unknowns are zero.
     fn rest(&self, graph: &mut Graph, residuals: &[Expression]) -> Vec<Expression> {
         let zero = graph.zero();
-        let map: Map<_, _> = self
-            .all()
-            .into_iter()
-            .map(|symbol| (symbol, zero))
-            .collect();
+        let map: Map<_, _> = self.all().into_iter().map(|symbol| (symbol, zero)).collect();
         graph.substitute(residuals, &map)
     }
 
@@ -191,10 +177,8 @@ impl Basics {
     }
 
     fn turning_slide(&self, graph: &mut Graph, slide: usize, turn: usize) -> Option<TurningSlide> {
-        let ([s], [cosine, sine]) = (
-            self.symbols[slide].as_slice(),
-            self.symbols[turn].as_slice(),
-        ) else {
+        let ([s], [cosine, sine]) = (self.symbols[slide].as_slice(), self.symbols[turn].as_slice())
+        else {
             return None;
         };
         let (mut directions, mut offsets) = (Vec::new(), Vec::new());
@@ -240,28 +224,23 @@ impl Basics {
 /// The complex number that turns in a sense, `w·e^{±iφ}`, if two rows of coefficients of cosine and sine are one.
 pub fn rotation(graph: &mut Graph, rows: &[[Expression; 2]], sense: f64) -> Option<Complex> {
     let [[a, by_sine], [b, other_by_sine]] = [rows[0], rows[1]];
-    let (minus_b, other_a) = (
-        graph.scale(sense, by_sine),
-        graph.scale(sense, other_by_sine),
-    );
+    let (minus_b, other_a) = (graph.scale(sense, by_sine), graph.scale(sense, other_by_sine));
     let turned = graph.neg(minus_b);
     (graph.is_same(a, other_a) && graph.is_same(turned, b)).then_some([a, b])
 }
 
 /// A link that turns in either sense.
 pub fn link(graph: &mut Graph, rows: &[[Expression; 2]]) -> Option<(Complex, f64)> {
-    [1.0, -1.0]
-        .into_iter()
-        .find_map(|sense| Some((rotation(graph, rows, sense)?, sense)))
+    [1.0, -1.0].into_iter().find_map(|sense| Some((rotation(graph, rows, sense)?, sense)))
 }
 
 impl Graph {
     /// A value for each symbol that no formula singles out, another one at each place.
     pub fn somewhere(symbol: Symbol, place: u32) -> f64 {
         let text = format!("{symbol:?} {place}");
-        let mixed = text.bytes().fold(7_u32, |sum, byte| {
-            sum.wrapping_mul(31).wrapping_add(u32::from(byte))
-        });
+        let mixed = text
+            .bytes()
+            .fold(7_u32, |sum, byte| sum.wrapping_mul(31).wrapping_add(u32::from(byte)));
         0.3 + f64::from(mixed % 1009) / 613.0
     }
 

@@ -57,11 +57,7 @@ impl Loops {
             }
             self.equations.push(Equation {
                 residual,
-                name: if many {
-                    format!("{name}.{component}")
-                } else {
-                    name.to_string()
-                },
+                name: if many { format!("{name}.{component}") } else { name.to_string() },
                 span: statement.span,
                 lagrange: None,
             });
@@ -101,10 +97,7 @@ impl Loops {
                 .hint("a closure can hold drivers and dependent coordinates")
             }
             () if depends(low, &|symbol| {
-                matches!(
-                    symbol,
-                    Symbol::DriverRate(_) | Symbol::DriverAcceleration(_)
-                )
+                matches!(symbol, Symbol::DriverRate(_) | Symbol::DriverAcceleration(_))
             }) =>
             {
                 Diagnostic::error(
@@ -137,10 +130,8 @@ impl Loops {
             let same =
                 |other: &&Equation| other.residual == one.residual || other.residual == opposite;
             if let Some(earlier) = self.equations[..index].iter().find(same) {
-                let message = format!(
-                    "the closures `{}` and `{}` say the same",
-                    earlier.name, one.name
-                );
+                let message =
+                    format!("the closures `{}` and `{}` say the same", earlier.name, one.name);
                 low.diagnostics.push(
                     Diagnostic::error(one.span, message)
                         .related(earlier.span, "the first one")

@@ -41,10 +41,7 @@ impl Linkage {
         let unknowns: Vec<UnknownName> = names
             .dependents
             .iter()
-            .map(|one| UnknownName {
-                name: one.name.text.clone(),
-                span: one.name.span,
-            })
+            .map(|one| UnknownName { name: one.name.text.clone(), span: one.name.span })
             .collect();
         if !report_imbalance(
             &incidence,
@@ -58,8 +55,7 @@ impl Linkage {
         }
         let mut concerned: Vec<Vec<Expression>> = vec![Vec::new(); count];
         for (residual, row) in residuals.iter().zip(&incidence.rows) {
-            row.iter()
-                .for_each(|column| concerned[*column].push(*residual));
+            row.iter().for_each(|column| concerned[*column].push(*residual));
         }
         let angles: Vec<bool> = (0..count as u32)
             .map(Symbol::Dependent)
@@ -88,20 +84,13 @@ impl Linkage {
             ));
         }
         let slopes = Slopes::new(&mut low.graph, &residuals, &blocks, count);
-        let dependent = groups
-            .iter()
-            .find(|group| is_redundant(&low.graph, &slopes, group));
+        let dependent = groups.iter().find(|group| is_redundant(&low.graph, &slopes, group));
         if let Some(group) = dependent {
             report_redundant(group, &loops.equations, low);
             return None;
         }
         low.slopes = Some(slopes);
-        Some(Self {
-            equations: loops.equations,
-            kinds: loops.kinds,
-            groups,
-            angles,
-        })
+        Some(Self { equations: loops.equations, kinds: loops.kinds, groups, angles })
     }
 }
 
@@ -115,17 +104,11 @@ fn incidence(graph: &Graph, residuals: &[Expression], columns: usize) -> Inciden
         let symbols = graph.symbols(&[*residual]).into_iter();
         symbols.filter_map(dependent).collect()
     };
-    Incidence {
-        rows: residuals.iter().map(occurs).collect(),
-        columns,
-    }
+    Incidence { rows: residuals.iter().map(occurs).collect(), columns }
 }
 
 fn named(group: &[usize], equations: &[Equation]) -> String {
-    let names: Vec<_> = group
-        .iter()
-        .map(|row| format!("`{}`", equations[*row].name))
-        .collect();
+    let names: Vec<_> = group.iter().map(|row| format!("`{}`", equations[*row].name)).collect();
     names.join(", ")
 }
 
@@ -147,25 +130,14 @@ fn is_redundant(graph: &Graph, slopes: &Slopes, group: &Group) -> bool {
     (1..=3).all(|place| {
         let given = |symbol: Symbol| Graph::somewhere(symbol, place);
         let entry = |row: &usize, column: &usize| {
-            slopes
-                .entry(*row, *column)
-                .map_or(0.0, |entry| graph.evaluate(&[entry], &given)[0])
+            slopes.entry(*row, *column).map_or(0.0, |entry| graph.evaluate(&[entry], &given)[0])
         };
         let mut matrix: Vec<Vec<f64>> = group
             .equations
             .iter()
-            .map(|row| {
-                group
-                    .unknowns
-                    .iter()
-                    .map(|column| entry(row, column))
-                    .collect()
-            })
+            .map(|row| group.unknowns.iter().map(|column| entry(row, column)).collect())
             .collect();
-        let size = matrix
-            .iter()
-            .flatten()
-            .fold(0.0_f64, |most, one| most.max(one.abs()));
+        let size = matrix.iter().flatten().fold(0.0_f64, |most, one| most.max(one.abs()));
         smallest_pivot(&mut matrix) <= 1e-10 * size
     })
 }
@@ -183,10 +155,7 @@ fn smallest_pivot(matrix: &mut Vec<Vec<f64>>) -> f64 {
         smallest = smallest.min(pivot[column].abs());
         for other in matrix.iter_mut() {
             let factor = other[column] / pivot[column];
-            other
-                .iter_mut()
-                .zip(&pivot)
-                .for_each(|(a, b)| *a -= factor * b);
+            other.iter_mut().zip(&pivot).for_each(|(a, b)| *a -= factor * b);
             other.remove(column);
         }
     }
@@ -198,10 +167,7 @@ fn report_redundant(group: &Group, equations: &[Equation], low: &mut Lowering<'_
         "the loop equations {} depend on each other: one of them follows from the others at every position",
         named(&group.equations, equations)
     );
-    let place = group
-        .equations
-        .last()
-        .map_or(Default::default(), |row| equations[*row].span);
+    let place = group.equations.last().map_or(Default::default(), |row| equations[*row].span);
     low.diagnostics.push(Diagnostic::error(place, message).hint(
         "a mechanism needs one closure for each independent loop: leave the redundant one out",
     ));

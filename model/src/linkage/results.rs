@@ -33,11 +33,7 @@ impl Linkage {
         };
         let groups = self.groups.iter().map(|group| {
             group.closed.as_ref().map(|closed| ClosedForm {
-                values: closed
-                    .values
-                    .iter()
-                    .map(|(slot, value)| (place(*slot), *value))
-                    .collect(),
+                values: closed.values.iter().map(|(slot, value)| (place(*slot), *value)).collect(),
                 sine: closed.sine,
                 margin: closed.margin,
             })
@@ -56,29 +52,20 @@ impl Linkage {
             }
             for driver in 0..drives.len() {
                 let by = known.by(graph, Symbol::Driver(driver as u32));
-                let nonzero = by
-                    .into_iter()
-                    .enumerate()
-                    .filter(|(_, value)| *value != zero);
+                let nonzero = by.into_iter().enumerate().filter(|(_, value)| *value != zero);
                 coefficients.extend(nonzero.map(|(index, value)| (index, driver, value)));
             }
         }
         for index in 0..count as u32 {
-            request
-                .inputs
-                .insert(Symbol::Dependent(index), Input::Position(index));
+            request.inputs.insert(Symbol::Dependent(index), Input::Position(index));
         }
         for group in 0..self.groups.len() as u32 {
-            request
-                .inputs
-                .insert(Symbol::Mode(group), Input::Mode(group));
+            request.inputs.insert(Symbol::Mode(group), Input::Mode(group));
         }
         let rates = match low.moved {
             Moved::Given => {
                 let speeds = drives.iter().filter_map(|drive| drive.rate);
-                speeds
-                    .chain(drives.iter().filter_map(|drive| drive.acceleration))
-                    .collect()
+                speeds.chain(drives.iter().filter_map(|drive| drive.acceleration)).collect()
             }
             _ => Vec::new(),
         };
@@ -168,10 +155,7 @@ impl Linkage {
         let graph = &mut low.graph;
         let symbols = symbols(variables, kept);
         let derived = |output: &Expression| {
-            graph
-                .reachable(&[*output])
-                .iter()
-                .any(|one| low.derived.contains(one))
+            graph.reachable(&[*output]).iter().any(|one| low.derived.contains(one))
         };
         let triangle = variables.len() * (variables.len() + 1) / 2;
         if triangle * request.results.outputs.len() > MOST_SECOND
@@ -220,13 +204,10 @@ impl Linkage {
                 range.period = std::f64::consts::TAU;
             }
         }
-        let starts = names
-            .dependents
-            .iter()
-            .map(|declared| match &declared.what.start {
-                Some(term) => low.fixed(term).map_or(f64::NAN, |(value, _)| value),
-                None => f64::NAN,
-            });
+        let starts = names.dependents.iter().map(|declared| match &declared.what.start {
+            Some(term) => low.fixed(term).map_or(f64::NAN, |(value, _)| value),
+            None => f64::NAN,
+        });
         let starts: Vec<f64> = starts.collect();
         let dependents = names.dependents.iter().zip(units).enumerate().filter_map(
             |(index, (declared, unit))| {

@@ -8,15 +8,10 @@ use crate::unit::is_unit;
 /// The number and its unit with which a term ends, if the unit is one name without brackets.
 fn last_unit(term: &Term) -> Option<(f64, &str)> {
     let inner = match &term.kind {
-        TermKind::Number {
-            value,
-            unit: Some(unit),
-        } => {
+        TermKind::Number { value, unit: Some(unit) } => {
             let bare = unit.span.first == unit.span.last && unit.span.last == term.span.last;
             return if bare {
-                unit.factors
-                    .first()
-                    .map(|(name, _)| (*value, name.text.as_str()))
+                unit.factors.first().map(|(name, _)| (*value, name.text.as_str()))
             } else {
                 None
             };
@@ -25,11 +20,7 @@ fn last_unit(term: &Term) -> Option<(f64, &str)> {
         _ => return None,
     };
     // Parentheses around the whole end it elsewhere.
-    if inner.span.last == term.span.last {
-        last_unit(inner)
-    } else {
-        None
-    }
+    if inner.span.last == term.span.last { last_unit(inner) } else { None }
 }
 
 impl Lowering<'_> {
@@ -47,10 +38,7 @@ impl Lowering<'_> {
         }
         let compound = format!("{number} [{unit}/{name}]");
         let declared = self.names.table.get(full).map(|entry| entry.span);
-        let local = self
-            .locals
-            .last()
-            .is_some_and(|scope| scope.contains_key(name));
+        let local = self.locals.last().is_some_and(|scope| scope.contains_key(name));
         let place = left.span.to(right.span);
         if declared.is_none() && !local {
             let message = format!("there is no quantity `{name}` here by which to divide");
@@ -72,11 +60,7 @@ impl Lowering<'_> {
 
     /// Reports `2m` in a product, where `m` is a quantity and may be meant.
     pub(super) fn hides_product(&mut self, number: &Term) -> bool {
-        let TermKind::Number {
-            value,
-            unit: Some(unit),
-        } = &number.kind
-        else {
+        let TermKind::Number { value, unit: Some(unit) } = &number.kind else {
             return false;
         };
         let [(name, (1, 1))] = unit.factors.as_slice() else {
@@ -90,11 +74,10 @@ impl Lowering<'_> {
         }
         let name = &name.text;
         let message = format!("`{name}` is a quantity of the file here, and a unit as well");
-        let report = Diagnostic::error(number.span, message)
-            .related(declared.span, "the quantity")
-            .hint(format!(
-                "write `{value} {name}` for the unit, or `{value}*{name}` for the product"
-            ));
+        let report =
+            Diagnostic::error(number.span, message).related(declared.span, "the quantity").hint(
+                format!("write `{value} {name}` for the unit, or `{value}*{name}` for the product"),
+            );
         self.error(report);
         true
     }

@@ -68,9 +68,7 @@ impl Lowering<'_> {
 
     /// Whether a value depends on dimensions and parameters alone.
     pub(super) fn is_fixed(&self, value: Expression) -> bool {
-        !self
-            .graph
-            .depends_on(value, |symbol| !matches!(symbol, Symbol::Parameter(_)))
+        !self.graph.depends_on(value, |symbol| !matches!(symbol, Symbol::Parameter(_)))
     }
 
     fn is_rate(&self, value: Expression, rate: bool) -> bool {
@@ -157,11 +155,8 @@ impl Lowering<'_> {
     }
 
     pub(super) fn inner_sum(&mut self, left: &[Expression], right: &[Expression]) -> Expression {
-        let products: Vec<_> = left
-            .iter()
-            .zip(right)
-            .map(|(x, y)| self.graph.mul(*x, *y))
-            .collect();
+        let products: Vec<_> =
+            left.iter().zip(right).map(|(x, y)| self.graph.mul(*x, *y)).collect();
         self.graph.sum(&products)
     }
 
@@ -194,10 +189,8 @@ impl Lowering<'_> {
             );
         };
         if agree(q, Kind::NUMBER).is_none() {
-            let message = format!(
-                "an exponent has to be a pure number, and this is {}",
-                b.describe()
-            );
+            let message =
+                format!("an exponent has to be a pure number, and this is {}", b.describe());
             return self.error(Diagnostic::error(b_span, message));
         }
         let kind = match self.graph.as_number(exponent) {

@@ -59,11 +59,7 @@ impl Lowering<'_> {
             Symbol::Driver(index) => motions[index as usize].map(|(position, _)| position),
             _ => None,
         };
-        let course = Course {
-            moves,
-            behind: &behind,
-            is_step: &|one| written.is_step(one),
-        };
+        let course = Course { moves, behind: &behind, is_step: &|one| written.is_step(one) };
         self.graph.breaks(values, &course)
     }
 
@@ -160,20 +156,13 @@ fn describe(term: &Term, bends: bool) -> (String, String) {
     };
     let argument = |index: usize| arguments.get(index).map(print::term).unwrap_or_default();
     let first = argument(0);
-    let two = TermKind::Number {
-        value: 2.0,
-        unit: None,
-    };
+    let two = TermKind::Number { value: 2.0, unit: None };
     match name {
         "sign" => (
             format!("{no} where `{first}` passes zero"),
             format!(
                 "smooth it, as in `tanh({})` with a small `eps`",
-                joined(
-                    &arguments[0],
-                    BinaryOperator::Divide,
-                    TermKind::Name("eps".into())
-                )
+                joined(&arguments[0], BinaryOperator::Divide, TermKind::Name("eps".into()))
             ),
         ),
         "floor" => (
@@ -181,10 +170,7 @@ fn describe(term: &Term, bends: bool) -> (String, String) {
             "leave it out, as its derivative between the jumps is zero".into(),
         ),
         "mod" => (
-            format!(
-                "{no} where `{first}` passes a multiple of `{}`",
-                argument(1)
-            ),
+            format!("{no} where `{first}` passes a multiple of `{}`", argument(1)),
             format!("take `{first}` instead, as it has the same derivative between the jumps"),
         ),
         "max" | "min" => (

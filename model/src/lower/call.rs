@@ -102,13 +102,9 @@ impl Lowering<'_> {
             if self.diagnostics.is_crowded() {
                 return self.error(report);
             }
-            let own = names
-                .table
-                .iter()
-                .filter(|(_, entry)| matches!(entry.role, Role::Function(..)));
-            let known = own
-                .map(|(one, _)| one.as_str())
-                .chain(FUNCTIONS.iter().copied());
+            let own =
+                names.table.iter().filter(|(_, entry)| matches!(entry.role, Role::Function(..)));
+            let known = own.map(|(one, _)| one.as_str()).chain(FUNCTIONS.iter().copied());
             let report = match super::notation::elsewhere(&name.text) {
                 Some(hint) => return self.error(report.hint(hint)),
                 None => report,
@@ -128,16 +124,13 @@ impl Lowering<'_> {
             return true;
         }
         let plural = if expected == 1 { "" } else { "s" };
-        let message = format!(
-            "`{}` takes {expected} argument{plural}, and this gives it {found}",
-            name.text
-        );
+        let message =
+            format!("`{}` takes {expected} argument{plural}, and this gives it {found}", name.text);
         let report = Diagnostic::error(span, message);
-        self.diagnostics
-            .push(match super::notation::other_count(&name.text, found) {
-                Some(hint) => report.hint(hint),
-                None => report,
-            });
+        self.diagnostics.push(match super::notation::other_count(&name.text, found) {
+            Some(hint) => report.hint(hint),
+            None => report,
+        });
         false
     }
 
@@ -154,12 +147,10 @@ impl Lowering<'_> {
                     describe(kind.dimension())
                 );
                 let is_rate = over(Kind::NUMBER, Kind::Of(second())) == Some(kind);
-                return self.error(
-                    Diagnostic::error(argument.span, message).hint(match is_rate {
-                        true => "the angle that a constant speed `n` has turned is `n*time`",
-                        false => "divide its unit out, as in `exp(-time/(1 s))`",
-                    }),
-                );
+                return self.error(Diagnostic::error(argument.span, message).hint(match is_rate {
+                    true => "the angle that a constant speed `n` has turned is `n*time`",
+                    false => "divide its unit out, as in `exp(-time/(1 s))`",
+                }));
             }
             match agree(common, kind) {
                 Some(kind) => common = kind,
@@ -183,10 +174,8 @@ impl Lowering<'_> {
             Rule::Keep | Rule::Same => Some(common),
         };
         let Some(kind) = kind else {
-            let message = format!(
-                "{} has no square root with a simple unit",
-                describe(common.dimension())
-            );
+            let message =
+                format!("{} has no square root with a simple unit", describe(common.dimension()));
             return self.error(Diagnostic::error(arguments[0].span, message));
         };
         let mut value = values[0];
@@ -220,14 +209,8 @@ impl Lowering<'_> {
         };
         let quotient = self.graph.div(a, b);
         let whole = self.graph.call(Function::Floor, &[quotient]);
-        let kind_of_term = TermKind::Call {
-            name: name.clone(),
-            arguments: arguments.to_vec(),
-        };
-        let term = Term {
-            span,
-            kind: kind_of_term,
-        };
+        let kind_of_term = TermKind::Call { name: name.clone(), arguments: arguments.to_vec() };
+        let term = Term { span, kind: kind_of_term };
         self.written.insert(whole, &term);
         let part = self.graph.mul(b, whole);
         Typed::scalar(self.graph.sub(a, part), kind)

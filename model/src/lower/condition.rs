@@ -29,11 +29,9 @@ impl Lowering<'_> {
                     Typed::Decided(x)
                 }
             }
-            (Typed::Condition(x), Typed::Condition(y)) => Typed::Condition(if and {
-                self.graph.and(x, y)
-            } else {
-                self.graph.or(x, y)
-            }),
+            (Typed::Condition(x), Typed::Condition(y)) => {
+                Typed::Condition(if and { self.graph.and(x, y) } else { self.graph.or(x, y) })
+            }
             (a, b) => {
                 let word = if and { "&&" } else { "||" };
                 let message = format!(
@@ -53,11 +51,7 @@ impl Lowering<'_> {
         right: (Span, Typed),
     ) -> Typed {
         let (Some((x, p)), Some((y, q))) = (left.1.as_number(), right.1.as_number()) else {
-            let message = format!(
-                "this compares {} and {}",
-                left.1.describe(),
-                right.1.describe()
-            );
+            let message = format!("this compares {} and {}", left.1.describe(), right.1.describe());
             return self.error(Diagnostic::error(left.0.to(right.0), message));
         };
         if agree(p, q).is_none() {
@@ -101,11 +95,8 @@ impl Lowering<'_> {
                 x.with(&y, kind, select).into()
             }
             (a, b) => {
-                let message = format!(
-                    "the two branches give {} and {}",
-                    a.describe(),
-                    b.describe()
-                );
+                let message =
+                    format!("the two branches give {} and {}", a.describe(), b.describe());
                 self.error(Diagnostic::error(then.span.to(otherwise.span), message))
             }
         }

@@ -49,17 +49,11 @@ impl Lowering<'_> {
             return Typed::Wrong;
         };
         let positions = |symbol: Symbol| {
-            matches!(
-                symbol,
-                Symbol::Speed(_) | Symbol::State(_) | Symbol::Acceleration(_)
-            )
+            matches!(symbol, Symbol::Speed(_) | Symbol::State(_) | Symbol::Acceleration(_))
         };
-        let rate = !values
-            .iter()
-            .any(|value| self.graph.depends_on(*value, positions));
+        let rate = !values.iter().any(|value| self.graph.depends_on(*value, positions));
         if values.iter().any(|value| {
-            self.graph
-                .depends_on(*value, |symbol| matches!(symbol, Symbol::Acceleration(_)))
+            self.graph.depends_on(*value, |symbol| matches!(symbol, Symbol::Acceleration(_)))
         }) {
             return self.error(
                 Diagnostic::error(span, "this is a derivative of an acceleration, which no equation determines")
@@ -141,10 +135,7 @@ impl Lowering<'_> {
                 None => return None,
             }
         }
-        if given
-            .iter()
-            .any(|symbol| matches!(symbol, Symbol::Dependent(_)))
-        {
+        if given.iter().any(|symbol| matches!(symbol, Symbol::Dependent(_))) {
             self.follow(&mut direction);
         }
         Some(direction)
@@ -177,16 +168,12 @@ impl Lowering<'_> {
         let occurs = |graph: &Graph, wanted: &dyn Fn(Symbol) -> bool| {
             values.iter().any(|value| graph.depends_on(*value, wanted))
         };
-        if occurs(&self.graph, &|symbol| {
-            matches!(symbol, Symbol::DriverAcceleration(_))
-        }) {
+        if occurs(&self.graph, &|symbol| matches!(symbol, Symbol::DriverAcceleration(_))) {
             let message = "this is the derivative of an acceleration, which is not available";
             self.error(Diagnostic::error(span, message));
             return true;
         }
-        let dependent = occurs(&self.graph, &|symbol| {
-            matches!(symbol, Symbol::Dependent(_))
-        });
+        let dependent = occurs(&self.graph, &|symbol| matches!(symbol, Symbol::Dependent(_)));
         if dependent && self.loops_are_wrong {
             return true;
         }
@@ -319,10 +306,8 @@ impl Lowering<'_> {
                 None => Typed::Wrong,
             },
             Typed::Wrong => Typed::Wrong,
-            other => self.error(Diagnostic::error(
-                span,
-                format!("{} has no derivative", other.describe()),
-            )),
+            other => self
+                .error(Diagnostic::error(span, format!("{} has no derivative", other.describe()))),
         }
     }
 }

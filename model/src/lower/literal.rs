@@ -48,10 +48,7 @@ impl Lowering<'_> {
                 Some(unit) => {
                     // Zero is zero in all units.
                     if value != 0.0 && unit.dimension.is_mechanical() {
-                        self.note(Some(LiteralInfo {
-                            text: print::term(term),
-                            span: term.span,
-                        }));
+                        self.note(Some(LiteralInfo { text: print::term(term), span: term.span }));
                     }
                     (unit.to_si(value), Kind::Of(unit.dimension))
                 }

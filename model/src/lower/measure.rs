@@ -45,10 +45,7 @@ impl Lowering<'_> {
         if !self.measured.is_open {
             let report = Diagnostic::error(
                 span,
-                format!(
-                    "`{}` is a number of a whole run, and this holds at one time",
-                    name.text
-                ),
+                format!("`{}` is a number of a whole run, and this holds at one time", name.text),
             );
             return Some(self.error(report.hint("such numbers belong in a `measure`")));
         }
@@ -143,11 +140,7 @@ impl Lowering<'_> {
         window: Option<usize>,
     ) -> Expression {
         let index = self.measured.primitives.len();
-        self.measured.primitives.push(Primitive {
-            kind,
-            argument,
-            window,
-        });
+        self.measured.primitives.push(Primitive { kind, argument, window });
         self.graph.symbol(Symbol::Measured(index as u32))
     }
 
@@ -160,12 +153,9 @@ impl Lowering<'_> {
     ) -> Option<Expression> {
         let (turned, kind) = self.scalar(angle)?;
         if agree(kind, Kind::NUMBER).is_none() {
-            let message = format!(
-                "an angle is expected here, and this is {}",
-                describe(kind.dimension())
-            );
-            self.diagnostics
-                .push(Diagnostic::error(angle.span, message));
+            let message =
+                format!("an angle is expected here, and this is {}", describe(kind.dimension()));
+            self.diagnostics.push(Diagnostic::error(angle.span, message));
             return None;
         }
         let order = match order.kind {
@@ -176,8 +166,7 @@ impl Lowering<'_> {
             }
             _ => {
                 let message = format!("a harmonic has a whole number from 0 to {HARMONICS}");
-                self.diagnostics
-                    .push(Diagnostic::error(order.span, message));
+                self.diagnostics.push(Diagnostic::error(order.span, message));
                 return None;
             }
         };
@@ -248,10 +237,7 @@ impl Lowering<'_> {
             );
         }
         moments.extend(["`before(event)`", "`after(event)`"]);
-        format!(
-            "write {}, and around one of them `last(…)` for the last time",
-            moments.join(", ")
-        )
+        format!("write {}, and around one of them `last(…)` for the last time", moments.join(", "))
     }
 
     /// The event that a term names.
@@ -282,10 +268,7 @@ impl Lowering<'_> {
             _ => String::new(),
         };
         let modes = &self.measured.modes;
-        if let Some(index) = modes
-            .iter()
-            .position(|one| *one == wanted && !one.is_empty())
-        {
+        if let Some(index) = modes.iter().position(|one| *one == wanted && !one.is_empty()) {
             return Some(index);
         }
         let report = Diagnostic::error(term.span, "a mode of this scene is expected here");
@@ -311,8 +294,7 @@ impl Lowering<'_> {
                     term.span,
                     "how long two quantities are exactly equal cannot be measured",
                 );
-                self.diagnostics
-                    .push(report.hint("compare them with `<` or `>`"));
+                self.diagnostics.push(report.hint("compare them with `<` or `>`"));
                 None
             }
         }

@@ -178,22 +178,9 @@ impl<'a> Lowering<'a> {
             TermKind::Unary(operator, inner) => self.unary(*operator, inner),
             TermKind::Binary(operator, left, right) => self.binary(*operator, left, right),
             TermKind::Call { name, arguments } => self.call(name, arguments, term.span),
-            TermKind::If {
-                condition,
-                then,
-                otherwise,
-            } => self.branch(condition, then, otherwise),
-            TermKind::Sum {
-                index,
-                from,
-                to,
-                body,
-            } => self.sum(index, (from, to), body),
-            TermKind::Bound {
-                name,
-                value,
-                instead,
-            } => self.bound(name, value, instead),
+            TermKind::If { condition, then, otherwise } => self.branch(condition, then, otherwise),
+            TermKind::Sum { index, from, to, body } => self.sum(index, (from, to), body),
+            TermKind::Bound { name, value, instead } => self.bound(name, value, instead),
         }
     }
 
@@ -207,10 +194,7 @@ impl<'a> Lowering<'a> {
         let typed = self.term(term);
         let number = typed.as_number();
         if number.is_none() && !matches!(typed, Typed::Wrong) {
-            let message = format!(
-                "a number is expected here, and this is {}",
-                typed.describe()
-            );
+            let message = format!("a number is expected here, and this is {}", typed.describe());
             let report = Diagnostic::error(term.span, message);
             self.diagnostics.push(match typed {
                 Typed::Quantity(_) => {
@@ -233,10 +217,8 @@ impl<'a> Lowering<'a> {
             }
             Typed::Wrong => None,
             other => {
-                let message = format!(
-                    "a condition is expected here, and this is {}",
-                    other.describe()
-                );
+                let message =
+                    format!("a condition is expected here, and this is {}", other.describe());
                 self.diagnostics.push(
                     Diagnostic::error(term.span, message)
                         .hint("compare two quantities, as in `a < b`"),
@@ -269,9 +251,7 @@ impl<'a> Lowering<'a> {
 
     /// Kind of a given quantity.
     pub fn kind_of(&self, symbol: Symbol) -> Kind {
-        self.kinds
-            .get(&symbol)
-            .map_or(Kind::NUMBER, |(kind, _)| *kind)
+        self.kinds.get(&symbol).map_or(Kind::NUMBER, |(kind, _)| *kind)
     }
 
     /// Declares the kind of a given quantity and the unit in which it is printed.
@@ -328,10 +308,7 @@ impl<'a> Lowering<'a> {
                 return self.error(
                     Diagnostic::error(span, format!("`{name}` is a function"))
                         .related(entry.span, "declared here")
-                        .hint(format!(
-                            "give it its arguments: `{name}({})`",
-                            shape.join(", ")
-                        )),
+                        .hint(format!("give it its arguments: `{name}({})`", shape.join(", "))),
                 );
             }
         };
@@ -377,10 +354,7 @@ impl<'a> Lowering<'a> {
             }
             _ => {}
         }
-        let as_name = Term {
-            span,
-            kind: TermKind::Name(name.into()),
-        };
+        let as_name = Term { span, kind: TermKind::Name(name.into()) };
         if let Some(held) = self.selected.decide(&as_name, self.survey) {
             return Typed::Decided(held);
         }
@@ -397,11 +371,8 @@ impl<'a> Lowering<'a> {
             .table
             .keys()
             .any(|one| one.split('[').next() == Some(name) && one.contains('['));
-        let locals = self
-            .locals
-            .last()
-            .into_iter()
-            .flat_map(|scope| scope.keys().map(String::as_str));
+        let locals =
+            self.locals.last().into_iter().flat_map(|scope| scope.keys().map(String::as_str));
         let known = self
             .names
             .table
@@ -415,9 +386,8 @@ impl<'a> Lowering<'a> {
         } else if let Some(hint) = self.derivative_named(name) {
             report = report.hint(hint);
         } else if functions {
-            report = report.hint(format!(
-                "`{name}` is a function: give it its argument in parentheses"
-            ));
+            report =
+                report.hint(format!("`{name}` is a function: give it its argument in parentheses"));
         } else if indexed {
             report = report.hint(format!("`{name}` has an index: `{name}[1]`"));
         } else if let Some(place) = self.survey.hidden.get(name) {
@@ -442,11 +412,8 @@ impl<'a> Lowering<'a> {
             return done;
         }
         if let Some(at) = self.open.iter().position(|(one, _)| one == name) {
-            let circle: Vec<_> = self.open[at..]
-                .iter()
-                .map(|(one, _)| one.as_str())
-                .chain([name])
-                .collect();
+            let circle: Vec<_> =
+                self.open[at..].iter().map(|(one, _)| one.as_str()).chain([name]).collect();
             let report = Diagnostic::error(
                 span,
                 format!("`{name}` is defined by itself: {}", circle.join(" -> ")),
@@ -473,8 +440,7 @@ impl<'a> Lowering<'a> {
         if let Some((value, _)) = typed.as_number() {
             self.graph.name(value, name);
         }
-        self.done
-            .insert(name.to_string(), (typed.clone(), literal.clone()));
+        self.done.insert(name.to_string(), (typed.clone(), literal.clone()));
         self.note(literal);
         typed
     }
@@ -491,10 +457,7 @@ impl<'a> Lowering<'a> {
         if arguments.iter().any(|one| matches!(one, Typed::Wrong)) {
             return Typed::Wrong;
         }
-        let key = (
-            name.text.clone(),
-            arguments.iter().map(Typed::key).collect::<Vec<_>>(),
-        );
+        let key = (name.text.clone(), arguments.iter().map(Typed::key).collect::<Vec<_>>());
         // In a measure each call looks for numbers of its own, see `look_at`.
         let known = self.calls.get(&key).filter(|_| !self.measured.is_open);
         if let Some((done, literal)) = known.cloned() {
@@ -522,13 +485,7 @@ impl<'a> Lowering<'a> {
             ));
         }
         self.open.push((name.text.clone(), span));
-        self.locals.push(
-            parameters
-                .iter()
-                .map(|one| one.text.clone())
-                .zip(arguments)
-                .collect(),
-        );
+        self.locals.push(parameters.iter().map(|one| one.text.clone()).zip(arguments).collect());
         let (typed, literal) = self.apart(|low| low.term(body));
         self.locals.pop();
         self.open.pop();
@@ -546,8 +503,7 @@ impl<'a> Lowering<'a> {
             self.summands += 1;
             if self.summands > SUMMANDS {
                 let message = format!("the sums up to here come to more than {SUMMANDS} terms");
-                self.diagnostics
-                    .push_once("sums".into(), Diagnostic::error(body.span, message));
+                self.diagnostics.push_once("sums".into(), Diagnostic::error(body.span, message));
                 return Typed::Wrong;
             }
             let item = self.term(&with_index(body, &index.text, value));

@@ -25,8 +25,7 @@ impl Lowering<'_> {
                 }
                 _ => "write the unit: `90 deg`, `1.5 rad`".to_string(),
             };
-            self.diagnostics
-                .push(Diagnostic::warning(term.span, message).hint(hint));
+            self.diagnostics.push(Diagnostic::warning(term.span, message).hint(hint));
         }
         let mut seen = std::mem::take(&mut self.angles);
         let product = self.hertz(term, &mut seen);
@@ -61,9 +60,8 @@ impl Lowering<'_> {
                 if all().any(|factor| mentions(factor, &turns)) {
                     return None;
                 }
-                let timed = factors
-                    .iter()
-                    .any(|factor| mentions(factor, &|part| is_name(part, "time")));
+                let timed =
+                    factors.iter().any(|factor| mentions(factor, &|part| is_name(part, "time")));
                 match timed && factors.iter().any(|factor| self.is_hertz(factor)) {
                     true => Some(term.clone()),
                     false => factors.iter().find_map(|factor| self.hertz(factor, seen)),
@@ -87,9 +85,7 @@ impl Lowering<'_> {
     /// Whether a term is a number, or a constant, that is stated in hertz.
     fn is_hertz(&self, term: &Term) -> bool {
         match &term.kind {
-            TermKind::Number {
-                unit: Some(unit), ..
-            } => {
+            TermKind::Number { unit: Some(unit), .. } => {
                 matches!(unit.factors.as_slice(), [(name, (1, 1))] if name.text.ends_with("Hz"))
             }
             TermKind::Name(name) => match self.names.table.get(name).map(|entry| &entry.role) {
@@ -119,10 +115,7 @@ fn has_unit(term: &Term) -> bool {
 
 /// Whether a term is a number with the unit of an angle in it, which is converted.
 fn is_angle(term: &Term) -> bool {
-    let TermKind::Number {
-        unit: Some(unit), ..
-    } = &term.kind
-    else {
+    let TermKind::Number { unit: Some(unit), .. } = &term.kind else {
         return false;
     };
     let mut names = unit.factors.iter().map(|(name, _)| name.text.as_str());

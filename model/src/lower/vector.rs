@@ -13,10 +13,8 @@ impl Lowering<'_> {
     /// `[x, y]` or `[x, y, z]`.
     pub(super) fn vector(&mut self, items: &[Term], span: Span) -> Typed {
         if !(2..=3).contains(&items.len()) {
-            let message = format!(
-                "a vector has two or three components, and this has {}",
-                items.len()
-            );
+            let message =
+                format!("a vector has two or three components, and this has {}", items.len());
             return self.error(Diagnostic::error(span, message));
         }
         let mut values = Vec::new();
@@ -27,10 +25,8 @@ impl Lowering<'_> {
                 Typed::Quantity(one) if !one.is_vector() => one,
                 Typed::Wrong => return Typed::Wrong,
                 other => {
-                    let message = format!(
-                        "a component has to be a number, and this is {}",
-                        other.describe()
-                    );
+                    let message =
+                        format!("a component has to be a number, and this is {}", other.describe());
                     return self.error(Diagnostic::error(item.span, message));
                 }
             };
@@ -51,10 +47,7 @@ impl Lowering<'_> {
         let is_value = match &base.kind {
             TermKind::Name(name) => {
                 self.names.table.contains_key(name)
-                    || self
-                        .locals
-                        .last()
-                        .is_some_and(|scope| scope.contains_key(name))
+                    || self.locals.last().is_some_and(|scope| scope.contains_key(name))
             }
             TermKind::Member { .. } => false,
             _ => true,
@@ -81,11 +74,7 @@ impl Lowering<'_> {
     }
 
     pub(super) fn vector_function(&mut self, name: &Name, arguments: &[Term], span: Span) -> Typed {
-        let expected = if matches!(name.text.as_str(), "inner" | "cross") {
-            2
-        } else {
-            1
-        };
+        let expected = if matches!(name.text.as_str(), "inner" | "cross") { 2 } else { 1 };
         if arguments.len() != expected {
             let message = format!(
                 "`{}` takes {expected} argument(s), and this gives it {}",
@@ -138,10 +127,7 @@ impl Lowering<'_> {
         if matches!(other, Typed::Wrong) {
             return other;
         }
-        let message = format!(
-            "a vector is expected here, and this is {}",
-            other.describe()
-        );
+        let message = format!("a vector is expected here, and this is {}", other.describe());
         self.error(Diagnostic::error(span, message).hint("write it with its components, `[x, y]`"))
     }
 
@@ -162,17 +148,13 @@ impl Lowering<'_> {
             return Typed::Wrong;
         };
         if agree(kind, Kind::NUMBER).is_none() {
-            let message = format!(
-                "an angle is expected here, and this is {}",
-                describe(kind.dimension())
-            );
+            let message =
+                format!("an angle is expected here, and this is {}", describe(kind.dimension()));
             return self.error(Diagnostic::error(argument.span, message));
         }
         self.check_angle(argument, angle);
-        let (sine, cosine) = (
-            self.graph.call(Function::Sin, &[angle]),
-            self.graph.call(Function::Cos, &[angle]),
-        );
+        let (sine, cosine) =
+            (self.graph.call(Function::Sin, &[angle]), self.graph.call(Function::Cos, &[angle]));
         let (minus, zero, one) = (self.graph.neg(sine), self.graph.zero(), self.graph.one());
         match name {
             "dir" => Quantity::of(&[cosine, sine], Kind::NUMBER).into(),

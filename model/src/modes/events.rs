@@ -25,12 +25,7 @@ pub fn read(
     let mut events = Vec::new();
     for statement in &phases.all[here].statements {
         if let StatementKind::When(event) = &statement.kind {
-            let reader = Reader {
-                names,
-                phases,
-                here,
-                span: statement.span,
-            };
+            let reader = Reader { names, phases, here, span: statement.span };
             low.begin(Some(statement.span));
             events.extend(reader.read(event, low));
         }
@@ -83,16 +78,7 @@ impl Reader<'_> {
             span: self.span,
             is_idle: idle::never_holds(event, condition, low),
         };
-        Some((
-            Event {
-                guard,
-                rate,
-                condition,
-                after,
-                slopes: Slopes::default(),
-            },
-            info,
-        ))
+        Some((Event { guard, rate, condition, after, slopes: Slopes::default() }, info))
     }
 
     /// The state after the event: what it sets, and what the mode that follows holds.
@@ -116,8 +102,7 @@ impl Reader<'_> {
             if agree(found, kind).is_none() {
                 let message = unlike(&format!("`{}`", print::term(term)), kind, found);
                 let report = Diagnostic::error(term.span, message);
-                low.diagnostics
-                    .push(report.hint(fitting_value(kind, &print::term(term))));
+                low.diagnostics.push(report.hint(fitting_value(kind, &print::term(term))));
                 return None;
             }
             if set[slot].replace(term.span).is_some() {
@@ -130,11 +115,7 @@ impl Reader<'_> {
         let next = &self.phases.all[target];
         for (index, name) in self.unknowns() {
             let speed = (index < coordinates).then_some(coordinates + index);
-            let slot = if index < coordinates {
-                index
-            } else {
-                index + coordinates
-            };
+            let slot = if index < coordinates { index } else { index + coordinates };
             let slots = || [Some(slot), speed].into_iter().flatten();
             if let Some(owner) = next.absent.get(name) {
                 if let Some(place) = slots().find_map(|slot| set[slot]) {
@@ -151,10 +132,8 @@ impl Reader<'_> {
                 }
                 slots().for_each(|slot| after[slot] = low.graph.zero());
             } else if self.phases.all[self.here].absent.contains_key(name) && set[slot].is_none() {
-                let message = format!(
-                    "nothing says where `{name}` begins in the mode `{}`",
-                    next.name
-                );
+                let message =
+                    format!("nothing says where `{name}` begins in the mode `{}`", next.name);
                 low.diagnostics.push(
                     Diagnostic::error(self.span, message)
                         .hint(format!("set it: `{{ set {name} = …; }}`")),
@@ -228,19 +207,15 @@ impl Reader<'_> {
                     false => Some((*index as usize, kind)),
                 }
             }
-            Some(Role::State(index)) if !speed => Some((
-                2 * coordinates + *index as usize,
-                low.kind_of(Symbol::State(*index)),
-            )),
+            Some(Role::State(index)) if !speed => {
+                Some((2 * coordinates + *index as usize, low.kind_of(Symbol::State(*index))))
+            }
             _ => None,
         };
         if found.is_none() {
-            let report = Diagnostic::error(
-                term.span,
-                "only a coordinate, its `dot`, or a state can be set",
-            );
-            low.diagnostics
-                .push(report.hint("the rest follows from them"));
+            let report =
+                Diagnostic::error(term.span, "only a coordinate, its `dot`, or a state can be set");
+            low.diagnostics.push(report.hint("the rest follows from them"));
         }
         found
     }
@@ -268,9 +243,7 @@ fn named(term: &Term) -> Option<String> {
 /// The coordinates and states that a mode holds, states counted behind the coordinates.
 fn held(names: &Names, phase: &Phase) -> Vec<usize> {
     let holds = holds(phase);
-    holds
-        .filter_map(|target| held_index(names, target))
-        .collect()
+    holds.filter_map(|target| held_index(names, target)).collect()
 }
 
 /// The coordinates and states that stand still in a mode: it holds them, or does not have them.
@@ -280,8 +253,7 @@ pub fn still(names: &Names, phase: &Phase) -> Vec<usize> {
     let stands = |(index, name): (usize, &str)| {
         (held.contains(&index) || phase.absent.contains_key(name)).then_some(index)
     };
-    all.filter_map(|(index, one)| stands((index, &one.name.text)))
-        .collect()
+    all.filter_map(|(index, one)| stands((index, &one.name.text))).collect()
 }
 
 /// Reports what cannot be held.

@@ -25,8 +25,7 @@ pub fn rate(
     if has(low, |symbol| matches!(symbol, Symbol::Acceleration(_))) {
         let message = "an event cannot watch an acceleration in this version of Assur";
         let report = Diagnostic::error(term.span, message);
-        low.diagnostics
-            .push(report.hint("watch the force that causes it"));
+        low.diagnostics.push(report.hint("watch the force that causes it"));
         return None;
     }
     if let Some(inner) = touched(low, guard) {
@@ -35,10 +34,10 @@ pub fn rate(
             print::term(term)
         );
         let watched = written(low, guard, term).unwrap_or_else(|| low.graph.display(inner));
-        low.diagnostics
-            .push(Diagnostic::error(term.span, message).hint(format!(
-                "watch what changes its sign: `when {watched} crosses`"
-            )));
+        low.diagnostics.push(
+            Diagnostic::error(term.span, message)
+                .hint(format!("watch what changes its sign: `when {watched} crosses`")),
+        );
         return None;
     }
     let rates = low.direction()?;
@@ -49,8 +48,7 @@ pub fn rate(
             print::term(term)
         );
         let hint = steady(low, guard, term, direction);
-        low.diagnostics
-            .push(Diagnostic::error(term.span, message).hint(hint));
+        low.diagnostics.push(Diagnostic::error(term.span, message).hint(hint));
         return None;
     }
     Some(rate)

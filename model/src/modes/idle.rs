@@ -62,9 +62,7 @@ fn precedes(
     (later, other): (&Event<Expression>, &EventInfo),
 ) -> bool {
     let passes = info.direction == Direction::Crosses || info.direction == other.direction;
-    let holds = first
-        .condition
-        .is_none_or(|one| later.condition == Some(one));
+    let holds = first.condition.is_none_or(|one| later.condition == Some(one));
     first.guard == later.guard && passes && holds
 }
 

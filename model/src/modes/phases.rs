@@ -52,21 +52,12 @@ impl Phases {
         let stated = stated(&statements, diagnostics);
         let first = first(&stated, scene, diagnostics);
         if stated.is_empty() {
-            let only = Phase {
-                statements,
-                ..Phase::default()
-            };
-            return Self {
-                all: vec![only],
-                first,
-            };
+            let only = Phase { statements, ..Phase::default() };
+            return Self { all: vec![only], first };
         }
         let is_mode = |one: &&Statement| matches!(one.kind, StatementKind::Mode { .. });
-        let mut common: Vec<Statement> = statements
-            .iter()
-            .filter(|one| !is_mode(one))
-            .cloned()
-            .collect();
+        let mut common: Vec<Statement> =
+            statements.iter().filter(|one| !is_mode(one)).cloned().collect();
         // Declarations of all modes stand before the rest, so that every mode counts them alike.
         let mut owners: BTreeMap<String, &str> = BTreeMap::new();
         for mode in &stated {
@@ -90,24 +81,16 @@ impl Phases {
                 span: mode.name.span,
                 common: common.len(),
                 statements: common.iter().chain(own.copied()).cloned().collect(),
-                absent: foreign
-                    .map(|(name, owner)| (name.clone(), owner.to_string()))
-                    .collect(),
+                absent: foreign.map(|(name, owner)| (name.clone(), owner.to_string())).collect(),
             }
         };
-        Self {
-            all: stated.iter().map(phase).collect(),
-            first,
-        }
+        Self { all: stated.iter().map(phase).collect(), first }
     }
 
     /// Whether there are modes, or events.
     pub fn is_hybrid(&self) -> bool {
         let eventful = |one: &Statement| {
-            matches!(
-                one.kind,
-                StatementKind::When(_) | StatementKind::Hold { .. }
-            )
+            matches!(one.kind, StatementKind::When(_) | StatementKind::Hold { .. })
         };
         let mut all = self.all.iter();
         all.any(|phase| !phase.name.is_empty() || phase.statements.iter().any(eventful))
@@ -139,11 +122,7 @@ impl Phases {
 
 fn no_mode(name: &Name, known: &[&str]) -> Diagnostic {
     let report = Diagnostic::error(name.span, format!("there is no mode `{}` here", name.text));
-    let known: Vec<&str> = known
-        .iter()
-        .copied()
-        .filter(|one| !one.is_empty())
-        .collect();
+    let known: Vec<&str> = known.iter().copied().filter(|one| !one.is_empty()).collect();
     let otherwise = match known.is_empty() {
         true => format!("declare it with `mode {} {{ … }}`", name.text),
         false => format!("the scene has {}", known.join(", ")),
@@ -170,11 +149,7 @@ fn stated<'a>(statements: &'a [Statement], diagnostics: &mut Diagnostics) -> Vec
                     mode.summary = summary;
                 }
             }
-            None => all.push(Stated {
-                name,
-                summary,
-                body: body.iter().collect(),
-            }),
+            None => all.push(Stated { name, summary, body: body.iter().collect() }),
         }
     }
     all

@@ -6,10 +6,7 @@ use crate::structure::{Incidence, Matching};
 use crate::token::Span;
 
 fn listed(names: impl Iterator<Item = String>) -> String {
-    names
-        .map(|name| format!("`{name}`"))
-        .collect::<Vec<_>>()
-        .join(", ")
+    names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// What to do about an unbalanced system.
@@ -48,9 +45,7 @@ pub fn report_imbalance(
                 )
             }
         );
-        let last = rows
-            .last()
-            .map_or(Span::default(), |row| equations[*row].span);
+        let last = rows.last().map_or(Span::default(), |row| equations[*row].span);
         let report = Diagnostic::error(last, format!("{scene} {message}"));
         diagnostics.push_once(message, report.hint(hints.over));
     }
@@ -66,9 +61,7 @@ pub fn report_imbalance(
                 listed(rows.iter().map(|row| equations[*row].name.clone()))
             )
         };
-        let place = columns
-            .first()
-            .map_or(Span::default(), |column| unknowns[*column].span);
+        let place = columns.first().map_or(Span::default(), |column| unknowns[*column].span);
         diagnostics.push_once(
             message.clone(),
             Diagnostic::error(place, format!("{scene} {message}")).hint(hints.under),

@@ -22,11 +22,8 @@ impl System {
     /// The equations of a block, which may be symmetric.
     pub fn of(block: &Block, matrix: &Matrix, equations: &[Equation]) -> Self {
         let mut unknowns = block.unknowns.clone();
-        let owners: Option<Vec<_>> = block
-            .equations
-            .iter()
-            .map(|&row| equations[row].lagrange)
-            .collect();
+        let owners: Option<Vec<_>> =
+            block.equations.iter().map(|&row| equations[row].lagrange).collect();
         // Lagrange's equations of some coordinates in the accelerations of the same coordinates are symmetric.
         let symmetric = owners.is_some_and(|owners| {
             let mut sorted = unknowns.clone();
@@ -43,27 +40,16 @@ impl System {
             .equations
             .iter()
             .map(|&row| {
-                unknowns
-                    .iter()
-                    .map(|&column| matrix.get(&(row, column)).copied())
-                    .collect()
+                unknowns.iter().map(|&column| matrix.get(&(row, column)).copied()).collect()
             })
             .collect();
-        Self {
-            equations: block.equations.clone(),
-            unknowns,
-            entries,
-            symmetric,
-        }
+        Self { equations: block.equations.clone(), unknowns, entries, symmetric }
     }
 
     /// Equations and unknowns with what multiplies the one in the other, where that must not be zero.
     pub fn pivots(&self) -> impl Iterator<Item = (usize, usize, Expression)> {
-        let size = if self.symmetric || self.equations.len() == 1 {
-            self.equations.len()
-        } else {
-            0
-        };
+        let size =
+            if self.symmetric || self.equations.len() == 1 { self.equations.len() } else { 0 };
         (0..size).filter_map(|index| {
             let entry = self.entries[index][index]?;
             Some((self.equations[index], self.unknowns[index], entry))
@@ -82,11 +68,8 @@ impl System {
             return vec![graph.div(*value, row[0])];
         }
         if self.symmetric {
-            let lower: Vec<_> = rows
-                .iter()
-                .enumerate()
-                .flat_map(|(i, row)| row[..=i].to_vec())
-                .collect();
+            let lower: Vec<_> =
+                rows.iter().enumerate().flat_map(|(i, row)| row[..=i].to_vec()).collect();
             return graph.solve_symmetric(&lower, right);
         }
         if rows.len() > WRITTEN_OUT {
@@ -126,11 +109,7 @@ fn determinant(graph: &mut Graph, rows: &[Vec<Expression>]) -> Expression {
             .collect();
         let below = determinant(graph, &minor);
         let share = graph.mul(rows[0][column], below);
-        sum = if column % 2 == 0 {
-            graph.add(sum, share)
-        } else {
-            graph.sub(sum, share)
-        };
+        sum = if column % 2 == 0 { graph.add(sum, share) } else { graph.sub(sum, share) };
     }
     sum
 }

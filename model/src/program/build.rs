@@ -42,11 +42,7 @@ impl Request {
 
     /// How often an expression changes.
     pub(super) fn stage(&self, graph: &Graph, expression: Expression) -> Stage {
-        let found = || {
-            graph
-                .occurring(expression)
-                .map(|symbol| self.stage_of(symbol))
-        };
+        let found = || graph.occurring(expression).map(|symbol| self.stage_of(symbol));
         let mut stages = self.stages.borrow_mut();
         let stage = stages.entry(graph.support(expression));
         *stage.or_insert_with(|| found().max().unwrap_or(Stage::Constant))
@@ -61,11 +57,8 @@ pub fn build(graph: &mut Graph, request: &Request) -> Program {
     }
     let bound = bind(graph, &request.results.all(), &request.bindings);
     request.results = request.results.with(bound);
-    let mut program = Program {
-        parameters: request.parameters,
-        states: request.states,
-        ..Program::default()
-    };
+    let mut program =
+        Program { parameters: request.parameters, states: request.states, ..Program::default() };
     if request.surfaces {
         freeze(graph, &mut request, &mut program);
     }
@@ -106,21 +99,13 @@ fn freeze(graph: &mut Graph, request: &mut Request, program: &mut Program) {
         let rates = &frozen.roots[..derivative.len()];
         sensitivity::add(graph, &mut frozen.surfaces, rates, request);
     }
-    let mut guards: Vec<_> = request
-        .results
-        .events
-        .iter()
-        .map(|event| event.guard)
-        .collect();
+    let mut guards: Vec<_> = request.results.events.iter().map(|event| event.guard).collect();
     let kinks = surfaces::kinks(graph, &guards, &derivative, &frozen.surfaces, request);
     guards.extend(frozen.surfaces.iter().chain(&kinks).map(|one| one.guard));
     let turns = surfaces::turns(graph, &guards, &derivative, request);
     (program.kinks, program.turns) = (kinks.len(), turns.len());
     program.surfaces = frozen.texts;
-    let roots = frozen
-        .roots
-        .into_iter()
-        .chain(bound.into_iter().skip(often));
+    let roots = frozen.roots.into_iter().chain(bound.into_iter().skip(often));
     request.results = request.results.with(roots.collect());
     let events = &mut request.results.events;
     events.extend(frozen.surfaces.into_iter().chain(kinks).chain(turns));
@@ -145,10 +130,7 @@ fn close(
     bindings: &Map<Symbol, Expression>,
     closed: &mut Map<Symbol, Expression>,
 ) {
-    let Some(value) = bindings
-        .get(&symbol)
-        .copied()
-        .filter(|_| !closed.contains_key(&symbol))
+    let Some(value) = bindings.get(&symbol).copied().filter(|_| !closed.contains_key(&symbol))
     else {
         return;
     };
@@ -171,23 +153,17 @@ fn drop_zeros(program: &mut Program) {
 /// Whether `y'` is affine in the state: it is made of it by sums and products alone, with slopes that do not contain it.
 fn is_linear(program: &Program) -> bool {
     let stage = |value: &Value| program.operations[value.0 as usize].stage;
-    let slopes = program
-        .results
-        .jacobian
-        .iter()
-        .all(|entry| stage(&entry.2) < Stage::State);
-    let arithmetic = order::reach(program, &program.results.derivative)
-        .into_iter()
-        .all(|value| {
-            let operation = &program.operations[value.0 as usize];
-            let branches = matches!(
-                operation.kind,
-                OperationKind::Call(..)
-                    | OperationKind::Compare(..)
-                    | OperationKind::Select { .. }
-                    | OperationKind::Factor { .. }
-            );
-            operation.stage < Stage::State || !branches
-        });
+    let slopes = program.results.jacobian.iter().all(|entry| stage(&entry.2) < Stage::State);
+    let arithmetic = order::reach(program, &program.results.derivative).into_iter().all(|value| {
+        let operation = &program.operations[value.0 as usize];
+        let branches = matches!(
+            operation.kind,
+            OperationKind::Call(..)
+                | OperationKind::Compare(..)
+                | OperationKind::Select { .. }
+                | OperationKind::Factor { .. }
+        );
+        operation.stage < Stage::State || !branches
+    });
     slopes && arithmetic
 }

@@ -40,11 +40,7 @@ impl<T> Closing<T> {
     pub fn map<U>(&self, mut new: impl FnMut(&T) -> U) -> Closing<U> {
         let groups = self.groups.iter().map(|group| {
             group.as_ref().map(|closed| ClosedForm {
-                values: closed
-                    .values
-                    .iter()
-                    .map(|(place, value)| (*place, new(value)))
-                    .collect(),
+                values: closed.values.iter().map(|(place, value)| (*place, new(value))).collect(),
                 sine: new(&closed.sine),
                 margin: new(&closed.margin),
             })
@@ -52,9 +48,7 @@ impl<T> Closing<T> {
         let groups = groups.collect();
         let residuals = self.residuals.iter().map(&mut new).collect();
         let mut entries = |list: &[(usize, usize, T)]| -> Vec<(usize, usize, U)> {
-            list.iter()
-                .map(|(row, column, value)| (*row, *column, new(value)))
-                .collect()
+            list.iter().map(|(row, column, value)| (*row, *column, new(value))).collect()
         };
         let (slopes, coefficients) = (entries(&self.slopes), entries(&self.coefficients));
         Closing {

@@ -49,11 +49,7 @@ fn share_signs(graph: &mut Graph, roots: &[Expression]) -> Vec<Expression> {
             Node::Sum(terms) => {
                 let turned: Vec<_> = terms.iter().map(|term| graph.neg(*term)).collect();
                 let opposite = graph.sum(&turned);
-                match new
-                    .get(&opposite)
-                    .copied()
-                    .filter(|_| known.contains(&opposite))
-                {
+                match new.get(&opposite).copied().filter(|_| known.contains(&opposite)) {
                     Some(earlier) => graph.neg(earlier),
                     None => graph.rebuild_with(&node, &new),
                 }
@@ -92,10 +88,7 @@ impl Term {
         };
         let mut powers: Vec<_> = factors.iter().map(power).collect();
         collect_like(&mut powers);
-        Self {
-            coefficient,
-            powers,
-        }
+        Self { coefficient, powers }
     }
 
     /// Place and exponent of a factor that stands above the line, or below it.

@@ -28,9 +28,7 @@ impl Program {
     /// Operations that some values take at a stage, everything of earlier stages being there.
     pub fn count(&self, values: &[Value], stage: Stage) -> usize {
         let reached = reach(self, values);
-        let operations = reached
-            .iter()
-            .map(|value| &self.operations[value.0 as usize]);
+        let operations = reached.iter().map(|value| &self.operations[value.0 as usize]);
         operations
             .filter(|operation| operation.stage == stage)
             .map(|operation| operation.kind.weight())

@@ -166,24 +166,13 @@ impl<'a> Emitter<'a> {
                 self.combine(OperationKind::Not(a))
             }
             Node::Select(condition, then, otherwise) => {
-                let (condition, then, otherwise) = (
-                    self.value(condition),
-                    self.value(then),
-                    self.value(otherwise),
-                );
-                self.combine(OperationKind::Select {
-                    condition,
-                    then,
-                    otherwise,
-                })
+                let (condition, then, otherwise) =
+                    (self.value(condition), self.value(then), self.value(otherwise));
+                self.combine(OperationKind::Select { condition, then, otherwise })
             }
             Node::Factor(form, size, entries) => {
                 let entries = self.values(&entries);
-                self.combine(OperationKind::Factor {
-                    form,
-                    size,
-                    entries,
-                })
+                self.combine(OperationKind::Factor { form, size, entries })
             }
             Node::Solve(factor, right) => {
                 let factor = self.value(factor);
@@ -217,12 +206,8 @@ impl<'a> Emitter<'a> {
 
     /// Adds an operation in the latest stage of its operands.
     pub(super) fn combine(&mut self, kind: OperationKind) -> Value {
-        let stage = kind
-            .operands()
-            .iter()
-            .map(|value| self.stage(*value))
-            .max()
-            .unwrap_or(Stage::Constant);
+        let stage =
+            kind.operands().iter().map(|value| self.stage(*value)).max().unwrap_or(Stage::Constant);
         self.push(kind, stage)
     }
 
@@ -241,11 +226,7 @@ impl<'a> Emitter<'a> {
             _ => 0,
         };
         self.depths.push(depth);
-        self.operations.push(Operation {
-            kind,
-            stage,
-            name: None,
-        });
+        self.operations.push(Operation { kind, stage, name: None });
         self.known.insert(key, value);
         value
     }
@@ -278,11 +259,7 @@ impl<'a> Emitter<'a> {
         }
         let one = self.number(1.0);
         let result = result.unwrap_or(one);
-        if number < 0.0 {
-            self.combine(OperationKind::Divide(one, result))
-        } else {
-            result
-        }
+        if number < 0.0 { self.combine(OperationKind::Divide(one, result)) } else { result }
     }
 
     /// By repeated squaring.
@@ -292,21 +269,12 @@ impl<'a> Emitter<'a> {
         }
         let half = self.whole_power(base, exponent / 2);
         let square = self.multiply(half, half);
-        if exponent.is_multiple_of(2) {
-            square
-        } else {
-            self.multiply(square, base)
-        }
+        if exponent.is_multiple_of(2) { square } else { self.multiply(square, base) }
     }
 
     fn sum(&mut self, terms: &[Expression]) -> Value {
         let mut total: Option<Value> = None;
-        for stage in [
-            Stage::Constant,
-            Stage::Parameter,
-            Stage::Instant,
-            Stage::State,
-        ] {
+        for stage in [Stage::Constant, Stage::Parameter, Stage::Instant, Stage::State] {
             let own: Vec<Expression> = terms
                 .iter()
                 .copied()
@@ -421,27 +389,15 @@ impl<'a> Emitter<'a> {
                 let (first, second) = self.product_parts(&factors);
                 let named = second.is_none() && self.graph.name_of(positive).is_some();
                 let first = if named { self.value(positive) } else { first };
-                Summand {
-                    negative,
-                    first,
-                    second,
-                }
+                Summand { negative, first, second }
             }
             _ => {
                 // The number of a shared term keeps its sign, or `x` and `-x` would be computed twice.
                 if negative && coefficient != -1.0 && self.uses.get(&term).copied().unwrap_or(0) > 1
                 {
-                    return Summand {
-                        negative: false,
-                        first: self.value(term),
-                        second: None,
-                    };
+                    return Summand { negative: false, first: self.value(term), second: None };
                 }
-                Summand {
-                    negative,
-                    first: self.value(positive),
-                    second: None,
-                }
+                Summand { negative, first: self.value(positive), second: None }
             }
         }
     }

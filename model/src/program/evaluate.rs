@@ -58,59 +58,52 @@ impl Program {
         for (index, operation) in self.operations.iter().enumerate() {
             let at = |value: &Value| numbers[value.0 as usize];
             let truth = |held: bool| if held { 1.0 } else { 0.0 };
-            let number = match &operation.kind {
-                OperationKind::Number(number) => *number,
-                OperationKind::Input(Input::Parameter(index)) => given(parameters, *index),
-                OperationKind::Input(Input::State(index)) => given(state, *index),
-                OperationKind::Input(Input::Time) => time,
-                OperationKind::Input(Input::Driver(index)) => given(linkage.drivers, *index),
-                OperationKind::Input(Input::Position(index)) => given(linkage.position, *index),
-                OperationKind::Input(Input::Mode(index)) => given(linkage.modes, *index),
-                OperationKind::Input(Input::Side(_)) => 0.0,
-                OperationKind::Input(Input::Measured(_)) => f64::NAN,
-                OperationKind::Add(a, b) => at(a) + at(b),
-                OperationKind::Subtract(a, b) => at(a) - at(b),
-                OperationKind::Multiply(a, b) => at(a) * at(b),
-                OperationKind::Divide(a, b) => at(a) / at(b),
-                OperationKind::Negate(a) => -at(a),
-                OperationKind::MultiplyAdd(a, b, c) => at(a) * at(b) + at(c),
-                OperationKind::MultiplySubtract(a, b, c) => at(a) * at(b) - at(c),
-                OperationKind::NegateMultiplyAdd(a, b, c) => at(c) - at(a) * at(b),
-                OperationKind::Call(function, list) => {
-                    function.apply(&list.iter().map(at).collect::<Vec<_>>())
-                }
-                OperationKind::Compare(relation, a, b) => truth(relation.holds(at(a), at(b))),
-                OperationKind::And(a, b) => truth(at(a) != 0.0 && at(b) != 0.0),
-                OperationKind::Or(a, b) => truth(at(a) != 0.0 || at(b) != 0.0),
-                OperationKind::Not(a) => truth(at(a) == 0.0),
-                OperationKind::Select {
-                    condition,
-                    then,
-                    otherwise,
-                } => {
-                    if at(condition) != 0.0 {
-                        at(then)
-                    } else {
-                        at(otherwise)
+            let number =
+                match &operation.kind {
+                    OperationKind::Number(number) => *number,
+                    OperationKind::Input(Input::Parameter(index)) => given(parameters, *index),
+                    OperationKind::Input(Input::State(index)) => given(state, *index),
+                    OperationKind::Input(Input::Time) => time,
+                    OperationKind::Input(Input::Driver(index)) => given(linkage.drivers, *index),
+                    OperationKind::Input(Input::Position(index)) => given(linkage.position, *index),
+                    OperationKind::Input(Input::Mode(index)) => given(linkage.modes, *index),
+                    OperationKind::Input(Input::Side(_)) => 0.0,
+                    OperationKind::Input(Input::Measured(_)) => f64::NAN,
+                    OperationKind::Add(a, b) => at(a) + at(b),
+                    OperationKind::Subtract(a, b) => at(a) - at(b),
+                    OperationKind::Multiply(a, b) => at(a) * at(b),
+                    OperationKind::Divide(a, b) => at(a) / at(b),
+                    OperationKind::Negate(a) => -at(a),
+                    OperationKind::MultiplyAdd(a, b, c) => at(a) * at(b) + at(c),
+                    OperationKind::MultiplySubtract(a, b, c) => at(a) * at(b) - at(c),
+                    OperationKind::NegateMultiplyAdd(a, b, c) => at(c) - at(a) * at(b),
+                    OperationKind::Call(function, list) => {
+                        function.apply(&list.iter().map(at).collect::<Vec<_>>())
                     }
-                }
-                OperationKind::Factor { .. } => f64::NAN,
-                OperationKind::Solve { factor, right } => {
-                    if let OperationKind::Factor { form, entries, .. } =
-                        &self.operations[factor.0 as usize].kind
-                    {
-                        let entries: Vec<f64> = entries.iter().map(at).collect();
-                        let right: Vec<f64> = right.iter().map(at).collect();
-                        solutions.insert(index as u32, solve(*form, &entries, &right));
+                    OperationKind::Compare(relation, a, b) => truth(relation.holds(at(a), at(b))),
+                    OperationKind::And(a, b) => truth(at(a) != 0.0 && at(b) != 0.0),
+                    OperationKind::Or(a, b) => truth(at(a) != 0.0 || at(b) != 0.0),
+                    OperationKind::Not(a) => truth(at(a) == 0.0),
+                    OperationKind::Select { condition, then, otherwise } => {
+                        if at(condition) != 0.0 { at(then) } else { at(otherwise) }
                     }
-                    f64::NAN
-                }
-                OperationKind::Element { solution, index } => solutions
-                    .get(&solution.0)
-                    .and_then(|list| list.get(*index as usize))
-                    .copied()
-                    .unwrap_or(f64::NAN),
-            };
+                    OperationKind::Factor { .. } => f64::NAN,
+                    OperationKind::Solve { factor, right } => {
+                        if let OperationKind::Factor { form, entries, .. } =
+                            &self.operations[factor.0 as usize].kind
+                        {
+                            let entries: Vec<f64> = entries.iter().map(at).collect();
+                            let right: Vec<f64> = right.iter().map(at).collect();
+                            solutions.insert(index as u32, solve(*form, &entries, &right));
+                        }
+                        f64::NAN
+                    }
+                    OperationKind::Element { solution, index } => solutions
+                        .get(&solution.0)
+                        .and_then(|list| list.get(*index as usize))
+                        .copied()
+                        .unwrap_or(f64::NAN),
+                };
             numbers.push(number);
         }
         Values { numbers }

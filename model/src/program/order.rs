@@ -21,15 +21,11 @@ impl OperationKind {
                 vec![*a, *b, *c]
             }
             Kind::Call(_, list) => list.clone(),
-            Kind::Select {
-                condition,
-                then,
-                otherwise,
-            } => vec![*condition, *then, *otherwise],
+            Kind::Select { condition, then, otherwise } => vec![*condition, *then, *otherwise],
             Kind::Factor { entries, .. } => entries.clone(),
-            Kind::Solve { factor, right } => std::iter::once(*factor)
-                .chain(right.iter().copied())
-                .collect(),
+            Kind::Solve { factor, right } => {
+                std::iter::once(*factor).chain(right.iter().copied()).collect()
+            }
             Kind::Element { solution, .. } => vec![*solution],
         }
     }
@@ -53,11 +49,7 @@ impl OperationKind {
                 (*a, *b, *c) = (new(*a), new(*b), new(*c));
             }
             Kind::Call(_, list) => all(list),
-            Kind::Select {
-                condition,
-                then,
-                otherwise,
-            } => {
+            Kind::Select { condition, then, otherwise } => {
                 (*condition, *then, *otherwise) = (new(*condition), new(*then), new(*otherwise));
             }
             Kind::Factor { entries, .. } => all(entries),
@@ -102,9 +94,5 @@ pub fn sort(program: &mut Program) {
         .collect();
     program.operations = operations;
     program.results = program.results.map(new);
-    debug_assert!(
-        program
-            .operations
-            .is_sorted_by_key(|operation| -> Stage { operation.stage })
-    );
+    debug_assert!(program.operations.is_sorted_by_key(|operation| -> Stage { operation.stage }));
 }

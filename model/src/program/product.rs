@@ -55,11 +55,7 @@ impl Emitter<'_> {
             }
         }
         numerators.sort_by_key(|(stage, factor)| {
-            (
-                *stage,
-                std::cmp::Reverse(self.frequency.get(factor).copied()),
-                *factor,
-            )
+            (*stage, std::cmp::Reverse(self.frequency.get(factor).copied()), *factor)
         });
         denominators.sort();
         (numerators, denominators)
@@ -73,12 +69,7 @@ impl Emitter<'_> {
         // products of the same factors with other coefficients share it.
         let mut earlier: Option<Value> = None;
         let mut parts: Vec<Value> = Vec::new();
-        for stage in [
-            Stage::Constant,
-            Stage::Parameter,
-            Stage::Instant,
-            Stage::State,
-        ] {
+        for stage in [Stage::Constant, Stage::Parameter, Stage::Instant, Stage::State] {
             let own: Vec<Value> = numerators
                 .iter()
                 .filter(|(own, _)| *own == stage)
@@ -87,26 +78,19 @@ impl Emitter<'_> {
                 .into_iter()
                 .map(|one| self.value(one))
                 .collect();
-            let below: Vec<Expression> = denominators
-                .iter()
-                .filter(|(own, _)| *own == stage)
-                .map(|one| one.1)
-                .collect();
+            let below: Vec<Expression> =
+                denominators.iter().filter(|(own, _)| *own == stage).map(|one| one.1).collect();
             if own.is_empty() && below.is_empty() {
                 continue;
             }
-            let later = numerators
-                .iter()
-                .chain(&denominators)
-                .any(|(own, _)| *own > stage);
+            let later = numerators.iter().chain(&denominators).any(|(own, _)| *own > stage);
             parts = earlier.into_iter().collect();
             if let Some((last, others)) = own.split_last() {
                 match (others.split_first(), parts.is_empty()) {
                     // The first of a pair, or of many, is folded; the last operation is left to whoever adds.
                     (Some((first, more)), true) => {
                         parts.push(
-                            more.iter()
-                                .fold(*first, |product, one| self.multiply(product, *one)),
+                            more.iter().fold(*first, |product, one| self.multiply(product, *one)),
                         );
                         parts.push(*last);
                     }
@@ -147,9 +131,9 @@ impl Emitter<'_> {
     fn folded(&mut self, values: &[Value]) -> Value {
         match values.split_first() {
             None => self.number(1.0),
-            Some((first, rest)) => rest
-                .iter()
-                .fold(*first, |product, one| self.multiply(product, *one)),
+            Some((first, rest)) => {
+                rest.iter().fold(*first, |product, one| self.multiply(product, *one))
+            }
         }
     }
 

@@ -17,16 +17,8 @@ impl Program {
             }
             let kind = &self.operations[value.0 as usize].kind;
             match kind {
-                Kind::Select {
-                    condition,
-                    then,
-                    otherwise,
-                } if at(condition).is_some() => {
-                    open.push(if at(condition) == Some(0.0) {
-                        *otherwise
-                    } else {
-                        *then
-                    });
+                Kind::Select { condition, then, otherwise } if at(condition).is_some() => {
+                    open.push(if at(condition) == Some(0.0) { *otherwise } else { *then });
                 }
                 Kind::MultiplyAdd(a, b, c)
                 | Kind::MultiplySubtract(a, b, c)
@@ -54,9 +46,9 @@ impl Program {
             let truth = |holds: bool| if holds { 1.0 } else { 0.0 };
             let value = match &operation.kind {
                 Kind::Number(number) => Some(*number),
-                Kind::Input(Input::Side(surface)) => side
-                    .filter(|(index, _)| index == surface)
-                    .map(|(_, side)| side),
+                Kind::Input(Input::Side(surface)) => {
+                    side.filter(|(index, _)| index == surface).map(|(_, side)| side)
+                }
                 Kind::Add(a, b) => both(a, b).map(|(a, b)| a + b),
                 Kind::Subtract(a, b) => both(a, b).map(|(a, b)| a - b),
                 Kind::Multiply(a, b) => product(a, b),
@@ -76,11 +68,7 @@ impl Program {
                     (a, b) => a.or(b).filter(|one| *one != 0.0),
                 },
                 Kind::Not(a) => at(a).map(|a| truth(a == 0.0)),
-                Kind::Select {
-                    condition,
-                    then,
-                    otherwise,
-                } => match at(condition) {
+                Kind::Select { condition, then, otherwise } => match at(condition) {
                     Some(0.0) => at(otherwise),
                     Some(_) => at(then),
                     None => None,

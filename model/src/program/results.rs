@@ -61,11 +61,7 @@ impl<T: Copy> Results<T> {
             measures: each(&self.measures),
             margins: each(&self.margins),
             closing: self.closing.map(|one| new(*one)),
-            events: self
-                .events
-                .iter()
-                .map(|event| event.map(&mut new))
-                .collect(),
+            events: self.events.iter().map(|event| event.map(&mut new)).collect(),
         }
     }
 

@@ -20,18 +20,12 @@ pub fn add(
     states.sort_unstable_by_key(|(index, _)| *index);
     let one = graph.one();
     let mut along = Map::from_iter([(Symbol::Time, one)]);
-    along.extend(
-        states
-            .iter()
-            .map(|(index, symbol)| (*symbol, rates[*index as usize])),
-    );
+    along.extend(states.iter().map(|(index, symbol)| (*symbol, rates[*index as usize])));
     for event in events {
         let mut slopes = Slopes::default();
         for (_, symbol) in &states {
             let direction = Map::from_iter([(*symbol, one)]);
-            slopes
-                .guard
-                .extend(graph.tangent(&[event.guard], &direction));
+            slopes.guard.extend(graph.tangent(&[event.guard], &direction));
             slopes.after.extend(graph.tangent(&event.after, &direction));
         }
         slopes.rate = graph.tangent(&event.after, &along);

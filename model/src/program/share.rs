@@ -79,11 +79,7 @@ pub fn share(
         let Node::Sum(terms) = graph.node(*one).clone() else {
             continue;
         };
-        let mut host = Host {
-            items: Items::new(),
-            rest: Vec::new(),
-            functions,
-        };
+        let mut host = Host { items: Items::new(), rest: Vec::new(), functions };
         for term in terms {
             let negative = graph.split_coefficient(term).0 < 0.0;
             let positive = if negative { graph.neg(term) } else { term };
@@ -300,11 +296,7 @@ impl Sharer {
                     (graph.sum(&inner), false)
                 }
             };
-            terms.push(if *negative == turned {
-                value
-            } else {
-                graph.neg(value)
-            });
+            terms.push(if *negative == turned { value } else { graph.neg(value) });
         }
         terms
     }
@@ -327,9 +319,7 @@ mod tests {
         let roots = [graph.sum(&[x, y, a]), graph.sum(&[b, minus_x, minus_y])];
         let roots = share(&mut graph, &roots, &functions, request);
         let sums = graph.reachable(&roots).into_iter();
-        let sums: Vec<_> = sums
-            .filter(|one| matches!(graph.node(*one), Node::Sum(_)))
-            .collect();
+        let sums: Vec<_> = sums.filter(|one| matches!(graph.node(*one), Node::Sum(_))).collect();
         sums.into_iter().map(|one| graph.display(one)).collect()
     }
 
@@ -356,10 +346,7 @@ mod tests {
         assert_eq!(sums.len(), 2, "{sums:?}");
         let inputs =
             (0..4).map(|index| (Symbol::Parameter(index), super::super::Input::Driver(index)));
-        let request = Request {
-            inputs: inputs.collect(),
-            ..Request::default()
-        };
+        let request = Request { inputs: inputs.collect(), ..Request::default() };
         assert_eq!(shared(square, [0, 1], &request).len(), 3);
     }
 }

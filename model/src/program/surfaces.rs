@@ -48,15 +48,9 @@ pub fn freeze(
     let rates = renew(derivative);
     let surfaces = moving(graph, &freezer.guards, &rates, request);
     for index in 0..freezer.guards.len() as u32 {
-        request
-            .inputs
-            .insert(Symbol::Side(index), Input::Side(index));
+        request.inputs.insert(Symbol::Side(index), Input::Side(index));
     }
-    Frozen {
-        roots,
-        surfaces,
-        texts: freezer.texts,
-    }
+    Frozen { roots, surfaces, texts: freezer.texts }
 }
 
 /// The kinks of guards: where a branch that a guard sees goes over to its other side, and is no surface. Between the ends
@@ -202,8 +196,7 @@ impl Freezer {
         };
         let index = *self.known.entry(kept).or_insert_with(|| {
             let words = graph.switch_of(branch).map(|words| words.to_string());
-            self.texts
-                .push(words.unwrap_or_else(|| graph.display(kept)));
+            self.texts.push(words.unwrap_or_else(|| graph.display(kept)));
             self.guards.push(kept);
             self.guards.len() - 1
         });

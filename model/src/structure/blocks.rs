@@ -99,13 +99,8 @@ impl Search<'_> {
             }
         }
         equations.sort_unstable();
-        let unknowns = equations
-            .iter()
-            .filter_map(|&equation| self.matching.unknown_of[equation])
-            .collect();
-        self.found.push(Block {
-            equations,
-            unknowns,
-        });
+        let unknowns =
+            equations.iter().filter_map(|&equation| self.matching.unknown_of[equation]).collect();
+        self.found.push(Block { equations, unknowns });
     }
 }

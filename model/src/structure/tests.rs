@@ -1,10 +1,7 @@
 use super::*;
 
 fn incidence(rows: &[&[usize]], columns: usize) -> Incidence {
-    Incidence {
-        rows: rows.iter().map(|row| row.to_vec()).collect(),
-        columns,
-    }
+    Incidence { rows: rows.iter().map(|row| row.to_vec()).collect(), columns }
 }
 
 #[track_caller]
@@ -12,10 +9,8 @@ fn check_blocks(rows: &[&[usize]], expected: &[&[usize]]) {
     let incidence = incidence(rows, rows.len());
     let matching = Matching::of(&incidence);
     assert_eq!(matching.imbalance(&incidence), Imbalance::default());
-    let found: Vec<_> = blocks(&incidence, &matching)
-        .into_iter()
-        .map(|block| block.equations)
-        .collect();
+    let found: Vec<_> =
+        blocks(&incidence, &matching).into_iter().map(|block| block.equations).collect();
     assert_eq!(found, expected);
 }
 
@@ -62,19 +57,9 @@ fn a_square_system_can_be_both() {
 #[test]
 fn a_chain_of_a_hundred_thousand_equations_needs_no_deep_stack() {
     let size = 100_000;
-    let rows = (0..size)
-        .map(|row| {
-            if row + 1 < size {
-                vec![row, row + 1]
-            } else {
-                vec![row]
-            }
-        })
-        .collect();
-    let incidence = Incidence {
-        rows,
-        columns: size,
-    };
+    let rows =
+        (0..size).map(|row| if row + 1 < size { vec![row, row + 1] } else { vec![row] }).collect();
+    let incidence = Incidence { rows, columns: size };
     let matching = Matching::of(&incidence);
     assert_eq!(blocks(&incidence, &matching).len(), size);
 }

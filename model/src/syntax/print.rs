@@ -13,23 +13,16 @@ pub fn term(term: &Term) -> String {
 /// An equation, energy, force or condition as text; empty for other statements.
 pub fn statement(statement: &Statement) -> String {
     match &statement.kind {
-        StatementKind::Motion {
-            label: Some(label),
-            left,
-            right,
-        } => {
+        StatementKind::Motion { label: Some(label), left, right } => {
             let label = target(label);
             format!("motion {label}: {} = {}", term(left), term(right))
         }
-        StatementKind::Motion {
-            label: None,
-            left,
-            right,
-        } => format!("motion {} = {}", term(left), term(right)),
+        StatementKind::Motion { label: None, left, right } => {
+            format!("motion {} = {}", term(left), term(right))
+        }
         StatementKind::Closure { label, left, right } => {
-            let label = label
-                .as_ref()
-                .map_or(String::new(), |label| format!("{}: ", target(label)));
+            let label =
+                label.as_ref().map_or(String::new(), |label| format!("{}: ", target(label)));
             format!("closure {label}{} = {}", term(left), term(right))
         }
         StatementKind::Energy { kind, value } => {
@@ -44,11 +37,9 @@ pub fn statement(statement: &Statement) -> String {
         StatementKind::Require { condition, .. } => format!("require {}", term(condition)),
         StatementKind::Hold { target } => format!("hold {}", term(target)),
         StatementKind::When(event) => self::event(event),
-        StatementKind::Let {
-            target,
-            arguments: None,
-            value,
-        } => format!("let {} = {}", self::target(target), term(value)),
+        StatementKind::Let { target, arguments: None, value } => {
+            format!("let {} = {}", self::target(target), term(value))
+        }
         _ => String::new(),
     }
 }
@@ -66,9 +57,8 @@ pub fn event(event: &When) -> String {
         text += &format!(" -> {}", target.text);
     }
     let resets = event.resets.iter();
-    let resets: Vec<_> = resets
-        .map(|(target, value)| format!("{} = {}", term(target), term(value)))
-        .collect();
+    let resets: Vec<_> =
+        resets.map(|(target, value)| format!("{} = {}", term(target), term(value))).collect();
     if !resets.is_empty() {
         text += &format!(" {{ set {}; }}", resets.join(", "));
     }
@@ -113,21 +103,13 @@ fn operator(operator: BinaryOperator) -> (&'static str, u8) {
 
 /// Writes a term that stands where only what binds at least so tightly needs no parentheses.
 fn write(term: &Term, least: u8) -> String {
-    let list = |items: &[Term]| {
-        items
-            .iter()
-            .map(|item| write(item, 0))
-            .collect::<Vec<_>>()
-            .join(", ")
-    };
+    let list =
+        |items: &[Term]| items.iter().map(|item| write(item, 0)).collect::<Vec<_>>().join(", ");
     let (text, power) = match &term.kind {
         TermKind::Number { value, unit: None } => {
             (number(*value), if *value < 0.0 { 6 } else { 9 })
         }
-        TermKind::Number {
-            value,
-            unit: Some(written),
-        } => {
+        TermKind::Number { value, unit: Some(written) } => {
             // With a unit name directly after it a number cannot be raised.
             (format!("{} {}", number(*value), unit(written)), 6)
         }
@@ -147,11 +129,7 @@ fn write(term: &Term, least: u8) -> String {
             (format!("{left}{symbol}{}", write(right, power + 1)), power)
         }
         TermKind::Call { name, arguments } => (format!("{}({})", name.text, list(arguments)), 9),
-        TermKind::If {
-            condition,
-            then,
-            otherwise,
-        } => (
+        TermKind::If { condition, then, otherwise } => (
             format!(
                 "if {} {{ {} }} else {{ {} }}",
                 write(condition, 0),
@@ -161,12 +139,7 @@ fn write(term: &Term, least: u8) -> String {
             9,
         ),
         TermKind::Bound { value, .. } => return write(value, least),
-        TermKind::Sum {
-            index,
-            from,
-            to,
-            body,
-        } => (
+        TermKind::Sum { index, from, to, body } => (
             format!(
                 "sum({} in {}..{}, {})",
                 index.text,
@@ -177,20 +150,12 @@ fn write(term: &Term, least: u8) -> String {
             9,
         ),
     };
-    if power < least {
-        format!("({text})")
-    } else {
-        text
-    }
+    if power < least { format!("({text})") } else { text }
 }
 
 fn number(value: f64) -> String {
     let plain = format!("{value}");
-    if plain.len() <= 8 {
-        plain
-    } else {
-        format!("{value:e}")
-    }
+    if plain.len() <= 8 { plain } else { format!("{value:e}") }
 }
 
 /// A unit as it is written after a number.

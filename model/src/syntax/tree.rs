@@ -66,8 +66,7 @@ impl Statement {
 pub fn is_unread(unread: &std::collections::BTreeSet<String>, name: &str) -> bool {
     let base = name.split('[').next().unwrap_or(name);
     let ends = base.match_indices('.').map(|(at, _)| at);
-    ends.chain([base.len()])
-        .any(|end| unread.contains(&base[..end]))
+    ends.chain([base.len()]).any(|end| unread.contains(&base[..end]))
 }
 
 /// What a statement says.
@@ -77,98 +76,49 @@ pub enum StatementKind {
     /// `dimension R = 75 mm +- 0.05 mm normal in 60 mm .. 90 mm;` or `parameter …`; several after commas become several statements.
     Constant(Constant),
     /// `preset table "text" { T = 207e3 [1/s^2]; }`
-    Preset {
-        name: Name,
-        text: Option<String>,
-        values: Vec<(Target, Term)>,
-    },
+    Preset { name: Name, text: Option<String>, values: Vec<(Target, Term)> },
     /// `let x = …;`, `let f(a, b) = …;`
-    Let {
-        target: Target,
-        arguments: Option<Vec<Name>>,
-        value: Term,
-    },
+    Let { target: Target, arguments: Option<Vec<Name>>, value: Term },
     /// `driver theta = n*time in 0 .. 2*pi;` or `driver phi ~ 90 deg in 60 deg .. 120 deg +- 0.1 deg;`
     Driver(Driver),
     /// `dependent phi7 ~ -70 deg, s: m ~ 0.1 m;`
     Dependent(Dependent),
     /// `closure loop: l4*dir(phi4) + l5*dir(phi5) = [b, a];`
-    Closure {
-        label: Option<Target>,
-        left: Term,
-        right: Term,
-    },
+    Closure { label: Option<Target>, left: Term, right: Term },
     /// `point E = l4*dir(phi4);`. Several after commas become several statements.
     Point { target: Target, value: Term },
     /// `link D - E - F "rod";`. Several after commas become several statements.
-    Link {
-        points: Vec<Term>,
-        text: Option<String>,
-    },
+    Link { points: Vec<Term>, text: Option<String> },
     /// `part feed: SewingFeed from "sewing_feed.eqn" { phi = theta; e_v = 6 mm +- 0.1 mm; beta ~ 180 deg; }`
-    Part {
-        name: Name,
-        mechanism: Name,
-        file: Option<Name>,
-        bindings: Vec<Binding>,
-    },
+    Part { name: Name, mechanism: Name, file: Option<Name>, bindings: Vec<Binding> },
     /// `coordinate phi2: rad = 0;`
     Coordinate(Unknown),
     /// `state i: A = 0;`
     State(Unknown),
     /// `motion rotor: J*ddot(phi) = M;`, `motion floor[k]: …`
-    Motion {
-        label: Option<Target>,
-        left: Term,
-        right: Term,
-    },
+    Motion { label: Option<Target>, left: Term, right: Term },
     /// `kinetic …;`, `potential …;` or `dissipation …;`
     Energy { kind: EnergyKind, value: Term },
     /// `force F on x;`: the force does the work `F·δx`. Several after commas become several statements.
     Force { value: Term, on: Term },
     /// `require l1 + l4 < l2 + l3 "Grashof";`
-    Require {
-        condition: Term,
-        text: Option<String>,
-    },
+    Require { condition: Term, text: Option<String> },
     /// `mode wind "text" { … }`: statements that hold in a phase of the motion. What stands outside every mode holds in
     /// all of them.
-    Mode {
-        name: Name,
-        text: Option<String>,
-        body: Vec<Statement>,
-    },
+    Mode { name: Name, text: Option<String>, body: Vec<Statement> },
     /// `hold phi2;`: the coordinate stays where it is while the mode lasts. Several after commas become several
     /// statements.
     Hold { target: Term },
     /// `when hit: x - l rises if dot(x) > 0 -> run { set dot(x) = 0; }`: an event.
     When(When),
     /// `effect torsion "text" { … } else { … }`
-    Effect {
-        name: Name,
-        text: Option<String>,
-        body: Vec<Statement>,
-        otherwise: Vec<Statement>,
-    },
+    Effect { name: Name, text: Option<String>, body: Vec<Statement>, otherwise: Vec<Statement> },
     /// `choice crank "text" { a { … } b { … } }`
-    Choice {
-        name: Name,
-        text: Option<String>,
-        alternatives: Vec<Alternative>,
-    },
+    Choice { name: Name, text: Option<String>, alternatives: Vec<Alternative> },
     /// `if torsion && !bending { … } else { … }` on statements; the condition is over effects and choices.
-    If {
-        condition: Term,
-        then: Vec<Statement>,
-        otherwise: Vec<Statement>,
-    },
+    If { condition: Term, then: Vec<Statement>, otherwise: Vec<Statement> },
     /// `for k in 1..30 { … }`, both ends included.
-    For {
-        index: Name,
-        from: Term,
-        to: Term,
-        body: Vec<Statement>,
-    },
+    For { index: Name, from: Term, to: Term, body: Vec<Statement> },
     /// `scene elastic "text" = torsion + crank.exact { … }`
     Scene(Scene),
     /// `output x;`, `output F1 = … [kN];`. Several after commas become several statements.
@@ -177,11 +127,7 @@ pub enum StatementKind {
     /// statements.
     Measure { what: Output, text: Option<String> },
     /// `mark "beat-up" at theta = 180 deg;`: a place that plots show.
-    Mark {
-        text: String,
-        variable: Name,
-        value: Term,
-    },
+    Mark { text: String, variable: Name, value: Term },
     /// `expect scene S at theta = 110 deg: x = 1 mm +- 0.1 mm "remark";`
     Expect(Expect),
 }
@@ -197,17 +143,8 @@ impl StatementKind {
             | Self::Point { target, .. }
             | Self::Coordinate(Unknown { target, .. })
             | Self::State(Unknown { target, .. })
-            | Self::Output(Output {
-                name: Some(target),
-                value: Some(_),
-                ..
-            })
-            | Self::Measure {
-                what: Output {
-                    name: Some(target), ..
-                },
-                ..
-            } => Some(target),
+            | Self::Output(Output { name: Some(target), value: Some(_), .. })
+            | Self::Measure { what: Output { name: Some(target), .. }, .. } => Some(target),
             _ => None,
         }
     }
@@ -215,14 +152,9 @@ impl StatementKind {
     /// The statements inside it, block by block.
     pub fn blocks(&self) -> Vec<&[Statement]> {
         match self {
-            Self::Effect {
-                body, otherwise, ..
+            Self::Effect { body, otherwise, .. } | Self::If { then: body, otherwise, .. } => {
+                vec![body, otherwise]
             }
-            | Self::If {
-                then: body,
-                otherwise,
-                ..
-            } => vec![body, otherwise],
             Self::Choice { alternatives, .. } => {
                 alternatives.iter().map(|one| one.body.as_slice()).collect()
             }
@@ -234,14 +166,9 @@ impl StatementKind {
     /// The same, to be changed.
     pub fn blocks_mut(&mut self) -> Vec<&mut Vec<Statement>> {
         match self {
-            Self::Effect {
-                body, otherwise, ..
+            Self::Effect { body, otherwise, .. } | Self::If { then: body, otherwise, .. } => {
+                vec![body, otherwise]
             }
-            | Self::If {
-                then: body,
-                otherwise,
-                ..
-            } => vec![body, otherwise],
             Self::Choice { alternatives, .. } => {
                 alternatives.iter_mut().map(|one| &mut one.body).collect()
             }

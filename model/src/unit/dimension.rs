@@ -53,10 +53,8 @@ impl Dimension {
     pub fn pow(&self, numerator: i8, denominator: i8) -> Option<Self> {
         let mut exponents = [(0, 1); 7];
         for (slot, (a, b)) in exponents.iter_mut().zip(self.0) {
-            *slot = lowest(
-                i32::from(a) * i32::from(numerator),
-                i32::from(b) * i32::from(denominator),
-            )?;
+            *slot =
+                lowest(i32::from(a) * i32::from(numerator), i32::from(b) * i32::from(denominator))?;
         }
         Some(Self(exponents))
     }
@@ -80,10 +78,7 @@ fn lowest(numerator: i32, denominator: i32) -> Option<(i8, i8)> {
     let divisor = common_divisor(numerator.unsigned_abs(), denominator.unsigned_abs()) as i32
         * denominator.signum();
     let (numerator, denominator) = (numerator / divisor, denominator / divisor);
-    Some((
-        i8::try_from(numerator).ok()?,
-        i8::try_from(denominator).ok()?,
-    ))
+    Some((i8::try_from(numerator).ok()?, i8::try_from(denominator).ok()?))
 }
 
 fn common_divisor(mut a: u32, mut b: u32) -> u32 {

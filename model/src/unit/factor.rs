@@ -18,46 +18,28 @@ impl Factor {
 
     /// An exact ratio.
     pub const fn ratio(numerator: u64, denominator: u64) -> Self {
-        Self {
-            numerator,
-            denominator,
-            pi: 0,
-            rest: 1.0,
-        }
+        Self { numerator, denominator, pi: 0, rest: 1.0 }
     }
 
     /// An exact ratio times π.
     pub const fn ratio_pi(numerator: u64, denominator: u64) -> Self {
-        Self {
-            numerator,
-            denominator,
-            pi: 1,
-            rest: 1.0,
-        }
+        Self { numerator, denominator, pi: 1, rest: 1.0 }
     }
 
     /// The product.
     pub fn times(self, other: Self) -> Self {
         let (a, d) = reduced(self.numerator, other.denominator);
         let (c, b) = reduced(other.numerator, self.denominator);
-        let exact = a
-            .checked_mul(c)
-            .zip(b.checked_mul(d))
-            .filter(|(p, q)| *p <= EXACT && *q <= EXACT);
+        let exact =
+            a.checked_mul(c).zip(b.checked_mul(d)).filter(|(p, q)| *p <= EXACT && *q <= EXACT);
         let pi = self.pi.saturating_add(other.pi);
         match exact {
-            Some((numerator, denominator)) => Self {
-                numerator,
-                denominator,
-                pi,
-                rest: self.rest * other.rest,
-            },
-            None => Self {
-                numerator: 1,
-                denominator: 1,
-                pi: 0,
-                rest: self.scale() * other.scale(),
-            },
+            Some((numerator, denominator)) => {
+                Self { numerator, denominator, pi, rest: self.rest * other.rest }
+            }
+            None => {
+                Self { numerator: 1, denominator: 1, pi: 0, rest: self.scale() * other.scale() }
+            }
         }
     }
 
@@ -65,10 +47,7 @@ impl Factor {
     pub fn pow(self, numerator: i8, denominator: i8) -> Self {
         if denominator != 1 {
             let exponent = f64::from(numerator) / f64::from(denominator);
-            return Self {
-                rest: self.scale().powf(exponent),
-                ..Self::ONE
-            };
+            return Self { rest: self.scale().powf(exponent), ..Self::ONE };
         }
         let base = if numerator < 0 { self.inverse() } else { self };
         (0..numerator.unsigned_abs()).fold(Self::ONE, |power, _| power.times(base))
@@ -121,9 +100,7 @@ mod tests {
         let millimetre = Factor::ratio(1, 1000);
         assert_eq!(millimetre.to_si(75.0), 0.075);
         // Multiplying by the rounded 1e-3 is wrong in the last place for some of these.
-        let wrong = (1..1000)
-            .filter(|k| f64::from(*k) * 1e-3 != f64::from(*k) / 1000.0)
-            .count();
+        let wrong = (1..1000).filter(|k| f64::from(*k) * 1e-3 != f64::from(*k) / 1000.0).count();
         assert!(wrong > 0);
         for k in 1..1000 {
             assert_eq!(millimetre.to_si(f64::from(k)), f64::from(k) / 1000.0);

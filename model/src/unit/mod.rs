@@ -27,11 +27,7 @@ pub struct Unit {
 impl Unit {
     /// The unit of pure numbers.
     pub fn none() -> Self {
-        Self {
-            dimension: Dimension::NONE,
-            symbol: String::new(),
-            factor: Factor::ONE,
-        }
+        Self { dimension: Dimension::NONE, symbol: String::new(), factor: Factor::ONE }
     }
 
     /// A value in SI units, given in this one.
@@ -49,24 +45,12 @@ impl Unit {
         if *dimension == Dimension::NONE {
             return Self::none();
         }
-        let natural = table::NATURAL
-            .iter()
-            .filter_map(|symbol| parse_unit_text(symbol).ok());
-        natural
-            .into_iter()
-            .find(|unit| unit.dimension == *dimension)
-            .unwrap_or_else(|| {
-                let factors = BASES
-                    .iter()
-                    .map(|base| base.to_string())
-                    .zip(dimension.exponents());
-                let symbol = symbol_of(factors.filter(|(_, exponent)| exponent.0 != 0));
-                Self {
-                    dimension: *dimension,
-                    symbol,
-                    factor: Factor::ONE,
-                }
-            })
+        let natural = table::NATURAL.iter().filter_map(|symbol| parse_unit_text(symbol).ok());
+        natural.into_iter().find(|unit| unit.dimension == *dimension).unwrap_or_else(|| {
+            let factors = BASES.iter().map(|base| base.to_string()).zip(dimension.exponents());
+            let symbol = symbol_of(factors.filter(|(_, exponent)| exponent.0 != 0));
+            Self { dimension: *dimension, symbol, factor: Factor::ONE }
+        })
     }
 }
 
@@ -93,18 +77,13 @@ fn read(factors: &[(Name, (i8, i8))]) -> Result<Unit, (Option<&Name>, String)> {
         let Some((dimension, factor)) = table::find(&name.text) else {
             return Err((Some(name), format!("`{}` is not a unit", name.text)));
         };
-        let power = dimension
-            .pow(*numerator, *denominator)
-            .and_then(|power| unit.dimension.mul(&power));
+        let power =
+            dimension.pow(*numerator, *denominator).and_then(|power| unit.dimension.mul(&power));
         unit.dimension =
             power.ok_or((None, "the exponents of this unit are too large".to_string()))?;
         unit.factor = unit.factor.times(factor.pow(*numerator, *denominator));
     }
-    unit.symbol = symbol_of(
-        factors
-            .iter()
-            .map(|(name, exponent)| (name.text.clone(), *exponent)),
-    );
+    unit.symbol = symbol_of(factors.iter().map(|(name, exponent)| (name.text.clone(), *exponent)));
     Ok(unit)
 }
 
@@ -147,10 +126,7 @@ fn factors_in(name: &str) -> Option<String> {
     if base.len() < name.len() && is_unit(base) {
         return Some(format!("{base}^{}", &name[base.len()..]));
     }
-    let mut cuts = name
-        .char_indices()
-        .skip(1)
-        .map(|(cut, _)| name.split_at(cut));
+    let mut cuts = name.char_indices().skip(1).map(|(cut, _)| name.split_at(cut));
     let found = cuts.find(|(first, second)| is_unit(first) && is_unit(second));
     found.map(|(first, second)| format!("{first} {second}"))
 }
@@ -159,22 +135,15 @@ fn factors_in(name: &str) -> Option<String> {
 fn symbol_of(factors: impl Iterator<Item = (String, (i8, i8))>) -> String {
     let (mut above, mut below) = (Vec::new(), Vec::new());
     for (name, (numerator, denominator)) in factors {
-        let list = if numerator < 0 {
-            &mut below
-        } else {
-            &mut above
-        };
+        let list = if numerator < 0 { &mut below } else { &mut above };
         list.push(match (numerator.unsigned_abs(), denominator) {
             (1, 1) => name,
             (power, 1) => format!("{name}^{power}"),
             (power, root) => format!("{name}^({power}/{root})"),
         });
     }
-    let above = if above.is_empty() && !below.is_empty() {
-        "1".to_string()
-    } else {
-        above.join(" ")
-    };
+    let above =
+        if above.is_empty() && !below.is_empty() { "1".to_string() } else { above.join(" ") };
     match below.as_slice() {
         [] => above,
         [one] => format!("{above}/{one}"),

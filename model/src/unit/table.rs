@@ -32,12 +32,7 @@ pub const PREFIXES: &[(&str, Factor)] = &[
 ];
 
 const fn si(symbol: &'static str, exponents: [i8; 7]) -> Named {
-    Named {
-        symbol,
-        dimension: Dimension::whole(exponents),
-        factor: Factor::ONE,
-        prefixed: true,
-    }
+    Named { symbol, dimension: Dimension::whole(exponents), factor: Factor::ONE, prefixed: true }
 }
 
 const fn other(
@@ -47,12 +42,7 @@ const fn other(
     denominator: u64,
 ) -> Named {
     let factor = Factor::ratio(numerator, denominator);
-    Named {
-        symbol,
-        dimension: Dimension::whole(exponents),
-        factor,
-        prefixed: false,
-    }
+    Named { symbol, dimension: Dimension::whole(exponents), factor, prefixed: false }
 }
 
 const fn angle(symbol: &'static str, per_second: i8, numerator: u64, denominator: u64) -> Named {

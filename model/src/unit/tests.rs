@@ -6,11 +6,7 @@ use super::{Unit, parse_unit_text, parse_value};
 fn check(text: &str, si: f64, symbol: &str) {
     let value = parse_value(text).unwrap();
     assert_eq!(value.si(), si, "{text}");
-    assert_eq!(
-        value.unit.map_or(String::new(), |unit| unit.symbol),
-        symbol,
-        "{text}"
-    );
+    assert_eq!(value.unit.map_or(String::new(), |unit| unit.symbol), symbol, "{text}");
 }
 
 #[test]
@@ -44,10 +40,7 @@ fn wrong_units_are_explained() {
     check_error("five mm", "does not begin with a number");
     check_error("5 [J/kg K]", "J/(kg K)");
     check_error("5 mm mm^", "exponent");
-    check_error(
-        "90 deg deg",
-        "`deg deg` is a product of angles; write one unit",
-    );
+    check_error("90 deg deg", "`deg deg` is a product of angles; write one unit");
     check_error("90 deg rad", "product of angles");
     assert!(parse_value("9 [deg^2]").is_ok() && parse_value("9 [deg rad]").is_ok());
     assert!(parse_value("9 N m/rad").is_ok());
@@ -57,11 +50,6 @@ fn wrong_units_are_explained() {
 fn dimensions_get_the_units_that_engineers_use() {
     for symbol in ["N m", "kg m^2", "1/s^2", "m/N", "N s/m", "kg^2 m/s^5"] {
         let unit = parse_unit_text(symbol).unwrap();
-        assert_eq!(
-            Unit::for_dimension(&unit.dimension)
-                .symbol
-                .replace("m kg^2", "kg^2 m"),
-            symbol
-        );
+        assert_eq!(Unit::for_dimension(&unit.dimension).symbol.replace("m kg^2", "kg^2 m"), symbol);
     }
 }

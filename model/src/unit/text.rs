@@ -17,9 +17,7 @@ pub struct UnitError {
 impl std::fmt::Display for UnitError {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         formatter.write_str(&self.reason)?;
-        self.hint
-            .iter()
-            .try_for_each(|hint| write!(formatter, "; {hint}"))
+        self.hint.iter().try_for_each(|hint| write!(formatter, "; {hint}"))
     }
 }
 
@@ -37,9 +35,7 @@ pub struct Value {
 impl Value {
     /// The value in SI units.
     pub fn si(&self) -> f64 {
-        self.unit
-            .as_ref()
-            .map_or(self.number, |unit| unit.to_si(self.number))
+        self.unit.as_ref().map_or(self.number, |unit| unit.to_si(self.number))
     }
 }
 
@@ -59,10 +55,9 @@ fn read_text(text: &str, wanted: bool) -> Result<Unit, UnitError> {
     let Some(written) = parser::parse_unit(&lexed.tokens, &mut diagnostics) else {
         let first = diagnostics.into_sorted().into_iter().next();
         return Err(UnitError {
-            reason: first.as_ref().map_or_else(
-                || format!("`{text}` is not a unit"),
-                |one| one.message.clone(),
-            ),
+            reason: first
+                .as_ref()
+                .map_or_else(|| format!("`{text}` is not a unit"), |one| one.message.clone()),
             hint: first.and_then(|one| one.hint),
         });
     };
@@ -93,34 +88,22 @@ pub fn parse_value(text: &str) -> Result<Value, UnitError> {
         hint: Some("write a number and its unit, as in `300rpm` or `0.1 [kg m^2]`".into()),
     })?;
     let rest = rest.trim();
-    let bracketed = rest
-        .strip_prefix('[')
-        .and_then(|rest| rest.strip_suffix(']'));
+    let bracketed = rest.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
     let inner = bracketed.unwrap_or(rest).trim();
-    let unit = if inner.is_empty() {
-        None
-    } else {
-        Some(read_text(inner, bracketed.is_some())?)
-    };
+    let unit = if inner.is_empty() { None } else { Some(read_text(inner, bracketed.is_some())?) };
     Ok(Value { number, unit })
 }
 
 /// The longest number at the beginning, and the rest. `inf` and `nan` are numbers, which whoever asks refuses.
 fn split(text: &str) -> Option<(f64, &str)> {
-    let ends = text
-        .char_indices()
-        .map(|(index, character)| index + character.len_utf8());
+    let ends = text.char_indices().map(|(index, character)| index + character.len_utf8());
     let mut found = None;
     for end in ends.take_while(|end| *end <= 64) {
         let part = &text[..end];
-        let begins = part
-            .chars()
-            .next_back()
-            .is_some_and(|last| last.is_ascii_digit() || last == '.');
+        let begins =
+            part.chars().next_back().is_some_and(|last| last.is_ascii_digit() || last == '.');
         let word = matches!(
-            part.trim_start_matches(['+', '-'])
-                .to_ascii_lowercase()
-                .as_str(),
+            part.trim_start_matches(['+', '-']).to_ascii_lowercase().as_str(),
             "inf" | "infinity" | "nan"
         );
         if let (true, Ok(number)) = (begins || word, part.parse::<f64>()) {

@@ -23,10 +23,8 @@ fn uses() -> BTreeMap<String, BTreeSet<String>> {
             continue;
         }
         for named in code.split("crate::").skip(1) {
-            let name: String = named
-                .chars()
-                .take_while(|one| one.is_alphanumeric() || *one == '_')
-                .collect();
+            let name: String =
+                named.chars().take_while(|one| one.is_alphanumeric() || *one == '_').collect();
             if name != module {
                 uses.entry(module.clone()).or_default().insert(name);
             }

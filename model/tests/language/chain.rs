@@ -32,20 +32,14 @@ fn text(links: usize) -> String {
 #[track_caller]
 fn chain(links: usize) -> SceneModel {
     let (mut compiled, _) = compiled(&text(links));
-    assert!(
-        compiled.diagnostics.is_empty(),
-        "{:?}",
-        compiled.diagnostics
-    );
+    assert!(compiled.diagnostics.is_empty(), "{:?}", compiled.diagnostics);
     compiled.model.as_mut().unwrap().scenes.remove(0)
 }
 
 /// Angles and speeds without symmetry.
 fn state(links: usize) -> Vec<f64> {
     let angles = (0..links).map(|k| (1.7 * k as f64 + 0.4).sin());
-    angles
-        .chain((0..links).map(|k| 2.0 * (0.9 * k as f64 + 1.1).cos()))
-        .collect()
+    angles.chain((0..links).map(|k| 2.0 * (0.9 * k as f64 + 1.1).cos())).collect()
 }
 
 fn values(scene: &SceneModel, state: &[f64]) -> Values {
@@ -69,10 +63,7 @@ fn accelerations(links: usize, state: &[f64]) -> Vec<f64> {
                 })
                 .sum();
             let weight = (links - i) as f64 * MASS * GRAVITY * LENGTH * state[i].sin();
-            (0..links)
-                .map(|j| mass(links, state, i, j))
-                .chain([-centrifugal - weight])
-                .collect()
+            (0..links).map(|j| mass(links, state, i, j)).chain([-centrifugal - weight]).collect()
         })
         .collect();
     for pivot in 0..links {
@@ -91,9 +82,7 @@ fn accelerations(links: usize, state: &[f64]) -> Vec<f64> {
     }
     let mut solution = vec![0.0; links];
     for row in (0..links).rev() {
-        let known: f64 = (row + 1..links)
-            .map(|column| rows[row][column] * solution[column])
-            .sum();
+        let known: f64 = (row + 1..links).map(|column| rows[row][column] * solution[column]).sum();
         solution[row] = (rows[row][links] - known) / rows[row][row];
     }
     solution
@@ -191,12 +180,8 @@ fn counts(links: usize) -> [usize; 3] {
     let OperationKind::Element { solution, .. } = kind(program.results.derivative[links]) else {
         panic!("no solution")
     };
-    let OperationKind::Solve { factor, right } = kind(*solution) else {
-        panic!("no solution")
-    };
-    let OperationKind::Factor { entries, .. } = kind(*factor) else {
-        panic!("no factors")
-    };
+    let OperationKind::Solve { factor, right } = kind(*solution) else { panic!("no solution") };
+    let OperationKind::Factor { entries, .. } = kind(*factor) else { panic!("no factors") };
     [&program.results.derivative, right, entries].map(|values| program.count(values, Stage::State))
 }
 
@@ -214,9 +199,5 @@ fn a_long_chain_is_derived_in_good_time() {
     let scene = chain(30);
     assert_eq!(scene.states.len(), 60);
     println!("30 links in {:?}", start.elapsed());
-    assert!(
-        start.elapsed() < Duration::from_secs(60),
-        "{:?}",
-        start.elapsed()
-    );
+    assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
 }

@@ -5,13 +5,7 @@ use super::{SPRING, check, compiled, words};
 
 /// What stands behind the spring; the message; the words that it points at, and those that asked for the derivative; a
 /// part of the hint.
-type Case = (
-    &'static str,
-    &'static str,
-    &'static str,
-    &'static str,
-    &'static str,
-);
+type Case = (&'static str, &'static str, &'static str, &'static str, &'static str);
 
 /// Checks that each file gives its one message.
 #[track_caller]

@@ -24,10 +24,7 @@ fn check(statements: &str, expected: &str) {
 
 #[test]
 fn documentation_of_a_list_is_that_of_each_member() {
-    check(
-        "/// Of both.\noutput a = x, b = 2*x;",
-        "a: Of both.\nb: Of both.\n",
-    );
+    check("/// Of both.\noutput a = x, b = 2*x;", "a: Of both.\nb: Of both.\n");
 }
 
 #[test]
@@ -36,16 +33,10 @@ fn a_member_of_a_list_has_documentation_of_its_own() {
         "/// First.\nparameter r = 1 m,\n/// Second,\n/// in two lines.\ns = 2 m; output r, s;",
         "r: First.\ns: Second,\nin two lines.\nr: \ns: \n",
     );
-    check(
-        "output /// First.\na = x, b = x, /// Third.\nd = x;",
-        "a: First.\nb: \nd: Third.\n",
-    );
+    check("output /// First.\na = x, b = x, /// Third.\nd = x;", "a: First.\nb: \nd: Third.\n");
 }
 
 #[test]
 fn where_members_are_documented_nothing_is_shared() {
-    check(
-        "/// First.\noutput a = x,\n/// Second.\nb = x, d = x;",
-        "a: First.\nb: Second.\nd: \n",
-    );
+    check("/// First.\noutput a = x,\n/// Second.\nb = x, d = x;", "a: First.\nb: Second.\nd: \n");
 }

@@ -20,23 +20,11 @@ fn batten() -> Vec<Token> {
 fn endure(tokens: &[Token], what: &str) {
     let start = Instant::now();
     let compiled = assur_model::compile(tokens);
-    assert!(
-        start.elapsed() < PATIENCE,
-        "{what} takes {:?}",
-        start.elapsed()
-    );
+    assert!(start.elapsed() < PATIENCE, "{what} takes {:?}", start.elapsed());
     let last = tokens.len().saturating_sub(1) as u32;
     for one in &compiled.diagnostics {
-        assert!(
-            one.span.first <= one.span.last && one.span.last <= last,
-            "{what}: {one:?}"
-        );
-        assert!(
-            one.related
-                .as_ref()
-                .is_none_or(|(span, _)| span.last <= last),
-            "{what}: {one:?}"
-        );
+        assert!(one.span.first <= one.span.last && one.span.last <= last, "{what}: {one:?}");
+        assert!(one.related.as_ref().is_none_or(|(span, _)| span.last <= last), "{what}: {one:?}");
     }
     let wrong = compiled
         .diagnostics
@@ -48,11 +36,7 @@ fn endure(tokens: &[Token], what: &str) {
 #[test]
 fn the_batten_compiles() {
     let compiled = assur_model::compile(&batten());
-    assert!(
-        compiled.diagnostics.is_empty(),
-        "{:?}",
-        compiled.diagnostics
-    );
+    assert!(compiled.diagnostics.is_empty(), "{:?}", compiled.diagnostics);
 }
 
 #[test]
@@ -65,9 +49,7 @@ fn every_beginning_of_a_file_is_endured() {
 
 /// Numbers that are the same every time; multiplier and increment are Knuth's.
 fn roll(state: &mut u64, limit: usize) -> usize {
-    *state = state
-        .wrapping_mul(6_364_136_223_846_793_005)
-        .wrapping_add(1_442_695_040_888_963_407);
+    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     ((*state >> 33) % limit as u64) as usize
 }
 
@@ -92,26 +74,16 @@ fn tokens_in_any_order_are_endured() {
     let tokens = batten();
     let mut state = 2;
     for round in 0..300 {
-        let mut garbled: Vec<Token> = (0..40)
-            .map(|_| tokens[roll(&mut state, tokens.len())].clone())
-            .collect();
+        let mut garbled: Vec<Token> =
+            (0..40).map(|_| tokens[roll(&mut state, tokens.len())].clone()).collect();
         garbled.insert(
             0,
             Token {
-                kind: TokenKind::Punctuation {
-                    character: ';',
-                    joint: false,
-                },
+                kind: TokenKind::Punctuation { character: ';', joint: false },
                 text: String::new(),
             },
         );
-        garbled.insert(
-            0,
-            Token {
-                kind: TokenKind::Word,
-                text: "Sample".into(),
-            },
-        );
+        garbled.insert(0, Token { kind: TokenKind::Word, text: "Sample".into() });
         endure(&garbled, &format!("round {round}"));
     }
 }
@@ -244,9 +216,8 @@ fn endure_text(folder: &Path, text: &str, what: &str) {
     };
     let start = Instant::now();
     let mut texts = assur_model::texts::Texts::default();
-    let compiled = assur_model::compile_with(&lexed.tokens, &mut |wanted| {
-        texts.read(folder, &wanted.path)
-    });
+    let compiled =
+        assur_model::compile_with(&lexed.tokens, &mut |wanted| texts.read(folder, &wanted.path));
     let took = start.elapsed();
     assert!(took < PATIENCE, "{what} takes {took:?}:\n{text}");
     let has_error = compiled

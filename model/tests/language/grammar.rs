@@ -13,11 +13,7 @@ fn blocks() -> Vec<&'static str> {
     let blocks: Vec<_> = GRAMMAR.split("```").skip(1).step_by(2).collect();
     blocks
         .into_iter()
-        .map(|block| {
-            block
-                .strip_prefix("text\n")
-                .unwrap_or_else(|| panic!("not ```text: {block}"))
-        })
+        .map(|block| block.strip_prefix("text\n").unwrap_or_else(|| panic!("not ```text: {block}")))
         .collect()
 }
 
@@ -30,18 +26,11 @@ fn it_begins_with_its_heading() {
 #[test]
 fn whole_files_compile() {
     let mut count = 0;
-    for block in blocks()
-        .into_iter()
-        .filter(|block| block.starts_with("assur::mechanism! {"))
-    {
+    for block in blocks().into_iter().filter(|block| block.starts_with("assur::mechanism! {")) {
         count += 1;
         let lexed = lex_file(block).unwrap_or_else(|error| panic!("{error:?}: {block}"));
         let compiled = assur_model::compile_with(&lexed.tokens, &mut file);
-        assert!(
-            compiled.diagnostics.is_empty(),
-            "{block}\n{:#?}",
-            compiled.diagnostics
-        );
+        assert!(compiled.diagnostics.is_empty(), "{block}\n{:#?}", compiled.diagnostics);
     }
     assert!(count >= 1, "{count} whole files");
 }
@@ -49,9 +38,7 @@ fn whole_files_compile() {
 /// The files of parts are examples before.
 fn file(wanted: &Wanted) -> Result<Vec<Token>, Unreadable> {
     assert_eq!(wanted.path, "crank_rocker.eqn");
-    let text = blocks()
-        .into_iter()
-        .find(|block| block.contains("\n    CrankRocker from"));
+    let text = blocks().into_iter().find(|block| block.contains("\n    CrankRocker from"));
     lex_file(text.expect("the crank-rocker")).map(|lexed| lexed.tokens)
 }
 
@@ -69,12 +56,7 @@ fn statements_compile() {
         count += 1;
         let (compiled, _) = compiled(&format!("{BEFORE}{block}"));
         let wrong = compiled.model.is_none();
-        assert_eq!(
-            wrong,
-            block.starts_with("// not"),
-            "{block}\n{:#?}",
-            compiled.diagnostics
-        );
+        assert_eq!(wrong, block.starts_with("// not"), "{block}\n{:#?}", compiled.diagnostics);
     }
     assert!(count >= 15, "{count} blocks of statements");
 }

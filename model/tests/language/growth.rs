@@ -48,9 +48,7 @@ const FAMILIES: &[Family] = &[
 fn member((begin, repeated, end): &Family, count: usize) -> String {
     let mut text = begin.to_string();
     for k in 0..count {
-        text += &repeated
-            .replace("@k", &k.to_string())
-            .replace("@j", &(k + 1).to_string());
+        text += &repeated.replace("@k", &k.to_string()).replace("@j", &(k + 1).to_string());
     }
     text + &end.replace("1000", &count.to_string())
 }
@@ -59,12 +57,7 @@ fn member((begin, repeated, end): &Family, count: usize) -> String {
 fn steps(text: &str) -> u64 {
     let start = Instant::now();
     let steps = compiled(text).0.steps;
-    assert!(
-        start.elapsed() < PATIENCE,
-        "{:?}: {}",
-        start.elapsed(),
-        &text[..300]
-    );
+    assert!(start.elapsed() < PATIENCE, "{:?}: {}", start.elapsed(), &text[..300]);
     steps
 }
 
@@ -105,11 +98,7 @@ fn what_grows_without_measure_is_named() {
         assert!(start.elapsed() < PATIENCE, "{:?}", start.elapsed());
         let mistakes = mistakes(&compiled);
         assert_eq!(mistakes.len(), 1, "{mistakes:?}");
-        assert!(
-            mistakes[0]
-                .message
-                .starts_with("this statement grows too large")
-        );
+        assert!(mistakes[0].message.starts_with("this statement grows too large"));
         let place = super::words(&text, &lexed, mistakes[0].span);
         assert!(place.starts_with("hot = "), "{place}");
     }

@@ -23,9 +23,7 @@ fn equations(text: &str) -> Vec<String> {
     let scene = first_scene(text);
     let linkage = scene.linkage.map(|linkage| linkage.loops);
     let of_linkage = linkage.into_iter().flatten().map(|one| one.name);
-    of_linkage
-        .chain(scene.equations.into_iter().map(|one| one.text))
-        .collect()
+    of_linkage.chain(scene.equations.into_iter().map(|one| one.text)).collect()
 }
 
 #[test]
@@ -33,9 +31,7 @@ fn each_closure_of_a_repetition_has_a_name_of_its_own() {
     let found = equations(LEGS);
     assert_eq!(
         found[..6],
-        [
-            "leg[1].x", "leg[1].y", "leg[2].x", "leg[2].y", "leg[3].x", "leg[3].y"
-        ]
+        ["leg[1].x", "leg[1].y", "leg[2].x", "leg[2].y", "leg[3].x", "leg[3].y"]
     );
     assert!(found[6].starts_with("closure leg[1]: "), "{found:?}");
 }
@@ -59,14 +55,7 @@ fn the_index_of_a_name_is_computed() {
 #[test]
 fn the_index_of_a_name_is_a_whole_number() {
     let text = LEGS.replace("leg[k]:", "leg[k/2]:");
-    check(
-        &text,
-        &[(
-            "has to be a whole number",
-            "k/2",
-            "the index of a `for` or `sum`",
-        )],
-    );
+    check(&text, &[("has to be a whole number", "k/2", "the index of a `for` or `sum`")]);
 }
 
 #[test]
@@ -86,11 +75,7 @@ fn an_event_of_a_scene_without_modes_is_counted_by_its_name() {
         ]
     );
     assert_eq!(scene.modes[0].events[0].label, Some(event()));
-    assert!(
-        scene.modes[0].events[0]
-            .text
-            .starts_with("when hit: x falls")
-    );
+    assert!(scene.modes[0].events[0].text.starts_with("when hit: x falls"));
 }
 
 #[test]

@@ -7,20 +7,13 @@ use super::{SPRING, compiled, words};
 fn check(statements: &str, expected: &[Option<&str>]) {
     let text = format!("{SPRING}{statements}");
     let (compiled, lexed) = compiled(&text);
-    let model = compiled
-        .model
-        .unwrap_or_else(|| panic!("{text}\n{:#?}", compiled.diagnostics));
+    let model = compiled.model.unwrap_or_else(|| panic!("{text}\n{:#?}", compiled.diagnostics));
     let literals = model.scenes.iter().map(|scene| scene.literal.as_ref());
     for literal in literals.clone().flatten() {
         let number = literal.text.split(' ').next().unwrap_or_default();
-        assert!(
-            words(&text, &lexed, literal.span).contains(number),
-            "{text}"
-        );
+        assert!(words(&text, &lexed, literal.span).contains(number), "{text}");
     }
-    let found: Vec<_> = literals
-        .map(|literal| literal.map(|one| one.text.as_str()))
-        .collect();
+    let found: Vec<_> = literals.map(|literal| literal.map(|one| one.text.as_str())).collect();
     assert_eq!(found, expected, "{text}");
 }
 
@@ -39,15 +32,9 @@ fn numbers_in_equations_and_outputs_depend_on_the_units() {
         ("let a = 2*b; let b = 3 mm; output y = x + a;", "3 mm"),
         ("let f(u) = u + 3 mm; output y = f(x);", "3 mm"),
         ("let f(u) = u + x; output y = f(3 mm);", "3 mm"),
-        (
-            "let a = 3 mm; let b = a; output y = x + a; output z = x + b;",
-            "3 mm",
-        ),
+        ("let a = 3 mm; let b = a; output y = x + a; output z = x + b;", "3 mm"),
         // The first in the file, not the first that is used.
-        (
-            "output y = x + a; output z = x + 2 mm; let a = 3 mm;",
-            "2 mm",
-        ),
+        ("output y = x + a; output z = x + 2 mm; let a = 3 mm;", "2 mm"),
     ] {
         check(statements, &[Some(literal)]);
     }

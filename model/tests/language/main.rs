@@ -80,18 +80,11 @@ fn check_messages<'a>(
     let mistakes = mistakes(compiled);
     for one in &mistakes {
         let place = words(one.span);
-        let _ = writeln!(
-            shown,
-            "  {:?}: {} [{place}] {:?}",
-            one.severity, one.message, one.hint
-        );
+        let _ = writeln!(shown, "  {:?}: {} [{place}] {:?}", one.severity, one.message, one.hint);
     }
     assert_eq!(mistakes.len(), expected.len(), "{text}\n{shown}");
     for (found, (message, place, hint)) in mistakes.iter().zip(expected) {
-        assert!(
-            found.message.contains(message),
-            "no {message:?}: {text}\n{shown}"
-        );
+        assert!(found.message.contains(message), "no {message:?}: {text}\n{shown}");
         assert_eq!(words(found.span), *place, "{text}\n{shown}");
         assert!(
             found.hint.as_deref().unwrap_or("").contains(hint),

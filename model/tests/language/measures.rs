@@ -15,11 +15,7 @@ fn scene(text: &str) -> SceneModel {
 }
 
 fn primitive(kind: PrimitiveKind, argument: usize, window: Option<usize>) -> Primitive {
-    Primitive {
-        kind,
-        argument,
-        window,
-    }
+    Primitive { kind, argument, window }
 }
 
 #[test]
@@ -29,17 +25,10 @@ fn a_measure_names_what_is_looked_at_and_what_is_found() {
          measure speed = value(dot(x), last(leave(push))), ratio = (speed/early)^2; \
          measure first = amplitude(x, phi, 1);",
     );
-    let names: Vec<_> = scene
-        .measures
-        .iter()
-        .map(|one| one.quantity.name.as_str())
-        .collect();
+    let names: Vec<_> = scene.measures.iter().map(|one| one.quantity.name.as_str()).collect();
     assert_eq!(names, ["top", "early", "hits", "speed", "ratio", "first"]);
     let top = &scene.measures[0].quantity;
-    assert_eq!(
-        (top.unit.as_str(), top.factor, top.summary.as_str()),
-        ("mm", 1e-3, "how far")
-    );
+    assert_eq!((top.unit.as_str(), top.factor, top.summary.as_str()), ("mm", 1e-3, "how far"));
     assert_eq!(scene.measures[1].quantity.unit, "m/s");
     use PrimitiveKind as Is;
     let leave = Moment::Leave(0, true);
@@ -55,10 +44,7 @@ fn a_measure_names_what_is_looked_at_and_what_is_found() {
         ]
     );
     let uses: Vec<_> = scene.measures.iter().map(|one| one.uses.clone()).collect();
-    assert_eq!(
-        uses,
-        [vec![0], vec![1], vec![2], vec![3], vec![1, 3], vec![4, 5]]
-    );
+    assert_eq!(uses, [vec![0], vec![1], vec![2], vec![3], vec![1, 3], vec![4, 5]]);
     for mode in &scene.modes {
         let results = &mode.program.results;
         assert_eq!((results.measured.len(), results.measures.len()), (7, 6));

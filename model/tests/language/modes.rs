@@ -32,24 +32,11 @@ fn each_mode_has_equations_and_events_of_its_own() {
     assert_eq!((names, scene.first), (vec!["alone", "both"], 0));
     assert_eq!(scene.modes[0].summary, "The first mass.");
     let events: Vec<_> = scene.modes[1].events.iter().collect();
-    assert_eq!(
-        events[0].text,
-        "when y falls if dot(x) > 0 -> alone { set dot(y) = 0; }"
-    );
-    assert_eq!(
-        (events[0].direction, events[0].target),
-        (Direction::Falls, 0)
-    );
-    assert_eq!(
-        (events[1].direction, events[1].target),
-        (Direction::Crosses, 1)
-    );
+    assert_eq!(events[0].text, "when y falls if dot(x) > 0 -> alone { set dot(y) = 0; }");
+    assert_eq!((events[0].direction, events[0].target), (Direction::Falls, 0));
+    assert_eq!((events[1].direction, events[1].target), (Direction::Crosses, 1));
     assert_eq!((events[0].unit.as_str(), events[0].factor), ("m", 1.0));
-    let equations: Vec<_> = scene
-        .modes
-        .iter()
-        .map(|mode| mode.equations.len())
-        .collect();
+    let equations: Vec<_> = scene.modes.iter().map(|mode| mode.equations.len()).collect();
     assert_eq!(equations, [1, 2]);
     for mode in &scene.modes {
         assert_eq!(mode.program.results.derivative.len(), 4);
@@ -62,16 +49,9 @@ fn a_mode_may_be_stated_in_several_places() {
     let (compiled, _) = compiled(&format!(
         "{MASSES} mode alone {{ hold y; }} effect stop {{ mode alone {{ when x - l rises {{ set dot(x) = -dot(x); }} }} }} scene stopped = stop;"
     ));
-    assert!(
-        mistakes(&compiled).is_empty(),
-        "{:#?}",
-        compiled.diagnostics
-    );
+    assert!(mistakes(&compiled).is_empty(), "{:#?}", compiled.diagnostics);
     let scenes = compiled.model.unwrap().scenes;
-    let counts: Vec<_> = scenes
-        .iter()
-        .map(|scene| scene.modes[0].events.len())
-        .collect();
+    let counts: Vec<_> = scenes.iter().map(|scene| scene.modes[0].events.len()).collect();
     assert_eq!(counts, [0, 1]);
 }
 
@@ -176,30 +156,20 @@ fn notes(text: &str) -> Vec<String> {
         "{:#?}",
         compiled.diagnostics
     );
-    compiled
-        .diagnostics
-        .into_iter()
-        .map(|one| one.message)
-        .collect()
+    compiled.diagnostics.into_iter().map(|one| one.message).collect()
 }
 
 #[test]
 fn a_mode_without_a_way_out_is_noted() {
     let both = "mode a { hold y; when x - l rises -> b; } mode b { hold y; ";
     let found = notes(&format!("{both}}}"));
-    assert_eq!(
-        found,
-        ["in the scene `go` nothing leads out of the mode `b`"]
-    );
+    assert_eq!(found, ["in the scene `go` nothing leads out of the mode `b`"]);
     let found = notes(&format!("{both} when x - l falls {{ set x = 0; }} }}"));
     assert_eq!(found.len(), 1);
     // It is said once, whatever the scenes.
     let found = notes(&format!("{both}}} scene too {{ run time 0 s .. 2 s; }}"));
     assert_eq!(found.len(), 1);
-    for quiet in [
-        "mode a { hold y; }".to_string(),
-        format!("{both} when x falls -> a; }}"),
-    ] {
+    for quiet in ["mode a { hold y; }".to_string(), format!("{both} when x falls -> a; }}")] {
         assert_eq!(notes(&quiet), [""; 0]);
     }
 }
@@ -227,20 +197,14 @@ fn kinks_of_guards_are_told_from_surfaces() {
         let scene = scene(text);
         let program = &scene.modes[0].program;
         assert_eq!(scene.modes[0].events.len(), 1 + program.surfaces.len());
-        assert_eq!(
-            program.results.events.len(),
-            1 + program.surfaces.len() + program.kinks
-        );
+        assert_eq!(program.results.events.len(), 1 + program.surfaces.len() + program.kinks);
         (program.surfaces.len(), program.kinks)
     };
     let guard = "when max(0 m, x - l) - abs(x - y) rises { set x = 0 m; }";
     assert_eq!(count(&format!("mode go {{ hold y; {guard} }}")), (0, 2));
     let pushed = "motion follow: m*ddot(y) = F*sign(x - y);";
     assert_eq!(count(&format!("mode go {{ {pushed} {guard} }}")), (1, 1));
-    assert_eq!(
-        count("mode go { hold y; when x - max(l, 2 m) rises { set x = 0 m; } }"),
-        (0, 0)
-    );
+    assert_eq!(count("mode go { hold y; when x - max(l, 2 m) rises { set x = 0 m; } }"), (0, 0));
 }
 
 /// On the side of a surface where nothing of the time is felt nothing of it has to be computed.
@@ -256,9 +220,7 @@ fn a_side_says_what_is_not_needed() {
     let is_felt = |side: Option<f64>| {
         let side = side.map(|side| (0, side));
         let resting = program.resting(&program.results.derivative, side);
-        let mut operations = resting
-            .iter()
-            .map(|value| &program.operations[value.0 as usize]);
+        let mut operations = resting.iter().map(|value| &program.operations[value.0 as usize]);
         operations.any(|operation| operation.stage == Stage::Instant)
     };
     let felt = [None, Some(1.0), Some(-1.0)].map(is_felt);
@@ -268,9 +230,8 @@ fn a_side_says_what_is_not_needed() {
 /// What is shared in the graph is a tree as text, which doubles with each `let` here: texts are the words of the file.
 #[test]
 fn the_text_of_a_surface_is_that_of_the_file() {
-    let lets: String = (1..40)
-        .map(|k| format!("let y[{k}] = y[{}]*sin(y[{}]/(1 m));", k - 1, k - 1))
-        .collect();
+    let lets: String =
+        (1..40).map(|k| format!("let y[{k}] = y[{}]*sin(y[{}]/(1 m));", k - 1, k - 1)).collect();
     let text = |force: &str| {
         let text = format!(
             "{SPRING} let y[0] = x + 1 m; {lets} let f(a) = abs(a - 2 m); {force} output f(x), y[39]; \
@@ -280,19 +241,13 @@ fn the_text_of_a_surface_is_that_of_the_file() {
         assert!(mistakes(&compiled).is_empty(), "{:?}", compiled.diagnostics);
         let mut scene = compiled.model.unwrap().scenes.remove(0);
         let events = scene.modes.remove(0).events;
-        events
-            .into_iter()
-            .map(|event| event.text)
-            .collect::<Vec<_>>()
+        events.into_iter().map(|event| event.text).collect::<Vec<_>>()
     };
     for (force, expected) in [
         ("force -c*abs(y[39] - 1 m) on x;", "y[39] - 1 m passes zero"),
         ("force -c*max(0, y[39]) on x;", "y[39] passes zero"),
         ("potential c*max(y[2], 1 m)^2;", "y[2] - 1 m passes zero"),
-        (
-            "force if y[3] > 1 m { c*x } else { 0 N } on x;",
-            "y[3] - 1 m passes zero",
-        ),
+        ("force if y[3] > 1 m { c*x } else { 0 N } on x;", "y[3] - 1 m passes zero"),
         ("force -c*f(y[39]) on x;", "y[39] - 2 passes zero"),
     ] {
         assert_eq!(text(force), [expected]);

@@ -70,10 +70,7 @@ fn words_of<'a>(read: &[(&'a str, Lexed)], span: Span) -> &'a str {
     for (text, lexed) in read {
         let next = first + lexed.tokens.len() as u32;
         if span.first < next {
-            let span = Span {
-                first: span.first - first,
-                last: span.last - first,
-            };
+            let span = Span { first: span.first - first, last: span.last - first };
             return words(text, lexed, span);
         }
         first = next;
@@ -90,11 +87,7 @@ fn check(main: &str, files: &Files, expected: &[Expected]) {
 #[track_caller]
 fn scene(main: &str, files: &Files) -> SceneModel {
     let (compiled, _) = compiled(main, files);
-    assert!(
-        compiled.diagnostics.is_empty(),
-        "{main}: {:#?}",
-        compiled.diagnostics
-    );
+    assert!(compiled.diagnostics.is_empty(), "{main}: {:#?}", compiled.diagnostics);
     compiled.model.unwrap().scenes.remove(0)
 }
 
@@ -110,10 +103,7 @@ fn a_part_of_a_part_is_flattened() {
         point O = [0, 0]; link O - feed.lift.A;
         scene go { sweep phi; }
         expect at phi = 0.5: feed.tooth = 0 +- 1 m;";
-    let scene = scene(
-        main,
-        &[("four_bar.eqn", FOUR_BAR), ("parts/feed.eqn", FEED)],
-    );
+    let scene = scene(main, &[("four_bar.eqn", FOUR_BAR), ("parts/feed.eqn", FEED)]);
     let linkage = scene.linkage.as_ref().unwrap();
     let constants = names(scene.constants.iter().map(|one| &one.quantity.name));
     assert_eq!(
@@ -127,9 +117,7 @@ fn a_part_of_a_part_is_flattened() {
             "feed.lead"
         ]
     );
-    let [_, crank, _, rocker, ..] = scene.constants.as_slice() else {
-        panic!()
-    };
+    let [_, crank, _, rocker, ..] = scene.constants.as_slice() else { panic!() };
     let close = |found: f64, wanted: f64| assert!((found - wanted).abs() < 1e-15, "{found}");
     close(crank.default, 0.02);
     close(crank.tolerance, 1e-4);
@@ -141,32 +129,17 @@ fn a_part_of_a_part_is_flattened() {
     let dependents = linkage.dependents.iter().map(|one| &one.quantity.name);
     assert_eq!(names(dependents), ["feed.lift.psi", "feed.lift.chi"]);
     let outputs = names(scene.outputs.iter().map(|one| &one.name));
-    let expected = [
-        "feed.tooth",
-        "feed.lift.swing",
-        "feed.lift.C.x",
-        "speed",
-        "n",
-        "span",
-    ];
+    let expected = ["feed.tooth", "feed.lift.swing", "feed.lift.C.x", "speed", "n", "span"];
     assert_eq!(outputs, expected);
-    assert_eq!(
-        names(linkage.loops.iter().map(|one| &one.name))[0],
-        "feed.lift.loop.x"
-    );
-    assert_eq!(
-        scene.requirements[0].text,
-        "feed.lift.crank < feed.lift.rod"
-    );
+    assert_eq!(names(linkage.loops.iter().map(|one| &one.name))[0], "feed.lift.loop.x");
+    assert_eq!(scene.requirements[0].text, "feed.lift.crank < feed.lift.rod");
     assert_eq!(scene.equations.len(), 1);
     assert!(scene.marks.is_empty());
     assert_eq!(scene.expectations.len(), 1);
     assert!(names(&linkage.points).contains(&"feed.lift.C"));
     assert_eq!(linkage.links.len(), 4);
     let inputs = |input| scene.program.operations.iter().any(|one| one.kind == input);
-    assert!(inputs(assur_model::program::OperationKind::Input(
-        Input::Driver(0)
-    )));
+    assert!(inputs(assur_model::program::OperationKind::Input(Input::Driver(0))));
 }
 
 /// What a part comes to is what the same statements come to when they are written out.
@@ -222,24 +195,11 @@ fn scenes_select_effects_and_choices_of_parts() {
         scene plain { run time 0 s .. 1 s; preset heavy; start right.phi = 2 deg; }
         scene full = left.friction + right.characteristic.falling;";
     let (compiled, _) = compiled(main, &[("motor.eqn", MOTOR)]);
-    assert!(
-        compiled.diagnostics.is_empty(),
-        "{:#?}",
-        compiled.diagnostics
-    );
+    assert!(compiled.diagnostics.is_empty(), "{:#?}", compiled.diagnostics);
     let [plain, full] = compiled.model.unwrap().scenes.try_into().unwrap();
     assert_eq!(
         names(plain.constants.iter().map(|one| &one.quantity.name)),
-        [
-            "r",
-            "m",
-            "g",
-            "left.J",
-            "left.k",
-            "right.J",
-            "right.k",
-            "right.load"
-        ]
+        ["r", "m", "g", "left.J", "left.k", "right.J", "right.k", "right.load"]
     );
     assert_eq!(plain.constants[3].default, 0.3);
     assert_eq!(full.constants[3].default, 0.2);
@@ -247,26 +207,11 @@ fn scenes_select_effects_and_choices_of_parts() {
     let states = names(plain.states.iter().map(|one| &one.name));
     assert_eq!(states[..2], ["left.phi", "right.phi"]);
     let parameters: Vec<f64> = full.constants.iter().map(|one| one.default).collect();
-    let values = full
-        .program
-        .evaluate(&parameters, 0.0, &[0.0, 0.0, 4.0, 5.0]);
-    let outputs = full
-        .program
-        .results
-        .outputs
-        .iter()
-        .map(|one| values.get(*one));
+    let values = full.program.evaluate(&parameters, 0.0, &[0.0, 0.0, 4.0, 5.0]);
+    let outputs = full.program.results.outputs.iter().map(|one| values.get(*one));
     assert_eq!(outputs.collect::<Vec<_>>(), [8.0, 13.0, 2.0, 3.0, 1.0]);
-    let start = full
-        .program
-        .results
-        .start
-        .iter()
-        .map(|one| values.get(*one));
-    assert_eq!(
-        start.collect::<Vec<_>>(),
-        [1_f64.to_radians(), 0.0, 0.0, 0.0]
-    );
+    let start = full.program.results.start.iter().map(|one| values.get(*one));
+    assert_eq!(start.collect::<Vec<_>>(), [1_f64.to_radians(), 0.0, 0.0, 0.0]);
 }
 
 /// A driver that is not bound stays one, and names of the language stay too.
@@ -282,10 +227,7 @@ fn what_is_not_bound_stays() {
             let y = sum(n in 1..3, n*r)*sin(phi), f(r) = 2*r;",
         )],
     );
-    assert_eq!(
-        names(scene.drivers.iter().map(|one| &one.name)),
-        ["a.phi", "b.phi"]
-    );
+    assert_eq!(names(scene.drivers.iter().map(|one| &one.name)), ["a.phi", "b.phi"]);
     assert_eq!(
         names(scene.constants.iter().map(|one| &one.quantity.name)),
         ["n", "a.n", "a.r", "b.n"]
@@ -305,18 +247,12 @@ fn check_all(cases: &[(&str, &[Expected])]) {
         ("a.eqn", "A; part next: B from \"b.eqn\";"),
         ("b.eqn", "B; part next: A from \"./a.eqn\";"),
         ("own.eqn", "Own; part own: Own from \"own.eqn\";"),
-        (
-            "missing.eqn",
-            "Missing; part core: Lost from \"lost.eqn\"; output core.x;",
-        ),
+        ("missing.eqn", "Missing; part core: Lost from \"lost.eqn\"; output core.x;"),
         (
             "units.eqn",
             "Units; parameter a = 1 s; dimension b = 1 m; let wrong = a + b; output good = a;",
         ),
-        (
-            "blind.eqn",
-            "Blind; parameter gain = 1; let y = gian*theta; let z = mass;",
-        ),
+        ("blind.eqn", "Blind; parameter gain = 1; let y = gian*theta; let z = mass;"),
         (
             "broken.eqn",
             "Broken; parameter a = ; driver phi in 0 .. 1; let b = a*phi; output c = b + ;",
@@ -435,11 +371,7 @@ fn parts_are_limited() {
         })
         .collect();
     let deep = ("parts stand in each other more than 16 deep", "P16", "");
-    let many = (
-        "the parts up to here come to more than 20000 statements",
-        "first: P0",
-        "",
-    );
+    let many = ("the parts up to here come to more than 20000 statements", "first: P0", "");
     check("Machine; part first: P0 { }", &files, &[many, deep, deep]);
 }
 
@@ -463,10 +395,7 @@ fn files_of_parts_that_are_cut_off_are_endured() {
         assert_eq!(wrong > 0, compiled.model.is_none());
         let count = (main.len() + feed.len() + bar.len()) as u32;
         for one in &compiled.diagnostics {
-            assert!(
-                one.span.first <= one.span.last && one.span.last < count,
-                "{one:?}"
-            );
+            assert!(one.span.first <= one.span.last && one.span.last < count, "{one:?}");
         }
     };
     for length in 1..main.len() {
@@ -474,11 +403,7 @@ fn files_of_parts_that_are_cut_off_are_endured() {
     }
     for length in 0..feed.len() {
         endure(&main, &feed[..length], &bar);
-        endure(
-            &main,
-            &[&feed[..length], &feed[length + 1..]].concat(),
-            &bar,
-        );
+        endure(&main, &[&feed[..length], &feed[length + 1..]].concat(), &bar);
     }
     for length in 0..bar.len() {
         endure(&main, &feed, &bar[..length]);

@@ -9,11 +9,7 @@ use super::{SPRING, compiled};
 #[track_caller]
 fn scenes(text: &str) -> Vec<SceneModel> {
     let (compiled, _) = compiled(text);
-    assert!(
-        compiled.diagnostics.is_empty(),
-        "{text}: {:#?}",
-        compiled.diagnostics
-    );
+    assert!(compiled.diagnostics.is_empty(), "{text}: {:#?}", compiled.diagnostics);
     compiled.model.unwrap().scenes
 }
 
@@ -90,14 +86,9 @@ fn expressions_have_their_values() {
 
 #[test]
 fn a_spring_swings() {
-    let scene = &scenes(&format!(
-        "{SPRING}scene s \"It swings.\" {{ run time 0 s .. 1 s; }}"
-    ))[0];
+    let scene = &scenes(&format!("{SPRING}scene s \"It swings.\" {{ run time 0 s .. 1 s; }}"))[0];
     assert_eq!(scene.summary, "It swings.");
-    assert_eq!(
-        (scene.span, scene.conservative, scene.program.linear),
-        (SpanKind::Run, true, true)
-    );
+    assert_eq!((scene.span, scene.conservative, scene.program.linear), (SpanKind::Run, true, true));
     let all = values(scene, 0.0, &[0.5, 2.0]);
     let results = &scene.program.results;
     assert_eq!(all.all(&results.derivative), [2.0, -2.0]);
@@ -139,25 +130,14 @@ fn a_scene_has_what_its_effects_have() {
     );
     let scenes = scenes(&text);
     let names = |scene: &SceneModel| {
-        scene
-            .constants
-            .iter()
-            .map(|one| one.quantity.name.clone())
-            .collect::<Vec<_>>()
+        scene.constants.iter().map(|one| one.quantity.name.clone()).collect::<Vec<_>>()
     };
     assert_eq!(names(&scenes[0]), ["m", "c"]);
     assert_eq!(names(&scenes[1]), ["m", "c", "d"]);
     assert_eq!(scenes[1].effects, ["friction"]);
-    assert_eq!(
-        scenes[1].choices,
-        [("support".to_string(), "shaken".to_string())]
-    );
+    assert_eq!(scenes[1].choices, [("support".to_string(), "shaken".to_string())]);
     assert_eq!(scenes[0].outputs.len(), 4);
-    let outputs: Vec<_> = scenes[1]
-        .outputs
-        .iter()
-        .map(|one| one.name.as_str())
-        .collect();
+    let outputs: Vec<_> = scenes[1].outputs.iter().map(|one| one.name.as_str()).collect();
     assert_eq!(outputs, ["z", "w"]);
     assert_eq!(
         values(&scenes[0], 0.0, &[0.5, 2.0]).all(&scenes[0].program.results.outputs)[2..],
@@ -179,49 +159,24 @@ fn presets_marks_and_facts_reach_the_scene() {
          expect at theta = 180 deg: x = 1 mm +- 0.5 mm \"figure 1\"; expect scene s preset heavy at amplitude: dot(x) = 2 [m/s] +- 1 [m/s];"
     );
     let scene = &scenes(&text)[0];
-    let mass = scene
-        .constants
-        .iter()
-        .find(|one| one.quantity.name == "m")
-        .unwrap();
+    let mass = scene.constants.iter().find(|one| one.quantity.name == "m").unwrap();
     assert_eq!((scene.preset.as_str(), mass.default), ("heavy", 20.0));
     let places: Vec<_> = scene.marks.iter().map(|mark| mark.at.clone()).collect();
     assert_eq!(
         places,
-        [
-            ExpectPlace::Driver(0, std::f64::consts::FRAC_PI_2),
-            ExpectPlace::Time(1.0)
-        ]
+        [ExpectPlace::Driver(0, std::f64::consts::FRAC_PI_2), ExpectPlace::Time(1.0)]
     );
     let facts: Vec<_> = scene
         .expectations
         .iter()
-        .map(|fact| {
-            (
-                fact.at.clone(),
-                fact.quantity,
-                fact.value,
-                fact.preset.as_str(),
-            )
-        })
+        .map(|fact| (fact.at.clone(), fact.quantity, fact.value, fact.preset.as_str()))
         .collect();
     assert_eq!(
         facts[0],
-        (
-            ExpectPlace::Driver(0, std::f64::consts::PI),
-            Subject::Output(0),
-            1e-3,
-            ""
-        )
+        (ExpectPlace::Driver(0, std::f64::consts::PI), Subject::Output(0), 1e-3, "")
     );
-    assert_eq!(
-        facts[1],
-        (ExpectPlace::Amplitude, Subject::State(1), 2.0, "heavy")
-    );
-    assert_eq!(
-        values(scene, 0.0, &[0.0, 0.0]).all(&scene.program.results.start),
-        [0.1, 1.0]
-    );
+    assert_eq!(facts[1], (ExpectPlace::Amplitude, Subject::State(1), 2.0, "heavy"));
+    assert_eq!(values(scene, 0.0, &[0.0, 0.0]).all(&scene.program.results.start), [0.1, 1.0]);
 }
 
 #[test]
@@ -230,12 +185,7 @@ fn constants_have_ranges_and_tolerances() {
     let scene = &scenes(text)[0];
     let radius = &scene.constants[0];
     assert_eq!(
-        (
-            radius.is_dimension,
-            radius.default,
-            radius.tolerance,
-            radius.range
-        ),
+        (radius.is_dimension, radius.default, radius.tolerance, radius.range),
         (true, 0.075, 5e-5, (0.06, 0.09))
     );
     assert_eq!(
@@ -261,12 +211,9 @@ fn a_function_keeps_the_units_of_its_arguments_apart() {
 #[test]
 fn functions_that_call_each_other_twice_are_quick() {
     for argument in ["x", "[x, 2*x]"] {
-        let functions: String = (0..40)
-            .map(|k| format!("let f{k}(v) = f{}(v) + f{}(v); ", k + 1, k + 1))
-            .collect();
-        scenes(&format!(
-            "{SPRING} {functions} let f40(v) = 2*v; output y = f0({argument});"
-        ));
+        let functions: String =
+            (0..40).map(|k| format!("let f{k}(v) = f{}(v) + f{}(v); ", k + 1, k + 1)).collect();
+        scenes(&format!("{SPRING} {functions} let f40(v) = 2*v; output y = f0({argument});"));
     }
 }
 

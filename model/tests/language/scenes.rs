@@ -41,18 +41,11 @@ fn scenes_select_what_there_is() {
 fn an_effect_in_no_scene_is_a_warning_and_is_checked() {
     check(
         &format!("{SPRING} effect e {{ let a = x; output a; }} scene s;"),
-        &[(
-            "no scene shows the effect `e`",
-            "e",
-            "scene with_e = e { … }",
-        )],
+        &[("no scene shows the effect `e`", "e", "scene with_e = e { … }")],
     );
     check(
         &format!("{SPRING} effect e {{ output a = x + m; }} scene s;"),
-        &[
-            ("no scene shows the effect `e`", "e", ""),
-            ("this adds or subtracts", "x + m", ""),
-        ],
+        &[("no scene shows the effect `e`", "e", ""), ("this adds or subtracts", "x + m", "")],
     );
     check(
         &format!("{SPRING} choice k {{ a {{ }} b {{ output a = x + m; }} }} scene s;"),
@@ -61,10 +54,7 @@ fn an_effect_in_no_scene_is_a_warning_and_is_checked() {
     // An effect inside another one is checked together with it.
     check(
         &format!("{SPRING} effect e {{ effect f {{ output a = x + m; }} }} scene s = e;"),
-        &[
-            ("no scene shows the effect `f`", "f", ""),
-            ("this adds or subtracts", "x + m", ""),
-        ],
+        &[("no scene shows the effect `f`", "f", ""), ("this adds or subtracts", "x + m", "")],
     );
     check(
         &format!("{SPRING} effect e {{ coordinate y: m = 0; }} scene s;"),
@@ -97,14 +87,7 @@ fn a_mistake_in_several_scenes_is_said_once() {
 fn what_is_missing_without_an_effect_is_said_for_that_scene() {
     let text =
         format!("{SPRING} effect e {{ let a = 2*x; }} output b = 3*a; scene s; scene t = e;");
-    check(
-        &text,
-        &[(
-            "there is no `a` here",
-            "a",
-            "say in `else` what takes its place",
-        )],
-    );
+    check(&text, &[("there is no `a` here", "a", "say in `else` what takes its place")]);
 }
 
 #[test]
@@ -125,10 +108,7 @@ fn a_run_needs_start_values() {
             ("`i` has no start value", "i", ""),
         ],
     );
-    check(
-        &file(" = 0", "run time 0 .. 1 s;"),
-        &[("`i` has no start value", "i", "")],
-    );
+    check(&file(" = 0", "run time 0 .. 1 s;"), &[("`i` has no start value", "i", "")]);
     check(&file("", "run time 0 .. 1 s; start x = 0, i = 1 A;"), &[]);
     check(&file("", "periodic over 1 s;"), &[]);
 }
@@ -170,32 +150,15 @@ fn the_order_of_statements_does_not_matter() {
         "scene t = e;",
     ];
     let forward = format!("Sample; {}", statements.join(" "));
-    let backward = format!(
-        "Sample; {}",
-        statements
-            .iter()
-            .rev()
-            .copied()
-            .collect::<Vec<_>>()
-            .join(" ")
-    );
+    let backward =
+        format!("Sample; {}", statements.iter().rev().copied().collect::<Vec<_>>().join(" "));
     let (forward, backward) = (compiled(&forward).0, compiled(&backward).0);
     assert!(forward.diagnostics.is_empty() && backward.diagnostics.is_empty());
     let names = |compiled: &assur_model::checked::Compiled| {
-        let scenes = compiled
-            .model
-            .as_ref()
-            .map(|model| &model.scenes)
-            .into_iter()
-            .flatten();
+        let scenes = compiled.model.as_ref().map(|model| &model.scenes).into_iter().flatten();
         let mut names: Vec<_> = scenes
             .map(|scene| {
-                (
-                    scene.name.clone(),
-                    scene.outputs.len(),
-                    scene.states.len(),
-                    scene.constants.len(),
-                )
+                (scene.name.clone(), scene.outputs.len(), scene.states.len(), scene.constants.len())
             })
             .collect();
         names.sort();

@@ -176,10 +176,7 @@ fn a_mistake_in_a_loop_is_reported_once() {
 /// What holds in all modes gives way to what a mode holds, whether it is written or derived.
 #[test]
 fn hold_takes_the_place_of_an_equation() {
-    for moves in [
-        "motion m*ddot(x) = F;",
-        "kinetic m*dot(x)^2/2; force F on x;",
-    ] {
+    for moves in ["motion m*ddot(x) = F;", "kinetic m*dot(x)^2/2; force F on x;"] {
         check(
             &format!(
                 "Sample; parameter m = 1 kg, F = 3 N; coordinate x: m = 0 m; {moves} \

@@ -95,8 +95,5 @@ impl From<PeriodicError> for Error {
 
 /// The error for a name that there is not.
 pub(super) fn unknown(name: &str, known: impl Iterator<Item = &'static str>) -> Error {
-    Error::Unknown {
-        name: name.to_owned(),
-        known: known.collect(),
-    }
+    Error::Unknown { name: name.to_owned(), known: known.collect() }
 }

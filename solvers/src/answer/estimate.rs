@@ -50,11 +50,7 @@ impl Estimate {
     /// Solves the task again.
     pub(super) fn of(motion: &Motion) -> Result<Self, Error> {
         if motion.shape().states.is_empty() || motion.task() == Span::Open {
-            return Ok(Self {
-                others: Vec::new(),
-                tenfold: None,
-                is_cut_off: false,
-            });
+            return Ok(Self { others: Vec::new(), tenfold: None, is_cut_off: false });
         }
         let (question, settings) = (&motion.question, &motion.settings);
         let rtol = settings.rtol;
@@ -73,11 +69,7 @@ impl Estimate {
         let share =
             |motion: Option<Motion>, share: f64| motion.map(|motion| Other { motion, share });
         let others = [share(finer, 10.0 / 9.0), share(coarser, bound)];
-        Ok(Self {
-            others: others.into_iter().flatten().collect(),
-            tenfold,
-            is_cut_off,
-        })
+        Ok(Self { others: others.into_iter().flatten().collect(), tenfold, is_cut_off })
     }
 
     /// The error of a value for which the others have these.
@@ -127,11 +119,9 @@ impl Estimate {
             if motion.passed(near) != motion.passed(time) {
                 continue;
             }
-            for (error, here) in errors.iter_mut().zip(
-                self.exactly_at(motion, subjects, near)
-                    .into_iter()
-                    .flatten(),
-            ) {
+            for (error, here) in
+                errors.iter_mut().zip(self.exactly_at(motion, subjects, near).into_iter().flatten())
+            {
                 *error = larger(*error, here);
             }
         }
@@ -140,9 +130,7 @@ impl Estimate {
 
     fn jump(&self, motion: &Motion, subjects: &[Subject], time: f64) -> Vec<f64> {
         let theirs = self.others.iter();
-        let theirs: Vec<_> = theirs
-            .map(|other| other.motion.values(subjects, time))
-            .collect();
+        let theirs: Vec<_> = theirs.map(|other| other.motion.values(subjects, time)).collect();
         let values = motion.values(subjects, time).into_iter().enumerate();
         values
             .map(|(index, value)| {
@@ -251,10 +239,8 @@ pub(super) fn near(motion: &Motion, time: f64) -> Vec<f64> {
     let part = |step: &[f64], part: usize| {
         step[0] + (step[1] - step[0]) * (part as f64 + 0.5) / PARTS as f64
     };
-    let parts = around.windows(2).flat_map(|step| {
-        (0..PARTS)
-            .map(|index| part(step, index))
-            .collect::<Vec<_>>()
-    });
+    let parts = around
+        .windows(2)
+        .flat_map(|step| (0..PARTS).map(|index| part(step, index)).collect::<Vec<_>>());
     parts.collect()
 }

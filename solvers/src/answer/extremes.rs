@@ -79,18 +79,14 @@ impl Estimate {
                 found.error = larger(found.error, there);
                 found
             };
-            Ends {
-                lowest: end(|own| own.lowest),
-                highest: end(|own| own.highest),
-            }
+            Ends { lowest: end(|own| own.lowest), highest: end(|own| own.highest) }
         });
         let mut ends: Vec<_> = ends.collect();
         for (index, (ends, own)) in ends.iter_mut().zip(extremes).enumerate() {
             let rounding = f64::EPSILON * own.amplitude();
-            for (end, rivals) in [
-                (&mut ends.lowest, &own.low_rivals),
-                (&mut ends.highest, &own.high_rivals),
-            ] {
+            for (end, rivals) in
+                [(&mut ends.lowest, &own.low_rivals), (&mut ends.highest, &own.high_rivals)]
+            {
                 end.error = larger(end.error, rounding);
                 let jitter = |place: (f64, f64)| jitter(motion, subjects[index], place);
                 end.error = larger(end.error, jitter((end.time, end.value)));
@@ -145,9 +141,8 @@ fn widen(
     let samples = samples.times.iter().zip(samples.values);
     let samples = samples.filter(|(_, values)| is_like(values[index]));
     let times = samples.map(|(time, _)| *time).chain(tops.iter().copied());
-    let (from, to) = times.fold((end.time, end.time), |(from, to), time| {
-        (from.min(time), to.max(time))
-    });
+    let (from, to) =
+        times.fold((end.time, end.time), |(from, to), time| (from.min(time), to.max(time)));
     end.time = tops.into_iter().fold(end.time, f64::min);
     end.reach = end.blur.max(to - end.time).max(end.time - from);
 }

@@ -254,13 +254,7 @@ impl Motion {
             true => model.outputs_in(mode, time, state),
             false => Vec::new(),
         };
-        let position = Position {
-            time,
-            mode,
-            state: state.to_vec(),
-            rates,
-            outputs,
-        };
+        let position = Position { time, mode, state: state.to_vec(), rates, outputs };
         let values = subjects.iter().map(|subject| position.get(*subject));
         values.map(|value| value.unwrap_or(f64::NAN)).collect()
     }

@@ -28,11 +28,7 @@ pub trait Move: Linkage {
     /// A question about the errors of an output, by its name, that the tolerances of the file make.
     fn tolerance(&self, output: &str) -> Tolerance<'_, Self> {
         let standing = self.ranges().iter().map(|range| range.start).collect();
-        Tolerance {
-            linkage: self,
-            output: output.to_owned(),
-            place: Ok(standing),
-        }
+        Tolerance { linkage: self, output: output.to_owned(), place: Ok(standing) }
     }
 }
 
@@ -40,11 +36,7 @@ impl<L: Linkage> Move for L {}
 
 /// A driver that stands still.
 fn standing(position: f64) -> Axis {
-    Axis {
-        from: position,
-        to: position,
-        count: 1,
-    }
+    Axis { from: position, to: position, count: 1 }
 }
 
 /// The positions of a linkage along its first driver.
@@ -65,10 +57,7 @@ impl Sweep {
     /// # Errors
     /// [`Error::Unknown`].
     pub fn output(&self, name: &str) -> Result<Vec<(f64, f64)>, Error> {
-        let dependents = self
-            .shape
-            .linkage
-            .map_or(&[][..], |linkage| linkage.dependents);
+        let dependents = self.shape.linkage.map_or(&[][..], |linkage| linkage.dependents);
         let output = find(self.shape.outputs, name).map(Subject::Output);
         let subject = output.or_else(|| find(dependents, name).map(Subject::State));
         let known = self.shape.outputs.iter().chain(dependents);
@@ -123,11 +112,7 @@ impl<L: Linkage> Tolerance<'_, L> {
             let outputs = shape.outputs.iter();
             return Err(unknown(&self.output, outputs.map(|one| one.name)));
         };
-        Ok(Study {
-            output,
-            places: vec![self.place.clone()?],
-            sources: sources(shape),
-        })
+        Ok(Study { output, places: vec![self.place.clone()?], sources: sources(shape) })
     }
 
     /// The errors of so many linkages made at random.
@@ -135,10 +120,7 @@ impl<L: Linkage> Tolerance<'_, L> {
     /// # Errors
     /// [`Error::Unknown`]; [`Error::Tolerance`], where the question makes no sense.
     pub fn monte_carlo(&self, samples: u64) -> Result<MonteCarlo, Error> {
-        let sampling = Sampling {
-            samples,
-            ..Sampling::default()
-        };
+        let sampling = Sampling { samples, ..Sampling::default() };
         let found = tolerance::monte_carlo(self.linkage, &self.study()?, &sampling, &|_| {});
         found.map_err(Error::Tolerance)
     }
@@ -158,11 +140,7 @@ fn sources(shape: &Shape) -> Vec<Source> {
             }
             Variable::Driver(index) => linkage.tolerances[*index],
         };
-        Source {
-            variable,
-            half_width,
-            distribution,
-        }
+        Source { variable, half_width, distribution }
     });
     sources.filter(|source| source.half_width > 0.0).collect()
 }

@@ -23,22 +23,13 @@ pub struct Question {
 impl Question {
     /// The motion of a model over its task.
     pub fn of(model: Arc<dyn Model>) -> Self {
-        Self {
-            refused: None,
-            mode: model.shape().first,
-            start: None,
-            span: model.span(),
-            model,
-        }
+        Self { refused: None, mode: model.shape().first, start: None, span: model.span(), model }
     }
 
     /// From this start, SI units. Shape: [`Shape::states`](crate::shape::Shape::states).
     #[must_use]
     pub fn from(self, start: impl Into<Vec<f64>>) -> Self {
-        Self {
-            start: Some(start.into()),
-            ..self
-        }
+        Self { start: Some(start.into()), ..self }
     }
 
     /// From a start in a mode, by its index.
@@ -54,19 +45,13 @@ impl Question {
             Span::Run(begin, _) => begin,
             _ => 0.0,
         };
-        Self {
-            span: Span::Run(begin, end),
-            ..self
-        }
+        Self { span: Span::Run(begin, end), ..self }
     }
 
     /// A motion that repeats after this time in seconds, or after several of them.
     #[must_use]
     pub fn repeating_after(self, period: f64) -> Self {
-        Self {
-            span: Span::Periodic(period),
-            ..self
-        }
+        Self { span: Span::Periodic(period), ..self }
     }
 
     /// The scene with its values.
@@ -116,10 +101,9 @@ impl Question {
                 let mode = self.mode;
                 Ok((hybrid::Motion { mode, ..rest }, None))
             }
-            span if model.shape().states.is_empty() => Ok((
-                hybrid::Motion::without_states(self.mode, span.limits()),
-                None,
-            )),
+            span if model.shape().states.is_empty() => {
+                Ok((hybrid::Motion::without_states(self.mode, span.limits()), None))
+            }
             Span::Periodic(period) if model.events().is_some() => {
                 let cycle = hybrid::cycle_of(model, place, period, settings)?;
                 Ok(Repeats::of_cycle(cycle))
@@ -139,13 +123,7 @@ impl Question {
         start: &[f64],
         settings: &Settings,
     ) -> Result<hybrid::Motion, HybridError> {
-        let way = Way {
-            mode: self.mode,
-            times,
-            start,
-            settings,
-            is_checked: true,
-        };
+        let way = Way { mode: self.mode, times, start, settings, is_checked: true };
         way.of(self.model.as_ref())
     }
 }

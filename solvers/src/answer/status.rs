@@ -56,10 +56,9 @@ impl fmt::Display for Status {
                 formatter,
                 "it repeats, but a disturbance grows {modulus:.3} times in each cycle"
             ),
-            Self::Free { motions } => write!(
-                formatter,
-                "it repeats, and so do {motions} free motions that may be added"
-            ),
+            Self::Free { motions } => {
+                write!(formatter, "it repeats, and so do {motions} free motions that may be added")
+            }
         }
     }
 }

@@ -62,9 +62,8 @@ impl Point<'_> {
         let mut slopes = vec![0.0; states * states];
         let phase = Phase::of(self.mode);
         self.plain.jacobian(phase, &instant, here, &mut slopes);
-        let expected: Vec<Vec<Dual>> = (0..states)
-            .map(|column| self.dual_rate(time, here, column))
-            .collect();
+        let expected: Vec<Vec<Dual>> =
+            (0..states).map(|column| self.dual_rate(time, here, column)).collect();
         for column in 0..states {
             for row in 0..states {
                 let (found, wanted) = (slopes[column * states + row], expected[column][row].slope);
@@ -141,8 +140,7 @@ impl Point<'_> {
         let columns: Vec<f64> = (0..states * (1 + states)).map(entry).collect();
         let (mut rate, mut products) = (vec![0.0; states], columns.clone());
         let phase = Phase::of(self.mode);
-        self.plain
-            .variation(phase, instant, here, &mut rate, &columns, &mut products);
+        self.plain.variation(phase, instant, here, &mut rate, &columns, &mut products);
         let expected = |row: usize, column: usize| -> f64 {
             let terms = (0..states)
                 .map(|other| slopes[other * states + row] * columns[column * states + other]);
@@ -169,8 +167,5 @@ fn near(found: f64, wanted: f64, tolerance: f64, place: impl Fn() -> String) -> 
     if (found - wanted).abs() <= tolerance || !found.is_finite() && !wanted.is_finite() {
         return Ok(());
     }
-    Err(Failed(format!(
-        "{}: found {found:e}, expected {wanted:e} to {tolerance:e}",
-        place()
-    )))
+    Err(Failed(format!("{}: found {found:e}, expected {wanted:e} to {tolerance:e}", place())))
 }

@@ -43,15 +43,10 @@ pub fn fact(mechanism: &Mechanism, scene: &str, index: usize) -> Result<(), Fail
 
 /// The values of the scene's constants with which a fact is compared.
 fn values(mechanism: &Mechanism, scene: &SceneEntry, fact: &Expectation) -> Vec<f64> {
-    let preset = mechanism
-        .presets
-        .iter()
-        .find(|preset| preset.name == fact.preset);
+    let preset = mechanism.presets.iter().find(|preset| preset.name == fact.preset);
     let given = preset.map_or(&[][..], |preset| preset.values);
     let value = |constant: &Constant| {
-        let own = given
-            .iter()
-            .find(|(name, _)| *name == constant.quantity.name);
+        let own = given.iter().find(|(name, _)| *name == constant.quantity.name);
         own.map_or(constant.default, |(_, value)| *value)
     };
     scene.constants.iter().map(value).collect()
@@ -59,23 +54,14 @@ fn values(mechanism: &Mechanism, scene: &SceneEntry, fact: &Expectation) -> Vec<
 
 /// `dot(phi2) at Driver(0, 1.9): computed …, published … ± …, deviation … (batten.eqn:190)`
 fn text(mechanism: &Mechanism, fact: &Expectation, quantity: &Quantity, computed: f64) -> String {
-    let shown = |value: f64| {
-        format!("{} {}", value / quantity.factor, quantity.unit)
-            .trim_end()
-            .to_owned()
-    };
+    let shown =
+        |value: f64| format!("{} {}", value / quantity.factor, quantity.unit).trim_end().to_owned();
     // Digits below a hundredth of the tolerance say nothing about the fact.
     let rounded = |value: f64| {
         let decimals = 2.0 - (fact.tolerance / quantity.factor).log10();
-        let text = format!(
-            "{:.*}",
-            decimals.ceil().clamp(0.0, 17.0) as usize,
-            value / quantity.factor
-        );
-        shown(
-            text.parse()
-                .map_or(value, |digits: f64| digits * quantity.factor),
-        )
+        let text =
+            format!("{:.*}", decimals.ceil().clamp(0.0, 17.0) as usize, value / quantity.factor);
+        shown(text.parse().map_or(value, |digits: f64| digits * quantity.factor))
     };
     format!(
         "{} at {:?}: computed {}, published {} ± {}, deviation {} ({}:{}) {}",

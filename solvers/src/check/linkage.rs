@@ -34,9 +34,7 @@ fn closure_of(linkage: &dyn AnyLinkage) -> Result<(), Failed> {
     for index in 0..PLACES {
         let place = place(linkage, index)?;
         let (drivers, motion) = place.split_at(linkage.shape().drivers.len());
-        assembly
-            .move_to(drivers)
-            .map_err(|error| Failed(error.to_string()))?;
+        assembly.move_to(drivers).map_err(|error| Failed(error.to_string()))?;
         let here = Position::of(linkage, &assembly.guide(), motion);
         here.check()?;
         resolved(linkage, &here)?;
@@ -128,9 +126,8 @@ impl<'a> Position<'a> {
         }
         let count = self.entry.variables.len();
         for (j, slope) in slopes.iter().enumerate() {
-            let found: Vec<f64> = (0..self.outputs())
-                .map(|i| self.influence[i * count + j])
-                .collect();
+            let found: Vec<f64> =
+                (0..self.outputs()).map(|i| self.influence[i * count + j]).collect();
             let what = format!("influence of {:?} on the outputs", self.entry.variables[j]);
             compare(&what, &found, &slope.outputs, DEVIATION, &self.independents)?;
         }
@@ -228,16 +225,11 @@ impl<'a> Position<'a> {
         let mut square = Square::of(loops.shape());
         square.look(loops, group, instant, position);
         let count = unknowns.len();
-        let entries: Vec<f64> = square.jacobian[..count * count]
-            .iter()
-            .map(|one| one.value)
-            .collect();
-        let scale = entries
-            .iter()
-            .fold(0.0_f64, |most, one| most.max(one.abs()));
-        for (row, equation) in square.residual[..count]
-            .iter()
-            .zip(self.entry.groups[group].equations)
+        let entries: Vec<f64> =
+            square.jacobian[..count * count].iter().map(|one| one.value).collect();
+        let scale = entries.iter().fold(0.0_f64, |most, one| most.max(one.abs()));
+        for (row, equation) in
+            square.residual[..count].iter().zip(self.entry.groups[group].equations)
         {
             let (trial, own) = (row.value, self.residual[*equation]);
             if is_off(trial, 0.0, RESIDUAL * scale) || is_off(trial, own, RESIDUAL * scale) {
@@ -247,10 +239,7 @@ impl<'a> Position<'a> {
                 )));
             }
         }
-        let mut right: Vec<f64> = square.residual[..count]
-            .iter()
-            .map(|one| -one.slope)
-            .collect();
+        let mut right: Vec<f64> = square.residual[..count].iter().map(|one| -one.slope).collect();
         let factors =
             Lu::new(entries, count).map_err(|error| Failed(format!("group {group}: {error}")))?;
         factors.solve(&mut right);
@@ -283,9 +272,7 @@ pub(super) fn compare(
     share: f64,
     at: &[f64],
 ) -> Result<(), Failed> {
-    let scale = expected
-        .iter()
-        .fold(0.0_f64, |most, one| most.max(one.abs()));
+    let scale = expected.iter().fold(0.0_f64, |most, one| most.max(one.abs()));
     for (index, (found, expected)) in found.iter().zip(expected).enumerate() {
         if is_off(*found, *expected, share * scale) {
             return Err(Failed(format!(

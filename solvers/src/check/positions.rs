@@ -55,10 +55,7 @@ fn at(
         let value = all.get(output * count + variable).copied();
         return value.ok_or_else(|| nowhere(fact));
     }
-    along(run, fact, &[place])?
-        .first()
-        .copied()
-        .ok_or_else(|| nowhere(fact))
+    along(run, fact, &[place])?.first().copied().ok_or_else(|| nowhere(fact))
 }
 
 /// The values at several places on one way.

@@ -29,32 +29,19 @@ pub(super) fn resolved(linkage: &dyn AnyLinkage, here: &Position<'_>) -> Result<
         let Variable::Constant(index) = variable else {
             continue;
         };
-        let size = linkage
-            .values()
-            .iter()
-            .fold(0.0_f64, |most, one| most.max(one.abs()));
+        let size = linkage.values().iter().fold(0.0_f64, |most, one| most.max(one.abs()));
         let value = linkage.values()[*index].abs();
         // What is zero may be an angle among lengths: a step as small as the others would drown in rounding.
-        let step = 1e-5
-            * if value == 0.0 {
-                size
-            } else {
-                value.max(1e-3 * size)
-            };
+        let step = 1e-5 * if value == 0.0 { size } else { value.max(1e-3 * size) };
         let moved = |change: f64| {
             let mut values = linkage.values();
             values[*index] += change;
             outputs(&values)
         };
         let (above, below) = (moved(step)?, moved(-step)?);
-        let expected: Vec<f64> = above
-            .iter()
-            .zip(&below)
-            .map(|(a, b)| (a - b) / (2.0 * step))
-            .collect();
-        let found: Vec<f64> = (0..here.outputs())
-            .map(|i| here.influence[i * count + j])
-            .collect();
+        let expected: Vec<f64> =
+            above.iter().zip(&below).map(|(a, b)| (a - b) / (2.0 * step)).collect();
+        let found: Vec<f64> = (0..here.outputs()).map(|i| here.influence[i * count + j]).collect();
         let what = format!(
             "influence of {variable:?} on the outputs, by putting the linkage together again"
         );

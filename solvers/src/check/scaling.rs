@@ -43,14 +43,8 @@ struct Units {
 
 /// The systems of units in which a mechanism is stated.
 const SYSTEMS: [Units; 2] = [
-    Units {
-        symbols: ["mm", "g", "ms"],
-        digits: [3, 3, 3],
-    },
-    Units {
-        symbols: ["cm", "g", "s"],
-        digits: [2, 3, 0],
-    },
+    Units { symbols: ["mm", "g", "ms"], digits: [3, 3, 3] },
+    Units { symbols: ["cm", "g", "s"], digits: [2, 3, 0] },
 ];
 
 /// Checks at several times and states that a scene gives the same derivative, outputs and positions of the drivers when
@@ -65,10 +59,8 @@ pub fn scaling<C: Scene, const N: usize>(
 ) -> Result<(), Failed> {
     let entry = mechanism.scenes.iter().find(|entry| entry.name == scene);
     let entry = entry.ok_or_else(|| Failed("there is no such scene".into()))?;
-    let constants: &[Constant; N] = entry
-        .constants
-        .try_into()
-        .map_err(|_| Failed("the scene has other constants".into()))?;
+    let constants: &[Constant; N] =
+        entry.constants.try_into().map_err(|_| Failed("the scene has other constants".into()))?;
     let components = components(entry);
     let scene = from_values(&constants.map(|constant| constant.default));
     let mut compared = 0;
@@ -105,20 +97,14 @@ fn components(entry: &SceneEntry) -> Vec<(String, Dimension)> {
         let name = move |one: &Quantity| (format!("{what} {}", one.name), one.dimension);
         list.iter().map(name)
     };
-    rates
-        .chain(named("output", entry.outputs))
-        .chain(named("driver", entry.drivers))
-        .collect()
+    rates.chain(named("output", entry.outputs)).chain(named("driver", entry.drivers)).collect()
 }
 
 /// Derivative of the state, outputs and positions of the drivers, with the bounds of their errors.
 fn values<C: Scene>(scene: &C, time: f64, state: &[f64]) -> Vec<Bounded> {
     let (equations, shape) = (scene.prepare::<Bounded>(), C::shape());
     let time = Bounded::from_f64(time);
-    let here: Vec<Bounded> = state
-        .iter()
-        .map(|value| Bounded::from_f64(*value))
-        .collect();
+    let here: Vec<Bounded> = state.iter().map(|value| Bounded::from_f64(*value)).collect();
     let (rates, _) = rates(&equations, shape.first, time, &here);
     let mut outputs = vec![Bounded::ZERO; shape.outputs.len()];
     equations.outputs(Phase::of(shape.first), time, &here, &mut outputs);
@@ -162,10 +148,7 @@ impl Units {
         (time, state): &(f64, Vec<f64>),
     ) -> Result<(), Failed> {
         let expected = expected * Bounded::from_f64(self.factor(dimension));
-        let (off, rounding) = (
-            (found.value - expected.value).abs(),
-            found.bound + expected.bound,
-        );
+        let (off, rounding) = ((found.value - expected.value).abs(), found.bound + expected.bound);
         if off <= rounding && rounding.is_finite() {
             return Ok(());
         }
@@ -227,15 +210,7 @@ mod tests {
         check([(2, 1), (1, 1), (-3, 1), (-1, 1)], 1.0, "g mm^2/(ms^3 A)");
         check([(-2, 1), (0, 1), (-2, 1), (0, 1)], 1e-12, "1/(mm^2 ms^2)");
         check([(0, 1), (0, 1), (-1, 1), (0, 1)], 1e-3, "1/ms");
-        check(
-            [(1, 2), (0, 1), (-1, 1), (0, 1)],
-            0.03162277660168379,
-            "mm^(1/2)/ms",
-        );
-        check(
-            [(-1, 3), (1, 2), (0, 1), (0, 1)],
-            3.1622776601683795,
-            "g^(1/2)/mm^(1/3)",
-        );
+        check([(1, 2), (0, 1), (-1, 1), (0, 1)], 0.03162277660168379, "mm^(1/2)/ms");
+        check([(-1, 3), (1, 2), (0, 1), (0, 1)], 3.1622776601683795, "g^(1/2)/mm^(1/3)");
     }
 }

@@ -92,27 +92,16 @@ impl<const MISTAKE: u8> Scene for Oscillator<MISTAKE> {
     }
 }
 
-const LENGTH: Quantity = Quantity {
-    name: "x",
-    summary: "",
-    unit: "mm",
-    factor: 1e-3,
-    dimension: [(0, 1); 7],
-};
+const LENGTH: Quantity =
+    Quantity { name: "x", summary: "", unit: "mm", factor: 1e-3, dimension: [(0, 1); 7] };
 
-const SPEED: Quantity = Quantity {
-    name: "dot(x)",
-    ..LENGTH
-};
+const SPEED: Quantity = Quantity { name: "dot(x)", ..LENGTH };
 
-const FREE_SHAPE: Shape = Shape::named("free")
-    .drivers(&[LENGTH])
-    .states(&[LENGTH, SPEED], &[1.0, 1.0]);
+const FREE_SHAPE: Shape =
+    Shape::named("free").drivers(&[LENGTH]).states(&[LENGTH, SPEED], &[1.0, 1.0]);
 
-const FREE: SceneEntry = SceneEntry {
-    shape: &FREE_SHAPE,
-    bind: Bind::Motion(|_| bind(Oscillator::<RIGHT>)),
-};
+const FREE: SceneEntry =
+    SceneEntry { shape: &FREE_SHAPE, bind: Bind::Motion(|_| bind(Oscillator::<RIGHT>)) };
 
 const OSCILLATOR: Mechanism = Mechanism {
     name: "oscillator",
@@ -134,10 +123,7 @@ fn fact_about(at: At, value: f64) -> Result<(), super::Failed> {
     let expectations = Box::leak(Box::new([expected]));
     let shape = Box::leak(Box::new(FREE_SHAPE.expectations(expectations)));
     let scenes = Box::leak(Box::new([SceneEntry { shape, ..FREE }]));
-    let mechanism = Mechanism {
-        scenes,
-        ..OSCILLATOR
-    };
+    let mechanism = Mechanism { scenes, ..OSCILLATOR };
     fact(&mechanism, "free", 0)
 }
 
@@ -145,10 +131,7 @@ fn fact_about(at: At, value: f64) -> Result<(), super::Failed> {
 fn a_wrong_slope_is_found() {
     assert_eq!(jacobian::<Oscillator<RIGHT>>(), Ok(()));
     let failed = jacobian::<Oscillator<WRONG_SLOPE>>().unwrap_err().0;
-    assert!(
-        failed.starts_with("Jacobian, rate of dot(x) with respect to x"),
-        "{failed}"
-    );
+    assert!(failed.starts_with("Jacobian, rate of dot(x) with respect to x"), "{failed}");
 }
 
 #[test]
@@ -160,12 +143,7 @@ fn a_leak_of_energy_is_found() {
 
 #[test]
 fn facts_have_their_places() {
-    for place in [
-        At::Time(0.0),
-        At::Driver(0, 0.0),
-        At::Maximum,
-        At::Amplitude,
-    ] {
+    for place in [At::Time(0.0), At::Driver(0, 0.0), At::Maximum, At::Amplitude] {
         assert_eq!(fact_about(place, 1.0), Ok(()), "{place:?}");
     }
     assert_eq!(fact_about(At::Minimum, -1.0), Ok(()));

@@ -104,11 +104,6 @@ impl<L: Linkage> AnyLinkage for L {
     }
 
     fn draw(&self, run: &Run<'_>, samples: (u64, u64), counts: &mut [u64]) -> Block {
-        dispatch(Drawing {
-            run,
-            samples,
-            counts,
-            linkage: PhantomData::<L>,
-        })
+        dispatch(Drawing { run, samples, counts, linkage: PhantomData::<L> })
     }
 }

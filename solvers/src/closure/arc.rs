@@ -63,11 +63,8 @@ impl<'a> Curve<'a> {
     /// A point of the curve from a closed position, its tangent pointing along the way.
     pub fn begin(&mut self, coordinates: &[f64], t: f64) -> Option<Point> {
         let n = self.entry.dependents.len();
-        let mut y: Vec<f64> = coordinates[..n]
-            .iter()
-            .zip(&self.units)
-            .map(|(z, unit)| z / unit)
-            .collect();
+        let mut y: Vec<f64> =
+            coordinates[..n].iter().zip(&self.units).map(|(z, unit)| z / unit).collect();
         y.push(t / self.units[n]);
         let mut along = vec![0.0; n + 1];
         along[n] = 1.0;
@@ -82,9 +79,7 @@ impl<'a> Curve<'a> {
 
     /// The dependent coordinates of a point.
     pub fn coordinates(&self, point: &Point) -> Vec<f64> {
-        let parts = point.y[..self.entry.dependents.len()]
-            .iter()
-            .zip(&self.units);
+        let parts = point.y[..self.entry.dependents.len()].iter().zip(&self.units);
         parts.map(|(z, unit)| z * unit).collect()
     }
 
@@ -95,27 +90,16 @@ impl<'a> Curve<'a> {
 
     /// The point at a length beyond another one, if it is certainly on the same curve.
     pub fn beyond(&mut self, from: &Point, length: f64) -> Option<Point> {
-        let mut y: Vec<f64> = from
-            .y
-            .iter()
-            .zip(&from.tangent)
-            .map(|(y, part)| y + length * part)
-            .collect();
+        let mut y: Vec<f64> =
+            from.y.iter().zip(&from.tangent).map(|(y, part)| y + length * part).collect();
         let expected = y.clone();
         for _ in 0..ITERATIONS {
             let (mut matrix, residual) = self.system(&y, &from.tangent);
-            let offset: f64 = (0..y.len())
-                .map(|k| from.tangent[k] * (y[k] - expected[k]))
-                .sum();
-            let mut change: Vec<f64> = residual
-                .into_iter()
-                .chain([offset])
-                .map(|value| -value)
-                .collect();
+            let offset: f64 = (0..y.len()).map(|k| from.tangent[k] * (y[k] - expected[k])).sum();
+            let mut change: Vec<f64> =
+                residual.into_iter().chain([offset]).map(|value| -value).collect();
             solve(&mut matrix, &mut change)?;
-            let size = change
-                .iter()
-                .fold(0.0, |most: f64, part| most.max(part.abs()));
+            let size = change.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
             for (value, part) in y.iter_mut().zip(&change) {
                 *value += part;
             }
@@ -155,10 +139,7 @@ impl<'a> Curve<'a> {
     pub fn dead_point(&mut self, from: &Point, to: &Point, length: f64) -> Point {
         let ends = (self.rate(from), self.rate(to));
         let root = brent(
-            |s| {
-                self.beyond(from, s)
-                    .map_or(f64::NAN, |point| self.rate(&point))
-            },
+            |s| self.beyond(from, s).map_or(f64::NAN, |point| self.rate(&point)),
             (0.0, ends.0),
             (length, ends.1),
         );
@@ -189,9 +170,7 @@ impl<'a> Curve<'a> {
             });
         }
         for (row, value) in matrix.chunks_exact_mut(n + 1).zip(&mut residual) {
-            let size = row
-                .iter()
-                .fold(f64::MIN_POSITIVE, |most, entry| most.max(entry.abs()));
+            let size = row.iter().fold(f64::MIN_POSITIVE, |most, entry| most.max(entry.abs()));
             row.iter_mut().for_each(|entry| *entry /= size);
             *value /= size;
         }
@@ -211,15 +190,11 @@ impl<'a> Curve<'a> {
         let instant = instant_at(&*self.loops, &independents, &[]);
         for (j, unit) in self.units[..n].iter().enumerate() {
             let slope = if j == column { *unit } else { 0.0 };
-            self.position[j] = Dual {
-                value: y[j] * unit,
-                slope,
-            };
+            self.position[j] = Dual { value: y[j] * unit, slope };
         }
         let mut row = 0;
         for (index, group) in self.entry.groups.iter().enumerate() {
-            self.square
-                .look(&*self.loops, index, &instant, &mut self.position);
+            self.square.look(&*self.loops, index, &instant, &mut self.position);
             for found in &self.square.residual[..group.unknowns.len()] {
                 take(row, *found);
                 row += 1;

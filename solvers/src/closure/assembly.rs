@@ -106,11 +106,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
             independents,
             position: closure.zeros(),
             turns: closure.zeros(),
-            groups: Groups {
-                modes: all(S::ONE),
-                sines: all(unknown),
-                changes: all(unknown),
-            },
+            groups: Groups { modes: all(S::ONE), sines: all(unknown), changes: all(unknown) },
             closure: Apart(closure),
         }
     }
@@ -258,18 +254,14 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// Writes the outputs at the position.
     #[inline(always)]
     pub fn outputs(&self, values: &mut [S]) {
-        self.closure
-            .0
-            .outputs(&self.instant, &self.position, values);
+        self.closure.0.outputs(&self.instant, &self.position, values);
     }
 
     /// Writes the influence coefficients at the position: outputs by
     /// [`LinkageEntry::variables`](crate::shape::LinkageEntry::variables).
     #[inline(always)]
     pub fn influence(&self, values: &mut [S]) {
-        self.closure
-            .0
-            .influence(&self.instant, &self.position, values);
+        self.closure.0.influence(&self.instant, &self.position, values);
     }
 
     /// What happened since this was asked last.

@@ -77,15 +77,10 @@ impl<'a> Branches<'a> {
     pub fn search(&mut self, bound: f64, most: usize) -> Found {
         let unknowns = self.entry.groups[self.group].unknowns;
         let angles = self.entry.angles;
-        let units: Vec<f64> = unknowns
-            .iter()
-            .map(|&j| if angles[j] { 1.0 } else { bound })
-            .collect();
+        let units: Vec<f64> =
+            unknowns.iter().map(|&j| if angles[j] { 1.0 } else { bound }).collect();
         let reach = |&j: &usize| if angles[j] { PI + OVERLAP } else { bound };
-        let whole = unknowns
-            .iter()
-            .map(reach)
-            .map(|reach| Interval::new(-reach, reach));
+        let whole = unknowns.iter().map(reach).map(|reach| Interval::new(-reach, reach));
         let mut open: Vec<Vec<Interval>> = vec![whole.collect()];
         let mut found = Found::default();
         while let Some(region) = open.pop() {
@@ -97,9 +92,7 @@ impl<'a> Branches<'a> {
                     let widest = widest(&part, &units);
                     let width = part[widest].width() / units[widest];
                     if width < SMALLEST || found.boxes >= most {
-                        found
-                            .undecided
-                            .push(part.iter().map(|side| side.middle()).collect());
+                        found.undecided.push(part.iter().map(|side| side.middle()).collect());
                     } else if width < SHRUNK * self::width(&region, &units) {
                         open.push(part);
                     } else {
@@ -114,10 +107,7 @@ impl<'a> Branches<'a> {
     fn test(&mut self, region: &[Interval]) -> Verdict {
         let n = region.len();
         let (values, _) = self.look(region);
-        if values
-            .iter()
-            .any(|value| !value.contains(0.0) && !value.low.is_nan())
-        {
+        if values.iter().any(|value| !value.contains(0.0) && !value.low.is_nan()) {
             return Verdict::Empty;
         }
         let grown: Vec<Interval> = region.iter().map(|side| grow(*side)).collect();
@@ -132,10 +122,7 @@ impl<'a> Branches<'a> {
         if image.iter().any(|side| side.low.is_nan()) {
             return Verdict::Perhaps(region.to_vec());
         }
-        let inside = image
-            .iter()
-            .zip(&grown)
-            .all(|(a, b)| b.low < a.low && a.high < b.high);
+        let inside = image.iter().zip(&grown).all(|(a, b)| b.low < a.low && a.high < b.high);
         let meeting: Option<Vec<Interval>> =
             image.iter().zip(region).map(|(a, b)| a.meet(*b)).collect();
         match meeting {
@@ -152,12 +139,8 @@ impl<'a> Branches<'a> {
         for (side, &j) in region.iter().zip(unknowns) {
             self.position[j] = *side;
         }
-        self.square
-            .look(self.loops, self.group, &self.instant, &mut self.position);
-        (
-            self.square.residual[..n].to_vec(),
-            self.square.jacobian[..n * n].to_vec(),
-        )
+        self.square.look(self.loops, self.group, &self.instant, &mut self.position);
+        (self.square.residual[..n].to_vec(), self.square.jacobian[..n * n].to_vec())
     }
 }
 
@@ -199,10 +182,7 @@ fn inverse(mut matrix: Vec<f64>, n: usize) -> Option<Vec<f64>> {
             inverse[i * n + j] = value;
         }
     }
-    inverse
-        .iter()
-        .all(|value| value.is_finite())
-        .then_some(inverse)
+    inverse.iter().all(|value| value.is_finite()).then_some(inverse)
 }
 
 /// A somewhat larger side.
@@ -213,14 +193,9 @@ fn grow(side: Interval) -> Interval {
 
 /// The widest side of a box.
 fn widest(region: &[Interval], units: &[f64]) -> usize {
-    let widths = region
-        .iter()
-        .zip(units)
-        .map(|(side, unit)| side.width() / unit);
-    let most = widths.enumerate().fold(
-        (0, 0.0),
-        |most, next| if next.1 > most.1 { next } else { most },
-    );
+    let widths = region.iter().zip(units).map(|(side, unit)| side.width() / unit);
+    let most =
+        widths.enumerate().fold((0, 0.0), |most, next| if next.1 > most.1 { next } else { most });
     most.0
 }
 

@@ -35,42 +35,25 @@ pub(super) struct Way {
 impl Way {
     /// A way without change points.
     pub fn new(from: Vec<f64>, to: Vec<f64>) -> Self {
-        Self {
-            from,
-            to,
-            crossings: Vec::new(),
-        }
+        Self { from, to, crossings: Vec::new() }
     }
 
     /// The place at `t`.
     pub fn at(&self, t: f64) -> Vec<f64> {
         let ends = self.from.iter().zip(&self.to);
-        ends.map(|(from, to)| {
-            if t == 1.0 {
-                *to
-            } else {
-                from + t * (to - from)
-            }
-        })
-        .collect()
+        ends.map(|(from, to)| if t == 1.0 { *to } else { from + t * (to - from) }).collect()
     }
 }
 
 impl Way {
     /// The change point of a group.
     fn crossing_of(&self, group: usize) -> Option<&Crossing> {
-        self.crossings
-            .iter()
-            .find(|crossing| crossing.group == group)
+        self.crossings.iter().find(|crossing| crossing.group == group)
     }
 
     /// From its begin to its end.
     pub fn heading(&self) -> Vec<f64> {
-        self.to
-            .iter()
-            .zip(&self.from)
-            .map(|(to, from)| to - from)
-            .collect()
+        self.to.iter().zip(&self.from).map(|(to, from)| to - from).collect()
     }
 }
 
@@ -113,16 +96,8 @@ impl<S: Scalar> Guide<'_, S> {
     #[cold]
     #[inline(never)]
     pub(super) fn follow(&mut self, target: &[S]) -> Result<(), ClosureError> {
-        let mut way = Way::new(
-            self.place(),
-            target.iter().map(|value| value.to_f64()).collect(),
-        );
-        if let Some(bad) = way
-            .from
-            .iter()
-            .chain(&way.to)
-            .find(|value| !value.is_finite())
-        {
+        let mut way = Way::new(self.place(), target.iter().map(|value| value.to_f64()).collect());
+        if let Some(bad) = way.from.iter().chain(&way.to).find(|value| !value.is_finite()) {
             let reason = format!(
                 "an independent variable is {bad}: start the linkage, and move it to finite values"
             );
@@ -133,12 +108,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     fn walk(&mut self, way: &mut Way) -> Result<(), ClosureError> {
-        let mut progress = Progress {
-            done: 0.0,
-            step: 1.0,
-            looked: (0, f64::INFINITY),
-            end: None,
-        };
+        let mut progress = Progress { done: 0.0, step: 1.0, looked: (0, f64::INFINITY), end: None };
         for _ in 0..ATTEMPTS {
             if let Some((group, at)) = progress.end
                 && (self.sine(group).abs() < ARRIVED || at - progress.done < SMALLEST)
@@ -196,8 +166,7 @@ impl<S: Scalar> Guide<'_, S> {
         if self.entry.groups[group].kind == GroupKind::General {
             progress.end = self.turn_ahead(way, progress.done).map(|at| (group, at));
             if progress.end.is_none() {
-                way.crossings
-                    .extend(self.cross_ahead(way, progress.done, group));
+                way.crossings.extend(self.cross_ahead(way, progress.done, group));
             }
         } else {
             let found = self.meet(way, progress.done, None, group);
@@ -292,11 +261,7 @@ impl<S: Scalar> Guide<'_, S> {
         for before in 0..group {
             let crossing = way.crossing_of(before);
             let own = crossing.map_or(self.mode(before), |crossing| crossing.mode_at(t));
-            if self
-                .close_near(before, &independents, &instant, own)
-                .0
-                .is_nan()
-            {
+            if self.close_near(before, &independents, &instant, own).0.is_nan() {
                 return f64::NAN;
             }
         }
@@ -324,15 +289,8 @@ impl<S: Scalar> Guide<'_, S> {
 
     /// Where a group ceases to assemble between two places.
     fn end_of_mode(&mut self, way: &Way, group: usize, done: f64, beyond: f64) -> f64 {
-        let ends = (
-            self.margin_at(way, done, group),
-            self.margin_at(way, beyond, group),
-        );
-        brent(
-            |t| self.margin_at(way, t, group),
-            (done, ends.0),
-            (beyond, ends.1),
-        )
+        let ends = (self.margin_at(way, done, group), self.margin_at(way, beyond, group));
+        brent(|t| self.margin_at(way, t, group), (done, ends.0), (beyond, ends.1))
     }
 
     /// Makes what was tried at `t` the position.
@@ -351,12 +309,7 @@ impl<S: Scalar> Guide<'_, S> {
         } else {
             -self.margin_at(way, 1.0, group)
         };
-        ClosureError::DeadPoint {
-            group,
-            at: way.at(at),
-            wanted: way.at(1.0),
-            gap,
-        }
+        ClosureError::DeadPoint { group, at: way.at(at), wanted: way.at(1.0), gap }
     }
 
     /// The gap that is left in an iterated group at `t`, as far as the iteration can tell.
@@ -391,12 +344,7 @@ impl<S: Scalar> Guide<'_, S> {
             Verdict::Certain => 0,
         };
         let (at, wanted, sine) = (way.at(done), way.to.clone(), self.sine(group));
-        ClosureError::ModeLost {
-            group,
-            at,
-            wanted,
-            sine,
-        }
+        ClosureError::ModeLost { group, at, wanted, sine }
     }
 }
 

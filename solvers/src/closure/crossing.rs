@@ -35,11 +35,7 @@ pub(super) struct Crossing {
 impl Crossing {
     /// The mode of the smooth branch.
     pub fn mode_at(&self, t: f64) -> f64 {
-        if t <= self.at + self.near {
-            self.modes.0
-        } else {
-            self.modes.1
-        }
+        if t <= self.at + self.near { self.modes.0 } else { self.modes.1 }
     }
 
     /// Whether a place is so far beyond it that more may have happened on the way.
@@ -130,11 +126,7 @@ impl<S: Scalar> Guide<'_, S> {
 
     fn report(&mut self, crossing: &Crossing, way: &Way) {
         let iterated = self.entry.groups[crossing.group].kind == GroupKind::General;
-        let before = if iterated {
-            crossing.modes.0
-        } else {
-            self.mode(crossing.group)
-        };
+        let before = if iterated { crossing.modes.0 } else { self.mode(crossing.group) };
         if before != crossing.modes.1 {
             self.events.push(Event::ChangePoint {
                 group: crossing.group,

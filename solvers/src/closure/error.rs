@@ -81,23 +81,12 @@ impl fmt::Display for ClosureError {
                 "group {group} does not assemble at {at:?}: a gap of {gap:e} is left; check the dimensions, \
                  or try another position or start value"
             ),
-            Self::NotConverged {
-                group,
-                at,
-                residual,
-                iterations,
-                sine,
-            } => write!(
+            Self::NotConverged { group, at, residual, iterations, sine } => write!(
                 formatter,
                 "group {group} was not closed at {at:?}: {residual:e} is left after {iterations} iterations (sine of \
                  the transmission angle {sine:.1e}); give start values nearer to the position"
             ),
-            Self::DeadPoint {
-                group,
-                at,
-                wanted,
-                gap,
-            } => {
+            Self::DeadPoint { group, at, wanted, gap } => {
                 write!(
                     formatter,
                     "group {group} has a dead point at {at:?} on the way to {wanted:?}"
@@ -120,12 +109,7 @@ impl fmt::Display for ClosureError {
                  root, a division or a logarithm leaves its range there"
             ),
             Self::BadRange { reason } => formatter.write_str(reason),
-            Self::ModeLost {
-                group,
-                at,
-                wanted,
-                sine,
-            } => write!(
+            Self::ModeLost { group, at, wanted, sine } => write!(
                 formatter,
                 "the mode of group {group} was lost at {at:?} on the way to {wanted:?} (sine of the transmission angle \
                  {sine:.1e}); two modes come very near to each other there: take another way, or state the position \

@@ -52,19 +52,12 @@ impl Sample {
 
     /// The same place, nothing being known there.
     pub fn unknown(self) -> Self {
-        Self {
-            value: f64::NAN,
-            rate: f64::NAN,
-            ..self
-        }
+        Self { value: f64::NAN, rate: f64::NAN, ..self }
     }
 
     /// The value without its rate.
     pub fn place(&self) -> Extreme {
-        Extreme {
-            at: self.at,
-            value: self.value,
-        }
+        Extreme { at: self.at, value: self.value }
     }
 }
 
@@ -97,9 +90,7 @@ pub(super) fn follow(
         course: Course::default(),
     };
     // Where values and rates hardly ever agree the values are rounding, and so is how they turn.
-    let torn = samples
-        .windows(2)
-        .filter(|pair| search.noise.is_torn(pair[0], pair[1]));
+    let torn = samples.windows(2).filter(|pair| search.noise.is_torn(pair[0], pair[1]));
     if MOST * torn.count() > samples.len() {
         return Ok(search.course);
     }

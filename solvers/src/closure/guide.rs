@@ -34,11 +34,7 @@ impl<S: Scalar> Rest<S> {
         let unknown = || vec![S::from_f64(f64::NAN); position];
         Self {
             trial: vec![S::ZERO; position],
-            next: Groups {
-                modes: vec![S::ONE; position],
-                sines: unknown(),
-                changes: unknown(),
-            },
+            next: Groups { modes: vec![S::ONE; position], sines: unknown(), changes: unknown() },
             ahead: vec![S::ZERO; instant],
             columns: vec![S::ZERO; shape.drivers.len() * entry.dependents.len()],
             newton: Newton::new(shape),
@@ -148,12 +144,7 @@ impl<S: Scalar> Guide<'_, S> {
         }
         self.next.sines[index] = sine;
         self.next.changes[index] = sine - before;
-        let passage = Passage {
-            before,
-            sine,
-            expected,
-            turned,
-        };
+        let passage = Passage { before, sine, expected, turned };
         passage.certainly_keeps(group.kind)
     }
 
@@ -167,8 +158,7 @@ impl<S: Scalar> Guide<'_, S> {
         }
         self.instant.copy_from_slice(instant);
         if self.entry.is_iterated() {
-            self.loops
-                .coefficients(instant, self.position, self.columns);
+            self.loops.coefficients(instant, self.position, self.columns);
         }
     }
 

@@ -64,10 +64,7 @@ pub(crate) fn stretch_of(
         );
         return Err(ClosureError::BadRange { reason });
     }
-    Ok(Stretch {
-        low: end(linkage, variable, bounds.0)?,
-        high: end(linkage, variable, bounds.1)?,
-    })
+    Ok(Stretch { low: end(linkage, variable, bounds.0)?, high: end(linkage, variable, bounds.1)? })
 }
 
 /// Goes from the start as far as possible.
@@ -82,23 +79,11 @@ fn end(linkage: &dyn AnyLinkage, variable: usize, bound: f64) -> Result<End, Clo
         Ok(()) => {
             let mut outputs = vec![0.0; linkage.shape().outputs.len()];
             guide.outputs(&mut outputs);
-            Ok(End {
-                at: bound,
-                dead: None,
-                outputs,
-                dependents: guide.coordinates(),
-            })
+            Ok(End { at: bound, dead: None, outputs, dependents: guide.coordinates() })
         }
-        Err(ClosureError::DeadPoint {
-            group, at, wanted, ..
-        }) => {
+        Err(ClosureError::DeadPoint { group, at, wanted, .. }) => {
             let (outputs, dependents) = guide.at_dead_point(&wanted);
-            Ok(End {
-                at: at[variable],
-                dead: Some(group),
-                outputs,
-                dependents,
-            })
+            Ok(End { at: at[variable], dead: Some(group), outputs, dependents })
         }
         Err(error) => Err(error),
     }

@@ -80,10 +80,7 @@ impl<S: Scalar> Square<S> {
     /// Room for the largest group of a linkage.
     pub fn of(shape: &Shape) -> Self {
         let size = shape.loops().largest();
-        Self {
-            residual: vec![S::ZERO; size],
-            jacobian: vec![S::ZERO; size * size],
-        }
+        Self { residual: vec![S::ZERO; size], jacobian: vec![S::ZERO; size * size] }
     }
 
     /// Looks at a group, see [`Closure::trial`].
@@ -148,10 +145,7 @@ impl<S: Scalar, C: Closure<S>> Trials<S> for Apart<C> {
         let (mut row, mut square): (C::Row, C::Matrix) = (stored(residual), stored(jacobian));
         S::outline(
             #[inline(always)]
-            || {
-                self.0
-                    .trial(group, &instant, &mut own, &mut row, &mut square)
-            },
+            || self.0.trial(group, &instant, &mut own, &mut row, &mut square),
         );
         position.copy_from_slice(own.as_ref());
         residual.copy_from_slice(row.as_ref());

@@ -62,11 +62,7 @@ impl<S: Scalar> Guide<'_, S> {
             if after.is_nan() {
                 let margin = self.margin_at(way, right, group);
                 let allowed = self.allowance(way, left, group);
-                return Err(if margin < -allowed {
-                    Meeting::Gap(right)
-                } else {
-                    Meeting::None
-                });
+                return Err(if margin < -allowed { Meeting::Gap(right) } else { Meeting::None });
             }
             at = (left * after + right * before) / (before + after);
             if before <= FINEST {
@@ -99,11 +95,7 @@ impl<S: Scalar> Guide<'_, S> {
         } else {
             middle <= 0.3 * before
         };
-        if touches {
-            Ok((at, before / (at - left)))
-        } else {
-            Err(Meeting::None)
-        }
+        if touches { Ok((at, before / (at - left))) } else { Err(Meeting::None) }
     }
 
     /// Chooses the smooth continuation.

@@ -28,10 +28,7 @@ pub struct Search {
 
 impl Default for Search {
     fn default() -> Self {
-        Self {
-            bound: 10.0,
-            boxes: 1_000_000,
-        }
+        Self { bound: 10.0, boxes: 1_000_000 }
     }
 }
 
@@ -77,15 +74,9 @@ pub(crate) fn modes_of(
         let reason = format!("a position at {at:?}: expected {drivers} finite values");
         return Err(ClosureError::BadRange { reason });
     }
-    let mut list = Modes {
-        complete: true,
-        ..Modes::default()
-    };
+    let mut list = Modes { complete: true, ..Modes::default() };
     if shape.loops().groups.is_empty() {
-        list.modes.push(Mode {
-            coordinates: Vec::new(),
-            sines: Vec::new(),
-        });
+        list.modes.push(Mode { coordinates: Vec::new(), sines: Vec::new() });
         return Ok(list);
     }
     let values = linkage.values();
@@ -126,10 +117,7 @@ impl Listing<'_> {
     fn close(&mut self, group: usize, position: &[f64]) {
         let Some(described) = self.entry.groups.get(group) else {
             let coordinates = position[..self.entry.dependents.len()].to_vec();
-            self.list.modes.push(Mode {
-                coordinates,
-                sines: self.sines.clone(),
-            });
+            self.list.modes.push(Mode { coordinates, sines: self.sines.clone() });
             return;
         };
         match described.kind {
@@ -153,13 +141,9 @@ impl Listing<'_> {
             }
             let margin = self.loops.margin(group, &self.instant, &next);
             next.copy_from_slice(position);
-            self.newton
-                .sine(&*self.loops, group, &self.instant, &mut next);
-            let reach = self
-                .newton
-                .columns()
-                .iter()
-                .fold(0.0, |most: f64, length| most.max(*length));
+            self.newton.sine(&*self.loops, group, &self.instant, &mut next);
+            let reach =
+                self.newton.columns().iter().fold(0.0, |most: f64, length| most.max(*length));
             if margin.is_nan() || margin.abs() <= ROUNDING * reach {
                 // A link turns freely, or two modes meet within rounding.
                 self.list.complete = false;
@@ -182,17 +166,12 @@ impl Listing<'_> {
             for (value, &j) in solution.into_iter().zip(self.entry.groups[group].unknowns) {
                 next[j] = value;
             }
-            let Ok(closed) = self
-                .newton
-                .close(&*self.loops, group, &self.instant, &mut next)
+            let Ok(closed) = self.newton.close(&*self.loops, group, &self.instant, &mut next)
             else {
                 continue;
             };
             let unknowns = self.unknowns(group, &mut next);
-            if known
-                .iter()
-                .all(|other| self.distance(group, other, &unknowns) > SAME)
-            {
+            if known.iter().all(|other| self.distance(group, other, &unknowns) > SAME) {
                 known.push(unknowns);
                 self.go_on(group, closed.sine, &next);
             }
@@ -202,11 +181,7 @@ impl Listing<'_> {
     /// The unknowns of a group, angles brought within half a turn.
     fn unknowns(&self, group: usize, position: &mut [f64]) -> Vec<f64> {
         let within = |j: usize, value: f64| {
-            if self.entry.angles[j] {
-                value - TAU * (value / TAU).round()
-            } else {
-                value
-            }
+            if self.entry.angles[j] { value - TAU * (value / TAU).round() } else { value }
         };
         let unknowns = self.entry.groups[group].unknowns.iter();
         unknowns
@@ -219,10 +194,7 @@ impl Listing<'_> {
 
     /// Distance of two solutions of a group.
     fn distance(&self, group: usize, a: &[f64], b: &[f64]) -> f64 {
-        let parts = self.entry.groups[group]
-            .unknowns
-            .iter()
-            .zip(a.iter().zip(b));
+        let parts = self.entry.groups[group].unknowns.iter().zip(a.iter().zip(b));
         let apart = parts.map(|(&j, (a, b))| match self.entry.angles[j] {
             true => ((a - b + PI).rem_euclid(TAU) - PI).abs(),
             false => (a - b).abs() / self.search.bound,

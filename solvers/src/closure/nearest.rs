@@ -24,9 +24,7 @@ impl<S: Scalar> Guide<'_, S> {
     pub(super) fn is_near(&mut self, instant: &[S], near: &[f64]) -> bool {
         let position = self.trial.clone();
         let apart = self.apart(instant, position, near);
-        apart
-            .iter()
-            .all(|apart| apart.is_nan() || apart.abs() <= NEAR)
+        apart.iter().all(|apart| apart.is_nan() || apart.abs() <= NEAR)
     }
 
     /// The start values that are contradicted by the position that has been tried.
@@ -39,10 +37,7 @@ impl<S: Scalar> Guide<'_, S> {
             declared: near[dependent],
             assembled: self.towards(dependent, self.trial[dependent].to_f64(), near),
         };
-        (0..self.entry.dependents.len())
-            .filter(far)
-            .map(one)
-            .collect()
+        (0..self.entry.dependents.len()).filter(far).map(one).collect()
     }
 
     /// Puts the linkage into the assembly that is nearest to the start values, if it is not there already. False if
@@ -55,10 +50,7 @@ impl<S: Scalar> Guide<'_, S> {
         is_placed: bool,
     ) -> bool {
         let here = self.trial.clone();
-        let search = Search {
-            boxes: BOXES,
-            ..Search::default()
-        };
+        let search = Search { boxes: BOXES, ..Search::default() };
         let listed = modes_of(self.linkage, at, &search).map(|found| found.modes);
         let mut all: Vec<(f64, Vec<f64>)> = Vec::new();
         for mode in listed.unwrap_or_default() {
@@ -74,17 +66,13 @@ impl<S: Scalar> Guide<'_, S> {
             all.push((distance, coordinates.collect()));
         }
         // Of equal distances the first one counts: its modes are +1 where no start value is known.
-        let nearest = all
-            .iter()
-            .reduce(|best, one| if one.0 < best.0 { one } else { best });
+        let nearest = all.iter().reduce(|best, one| if one.0 < best.0 { one } else { best });
         let Some((distance, coordinates)) = nearest.cloned() else {
             return is_placed;
         };
         let differs = |other: &[f64]| {
             let pairs = other.iter().zip(&coordinates).zip(near);
-            pairs
-                .into_iter()
-                .any(|((a, b), near)| !near.is_nan() && (a - b).abs() > 1e-6)
+            pairs.into_iter().any(|((a, b), near)| !near.is_nan() && (a - b).abs() > 1e-6)
         };
         let tie = (1.0 + UNDECIDED) * distance;
         if all.iter().any(|one| one.0 <= tie && differs(&one.1)) {

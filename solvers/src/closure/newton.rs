@@ -223,9 +223,7 @@ impl<S: Scalar> Search<'_, S> {
     /// Looks at the equations where the search stands.
     fn evaluate(&mut self) {
         let newton = &mut *self.newton;
-        newton
-            .square
-            .look(self.loops, self.index, self.instant, self.position);
+        newton.square.look(self.loops, self.index, self.instant, self.position);
         let angles = newton.entry.angles;
         let unknowns = self.group.unknowns.iter();
         newton.scaled.set(
@@ -244,9 +242,6 @@ impl<S: Scalar> Search<'_, S> {
     }
 
     fn failure(&mut self, stop: Stop, iterations: usize) -> Failure {
-        Failure {
-            stop,
-            reached: self.closed(iterations),
-        }
+        Failure { stop, reached: self.closed(iterations) }
     }
 }

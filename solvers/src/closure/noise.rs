@@ -39,10 +39,7 @@ impl Noise {
             _ => f64::INFINITY,
         };
         let mut rates = samples.iter().map(|sample| sample.rate.abs()).collect();
-        Self {
-            value,
-            rate: (SLOW * usual(&mut rates)).max(value / width),
-        }
+        Self { value, rate: (SLOW * usual(&mut rates)).max(value / width) }
     }
 
     /// The sign of a rate; zero if it is noise, or none.
@@ -86,10 +83,7 @@ impl Noise {
 /// Whether the cubic with these rates at its ends and this mean rate, all of one sign, turns in between: whether the
 /// parabola of its rate changes its sign.
 fn sags(before: f64, mean: f64, after: f64) -> bool {
-    let (a, b) = (
-        3.0 * (before + after - 2.0 * mean),
-        2.0 * (3.0 * mean - 2.0 * before - after),
-    );
+    let (a, b) = (3.0 * (before + after - 2.0 * mean), 2.0 * (3.0 * mean - 2.0 * before - after));
     let vertex = -0.5 * b / a;
     vertex > 0.0 && vertex < 1.0 && (before + 0.5 * b * vertex) * mean < 0.0
 }

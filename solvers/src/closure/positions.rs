@@ -58,11 +58,7 @@ impl Positions {
     /// Room for a number of positions, all NaN.
     pub(super) fn new(shape: &Shape, count: usize) -> Self {
         let room = |width: usize| vec![f64::NAN; width * count];
-        let widths = (
-            shape.drivers.len(),
-            shape.loops().dependents.len(),
-            shape.outputs.len(),
-        );
+        let widths = (shape.drivers.len(), shape.loops().dependents.len(), shape.outputs.len());
         Self {
             widths,
             independents: room(widths.0),
@@ -84,11 +80,9 @@ impl Positions {
     /// Adds room for one position.
     pub(super) fn extend(&mut self) {
         let (a, b, c) = self.widths;
-        for (values, width) in [
-            (&mut self.independents, a),
-            (&mut self.coordinates, b),
-            (&mut self.outputs, c),
-        ] {
+        for (values, width) in
+            [(&mut self.independents, a), (&mut self.coordinates, b), (&mut self.outputs, c)]
+        {
             values.resize(values.len() + width, f64::NAN);
         }
         self.sines.push(f64::NAN);
@@ -105,14 +99,8 @@ pub(super) fn record<L: Linkage, S: Scalar>(
 ) {
     assembly.outputs(outputs);
     let (a, b, c) = positions.widths;
-    copy(
-        &mut positions.independents[index * a..][..a],
-        assembly.independents(),
-    );
-    copy(
-        &mut positions.coordinates[index * b..][..b],
-        assembly.position().as_ref(),
-    );
+    copy(&mut positions.independents[index * a..][..a], assembly.independents());
+    copy(&mut positions.coordinates[index * b..][..b], assembly.position().as_ref());
     copy(&mut positions.outputs[index * c..][..c], outputs);
     positions.sines[index] = assembly.weakest().1.abs();
 }

@@ -27,10 +27,7 @@ impl<S: Scalar> Guide<'_, S> {
             let found = self.trial[j].to_f64();
             let last = self.position[j].to_f64();
             moved = f64::max(moved, (found - last).abs() / unit);
-            missed = f64::max(
-                missed,
-                (found - self.predicted(j, independents)).abs() / unit,
-            );
+            missed = f64::max(missed, (found - self.predicted(j, independents)).abs() / unit);
         }
         let agrees = missed <= DISAGREEMENT * moved + NOTHING;
         let sine = if agrees { closed.sine } else { f64::NAN };

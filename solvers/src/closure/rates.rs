@@ -59,8 +59,7 @@ impl Rates {
         }
         // What the position holds beside the coordinates follows from them.
         for group in 0..guide.entry.groups.len() {
-            self.square
-                .look(&*self.loops, group, &instant, &mut self.position);
+            self.square.look(&*self.loops, group, &instant, &mut self.position);
         }
         let mut values = vec![Dual::ZERO; loops.shape().outputs.len()];
         self.loops.outputs(&instant, &self.position, &mut values);

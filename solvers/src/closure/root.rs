@@ -30,11 +30,7 @@ pub(super) fn brent(
             (before, step) = (half, half);
         }
         (a, fa) = (b, fb);
-        b += if step.abs() > least {
-            step
-        } else {
-            least.copysign(half)
-        };
+        b += if step.abs() > least { step } else { least.copysign(half) };
         fb = f(b);
     }
     b
@@ -56,11 +52,7 @@ fn interpolate((a, fa): (f64, f64), (b, fb): (f64, f64), (c, fc): (f64, f64), ha
     } else {
         p = -p;
     }
-    if 2.0 * p < 3.0 * half * q {
-        p / q
-    } else {
-        f64::INFINITY
-    }
+    if 2.0 * p < 3.0 * half * q { p / q } else { f64::INFINITY }
 }
 
 /// Value at `x` of the polynomial through points `(nodes[k], values[k])` (Neville).

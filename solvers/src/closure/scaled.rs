@@ -86,10 +86,7 @@ impl Scaled {
         self.largest = 0.0;
         for i in 0..n {
             let row = &self.jacobian[i * n..(i + 1) * n];
-            let entries = row
-                .iter()
-                .zip(&self.units)
-                .map(|(entry, unit)| entry * unit);
+            let entries = row.iter().zip(&self.units).map(|(entry, unit)| entry * unit);
             self.rows[i] = entries.fold(0.0, |most, entry| most.max(entry.abs()));
             self.largest = self.largest.max(self.rows[i]);
         }
@@ -120,13 +117,7 @@ impl Scaled {
     /// Largest residual, in the unit of its equation.
     pub fn largest_residual(&self) -> f64 {
         let all = self.residual[..self.size].iter();
-        all.fold(0.0, |most, value| {
-            if most >= value.abs() {
-                most
-            } else {
-                value.abs()
-            }
-        })
+        all.fold(0.0, |most, value| if most >= value.abs() { most } else { value.abs() })
     }
 
     /// Lengths of the columns of the Jacobian.
@@ -198,14 +189,8 @@ impl Scaled {
     fn solve(&mut self) -> Option<f64> {
         let n = self.size;
         Lu::factor(&mut self.matrix[..n * n], n, &mut self.pivots[..n]).ok()?;
-        Lu::substitute(
-            &self.matrix[..n * n],
-            &self.pivots[..n],
-            &mut self.step[..n],
-        );
-        let length = self.step[..n]
-            .iter()
-            .fold(0.0, |most: f64, part| most.max(part.abs()));
+        Lu::substitute(&self.matrix[..n * n], &self.pivots[..n], &mut self.step[..n]);
+        let length = self.step[..n].iter().fold(0.0, |most: f64, part| most.max(part.abs()));
         for (part, unit) in self.step.iter_mut().zip(&self.units) {
             *part *= unit;
         }

@@ -28,26 +28,14 @@ pub(super) struct Stand {
 impl Stand {
     /// A group at a change point of a way.
     pub fn new(crossing: &Crossing, way: &Way) -> Self {
-        Self {
-            group: crossing.group,
-            heading: way.heading(),
-            slopes: crossing.slopes(),
-        }
+        Self { group: crossing.group, heading: way.heading(), slopes: crossing.slopes() }
     }
 
     /// What the slopes let expect of the unknowns on another way.
     fn slopes_on(&self, way: &Way) -> Vec<f64> {
-        let along: f64 = way
-            .heading()
-            .iter()
-            .zip(&self.heading)
-            .map(|(a, b)| a * b)
-            .sum();
+        let along: f64 = way.heading().iter().zip(&self.heading).map(|(a, b)| a * b).sum();
         let square: f64 = self.heading.iter().map(|part| part * part).sum();
-        self.slopes
-            .iter()
-            .map(|slope| slope * along / square)
-            .collect()
+        self.slopes.iter().map(|slope| slope * along / square).collect()
     }
 }
 
@@ -56,8 +44,7 @@ impl<S: Scalar> Guide<'_, S> {
     pub(super) fn leave_stands(&mut self, way: &mut Way) -> Result<(), ClosureError> {
         for stand in std::mem::take(self.stands) {
             let meeting = if self.entry.groups[stand.group].kind == GroupKind::General {
-                self.leave_iterated(way, &stand)
-                    .map_or(Meeting::None, Meeting::Point)
+                self.leave_iterated(way, &stand).map_or(Meeting::None, Meeting::Point)
             } else {
                 self.leave(way, &stand)
             };
@@ -83,11 +70,7 @@ impl<S: Scalar> Guide<'_, S> {
         });
         let mode = if misses[0] < misses[1] { 1.0 } else { -1.0 };
         let clear = CLEAR * f64::min(misses[0], misses[1]) < f64::max(misses[0], misses[1]);
-        if clear {
-            self.choose(way, group, mode, 0.0, rate)
-        } else {
-            Meeting::None
-        }
+        if clear { self.choose(way, group, mode, 0.0, rate) } else { Meeting::None }
     }
 
     /// How far a dependent coordinate is from where it was.
@@ -123,17 +106,10 @@ impl<S: Scalar> Guide<'_, S> {
             self.trial[j] = self.position[j] + S::from_f64(slope * t);
         }
         let instant = self.instant_at(&scalars::<S>(&way.at(t)));
-        let closed = self
-            .newton
-            .close(self.loops, group, &instant, self.trial)
-            .ok()?;
+        let closed = self.newton.close(self.loops, group, &instant, self.trial).ok()?;
         let parts = slopes.iter().zip(unknowns);
-        let missed = parts
-            .map(|(slope, &j)| (self.moved(j) - slope * t).abs())
-            .fold(0.0, f64::max);
-        let way = slopes
-            .iter()
-            .fold(0.0, |most: f64, slope| most.max((slope * t).abs()));
+        let missed = parts.map(|(slope, &j)| (self.moved(j) - slope * t).abs()).fold(0.0, f64::max);
+        let way = slopes.iter().fold(0.0, |most: f64, slope| most.max((slope * t).abs()));
         (missed <= NEAR * way).then_some(closed.sine)
     }
 }

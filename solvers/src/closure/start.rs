@@ -94,13 +94,9 @@ impl<S: Scalar> Guide<'_, S> {
         }
         let contradicted = self.contradicted(&instant, near);
         self.settle(&independents, &instant);
-        let assumed = free
-            .into_iter()
-            .filter(|&group| self.entry.groups[group].kind != GroupKind::Linear);
-        Ok(Start {
-            assumed: assumed.collect(),
-            contradicted,
-        })
+        let assumed =
+            free.into_iter().filter(|&group| self.entry.groups[group].kind != GroupKind::Linear);
+        Ok(Start { assumed: assumed.collect(), contradicted })
     }
 
     /// Closes all groups near rough values, those without any in the first modes that lead to an assembled linkage.
@@ -174,23 +170,13 @@ impl<S: Scalar> Guide<'_, S> {
         let [plus, minus] = &candidates;
         let apart = self.distance(group, plus, minus);
         if apart < COINCIDENT {
-            return Err(ClosureError::Ambiguous {
-                group,
-                at: at.to_vec(),
-                apart,
-            });
+            return Err(ClosureError::Ambiguous { group, at: at.to_vec(), apart });
         }
-        let (to_plus, to_minus) = (
-            self.distance(group, plus, &wanted),
-            self.distance(group, minus, &wanted),
-        );
+        let (to_plus, to_minus) =
+            (self.distance(group, plus, &wanted), self.distance(group, minus, &wanted));
         let stated = wanted.iter().any(|value| !value.is_nan());
         if stated && (to_plus - to_minus).abs() <= UNDECIDED * apart {
-            return Err(ClosureError::Ambiguous {
-                group,
-                at: at.to_vec(),
-                apart,
-            });
+            return Err(ClosureError::Ambiguous { group, at: at.to_vec(), apart });
         }
         if stated {
             self.groups.modes[group] = S::from_f64(if to_plus < to_minus { 1.0 } else { -1.0 });
@@ -211,11 +197,7 @@ impl<S: Scalar> Guide<'_, S> {
                 change / units[k]
             }
         });
-        parts
-            .filter(|part| !part.is_nan())
-            .map(|part| part * part)
-            .sum::<f64>()
-            .sqrt()
+        parts.filter(|part| !part.is_nan()).map(|part| part * part).sum::<f64>().sqrt()
     }
 
     /// Closes a group by iteration from rough values.
@@ -269,28 +251,16 @@ impl<S: Scalar> Guide<'_, S> {
     pub(super) fn explain(&mut self, group: usize, at: &[f64], instant: &[S]) -> ClosureError {
         let at = at.to_vec();
         if self.entry.groups[group].kind == GroupKind::General {
-            return ClosureError::Ambiguous {
-                group,
-                at,
-                apart: 0.0,
-            };
+            return ClosureError::Ambiguous { group, at, apart: 0.0 };
         }
         let margin = self.loops.margin(group, instant, self.trial).to_f64();
         if margin < -ROUNDING * self.reach(group, instant) {
-            return ClosureError::NotAssembled {
-                group,
-                at,
-                gap: -margin,
-            };
+            return ClosureError::NotAssembled { group, at, gap: -margin };
         }
         if margin.is_nan() {
             return ClosureError::NotFinite { group, at };
         }
-        ClosureError::Ambiguous {
-            group,
-            at,
-            apart: 0.0,
-        }
+        ClosureError::Ambiguous { group, at, apart: 0.0 }
     }
 
     /// Length of the longest link of a group, as its equations see it.
@@ -301,10 +271,7 @@ impl<S: Scalar> Guide<'_, S> {
             }
         }
         self.newton.sine(self.loops, group, instant, self.trial);
-        self.newton
-            .columns()
-            .iter()
-            .fold(0.0, |most: f64, length| most.max(*length))
+        self.newton.columns().iter().fold(0.0, |most: f64, length| most.max(*length))
     }
 }
 
@@ -312,11 +279,7 @@ impl<S: Scalar> Guide<'_, S> {
 pub(super) fn failure_at(failure: Failure, group: usize, at: &[f64]) -> ClosureError {
     let at = at.to_vec();
     match failure.stop {
-        Stop::Stalled => ClosureError::NotAssembled {
-            group,
-            at,
-            gap: failure.reached.residual,
-        },
+        Stop::Stalled => ClosureError::NotAssembled { group, at, gap: failure.reached.residual },
         Stop::NotFinite => ClosureError::NotFinite { group, at },
         Stop::Exhausted => ClosureError::NotConverged {
             group,

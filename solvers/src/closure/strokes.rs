@@ -60,9 +60,8 @@ pub(crate) fn strokes_of(
         Along::Time(..) => None,
     };
     let mut track = Track::new(linkage, along)?;
-    let looks = places(along, stretch.as_ref())
-        .map(|at| track.look(at))
-        .collect::<Result<Vec<_>, _>>()?;
+    let looks =
+        places(along, stretch.as_ref()).map(|at| track.look(at)).collect::<Result<Vec<_>, _>>()?;
     let (from, to) = along.bounds();
     let points = std::mem::take(&mut track.change_points);
     let met = points.iter().map(|at| track.look(*at));
@@ -70,11 +69,7 @@ pub(crate) fn strokes_of(
     let stroke = |channel: usize| {
         // What hangs on rates is zero over zero at a change point, and rounding about it.
         let is_lost = met.iter().any(|look| look.of(channel).value.is_nan());
-        let near = |at: f64| {
-            points
-                .iter()
-                .any(|point| (at - point).abs() < AROUND * (to - from))
-        };
+        let near = |at: f64| points.iter().any(|point| (at - point).abs() < AROUND * (to - from));
         let seen = |sample: Sample| match is_lost && near(sample.at) {
             true => sample.unknown(),
             false => sample,
@@ -84,19 +79,13 @@ pub(crate) fn strokes_of(
         let mut course = extremes::follow(&samples, &mut look)?;
         course.breaks.retain(|one| {
             let ends_there = one.before.is_nan() || one.after.is_nan();
-            let edge = points
-                .iter()
-                .any(|point| (one.at - point).abs() < 1.01 * AROUND * (to - from));
+            let edge =
+                points.iter().any(|point| (one.at - point).abs() < 1.01 * AROUND * (to - from));
             !(is_lost && ends_there && edge)
         });
         let ends = match &stretch {
             Some(found) => at_ends(found, channel, &mut course, look)?,
-            None => samples
-                .first()
-                .into_iter()
-                .chain(samples.last())
-                .map(Sample::place)
-                .collect(),
+            None => samples.first().into_iter().chain(samples.last()).map(Sample::place).collect(),
         };
         Ok(over(course, ends, &samples))
     };
@@ -147,9 +136,7 @@ fn at_ends(
         }
         ends.push(Extreme { at, value });
     }
-    course
-        .breaks
-        .sort_by(|one, other| one.at.total_cmp(&other.at));
+    course.breaks.sort_by(|one, other| one.at.total_cmp(&other.at));
     Ok(ends)
 }
 
@@ -160,10 +147,7 @@ fn over(course: Course, ends: Vec<Extreme>, samples: &[Sample]) -> Stroke {
     let known = limits.iter().map(|limit| limit.place);
     let known = known.chain(ends).chain(breaks.iter().flat_map(beside));
     let known: Vec<_> = known.filter(|one| !one.value.is_nan()).collect();
-    let nowhere = Extreme {
-        at: f64::NAN,
-        value: f64::NAN,
-    };
+    let nowhere = Extreme { at: f64::NAN, value: f64::NAN };
     let mut least = known.first().copied().unwrap_or(nowhere);
     let mut greatest = least;
     let mut reach = |one: Extreme, clearance: f64| {
@@ -179,12 +163,7 @@ fn over(course: Course, ends: Vec<Extreme>, samples: &[Sample]) -> Stroke {
     for &Sample { at, value, .. } in samples {
         reach(Extreme { at, value }, CLEAR * length);
     }
-    Stroke {
-        least,
-        greatest,
-        limits,
-        breaks,
-    }
+    Stroke { least, greatest, limits, breaks }
 }
 
 #[cfg(test)]
@@ -194,25 +173,11 @@ mod tests {
     #[test]
     fn samples_clearly_beyond_all_else_count() {
         let extreme = |at: f64, value: f64| Extreme { at, value };
-        let sample = |at: f64, value: f64| Sample {
-            at,
-            value,
-            rate: 1.0,
-        };
+        let sample = |at: f64, value: f64| Sample { at, value, rate: 1.0 };
         let ends = vec![extreme(0.0, 1.0), extreme(4.0, 2.0)];
-        let lowest = Limit {
-            place: extreme(1.0, 0.5),
-            is_highest: false,
-        };
-        let course = Course {
-            limits: vec![lowest],
-            breaks: Vec::new(),
-        };
-        let samples = [
-            sample(1.1, 0.5 - 1e-12),
-            sample(2.0, 90.0),
-            sample(3.0, -80.0),
-        ];
+        let lowest = Limit { place: extreme(1.0, 0.5), is_highest: false };
+        let course = Course { limits: vec![lowest], breaks: Vec::new() };
+        let samples = [sample(1.1, 0.5 - 1e-12), sample(2.0, 90.0), sample(3.0, -80.0)];
         let stroke = over(course.clone(), ends.clone(), &samples[..1]);
         assert_eq!((stroke.least, stroke.greatest), (lowest.place, ends[1]));
         let stroke = over(course, ends, &samples);

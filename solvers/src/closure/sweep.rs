@@ -53,11 +53,7 @@ pub fn sweep<L: Linkage>(
     at_dead_point: AtDeadPoint,
 ) -> Result<Positions, ClosureError> {
     check(axes, L::shape().drivers.len())?;
-    dispatch(Sweep {
-        linkage,
-        axes,
-        at_dead_point,
-    })
+    dispatch(Sweep { linkage, axes, at_dead_point })
 }
 
 fn check(axes: &[Axis], expected: usize) -> Result<(), ClosureError> {
@@ -68,9 +64,7 @@ fn check(axes: &[Axis], expected: usize) -> Result<(), ClosureError> {
             axes.len()
         ));
     }
-    match axes
-        .iter()
-        .find(|axis| !(axis.from.is_finite() && axis.to.is_finite() && axis.count > 0))
+    match axes.iter().find(|axis| !(axis.from.is_finite() && axis.to.is_finite() && axis.count > 0))
     {
         Some(axis) => bad(format!(
             "a range from {} to {} in {} positions: expected finite ends and at least one position",
@@ -175,11 +169,7 @@ fn locate<S: Scalar>(axes: &[Axis], number: usize, place: &mut [S]) -> usize {
         stride /= axis.count;
         let digit = rest / stride;
         rest %= stride;
-        let turned = if above % 2 == 0 {
-            digit
-        } else {
-            axis.count - 1 - digit
-        };
+        let turned = if above % 2 == 0 { digit } else { axis.count - 1 - digit };
         above = above * axis.count + digit;
         index = index * axis.count + turned;
         *value = S::from_f64(axis.at(turned));
@@ -204,10 +194,7 @@ impl<S: Scalar> Guide<'_, S> {
     pub(super) fn limits(&self) -> Vec<f64> {
         let ranges = self.linkage.ranges();
         let limits = ranges.iter().map(|range| {
-            let (period, range) = (
-                range.period / PARTS.0,
-                (range.to - range.from).abs() / PARTS.1,
-            );
+            let (period, range) = (range.period / PARTS.0, (range.to - range.from).abs() / PARTS.1);
             match (period.is_finite(), range > 0.0) {
                 (true, _) => period,
                 (false, true) => range,

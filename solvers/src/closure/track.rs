@@ -40,11 +40,7 @@ impl Look {
     /// One of them.
     pub fn of(&self, channel: usize) -> Sample {
         let Dual { value, slope } = self.values[channel];
-        Sample {
-            at: self.at,
-            value,
-            rate: slope,
-        }
+        Sample { at: self.at, value, rate: slope }
     }
 }
 
@@ -125,10 +121,7 @@ impl<'a> Track<'a> {
                     _ if k < 2 * n => here[k + n],
                     _ => (ahead[k] - behind[k]) / (2.0 * step),
                 };
-                let dual = |k: usize| Dual {
-                    value: here[k],
-                    slope: slope(k),
-                };
+                let dual = |k: usize| Dual { value: here[k], slope: slope(k) };
                 Ok((0..here.len()).map(dual).collect())
             }
         }

@@ -93,16 +93,9 @@ impl<S: Scalar> Guide<'_, S> {
         let back = self.go_around(&way);
         let Some((coordinates, dead)) = back else {
             let (group, sine) = self.weakest();
-            return Err(ClosureError::ModeLost {
-                group,
-                at: here,
-                wanted: wanted.to_vec(),
-                sine,
-            });
+            return Err(ClosureError::ModeLost { group, at: here, wanted: wanted.to_vec(), sine });
         };
-        let before: Vec<f64> = (0..self.entry.groups.len())
-            .map(|group| self.sine(group))
-            .collect();
+        let before: Vec<f64> = (0..self.entry.groups.len()).map(|group| self.sine(group)).collect();
         let mut events = std::mem::take(self.events);
         let outcome = self.start_at(&here, &coordinates);
         for (group, sine) in before.into_iter().enumerate() {
@@ -133,11 +126,8 @@ impl<S: Scalar> Guide<'_, S> {
                 }
                 Some(next) => {
                     let ends = (curve.place(&point), curve.place(&next));
-                    let place = |s| {
-                        curve
-                            .beyond(&point, s)
-                            .map_or(f64::NAN, |point| curve.place(&point))
-                    };
+                    let place =
+                        |s| curve.beyond(&point, s).map_or(f64::NAN, |point| curve.place(&point));
                     let root = brent(place, (0.0, ends.0), (length, ends.1));
                     let last = curve.beyond(&point, root)?;
                     return Some((curve.coordinates(&last), curve.place(&dead)));
@@ -157,29 +147,19 @@ impl<S: Scalar> Guide<'_, S> {
     /// part on which a driver makes 1/2π of its period or goes through its range.
     fn units(&self, way: &Way) -> Vec<f64> {
         let coordinates = self.coordinates();
-        let sizes = coordinates
-            .iter()
-            .zip(self.entry.angles)
-            .map(|(value, is_angle)| match value.abs() {
+        let sizes =
+            coordinates.iter().zip(self.entry.angles).map(|(value, is_angle)| match value.abs() {
                 size if !is_angle && size > 0.0 => size,
                 _ => 1.0,
             });
-        let parts = way
-            .heading()
-            .into_iter()
-            .zip(self.linkage.ranges())
-            .map(|(part, range)| {
-                let scale = if range.period.is_finite() {
-                    range.period / TAU
-                } else {
-                    (range.to - range.from).abs()
-                };
-                if scale > 0.0 {
-                    part.abs() / scale
-                } else {
-                    part.abs()
-                }
-            });
+        let parts = way.heading().into_iter().zip(self.linkage.ranges()).map(|(part, range)| {
+            let scale = if range.period.is_finite() {
+                range.period / TAU
+            } else {
+                (range.to - range.from).abs()
+            };
+            if scale > 0.0 { part.abs() / scale } else { part.abs() }
+        });
         let fastest = parts.fold(0.0, f64::max);
         sizes.chain([1.0 / fastest]).collect()
     }

@@ -130,14 +130,8 @@ mod tests {
     fn singular_complex_matrices_are_told() {
         let fails = |mut matrix: [Complex; 4]| factor_complex(&mut matrix, 2, &mut [0; 2]).err();
         let (one, i) = ([1.0, 0.0], [0.0, 1.0]);
-        assert_eq!(
-            fails([one, i, i, [-1.0, 0.0]]),
-            Some(Singular { column: 1 })
-        );
-        assert_eq!(
-            fails([one, one, [f64::NAN, 0.0], one]),
-            Some(Singular { column: 0 })
-        );
+        assert_eq!(fails([one, i, i, [-1.0, 0.0]]), Some(Singular { column: 1 }));
+        assert_eq!(fails([one, one, [f64::NAN, 0.0], one]), Some(Singular { column: 0 }));
         assert_eq!(fails([one, i, i, one]), None);
     }
 }

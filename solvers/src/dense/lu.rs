@@ -9,11 +9,7 @@ pub struct Singular {
 
 impl std::fmt::Display for Singular {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            formatter,
-            "singular matrix: no pivot in column {}",
-            self.column + 1
-        )
+        write!(formatter, "singular matrix: no pivot in column {}", self.column + 1)
     }
 }
 
@@ -38,12 +34,7 @@ impl Lu {
         let norm = norm(&matrix, size);
         let mut pivots = vec![0; size];
         Self::factor(&mut matrix, size, &mut pivots)?;
-        Ok(Self {
-            size,
-            factors: matrix,
-            pivots,
-            norm,
-        })
+        Ok(Self { size, factors: matrix, pivots, norm })
     }
 
     /// Factors a matrix of `n` rows and columns in place, without allocating; `pivots` has length `n`.
@@ -132,14 +123,7 @@ impl Lu {
 /// Largest sum of absolute values in a column.
 fn norm(matrix: &[f64], n: usize) -> f64 {
     (0..n)
-        .map(|column| {
-            matrix
-                .iter()
-                .skip(column)
-                .step_by(n)
-                .map(|value| value.abs())
-                .sum()
-        })
+        .map(|column| matrix.iter().skip(column).step_by(n).map(|value| value.abs()).sum())
         .fold(0.0, greater)
 }
 

@@ -50,11 +50,7 @@ pub fn factor_pivoted<S: Scalar, const N: usize>(matrix: [[S; N]; N]) -> Pivoted
             factors[row][column] = multiple;
         }
     }
-    Pivoted {
-        factors,
-        reciprocals,
-        origins,
-    }
+    Pivoted { factors, reciprocals, origins }
 }
 
 impl<S: Scalar, const N: usize> Pivoted<S, N> {
@@ -114,10 +110,7 @@ mod tests {
                 let row: f64 = (0..N).map(|j| entry(i, j) * x[j].to_f64()).sum();
                 (row - right[i]).abs()
             })
-            .fold(
-                0.0,
-                |worst: f64, value| if value <= worst { worst } else { value },
-            )
+            .fold(0.0, |worst: f64, value| if value <= worst { worst } else { value })
     }
 
     #[test]

@@ -21,47 +21,17 @@ impl End {
         let (time, mode) = (motion.time, motion.mode);
         let motion = Box::new(motion);
         match self {
-            Self::Ode(error) => HybridError::Ode {
-                error,
-                mode,
-                motion,
-            },
-            Self::Held(event) => HybridError::Held {
-                time,
-                mode,
-                event,
-                motion,
-            },
-            Self::Turns(turned) => HybridError::Turns {
-                time,
-                mode,
-                turned,
-                motion,
-            },
-            Self::Guard(event) => HybridError::Guard {
-                time,
-                mode,
-                event,
-                motion,
-            },
-            Self::Loop(modes) => HybridError::Loop {
-                time,
-                modes,
-                turns: TURNS,
-                motion,
-            },
+            Self::Ode(error) => HybridError::Ode { error, mode, motion },
+            Self::Held(event) => HybridError::Held { time, mode, event, motion },
+            Self::Turns(turned) => HybridError::Turns { time, mode, turned, motion },
+            Self::Guard(event) => HybridError::Guard { time, mode, event, motion },
+            Self::Loop(modes) => HybridError::Loop { time, modes, turns: TURNS, motion },
             Self::Chatter { since, events } => {
                 let last = motion.events.iter().rev().take(8);
                 let mut modes: Vec<usize> = last.map(|one| one.to).collect();
                 modes.sort_unstable();
                 modes.dedup();
-                HybridError::Chatter {
-                    time,
-                    since,
-                    events,
-                    modes,
-                    motion,
-                }
+                HybridError::Chatter { time, since, events, modes, motion }
             }
         }
     }

@@ -104,43 +104,29 @@ impl fmt::Display for HybridError {
         };
         match self {
             Self::Ode { error, mode, .. } => write!(formatter, "in mode {mode}: {error}"),
-            Self::Loop {
-                time, modes, turns, ..
-            } => write!(
+            Self::Loop { time, modes, turns, .. } => write!(
                 formatter,
                 "at t = {time} s events lead from mode to mode without end ({turns} were followed): {}; let one of them \
                  ask for more with `if`, or set something that keeps the others from happening at once",
                 listed(modes)
             ),
-            Self::Chatter {
-                time,
-                since,
-                events,
-                modes,
-                ..
-            } => write!(
+            Self::Chatter { time, since, events, modes, .. } => write!(
                 formatter,
                 "{events} events between t = {since} s and {time} s, ever sooner after each other, in modes {}; a mode \
                  in which the parts stay together would take their place, reached `if` a speed is small enough",
                 listed(modes)
             ),
-            Self::Held {
-                time, mode, event, ..
-            } => write!(
+            Self::Held { time, mode, event, .. } => write!(
                 formatter,
                 "in mode {mode} at t = {time} s the motion is driven onto the switching surface of event {event} from both \
                  sides, so that it stays there; state what holds on it as a mode, with `hold`"
             ),
-            Self::Guard {
-                time, mode, event, ..
-            } => write!(
+            Self::Guard { time, mode, event, .. } => write!(
                 formatter,
                 "in mode {mode} after t = {time} s what event {event} watches is not a number: a root of something negative, \
                  or a division by zero"
             ),
-            Self::Turns {
-                time, mode, turned, ..
-            } => write!(
+            Self::Turns { time, mode, turned, .. } => write!(
                 formatter,
                 "in mode {mode} after t = {time} s an angle that events depend on turns by {turned:.3e} rad within one step, too \
                  often to look for events; give speeds in rad/s, or take a shorter time"

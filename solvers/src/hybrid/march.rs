@@ -34,13 +34,7 @@ pub fn march_in<C: Scene>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
-    let way = Way {
-        mode,
-        times,
-        start,
-        settings,
-        is_checked: true,
-    };
+    let way = Way { mode, times, start, settings, is_checked: true };
     way.of(&Bound::new(scene))
 }
 
@@ -64,17 +58,10 @@ impl Way<'_> {
         }
         start::check_mode(shape, self.mode)?;
         let flow = Flow::new(model, self.mode);
-        let mut motion = Motion {
-            mode: self.mode,
-            ..Motion::at_rest(times.0, self.start)
-        };
+        let mut motion = Motion { mode: self.mode, ..Motion::at_rest(times.0, self.start) };
         let options = Options::of(settings, shape.scales);
         if let Err(error) = self.check(&options, flow.states()) {
-            return Err(HybridError::Ode {
-                error,
-                mode: self.mode,
-                motion: Box::new(motion),
-            });
+            return Err(HybridError::Ode { error, mode: self.mode, motion: Box::new(motion) });
         }
         if self.is_checked {
             start::check(&flow, times.0, self.start)?;

@@ -77,11 +77,7 @@ impl Motion {
             end: trajectory.end().to_vec(),
             time: times[times.len() - 1],
             statistics: trajectory.statistics,
-            pieces: vec![Piece {
-                mode: 0,
-                trajectory,
-                sides: Numbers::default(),
-            }],
+            pieces: vec![Piece { mode: 0, trajectory, sides: Numbers::default() }],
         }
     }
 
@@ -124,9 +120,7 @@ impl Motion {
 
     /// The mode and the state at a time; at an event, those after it. Beyond the ends those at the nearest end.
     pub fn at(&self, time: f64) -> (usize, Vec<f64>) {
-        let passed = self
-            .pieces
-            .partition_point(|piece| piece.trajectory.times()[0] <= time);
+        let passed = self.pieces.partition_point(|piece| piece.trajectory.times()[0] <= time);
         match self.pieces.get(passed.saturating_sub(1)) {
             _ if time >= self.time => (self.mode, self.end.clone()),
             Some(piece) => (piece.mode, piece.trajectory.at(time)),

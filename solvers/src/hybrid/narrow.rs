@@ -27,11 +27,7 @@ impl Instants {
     /// Of a step from a time on, of a length above zero.
     #[inline(always)]
     pub fn new(from: f64, length: f64) -> Self {
-        Self {
-            from,
-            length,
-            parts: 1.0 / length,
-        }
+        Self { from, length, parts: 1.0 / length }
     }
 
     /// The time at a part.
@@ -122,11 +118,7 @@ mod tests {
         let mut look = |part: f64| {
             looks += 1;
             let (value, rate) = guard(2.0 + part * length);
-            Sample {
-                part,
-                value,
-                slope: rate * length,
-            }
+            Sample { part, value, slope: rate * length }
         };
         let ends = (look(0.0), look(1.0));
         assert!(ends.0.value < 0.0 && ends.1.value > 0.0);
@@ -184,10 +176,7 @@ mod tests {
             let ends = (look(0.0), look(1.0));
             let (before, at) = instants.narrow(&mut look, ends, -1.0);
             assert!(look(before).value < 0.0, "{number}: {before} {at:?}");
-            assert!(
-                at.value > 0.0 && at.part - before < 1e-13,
-                "{number}: {before} {at:?}"
-            );
+            assert!(at.value > 0.0 && at.part - before < 1e-13, "{number}: {before} {at:?}");
         }
     }
 
@@ -195,11 +184,7 @@ mod tests {
     #[test]
     fn a_jump_is_halved() {
         let guard = |time: f64| {
-            if time < 2.0432 {
-                (-1.0, 0.0)
-            } else {
-                (1.0, 0.0)
-            }
+            if time < 2.0432 { (-1.0, 0.0) } else { (1.0, 0.0) }
         };
         let (off, looks) = passed(0.1, 2.0432, guard);
         assert!(off.abs() < 2.0 && looks < 210, "{off} {looks}");

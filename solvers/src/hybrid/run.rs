@@ -152,8 +152,7 @@ impl<'a> Run<'a> {
         self.arrival = rate;
         self.next.copy_from_slice(&self.state);
         if entry.sets {
-            self.flow
-                .jump(event, motion.time, &self.state, &mut self.next);
+            self.flow.jump(event, motion.time, &self.state, &mut self.next);
         }
         let before = motion.events.last().map(|one| one.time);
         let happened = Happened {
@@ -179,20 +178,15 @@ impl<'a> Run<'a> {
             }
             let known = self.looked[entry.target].iter();
             for (guard, looked) in self.guards.iter_mut().zip(known) {
-                *guard = Guard {
-                    looked: *looked,
-                    ..Guard::default()
-                };
+                *guard = Guard { looked: *looked, ..Guard::default() };
             }
             self.room.resize(self.shape.modes[entry.target].written());
         }
         *last = Some(entry.line);
         self.count(motion, before)?;
         // Between this event and the last of the same kind the guard rose above zero by less than it can be told from.
-        let same = self.shape.modes[entry.target]
-            .events
-            .iter()
-            .position(|one| one.line == entry.line);
+        let same =
+            self.shape.modes[entry.target].events.iter().position(|one| one.line == entry.line);
         let lost = self.bounce.filter(|(line, time, rate)| {
             *line == entry.line && motion.time > *time && (motion.time - time) * rate.abs() <= noise
         });
@@ -215,10 +209,9 @@ impl<'a> Run<'a> {
             self.guards[event].size = size;
         }
         match lost {
-            Some((_, time, _)) => Err(End::Chatter {
-                since: self.since.0.min(time),
-                events: self.since.1.max(2),
-            }),
+            Some((_, time, _)) => {
+                Err(End::Chatter { since: self.since.0.min(time), events: self.since.1.max(2) })
+            }
             None => Ok(()),
         }
     }
@@ -246,10 +239,7 @@ impl<'a> Run<'a> {
             _ => self.since = (now, 1),
         }
         match self.since.1 > CHATTER {
-            true => Err(End::Chatter {
-                since: self.since.0,
-                events: self.since.1,
-            }),
+            true => Err(End::Chatter { since: self.since.0, events: self.since.1 }),
             false => Ok(()),
         }
     }

@@ -25,12 +25,7 @@ impl Run<'_> {
         self.look(time);
         self.is_known = false;
         std::mem::swap(&mut self.room.begin, &mut self.room.here);
-        let Room {
-            begin,
-            there,
-            terms: sizes,
-            ..
-        } = &mut self.room;
+        let Room { begin, there, terms: sizes, .. } = &mut self.room;
         let strange = |event: &usize| !begin.values()[*event].is_finite();
         if let Some(event) = (0..events.len()).find(strange) {
             return Err(End::Guard(event));
@@ -78,10 +73,7 @@ impl Run<'_> {
             }
         }
         let kinks = events.len()..self.shape.modes[self.flow.mode()].guards();
-        for (guard, value) in self.guards[kinks.clone()]
-            .iter_mut()
-            .zip(&begin.values()[kinks])
-        {
+        for (guard, value) in self.guards[kinks.clone()].iter_mut().zip(&begin.values()[kinks]) {
             guard.size = guard.size.max(value.abs());
             guard.sign = match value.abs() <= guard.noise() {
                 false => value.signum(),

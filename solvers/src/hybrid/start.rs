@@ -12,9 +12,7 @@ pub(super) fn check_mode(shape: &Shape, mode: usize) -> Result<(), HybridError> 
     let count = shape.modes.len();
     match mode < count {
         true => Ok(()),
-        false => refused(format!(
-            "there are {count} modes, and it is to begin in number {mode}"
-        )),
+        false => refused(format!("there are {count} modes, and it is to begin in number {mode}")),
     }
 }
 
@@ -33,18 +31,10 @@ pub(super) fn check(flow: &Flow<'_>, time: f64, state: &[f64]) -> Result<(), Hyb
     let mut room = Room::default();
     room.resize(shape.modes[mode].written());
     room.begin.look(flow, time, state);
-    let Room {
-        begin,
-        there,
-        terms: sizes,
-        ..
-    } = &mut room;
+    let Room { begin, there, terms: sizes, .. } = &mut room;
     terms(flow, time, state, begin, there, sizes);
     for (index, entry) in events.iter().enumerate() {
-        let (value, noise) = (
-            begin.values()[index],
-            NOISE * f64::EPSILON * sizes.values()[index],
-        );
+        let (value, noise) = (begin.values()[index], NOISE * f64::EPSILON * sizes.values()[index]);
         let has_passed = match entry.direction {
             Direction::Rises => value > noise,
             Direction::Falls => value < -noise,

@@ -185,12 +185,7 @@ impl<'a> Watch<'a> {
                 let time = step.from + part * length;
                 between(step, part, self.state);
                 self.recorder.cut(time, self.state);
-                self.due = Some(Due {
-                    event,
-                    time,
-                    guard: (value, slope / length),
-                    with: second,
-                });
+                self.due = Some(Due { event, time, guard: (value, slope / length), with: second });
             }
             None => self.pass(step),
         }
@@ -263,12 +258,7 @@ impl<'a> Watch<'a> {
     /// Finds out how large the terms of the guards are at the end of a part of a step.
     #[cold]
     fn measure(&mut self, step: &Step<'_>, part: f64) {
-        let Room {
-            end,
-            there,
-            terms: sizes,
-            ..
-        } = &mut *self.room;
+        let Room { end, there, terms: sizes, .. } = &mut *self.room;
         between(step, part, self.state);
         let time = step.from + part * (step.to - step.from);
         terms(self.flow, time, self.state, end, there, sizes);

@@ -47,9 +47,7 @@ impl Watch<'_> {
         let length = step.to - step.from;
         let guard = &mut self.guards[event];
         let (flow, state) = (self.flow, &mut *self.state);
-        let Room {
-            there, seen, bends, ..
-        } = &mut *self.room;
+        let Room { there, seen, bends, .. } = &mut *self.room;
         let mut sample = |part: f64| look_at(flow, step, state, (there, seen), (event, part));
         let slope = from.slope.abs().max(to.slope.abs());
         let begins = guard.began == Some(step.from);
@@ -127,11 +125,7 @@ fn look_at(
     (guard, part): (usize, f64),
 ) -> Sample {
     let length = step.to - step.from;
-    let sample = |value: f64, rate: f64| Sample {
-        part,
-        value,
-        slope: rate * length,
-    };
+    let sample = |value: f64, rate: f64| Sample { part, value, slope: rate * length };
     if let Some((value, rate)) = seen.find(part, guard) {
         return sample(value, rate);
     }
@@ -144,11 +138,7 @@ fn look_at(
 /// A guard at a part of a step of this length.
 #[inline(always)]
 pub(super) fn at(guards: &Guards, event: usize, part: f64, length: f64) -> Sample {
-    Sample {
-        part,
-        value: guards.values()[event],
-        slope: guards.rates()[event] * length,
-    }
+    Sample { part, value: guards.values()[event], slope: guards.rates()[event] * length }
 }
 
 /// Whether what else an event asks for holds at a part of a step.

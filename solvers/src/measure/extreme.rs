@@ -206,8 +206,7 @@ impl Hunt {
     fn drop_low_tops(&mut self) {
         let Some(best) = self.best else { return };
         let near = RIVAL * self.size;
-        self.tops
-            .retain(|top| (top.value - best.value).abs() <= near);
+        self.tops.retain(|top| (top.value - best.value).abs() <= near);
     }
 
     /// An extreme beside an end of the stretch has no point on its other side that would show it.
@@ -230,13 +229,7 @@ impl Hunt {
             return;
         }
         let piece = self.piece;
-        self.hills.push(Hill {
-            piece,
-            times,
-            guess,
-            reach,
-            rise,
-        });
+        self.hills.push(Hill { piece, times, guess, reach, rise });
         if self.hills.len() > self.room {
             let hills = std::mem::take(&mut self.hills);
             let high = hills.into_iter().filter(|hill| self.may_count(hill.reach));
@@ -246,8 +239,7 @@ impl Hunt {
     }
 
     fn may_count(&self, reach: f64) -> bool {
-        self.best
-            .is_none_or(|best| self.sense.better(reach, best.value))
+        self.best.is_none_or(|best| self.sense.better(reach, best.value))
     }
 
     fn reached(&mut self, extreme: Extreme) {

@@ -75,9 +75,7 @@ impl<'a> Sampler<'a> {
 
     /// All quantities at a time in a piece, in the mode of that piece even at its ends.
     pub(super) fn at(&mut self, piece: &Piece, time: f64) -> &[f64] {
-        piece
-            .trajectory
-            .at_beside(&mut self.step, time, &mut self.state);
+        piece.trajectory.at_beside(&mut self.step, time, &mut self.state);
         (self.sample)(piece.mode, time, &self.state, &mut self.values);
         &self.values
     }
@@ -97,9 +95,7 @@ impl<'a> Sampler<'a> {
     ) {
         for (number, piece) in self.motion.pieces.iter().enumerate() {
             let times = piece.trajectory.times();
-            let first = times
-                .partition_point(|time| *time <= from)
-                .saturating_sub(1);
+            let first = times.partition_point(|time| *time <= from).saturating_sub(1);
             for step in times[first..].windows(2) {
                 let part = (step[0].max(from), step[1].min(to));
                 if part.0 < part.1 {
@@ -145,32 +141,16 @@ impl<'a> Sampler<'a> {
         for time in times {
             values.extend_from_slice(self.at(piece, time));
         }
-        Grid {
-            piece,
-            number,
-            count: self.values.len(),
-            values,
-            times,
-        }
+        Grid { piece, number, count: self.values.len(), values, times }
     }
 }
 
 /// The ends of the parts of a step that may be the first or the last of its piece.
 fn parts((from, to): (f64, f64), (first, last): (bool, bool)) -> Vec<f64> {
     let length = to - from;
-    let begins = ENDS
-        .iter()
-        .filter(|_| first)
-        .map(|part| from + part * length);
-    let ends = ENDS
-        .iter()
-        .rev()
-        .filter(|_| last)
-        .map(|part| to - part * length);
-    let mut all: Vec<f64> = begins
-        .chain(ends)
-        .filter(|time| from < *time && *time < to)
-        .collect();
+    let begins = ENDS.iter().filter(|_| first).map(|part| from + part * length);
+    let ends = ENDS.iter().rev().filter(|_| last).map(|part| to - part * length);
+    let mut all: Vec<f64> = begins.chain(ends).filter(|time| from < *time && *time < to).collect();
     all.insert(0, from);
     all.push(to);
     all.dedup();
@@ -211,9 +191,7 @@ impl Grid<'_> {
 fn is_smooth(values: &[f64; GRID + 1]) -> bool {
     let (low, high) = values
         .iter()
-        .fold((f64::MAX, f64::MIN), |(low, high), one| {
-            (low.min(*one), high.max(*one))
-        });
+        .fold((f64::MAX, f64::MIN), |(low, high), one| (low.min(*one), high.max(*one)));
     let permitted = f64::max(DEVIATION * (high - low), NOISE * high.abs().max(low.abs()));
     QUARTIC.iter().enumerate().all(|(row, weights)| {
         let terms = weights.iter().enumerate();

@@ -55,10 +55,7 @@ pub(super) fn top(
         }
         // Two points on each side.
         let inner = |place: usize| stretch.time(node(place));
-        let narrower = (
-            inner((place + 2).min(DEGREE)),
-            inner(place.saturating_sub(2)),
-        );
+        let narrower = (inner((place + 2).min(DEGREE)), inner(place.saturating_sub(2)));
         if narrower == (from, to) || narrower.0 >= narrower.1 {
             break;
         }
@@ -119,12 +116,7 @@ impl Stretch {
             _ => middle + half * node(place),
         };
         let values = std::array::from_fn(|place| at(time(place)));
-        Self {
-            middle,
-            half,
-            values,
-            coefficients: coefficients(&values),
-        }
+        Self { middle, half, values, coefficients: coefficients(&values) }
     }
 
     fn time(&self, place: f64) -> f64 {
@@ -148,10 +140,7 @@ impl Stretch {
     }
 
     fn rounding(&self) -> f64 {
-        let size = self
-            .values
-            .iter()
-            .fold(0.0_f64, |most, one| most.max(one.abs()));
+        let size = self.values.iter().fold(0.0_f64, |most, one| most.max(one.abs()));
         ROUNDINGS * size
     }
 
@@ -197,11 +186,7 @@ impl Stretch {
 /// Coefficients of the sum of Chebyshev polynomials through values at Chebyshev's points.
 fn coefficients(values: &[f64; DEGREE + 1]) -> [f64; DEGREE + 1] {
     let end = |index: usize| {
-        if index == 0 || index == DEGREE {
-            0.5
-        } else {
-            1.0
-        }
+        if index == 0 || index == DEGREE { 0.5 } else { 1.0 }
     };
     std::array::from_fn(|order| {
         let terms = values
@@ -269,10 +254,6 @@ fn corner(
     };
     match best {
         Some(best) if sense.better(best.value, value) => best,
-        _ => Extreme {
-            value,
-            time,
-            blur: flat.unwrap_or(to - from) + f64::EPSILON * time.abs(),
-        },
+        _ => Extreme { value, time, blur: flat.unwrap_or(to - from) + f64::EPSILON * time.abs() },
     }
 }

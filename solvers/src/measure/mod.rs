@@ -89,12 +89,7 @@ pub fn extremes(
     let found = hunts.into_iter().map(|[lowest, highest]| {
         let (lowest, low_rivals) = lowest.finish(&mut sampler)?;
         let (highest, high_rivals) = highest.finish(&mut sampler)?;
-        Some(Extremes {
-            lowest,
-            highest,
-            low_rivals,
-            high_rivals,
-        })
+        Some(Extremes { lowest, highest, low_rivals, high_rivals })
     });
     found.collect()
 }

@@ -21,11 +21,7 @@ impl Primitive {
     /// A number of the whole run.
     #[doc(hidden)]
     pub const fn of(kind: Kind, argument: usize) -> Self {
-        Self {
-            kind,
-            argument,
-            window: None,
-        }
+        Self { kind, argument, window: None }
     }
 
     /// Only where this quantity is positive.
@@ -176,10 +172,7 @@ impl Tally {
             Kind::Lowest => hunt(Sense::Smallest),
             _ => None,
         };
-        Self {
-            hunt,
-            ..Self::default()
-        }
+        Self { hunt, ..Self::default() }
     }
 
     /// Looks at a step.
@@ -245,11 +238,9 @@ impl Tally {
             Kind::Integral => Ok(self.value),
             Kind::Mean if self.time > 0.0 => Ok(self.value / self.time),
             Kind::Rms if self.time > 0.0 => Ok((self.value / self.time).sqrt()),
-            Kind::Cosine { angle, order } | Kind::Sine { angle, order } => Ok(harmonic::scaled(
-                self.value,
-                order,
-                harmonic::turns(angle.0, sampler)?,
-            )),
+            Kind::Cosine { angle, order } | Kind::Sine { angle, order } => {
+                Ok(harmonic::scaled(self.value, order, harmonic::turns(angle.0, sampler)?))
+            }
             _ => Err(nothing),
         }
     }

@@ -38,11 +38,7 @@ fn found(
 }
 
 fn of(kind: Kind) -> Primitive {
-    Primitive {
-        kind,
-        argument: 0,
-        window: None,
-    }
+    Primitive { kind, argument: 0, window: None }
 }
 
 #[track_caller]
@@ -61,10 +57,7 @@ fn a_peak_between_the_steps_is_found_where_samples_miss_it() {
     let hill = |time: f64| 1.0 - 50.0 * (time - 1.234_567).powi(2);
     is(found(&motion, of(Kind::Peak), &[&hill]), 1.0, 1e-15);
     // The naive way: the largest at the ends of the steps.
-    let naive = [0.0, 1.5, 3.0]
-        .map(hill)
-        .into_iter()
-        .fold(f64::MIN, f64::max);
+    let naive = [0.0, 1.5, 3.0].map(hill).into_iter().fold(f64::MIN, f64::max);
     assert!(naive < -2.0, "{naive}");
     is(found(&motion, of(Kind::Lowest), &[&hill]), hill(3.0), 0.0);
 }
@@ -98,14 +91,8 @@ fn the_time_of_an_extreme_has_nearly_all_digits() {
         let wave = |time: f64| 3.0 + (2.0 * (time - top)).cos() - 0.001 * (time - top).powi(3);
         let found = highest(&motion, &wave);
         let wrong = (found.time - top).abs();
-        assert!(
-            wrong < 1e-12 && wrong <= found.blur,
-            "{top}: {wrong:e} {found:?}"
-        );
-        assert!(
-            (found.value - 4.0).abs() < 2e-15 && found.blur < 1e-11,
-            "{found:?}"
-        );
+        assert!(wrong < 1e-12 && wrong <= found.blur, "{top}: {wrong:e} {found:?}");
+        assert!((found.value - 4.0).abs() < 2e-15 && found.blur < 1e-11, "{found:?}");
     }
 }
 
@@ -116,10 +103,7 @@ fn where_it_is_flat_the_time_of_an_extreme_says_so() {
         let flat = |time: f64| 1.0 - (time - 1.234_567).powi(power);
         let found = highest(&motion, &flat);
         let wrong = (found.time - 1.234_567).abs();
-        assert!(
-            wrong <= found.blur && found.blur < 0.1,
-            "{wrong:e} {found:?}"
-        );
+        assert!(wrong <= found.blur && found.blur < 0.1, "{wrong:e} {found:?}");
         assert!(found.blur > 1e-6, "{found:?}");
     }
 }
@@ -158,10 +142,7 @@ fn swings_that_the_steps_do_not_resolve_are_counted_out() {
     let wave = |time: f64| (2.0 * PI * 30.0 * time).sin() * (1.0 + 0.1 * time);
     let found = highest(&motion, &wave);
     let top = 29.25 / 30.0;
-    assert!(
-        (found.time - top).abs() < 1e-4 && found.value > 1.0 + 0.1 * top,
-        "{found:?}"
-    );
+    assert!((found.time - top).abs() < 1e-4 && found.value > 1.0 + 0.1 * top, "{found:?}");
 }
 
 /// Half of the digits of its time are not enough where a quantity is not flat.
@@ -192,70 +173,38 @@ fn means_are_integrals_and_not_means_of_samples() {
     let motion = run(0.0, 2.0 * PI, 7);
     let wave = |time: f64| (3.0 * time).sin().exp();
     // The modified Bessel function I0(1), and I0(2) for the square.
-    is(
-        found(&motion, of(Kind::Mean), &[&wave]),
-        1.266_065_877_752_008_4,
-        1e-14,
-    );
+    is(found(&motion, of(Kind::Mean), &[&wave]), 1.266_065_877_752_008_4, 1e-14);
     let rms = 2.279_585_302_336_067_4_f64.sqrt();
     is(found(&motion, of(Kind::Rms), &[&wave]), rms, 1e-14);
-    is(
-        found(&motion, of(Kind::Integral), &[&wave]),
-        2.0 * PI * 1.266_065_877_752_008_4,
-        1e-13,
-    );
+    is(found(&motion, of(Kind::Integral), &[&wave]), 2.0 * PI * 1.266_065_877_752_008_4, 1e-13);
 }
 
 #[test]
 fn a_kink_inside_a_step_is_integrated_as_well() {
     let motion = run(0.0, 1.0, 1);
     let kink = |time: f64| (time - 0.3).abs();
-    is(
-        found(&motion, of(Kind::Mean), &[&kink]),
-        0.045 + 0.245,
-        1e-13,
-    );
+    is(found(&motion, of(Kind::Mean), &[&kink]), 0.045 + 0.245, 1e-13);
 }
 
 #[test]
 fn a_condition_that_holds_twice_within_a_step_is_timed_to_the_last_digits() {
     let motion = run(0.0, 1.0, 1);
     let wave = |time: f64| (4.0 * PI * time).sin() - 0.5;
-    is(
-        found(&motion, of(Kind::Duration), &[&wave]),
-        1.0 / 3.0,
-        4e-16,
-    );
+    is(found(&motion, of(Kind::Duration), &[&wave]), 1.0 / 3.0, 4e-16);
     // A grazing touch between two points of the grid.
     let touch = |time: f64| 1e-6 - (time - 0.312_345).powi(2);
     is(found(&motion, of(Kind::Duration), &[&touch]), 2e-3, 1e-12);
     let gap = |time: f64| -touch(time);
-    is(
-        found(&motion, of(Kind::Duration), &[&gap]),
-        1.0 - 2e-3,
-        1e-12,
-    );
+    is(found(&motion, of(Kind::Duration), &[&gap]), 1.0 - 2e-3, 1e-12);
 }
 
 #[test]
 fn a_window_bounds_where_a_quantity_is_looked_at() {
     let motion = run(0.0, 1.0, 3);
     let (slope, early) = (|time: f64| time, |time: f64| 0.4 - time);
-    let windowed = |kind| Primitive {
-        kind,
-        argument: 0,
-        window: Some(1),
-    };
-    is(
-        found(&motion, windowed(Kind::Peak), &[&slope, &early]),
-        0.4,
-        1e-15,
-    );
-    is(
-        found(&motion, windowed(Kind::Mean), &[&slope, &early]),
-        0.2,
-        1e-15,
-    );
+    let windowed = |kind| Primitive { kind, argument: 0, window: Some(1) };
+    is(found(&motion, windowed(Kind::Peak), &[&slope, &early]), 0.4, 1e-15);
+    is(found(&motion, windowed(Kind::Mean), &[&slope, &early]), 0.2, 1e-15);
     let never = |_: f64| -1.0;
     let missing = found(&motion, windowed(Kind::Mean), &[&slope, &never]);
     assert_eq!(missing, Err(Missing::NeverHolds));
@@ -270,18 +219,8 @@ fn harmonics_over_an_angle_are_those_of_the_angle_and_not_of_the_time() {
         |time: f64| 2.0 + 0.7 * (2.0 * angle(time)).cos() - 0.25 * (5.0 * angle(time)).sin();
     let motion = run(0.0, 3.0, 40);
     let functions: [&dyn Fn(f64) -> f64; 3] = [&force, &angle, &rate];
-    let cosine = |order| {
-        of(Kind::Cosine {
-            angle: (1, 2),
-            order,
-        })
-    };
-    let sine = |order| {
-        of(Kind::Sine {
-            angle: (1, 2),
-            order,
-        })
-    };
+    let cosine = |order| of(Kind::Cosine { angle: (1, 2), order });
+    let sine = |order| of(Kind::Sine { angle: (1, 2), order });
     is(found(&motion, cosine(0), &functions), 2.0, 1e-13);
     is(found(&motion, cosine(2), &functions), 0.7, 1e-13);
     is(found(&motion, sine(5), &functions), -0.25, 1e-13);
@@ -325,14 +264,8 @@ fn state_and_mode(mode: usize, _: f64, state: &[f64], values: &mut [f64]) {
 
 #[test]
 fn an_event_is_known_by_its_name_in_every_mode() {
-    let hit = NamedEvent {
-        name: "hit",
-        places: &[(1, 0), (0, 0)],
-    };
-    let other = NamedEvent {
-        name: "other",
-        places: &[(1, 0), (0, 1)],
-    };
+    let hit = NamedEvent { name: "hit", places: &[(1, 0), (0, 0)] };
+    let other = NamedEvent { name: "other", places: &[(1, 0), (0, 1)] };
     let (before, after) = (
         |event| Moment::Before { event, last: false },
         |event| Moment::After { event, last: true },
@@ -352,10 +285,8 @@ fn an_event_is_known_by_its_name_in_every_mode() {
 
 #[test]
 fn values_at_events_are_those_before_and_after_them() {
-    let (enter, leave) = (
-        |mode| Moment::Enter { mode, last: false },
-        |mode| Moment::Leave { mode, last: true },
-    );
+    let (enter, leave) =
+        (|mode| Moment::Enter { mode, last: false }, |mode| Moment::Leave { mode, last: true });
     let primitives = [
         Kind::Value(enter(1)),
         Kind::Value(leave(0)),
@@ -379,12 +310,6 @@ fn a_value_that_is_no_number_is_missing_and_not_zero() {
     for kind in [Kind::Peak, Kind::Mean, Kind::Rms] {
         assert_eq!(found(&motion, of(kind), &[&root]), Err(Missing::NotFinite));
     }
-    let nothing = Motion {
-        pieces: Vec::new(),
-        ..run(0.0, 1.0, 1)
-    };
-    assert_eq!(
-        found(&nothing, of(Kind::Mean), &[&root]),
-        Err(Missing::Empty)
-    );
+    let nothing = Motion { pieces: Vec::new(), ..run(0.0, 1.0, 1) };
+    assert_eq!(found(&nothing, of(Kind::Mean), &[&root]), Err(Missing::Empty));
 }

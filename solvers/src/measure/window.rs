@@ -35,9 +35,7 @@ pub(super) fn windows(
             continue;
         }
         let times = (grid.times[middle - 1], grid.times[middle + 1]);
-        let top = hill::top(sense, times, &mut |time| {
-            sampler.at(grid.piece, time)[index]
-        });
+        let top = hill::top(sense, times, &mut |time| sampler.at(grid.piece, time)[index]);
         if (top.value > 0.0) != holds {
             points.push((top.time, top.value));
         }

@@ -99,10 +99,7 @@ impl<C: Scene> Model for Bound<C> {
 
 /// A phase on fused numbers.
 fn fused(phase: Phase<'_, f64>) -> Phase<'_, Fused> {
-    Phase {
-        mode: phase.mode,
-        sides: Fused::of(phase.sides),
-    }
+    Phase { mode: phase.mode, sides: Fused::of(phase.sides) }
 }
 
 /// The equations of a scene on fused numbers.

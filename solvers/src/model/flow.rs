@@ -33,10 +33,7 @@ impl<'a> Flow<'a> {
 
     /// The same on these sides.
     pub(crate) fn on(model: &'a dyn Model, mode: usize, sides: &[f64]) -> Self {
-        Self {
-            sides: sides.to_vec(),
-            ..Self::new(model, mode)
-        }
+        Self { sides: sides.to_vec(), ..Self::new(model, mode) }
     }
 
     /// Length of the state vector.
@@ -71,10 +68,7 @@ impl<'a> Flow<'a> {
 
     #[inline(always)]
     fn phase(&self) -> Phase<'_, f64> {
-        Phase {
-            mode: self.mode,
-            sides: &self.sides,
-        }
+        Phase { mode: self.mode, sides: &self.sides }
     }
 
     /// Computes numbers; where they do not exist though they might, with the sides left to the values. A branch that is
@@ -124,16 +118,13 @@ impl<'a> Flow<'a> {
         self.held(rates, |phase, rates| {
             let (rates, products) = rates.split_at_mut(state.len());
             self.equations.instants(phase, &[time], &mut instant);
-            self.equations
-                .variation(phase, &instant, state, rates, columns, products);
+            self.equations.variation(phase, &instant, state, rates, columns, products);
         });
     }
 
     /// Writes the Taylor series of the motion, see [`Equations::series`].
     pub fn series(&self, time: f64, length: f64, rows: &mut [f64]) -> bool {
-        self.held(rows, |phase, rows| {
-            self.equations.series(phase, time, length, rows)
-        })
+        self.held(rows, |phase, rows| self.equations.series(phase, time, length, rows))
     }
 
     /// Writes the guards of the mode and their rates; none where there are no events.
@@ -147,8 +138,7 @@ impl<'a> Flow<'a> {
 
     /// Whether what else an event asks for holds.
     pub(crate) fn permits(&self, event: usize, time: f64, state: &[f64]) -> bool {
-        self.events
-            .is_none_or(|events| events.permits(self.phase(), event, time, state))
+        self.events.is_none_or(|events| events.permits(self.phase(), event, time, state))
     }
 
     /// Writes the state after an event.
@@ -191,15 +181,13 @@ impl<'a> Flow<'a> {
     /// The stages of a step of the motion with its variations.
     pub(crate) fn attempt_varied(&self, method: Explicit, room: &mut Room) {
         let varied = true;
-        self.model
-            .attempt(Steps { method, varied }, self.phase(), room);
+        self.model.attempt(Steps { method, varied }, self.phase(), room);
     }
 
     /// What is missing of it.
     pub(crate) fn finish_varied(&self, method: Explicit, room: &mut Room, dense: bool) {
         let varied = true;
-        self.model
-            .finish(Steps { method, varied }, self.phase(), room, dense);
+        self.model.finish(Steps { method, varied }, self.phase(), room, dense);
     }
 }
 
@@ -214,8 +202,7 @@ impl System for Flow<'_> {
 
     fn attempt(&self, method: Explicit, room: &mut Room) {
         let varied = false;
-        self.model
-            .attempt(Steps { method, varied }, self.phase(), room);
+        self.model.attempt(Steps { method, varied }, self.phase(), room);
         room.is_apart = self.is_lost(&room.trial);
         if room.is_apart {
             system::attempt_each(
@@ -230,8 +217,7 @@ impl System for Flow<'_> {
         let varied = false;
         // What has been tried one evaluation after the other keeps its instants in another way.
         if !room.is_apart {
-            self.model
-                .finish(Steps { method, varied }, self.phase(), room, dense);
+            self.model.finish(Steps { method, varied }, self.phase(), room, dense);
         }
         if room.is_apart || self.is_lost(&room.slopes) {
             let rates = &|time: f64, state: &[f64], rates: &mut [f64]| {
@@ -269,11 +255,7 @@ mod tests {
         }
 
         fn rates(&self, phase: Phase<'_, f64>, instant: &[f64], y: &[f64], rates: &mut [f64]) {
-            let root = if phase.side(0) > 0.0 {
-                y[0].sqrt()
-            } else {
-                0.0
-            };
+            let root = if phase.side(0) > 0.0 { y[0].sqrt() } else { 0.0 };
             rates[0] = instant[0] + 0.001 * root;
         }
 

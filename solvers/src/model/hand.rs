@@ -37,12 +37,7 @@ where
 {
     /// Rates and the rows of their Jacobian, without a Taylor series.
     pub const fn new(rates: R, rows: J) -> Self {
-        Self {
-            rates,
-            rows,
-            series: |_, _, _| false,
-            start: [0.0; N],
-        }
+        Self { rates, rows, series: |_, _, _| false, start: [0.0; N] }
     }
 
     /// With this start.
@@ -52,12 +47,7 @@ where
 
     /// With a Taylor series.
     pub fn expanded<T: Fn(f64, f64, &mut [f64]) -> bool>(self, series: T) -> Hand<N, R, J, T> {
-        Hand {
-            rates: self.rates,
-            rows: self.rows,
-            series,
-            start: self.start,
-        }
+        Hand { rates: self.rates, rows: self.rows, series, start: self.start }
     }
 }
 

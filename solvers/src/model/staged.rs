@@ -60,7 +60,6 @@ impl<S: Scalar, E: Equations<S> + ?Sized> Staged<S> for Beside<'_, S, E> {
         let states = self.equations.states();
         let (state, columns) = state.split_at(states);
         let (rates, products) = rates.split_at_mut(states);
-        self.equations
-            .variation(self.phase, instant, state, rates, columns, products);
+        self.equations.variation(self.phase, instant, state, rates, columns, products);
     }
 }

@@ -12,9 +12,7 @@ pub(super) const DOP853: Tableau = Tableau {
     stages: 12,
     nodes: &NODES,
     extra_nodes: &EXTRA_NODES,
-    rows: &[
-        ROW_2, ROW_3, ROW_4, ROW_5, ROW_6, ROW_7, ROW_8, ROW_9, ROW_10, ROW_11, ROW_12,
-    ],
+    rows: &[ROW_2, ROW_3, ROW_4, ROW_5, ROW_6, ROW_7, ROW_8, ROW_9, ROW_10, ROW_11, ROW_12],
     weights: WEIGHTS,
     extra_rows: &[ROW_14, ROW_15, ROW_16],
     error: ERROR_5,
@@ -53,26 +51,14 @@ const ROW_3: Row = &[(0, 0.0197250569845379), (1, 0.0591751709536137)];
 const ROW_4: Row = &[(0, 0.02958758547680685), (2, 0.08876275643042054)];
 
 /// Coefficients of stage 5.
-const ROW_5: Row = &[
-    (0, 0.2413651341592667),
-    (2, -0.8845494793282861),
-    (3, 0.924834003261792),
-];
+const ROW_5: Row = &[(0, 0.2413651341592667), (2, -0.8845494793282861), (3, 0.924834003261792)];
 
 /// Coefficients of stage 6.
-const ROW_6: Row = &[
-    (0, 0.037037037037037035),
-    (3, 0.17082860872947386),
-    (4, 0.12546768756682242),
-];
+const ROW_6: Row = &[(0, 0.037037037037037035), (3, 0.17082860872947386), (4, 0.12546768756682242)];
 
 /// Coefficients of stage 7.
-const ROW_7: Row = &[
-    (0, 0.037109375),
-    (3, 0.17025221101954405),
-    (4, 0.06021653898045596),
-    (5, -0.017578125),
-];
+const ROW_7: Row =
+    &[(0, 0.037109375), (3, 0.17025221101954405), (4, 0.06021653898045596), (5, -0.017578125)];
 
 /// Coefficients of stage 8.
 const ROW_8: Row = &[

@@ -29,11 +29,7 @@ impl Doubt {
     /// Nothing yet.
     #[inline(always)]
     pub fn new(permitted: usize) -> Self {
-        Self {
-            permitted,
-            measured: 0,
-            held: 0,
-        }
+        Self { permitted, measured: 0, held: 0 }
     }
 
     /// Whether the step after so many is to be measured.
@@ -58,12 +54,7 @@ impl Doubt {
         if std::mem::take(&mut self.held) < MOST {
             return Ok(());
         }
-        Err(OdeError::Stiff {
-            time,
-            step,
-            rate,
-            steps: left,
-        })
+        Err(OdeError::Stiff { time, step, rate, steps: left })
     }
 }
 

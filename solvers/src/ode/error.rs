@@ -66,20 +66,12 @@ impl fmt::Display for OdeError {
                 "the rate of state {component} is not a finite number after t = {time} s; \
                  check whether a square root, a division or a logarithm leaves its range there"
             ),
-            Self::NotDifferentiable {
-                time,
-                component,
-                by,
-            } => write!(
+            Self::NotDifferentiable { time, component, by } => write!(
                 formatter,
                 "the derivative of the rate of state {component} with respect to state {by} is not a finite number at \
                  t = {time} s, and a stiff method needs it; an explicit method does not"
             ),
-            Self::StepTooSmall {
-                time,
-                step,
-                component,
-            } => write!(
+            Self::StepTooSmall { time, step, component } => write!(
                 formatter,
                 "at t = {time} s the error of state {component} asks for a step of {step:e} s, too short to advance \
                  the time; the motion may have a singularity there, otherwise try a larger rtol"
@@ -89,12 +81,7 @@ impl fmt::Display for OdeError {
                 "{steps} steps were used up at t = {time} s; the equations may be stiff, for which there are the methods radau, \
                  rosenbrock and auto; otherwise permit more steps, take a larger rtol or a shorter time"
             ),
-            Self::Stiff {
-                time,
-                step,
-                rate,
-                steps,
-            } => write!(
+            Self::Stiff { time, step, rate, steps } => write!(
                 formatter,
                 "the equations are stiff: at t = {time} s they know changes as fast as {rate:.1e}/s, which hold the steps of \
                  an explicit method at {step:.1e} s, and {steps:.0e} steps would be left; take the method radau, rosenbrock \

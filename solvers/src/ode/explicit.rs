@@ -94,14 +94,8 @@ impl Clock {
     /// At the begin of a stretch.
     pub fn new(times: (f64, f64), options: &Options) -> Self {
         let span = (times.1 - times.0).abs();
-        let fixed = options
-            .fixed_step
-            .map(|step| (span / step * (1.0 - 1e-12)).ceil().max(1.0));
-        Self {
-            times,
-            now: times.0,
-            fixed,
-        }
+        let fixed = options.fixed_step.map(|step| (span / step * (1.0 - 1e-12)).ceil().max(1.0));
+        Self { times, now: times.0, fixed }
     }
 
     /// Where a step of this length leads, after a number of steps. The last step lands exactly on the end.
@@ -112,11 +106,7 @@ impl Clock {
         }
         let to = self.times.1;
         let left = to - self.now;
-        if left.abs() <= 1.01 * step.abs() {
-            to
-        } else {
-            self.now + step
-        }
+        if left.abs() <= 1.01 * step.abs() { to } else { self.now + step }
     }
 
     /// Where one of so many even steps leads. A call, or else the compiler divides beforehand, by what is no number where
@@ -176,10 +166,7 @@ pub fn integrate<Y: System + ?Sized, O: Observer + ?Sized>(
     while clock.now != times.1 {
         let tried = statistics.steps + statistics.rejected;
         if tried >= options.max_steps {
-            return Err(OdeError::TooManySteps {
-                time: clock.now,
-                steps: tried,
-            });
+            return Err(OdeError::TooManySteps { time: clock.now, steps: tried });
         }
         let to = clock.target(step, statistics.steps);
         let length = to - clock.now;
@@ -252,11 +239,7 @@ fn failure(
         None => OdeError::StepTooSmall {
             time,
             step,
-            component: worst(
-                options,
-                &workspace.room.state[..part],
-                &workspace.room.error,
-            ),
+            component: worst(options, &workspace.room.state[..part], &workspace.room.error),
         },
     }
 }

@@ -32,11 +32,7 @@ pub(super) fn scaled_size<Y: System + ?Sized>(
             }
         }
         let damped: f64 = sum + 0.01 * damping;
-        let size = if damped == 0.0 {
-            0.0
-        } else {
-            sum / (damped * length as f64).sqrt()
-        };
+        let size = if damped == 0.0 { 0.0 } else { sum / (damped * length as f64).sqrt() };
         if size.is_nan() {
             return f64::NAN;
         }

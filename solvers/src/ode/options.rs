@@ -44,11 +44,7 @@ impl Options {
     /// The usual options at a relative tolerance, with absolute tolerances `rtol * scales[i]`.
     pub fn scaled(rtol: f64, scales: &[f64]) -> Self {
         let atol = AbsoluteTolerance::Each(scales.iter().map(|scale| rtol * scale).collect());
-        Self {
-            rtol,
-            atol,
-            ..Self::default()
-        }
+        Self { rtol, atol, ..Self::default() }
     }
 
     /// The options that settings stand for where the states have these scales.
@@ -75,10 +71,7 @@ impl Options {
     /// [`OdeError::BadOption`] with the first value that makes no sense.
     pub fn check(&self, times: (f64, f64), states: usize) -> Result<(), OdeError> {
         if !(1e-14..=0.1).contains(&self.rtol) {
-            return bad(
-                "rtol",
-                format!("{:e} is not between 1e-14 and 0.1", self.rtol),
-            );
+            return bad("rtol", format!("{:e} is not between 1e-14 and 0.1", self.rtol));
         }
         let tolerances = match &self.atol {
             AbsoluteTolerance::Same(value) => std::slice::from_ref(value),
@@ -90,14 +83,9 @@ impl Options {
             }
             AbsoluteTolerance::Each(values) => values,
         };
-        if let Some(value) = tolerances
-            .iter()
-            .find(|value| !(value.is_finite() && **value >= 0.0))
+        if let Some(value) = tolerances.iter().find(|value| !(value.is_finite() && **value >= 0.0))
         {
-            return bad(
-                "atol",
-                format!("{value:e} is not a finite number from 0 up"),
-            );
+            return bad("atol", format!("{value:e} is not a finite number from 0 up"));
         }
         let lengths = [
             ("first_step", self.first_step),
@@ -114,10 +102,7 @@ impl Options {
         if !(times.0.is_finite() && times.1.is_finite() && (times.1 - times.0).is_finite()) {
             return bad(
                 "times",
-                format!(
-                    "from {} s to {} s is not a finite stretch",
-                    times.0, times.1
-                ),
+                format!("from {} s to {} s is not a finite stretch", times.0, times.1),
             );
         }
         Ok(())

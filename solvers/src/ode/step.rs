@@ -106,11 +106,7 @@ impl Coefficients for Dop853 {
 
 /// The row for the state of a stage; none beyond the last.
 const fn row(method: &Tableau, stage: usize) -> Row {
-    if stage < method.stages {
-        method.rows[stage - 1]
-    } else {
-        &[]
-    }
+    if stage < method.stages { method.rows[stage - 1] } else { &[] }
 }
 
 /// Evaluates the stages of a step, the state at its end and the error estimates.
@@ -153,11 +149,7 @@ pub(crate) fn attempt<S: Real, C: Coefficients, E: Staged<S> + ?Sized, const WRI
         for (number, row) in method.rows.iter().enumerate() {
             combine(stage, Some(state), step, row, slopes);
             let instant = &instants[number * width..][..width];
-            staged.rates(
-                instant,
-                stage,
-                &mut slopes[(number + 1) * length..][..length],
-            );
+            staged.rates(instant, stage, &mut slopes[(number + 1) * length..][..length]);
         }
     }
     let trial = &mut S::of_mut(&mut room.trial)[..length];
@@ -207,11 +199,7 @@ pub(crate) fn finish<S: Real, C: Coefficients, E: Staged<S> + ?Sized>(
     for (number, row) in method.extra_rows.iter().enumerate() {
         combine(stage, Some(state), step, row, slopes);
         let (instant, slope) = (number * width, (method.stages + 1 + number) * length);
-        staged.rates(
-            &instants[instant..][..width],
-            stage,
-            &mut slopes[slope..][..length],
-        );
+        staged.rates(&instants[instant..][..width], stage, &mut slopes[slope..][..length]);
     }
     let polynomial = &mut S::of_mut(&mut room.polynomial)[..method.degree() * length];
     for index in 0..length {

@@ -26,22 +26,13 @@ pub trait System {
 
     /// Evaluates the stages of a step, the state at its end and its errors.
     fn attempt(&self, method: Explicit, room: &mut Room) {
-        attempt_each(
-            &|time, state, rates| self.rates(time, state, rates),
-            method,
-            room,
-        );
+        attempt_each(&|time, state, rates| self.rates(time, state, rates), method, room);
     }
 
     /// Evaluates what is missing of a step that is accepted: the slope at its end and, if asked for, the continuous
     /// solution.
     fn finish(&self, method: Explicit, room: &mut Room, dense: bool) {
-        finish_each(
-            &|time, state, rates| self.rates(time, state, rates),
-            method,
-            room,
-            dense,
-        );
+        finish_each(&|time, state, rates| self.rates(time, state, rates), method, room, dense);
     }
 }
 
@@ -50,19 +41,13 @@ pub(crate) type Rates<'a> = dyn Fn(f64, &[f64], &mut [f64]) + 'a;
 
 /// The stages of a step, one evaluation after the other.
 pub(crate) fn attempt_each(rates: &Rates<'_>, method: Explicit, room: &mut Room) {
-    let each = Each {
-        rates,
-        length: room.state.len(),
-    };
+    let each = Each { rates, length: room.state.len() };
     attempt_any(&each, method, room);
 }
 
 /// What is missing of a step, likewise.
 pub(crate) fn finish_each(rates: &Rates<'_>, method: Explicit, room: &mut Room, dense: bool) {
-    let each = Each {
-        rates,
-        length: room.state.len(),
-    };
+    let each = Each { rates, length: room.state.len() };
     // What has tried the step may have kept its instants in another way.
     room.keep_end(method.tableau());
     finish_any(&each, method, room, dense);

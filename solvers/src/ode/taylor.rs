@@ -92,10 +92,7 @@ impl Taylor {
         }
         let mut clock = Clock::new(times, options);
         let (span, longest) = (times.1 - times.0, options.max_step.unwrap_or(f64::INFINITY));
-        let first = options
-            .fixed_step
-            .or(options.first_step)
-            .unwrap_or(span.abs());
+        let first = options.fixed_step.or(options.first_step).unwrap_or(span.abs());
         // The length on which the terms are based: any would do, were numbers not limited.
         let mut unit = first.min(span.abs()).copysign(span);
         statistics.evaluations += self.begin(flow, clock.now, &mut unit)?;
@@ -111,10 +108,7 @@ impl Taylor {
         loop {
             let tried = statistics.steps + statistics.rejected;
             if tried >= options.max_steps {
-                return Err(OdeError::TooManySteps {
-                    time: clock.now,
-                    steps: tried,
-                });
+                return Err(OdeError::TooManySteps { time: clock.now, steps: tried });
             }
             let limited = wanted.abs().min(longest).copysign(span);
             if !is_fixed && clock.is_lost(limited) {
@@ -196,9 +190,7 @@ impl Taylor {
         let weight = |index: usize| options.atol.of(index) + options.rtol * state[index].abs();
         let size = |values: &[f64]| {
             let terms = values.iter().enumerate();
-            terms
-                .map(|(index, value)| (value / weight(index)).abs())
-                .fold(0.0, f64::max)
+            terms.map(|(index, value)| (value / weight(index)).abs()).fold(0.0, f64::max)
         };
         let mut first = vec![0.0; state.len()];
         flow.rates(time, state, &mut first);
@@ -330,11 +322,7 @@ impl Taylor {
     #[cold]
     fn failure(&self, time: f64, step: f64, error: f64, component: usize) -> OdeError {
         match error.is_finite() {
-            true => OdeError::StepTooSmall {
-                time,
-                step,
-                component,
-            },
+            true => OdeError::StepTooSmall { time, step, component },
             false => OdeError::NotFinite { time, component },
         }
     }
@@ -357,10 +345,7 @@ mod tests {
         for size in [1e-300, 3e-17, 0.2, 1.0, 77.0, 1e200] {
             for order in [7, 16, 31] {
                 let (about, exact) = (root(size, order), size.powf(-1.0 / order as f64));
-                assert!(
-                    (about / exact - 1.0).abs() < 0.1,
-                    "{size} {order}: {about} {exact}"
-                );
+                assert!((about / exact - 1.0).abs() < 0.1, "{size} {order}: {about} {exact}");
             }
         }
         assert!(root(0.0, 16) > 1e19);

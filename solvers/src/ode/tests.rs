@@ -15,11 +15,7 @@ pub(super) type Rates<const N: usize> = fn(f64, [f64; N]) -> [f64; N];
 
 /// Options with one tolerance.
 pub(super) fn tolerance(tolerance: f64) -> Options {
-    Options {
-        rtol: tolerance,
-        atol: AbsoluteTolerance::Same(tolerance),
-        ..Options::default()
-    }
+    Options { rtol: tolerance, atol: AbsoluteTolerance::Same(tolerance), ..Options::default() }
 }
 
 /// A motion by a method.

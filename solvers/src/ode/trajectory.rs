@@ -64,9 +64,7 @@ impl Trajectory {
             return vec![0.0; self.states];
         };
         let length = self.length(step);
-        (0..self.states)
-            .map(|index| self.change(step, index, part).1 / length)
-            .collect()
+        (0..self.states).map(|index| self.change(step, index, part).1 / length).collect()
     }
 
     /// The times of the steps, the begin first.
@@ -108,11 +106,9 @@ impl Trajectory {
     /// The step in which a time lies, if it is one or the next one.
     fn locate_beside(&self, near: usize, time: f64) -> Option<(usize, f64)> {
         let begins = self.times.get(near..near + 3);
-        match begins.and_then(|begins| {
-            begins
-                .windows(2)
-                .position(|step| step[0] <= time && time < step[1])
-        }) {
+        match begins
+            .and_then(|begins| begins.windows(2).position(|step| step[0] <= time && time < step[1]))
+        {
             Some(more) => Some((near + more, self.part(near + more, time))),
             None => self.locate(time),
         }
@@ -129,13 +125,9 @@ impl Trajectory {
     fn locate(&self, time: f64) -> Option<(usize, f64)> {
         let steps = self.times.len() - 1;
         let is_forward = self.times[steps] >= self.times[0];
-        let passed = self.times.partition_point(|begin| {
-            if is_forward {
-                *begin <= time
-            } else {
-                *begin >= time
-            }
-        });
+        let passed = self
+            .times
+            .partition_point(|begin| if is_forward { *begin <= time } else { *begin >= time });
         let step = passed.saturating_sub(1).min(steps.checked_sub(1)?);
         Some((step, self.part(step, time)))
     }
@@ -183,9 +175,7 @@ impl Recorder {
     pub fn new(time: f64, start: &[f64]) -> Self {
         let times = Vec::with_capacity(1 + FIRST_STEPS);
         let coefficients = Vec::with_capacity(FIRST_NUMBERS + start.len());
-        let mut recorder = Self {
-            trajectory: Trajectory::empty(times, coefficients),
-        };
+        let mut recorder = Self { trajectory: Trajectory::empty(times, coefficients) };
         recorder.restart(time, start);
         recorder
     }

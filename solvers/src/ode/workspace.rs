@@ -23,10 +23,7 @@ pub struct Workspace {
 impl Workspace {
     /// Room for the states of a system.
     pub fn new<Y: System + ?Sized>(method: Explicit, system: &Y) -> Self {
-        Self {
-            method,
-            room: Room::new(method.tableau(), system.length()),
-        }
+        Self { method, room: Room::new(method.tableau(), system.length()) }
     }
 
     /// The state where the last integration ended.
@@ -61,36 +58,21 @@ impl Workspace {
         (from, to): (f64, f64),
         options: &Options,
     ) -> Result<f64, OdeError> {
-        let limit = (to - from)
-            .abs()
-            .min(options.max_step.unwrap_or(f64::INFINITY));
+        let limit = (to - from).abs().min(options.max_step.unwrap_or(f64::INFINITY));
         let direction = (to - from).signum();
         let (order, length) = (self.tableau().order, self.room.state.len());
-        let Room {
-            state,
-            stage,
-            error,
-            slopes,
-            ..
-        } = &mut self.room;
+        let Room { state, stage, error, slopes, .. } = &mut self.room;
         let (first, second) = slopes.split_at_mut(length);
         system.rates(from, state, first);
         if let Some(component) = first_bad(first, system.part()) {
-            return Err(OdeError::NotFinite {
-                time: from,
-                component,
-            });
+            return Err(OdeError::NotFinite { time: from, component });
         }
         if let Some(step) = options.first_step.or(options.fixed_step) {
             return Ok(direction * step.min(limit));
         }
         let here = |values: &[f64]| scaled_size(system, options, (state, state), values, None);
         let (size, rate) = (here(state), here(first));
-        let probe: f64 = if size < 1e-5 || rate < 1e-5 {
-            1e-6
-        } else {
-            0.01 * size / rate
-        };
+        let probe: f64 = if size < 1e-5 || rate < 1e-5 { 1e-6 } else { 0.01 * size / rate };
         // A state that is next to nothing asks for a step that the time does not feel.
         let probe = probe.max(SHORTEST * f64::EPSILON * from.abs().max(to.abs()));
         let probe = direction * limit.min(probe);
@@ -105,12 +87,7 @@ impl Workspace {
             (0.01 / steepest).powf(1.0 / order as f64)
         };
         let step = step.min(100.0 * probe.abs()).min(limit);
-        Ok(direction
-            * if step.is_finite() {
-                step
-            } else {
-                limit.min(1e-6)
-            })
+        Ok(direction * if step.is_finite() { step } else { limit.min(1e-6) })
     }
 
     /// The error of the attempt in tolerances.
@@ -121,13 +98,7 @@ impl Workspace {
             [] => None,
             _ => Some(&room.second[..]),
         };
-        scaled_size(
-            system,
-            options,
-            (&room.state, &room.trial),
-            &room.error,
-            second,
-        )
+        scaled_size(system, options, (&room.state, &room.trial), &room.error, second)
     }
 
     /// Keeps the state of the last inner stage, which the stages of the dense output would overwrite.
@@ -145,14 +116,7 @@ impl Workspace {
         options: &Options,
     ) -> f64 {
         let (stages, length) = (self.tableau().stages, self.room.state.len());
-        let Room {
-            state,
-            trial,
-            error,
-            second,
-            slopes,
-            ..
-        } = &mut self.room;
+        let Room { state, trial, error, second, slopes, .. } = &mut self.room;
         for index in 0..length {
             error[index] = slopes[stages * length + index] - slopes[(stages - 1) * length + index];
             second[index] = trial[index] - second[index];

@@ -59,9 +59,7 @@ impl Closing {
 
     /// Amplification of relative errors of `Φ`: `(1 + ‖Φ‖) / σ`, `σ` the smallest singular value.
     pub fn condition(&self) -> f64 {
-        self.singular
-            .as_ref()
-            .map_or(1.0, |singular| self.size / singular.singular_values.min())
+        self.singular.as_ref().map_or(1.0, |singular| self.size / singular.singular_values.min())
     }
 
     /// The determinant of `I - Φ`.
@@ -96,10 +94,8 @@ impl Closing {
         uncertainty: f64,
         load: f64,
     ) -> Result<Closed, PeriodicError> {
-        let closed = |change: DVector<f64>, free| Closed {
-            change: change.component_mul(&self.sizes),
-            free,
-        };
+        let closed =
+            |change: DVector<f64>, free| Closed { change: change.component_mul(&self.sizes), free };
         let gap = gap.component_div(&self.sizes);
         let Some(singular) = &self.singular else {
             return Ok(closed(gap, Vec::new()));
@@ -145,24 +141,11 @@ impl Closing {
         let nearest = multipliers::of(&phi, None, f64::EPSILON)
             .into_iter()
             .min_by(|a, b| a.distance().total_cmp(&b.distance()));
-        let multiplier = nearest.unwrap_or(Multiplier {
-            re: 1.0,
-            im: 0.0,
-            error: 0.0,
-        });
+        let multiplier = nearest.unwrap_or(Multiplier { re: 1.0, im: 0.0, error: 0.0 });
         let (distance, condition) = (multiplier.distance(), self.condition());
         if distance > FAR {
-            return PeriodicError::Inaccurate {
-                condition,
-                expected_error,
-            };
+            return PeriodicError::Inaccurate { condition, expected_error };
         }
-        PeriodicError::Resonance {
-            multiplier,
-            distance,
-            condition,
-            expected_error,
-            state,
-        }
+        PeriodicError::Resonance { multiplier, distance, condition, expected_error, state }
     }
 }

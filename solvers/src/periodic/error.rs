@@ -51,40 +51,27 @@ pub enum PeriodicError {
 impl fmt::Display for PeriodicError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Resonance {
-                multiplier,
-                distance,
-                condition,
-                expected_error,
-                state,
-            } => write!(
+            Self::Resonance { multiplier, distance, condition, expected_error, state } => write!(
                 formatter,
                 "resonance: the multiplier {multiplier} lies {distance:.2e} from 1, and errors would be amplified \
                  {condition:.2e} times, to {expected_error:.0e} of the motion, mostly in state {state}; change the \
                  speed, add damping, or try a smaller rtol if the motion is known to exist"
             ),
-            Self::Inaccurate {
-                condition,
-                expected_error,
-            } => write!(
+            Self::Inaccurate { condition, expected_error } => write!(
                 formatter,
                 "the tolerance is too loose: the motion would be known to a relative error of {expected_error:.1e} only \
                  (condition number {condition:.1e}); choose a smaller one"
             ),
-            Self::NotConverged {
-                iterations,
-                residual,
-            } => write!(
+            Self::NotConverged { iterations, residual } => write!(
                 formatter,
                 "no repeating motion was found in {iterations} integrations, a change of {residual:.2e} scales per \
                  period remained; try other start values, or approach the wanted speed in steps"
             ),
             Self::NotSettled(error) => error.fmt(formatter),
             Self::Ode(error) => error.fmt(formatter),
-            Self::BadPeriod { period } => write!(
-                formatter,
-                "a period of {period} s is not a finite time above 0"
-            ),
+            Self::BadPeriod { period } => {
+                write!(formatter, "a period of {period} s is not a finite time above 0")
+            }
         }
     }
 }

@@ -78,8 +78,7 @@ impl Orbit {
     pub fn at(&self, time: f64) -> Vec<f64> {
         let times = self.trajectory.times();
         let period = times[times.len() - 1] - times[0];
-        self.trajectory
-            .at(times[0] + (time - times[0]).rem_euclid(period))
+        self.trajectory.at(times[0] + (time - times[0]).rem_euclid(period))
     }
 }
 
@@ -105,12 +104,7 @@ pub(crate) fn of(
     if !(period.is_finite() && period > 0.0) {
         return Err(PeriodicError::BadPeriod { period });
     }
-    let period = Period {
-        model,
-        start,
-        period,
-        settings,
-    };
+    let period = Period { model, start, period, settings };
     begin(&period, settings.rtol)
 }
 
@@ -129,11 +123,7 @@ fn begin(period: &Period<'_>, rtol: f64) -> Result<Orbit, PeriodicError> {
             let start = DVector::from_vec(cycle.start());
             let start = start.component_div(&DVector::from_column_slice(period.scales()));
             let orbit = close(&period.over(cycle.multiple), start, rtol)?;
-            Ok(Orbit {
-                multiple: cycle.multiple,
-                followed: Some(cycle.followed),
-                ..orbit
-            })
+            Ok(Orbit { multiple: cycle.multiple, followed: Some(cycle.followed), ..orbit })
         }
         // One that is not stable, or hardly, may be there all the same.
         Err(error) => close(period, guess, rtol).map_err(|failure| match failure {
@@ -212,10 +202,7 @@ fn largest_differences(first: &Trajectory, second: &Trajectory, condition: f64) 
     let mut largest = vec![0.0; first.states()];
     let mut amplitudes = largest.clone();
     let ends = second.times().iter().copied();
-    let middles = second
-        .times()
-        .windows(2)
-        .map(|pair| 0.5 * (pair[0] + pair[1]));
+    let middles = second.times().windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
     for time in ends.chain(middles) {
         let states = first.at(time).into_iter().zip(second.at(time));
         for ((largest, amplitude), (first, second)) in
@@ -225,12 +212,7 @@ fn largest_differences(first: &Trajectory, second: &Trajectory, condition: f64) 
             *amplitude = f64::max(*amplitude, first.abs());
         }
     }
-    let rounding = f64::EPSILON
-        * if condition.is_finite() {
-            condition
-        } else {
-            1.0
-        };
+    let rounding = f64::EPSILON * if condition.is_finite() { condition } else { 1.0 };
     for (largest, amplitude) in largest.iter_mut().zip(amplitudes) {
         *largest = f64::max(*largest, rounding * amplitude);
     }

@@ -51,11 +51,7 @@ pub(crate) fn of(
     let error = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |row, column| {
         let difference = other.map_or(0.0, |other| matrix[(row, column)] - other[(row, column)]);
         // In no direction that is special.
-        let sign = if (row + 2 * column) % 3 == 0 {
-            -1.0
-        } else {
-            1.0
-        };
+        let sign = if (row + 2 * column) % 3 == 0 { -1.0 } else { 1.0 };
         difference * sizes[column] / sizes[row] + sign * size
     });
     for disturbed in [&balanced + &error, &balanced - &error] {
@@ -77,19 +73,10 @@ fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Multiplier> {
         return Vec::new();
     }
     let values = matrix.complex_eigenvalues();
-    let mut multipliers: Vec<_> = values
-        .iter()
-        .map(|value| Multiplier {
-            re: value.re,
-            im: value.im,
-            error: 0.0,
-        })
-        .collect();
+    let mut multipliers: Vec<_> =
+        values.iter().map(|value| Multiplier { re: value.re, im: value.im, error: 0.0 }).collect();
     multipliers.sort_by(|first, second| {
-        second
-            .modulus()
-            .total_cmp(&first.modulus())
-            .then(second.im.total_cmp(&first.im))
+        second.modulus().total_cmp(&first.modulus()).then(second.im.total_cmp(&first.im))
     });
     multipliers
 }

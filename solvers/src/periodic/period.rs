@@ -81,31 +81,18 @@ impl Period<'_> {
     /// Integrates the motion alone over the period.
     pub fn march(&self, start: &DVector<f64>, rtol: f64) -> Result<Trajectory, OdeError> {
         let times = (0.0, self.period);
-        ode::follow(
-            self.model,
-            times,
-            &self.unscaled(start),
-            &self.settings.at(rtol),
-        )
+        ode::follow(self.model, times, &self.unscaled(start), &self.settings.at(rtol))
     }
 
     /// The motion that attracts the one from a start.
     pub fn attractor(&self, start: &DVector<f64>, rtol: f64) -> Result<Cycle, CycleError> {
         let start = self.unscaled(start);
-        cycle_of(
-            self.model,
-            (0, &start),
-            self.period,
-            &self.settings.at(rtol),
-        )
+        cycle_of(self.model, (0, &start), self.period, &self.settings.at(rtol))
     }
 
     /// The same scene over several periods.
     pub fn over(&self, periods: usize) -> Self {
-        Self {
-            period: self.period * periods as f64,
-            ..*self
-        }
+        Self { period: self.period * periods as f64, ..*self }
     }
 
     /// [`Period::turn`] by a method that integrates no variations: they follow along the motion.
@@ -135,10 +122,7 @@ impl Period<'_> {
         let varied = Varied { flow, scales };
         let options = Options::of(&self.settings.at(rtol), scales);
         let mut workspace = Workspace::new(method, &varied);
-        let mut peak = Peak {
-            scales,
-            sizes: start.abs(),
-        };
+        let mut peak = Peak { scales, sizes: start.abs() };
         let (times, begin) = ((0.0, self.period), varied.start(&self.unscaled(start)));
         integrate(&varied, times, &begin, &options, &mut workspace, &mut peak)?;
         let (end, columns) = workspace.state().split_at(scales.len());
@@ -173,10 +157,7 @@ impl Period<'_> {
 
     /// A state over its scales.
     fn over_scales(&self, state: &[f64]) -> DVector<f64> {
-        let scaled = state
-            .iter()
-            .zip(self.scales())
-            .map(|(value, scale)| value / scale);
+        let scaled = state.iter().zip(self.scales()).map(|(value, scale)| value / scale);
         DVector::from_iterator(state.len(), scaled)
     }
 }

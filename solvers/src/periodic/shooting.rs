@@ -23,11 +23,7 @@ pub(super) fn shoot(
     iterations: &mut usize,
 ) -> Result<Return, PeriodicError> {
     let mut candidate = guess.clone();
-    let mut search = Search {
-        best: None,
-        part: 1.0,
-        steps: 0,
-    };
+    let mut search = Search { best: None, part: 1.0, steps: 0 };
     loop {
         *iterations += 1;
         let back = period.turn(&candidate, rtol);
@@ -117,11 +113,7 @@ impl Search {
         self.count(gap.amax(), iterations)?;
         self.part = 1.0;
         let next = &back.start + &change;
-        self.best = Some(Best {
-            back,
-            closing,
-            change,
-        });
+        self.best = Some(Best { back, closing, change });
         Ok(Verdict::Try(next))
     }
 
@@ -129,10 +121,7 @@ impl Search {
     fn count(&mut self, residual: f64, iterations: usize) -> Result<(), PeriodicError> {
         self.steps += 1;
         if self.steps > STEPS {
-            return Err(PeriodicError::NotConverged {
-                iterations,
-                residual,
-            });
+            return Err(PeriodicError::NotConverged { iterations, residual });
         }
         Ok(())
     }

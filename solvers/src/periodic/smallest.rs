@@ -24,10 +24,7 @@ pub(super) fn settle(
         let mut motions = Vec::with_capacity(free.len() + 1);
         motions.push(samples(&period.march(&start, rtol)?, period.scales()));
         for step in &steps {
-            motions.push(samples(
-                &period.march(&(&start + step), rtol)?,
-                period.scales(),
-            ));
+            motions.push(samples(&period.march(&(&start + step), rtol)?, period.scales()));
         }
         let amounts = least_squares(&motions);
         let mut start = start;
@@ -63,8 +60,5 @@ fn least_squares(motions: &[DVector<f64>]) -> Vec<f64> {
     let gram = DMatrix::from_fn(free.len(), free.len(), |i, j| free[i].dot(&free[j]));
     let right = DVector::from_iterator(free.len(), free.iter().map(|one| -one.dot(motion)));
     let amounts = gram.lu().solve(&right);
-    amounts.map_or_else(
-        || vec![0.0; free.len()],
-        |amounts| amounts.iter().copied().collect(),
-    )
+    amounts.map_or_else(|| vec![0.0; free.len()], |amounts| amounts.iter().copied().collect())
 }

@@ -21,14 +21,8 @@ struct Oscillator<const LINEAR: bool> {
 }
 
 impl<const LINEAR: bool> Oscillator<LINEAR> {
-    const FORCED: Self = Self {
-        damping: 0.05,
-        frequency: 1.7,
-        modulation: 0.0,
-        cubic: 0.0,
-        force: 2.0,
-        start: 0.0,
-    };
+    const FORCED: Self =
+        Self { damping: 0.05, frequency: 1.7, modulation: 0.0, cubic: 0.0, force: 2.0, start: 0.0 };
 }
 
 impl<const LINEAR: bool> Scene for Oscillator<LINEAR> {
@@ -37,16 +31,9 @@ impl<const LINEAR: bool> Scene for Oscillator<LINEAR> {
     const SMOOTH: bool = true;
 
     fn shape() -> &'static Shape {
-        const STATES: &[Quantity] = &[
-            Quantity::new("x", "", Unit::NONE),
-            Quantity::new("dot(x)", "", Unit::NONE),
-        ];
-        const {
-            &Shape {
-                is_linear: LINEAR,
-                ..Shape::named("oscillator").states(STATES, &[1e-3, 1.0])
-            }
-        }
+        const STATES: &[Quantity] =
+            &[Quantity::new("x", "", Unit::NONE), Quantity::new("dot(x)", "", Unit::NONE)];
+        const { &Shape { is_linear: LINEAR, ..Shape::named("oscillator").states(STATES, &[1e-3, 1.0]) } }
     }
 
     fn prepare<S: Scalar>(&self) -> Self {
@@ -122,10 +109,7 @@ const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-12);
 /// Largest error of an orbit against the closed form of the damped linear oscillator.
 fn error<const LINEAR: bool>(scene: &Oscillator<LINEAR>, orbit: &Orbit) -> f64 {
     let (a, b) = (scene.frequency * scene.frequency - 1.0, 2.0 * scene.damping);
-    let (even, odd) = (
-        scene.force * a / (a * a + b * b),
-        scene.force * b / (a * a + b * b),
-    );
+    let (even, odd) = (scene.force * a / (a * a + b * b), scene.force * b / (a * a + b * b));
     let times = (0..=200).map(|number| f64::from(number) * TAU / 100.0);
     times
         .map(|time| (orbit.at(time)[0] - even * time.cos() - odd * time.sin()).abs())
@@ -172,12 +156,7 @@ fn tsit5_finds_the_same_within_its_tolerance() {
 #[test]
 fn every_method_finds_it() {
     let scene = Oscillator::<true>::FORCED;
-    for method in [
-        Method::Radau,
-        Method::Rosenbrock,
-        Method::Auto,
-        Method::Taylor,
-    ] {
+    for method in [Method::Radau, Method::Rosenbrock, Method::Auto, Method::Taylor] {
         let settings = Settings::new(method).rtol(1e-10);
         match solve(&scene, TAU, &settings) {
             Ok(orbit) => {
@@ -197,12 +176,9 @@ fn every_method_finds_it() {
 #[test]
 fn shooting_agrees_with_superposition() {
     let scene = Oscillator::<true>::FORCED;
-    let orbit = solve(
-        &Oscillator::<false>::FORCED,
-        TAU,
-        &Settings::new(Method::Dop853).rtol(1e-12),
-    )
-    .unwrap();
+    let orbit =
+        solve(&Oscillator::<false>::FORCED, TAU, &Settings::new(Method::Dop853).rtol(1e-12))
+            .unwrap();
     assert!(error(&scene, &orbit) < 3e-12, "{:e}", error(&scene, &orbit));
     assert!(orbit.iterations <= 6, "{}", orbit.iterations);
 }
@@ -210,36 +186,17 @@ fn shooting_agrees_with_superposition() {
 #[test]
 fn a_resonance_is_reported() {
     for frequency in [1.0, 1.0 + 1e-12] {
-        let scene = Oscillator::<true> {
-            damping: 0.0,
-            frequency,
-            ..Oscillator::FORCED
-        };
+        let scene = Oscillator::<true> { damping: 0.0, frequency, ..Oscillator::FORCED };
         match solve(&scene, TAU, &SETTINGS) {
-            Err(PeriodicError::Resonance {
-                distance,
-                condition,
-                ..
-            }) => {
-                assert!(
-                    distance < 1e-9 && condition > 1e9,
-                    "{distance:e} {condition:e}"
-                );
+            Err(PeriodicError::Resonance { distance, condition, .. }) => {
+                assert!(distance < 1e-9 && condition > 1e9, "{distance:e} {condition:e}");
             }
             other => panic!("{other:?}"),
         }
     }
     // Over a long time the integration knows the free motion less well than its tolerance says.
-    let scene = Oscillator::<true> {
-        damping: 0.0,
-        frequency: 1.0,
-        ..Oscillator::FORCED
-    };
-    let long = solve(
-        &scene,
-        200.0 * TAU,
-        &Settings::new(Method::Dop853).rtol(1e-8),
-    );
+    let scene = Oscillator::<true> { damping: 0.0, frequency: 1.0, ..Oscillator::FORCED };
+    let long = solve(&scene, 200.0 * TAU, &Settings::new(Method::Dop853).rtol(1e-8));
     assert!(matches!(long, Err(PeriodicError::Resonance { .. })));
     assert!(long.unwrap_err().to_string().starts_with("resonance"));
 }
@@ -247,11 +204,7 @@ fn a_resonance_is_reported() {
 #[test]
 fn a_free_motion_that_nothing_drives_is_left_out() {
     // Force at the frequency 1, free motion at the frequency 3: both repeat, and neither sees the other.
-    let scene = Oscillator::<true> {
-        damping: 0.0,
-        frequency: 3.0,
-        ..Oscillator::FORCED
-    };
+    let scene = Oscillator::<true> { damping: 0.0, frequency: 3.0, ..Oscillator::FORCED };
     let orbit = solve(&scene, TAU, &SETTINGS).unwrap();
     assert!(orbit.condition > 1e9, "{:e}", orbit.condition);
     assert!(orbit.residual < 1e-7);
@@ -261,18 +214,10 @@ fn a_free_motion_that_nothing_drives_is_left_out() {
 
 #[test]
 fn near_a_resonance_the_motion_is_large_but_found() {
-    let scene = Oscillator::<true> {
-        damping: 0.0,
-        frequency: 1.0 + 1e-4,
-        ..Oscillator::FORCED
-    };
+    let scene = Oscillator::<true> { damping: 0.0, frequency: 1.0 + 1e-4, ..Oscillator::FORCED };
     let orbit = solve(&scene, TAU, &SETTINGS).unwrap();
     let amplitude = scene.force / (scene.frequency.powi(2) - 1.0);
-    assert!(
-        error(&scene, &orbit) < 1e-6 * amplitude,
-        "{:e}",
-        error(&scene, &orbit) / amplitude
-    );
+    assert!(error(&scene, &orbit) < 1e-6 * amplitude, "{:e}", error(&scene, &orbit) / amplitude);
 }
 
 #[test]
@@ -313,27 +258,12 @@ fn a_double_multiplier_is_known_to_the_square_root_of_the_error() {
         };
         solve(&scene, TAU, &SETTINGS).expect("at rest").multipliers
     };
-    let terms = [
-        1.0,
-        1.0,
-        -1.0 / 8.0,
-        -1.0 / 64.0,
-        -1.0 / 1536.0,
-        11.0 / 36864.0,
-    ];
+    let terms = [1.0, 1.0, -1.0 / 8.0, -1.0 / 64.0, -1.0 / 1536.0, 11.0 / 36864.0];
     let more = [49.0 / 589_824.0, 55.0 / 9_437_184.0, -83.0 / 35_389_440.0];
-    let boundary = terms
-        .iter()
-        .chain(&more)
-        .rev()
-        .fold(0.0, |sum, term| sum * 0.2 + term);
+    let boundary = terms.iter().chain(&more).rev().fold(0.0, |sum, term| sum * 0.2 + term);
     for one in of(f64::sqrt(boundary / 4.0), 0.1) {
         let off = (one.re + 1.0).hypot(one.im);
-        assert!(
-            off <= 3.0 * one.error + 3e-6,
-            "{one} {off:e} {:e}",
-            one.error
-        );
+        assert!(off <= 3.0 * one.error + 3e-6, "{one} {off:e} {:e}", one.error);
         assert!(one.error > 1e-8 && one.error < 1e-4, "{:e}", one.error);
     }
     let within = of(0.5, 0.3);
@@ -410,14 +340,8 @@ fn a_search_that_fails_says_so() {
 fn periods_and_tolerances_are_checked() {
     let scene = Oscillator::<true>::FORCED;
     for period in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(
-            solve(&scene, period, &SETTINGS),
-            Err(PeriodicError::BadPeriod { .. })
-        ));
+        assert!(matches!(solve(&scene, period, &SETTINGS), Err(PeriodicError::BadPeriod { .. })));
     }
     let settings = Settings::new(Method::Tsit5).rtol(0.0);
-    assert!(matches!(
-        solve(&scene, TAU, &settings),
-        Err(PeriodicError::Ode(_))
-    ));
+    assert!(matches!(solve(&scene, TAU, &settings), Err(PeriodicError::Ode(_))));
 }

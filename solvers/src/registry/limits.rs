@@ -49,9 +49,7 @@ impl dyn AnyLinkage + '_ {
         let (drivers, motion) = place.split_at(place.len().min(self.shape().drivers.len()));
         let found = closure::modes_of(self, drivers, search)?;
         let modes = found.modes.into_iter();
-        let modes: Vec<_> = modes
-            .map(|mode| self.listed((drivers, motion), mode))
-            .collect();
+        let modes: Vec<_> = modes.map(|mode| self.listed((drivers, motion), mode)).collect();
         let (declared, stopped) = match self.there(drivers) {
             Ok(dependents) => {
                 let same = |mode: &Listed| self.is_same(&mode.dependents, &dependents);
@@ -109,12 +107,7 @@ impl dyn AnyLinkage + '_ {
         loops.outputs(&instant, &position, &mut outputs);
         let mut residuals = vec![0.0; shape.loops().dependents.len()];
         loops.residual(&instant, &position, &mut residuals);
-        Listed {
-            dependents: mode.coordinates,
-            outputs,
-            sines: mode.sines,
-            residuals,
-        }
+        Listed { dependents: mode.coordinates, outputs, sines: mode.sines, residuals }
     }
 
     /// The dependent coordinates at a place in the mode that the start values pick.

@@ -164,9 +164,7 @@ impl dyn AnyLinkage + '_ {
             let moving = self.drive(first + share(index) * (last - first));
             moving.unwrap_or_else(|| {
                 let along = ranges.iter();
-                along
-                    .map(|range| range.from + share(index) * (range.to - range.from))
-                    .collect()
+                along.map(|range| range.from + share(index) * (range.to - range.from)).collect()
             })
         };
         (0..=PLACES).map(place).collect()

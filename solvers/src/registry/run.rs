@@ -31,15 +31,13 @@ impl dyn Model + '_ {
     /// The lowest and the highest position that it has; neither is a number where there is no such driver.
     pub fn time_of(&self, driver: usize, position: f64) -> Result<f64, (f64, f64)> {
         let at = |time| self.drivers(time).get(driver).copied();
-        self.span()
-            .time_of(|time| at(time).unwrap_or(f64::NAN), position)
+        self.span().time_of(|time| at(time).unwrap_or(f64::NAN), position)
     }
 
     /// All outputs in a mode at a time and state.
     pub fn outputs_in(&self, mode: usize, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; self.shape().outputs.len()];
-        self.reports()
-            .outputs(Phase::of(mode), time, state, &mut values);
+        self.reports().outputs(Phase::of(mode), time, state, &mut values);
         values
     }
 
@@ -129,13 +127,7 @@ impl dyn Model + '_ {
         start: &[f64],
         settings: &Settings,
     ) -> Result<Motion, HybridError> {
-        let way = Way {
-            mode,
-            times,
-            start,
-            settings,
-            is_checked: true,
-        };
+        let way = Way { mode, times, start, settings, is_checked: true };
         way.of(self)
     }
 

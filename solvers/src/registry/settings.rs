@@ -23,14 +23,8 @@ pub enum Method {
 
 impl Method {
     /// All methods, the default one first.
-    pub const ALL: [Self; 6] = [
-        Self::Dop853,
-        Self::Tsit5,
-        Self::Taylor,
-        Self::Radau,
-        Self::Rosenbrock,
-        Self::Auto,
-    ];
+    pub const ALL: [Self; 6] =
+        [Self::Dop853, Self::Tsit5, Self::Taylor, Self::Radau, Self::Rosenbrock, Self::Auto];
 
     /// Its name, as the command takes it and [`Method::from_str`] reads it.
     pub const fn name(self) -> &'static str {
@@ -77,11 +71,7 @@ pub struct UnknownMethod(pub String);
 impl fmt::Display for UnknownMethod {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let known = Method::ALL.map(Method::name).join(", ");
-        write!(
-            formatter,
-            "there is no method `{}`; there are: {known}",
-            self.0
-        )
+        write!(formatter, "there is no method `{}`; there are: {known}", self.0)
     }
 }
 
@@ -92,8 +82,7 @@ impl FromStr for Method {
 
     fn from_str(name: &str) -> Result<Self, UnknownMethod> {
         let mut all = Self::ALL.into_iter();
-        all.find(|method| method.name() == name)
-            .ok_or_else(|| UnknownMethod(name.to_owned()))
+        all.find(|method| method.name() == name).ok_or_else(|| UnknownMethod(name.to_owned()))
     }
 }
 
@@ -122,13 +111,7 @@ pub struct Settings {
 impl Settings {
     /// A method, the rest as by default.
     pub const fn new(method: Method) -> Self {
-        Self {
-            method,
-            rtol: RTOL,
-            atol: Vec::new(),
-            max_steps: None,
-            first_step: None,
-        }
+        Self { method, rtol: RTOL, atol: Vec::new(), max_steps: None, first_step: None }
     }
 
     /// With this relative tolerance.
@@ -142,11 +125,7 @@ impl Settings {
     pub fn at(&self, rtol: f64) -> Self {
         let factor = rtol / self.rtol;
         let atol = self.atol.iter().map(|atol| atol.map(|atol| atol * factor));
-        Self {
-            rtol,
-            atol: atol.collect(),
-            ..*self
-        }
+        Self { rtol, atol: atol.collect(), ..*self }
     }
 }
 

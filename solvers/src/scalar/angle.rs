@@ -111,18 +111,8 @@ fn arc<S: Scalar>(t: S) -> S {
     let [a0, a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11] = ARC.map(S::from_f64);
     let z = t * t;
     let w = z * z;
-    let even = a10
-        .mul_add(w, a8)
-        .mul_add(w, a6)
-        .mul_add(w, a4)
-        .mul_add(w, a2)
-        .mul_add(w, a0);
-    let odd = a11
-        .mul_add(w, a9)
-        .mul_add(w, a7)
-        .mul_add(w, a5)
-        .mul_add(w, a3)
-        .mul_add(w, a1);
+    let even = a10.mul_add(w, a8).mul_add(w, a6).mul_add(w, a4).mul_add(w, a2).mul_add(w, a0);
+    let odd = a11.mul_add(w, a9).mul_add(w, a7).mul_add(w, a5).mul_add(w, a3).mul_add(w, a1);
     (t * z).mul_add(odd.mul_add(z, even), t)
 }
 

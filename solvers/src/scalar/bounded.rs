@@ -42,10 +42,7 @@ impl Bounded {
 
     /// A value that is rounded once, given what the errors of its operands make of it.
     fn rounded(value: f64, carried: f64) -> Self {
-        Self {
-            value,
-            bound: carried + ROUNDING * value.abs(),
-        }
+        Self { value, bound: carried + ROUNDING * value.abs() }
     }
 
     /// A function of this number that rises in steps.
@@ -59,10 +56,7 @@ impl Bounded {
     /// A function of this number.
     fn function(self, function: impl Fn(Dual) -> Dual) -> Self {
         let Dual { value, slope } = function(Dual::variable(self.value));
-        Self {
-            value,
-            bound: carried(slope, self) + FUNCTION * value.abs(),
-        }
+        Self { value, bound: carried(slope, self) + FUNCTION * value.abs() }
     }
 
     /// A function of this number and another.
@@ -70,10 +64,7 @@ impl Bounded {
         let (x, y) = (Dual::constant(self.value), Dual::constant(other.value));
         let along = self.function(|x| function(x, y));
         let across = function(x, Dual::variable(other.value)).slope;
-        Self {
-            value: along.value,
-            bound: along.bound + carried(across, other),
-        }
+        Self { value: along.value, bound: along.bound + carried(across, other) }
     }
 }
 
@@ -124,10 +115,7 @@ impl Div for Bounded {
 impl Neg for Bounded {
     type Output = Self;
     fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            ..self
-        }
+        Self { value: -self.value, ..self }
     }
 }
 
@@ -146,10 +134,7 @@ impl Scalar for Bounded {
     const ONE: Self = Self::exact(1.0);
 
     fn from_f64(value: f64) -> Self {
-        Self {
-            value,
-            bound: Self::GIVEN * value.abs(),
-        }
+        Self { value, bound: Self::GIVEN * value.abs() }
     }
     fn to_f64(self) -> f64 {
         self.value
@@ -208,10 +193,7 @@ impl Scalar for Bounded {
         self.step(f64::floor)
     }
     fn abs(self) -> Self {
-        Self {
-            value: self.value.abs(),
-            ..self
-        }
+        Self { value: self.value.abs(), ..self }
     }
     fn sign(self) -> Self {
         self.step(Scalar::sign)

@@ -34,30 +34,21 @@ impl Dual {
 
     /// A function of this number, given its value and its derivative there.
     fn chain(self, value: f64, derivative: f64) -> Self {
-        Self {
-            value,
-            slope: derivative * self.slope,
-        }
+        Self { value, slope: derivative * self.slope }
     }
 }
 
 impl Add for Dual {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self {
-            value: self.value + other.value,
-            slope: self.slope + other.slope,
-        }
+        Self { value: self.value + other.value, slope: self.slope + other.slope }
     }
 }
 
 impl Sub for Dual {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self {
-            value: self.value - other.value,
-            slope: self.slope - other.slope,
-        }
+        Self { value: self.value - other.value, slope: self.slope - other.slope }
     }
 }
 
@@ -75,20 +66,14 @@ impl Div for Dual {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
-        Self {
-            value,
-            slope: (self.slope - value * other.slope) / other.value,
-        }
+        Self { value, slope: (self.slope - value * other.slope) / other.value }
     }
 }
 
 impl Neg for Dual {
     type Output = Self;
     fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            slope: -self.slope,
-        }
+        Self { value: -self.value, slope: -self.slope }
     }
 }
 
@@ -150,10 +135,7 @@ impl Scalar for Dual {
     }
     fn hypot(self, other: Self) -> Self {
         let value = self.value.hypot(other.value);
-        Self {
-            value,
-            slope: (self.value * self.slope + other.value * other.slope) / value,
-        }
+        Self { value, slope: (self.value * self.slope + other.value * other.slope) / value }
     }
     fn powf(self, exponent: Self) -> Self {
         let (x, y) = (self.value, exponent.value);
@@ -162,10 +144,7 @@ impl Scalar for Dual {
         // A fixed exponent needs no logarithm, which a negative base does not have.
         match exponent.slope {
             0.0 => power,
-            slope => Self {
-                value,
-                slope: power.slope + value * x.ln() * slope,
-            },
+            slope => Self { value, slope: power.slope + value * x.ln() * slope },
         }
     }
 

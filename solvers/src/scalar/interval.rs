@@ -57,10 +57,7 @@ impl std::ops::BitOr for Perhaps {
 impl std::ops::Not for Perhaps {
     type Output = Self;
     fn not(self) -> Self {
-        Self {
-            may_hold: self.may_fail,
-            may_fail: self.may_hold,
-        }
+        Self { may_hold: self.may_fail, may_fail: self.may_hold }
     }
 }
 
@@ -71,15 +68,9 @@ const LARGEST_ANGLE: f64 = 1e6;
 
 impl Interval {
     /// All numbers.
-    pub const ENTIRE: Self = Self {
-        low: f64::NEG_INFINITY,
-        high: f64::INFINITY,
-    };
+    pub const ENTIRE: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
     /// No number.
-    const NOTHING: Self = Self {
-        low: f64::NAN,
-        high: f64::NAN,
-    };
+    const NOTHING: Self = Self { low: f64::NAN, high: f64::NAN };
 
     /// The numbers between two of them.
     pub const fn new(low: f64, high: f64) -> Self {
@@ -157,26 +148,15 @@ impl Interval {
         }
         let (a, b) = (f(self.low), f(self.high));
         let ends = Self::library(a.min(b), a.max(b));
-        let high = if self.meets_turn(top) {
-            1.0
-        } else {
-            ends.high.min(1.0)
-        };
-        let low = if self.meets_turn(top + PI) {
-            -1.0
-        } else {
-            ends.low.max(-1.0)
-        };
+        let high = if self.meets_turn(top) { 1.0 } else { ends.high.min(1.0) };
+        let low = if self.meets_turn(top + PI) { -1.0 } else { ends.low.max(-1.0) };
         Self { low, high }
     }
 
     /// Whether an angle, or one a number of turns from it, may be among them.
     fn meets_turn(self, angle: f64) -> bool {
         let slack = 1e-9;
-        let (low, high) = (
-            (self.low - angle) / TAU - slack,
-            (self.high - angle) / TAU + slack,
-        );
+        let (low, high) = ((self.low - angle) / TAU - slack, (self.high - angle) / TAU + slack);
         low.ceil() <= high
     }
 }
@@ -282,18 +262,12 @@ impl Scalar for Interval {
     fn less_equal(left: Self, right: Self) -> Perhaps {
         Perhaps {
             may_hold: left.low <= right.high,
-            may_fail: left
-                .high
-                .partial_cmp(&right.low)
-                .is_none_or(Ordering::is_gt),
+            may_fail: left.high.partial_cmp(&right.low).is_none_or(Ordering::is_gt),
         }
     }
     fn equal(left: Self, right: Self) -> Perhaps {
         let same = left.low == left.high && left == right;
-        Perhaps {
-            may_hold: left.low <= right.high && right.low <= left.high,
-            may_fail: !same,
-        }
+        Perhaps { may_hold: left.low <= right.high && right.low <= left.high, may_fail: !same }
     }
     /// Whether it certainly holds.
     fn holds(mask: Perhaps) -> bool {
@@ -329,12 +303,8 @@ impl Scalar for Interval {
             let pi = PI.next_up();
             return Self::new(-pi, pi);
         }
-        let corners = [
-            y.low.atan2(x.low),
-            y.low.atan2(x.high),
-            y.high.atan2(x.low),
-            y.high.atan2(x.high),
-        ];
+        let corners =
+            [y.low.atan2(x.low), y.low.atan2(x.high), y.high.atan2(x.low), y.high.atan2(x.high)];
         let low = corners.into_iter().fold(f64::INFINITY, f64::min);
         let high = corners.into_iter().fold(f64::NEG_INFINITY, f64::max);
         Self::library(low, high)
@@ -360,11 +330,7 @@ impl Scalar for Interval {
         Self::new(self.low.floor(), self.high.floor())
     }
     fn abs(self) -> Self {
-        let low = if self.contains(0.0) {
-            0.0
-        } else {
-            self.low.abs().min(self.high.abs())
-        };
+        let low = if self.contains(0.0) { 0.0 } else { self.low.abs().min(self.high.abs()) };
         Self::new(low, self.magnitude())
     }
     fn sign(self) -> Self {
@@ -377,10 +343,7 @@ impl Scalar for Interval {
         Self::new(self.low.min(other.low), self.high.min(other.high))
     }
     fn erf(self) -> Self {
-        Self::library(
-            assur_functions::erf(self.low),
-            assur_functions::erf(self.high),
-        )
+        Self::library(assur_functions::erf(self.low), assur_functions::erf(self.high))
     }
     fn normal_cdf(self) -> Self {
         let f = assur_functions::normal_cdf;
@@ -446,9 +409,7 @@ mod tests {
     fn values_lie_within() {
         let mut seed = 1u64;
         let mut random = || {
-            seed = seed
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
             (seed >> 11) as f64 / (1u64 << 53) as f64
         };
         for _ in 0..3000 {
@@ -461,17 +422,11 @@ mod tests {
                 for (n, (value, enclosure)) in
                     functions(inside).into_iter().zip(enclosures).enumerate()
                 {
-                    assert!(
-                        enclosure.contains(value),
-                        "{n}: {value} of {inside} in {enclosure:?}"
-                    );
+                    assert!(enclosure.contains(value), "{n}: {value} of {inside} in {enclosure:?}");
                 }
                 let inside = (above.low + x.width() * 0.25 * f64::from(k)).min(above.high);
                 for (value, enclosure) in positive(inside).into_iter().zip(positive(above)) {
-                    assert!(
-                        enclosure.contains(value),
-                        "{value} of {inside} in {enclosure:?}"
-                    );
+                    assert!(enclosure.contains(value), "{value} of {inside} in {enclosure:?}");
                 }
             }
         }
@@ -481,10 +436,7 @@ mod tests {
     fn enclosures_are_narrow() {
         let x = Interval::new(0.3, 0.3);
         for (value, enclosure) in functions(0.3).into_iter().zip(functions(x)) {
-            assert!(
-                enclosure.width() <= 1e-13 * (1.0 + value.abs()),
-                "{enclosure:?}"
-            );
+            assert!(enclosure.width() <= 1e-13 * (1.0 + value.abs()), "{enclosure:?}");
         }
     }
 
@@ -499,18 +451,9 @@ mod tests {
     #[test]
     fn comparisons_say_when_they_do_not_know() {
         let (a, b) = (Interval::new(0.0, 2.0), Interval::new(1.0, 3.0));
-        assert_eq!(
-            Interval::less(a, b),
-            Perhaps {
-                may_hold: true,
-                may_fail: true
-            }
-        );
+        assert_eq!(Interval::less(a, b), Perhaps { may_hold: true, may_fail: true });
         assert!(!Interval::holds(Interval::less(a, b)));
         assert!(Interval::holds(Interval::less(a, Interval::point(2.5))));
-        assert_eq!(
-            Interval::select(Interval::less(a, b), a, b),
-            Interval::new(0.0, 3.0)
-        );
+        assert_eq!(Interval::select(Interval::less(a, b), a, b), Interval::new(0.0, 3.0));
     }
 }

@@ -85,11 +85,7 @@ pub(super) fn sin_cos_all<S: Bits, const K: usize>(angles: [S; K]) -> ([S; K], [
 #[cold]
 #[inline(never)]
 fn repair(angle: f64, sine: f64, cosine: f64) -> (f64, f64) {
-    if angle.abs() <= LIMIT {
-        (sine, cosine)
-    } else {
-        angle.sin_cos()
-    }
+    if angle.abs() <= LIMIT { (sine, cosine) } else { angle.sin_cos() }
 }
 
 /// The kernel for one angle within the limit.
@@ -116,10 +112,7 @@ fn lane<S: Bits>(angle: S) -> (S, S) {
     let exchanged = (s ^ c) & swap;
     let sine_sign = (quadrant & 2) << 62;
     let cosine_sign = (quadrant.wrapping_add(1) & 2) << 62;
-    (
-        S::of_bits((s ^ exchanged) ^ sine_sign),
-        S::of_bits((c ^ exchanged) ^ cosine_sign),
-    )
+    (S::of_bits((s ^ exchanged) ^ sine_sign), S::of_bits((c ^ exchanged) ^ cosine_sign))
 }
 
 /// Sine of `x + y` for `|x| <= π/4`, where `y` is a correction below the last digit of `x`.
@@ -128,11 +121,7 @@ fn sine_near_zero<S: Scalar>(x: S, y: S) -> S {
     let [s1, s2, s3, s4, s5, s6] = SINE.map(S::from_f64);
     let z = x * x;
     let cube = z * x;
-    let tail = s6
-        .mul_add(z, s5)
-        .mul_add(z, s4)
-        .mul_add(z, s3)
-        .mul_add(z, s2);
+    let tail = s6.mul_add(z, s5).mul_add(z, s4).mul_add(z, s3).mul_add(z, s2);
     let bent = cube.mul_add(-tail, S::from_f64(0.5) * y).mul_add(z, -y);
     x - cube.mul_add(-s1, bent)
 }
@@ -142,12 +131,7 @@ fn sine_near_zero<S: Scalar>(x: S, y: S) -> S {
 fn cosine_near_zero<S: Scalar>(x: S, y: S) -> S {
     let [c1, c2, c3, c4, c5, c6] = COSINE.map(S::from_f64);
     let z = x * x;
-    let series = c6
-        .mul_add(z, c5)
-        .mul_add(z, c4)
-        .mul_add(z, c3)
-        .mul_add(z, c2)
-        .mul_add(z, c1);
+    let series = c6.mul_add(z, c5).mul_add(z, c4).mul_add(z, c3).mul_add(z, c2).mul_add(z, c1);
     let half = S::from_f64(0.5) * z;
     let chord = S::ONE - half;
     let rounding = (S::ONE - chord) - half;

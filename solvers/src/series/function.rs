@@ -13,10 +13,7 @@ struct Through<S> {
 
 impl<S: Scalar> Default for Through<S> {
     fn default() -> Self {
-        Self {
-            argument: none(),
-            slope: none(),
-        }
+        Self { argument: none(), slope: none() }
     }
 }
 
@@ -161,10 +158,7 @@ pub struct Sine<S> {
 
 impl<S: Scalar> Default for Sine<S> {
     fn default() -> Self {
-        Self {
-            sine: Through::default(),
-            cosine: Through::default(),
-        }
+        Self { sine: Through::default(), cosine: Through::default() }
     }
 }
 
@@ -192,10 +186,7 @@ pub struct Turn<S> {
 
 impl<S: Scalar> Default for Turn<S> {
     fn default() -> Self {
-        Self {
-            last: (S::ZERO, S::ZERO),
-            rate: S::ZERO,
-        }
+        Self { last: (S::ZERO, S::ZERO), rate: S::ZERO }
     }
 }
 
@@ -260,10 +251,7 @@ pub struct Hypot<S> {
 
 impl<S: Scalar> Default for Hypot<S> {
     fn default() -> Self {
-        Self {
-            squares: Default::default(),
-            root: Sqrt::default(),
-        }
+        Self { squares: Default::default(), root: Sqrt::default() }
     }
 }
 
@@ -327,10 +315,7 @@ pub struct Power<S> {
 
 impl<S: Scalar> Default for Power<S> {
     fn default() -> Self {
-        Self {
-            base: [S::ZERO; TERMS],
-            value: none(),
-        }
+        Self { base: [S::ZERO; TERMS], value: none() }
     }
 }
 

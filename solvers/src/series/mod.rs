@@ -105,11 +105,7 @@ pub struct Product<S> {
 
 impl<S: Scalar> Default for Product<S> {
     fn default() -> Self {
-        Self {
-            left: none(),
-            right: none(),
-            last: (0, 0),
-        }
+        Self { left: none(), right: none(), last: (0, 0) }
     }
 }
 
@@ -141,10 +137,7 @@ pub struct Quotient<S> {
 
 impl<S: Scalar> Default for Quotient<S> {
     fn default() -> Self {
-        Self {
-            below: none(),
-            value: none(),
-        }
+        Self { below: none(), value: none() }
     }
 }
 

@@ -14,11 +14,7 @@ pub struct Matrix<S, F, const N: usize> {
 
 impl<S: Scalar, F, const N: usize> Default for Matrix<S, F, N> {
     fn default() -> Self {
-        Self {
-            entries: [[none(); N]; N],
-            factor: None,
-            solution: [none(); N],
-        }
+        Self { entries: [[none(); N]; N], factor: None, solution: [none(); N] }
     }
 }
 

@@ -68,10 +68,7 @@ fn sines_and_cosines_are_their_series() {
     for k in 0..TERMS {
         let angle = if k < 2 { argument(k) } else { 0.0 };
         let (one, other) = (turn.next(k, angle), sine.next(k, angle));
-        assert!(
-            (one.0 - other.0).abs() + (one.1 - other.1).abs() < 1e-16,
-            "{k}"
-        );
+        assert!((one.0 - other.0).abs() + (one.1 - other.1).abs() < 1e-16, "{k}");
     }
 }
 
@@ -86,37 +83,21 @@ fn products_quotients_and_powers_are_their_series() {
     let mut product = Product::default();
     check("right", |u| 3.0 * u, |k, u| product.next(k, u, constant(k)));
     let mut quotient = Quotient::default();
-    check(
-        "quotient",
-        |u| u / (2.0 - u),
-        |k, u| quotient.next(k, u, 2.0 * one::<f64>(k) - u),
-    );
+    check("quotient", |u| u / (2.0 - u), |k, u| quotient.next(k, u, 2.0 * one::<f64>(k) - u));
     for exponent in [1.5, -2.0, 3.0] {
         let mut power = Power::default();
-        check(
-            "power",
-            |u| u.powf(exponent),
-            |k, u| power.next(k, u, exponent),
-        );
+        check("power", |u| u.powf(exponent), |k, u| power.next(k, u, exponent));
     }
 }
 
 #[test]
 fn distances_and_angles_of_points_are_their_series() {
     let mut hypot = Hypot::default();
-    check(
-        "hypot",
-        |u| u.hypot(1.0 - u),
-        |k, u| hypot.next(k, u, one::<f64>(k) - u),
-    );
+    check("hypot", |u| u.hypot(1.0 - u), |k, u| hypot.next(k, u, one::<f64>(k) - u));
     for side in [-1.0, 1.0] {
         let mut angle = Atan2::default();
         let x = |k: usize, u: f64| side * (one::<f64>(k) - 2.0 * u);
-        check(
-            "atan2",
-            |u| u.atan2(side * (1.0 - 2.0 * u)),
-            |k, u| angle.next(k, u, x(k, u)),
-        );
+        check("atan2", |u| u.atan2(side * (1.0 - 2.0 * u)), |k, u| angle.next(k, u, x(k, u)));
     }
 }
 
@@ -127,10 +108,7 @@ fn solutions_of_systems_are_their_series() {
         let [[a, b], [_, d]] = matrix(u, 1.0);
         let (first, second) = (u, 1.0 - u);
         let below = a * d - b * b;
-        [
-            (d * first - b * second) / below,
-            (a * second - b * first) / below,
-        ][row]
+        [(d * first - b * second) / below, (a * second - b * first) / below][row]
     };
     for row in 0..2 {
         let mut system = Matrix::<f64, Factor<f64, 2>, 2>::default();

@@ -102,13 +102,7 @@ impl Operations {
     /// Those of preparing, an instant, the derivative, its Jacobian, and the outputs.
     #[doc(hidden)]
     pub const fn of([prepare, instant, derivative, jacobian, outputs]: [usize; 5]) -> Self {
-        Self {
-            prepare,
-            instant,
-            derivative,
-            jacobian,
-            outputs,
-        }
+        Self { prepare, instant, derivative, jacobian, outputs }
     }
 }
 
@@ -124,15 +118,7 @@ impl Expectation {
     /// A published value and its band, by the line of the file.
     #[doc(hidden)]
     pub const fn new(line: u32, subject: Subject, at: At, value: f64, tolerance: f64) -> Self {
-        Self {
-            at,
-            subject,
-            value,
-            tolerance,
-            preset: "",
-            remark: "",
-            line,
-        }
+        Self { at, subject, value, tolerance, preset: "", remark: "", line }
     }
 
     /// With the values of a preset.

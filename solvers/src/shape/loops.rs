@@ -86,12 +86,7 @@ impl Loop {
     /// A loop equation of a line of the file.
     #[doc(hidden)]
     pub const fn new(line: u32, name: Text, unit: Text, factor: f64) -> Self {
-        Self {
-            name,
-            unit,
-            factor,
-            line,
-        }
+        Self { name, unit, factor, line }
     }
 }
 
@@ -119,11 +114,5 @@ pub(crate) const fn by_hand(
         .constants(CONSTANTS.split_at(constants).0)
         .drivers(QUANTITIES.split_at(1).0)
         .outputs(QUANTITIES.split_at(outputs).0)
-        .linkage(LinkageEntry {
-            dependents,
-            angles,
-            groups,
-            variables,
-            ..LinkageEntry::NONE
-        })
+        .linkage(LinkageEntry { dependents, angles, groups, variables, ..LinkageEntry::NONE })
 }

@@ -23,14 +23,7 @@ impl ModeEntry {
     /// A mode with its events.
     #[doc(hidden)]
     pub const fn new(name: Text, summary: Text, events: List<EventEntry>) -> Self {
-        Self {
-            name,
-            summary,
-            events,
-            held: &[],
-            kinks: 0,
-            turns: 0,
-        }
+        Self { name, summary, events, held: &[], kinks: 0, turns: 0 }
     }
 
     /// With speeds that are zero.

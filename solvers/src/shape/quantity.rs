@@ -32,11 +32,7 @@ impl Unit {
             dimension[base] = (above[base], below[base]);
             base += 1;
         }
-        Self {
-            symbol,
-            factor,
-            dimension,
-        }
+        Self { symbol, factor, dimension }
     }
 }
 
@@ -59,13 +55,7 @@ impl Quantity {
     /// A quantity in a unit.
     #[doc(hidden)]
     pub const fn new(name: Text, summary: Text, unit: Unit) -> Self {
-        Self {
-            name,
-            summary,
-            unit: unit.symbol,
-            factor: unit.factor,
-            dimension: unit.dimension,
-        }
+        Self { name, summary, unit: unit.symbol, factor: unit.factor, dimension: unit.dimension }
     }
 }
 
@@ -115,10 +105,7 @@ impl Constant {
     /// A made dimension.
     #[doc(hidden)]
     pub const fn dimension(quantity: Quantity, low: f64, high: f64) -> Self {
-        Self {
-            is_dimension: true,
-            ..Self::parameter(quantity, low, high)
-        }
+        Self { is_dimension: true, ..Self::parameter(quantity, low, high) }
     }
 
     /// With a tolerance.

@@ -147,11 +147,8 @@ impl Automatic {
         options: &Options,
         observe: &mut dyn Observer,
     ) -> (Result<(), OdeError>, f64, f64) {
-        let mut gauge = Gauge {
-            inner: observe,
-            suspicion: Some(&mut self.suspicion),
-            last: (times.0, 0.0),
-        };
+        let mut gauge =
+            Gauge { inner: observe, suspicion: Some(&mut self.suspicion), last: (times.0, 0.0) };
         let explicit = &mut self.explicit;
         let done = ode::integrate(flow, times, &here.state, options, explicit, &mut gauge);
         let (time, step) = gauge.last;
@@ -169,42 +166,17 @@ impl Automatic {
         options: &Options,
         observe: &mut dyn Observer,
     ) -> (Result<(), OdeError>, f64, f64) {
-        let mut gauge = Gauge {
-            inner: observe,
-            suspicion: None,
-            last: (times.0, 0.0),
-        };
+        let mut gauge = Gauge { inner: observe, suspicion: None, last: (times.0, 0.0) };
         // The rows of higher degree stay zero.
         here.polynomial.fill(0.0);
         self.calm.restart();
         let calm = Some(&mut self.calm);
         let done = match options.rtol > LOOSE {
-            true => drive(
-                &mut self.radau,
-                flow,
-                here,
-                times,
-                options,
-                &mut gauge,
-                calm,
-            ),
-            false => drive(
-                &mut self.rosenbrock,
-                flow,
-                here,
-                times,
-                options,
-                &mut gauge,
-                calm,
-            ),
+            true => drive(&mut self.radau, flow, here, times, options, &mut gauge, calm),
+            false => drive(&mut self.rosenbrock, flow, here, times, options, &mut gauge, calm),
         };
         let (time, step) = gauge.last;
-        if let Phase::Trial {
-            since,
-            steps,
-            step: explicit,
-        } = &mut self.phase
-        {
+        if let Phase::Trial { since, steps, step: explicit } = &mut self.phase {
             *steps += here.statistics.steps;
             if *steps > TRIAL || step.abs() > PROOF * *explicit {
                 let (time, stiff) = (*since, true);

@@ -77,11 +77,7 @@ impl Here {
                 worst = (index, ratio);
             }
         }
-        OdeError::StepTooSmall {
-            time,
-            step,
-            component: worst.0,
-        }
+        OdeError::StepTooSmall { time, step, component: worst.0 }
     }
 }
 

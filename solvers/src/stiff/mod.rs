@@ -75,14 +75,10 @@ impl Workspace {
         let states = flow.states();
         let (method, degree) = match method {
             Method::Radau => (Chosen::Radau(Radau::new(states)), Radau::DEGREE),
-            Method::Rosenbrock => (
-                Chosen::Rosenbrock(Rosenbrock::new(states)),
-                Rosenbrock::DEGREE,
-            ),
-            Method::Automatic => (
-                Chosen::Automatic(Box::new(Automatic::new(flow))),
-                Automatic::DEGREE,
-            ),
+            Method::Rosenbrock => (Chosen::Rosenbrock(Rosenbrock::new(states)), Rosenbrock::DEGREE),
+            Method::Automatic => {
+                (Chosen::Automatic(Box::new(Automatic::new(flow))), Automatic::DEGREE)
+            }
         };
         let here = Here::new(states, degree);
         Self { here, method }

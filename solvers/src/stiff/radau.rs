@@ -23,11 +23,7 @@ const ROOT_6: f64 = 2.449489742783178;
 /// Times of the stages, in parts of the step (table IV.5.6).
 const C: [f64; 3] = [(4.0 - ROOT_6) / 10.0, (4.0 + ROOT_6) / 10.0, 1.0];
 /// Weights `e` of the error estimate over `γ₀` (8.19).
-const E: [f64; 3] = [
-    (-13.0 - 7.0 * ROOT_6) / 3.0,
-    (-13.0 + 7.0 * ROOT_6) / 3.0,
-    -1.0 / 3.0,
-];
+const E: [f64; 3] = [(-13.0 - 7.0 * ROOT_6) / 3.0, (-13.0 + 7.0 * ROOT_6) / 3.0, -1.0 / 3.0];
 /// Smallest and largest factor from one step to the next.
 const FACTORS: (f64, f64) = (0.2, 8.0);
 /// Factors up to this are not worth new factors of the matrices.
@@ -58,10 +54,7 @@ struct Factors<T> {
 impl<T: Clone> Factors<T> {
     /// Room for a square matrix.
     fn new(size: usize, zero: T) -> Self {
-        Self {
-            entries: vec![zero; size * size],
-            pivots: vec![0; size],
-        }
+        Self { entries: vec![zero; size * size], pivots: vec![0; size] }
     }
 }
 
@@ -106,10 +99,7 @@ impl Radau {
 
     /// Factors both matrices for a step unless they are. False if one has no inverse.
     fn factor(&mut self, here: &mut Here, length: f64) -> bool {
-        if self
-            .factored
-            .is_some_and(|step| (step - length).abs() <= SAME_STEP * length.abs())
-        {
+        if self.factored.is_some_and(|step| (step - length).abs() <= SAME_STEP * length.abs()) {
             return true;
         }
         self.factored = None;
@@ -306,9 +296,7 @@ impl Stepper for Radau {
 fn change(options: &Options, here: &Here, changes: &[f64]) -> f64 {
     let n = here.state.len();
     let ends = (&here.state[..], &here.state[..]);
-    let sum: f64 = changes
-        .chunks_exact(n.max(1))
-        .map(|part| scaled_size(options, ends, part).powi(2))
-        .sum();
+    let sum: f64 =
+        changes.chunks_exact(n.max(1)).map(|part| scaled_size(options, ends, part).powi(2)).sum();
     (sum / 3.0).sqrt()
 }

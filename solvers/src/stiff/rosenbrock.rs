@@ -169,9 +169,7 @@ impl Stepper for Rosenbrock {
         for index in 0..n {
             let [first, second, third] = DENSE.map(|row| {
                 let terms = row.iter().enumerate();
-                terms
-                    .map(|(stage, weight)| weight * self.stages[stage * n + index])
-                    .sum::<f64>()
+                terms.map(|(stage, weight)| weight * self.stages[stage * n + index]).sum::<f64>()
             });
             // Published is θ(F₁ + (1-θ)(a + θ(b + θ c))).
             here.polynomial[index] = here.trial[index] - here.state[index];

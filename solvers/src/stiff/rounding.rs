@@ -20,11 +20,7 @@ pub(super) struct Rounding {
 impl Rounding {
     /// Room for so many states.
     pub fn new(states: usize) -> Self {
-        Self {
-            limits: false,
-            right: vec![0.0; states],
-            sum: vec![0.0; states],
-        }
+        Self { limits: false, right: vec![0.0; states], sum: vec![0.0; states] }
     }
 
     /// What rounding makes of a step, in tolerances: the states of which the rates are made are known to a rounding each,

@@ -97,9 +97,8 @@ impl Calm {
 fn multiply(matrix: &[f64], square: &mut [f64], n: usize) {
     for row in 0..n {
         for column in 0..n {
-            square[row * n + column] = (0..n)
-                .map(|k| matrix[row * n + k] * matrix[k * n + column])
-                .sum();
+            square[row * n + column] =
+                (0..n).map(|k| matrix[row * n + k] * matrix[k * n + column]).sum();
         }
     }
 }

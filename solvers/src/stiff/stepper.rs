@@ -71,10 +71,7 @@ pub(super) fn drive<M: Stepper>(
     while clock.now != times.1 {
         let tried = here.statistics.steps + here.statistics.rejected;
         if tried >= options.max_steps {
-            return Err(OdeError::TooManySteps {
-                time: clock.now,
-                steps: tried,
-            });
+            return Err(OdeError::TooManySteps { time: clock.now, steps: tried });
         }
         let to = clock.target(step, here.statistics.steps);
         let length = to - clock.now;
@@ -153,9 +150,7 @@ fn first_step(
         return Err(OdeError::NotFinite { time, component });
     }
     let direction = (to - from).signum();
-    let limit = (to - from)
-        .abs()
-        .min(options.max_step.unwrap_or(f64::INFINITY));
+    let limit = (to - from).abs().min(options.max_step.unwrap_or(f64::INFINITY));
     if let Some(step) = options.fixed_step {
         return Ok(direction * step.min(limit));
     }

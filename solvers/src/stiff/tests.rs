@@ -30,25 +30,16 @@ fn march<const N: usize>(
 
 /// Options with these tolerances.
 fn tolerances(rtol: f64, atol: f64) -> Options {
-    Options {
-        rtol,
-        atol: AbsoluteTolerance::Same(atol),
-        ..Options::default()
-    }
+    Options { rtol, atol: AbsoluteTolerance::Same(atol), ..Options::default() }
 }
 
 /// Options with fixed steps.
 fn fixed(step: f64) -> Options {
-    Options {
-        fixed_step: Some(step),
-        ..tolerances(1e-13, 1e-13)
-    }
+    Options { fixed_step: Some(step), ..tolerances(1e-13, 1e-13) }
 }
 
 /// Largest error of a state beside the values that are expected, relative to them.
 fn relative_error(found: &[f64], expected: &[f64]) -> f64 {
     let pairs = found.iter().zip(expected);
-    pairs
-        .map(|(found, expected)| ((found - expected) / expected).abs())
-        .fold(0.0, f64::max)
+    pairs.map(|(found, expected)| ((found - expected) / expected).abs()).fold(0.0, f64::max)
 }

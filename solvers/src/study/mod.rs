@@ -73,9 +73,7 @@ pub fn each<T: Send>(
         }
         part();
     });
-    let mut all = gathered
-        .into_inner()
-        .unwrap_or_else(|poison| poison.into_inner());
+    let mut all = gathered.into_inner().unwrap_or_else(|poison| poison.into_inner());
     all.sort_unstable_by_key(|(index, _)| *index);
     all.into_iter().map(|(_, one)| one).collect()
 }

@@ -21,21 +21,14 @@ pub struct Spread {
 
 /// Sums values up; none without any. The interval contains the mean with the probability `confidence`.
 pub fn spread(values: &[f64], confidence: f64, levels: &[f64]) -> Option<Spread> {
-    let mut sorted: Vec<f64> = values
-        .iter()
-        .copied()
-        .filter(|one| one.is_finite())
-        .collect();
+    let mut sorted: Vec<f64> = values.iter().copied().filter(|one| one.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
     let (least, greatest) = (*sorted.first()?, *sorted.last()?);
     let n = sorted.len() as f64;
     // From the middle of the range: a small spread around a large value loses no digits.
     let about = least + (greatest - least) / 2.0;
     let shift = sorted.iter().map(|one| one - about).sum::<f64>() / n;
-    let squares = sorted
-        .iter()
-        .map(|one| (one - about - shift).powi(2))
-        .sum::<f64>();
+    let squares = sorted.iter().map(|one| (one - about - shift).powi(2)).sum::<f64>();
     let deviation = match sorted.len() {
         1 => f64::NAN,
         _ => (squares / (n - 1.0)).sqrt(),
@@ -51,18 +44,11 @@ pub fn spread(values: &[f64], confidence: f64, levels: &[f64]) -> Option<Spread>
     };
     Some(Spread {
         count: sorted.len(),
-        mean: Estimate {
-            value: mean,
-            low: mean - half,
-            high: mean + half,
-        },
+        mean: Estimate { value: mean, low: mean - half, high: mean + half },
         deviation,
         least,
         greatest,
-        quantiles: levels
-            .iter()
-            .map(|level| (*level, quantile(*level)))
-            .collect(),
+        quantiles: levels.iter().map(|level| (*level, quantile(*level))).collect(),
     })
 }
 

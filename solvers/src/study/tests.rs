@@ -4,13 +4,7 @@ use super::*;
 use crate::shape::{Constant, Distribution, Quantity};
 
 const WIDE: Constant = Constant {
-    quantity: Quantity {
-        name: "a",
-        summary: "",
-        unit: "",
-        factor: 1.0,
-        dimension: [(0, 1); 7],
-    },
+    quantity: Quantity { name: "a", summary: "", unit: "", factor: 1.0, dimension: [(0, 1); 7] },
     is_dimension: true,
     default: 5.0,
     tolerance: 0.5,
@@ -30,24 +24,13 @@ fn the_answer_does_not_depend_on_the_number_of_threads() {
 
 #[test]
 fn what_has_a_tolerance_is_drawn_and_the_rest_stays() {
-    let fixed = Constant {
-        tolerance: 0.0,
-        ..WIDE
-    };
-    let all: Vec<Vec<f64>> = (0..20_000)
-        .map(|index| drawn(&[WIDE, fixed, WIDE], &[5.0, 7.0, -1.0], 3, index))
-        .collect();
-    assert!(
-        all.iter()
-            .all(|one| one[1] == 7.0 && (one[0] - 5.0).abs() < 0.5)
-    );
+    let fixed = Constant { tolerance: 0.0, ..WIDE };
+    let all: Vec<Vec<f64>> =
+        (0..20_000).map(|index| drawn(&[WIDE, fixed, WIDE], &[5.0, 7.0, -1.0], 3, index)).collect();
+    assert!(all.iter().all(|one| one[1] == 7.0 && (one[0] - 5.0).abs() < 0.5));
     let first: Vec<f64> = all.iter().map(|one| one[0]).collect();
     let found = spread(&first, 0.999, &[0.5]).unwrap();
-    assert!(
-        found.mean.low < 5.0 && found.mean.high > 5.0,
-        "{:?}",
-        found.mean
-    );
+    assert!(found.mean.low < 5.0 && found.mean.high > 5.0, "{:?}", found.mean);
     assert!((found.deviation - 0.5 / 3f64.sqrt()).abs() < 3e-3);
     // The two are drawn independently.
     let product: f64 = all.iter().map(|one| (one[0] - 5.0) * (one[2] + 1.0)).sum();

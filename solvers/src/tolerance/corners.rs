@@ -87,16 +87,10 @@ pub(crate) fn corners_of(
     let forms = quadratics_of(linkage, study)?;
     let sources = study.sources.len();
     if sources > MOST {
-        return Err(ToleranceError::TooManyCorners {
-            sources,
-            most: MOST,
-        });
+        return Err(ToleranceError::TooManyCorners { sources, most: MOST });
     }
     let nominals = Nominal::along(linkage, &study.places, &study.sources)?;
-    let none = Extremes {
-        exact: Corners::NONE,
-        quadratic: Corners::NONE,
-    };
+    let none = Extremes { exact: Corners::NONE, quadratic: Corners::NONE };
     let mut all = vec![none; study.places.len()];
     let mut found = vec![0.0; study.places.len()];
     for corner in 0..1u32 << sources {

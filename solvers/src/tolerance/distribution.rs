@@ -70,10 +70,7 @@ mod tests {
         for (of, loss) in [(Uniform, 1e-9), (Normal, 1e-5), (Truncated, 1e-9)] {
             assert!(mean(of, 1).abs() < 1e-12);
             assert!((mean(of, 2) - of.variance()).abs() < loss, "{of:?}");
-            assert!(
-                (mean(of, 4) - of.fourth_moment()).abs() < 3.0 * loss,
-                "{of:?}"
-            );
+            assert!((mean(of, 4) - of.fourth_moment()).abs() < 3.0 * loss, "{of:?}");
         }
     }
 

@@ -53,10 +53,7 @@ impl<L: Linkage> Task for Drawing<'_, '_, L> {
         let (run, sources) = (self.run, &self.run.study.sources);
         let output = run.study.output;
         let mut maker = Maker::<L, S, BATCH>::new(run.nominals, sources, output);
-        let mut block = Block {
-            places: vec![Sums::NONE; run.nominals.len()],
-            whole: 0,
-        };
+        let mut block = Block { places: vec![Sums::NONE; run.nominals.len()], whole: 0 };
         let mut errors = vec![[S::ZERO; BATCH]; sources.len()];
         let mut found = vec![[f64::NAN; BATCH]; run.nominals.len()];
         for first in (self.samples.0..self.samples.1).step_by(BATCH) {

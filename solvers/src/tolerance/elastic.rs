@@ -31,11 +31,7 @@ pub fn elastic(force: f64, bars: &[Bar]) -> (Vec<Loaded>, f64) {
     let load = |bar: &Bar| {
         let axial = force * bar.influence;
         let elongation = axial * bar.length / bar.stiffness;
-        Loaded {
-            force: axial,
-            elongation,
-            change: bar.influence * elongation,
-        }
+        Loaded { force: axial, elongation, change: bar.influence * elongation }
     };
     let loaded: Vec<Loaded> = bars.iter().map(load).collect();
     let change = loaded.iter().map(|one| one.change).sum();
@@ -49,11 +45,7 @@ mod tests {
     #[test]
     fn the_heald_linkage_twists_by_its_specified_sum() {
         // Links 4 to 7 at 90 deg, E = 210 GPa, A = 150 mm², M = 20 N m.
-        let bar = |influence, length| Bar {
-            influence,
-            length,
-            stiffness: 210e9 * 150e-6,
-        };
+        let bar = |influence, length| Bar { influence, length, stiffness: 210e9 * 150e-6 };
         let bars = [
             bar(0.750_889, 0.09),
             bar(4.547_53, 0.23),
@@ -62,10 +54,7 @@ mod tests {
         ];
         let (loaded, change) = elastic(20.0, &bars);
         assert!((loaded[1].force - 90.9506).abs() < 1e-10);
-        let energy: f64 = loaded
-            .iter()
-            .map(|one| 0.5 * one.force * one.elongation)
-            .sum();
+        let energy: f64 = loaded.iter().map(|one| 0.5 * one.force * one.elongation).sum();
         assert!((0.5 * 20.0 * change - energy).abs() < 1e-15 * energy.abs() * 10.0);
         assert!(change > 0.0);
     }

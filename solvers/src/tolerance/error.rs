@@ -79,25 +79,14 @@ impl fmt::Display for ToleranceError {
                 formatter,
                 "source {source} has a half-width of {half_width}; it must be finite and not negative"
             ),
-            Self::NoVariable {
-                source,
-                variable,
-                variables,
-            } => write!(
+            Self::NoVariable { source, variable, variables } => write!(
                 formatter,
                 "source {source} is an error of variable {variable}, but there are {variables}"
             ),
             Self::NoOutput { output, outputs } => {
-                write!(
-                    formatter,
-                    "there is no output {output}: there are {outputs}"
-                )
+                write!(formatter, "there is no output {output}: there are {outputs}")
             }
-            Self::BadSamples {
-                samples,
-                least,
-                most,
-            } => write!(
+            Self::BadSamples { samples, least, most } => write!(
                 formatter,
                 "{samples} samples cannot be drawn: choose from {least} to {most}"
             ),

@@ -102,10 +102,7 @@ impl Counted<'_> {
             least,
             greatest,
             beyond: 1.0 - (1.0 - confidence).powf(1.0 / n),
-            quantiles: levels
-                .iter()
-                .map(|level| self.quantile(*level, z))
-                .collect(),
+            quantiles: levels.iter().map(|level| self.quantile(*level, z)).collect(),
         }
     }
 
@@ -119,37 +116,23 @@ impl Counted<'_> {
             true => z * variance.sqrt() / (2.0 * deviation),
             false => 0.0 * deviation,
         };
-        let estimate = Estimate {
-            low: (deviation - half).max(0.0),
-            ..around(deviation, half)
-        };
+        let estimate = Estimate { low: (deviation - half).max(0.0), ..around(deviation, half) };
         (estimate, third / second.powf(1.5))
     }
 
     /// A quantile. The number of samples below it is binomial, which says between which of them it lies.
     fn quantile(&self, level: f64, z: f64) -> Quantile {
-        let at = |share: f64| {
-            self.classes
-                .quantile(self.counts, share, self.sums.extremes)
-        };
+        let at = |share: f64| self.classes.quantile(self.counts, share, self.sums.extremes);
         let half = z * (level * (1.0 - level) / self.sums.count as f64).sqrt();
         Quantile {
             level,
-            estimate: Estimate {
-                value: at(level),
-                low: at(level - half),
-                high: at(level + half),
-            },
+            estimate: Estimate { value: at(level), low: at(level - half), high: at(level + half) },
         }
     }
 }
 
 fn around(value: f64, half: f64) -> Estimate {
-    Estimate {
-        value,
-        low: value - half,
-        high: value + half,
-    }
+    Estimate { value, low: value - half, high: value + half }
 }
 
 /// A share with the interval of E. B. Wilson (Journal of the American Statistical Association 22, 1927), which holds

@@ -18,11 +18,7 @@ pub struct Influences {
 impl Influences {
     /// Coefficients given as rows, one a place.
     pub fn new(values: Vec<f64>, rows: &[Vec<f64>]) -> Self {
-        Self {
-            values,
-            variables: rows.first().map_or(0, Vec::len),
-            coefficients: rows.concat(),
-        }
+        Self { values, variables: rows.first().map_or(0, Vec::len), coefficients: rows.concat() }
     }
 
     /// Number of places.
@@ -65,10 +61,7 @@ pub(crate) fn influences_of(
     for (index, place) in places.iter().enumerate() {
         let (value, row) = influence_at(&mut *assembly, output, place)?;
         if !value.is_finite() || row.iter().any(|one| !one.is_finite()) {
-            return Err(ToleranceError::NotFinite {
-                place: index,
-                at: place.clone(),
-            });
+            return Err(ToleranceError::NotFinite { place: index, at: place.clone() });
         }
         found.values.push(value);
         found.coefficients.extend(row);
@@ -92,10 +85,7 @@ pub(super) fn influence_at(
     let count = shape.loops().variables.len();
     let mut all = vec![0.0; shape.outputs.len() * count];
     guide.loops.influence(&instant, guide.position, &mut all);
-    Ok((
-        values[output],
-        all[output * count..(output + 1) * count].to_vec(),
-    ))
+    Ok((values[output], all[output * count..(output + 1) * count].to_vec()))
 }
 
 /// The positions of the drivers at a place, and how they move there.

@@ -29,12 +29,7 @@ pub(super) struct Lead<'a> {
 impl<'a> Lead<'a> {
     /// From a nominal linkage.
     pub fn new(linkage: &'a dyn AnyLinkage, study: &'a Study, nominal: &'a Nominal) -> Self {
-        Self {
-            linkage,
-            entry: linkage.shape().loops(),
-            study,
-            nominal,
-        }
+        Self { linkage, entry: linkage.shape().loops(), study, nominal }
     }
 
     /// The error of the output for the errors of the sources, in one step; none if the linkage does not close.
@@ -117,10 +112,7 @@ impl<'a> Lead<'a> {
                 position[j] -= step;
             }
             let units = unknowns.iter().map(|&j| self.nominal.units[j]);
-            let lengths = residual
-                .iter()
-                .zip(units)
-                .map(|(step, unit)| (step / unit).abs());
+            let lengths = residual.iter().zip(units).map(|(step, unit)| (step / unit).abs());
             (determinant, lengths.fold(0.0, f64::max))
         };
         for _ in 0..ITERATIONS {

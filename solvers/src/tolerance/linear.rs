@@ -78,12 +78,7 @@ fn at_place(value: f64, influence: &[f64], sources: &[Source]) -> Linear {
         one.share = share(one.worst, worst);
         one.variance_share = share(one.deviation.powi(2), variance);
     }
-    Linear {
-        value,
-        worst,
-        deviation: variance.sqrt(),
-        contributions,
-    }
+    Linear { value, worst, deviation: variance.sqrt(), contributions }
 }
 
 /// Nothing has no share in nothing.
@@ -102,12 +97,7 @@ pub fn ranking(places: &[Linear]) -> Vec<Rank> {
 fn rank(places: &[Linear], source: usize) -> Rank {
     let shares = places.iter().map(|one| one.contributions[source].share);
     let mean = shares.clone().sum::<f64>() / places.len() as f64;
-    let mut rank = Rank {
-        source,
-        mean,
-        largest: f64::NEG_INFINITY,
-        place: 0,
-    };
+    let mut rank = Rank { source, mean, largest: f64::NEG_INFINITY, place: 0 };
     for (place, share) in shares.enumerate() {
         if share > rank.largest {
             (rank.largest, rank.place) = (share, place);

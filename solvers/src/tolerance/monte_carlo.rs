@@ -89,13 +89,8 @@ pub(crate) fn monte_carlo_of(
     study.check(linkage.shape())?;
     sampling.check()?;
     let nominals = Nominal::along(linkage, &study.places, &study.sources)?;
-    let mut run = Run {
-        linkage,
-        nominals: &nominals,
-        study,
-        seed: sampling.seed,
-        classes: Vec::new(),
-    };
+    let mut run =
+        Run { linkage, nominals: &nominals, study, seed: sampling.seed, classes: Vec::new() };
     let pilot = linkage.draw(&run, (0, PILOT.min(sampling.samples)), &mut []);
     let classes = pilot.places.iter().map(|one| Classes::around(one.extremes));
     run.classes = classes.collect();
@@ -122,11 +117,7 @@ impl Sampling {
 
     fn threads(&self, blocks: u64) -> u64 {
         let machine = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-        let wanted = if self.threads == 0 {
-            machine()
-        } else {
-            self.threads
-        };
+        let wanted = if self.threads == 0 { machine() } else { self.threads };
         (wanted as u64).clamp(1, blocks.min(1024))
     }
 }
@@ -165,9 +156,8 @@ impl Run<'_> {
             }
             work();
         });
-        let (mut blocks, counts) = gathered
-            .into_inner()
-            .unwrap_or_else(|poison| poison.into_inner());
+        let (mut blocks, counts) =
+            gathered.into_inner().unwrap_or_else(|poison| poison.into_inner());
         blocks.sort_by_key(|(index, _)| *index);
         (blocks.into_iter().map(|(_, block)| block).collect(), counts)
     }

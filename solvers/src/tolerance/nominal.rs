@@ -47,10 +47,7 @@ impl Nominal {
             assembly.move_to(drivers)?;
             let nominal = Self::of(linkage, assembly.guide(), motion, sources);
             let nominal = nominal.filter(|one| one.outputs.iter().all(|value| value.is_finite()));
-            all.push(nominal.ok_or(ToleranceError::NotFinite {
-                place: index,
-                at: place.clone(),
-            })?);
+            all.push(nominal.ok_or(ToleranceError::NotFinite { place: index, at: place.clone() })?);
         }
         Ok(all)
     }

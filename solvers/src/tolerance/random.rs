@@ -19,9 +19,7 @@ impl Random {
     pub fn new(seed: u64, index: u64) -> Self {
         // Sequences of neighbouring seeds begin far from each other.
         let state = mix(seed.wrapping_add(GAMMA));
-        Self {
-            state: state.wrapping_add(index.wrapping_mul(GAMMA)),
-        }
+        Self { state: state.wrapping_add(index.wrapping_mul(GAMMA)) }
     }
 
     /// The number `ahead` places after the next one.
@@ -63,11 +61,9 @@ mod tests {
     fn published_numbers() {
         // The first outputs of `splitmix64.c` for the state 1234567.
         let mut state: u64 = 1_234_567;
-        for expected in [
-            6_457_827_717_110_365_317,
-            3_203_168_211_198_807_973,
-            9_817_491_932_198_370_423,
-        ] {
+        for expected in
+            [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]
+        {
             state = state.wrapping_add(GAMMA);
             assert_eq!(mix(state), expected);
         }

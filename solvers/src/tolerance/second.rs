@@ -119,10 +119,10 @@ pub(crate) fn quadratics_of(
             .ok()
             .map(|second| by_sources(value, &influence, &second, &study.sources))
             .filter(Quadratic::is_finite);
-        all.push(quadratic.ok_or_else(|| ToleranceError::NotFinite {
-            place: index,
-            at: place.clone(),
-        })?);
+        all.push(
+            quadratic
+                .ok_or_else(|| ToleranceError::NotFinite { place: index, at: place.clone() })?,
+        );
     }
     Ok(all)
 }
@@ -184,16 +184,8 @@ mod tests {
     /// `y = x²` of an error that is uniform within ±1: mean 1/3, variance 4/45, third central moment 16/945.
     #[test]
     fn moments_of_a_square() {
-        let source = Source {
-            variable: 0,
-            half_width: 1.0,
-            distribution: Distribution::Uniform,
-        };
-        let square = Quadratic {
-            value: 0.0,
-            gradient: vec![0.0],
-            hessian: vec![2.0],
-        };
+        let source = Source { variable: 0, half_width: 1.0, distribution: Distribution::Uniform };
+        let square = Quadratic { value: 0.0, gradient: vec![0.0], hessian: vec![2.0] };
         let moments = square.moments(&[source]);
         assert!((moments.mean - 1.0 / 3.0).abs() < 1e-15);
         assert!((moments.deviation.powi(2) - 4.0 / 45.0).abs() < 1e-15);
@@ -203,16 +195,10 @@ mod tests {
     /// `y = x + x z` of two normal errors: the third moment is 6 cov = 6 · (K_x K_z H) = 0, the variance 1 + 1.
     #[test]
     fn moments_of_a_product() {
-        let source = |variable| Source {
-            variable,
-            half_width: 3.0,
-            distribution: Distribution::Normal,
-        };
-        let product = Quadratic {
-            value: 0.0,
-            gradient: vec![1.0, 1.0],
-            hessian: vec![0.0, 1.0, 1.0, 0.0],
-        };
+        let source =
+            |variable| Source { variable, half_width: 3.0, distribution: Distribution::Normal };
+        let product =
+            Quadratic { value: 0.0, gradient: vec![1.0, 1.0], hessian: vec![0.0, 1.0, 1.0, 0.0] };
         let moments = product.moments(&[source(0), source(1)]);
         assert_eq!(moments.mean, 0.0);
         assert!((moments.deviation.powi(2) - 3.0).abs() < 1e-14);

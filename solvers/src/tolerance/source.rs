@@ -18,11 +18,7 @@ impl Source {
     /// Radial play in a joint of a link that carries two forces only: its length errs by as much. Which way, the sense of
     /// its force decides, so that all errors are alike probable unless more is known.
     pub fn play(variable: usize, radial: f64) -> Self {
-        Self {
-            variable,
-            half_width: radial,
-            distribution: Distribution::Uniform,
-        }
+        Self { variable, half_width: radial, distribution: Distribution::Uniform }
     }
 
     /// Standard deviation of the error.
@@ -99,11 +95,7 @@ pub(super) fn check_variables(
 ) -> Result<(), ToleranceError> {
     for (source, variable) in chosen.enumerate() {
         if variable >= variables {
-            return Err(ToleranceError::NoVariable {
-                source,
-                variable,
-                variables,
-            });
+            return Err(ToleranceError::NoVariable { source, variable, variables });
         }
     }
     Ok(())

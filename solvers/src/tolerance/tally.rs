@@ -18,11 +18,8 @@ pub(super) struct Sums {
 }
 
 impl Sums {
-    pub const NONE: Self = Self {
-        count: 0,
-        powers: [0.0; 4],
-        extremes: (f64::INFINITY, f64::NEG_INFINITY),
-    };
+    pub const NONE: Self =
+        Self { count: 0, powers: [0.0; 4], extremes: (f64::INFINITY, f64::NEG_INFINITY) };
 
     /// Adds errors; one that is no number is none.
     #[inline(always)]
@@ -62,11 +59,7 @@ impl Sums {
         let square = mean * mean;
         [
             mean,
-            if second < square {
-                0.0
-            } else {
-                second - square
-            },
+            if second < square { 0.0 } else { second - square },
             third - 3.0 * mean * second + 2.0 * mean * square,
             fourth - 4.0 * mean * third + 6.0 * square * second - 3.0 * square * square,
         ]
@@ -91,11 +84,7 @@ impl Classes {
             true => (low - room, width),
             false => (-1.0, 2.0 / CLASSES as f64),
         };
-        Self {
-            low,
-            width,
-            scale: 1.0 / width,
-        }
+        Self { low, width, scale: 1.0 / width }
     }
 
     /// Counts errors in their classes; one that is no number in none.

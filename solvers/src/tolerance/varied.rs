@@ -24,21 +24,17 @@ pub(super) struct Varied<S, const W: usize> {
 impl<S: Scalar, const W: usize> Varied<S, W> {
     /// The constants that err.
     pub fn constants(variables: &[Variable], sources: &[Source], nominal: &[S]) -> Vec<Self> {
-        Self::among(sources, nominal, |source| {
-            match variables[source.variable] {
-                Variable::Constant(index) => Some(index),
-                Variable::Driver(_) => None,
-            }
+        Self::among(sources, nominal, |source| match variables[source.variable] {
+            Variable::Constant(index) => Some(index),
+            Variable::Driver(_) => None,
         })
     }
 
     /// The drivers whose positions err.
     pub fn drivers(variables: &[Variable], sources: &[Source], nominal: &[S]) -> Vec<Self> {
-        Self::among(sources, nominal, |source| {
-            match variables[source.variable] {
-                Variable::Driver(index) => Some(index),
-                Variable::Constant(_) => None,
-            }
+        Self::among(sources, nominal, |source| match variables[source.variable] {
+            Variable::Driver(index) => Some(index),
+            Variable::Constant(_) => None,
         })
     }
 

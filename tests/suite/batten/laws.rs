@@ -108,11 +108,7 @@ fn rod_forces_move_the_masses() {
         let (first, second) = (solved.place("F1"), solved.place("F2"));
         let largest = solved.amplitude("F1");
         for outputs in solved.samples(64) {
-            let inertia: f64 = masses
-                .iter()
-                .zip(rates)
-                .map(|(m, it)| m * outputs[it])
-                .sum();
+            let inertia: f64 = masses.iter().zip(rates).map(|(m, it)| m * outputs[it]).sum();
             let off = (outputs[first] + outputs[second] - inertia).abs() / largest;
             assert!(off < 1e-14, "{scene}: {off:e} of the largest force");
         }

@@ -19,10 +19,8 @@ fn check(names: &[&'static str], scales: &[f64], limit: &str, distances: [(&str,
     let limit = Solved::new("batten", limit);
     let whole = Solved::new("batten", "elastic");
     for scale in scales {
-        let changes: Vec<(&str, f64)> = names
-            .iter()
-            .map(|name| (*name, whole.constant(name) * scale))
-            .collect();
+        let changes: Vec<(&str, f64)> =
+            names.iter().map(|name| (*name, whole.constant(name) * scale)).collect();
         let stiff = Solved::with("batten", "elastic", &changes);
         let flexibility = scale.min(1.0 / scale);
         for (output, distance) in distances {

@@ -13,9 +13,7 @@ fn added_force(angle: f64) -> f64 {
     let [with, without] = [first, paper].map(|scene| {
         let run = bind(scene, &UNEQUAL).expect("values that can be");
         let outputs = scene.outputs.iter();
-        let place = outputs
-            .map(|it| it.name)
-            .position(|name| name == "ddot(phi2)");
+        let place = outputs.map(|it| it.name).position(|name| name == "ddot(phi2)");
         run.outputs(angle / speed(), &state)[place.expect("an output")]
     });
     let (radius, rod, inertia, mass): (f64, f64, f64, f64) = (0.075, 0.271, 0.1004, 28.5);

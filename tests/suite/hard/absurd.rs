@@ -8,10 +8,7 @@ use assur_equations::REGISTRY;
 /// Every constant of every scene.
 fn each(mut check: impl FnMut(&SceneEntry, &Constant)) {
     for scene in REGISTRY.iter().flat_map(|mechanism| mechanism.scenes) {
-        scene
-            .constants
-            .iter()
-            .for_each(|constant| check(scene, constant));
+        scene.constants.iter().for_each(|constant| check(scene, constant));
     }
 }
 
@@ -23,11 +20,7 @@ fn check_refused(scene: &SceneEntry, constant: &Constant, value: f64) {
         Ok(()) => panic!("{}: {name} = {value} is accepted", scene.name),
         Err(refused) => {
             let text = refused.to_string();
-            assert!(
-                text.contains(name),
-                "{}: {name} = {value}: {text}",
-                scene.name
-            );
+            assert!(text.contains(name), "{}: {name} = {value}: {text}", scene.name);
             assert!(!refused.reason.is_empty());
         }
     }

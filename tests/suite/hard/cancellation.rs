@@ -9,10 +9,8 @@ const LOCKS: f64 = 1.9198;
 /// Relative change of the lag at the blow when a constant grows by one per cent.
 fn change(mechanism: &str, scene: &str, names: &[&str]) -> f64 {
     let before = Solved::new(mechanism, scene);
-    let changes: Vec<(&str, f64)> = names
-        .iter()
-        .map(|name| (*name, before.constant(name) * 1.01))
-        .collect();
+    let changes: Vec<(&str, f64)> =
+        names.iter().map(|name| (*name, before.constant(name) * 1.01)).collect();
     let after = Solved::with(mechanism, scene, &changes);
     (after.at(LOCKS, "phi2") / before.at(LOCKS, "phi2") - 1.0).abs()
 }
@@ -25,9 +23,7 @@ fn the_table_form_cancels_the_deflection_form_does_not() {
         let change = change("batten_table", "table", names);
         assert!((0.8..2.0).contains(&change), "{names:?}: {change}");
     }
-    for name in [
-        "c", "J2", "m2", "m3", "m4", "d33", "d44", "d34", "lambda", "R", "l",
-    ] {
+    for name in ["c", "J2", "m2", "m3", "m4", "d33", "d44", "d34", "lambda", "R", "l"] {
         let change = change("batten", "elastic", &[name]);
         assert!(change < 0.03, "{name}: {change}");
     }

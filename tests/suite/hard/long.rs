@@ -21,11 +21,7 @@ assur::mechanism! {
 fn distances(solved: &Solved, start: &[f64], revolutions: usize, settings: &Settings) -> Vec<f64> {
     let end = revolutions as f64 * solved.period;
     let motion = solved.run.march((0.0, end), start, settings).unwrap();
-    let size = solved
-        .orbit
-        .start
-        .iter()
-        .fold(0.0, |a: f64, b| a.max(b.abs()));
+    let size = solved.orbit.start.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
     let distance = |revolution: usize| {
         let here = motion.at(revolution as f64 * solved.period);
         let parts = here.iter().zip(&solved.orbit.start);
@@ -72,17 +68,10 @@ fn drift(method: Explicit, periods: f64, rtol: f64) -> f64 {
     let equations = swing.prepare::<f64>();
     let start = swing.start();
     let (kinetic, potential) = equations.energy(Phase::of(0), 0.0, &start).unwrap();
-    let mut drift = Drift {
-        reports: &equations,
-        begin: kinetic + potential,
-        largest: 0.0,
-    };
+    let mut drift = Drift { reports: &equations, begin: kinetic + potential, largest: 0.0 };
     let model = Bound::new(&swing);
     let flow = Flow::new(&model, 0);
-    let options = Options {
-        max_steps: usize::MAX,
-        ..Options::scaled(rtol, Swing::shape().scales)
-    };
+    let options = Options { max_steps: usize::MAX, ..Options::scaled(rtol, Swing::shape().scales) };
     let mut workspace = Workspace::new(method, &flow);
     let times = (0.0, 2.67 * periods);
     integrate(&flow, times, &start, &options, &mut workspace, &mut drift).unwrap();
@@ -105,11 +94,7 @@ fn near_a_multiplier_of_minus_one_nothing_grows() {
         moduli.fold(f64::NEG_INFINITY, f64::max)
     };
     let solved = Solved::of(entry("batten", "elastic"), &speed, &USUAL).unwrap();
-    let nearest = solved
-        .orbit
-        .multipliers
-        .iter()
-        .map(|it| (it.re + 1.0).hypot(it.im));
+    let nearest = solved.orbit.multipliers.iter().map(|it| (it.re + 1.0).hypot(it.im));
     let nearest = nearest.fold(f64::INFINITY, f64::min);
     assert!(nearest < 0.01, "{nearest:e}");
     assert!(growth(&solved).abs() < 1e-6, "{:e}", growth(&solved));

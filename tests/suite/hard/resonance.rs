@@ -40,9 +40,7 @@ fn distance(speed: f64) -> f64 {
 fn nearest(from: f64, to: f64) -> f64 {
     let step = (to - from) / 20.0;
     let speeds = (0..=20).map(|index| from + step * index as f64);
-    let coarse = speeds
-        .min_by(|a, b| distance(*a).total_cmp(&distance(*b)))
-        .unwrap();
+    let coarse = speeds.min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap();
     let (mut low, mut high) = (coarse - step, coarse + step);
     while high - low > 1e-11 {
         let third = (high - low) / 3.0;
@@ -80,23 +78,12 @@ fn a_driven_resonance_is_an_error_and_not_a_vector() {
     let speed = nearest(247.9, 248.5);
     assert!((speed - 248.168).abs() < 1e-3, "{speed}");
     for (off, amplification) in [(0.0, 1e10), (1e-8, 1e8), (1e-7, 1e7)] {
-        let Err(PeriodicError::Resonance {
-            distance,
-            condition,
-            state,
-            ..
-        }) = solve(speed + off)
+        let Err(PeriodicError::Resonance { distance, condition, state, .. }) = solve(speed + off)
         else {
             panic!("{off:e} rpm beside the resonance there is an answer");
         };
-        assert!(
-            distance < 0.4 * off + 1e-9,
-            "{off:e}: distance {distance:e}"
-        );
-        assert!(
-            condition > amplification,
-            "{off:e}: condition {condition:e}"
-        );
+        assert!(distance < 0.4 * off + 1e-9, "{off:e}: distance {distance:e}");
+        assert!(condition > amplification, "{off:e}: condition {condition:e}");
         assert!(state < 6);
     }
     // Farther off there is an answer: a pole at the resonance and the rest, `pole/off + rest`. Both follow from two
@@ -152,18 +139,14 @@ fn bending(factor: f64) -> Solved {
 /// Differences from the forced motion at equal parts of a revolution.
 fn excess(solved: &Solved, name: &str) -> Vec<f64> {
     let angles = (0..48).map(|index| TAU * f64::from(index) / 48.0);
-    angles
-        .map(|angle| solved.at(angle, name) - bending_alone(solved, angle))
-        .collect()
+    angles.map(|angle| solved.at(angle, name) - bending_alone(solved, angle)).collect()
 }
 
 #[test]
 fn a_resonance_that_nothing_drives_is_tame() {
     for factor in [0.999, 1.0 - 1e-4, 1.0 - 1e-5, 1.0 + 1e-5, 1.001] {
         let solved = bending(factor);
-        let largest = excess(&solved, "x3")
-            .into_iter()
-            .fold(0.0, |a: f64, b| a.max(b.abs()));
+        let largest = excess(&solved, "x3").into_iter().fold(0.0, |a: f64, b| a.max(b.abs()));
         assert!(largest < 1e-9, "{factor}: {largest:e}");
     }
 }

@@ -27,30 +27,21 @@ fn error(settings: &Settings) -> f64 {
 
 #[test]
 fn states_far_below_their_scale_have_tolerances_of_their_own() {
-    for (method, usual, given) in [
-        (Method::Rosenbrock, 1.1e-5, 1.4e-7),
-        (Method::Radau, 4.6e-8, 8.7e-9),
-    ] {
+    for (method, usual, given) in
+        [(Method::Rosenbrock, 1.1e-5, 1.4e-7), (Method::Radau, 4.6e-8, 8.7e-9)]
+    {
         let settings = Settings::new(method).rtol(1e-8);
-        let fine = Settings {
-            atol: vec![Some(1e-18); 3],
-            ..settings.clone()
-        };
+        let fine = Settings { atol: vec![Some(1e-18); 3], ..settings.clone() };
         let errors = [settings, fine].map(|settings| error(&settings));
         let shares = [errors[0] / usual, errors[1] / given];
-        assert!(
-            shares.iter().all(|share| (0.3..3.0).contains(share)),
-            "{method:?}: {errors:?}"
-        );
+        assert!(shares.iter().all(|share| (0.3..3.0).contains(share)), "{method:?}: {errors:?}");
     }
 }
 
 #[test]
 fn absolute_tolerances_follow_the_relative_one() {
-    let settings = Settings {
-        atol: vec![None, Some(1e-12)],
-        ..Settings::new(Method::Radau).rtol(1e-8)
-    };
+    let settings =
+        Settings { atol: vec![None, Some(1e-12)], ..Settings::new(Method::Radau).rtol(1e-8) };
     let finer = settings.at(1e-9);
     assert_eq!(finer.rtol, 1e-9);
     let atol = finer.atol[1].unwrap();
@@ -60,14 +51,8 @@ fn absolute_tolerances_follow_the_relative_one() {
 
 #[test]
 fn a_run_of_more_steps_than_permitted_ends_with_an_error() {
-    let settings = Settings {
-        max_steps: Some(20),
-        ..Settings::new(Method::Radau).rtol(1e-8)
-    };
+    let settings = Settings { max_steps: Some(20), ..Settings::new(Method::Radau).rtol(1e-8) };
     let scene = kinetics::Long::default();
     let end = ode::march(&scene, (0.0, 1e11), &scene.start(), &settings);
-    assert!(
-        matches!(end, Err(ode::OdeError::TooManySteps { .. })),
-        "{end:?}"
-    );
+    assert!(matches!(end, Err(ode::OdeError::TooManySteps { .. })), "{end:?}");
 }

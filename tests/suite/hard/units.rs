@@ -41,9 +41,7 @@ mod small {
 /// The angle at equal parts of the task, with the unit of time as a factor.
 fn angles<C: Smooth>(scene: &C, seconds: f64, settings: &Settings) -> Vec<f64> {
     let motion = ode::march(scene, (0.0, 5.0 * seconds), &scene.start(), settings).unwrap();
-    (0..=50)
-        .map(|index| motion.at(0.1 * seconds * f64::from(index))[0])
-        .collect()
+    (0..=50).map(|index| motion.at(0.1 * seconds * f64::from(index))[0]).collect()
 }
 
 #[track_caller]
@@ -68,11 +66,6 @@ fn units_in_the_file_do_not_change_the_motion() {
 #[test]
 fn numbers_of_a_millimetre_gram_millisecond_world_give_the_same_motion() {
     let large = large::Swing::default();
-    let numbers = large::Swing {
-        l: 250.0,
-        m: 300.0,
-        g: 9.81e-3,
-        b: 2e-3 * 1e6,
-    };
+    let numbers = large::Swing { l: 250.0, m: 300.0, g: 9.81e-3, b: 2e-3 * 1e6 };
     check(&angles(&numbers, 1e3, &FINE), &angles(&large, 1.0, &FINE));
 }

@@ -19,9 +19,7 @@ const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-10);
 /// Times of the impacts: the first after `√(2h/g)`, each flight `e` times as long as the one before.
 fn impacts(e: f64, count: i32) -> Vec<f64> {
     let first = (2.0 / 9.80665_f64).sqrt();
-    (0..count)
-        .map(|k| first + 2.0 * first * (1..=k).map(|j| e.powi(j)).sum::<f64>())
-        .collect()
+    (0..count).map(|k| first + 2.0 * first * (1..=k).map(|j| e.powi(j)).sum::<f64>()).collect()
 }
 
 #[test]
@@ -31,11 +29,7 @@ fn impacts_are_found_to_the_last_digits() {
     let expected = impacts(0.8, motion.events.len() as i32);
     assert_eq!(motion.events.len(), 6);
     for (event, expected) in motion.events.iter().zip(expected) {
-        assert!(
-            (event.time - expected).abs() < 5e-14,
-            "{} {expected}",
-            event.time
-        );
+        assert!((event.time - expected).abs() < 5e-14, "{} {expected}", event.time);
         assert!(event.guard.abs() < 1e-14 && event.after[1] == -0.8 * event.before[1]);
     }
 }
@@ -46,17 +40,8 @@ fn a_ball_that_comes_to_rest_is_reported_as_chatter() {
     let ball = Fall::default();
     let rest = impacts(0.8, 400)[399];
     let ended = march(&ball, (0.0, 10.0), &[1.0, 0.0], &SETTINGS);
-    let Err(HybridError::Chatter {
-        time,
-        events,
-        motion,
-        ..
-    }) = ended
-    else {
-        panic!(
-            "{}",
-            ended.map_or_else(|e| e.to_string(), |m| format!("{:?}", m.events.last()))
-        );
+    let Err(HybridError::Chatter { time, events, motion, .. }) = ended else {
+        panic!("{}", ended.map_or_else(|e| e.to_string(), |m| format!("{:?}", m.events.last())));
     };
     assert!((time - rest).abs() < 1e-6, "{time} {rest}");
     assert!(
@@ -69,10 +54,7 @@ fn a_ball_that_comes_to_rest_is_reported_as_chatter() {
 /// Without a loss the impacts keep their phase over many cycles.
 #[test]
 fn impacts_keep_their_phase() {
-    let ball = Fall {
-        e: 1.0,
-        ..Fall::default()
-    };
+    let ball = Fall { e: 1.0, ..Fall::default() };
     let first = (2.0 / 9.80665_f64).sqrt();
     let cycles = 1000.0;
     let end = first * (2.0 * cycles + 2.0);

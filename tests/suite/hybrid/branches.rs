@@ -25,13 +25,7 @@ mod rub {
 #[test]
 fn steps_end_where_a_branch_changes() {
     let scene = rub::Pushed::default();
-    let (fine, start) = (
-        Settings {
-            rtol: 1e-13,
-            ..SETTINGS
-        },
-        [0.0, 1.0],
-    );
+    let (fine, start) = (Settings { rtol: 1e-13, ..SETTINGS }, [0.0, 1.0]);
     let reference = march(&scene, (0.0, 10.0), &start, &fine).expect("it slides");
     let located = march(&scene, (0.0, 10.0), &start, &SETTINGS).expect("it slides");
     // `ode::march` does not take a scene with events.
@@ -39,14 +33,7 @@ fn steps_end_where_a_branch_changes() {
     let flow = Flow::new(&model, 0);
     let mut workspace = Workspace::new(Explicit::Dop853, &flow);
     let options = Options::of(&SETTINGS, rub::Pushed::shape().scales);
-    let naive = integrate(
-        &flow,
-        (0.0, 10.0),
-        &start,
-        &options,
-        &mut workspace,
-        &mut (),
-    );
+    let naive = integrate(&flow, (0.0, 10.0), &start, &options, &mut workspace, &mut ());
     let naive = naive.expect("it slides");
     let off = |end: &[f64]| (end[0] - reference.end[0]).abs();
     assert!(located.events.len() > 8);
@@ -58,10 +45,7 @@ fn steps_end_where_a_branch_changes() {
 /// Without a push the block comes to rest, and friction holds it.
 #[test]
 fn friction_that_holds_is_reported() {
-    let scene = rub::Coasting {
-        F: 0.0,
-        ..rub::Coasting::default()
-    };
+    let scene = rub::Coasting { F: 0.0, ..rub::Coasting::default() };
     let ended = march(&scene, (0.0, 10.0), &[0.0, 1.0], &SETTINGS);
     let Err(HybridError::Held { time, motion, .. }) = ended else {
         panic!("{ended:?}");
@@ -102,14 +86,8 @@ fn a_branch_that_does_not_exist_beyond_its_surface() {
         // With u = sqrt(h): 2 u du/dt = -pump - k u.
         let (pump, k) = (tank.pump, tank.hole * (2.0 * tank.g).sqrt());
         let empty = 2.0 / k - 2.0 * pump / (k * k) * (1.0 + k / pump).ln();
-        let [event] = &motion.events[..] else {
-            panic!("{method:?}: {:?}", motion.events)
-        };
-        assert!(
-            (event.time - empty).abs() < 1e-9,
-            "{method:?}: {} {empty}",
-            event.time
-        );
+        let [event] = &motion.events[..] else { panic!("{method:?}: {:?}", motion.events) };
+        assert!((event.time - empty).abs() < 1e-9, "{method:?}: {} {empty}", event.time);
         assert!((motion.end[0] + pump * (40.0 - empty)).abs() < 1e-10);
         let found = assur::measure::of(&tank, &motion);
         for (found, expected) in found.into_iter().zip([k, 1.0 - pump * empty]) {
@@ -143,11 +121,7 @@ fn kinks_of_what_drives_are_stepped_on() {
     let turns = 3.0;
     let (_, state) = motion.at(std::f64::consts::TAU / 5.0 * turns);
     let expected = turns * (3.0_f64.sqrt() - std::f64::consts::PI / 3.0) / 5.0;
-    assert!(
-        (state[1] - expected).abs() < 1e-10,
-        "{} {expected}",
-        state[1]
-    );
+    assert!((state[1] - expected).abs() < 1e-10, "{} {expected}", state[1]);
 }
 
 mod drag {
@@ -176,10 +150,7 @@ mod drag {
 /// events, if a block whose acceleration is such a difference is taken to turn round.
 #[test]
 fn a_swing_that_ends_at_a_threshold() {
-    let settings = Settings {
-        rtol: 1e-13,
-        ..SETTINGS
-    };
+    let settings = Settings { rtol: 1e-13, ..SETTINGS };
     let drag = drag::Dragged::default();
     let motion = march(&drag, (0.0, 1.0), &[0.0; 4], &settings).expect("it comes to rest");
     assert!((60..200).contains(&motion.events.len()));
@@ -215,16 +186,9 @@ fn a_guard_that_jumps_passes_zero_at_its_kink() {
     for (turn, event) in motion.events.iter().enumerate() {
         let expected = (rises + turn as f64 * std::f64::consts::TAU) / 5.0;
         let off = (event.time - expected).abs();
-        assert!(
-            off < 4.0 * f64::EPSILON * expected.max(1.0),
-            "{turn}: {off:e}"
-        );
+        assert!(off < 4.0 * f64::EPSILON * expected.max(1.0), "{turn}: {off:e}");
         // At the kink the speed is the one above the plate already.
         let speed = 5.0 * (5.0 * event.time).cos() - 2.0;
-        assert!(
-            (event.guard - speed).abs() < 1e-12,
-            "{} {speed}",
-            event.guard
-        );
+        assert!((event.guard - speed).abs() < 1e-12, "{} {speed}", event.guard);
     }
 }

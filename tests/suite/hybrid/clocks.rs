@@ -29,22 +29,14 @@ fn a_clock_has_its_period() {
     let found = hybrid::clock(&scene, &fine(1e-11)).expect("it repeats");
     // Between pushes at zero the motion is one turn of the damped oscillator.
     let turn = TAU / (scene.w.powi(2) - (scene.d / 2.0).powi(2)).sqrt();
-    assert!(
-        (found.period() / turn - 1.0).abs() < 1e-11,
-        "{}",
-        found.period()
-    );
+    assert!((found.period() / turn - 1.0).abs() < 1e-11, "{}", found.period());
     let decay = (-scene.d / 2.0 * turn).exp();
     assert_eq!(found.multipliers.len(), 1);
     assert!((found.multipliers[0].re - decay).abs() < 1e-8);
     // The speed before a push, of which the rest comes back.
     let passed = &found.motion.events[0];
     let speed = scene.push * decay / (1.0 - decay);
-    assert!(
-        (passed.before[1] / speed - 1.0).abs() < 1e-9,
-        "{:?}",
-        passed.before
-    );
+    assert!((passed.before[1] / speed - 1.0).abs() < 1e-9, "{:?}", passed.before);
     // It begins where the angle is largest.
     assert!(found.start()[1].abs() < 1e-9);
     let larger = (0..100).map(|part| found.motion.at(f64::from(part) * turn / 100.0).1[0]);
@@ -53,10 +45,7 @@ fn a_clock_has_its_period() {
 
 #[test]
 fn a_motion_of_several_periods_begins_in_the_one_where_the_first_state_is_largest() {
-    let scene = assur_equations::presser_foot::Progressive {
-        omega: 410.0,
-        ..Default::default()
-    };
+    let scene = assur_equations::presser_foot::Progressive { omega: 410.0, ..Default::default() };
     let period = TAU / scene.omega;
     let starts = [1e-8, 1e-9, 1e-10].map(|rtol| {
         let found = hybrid::cycle(&scene, period, &fine(rtol)).expect("it repeats");

@@ -96,10 +96,7 @@ mod tent {
 /// The scene at which the ball bounces once a period, with this amplitude in terms of gravity.
 fn bounce(amplitude: f64) -> ball::Bounce {
     let scene = ball::Bounce::default();
-    ball::Bounce {
-        a: amplitude * scene.g / scene.omega.powi(2),
-        ..scene
-    }
+    ball::Bounce { a: amplitude * scene.g / scene.omega.powi(2), ..scene }
 }
 
 /// Looks for it near the motion of the closed form.
@@ -135,11 +132,7 @@ fn a_ball_bounces_once_a_period_at_the_phase_of_the_closed_form() {
     let event = &found.motion.events[0];
     assert!((event.before[1] + speed).abs() < 1e-11 * speed, "{event:?}");
     assert!((event.after[1] - speed).abs() < 1e-11 * speed, "{event:?}");
-    assert!(
-        (scene.omega * event.time - angle).abs() < 1e-10,
-        "{}",
-        scene.omega * event.time
-    );
+    assert!((scene.omega * event.time - angle).abs() < 1e-10, "{}", scene.omega * event.time);
     // One impact loses the area e^2 in the plane of phase and speed.
     let product: f64 = found.multipliers.iter().map(|one| one.modulus()).product();
     assert!((product - scene.e.powi(2)).abs() < 1e-9, "{product}");
@@ -151,10 +144,7 @@ fn the_multiplier_is_minus_one_where_the_closed_form_says_that_the_motion_double
     let below = cycle(&bounce(limit(e) * 0.9999)).unwrap();
     assert_eq!(below.multiple, 1);
     let largest = below.multipliers[0];
-    assert!(
-        largest.re < -0.99 && largest.re > -1.0 && largest.im == 0.0,
-        "{largest}"
-    );
+    assert!(largest.re < -0.99 && largest.re > -1.0 && largest.im == 0.0, "{largest}");
     let above = cycle(&bounce(limit(e) * 1.01)).unwrap();
     assert_eq!(above.multiple, 2);
     assert!(above.is_stable());
@@ -166,19 +156,10 @@ fn the_multiplier_is_minus_one_where_the_closed_form_says_that_the_motion_double
 fn where_nothing_that_repeats_is_stable_the_evidence_is_given() {
     let scene = tent::Kicked::default();
     let error = hybrid::cycle(&scene, scene.P, &FINE).unwrap_err();
-    let CycleError::NoneStable {
-        followed,
-        growth,
-        unstable,
-        ..
-    } = &error
-    else {
+    let CycleError::NoneStable { followed, growth, unstable, .. } = &error else {
         panic!("not expected: {error}");
     };
-    assert!(
-        *followed > 400 && (growth - scene.slope).abs() < 1e-9,
-        "{error}"
-    );
+    assert!(*followed > 400 && (growth - scene.slope).abs() < 1e-9, "{error}");
     if let Some(cycle) = unstable {
         let expected = scene.slope.powi(cycle.multiple as i32);
         let found = cycle.multipliers[0].modulus();
@@ -196,13 +177,7 @@ fn where_nothing_that_repeats_is_stable_the_evidence_is_given() {
 fn what_dies_out_slowly_repeats_after_one_period() {
     for (c, d) in [(55.0, 0.02), (55.0, 0.002), (9.0, 0.02), (9.0, 0.1)] {
         let (gap, omega) = (10.0, 12.0);
-        let scene = stop::Shaken {
-            c,
-            d,
-            gap,
-            omega,
-            ..stop::Shaken::default()
-        };
+        let scene = stop::Shaken { c, d, gap, omega, ..stop::Shaken::default() };
         let period = 2.0 * PI / omega;
         let found = hybrid::cycle(&scene, period, &FINE).unwrap();
         assert_eq!(found.multiple, 1, "c = {c}, d = {d}");
@@ -223,40 +198,24 @@ fn the_multipliers_are_those_of_differences() {
     let scene = stop::Shaken::default();
     let period = 2.0 * PI / scene.omega;
     let found = hybrid::cycle(&scene, period, &FINE).unwrap();
-    assert!(
-        found.motion.events.len() >= 2,
-        "{:?}",
-        found.motion.events.len()
-    );
+    assert!(found.motion.events.len() >= 2, "{:?}", found.motion.events.len());
     let time = period * found.multiple as f64;
     let piece = &found.motion.pieces[0];
     let start = piece.trajectory.at(0.0);
     let end = |change: [f64; 2]| {
         let start = [start[0] + change[0], start[1] + change[1]];
-        hybrid::march_in(&scene, piece.mode, (0.0, time), &start, &FINE)
-            .unwrap()
-            .end
+        hybrid::march_in(&scene, piece.mode, (0.0, time), &start, &FINE).unwrap().end
     };
     let column = |change: [f64; 2], size: f64| {
         let (after, before) = (end(change), end([-change[0], -change[1]]));
         [0, 1].map(|row| (after[row] - before[row]) / (2.0 * size))
     };
     let (first, second) = (column([1e-8, 0.0], 1e-8), column([0.0, 1e-7], 1e-7));
-    let (trace, determinant) = (
-        first[0] + second[1],
-        first[0] * second[1] - first[1] * second[0],
-    );
+    let (trace, determinant) = (first[0] + second[1], first[0] * second[1] - first[1] * second[0]);
     let [a, b] = [found.multipliers[0], found.multipliers[1]];
-    assert!(
-        (a.re + b.re - trace).abs() < 1e-6,
-        "{} against {trace}",
-        a.re + b.re
-    );
+    assert!((a.re + b.re - trace).abs() < 1e-6, "{} against {trace}", a.re + b.re);
     let product = a.re * b.re - a.im * b.im;
-    assert!(
-        (product - determinant).abs() < 1e-6,
-        "{product} against {determinant}"
-    );
+    assert!((product - determinant).abs() < 1e-6, "{product} against {determinant}");
     // Without the jump of the variations at events they are others: the smooth part alone.
     let smooth = (-scene.d / scene.m * time).exp();
     assert!((product - smooth).abs() > 1e-3, "{product} {smooth}");
@@ -288,10 +247,7 @@ fn a_guard_that_jumps_at_a_given_time_does_not_depend_on_the_state() {
     assert_eq!((found.multiple, found.motion.events.len()), (1, 2));
     let expected = (-scene.P / scene.T).exp();
     let multiplier = found.multipliers[0];
-    assert!(
-        (multiplier.re - expected).abs() < 1e-11,
-        "{multiplier} against {expected}"
-    );
+    assert!((multiplier.re - expected).abs() < 1e-11, "{multiplier} against {expected}");
 }
 
 #[test]

@@ -8,10 +8,7 @@ const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-9);
 /// Texts of the events that happened, with their times.
 fn log<C: Scene>(motion: &Motion) -> Vec<(&'static str, f64)> {
     let one = |event: &assur::hybrid::Happened| {
-        (
-            C::shape().modes[event.from].events[event.event].text,
-            event.time,
-        )
+        (C::shape().modes[event.from].events[event.event].text, event.time)
     };
     motion.events.iter().map(one).collect()
 }
@@ -42,18 +39,11 @@ fn pairs_of_crossings_within_a_step_are_found() {
     for (k, pair) in motion.events.chunks(2).enumerate() {
         let top = std::f64::consts::TAU * (k as f64 + 0.25);
         for (event, expected) in pair.iter().zip([top - half, top + half]) {
-            assert!(
-                (event.time - expected).abs() < 1e-12,
-                "{} {expected}",
-                event.time
-            );
+            assert!((event.time - expected).abs() < 1e-12, "{} {expected}", event.time);
         }
     }
     // The naive way compares signs at the ends of the steps.
-    let ends = motion
-        .pieces
-        .iter()
-        .flat_map(|piece| piece.trajectory.times());
+    let ends = motion.pieces.iter().flat_map(|piece| piece.trajectory.times());
     let seen = ends.filter(|time| time.sin() > 0.999999 + 1e-12).count();
     assert_eq!(seen, 0);
 }
@@ -62,13 +52,8 @@ fn pairs_of_crossings_within_a_step_are_found() {
 /// meanwhile is looked at all the same: to trust a cubic through its ends misses one crossing in eighty.
 #[test]
 fn steps_over_many_swings_of_a_guard_hide_nothing() {
-    for method in [
-        Method::Tsit5,
-        Method::Dop853,
-        Method::Taylor,
-        Method::Radau,
-        Method::Rosenbrock,
-    ] {
+    for method in [Method::Tsit5, Method::Dop853, Method::Taylor, Method::Radau, Method::Rosenbrock]
+    {
         for run in 1..60 {
             let run = f64::from(run);
             let (level, shift) = (0.999_999 * (0.77 * run).sin(), 0.11 * run);
@@ -136,13 +121,8 @@ mod relay {
 /// One event sets what another watches: both happen at one instant, one after the other.
 #[test]
 fn events_at_one_instant_follow_each_other() {
-    let motion = march(
-        &relay::Both::default(),
-        (0.0, 3.0),
-        &[0.0, -1.0, -1.0],
-        &SETTINGS,
-    )
-    .expect("it comes to rest");
+    let motion = march(&relay::Both::default(), (0.0, 3.0), &[0.0, -1.0, -1.0], &SETTINGS)
+        .expect("it comes to rest");
     let log = log::<relay::Both>(&motion);
     let texts: Vec<_> = log.iter().map(|one| one.0).collect();
     assert_eq!(
@@ -211,13 +191,7 @@ mod circle {
 #[test]
 fn events_without_end_at_one_instant_are_reported_with_their_modes() {
     let ended = march(&circle::Turns::default(), (0.0, 3.0), &[-1.0], &SETTINGS);
-    let Err(HybridError::Loop {
-        time,
-        modes,
-        motion,
-        ..
-    }) = ended
-    else {
+    let Err(HybridError::Loop { time, modes, motion, .. }) = ended else {
         panic!("{ended:?}");
     };
     assert!((time - 1.0).abs() < 1e-14, "{time}");

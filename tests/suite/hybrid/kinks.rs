@@ -36,10 +36,7 @@ struct Dice(u64);
 
 impl Dice {
     fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         low + (high - low) * (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 }
@@ -72,10 +69,7 @@ fn no_jump_and_no_bend_hides_a_crossing() {
             if before * value < 0.0 {
                 count += 1;
                 let within = (time(point - 1) - 1e-9)..(time(point) + 1e-9);
-                let is_found = motion
-                    .events
-                    .iter()
-                    .any(|event| within.contains(&event.time));
+                let is_found = motion.events.iter().any(|event| within.contains(&event.time));
                 assert!(is_found, "{method:?}: nothing in {within:?} with {one:?}");
             }
             before = value;
@@ -112,9 +106,7 @@ fn what_begins_after_a_long_rest_is_seen() {
         (one.omega * time).sin() * (-far * far).exp() - one.level
     };
     let times: Vec<f64> = (0..200_000).map(|k| 49.0 + f64::from(k) * 1e-5).collect();
-    let rises = times
-        .windows(2)
-        .filter(|pair| swing(pair[0]) < 0.0 && swing(pair[1]) >= 0.0);
+    let rises = times.windows(2).filter(|pair| swing(pair[0]) < 0.0 && swing(pair[1]) >= 0.0);
     let rises: Vec<f64> = rises.map(|pair| pair[0]).collect();
     assert_eq!(rises.len(), 5);
     let settings = Settings::new(Method::Dop853).rtol(1e-6);
@@ -122,11 +114,7 @@ fn what_begins_after_a_long_rest_is_seen() {
     assert!(motion.statistics.largest_step > 2.0);
     assert_eq!(motion.events.len(), rises.len(), "{rises:?}");
     for (event, before) in motion.events.iter().zip(rises) {
-        assert!(
-            (before..before + 1e-5).contains(&event.time),
-            "{}",
-            event.time
-        );
+        assert!((before..before + 1e-5).contains(&event.time), "{}", event.time);
     }
 }
 
@@ -134,10 +122,7 @@ fn what_begins_after_a_long_rest_is_seen() {
 #[test]
 fn an_absurd_speed_is_an_error() {
     let settings = Settings::new(Method::Dop853).rtol(1e-6);
-    let one = rest::Go {
-        omega: 1e12,
-        ..rest::Go::default()
-    };
+    let one = rest::Go { omega: 1e12, ..rest::Go::default() };
     let ended = march(&one, (0.0, 60.0), &[1.0, 0.0], &settings);
     let Err(HybridError::Turns { turned, .. }) = ended else {
         panic!("{:?}", ended.map(|motion| motion.events.len()));

@@ -46,10 +46,7 @@ mod filling {
 
 #[track_caller]
 fn check<C: Scene>(scene: &C, period: f64, settling: usize, expected: &[f64]) {
-    let periods = Periods {
-        settling,
-        counted: 50,
-    };
+    let periods = Periods { settling, counted: 50 };
     let start = (C::shape().first, &scene.start()[..]);
     let found = hybrid::lyapunov(scene, start, period, periods, &FINE).unwrap();
     assert_eq!(found.exponents.len(), expected.len());
@@ -72,10 +69,7 @@ fn of_a_linear_motion_they_are_the_roots() {
 #[test]
 fn of_the_shift_it_is_the_logarithm_of_the_factor() {
     for beta in [1.3, 1.9] {
-        let scene = shift::Shifted {
-            beta,
-            ..shift::Shifted::default()
-        };
+        let scene = shift::Shifted { beta, ..shift::Shifted::default() };
         check(&scene, scene.P, 0, &[beta.ln() / scene.P]);
         let error = hybrid::cycle(&scene, scene.P, &FINE).unwrap_err();
         let CycleError::NoneStable { growth, .. } = error else {
@@ -97,10 +91,7 @@ fn along_a_motion_that_goes_by_itself_it_is_zero() {
 #[test]
 fn a_period_of_nothing_is_refused() {
     let scene = idle::Shaken::default();
-    let periods = Periods {
-        settling: 0,
-        counted: 1,
-    };
+    let periods = Periods { settling: 0, counted: 1 };
     for period in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let found = hybrid::lyapunov(&scene, (0, &[0.0, 0.0]), period, periods, &FINE);
         assert!(matches!(found, Err(CycleError::BadPeriod { .. })));

@@ -27,16 +27,13 @@ fn closed(name: &str) -> &'static Vec<Value> {
 /// A number of the reference, of all digits or of those of a float.
 fn number(value: &Value) -> f64 {
     let digits = value.as_str().map(|text| text.parse().unwrap());
-    digits
-        .or(value.as_f64())
-        .unwrap_or_else(|| panic!("{value} is no number"))
+    digits.or(value.as_f64()).unwrap_or_else(|| panic!("{value} is no number"))
 }
 
 /// The values of a case, by name.
 fn changes(values: &Value) -> Vec<(&str, f64)> {
     let all = values.as_object().unwrap().iter();
-    all.map(|(name, value)| (name.as_str(), number(value)))
-        .collect()
+    all.map(|(name, value)| (name.as_str(), number(value))).collect()
 }
 
 #[track_caller]

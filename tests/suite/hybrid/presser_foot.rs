@@ -119,9 +119,7 @@ fn foot<C: Foot>(case: &Value) -> C {
 }
 
 fn number(value: &Value) -> f64 {
-    value
-        .as_f64()
-        .unwrap_or_else(|| panic!("{value} is no number"))
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
 }
 
 fn numbers(value: &Value) -> Vec<f64> {
@@ -153,9 +151,7 @@ fn check<C: Foot>(name: &str) {
     let case = &REFERENCE["cases"][name];
     assert!(case.is_object(), "no case {name}");
     let foot = foot::<C>(case);
-    let found = foot
-        .cycle()
-        .unwrap_or_else(|error| panic!("{name}: {error}"));
+    let found = foot.cycle().unwrap_or_else(|error| panic!("{name}: {error}"));
     compare(name, &foot, &found);
 }
 
@@ -163,11 +159,7 @@ fn check<C: Foot>(name: &str) {
 #[track_caller]
 fn compare<C: Foot>(name: &str, foot: &C, found: &Cycle) {
     let case = &REFERENCE["cases"][name];
-    assert_eq!(
-        found.multiple as u64,
-        case["turns"].as_u64().unwrap(),
-        "{name}"
-    );
+    assert_eq!(found.multiple as u64, case["turns"].as_u64().unwrap(), "{name}");
     // A motion of several turns may begin with each of them.
     let (period, start) = (foot.period(), numbers(&case["start"]));
     let length = period * found.multiple as f64;
@@ -178,17 +170,10 @@ fn compare<C: Foot>(name: &str, foot: &C, found: &Cycle) {
     let turns = (0..found.multiple).min_by(|a, b| off(*a).total_cmp(&off(*b)));
     let shift = turns.unwrap() as f64 * period;
     let (mode, state) = found.motion.at(shift);
-    assert_eq!(
-        C::shape().modes[mode].name,
-        case["mode"].as_str().unwrap(),
-        "{name}"
-    );
+    assert_eq!(C::shape().modes[mode].name, case["mode"].as_str().unwrap(), "{name}");
     for (value, (expected, size)) in state.iter().zip(start.iter().zip([1e-3, 1e-1])) {
         let off = (value - expected).abs();
-        assert!(
-            off < 1e-10 * size,
-            "{name}: state off by {off:e} of {expected:e}"
-        );
+        assert!(off < 1e-10 * size, "{name}: state off by {off:e} of {expected:e}");
     }
     let expected = case["events"].as_array().unwrap();
     let mut events: Vec<(f64, usize)> = changes(&found.motion);
@@ -198,35 +183,22 @@ fn compare<C: Foot>(name: &str, foot: &C, found: &Cycle) {
     events.sort_by(|a, b| a.0.total_cmp(&b.0));
     assert_eq!(events.len(), expected.len(), "{name}: {events:?}");
     for ((time, mode), expected) in events.iter().zip(expected) {
-        assert_eq!(
-            C::shape().modes[*mode].name,
-            expected["to"].as_str().unwrap(),
-            "{name}"
-        );
+        assert_eq!(C::shape().modes[*mode].name, expected["to"].as_str().unwrap(), "{name}");
         let off = (time - number(&expected["time"])).abs();
-        assert!(
-            off < 1e-10 * length,
-            "{name}: event at {time} s off by {off:e} s"
-        );
+        assert!(off < 1e-10 * length, "{name}: event at {time} s off by {off:e} s");
     }
     let expected = case["multipliers"].as_array().unwrap();
     for (found, expected) in found.multipliers.iter().zip(expected) {
         let expected = numbers(expected);
         let off = (found.re - expected[0]).abs() + (found.im.abs() - expected[1].abs()).abs();
-        assert!(
-            off < 1e-8,
-            "{name}: multiplier {found} against {expected:?}"
-        );
+        assert!(off < 1e-8, "{name}: multiplier {found} against {expected:?}");
     }
     for pair in case["forces"].as_array().unwrap() {
         let [time, expected] = numbers(pair)[..] else {
             panic!("{pair}");
         };
         let force = force(foot, &found.motion, (time + shift).rem_euclid(length));
-        assert!(
-            (force - expected).abs() < 1e-7,
-            "{name}: {force} N at {time} s, {expected} N"
-        );
+        assert!((force - expected).abs() < 1e-7, "{name}: {force} N at {time} s, {expected} N");
     }
     let forces = Measured::of(foot, &found.motion);
     for (value, key, size) in [

@@ -34,11 +34,7 @@ fn an_event_at_the_start_takes_no_time() {
     assert!(motion.events[0].time < 1e-3, "{}", motion.events[0].time);
     let late = start::Pushed { gap: 1.0 / 12.0 };
     let motion = march(&late, (0.0, 2.0), &[0.0; 4], &SETTINGS).expect("it moves");
-    assert!(
-        (motion.events[0].time - 1.0).abs() < 1e-9,
-        "{}",
-        motion.events[0].time
-    );
+    assert!((motion.events[0].time - 1.0).abs() < 1e-9, "{}", motion.events[0].time);
     let never = start::Pushed { gap: 1e3 };
     let motion = march(&never, (0.0, 2.0), &[0.0; 4], &SETTINGS).expect("it moves");
     assert_eq!((motion.events.len(), motion.mode), (0, 0));
@@ -96,12 +92,7 @@ mod wall {
 /// the event happens again and again.
 #[test]
 fn a_wall_that_takes_up_all_speed_is_not_passed() {
-    let ended = march(
-        &wall::Pushed::default(),
-        (0.0, 5.0),
-        &[-1.0, 0.0],
-        &SETTINGS,
-    );
+    let ended = march(&wall::Pushed::default(), (0.0, 5.0), &[-1.0, 0.0], &SETTINGS);
     let Err(HybridError::Chatter { since, motion, .. }) = ended else {
         panic!("{ended:?}");
     };

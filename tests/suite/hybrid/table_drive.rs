@@ -96,9 +96,7 @@ impl<C: Drive> Moved<C> {
     /// Names of the modes that the events lead to.
     fn modes(&self) -> Vec<&'static str> {
         let events = self.motion.events.iter();
-        events
-            .map(|event| C::shape().modes[event.to].name)
-            .collect()
+        events.map(|event| C::shape().modes[event.to].name).collect()
     }
 
     /// The only event that leads to a mode.
@@ -119,13 +117,8 @@ impl<C: Drive> Moved<C> {
 
     /// Time and value of the largest value of an output.
     fn peak(&self, name: &str) -> (f64, f64) {
-        let values = self
-            .times()
-            .into_iter()
-            .map(|time| (time, self.output(name, time)));
-        values.fold((0.0, f64::NEG_INFINITY), |best, one| {
-            if one.1 > best.1 { one } else { best }
-        })
+        let values = self.times().into_iter().map(|time| (time, self.output(name, time)));
+        values.fold((0.0, f64::NEG_INFINITY), |best, one| if one.1 > best.1 { one } else { best })
     }
 }
 
@@ -144,9 +137,7 @@ fn case(way: &str, name: &str) -> &'static Value {
 /// A number of the reference, of all digits or of those of a float.
 fn number(value: &Value) -> f64 {
     let digits = value.as_str().map(|text| text.parse().unwrap());
-    digits
-        .or(value.as_f64())
-        .unwrap_or_else(|| panic!("{value} is no number"))
+    digits.or(value.as_f64()).unwrap_or_else(|| panic!("{value} is no number"))
 }
 
 /// The scene with the values of a case.
@@ -170,17 +161,11 @@ fn check_samples<C: Drive>(moved: &Moved<C>, case: &Value, allowed: f64) {
         ("ddphi1", "ddot(phi1)"),
         ("ddphi2", "ddot(phi2)"),
     ] {
-        let largest = samples
-            .iter()
-            .map(|one| number(&one[key]).abs())
-            .fold(0.0, f64::max);
+        let largest = samples.iter().map(|one| number(&one[key]).abs()).fold(0.0, f64::max);
         for one in samples {
             let (time, expected) = (number(&one["time"]), number(&one[key]));
             let off = (moved.output(name, time) - expected).abs();
-            assert!(
-                off <= allowed * largest,
-                "{name} at {time} s: off by {off:e} of {expected:e}"
-            );
+            assert!(off <= allowed * largest, "{name} at {time} s: off by {off:e} of {expected:e}");
         }
     }
 }
@@ -189,18 +174,10 @@ fn check_samples<C: Drive>(moved: &Moved<C>, case: &Value, allowed: f64) {
 #[track_caller]
 fn check_events<C: Drive>(moved: &Moved<C>, case: &Value, allowed: f64) {
     let expected = case["events"].as_array().unwrap();
-    let modes: Vec<&str> = expected
-        .iter()
-        .map(|one| one["to"].as_str().unwrap())
-        .collect();
+    let modes: Vec<&str> = expected.iter().map(|one| one["to"].as_str().unwrap()).collect();
     assert_eq!(moved.modes(), modes);
     for (event, one) in moved.motion.events.iter().zip(expected) {
         let off = (event.time - number(&one["time"])).abs();
-        assert!(
-            off <= allowed,
-            "to {} at {} s: off by {off:e} s",
-            one["to"],
-            event.time
-        );
+        assert!(off <= allowed, "to {} at {} s: off by {off:e} s", one["to"], event.time);
     }
 }

@@ -60,10 +60,7 @@ fn a_loop_beside_a_coordinate_moves_it_as_the_formula_does() {
 #[test]
 fn a_loop_that_ceases_to_close_ends_the_motion_with_an_error() {
     use assur::ode::OdeError;
-    let scene = by_loop::Right {
-        r: 0.058,
-        ..Default::default()
-    };
+    let scene = by_loop::Right { r: 0.058, ..Default::default() };
     let error = assur::ode::march(&scene, (0.0, 1.0), &scene.start(), &FINE).unwrap_err();
     let (OdeError::NotFinite { time, .. } | OdeError::StepTooSmall { time, .. }) = error else {
         panic!("not expected: {error}");

@@ -41,9 +41,7 @@ fn tasks(run: &dyn AnyLinkage) -> Vec<Along> {
         Span::Open => {
             let ranges = run.ranges().into_iter().enumerate();
             let moving = ranges.filter(|(_, range)| range.from < range.to);
-            moving
-                .map(|(index, range)| Along::Driver(index, (range.from, range.to)))
-                .collect()
+            moving.map(|(index, range)| Along::Driver(index, (range.from, range.to))).collect()
         }
         span => vec![Along::Time(span.limits().0, span.limits().1)],
     }
@@ -72,22 +70,15 @@ fn many(run: &dyn AnyLinkage, along: Along, count: usize) -> Vec<Vec<f64>> {
         run.follow(&places).map_or(Vec::new(), |path| path.samples)
     };
     let samples = [from, to].into_iter().flat_map(towards);
-    samples
-        .map(|sample| [sample.outputs, sample.dependents].concat())
-        .collect()
+    samples.map(|sample| [sample.outputs, sample.dependents].concat()).collect()
 }
 
 /// Checks that no value lies beyond the extremes of its stroke.
 fn check(label: &str, strokes: &[Stroke], rows: &[Vec<f64>]) {
     for (channel, stroke) in strokes.iter().enumerate() {
         let (low, high) = (stroke.least.value, stroke.greatest.value);
-        let length = Some(high - low)
-            .filter(|length| length.is_finite())
-            .unwrap_or(0.0);
-        let values = rows
-            .iter()
-            .map(|row| row[channel])
-            .filter(|value| value.is_finite());
+        let length = Some(high - low).filter(|length| length.is_finite()).unwrap_or(0.0);
+        let values = rows.iter().map(|row| row[channel]).filter(|value| value.is_finite());
         for value in values {
             let rounding = ROUNDING * (length + value.abs());
             assert!(
@@ -100,13 +91,9 @@ fn check(label: &str, strokes: &[Stroke], rows: &[Vec<f64>]) {
 
 #[test]
 fn no_position_lies_beyond_the_extremes() {
-    let tries = std::env::var("ASSUR_EXTREMES")
-        .ok()
-        .and_then(|text| text.parse().ok());
+    let tries = std::env::var("ASSUR_EXTREMES").ok().and_then(|text| text.parse().ok());
     let count = if tries.is_some() { 20_000 } else { 1_000 };
-    let scenes = REGISTRY
-        .iter()
-        .flat_map(|one| one.scenes.iter().map(move |scene| (one, scene)));
+    let scenes = REGISTRY.iter().flat_map(|one| one.scenes.iter().map(move |scene| (one, scene)));
     let mut compared = 0;
     for (mechanism, scene) in scenes.filter(|(_, scene)| scene.linkage.is_some()) {
         let mut random = Random(1);

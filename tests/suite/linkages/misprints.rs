@@ -42,10 +42,7 @@ fn printed(phi4: f64, sample: &Sample) -> [f64; 8] {
 #[track_caller]
 fn check(found: f64, expected: f64, what: &str) {
     let off = (found - expected).abs();
-    assert!(
-        off <= 1e-11 * expected.abs().max(1.0),
-        "{what}: off by {off:e}"
-    );
+    assert!(off <= 1e-11 * expected.abs().max(1.0), "{what}: off by {off:e}");
 }
 
 /// With the minus signs that the scan hides, (8) to (15) are what the loops say.
@@ -55,10 +52,7 @@ fn the_corrected_coefficients_hold() {
         let phi4 = degrees.to_radians();
         let (sample, found) = at(phi4);
         let expected = printed(phi4, &sample);
-        for (index, name) in ["l4", "l5", "l6", "l7", "a", "b", "s", "phi4"]
-            .iter()
-            .enumerate()
-        {
+        for (index, name) in ["l4", "l5", "l6", "l7", "a", "b", "s", "phi4"].iter().enumerate() {
             check(found[index], expected[index], name);
         }
     }
@@ -74,11 +68,7 @@ fn the_printed_angle_of_the_rod_is_upside_down() {
     let below = 0.080 + L[3] * phi7.sin() - L[0] * FRAC_PI_2.sin() + L[2] * phi6.sin();
     let upside_down = (above / below).atan();
     assert!((upside_down.to_degrees() - 80.496).abs() < 5e-4);
-    check(
-        below.atan2(above),
-        sample.dependents[0],
-        "the right way round",
-    );
+    check(below.atan2(above), sample.dependents[0], "the right way round");
     // What each of the equations (4) is then short of: 189 mm.
     let gap = L[1] * (upside_down.cos() - sample.dependents[0].cos());
     assert!((gap + 0.189).abs() < 5e-4, "{gap}");
@@ -88,29 +78,12 @@ fn the_printed_angle_of_the_rod_is_upside_down() {
 #[test]
 fn the_printed_sum_leaves_out_a_fifth_of_the_error() {
     let (_, found) = at(FRAC_PI_2);
-    let half_widths = [
-        5e-5,
-        5e-5,
-        5e-5,
-        5e-5,
-        1e-4,
-        1e-4,
-        1e-4,
-        0.1_f64.to_radians(),
-    ];
-    let shares: Vec<f64> = found
-        .iter()
-        .zip(half_widths)
-        .map(|(k, t)| k.abs() * t)
-        .collect();
+    let half_widths = [5e-5, 5e-5, 5e-5, 5e-5, 1e-4, 1e-4, 1e-4, 0.1_f64.to_radians()];
+    let shares: Vec<f64> = found.iter().zip(half_widths).map(|(k, t)| k.abs() * t).collect();
     let whole: f64 = shares.iter().sum();
     let printed = whole - shares[2] - shares[6];
     assert!((whole - 2.0570e-3).abs() < 5e-8, "{whole}");
     assert!((printed - 1.604e-3).abs() < 5e-7, "{printed}");
-    let sigma: f64 = shares
-        .iter()
-        .map(|share| share * share / 3.0)
-        .sum::<f64>()
-        .sqrt();
+    let sigma: f64 = shares.iter().map(|share| share * share / 3.0).sum::<f64>().sqrt();
     assert!((sigma - 0.55949e-3).abs() < 5e-9, "{sigma}");
 }

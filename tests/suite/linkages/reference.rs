@@ -33,11 +33,7 @@ fn factor(unit: &str) -> f64 {
 fn place(scene: &SceneEntry, case: &Value, at: f64) -> Vec<f64> {
     let position = |driver: &assur::shape::Quantity| {
         let is_swept = case["driver"] == driver.name;
-        let degrees = if is_swept {
-            at
-        } else {
-            number(&case["still"][driver.name])
-        };
+        let degrees = if is_swept { at } else { number(&case["still"][driver.name]) };
         degrees.to_radians()
     };
     scene.drivers.iter().map(position).collect()
@@ -51,18 +47,13 @@ fn variables(scene: &SceneEntry) -> Vec<(String, f64)> {
         Variable::Driver(index) => scene.drivers[index],
     };
     let named = linkage.variables.iter().map(name);
-    named
-        .map(|one| (one.name.to_owned(), factor(one.unit)))
-        .collect()
+    named.map(|one| (one.name.to_owned(), factor(one.unit))).collect()
 }
 
 #[test]
 fn positions_are_those_of_another_program() {
     for case in cases() {
-        let scene = entry(
-            case["mechanism"].as_str().unwrap(),
-            case["scene"].as_str().unwrap(),
-        );
+        let scene = entry(case["mechanism"].as_str().unwrap(), case["scene"].as_str().unwrap());
         let run = scene.bind.linkage(&values(scene, &[])).unwrap();
         let mut compared = 0;
         for expected in case["places"].as_array().unwrap() {
@@ -70,11 +61,7 @@ fn positions_are_those_of_another_program() {
             let path = run.follow(&[at]).unwrap();
             assert_eq!(path.stopped, None, "{}", scene.name);
             for (name, value) in expected["outputs"].as_object().unwrap() {
-                let index = scene
-                    .outputs
-                    .iter()
-                    .position(|one| one.name == name)
-                    .unwrap();
+                let index = scene.outputs.iter().position(|one| one.name == name).unwrap();
                 let found = path.samples[0].outputs[index] / factor(scene.outputs[index].unit);
                 let off = (found - number(value)).abs();
                 assert!(
@@ -93,10 +80,7 @@ fn positions_are_those_of_another_program() {
 #[test]
 fn influence_coefficients_are_those_of_another_program() {
     for case in cases() {
-        let scene = entry(
-            case["mechanism"].as_str().unwrap(),
-            case["scene"].as_str().unwrap(),
-        );
+        let scene = entry(case["mechanism"].as_str().unwrap(), case["scene"].as_str().unwrap());
         let run = scene.bind.linkage(&values(scene, &[])).unwrap();
         let variables = variables(scene);
         let mut compared = 0;
@@ -107,16 +91,9 @@ fn influence_coefficients_are_those_of_another_program() {
                 let Some(expected) = expected["derivatives"][name].as_object() else {
                     continue;
                 };
-                let scale = expected
-                    .values()
-                    .map(|one| number(one).abs())
-                    .fold(0.0, f64::max);
+                let scale = expected.values().map(|one| number(one).abs()).fold(0.0, f64::max);
                 for (output, value) in expected {
-                    let row = scene
-                        .outputs
-                        .iter()
-                        .position(|one| one.name == output)
-                        .unwrap();
+                    let row = scene.outputs.iter().position(|one| one.name == output).unwrap();
                     let own = found[row * variables.len() + column] * unit
                         / factor(scene.outputs[row].unit);
                     let off = (own - number(value)).abs();

@@ -62,11 +62,7 @@ fn station_heading(report: &Report) -> String {
 
 fn limits(page: &mut Page, report: &Report) {
     let place = station_heading(report);
-    let align = if report.case.axes().len() > 1 {
-        Align::Left
-    } else {
-        Align::Point
-    };
+    let align = if report.case.axes().len() > 1 { Align::Left } else { Align::Point };
     let mut table = Columns::new([
         ("", Align::Left),
         ("smallest", Align::Point),
@@ -78,12 +74,7 @@ fn limits(page: &mut Page, report: &Report) {
         ("", Align::Left),
     ]);
     let decimals = decimals(report);
-    let rows = report
-        .case
-        .variables
-        .iter()
-        .zip(&report.limits)
-        .zip(decimals);
+    let rows = report.case.variables.iter().zip(&report.limits).zip(decimals);
     for ((variable, limits), decimals) in rows {
         let Some((low, high)) = limits else { continue };
         let show = |value: f64| match value.is_infinite() {
@@ -173,10 +164,9 @@ fn turns(page: &mut Page, report: &Report) {
 fn exactly(report: &Report, extreme: &Extreme) -> String {
     let case = &report.case;
     let value = match (&case.task, case.drivers.first()) {
-        (Task::Time(_), Some(driver)) => extreme
-            .independents
-            .first()
-            .map(|position| position / driver.factor),
+        (Task::Time(_), Some(driver)) => {
+            extreme.independents.first().map(|position| position / driver.factor)
+        }
         _ => {
             let axes = case.axes();
             let axis = axes.first().zip(extreme.station.first());
@@ -214,10 +204,7 @@ fn reach(page: &mut Page, report: &Report) {
                 continue;
             }
         };
-        let ends = [
-            (name, "from", &found.low),
-            (String::new(), "to", &found.high),
-        ];
+        let ends = [(name, "from", &found.low), (String::new(), "to", &found.high)];
         for (name, word, end) in ends {
             table.row([
                 name,
@@ -244,11 +231,7 @@ fn transmissions(page: &mut Page, report: &Report) {
         return;
     }
     let place = station_heading(report);
-    let align = if report.case.axes().len() > 1 {
-        Align::Left
-    } else {
-        Align::Point
-    };
+    let align = if report.case.axes().len() > 1 { Align::Left } else { Align::Point };
     let mut table = Columns::new([
         ("loops", Align::Left),
         ("for", Align::Left),
@@ -275,9 +258,6 @@ fn transmissions(page: &mut Page, report: &Report) {
             remark.to_owned(),
         ]);
     }
-    page.section(
-        "Transmission angle (90 deg is best, 0 a dead point)",
-        &table,
-    );
+    page.section("Transmission angle (90 deg is best, 0 a dead point)", &table);
     page.line("");
 }

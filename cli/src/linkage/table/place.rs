@@ -53,24 +53,16 @@ pub fn section(page: &mut Page, report: &Report, snapshot: &Snapshot) {
 
 /// What each driver and dimension does to the outputs.
 fn influence(page: &mut Page, report: &Report, snapshot: &Snapshot) {
-    let outputs = &report.case.variables[..report
-        .case
-        .scene
-        .outputs
-        .len()
-        .min(report.case.variables.len())];
+    let outputs =
+        &report.case.variables[..report.case.scene.outputs.len().min(report.case.variables.len())];
     let counts = |value: &f64| value.is_finite() && *value != 0.0;
-    let rows: Vec<_> = snapshot
-        .influence
-        .iter()
-        .filter(|row| row.values.iter().any(counts))
-        .collect();
+    let rows: Vec<_> =
+        snapshot.influence.iter().filter(|row| row.values.iter().any(counts)).collect();
     if rows.is_empty() || outputs.is_empty() {
         return;
     }
-    let columns = outputs
-        .iter()
-        .flat_map(|output| [(output.name.as_str(), Align::Point), ("", Align::Left)]);
+    let columns =
+        outputs.iter().flat_map(|output| [(output.name.as_str(), Align::Point), ("", Align::Left)]);
     let mut table = Columns::new([("by", Align::Left)].into_iter().chain(columns));
     for row in rows {
         let mut cells = vec![row.variable.name.to_owned()];

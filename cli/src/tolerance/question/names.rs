@@ -51,11 +51,9 @@ impl Names {
             .map_err(|failure| failure.place(format!("{option} {text}")))?;
         match value >= 0.0 {
             true => Ok((index, value)),
-            false => Err(
-                Failure::request(format!("`{name}` cannot err by less than nothing"))
-                    .place(format!("{option} {text}"))
-                    .remedy("give a half-width of zero or more"),
-            ),
+            false => Err(Failure::request(format!("`{name}` cannot err by less than nothing"))
+                .place(format!("{option} {text}"))
+                .remedy("give a half-width of zero or more")),
         }
     }
 
@@ -65,10 +63,8 @@ impl Names {
         options: &ToleranceArguments,
     ) -> Result<(Vec<Source>, Vec<Label>), Failure> {
         if !(options.scale > 0.0 && options.scale.is_finite()) {
-            return Err(
-                Failure::request(format!("--scale {} cannot be", options.scale))
-                    .remedy("give a positive number"),
-            );
+            return Err(Failure::request(format!("--scale {} cannot be", options.scale))
+                .remedy("give a positive number"));
         }
         let variables = 0..self.linkage.variables.len();
         let mut tolerances: Vec<f64> = variables.map(|one| self.variable(one).1).collect();
@@ -89,19 +85,13 @@ impl Names {
                     half_width: tolerance * options.scale,
                     distribution,
                 });
-                labels.push(Label {
-                    quantity,
-                    is_play: false,
-                });
+                labels.push(Label { quantity, is_play: false });
             }
         }
         for text in &options.play {
             let (variable, radial) = self.read(text, "--play")?;
             sources.push(Source::play(variable, radial));
-            labels.push(Label {
-                quantity: self.variable(variable).0,
-                is_play: true,
-            });
+            labels.push(Label { quantity: self.variable(variable).0, is_play: true });
         }
         match sources.is_empty() {
             false => Ok((sources, labels)),
@@ -119,12 +109,9 @@ impl Names {
             });
         };
         names.iter().position(|one| *one == name).ok_or_else(|| {
-            Failure::request(format!(
-                "scene `{}` has no output `{name}`",
-                self.scene.name
-            ))
-            .place(format!("--output {name}"))
-            .remedy(suggestion(name, &names))
+            Failure::request(format!("scene `{}` has no output `{name}`", self.scene.name))
+                .place(format!("--output {name}"))
+                .remedy(suggestion(name, &names))
         })
     }
 
@@ -146,9 +133,7 @@ impl Names {
                     place[index] = value;
                     let at = |time| {
                         let drive = run.drive(time);
-                        drive
-                            .and_then(|all| all.get(index).copied())
-                            .unwrap_or(f64::NAN)
+                        drive.and_then(|all| all.get(index).copied()).unwrap_or(f64::NAN)
                     };
                     time = time.or(run.span().time_of(at, value).ok());
                 }

@@ -66,11 +66,7 @@ impl Names {
         let candidates = own.filter(|(_, label)| !label.is_play).map(|(source, _)| {
             let (least, most) = limits[source.variable];
             let (_, declared, _) = self.variable(source.variable);
-            let present = if declared > 0.0 {
-                declared
-            } else {
-                source.half_width
-            };
+            let present = if declared > 0.0 { declared } else { source.half_width };
             Candidate {
                 variable: source.variable,
                 distribution: source.distribution,

@@ -82,8 +82,5 @@ impl Page<'_> {
 /// What the tolerances of the file cost.
 fn present(wanted: &Wanted) -> f64 {
     let weights = wanted.candidates.iter();
-    weights
-        .map(|one| one.cost.of(one.cost.factor))
-        .sum::<f64>()
-        .max(0.0)
+    weights.map(|one| one.cost.of(one.cost.factor)).sum::<f64>().max(0.0)
 }

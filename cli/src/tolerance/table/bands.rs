@@ -12,11 +12,8 @@ impl Page<'_> {
     /// The bands that are wanted.
     pub fn bands(&mut self) {
         let (kind, answer) = (self.question.kind, self.answer);
-        let mut table = Columns::new([
-            ("", Align::Left),
-            (self.unit.name, Align::Point),
-            ("", Align::Left),
-        ]);
+        let mut table =
+            Columns::new([("", Align::Left), (self.unit.name, Align::Point), ("", Align::Left)]);
         let mut row = |name: &str, value: String, remark: String| {
             table.row([name.to_owned(), value, remark]);
         };
@@ -26,11 +23,7 @@ impl Page<'_> {
         }
         if kind.wants(Kind::Rss) {
             let remark = "standard deviation".to_owned();
-            row(
-                "root sum square",
-                self.error(answer.linear.deviation),
-                remark,
-            );
+            row("root sum square", self.error(answer.linear.deviation), remark);
         }
         if let Some(second) = &answer.second {
             self.second(second, &mut row);
@@ -38,11 +31,7 @@ impl Page<'_> {
         if let Some(made) = &answer.made {
             let place = &made.places[0];
             let pair = |estimate: Estimate| {
-                format!(
-                    "{} to {}",
-                    self.error(estimate.low),
-                    self.error(estimate.high)
-                )
+                format!("{} to {}", self.error(estimate.low), self.error(estimate.high))
             };
             let mean = format!("{}, with 95 % confidence", pair(place.mean));
             row("made at random, mean", self.error(place.mean.value), mean);
@@ -50,22 +39,14 @@ impl Page<'_> {
             row("  standard deviation", value, pair(place.deviation));
             for quantile in &place.quantiles {
                 let name = format!("  {} % below", number::short(100.0 * quantile.level));
-                row(
-                    &name,
-                    self.error(quantile.estimate.value),
-                    pair(quantile.estimate),
-                );
+                row(&name, self.error(quantile.estimate.value), pair(quantile.estimate));
             }
             let beyond = format!(
                 "at most {} % of the linkages lie lower",
                 number::error(100.0 * place.beyond)
             );
             row("  least", self.error(place.least), beyond.clone());
-            row(
-                "  greatest",
-                self.error(place.greatest),
-                beyond.replace("lower", "higher"),
-            );
+            row("  greatest", self.error(place.greatest), beyond.replace("lower", "higher"));
         }
         self.section("Bands", &table);
         self.failures();
@@ -74,16 +55,8 @@ impl Page<'_> {
     fn second(&self, second: &Second, row: &mut impl FnMut(&str, String, String)) {
         let moments = &second.moments;
         let skewness = format!("skewness {}", number::significant(moments.skewness, 3));
-        row(
-            "second order, mean",
-            self.error(moments.mean),
-            "shift".to_owned(),
-        );
-        row(
-            "  standard deviation",
-            self.error(moments.deviation),
-            skewness,
-        );
+        row("second order, mean", self.error(moments.mean), "shift".to_owned());
+        row("  standard deviation", self.error(moments.deviation), skewness);
         let Some(extremes) = &second.extremes else {
             return;
         };
@@ -101,11 +74,7 @@ impl Page<'_> {
         };
         let (form, exact) = (&extremes.quadratic, &extremes.exact);
         row("  worst case", self.error(form.worst()), remark(form));
-        row(
-            "closed again, worst case",
-            self.error(exact.worst()),
-            remark(exact),
-        );
+        row("closed again, worst case", self.error(exact.worst()), remark(exact));
     }
 
     /// Linkages that do not assemble are never passed over.
@@ -150,10 +119,9 @@ impl Page<'_> {
             ("of the error, %", Align::Point),
             (&self.headed("greatest"), Align::Point),
         ]);
-        for (name, one) in [
-            ("first order", differences.linear),
-            ("second order", differences.quadratic),
-        ] {
+        for (name, one) in
+            [("first order", differences.linear), ("second order", differences.quadratic)]
+        {
             let share = 100.0 * one.rms / differences.errors.rms;
             table.row([
                 name.to_owned(),

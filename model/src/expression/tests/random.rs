@@ -8,10 +8,8 @@ struct Dice(u64);
 impl Dice {
     /// A number below `limit`. Multiplier and increment are Knuth's.
     fn roll(&mut self, limit: u64) -> u64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) % limit
     }
 }
@@ -27,10 +25,7 @@ fn grow(graph: &mut Graph, dice: &mut Dice, depth: usize) -> (Expression, [f64; 
             let number = [-2.0, -1.0, 0.0, 0.5, 1.0, 3.0][dice.roll(6) as usize];
             return (graph.number(number), [number; 3]);
         }
-        return (
-            graph.symbol([X, Y, Z][column]),
-            POINTS.map(|point| point[column]),
-        );
+        return (graph.symbol([X, Y, Z][column]), POINTS.map(|point| point[column]));
     }
     let (a, p) = grow(graph, dice, depth - 1);
     let pair = |q: [f64; 3], combine: fn(f64, f64) -> f64| {
@@ -84,9 +79,7 @@ fn grow(graph: &mut Graph, dice: &mut Dice, depth: usize) -> (Expression, [f64; 
 
 /// Values of some size whose neighbourhood is harmless.
 fn tame(values: &[f64]) -> bool {
-    values
-        .iter()
-        .all(|value| value.is_finite() && value.abs() < 1e4)
+    values.iter().all(|value| value.is_finite() && value.abs() < 1e4)
 }
 
 #[track_caller]
@@ -111,12 +104,7 @@ fn values_are_kept() {
         let simple = graph.simplify(&[root], 1)[0];
         check_values(&graph, simple, expected, &format!("simplified {round}"));
         let again = graph.simplify(&[simple], 1)[0];
-        check_values(
-            &graph,
-            again,
-            expected,
-            &format!("simplified twice {round}"),
-        );
+        check_values(&graph, again, expected, &format!("simplified twice {round}"));
     }
     assert!(tested > 2000, "{tested}");
 }
@@ -155,10 +143,8 @@ fn gradient_and_tangent_agree_with_each_other_and_with_differences() {
             let tangent = graph.tangent(&[root], &Map::from_iter([(symbol, one)]))[0];
             let simple = graph.simplify(&[tangent], 1)[0];
             for point in POINTS {
-                let (forward, backward) = (
-                    value(&graph, tangent, point),
-                    value(&graph, gradient[index], point),
-                );
+                let (forward, backward) =
+                    (value(&graph, tangent, point), value(&graph, gradient[index], point));
                 if !tame(&expected) || !tame(&[forward]) {
                     continue;
                 }
@@ -205,11 +191,7 @@ fn a_derivative_along_several_symbols_is_their_sum() {
             let expected_slope =
                 2.0 * value(&graph, gradient[0], point) + 3.0 * value(&graph, gradient[1], point);
             if tame(&expected) && tame(&[expected_slope]) {
-                check_close(
-                    value(&graph, along, point),
-                    expected_slope,
-                    &format!("{round}"),
-                );
+                check_close(value(&graph, along, point), expected_slope, &format!("{round}"));
             }
         }
     }

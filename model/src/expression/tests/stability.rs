@@ -82,10 +82,7 @@ const CASES: &[Case] = &[
         name: "sin(y) - sin(y - x)",
         build: |g, x, y| {
             let difference = g.sub(y, x);
-            let (near, far) = (
-                call(g, Function::Sin, y),
-                call(g, Function::Sin, difference),
-            );
+            let (near, far) = (call(g, Function::Sin, y), call(g, Function::Sin, difference));
             g.sub(near, far)
         },
         exact: |x, y| 2.0 * (y - x / 2.0).cos() * (x / 2.0).sin(),
@@ -203,18 +200,10 @@ fn differences_keep_their_digits() {
             let exact = (case.exact)(small, large);
             let found = value(&graph, simple, [small, large, 0.0]);
             let error = (found / exact - 1.0).abs();
-            assert!(
-                error <= 8.0 * f64::EPSILON,
-                "{} at {small}, {large}: {error:e}",
-                case.name
-            );
+            assert!(error <= 8.0 * f64::EPSILON, "{} at {small}, {large}: {error:e}", case.name);
             lost = lost.max(((case.written)(small, large) / exact - 1.0).abs());
         }
-        assert!(
-            lost > 1e-10,
-            "{}: as it is written it loses only {lost:e}",
-            case.name
-        );
+        assert!(lost > 1e-10, "{}: as it is written it loses only {lost:e}", case.name);
     }
 }
 
@@ -235,8 +224,5 @@ fn differences_are_found_in_longer_sums() {
     let (small, large) = (2.3e-6_f64, 0.8_f64);
     let exact = 2.0 * (small / 2.0).sin().powi(2) + small / ((large + small).sqrt() + large.sqrt());
     let found = value(&graph, simple, [small, large, 0.0]);
-    assert!(
-        (found / exact - 1.0).abs() <= 8.0 * f64::EPSILON,
-        "{found} instead of {exact}"
-    );
+    assert!((found / exact - 1.0).abs() <= 8.0 * f64::EPSILON, "{found} instead of {exact}");
 }

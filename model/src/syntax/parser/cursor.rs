@@ -16,11 +16,7 @@ pub struct Cursor<'a> {
 
 impl<'a> Cursor<'a> {
     pub fn new(tokens: &'a [Token], first: u32) -> Self {
-        Self {
-            tokens,
-            first,
-            at: 0,
-        }
+        Self { tokens, first, at: 0 }
     }
 
     /// The token so many places ahead.
@@ -52,10 +48,7 @@ impl Parser<'_> {
 
     /// From a span to the token before.
     pub(super) fn since(&self, start: Span) -> Span {
-        Span {
-            first: start.first,
-            last: self.before().last.max(start.first),
-        }
+        Span { first: start.first, last: self.before().last.max(start.first) }
     }
 
     pub(super) fn at_end(&self) -> bool {
@@ -90,15 +83,12 @@ impl Parser<'_> {
     /// Whether the tokens from so many places ahead are this operator, and nothing longer that begins with it.
     pub(super) fn is_operator_ahead(&self, count: usize, operator: &str) -> bool {
         let length = operator.chars().count();
-        operator
-            .chars()
-            .enumerate()
-            .all(|(index, wanted)| match self.cursor.kind(count + index) {
-                Some(TokenKind::Punctuation { character, joint }) => {
-                    character == wanted && (joint || index + 1 == length)
-                }
-                _ => false,
-            })
+        operator.chars().enumerate().all(|(index, wanted)| match self.cursor.kind(count + index) {
+            Some(TokenKind::Punctuation { character, joint }) => {
+                character == wanted && (joint || index + 1 == length)
+            }
+            _ => false,
+        })
     }
 
     pub(super) fn is_operator(&self, operator: &str) -> bool {
@@ -139,10 +129,7 @@ impl Parser<'_> {
             return 0;
         }
         let mut depth = 0_usize;
-        for (length, token) in self.cursor.tokens[self.cursor.at + count..]
-            .iter()
-            .enumerate()
-        {
+        for (length, token) in self.cursor.tokens[self.cursor.at + count..].iter().enumerate() {
             match token.kind {
                 TokenKind::Open(_) => depth += 1,
                 TokenKind::Close(_) if depth == 1 => return length + 1,
@@ -193,46 +180,27 @@ impl Parser<'_> {
     }
 
     pub(super) fn operator(&mut self, operator: &str) -> Read<()> {
-        if self.take_operator(operator) {
-            Ok(())
-        } else {
-            self.expected(&format!("`{operator}`"))
-        }
+        if self.take_operator(operator) { Ok(()) } else { self.expected(&format!("`{operator}`")) }
     }
 
     pub(super) fn open(&mut self, bracket: char) -> Read<()> {
-        if self.take_open(bracket) {
-            Ok(())
-        } else {
-            self.expected(&format!("`{bracket}`"))
-        }
+        if self.take_open(bracket) { Ok(()) } else { self.expected(&format!("`{bracket}`")) }
     }
 
     pub(super) fn close(&mut self, bracket: char) -> Read<()> {
-        if self.take_close(bracket) {
-            Ok(())
-        } else {
-            self.expected(&format!("`{bracket}`"))
-        }
+        if self.take_close(bracket) { Ok(()) } else { self.expected(&format!("`{bracket}`")) }
     }
 
     /// Nothing may follow.
     pub(super) fn end(&mut self, what: &str) -> Read<()> {
-        if self.at_end() {
-            Ok(())
-        } else {
-            self.expected(&format!("the end {what}"))
-        }
+        if self.at_end() { Ok(()) } else { self.expected(&format!("the end {what}")) }
     }
 
     /// A name.
     pub(super) fn name(&mut self, what: &str) -> Read<Name> {
         match self.cursor.ahead(0) {
             Some(token) if token.kind == TokenKind::Word => {
-                let name = Name {
-                    text: token.text.clone(),
-                    span: self.here(),
-                };
+                let name = Name { text: token.text.clone(), span: self.here() };
                 self.advance();
                 Ok(name)
             }
@@ -252,10 +220,7 @@ impl Parser<'_> {
 
     /// A text in quotation marks, if one follows.
     pub(super) fn text(&mut self) -> Option<String> {
-        let token = self
-            .cursor
-            .ahead(0)
-            .filter(|token| token.kind == TokenKind::Text)?;
+        let token = self.cursor.ahead(0).filter(|token| token.kind == TokenKind::Text)?;
         self.advance();
         Some(token.text.clone())
     }
@@ -263,10 +228,8 @@ impl Parser<'_> {
     /// Lines of documentation, if some follow.
     pub(super) fn documentation(&mut self) -> Vec<String> {
         let mut lines = Vec::new();
-        while let Some(token) = self
-            .cursor
-            .ahead(0)
-            .filter(|token| token.kind == TokenKind::Documentation)
+        while let Some(token) =
+            self.cursor.ahead(0).filter(|token| token.kind == TokenKind::Documentation)
         {
             lines.push(token.text.clone());
             self.advance();
@@ -303,11 +266,7 @@ impl Parser<'_> {
         if self.cursor.at == begin {
             self.advance();
         }
-        let skipped = self
-            .cursor
-            .tokens
-            .get(begin..self.cursor.at)
-            .unwrap_or_default();
+        let skipped = self.cursor.tokens.get(begin..self.cursor.at).unwrap_or_default();
         let words = skipped.iter().filter(|token| token.kind == TokenKind::Word);
         self.unread.extend(words.map(|token| token.text.clone()));
     }
@@ -315,8 +274,5 @@ impl Parser<'_> {
 
 /// A name of a part as one name, `feed.phi`.
 pub(super) fn within(base: Name, name: &Name) -> Name {
-    Name {
-        text: format!("{}.{}", base.text, name.text),
-        span: base.span.to(name.span),
-    }
+    Name { text: format!("{}.{}", base.text, name.text), span: base.span.to(name.span) }
 }

@@ -20,11 +20,7 @@ impl Parser<'_> {
     }
 
     fn with_index(&mut self, name: Name) -> Read<Target> {
-        let index = if self.is_open_ahead(0, '[') {
-            Some(Box::new(self.index()?))
-        } else {
-            None
-        };
+        let index = if self.is_open_ahead(0, '[') { Some(Box::new(self.index()?)) } else { None };
         Ok(Target { name, index })
     }
 
@@ -40,26 +36,13 @@ impl Parser<'_> {
     /// `R = 75 mm +- 0.05 mm normal in 60 mm .. 90 mm`
     pub(super) fn constant(&mut self, is_dimension: bool) -> Read<StatementKind> {
         let target = self.target()?;
-        let value = if self.take_operator("=") {
-            Some(self.term()?)
-        } else {
-            None
-        };
+        let value = if self.take_operator("=") { Some(self.term()?) } else { None };
         let (tolerance, range) = self.limits()?;
-        Ok(StatementKind::Constant(Constant {
-            is_dimension,
-            target,
-            value,
-            tolerance,
-            range,
-        }))
+        Ok(StatementKind::Constant(Constant { is_dimension, target, value, tolerance, range }))
     }
 
     /// `+- 0.05 mm uniform` and `in a .. b`, in any order.
-    #[expect(
-        clippy::type_complexity,
-        reason = "two optional parts, named where they are used"
-    )]
+    #[expect(clippy::type_complexity, reason = "two optional parts, named where they are used")]
     fn limits(&mut self) -> Read<(Option<Tolerance>, Option<(Term, Term)>)> {
         let (mut tolerance, mut range) = (None, None);
         loop {
@@ -73,10 +56,7 @@ impl Parser<'_> {
                         Distribution::Normal
                     }
                 };
-                tolerance = Some(Tolerance {
-                    half_width,
-                    distribution,
-                });
+                tolerance = Some(Tolerance { half_width, distribution });
             } else if range.is_none() && self.take_word("in") {
                 range = Some(self.range()?);
             } else {
@@ -95,11 +75,7 @@ impl Parser<'_> {
         };
         self.operator("=")?;
         let value = self.term()?;
-        Ok(StatementKind::Let {
-            target,
-            arguments,
-            value,
-        })
+        Ok(StatementKind::Let { target, arguments, value })
     }
 
     /// Names of arguments, each once.
@@ -135,13 +111,7 @@ impl Parser<'_> {
         let target = self.target()?;
         let (motion, start) = self.value_and_start()?;
         let (tolerance, range) = self.limits()?;
-        Ok(StatementKind::Driver(Driver {
-            target,
-            motion,
-            start,
-            range,
-            tolerance,
-        }))
+        Ok(StatementKind::Driver(Driver { target, motion, start, range, tolerance }))
     }
 
     /// `= n*time` and `~ 90 deg`, either or both in this order.
@@ -161,27 +131,17 @@ impl Parser<'_> {
     /// `phi7 ~ -70 deg`, `s: m ~ 0.1 m`
     pub(super) fn dependent(&mut self) -> Read<StatementKind> {
         let target = self.target()?;
-        let unit = if self.take_operator(":") {
-            Some(self.declared_unit()?)
-        } else {
-            None
-        };
+        let unit = if self.take_operator(":") { Some(self.declared_unit()?) } else { None };
         if self.is_operator("=") {
             let hint = format!(
                 "`~` gives roughly the value where the drivers start: `dependent {} ~ …;`",
                 target.name.text
             );
-            return self.wrong(
-                "a dependent coordinate is not set: closures determine it",
-                Some(&hint),
-            );
+            return self
+                .wrong("a dependent coordinate is not set: closures determine it", Some(&hint));
         }
         let start = self.after("~")?;
-        Ok(StatementKind::Dependent(Dependent {
-            target,
-            unit,
-            start,
-        }))
+        Ok(StatementKind::Dependent(Dependent { target, unit, start }))
     }
 
     /// `E = l4*dir(phi4)`
@@ -225,10 +185,7 @@ impl Parser<'_> {
             Some(index) => TermKind::Index { name, index },
             None => TermKind::Name(name.text),
         };
-        Ok(Term {
-            span: self.since(begin),
-            kind,
-        })
+        Ok(Term { span: self.since(begin), kind })
     }
 
     /// `feed: SewingFeed from "sewing_feed.eqn" { phi = theta; e_v = 6 mm; }`
@@ -254,12 +211,7 @@ impl Parser<'_> {
             }
             self.close('}')?;
         }
-        Ok(StatementKind::Part {
-            name,
-            mechanism,
-            file,
-            bindings,
-        })
+        Ok(StatementKind::Part { name, mechanism, file, bindings })
     }
 
     /// `e_v = 6 mm +- 0.1 mm;`, `beta ~ 180 deg;`
@@ -268,13 +220,7 @@ impl Parser<'_> {
         let (value, start) = self.value_and_start()?;
         let (tolerance, range) = self.limits()?;
         self.operator(";")?;
-        Ok(Binding {
-            target,
-            value,
-            start,
-            tolerance,
-            range,
-        })
+        Ok(Binding { target, value, start, tolerance, range })
     }
 
     /// `phi: rad = 0, rate = 1 [rad/s]`
@@ -289,17 +235,11 @@ impl Parser<'_> {
                 }
                 _ => format!("each has a unit of its own: write `{name}: m`"),
             };
-            return self.wrong(
-                format!("found {}, expected `:` and a unit", self.found()),
-                Some(&hint),
-            );
+            return self
+                .wrong(format!("found {}, expected `:` and a unit", self.found()), Some(&hint));
         }
         let unit = self.declared_unit()?;
-        let start = if self.take_operator("=") {
-            Some(self.term()?)
-        } else {
-            None
-        };
+        let start = if self.take_operator("=") { Some(self.term()?) } else { None };
         let follows = has_rate
             && self.is_operator(",")
             && self.is_word_ahead(1, "rate")
@@ -310,11 +250,6 @@ impl Parser<'_> {
         } else {
             None
         };
-        Ok(Unknown {
-            target,
-            unit,
-            start,
-            start_rate,
-        })
+        Ok(Unknown { target, unit, start, start_rate })
     }
 }

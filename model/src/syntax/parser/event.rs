@@ -33,14 +33,7 @@ impl Parser<'_> {
                 );
             }
         }
-        Ok(StatementKind::When(When {
-            label,
-            guard,
-            direction,
-            condition,
-            target,
-            resets,
-        }))
+        Ok(StatementKind::When(When { label, guard, direction, condition, target, resets }))
     }
 
     fn direction(&mut self) -> Read<Direction> {
@@ -53,10 +46,7 @@ impl Parser<'_> {
         match found {
             Some((_, direction)) => Ok(direction),
             None => self.wrong(
-                format!(
-                    "found {}, expected `rises`, `falls` or `crosses`",
-                    self.found()
-                ),
+                format!("found {}, expected `rises`, `falls` or `crosses`", self.found()),
                 Some("an event is where a quantity passes zero: `when x - l rises -> …`"),
             ),
         }

@@ -36,12 +36,7 @@ impl Parser<'_> {
             }
             self.close('}')?;
         }
-        Ok(StatementKind::Scene(Scene {
-            name,
-            text,
-            selection,
-            items,
-        }))
+        Ok(StatementKind::Scene(Scene { name, text, selection, items }))
     }
 
     fn selection(&mut self) -> Read<Selection> {
@@ -87,14 +82,10 @@ impl Parser<'_> {
                 let (from, to) = self.range()?;
                 vec![SceneItem::Run { variable, from, to }]
             }
-            "preset" => vec![SceneItem::Preset {
-                name: self.name("the name of a preset")?,
-            }],
+            "preset" => vec![SceneItem::Preset { name: self.name("the name of a preset")? }],
             "output" => self.commas(|parser| Ok(SceneItem::Output(parser.output()?)))?,
             "start" if self.is_any_word() && self.is_operator_ahead(1, ";") => {
-                vec![SceneItem::StartIn {
-                    mode: self.name("a mode")?,
-                }]
+                vec![SceneItem::StartIn { mode: self.name("a mode")? }]
             }
             "start" => {
                 let values = self.commas(|parser| {
@@ -139,11 +130,7 @@ impl Parser<'_> {
         let read = self.output_value();
         self.in_output = false;
         let (name, value) = read?;
-        let unit = if self.is_open_ahead(0, '[') {
-            Some(self.bracketed_unit()?)
-        } else {
-            None
-        };
+        let unit = if self.is_open_ahead(0, '[') { Some(self.bracketed_unit()?) } else { None };
         if let (None, Some(TermKind::Number { .. })) = (&name, value.as_ref().map(|one| &one.kind))
         {
             return self.wrong_at(
@@ -152,12 +139,7 @@ impl Parser<'_> {
                 Some("a decimal number is written with a point, `0.5`; what is reported of a number has a name, `n = 5`"),
             );
         }
-        Ok(Output {
-            name,
-            value,
-            unit,
-            span: self.since(start),
-        })
+        Ok(Output { name, value, unit, span: self.since(start) })
     }
 
     /// `F_max = peak(F) [kN] "largest force"`
@@ -177,25 +159,16 @@ impl Parser<'_> {
     fn output_value(&mut self) -> Read<(Option<Target>, Option<Term>)> {
         let term = self.term()?;
         let target = match &term.kind {
-            TermKind::Name(text) => Some(Target {
-                name: Name {
-                    text: text.clone(),
-                    span: term.span,
-                },
-                index: None,
-            }),
-            TermKind::Index { name, index } => Some(Target {
-                name: name.clone(),
-                index: Some(index.clone()),
-            }),
+            TermKind::Name(text) => {
+                Some(Target { name: Name { text: text.clone(), span: term.span }, index: None })
+            }
+            TermKind::Index { name, index } => {
+                Some(Target { name: name.clone(), index: Some(index.clone()) })
+            }
             _ => None,
         };
         if !self.take_operator("=") {
-            return Ok(if target.is_some() {
-                (target, None)
-            } else {
-                (None, Some(term))
-            });
+            return Ok(if target.is_some() { (target, None) } else { (None, Some(term)) });
         }
         match target {
             Some(target) if !target.name.text.contains('.') => {
@@ -216,11 +189,7 @@ impl Parser<'_> {
         }
         let variable = self.path("a driver or `time`")?;
         self.operator("=")?;
-        Ok(StatementKind::Mark {
-            text,
-            variable,
-            value: self.term()?,
-        })
+        Ok(StatementKind::Mark { text, variable, value: self.term()? })
     }
 
     /// `scene S preset P at theta = 110 deg: x = 1 mm +- 0.1 mm "remark"`
@@ -233,11 +202,7 @@ impl Parser<'_> {
                 self.advance();
             }
             let name = self.name("a name")?;
-            *(if is_scene {
-                &mut expect_scene
-            } else {
-                &mut preset
-            }) = Some(name);
+            *(if is_scene { &mut expect_scene } else { &mut preset }) = Some(name);
         }
         if !self.take_word("at") {
             return self.wrong(

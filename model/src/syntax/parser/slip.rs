@@ -10,49 +10,25 @@ use crate::token::TokenKind;
 const STATEMENTS: &[(&str, &str)] = &[
     ("equation", "an equation of motion begins with `motion`"),
     ("eq", "an equation of motion begins with `motion`"),
-    (
-        "constraint",
-        "an equation between positions begins with `closure`",
-    ),
+    ("constraint", "an equation between positions begins with `closure`"),
     ("energy", "energies are `kinetic` and `potential`"),
-    (
-        "lagrangian",
-        "write the energies apart, `kinetic …;` and `potential …;`",
-    ),
+    ("lagrangian", "write the energies apart, `kinetic …;` and `potential …;`"),
     ("const", CONSTANT),
     ("constant", CONSTANT),
     ("param", CONSTANT),
     ("var", UNKNOWN),
     ("variable", UNKNOWN),
-    (
-        "def",
-        "an abbreviation begins with `let`: `let f(x) = x^2;`",
-    ),
+    ("def", "an abbreviation begins with `let`: `let f(x) = x^2;`"),
     ("fn", "an abbreviation begins with `let`: `let f(x) = x^2;`"),
-    (
-        "function",
-        "an abbreviation begins with `let`: `let f(x) = x^2;`",
-    ),
+    ("function", "an abbreviation begins with `let`: `let f(x) = x^2;`"),
     ("input", "a prescribed motion is a `driver`"),
     ("event", "an event is `when x falls { set dot(x) = 0; }`"),
-    (
-        "start",
-        "start values stand in a scene: `scene s { start x = 1 m; run time 0 s .. 1 s; }`",
-    ),
-    (
-        "run",
-        "what is done stands in a scene: `scene s { run time 0 s .. 1 s; }`",
-    ),
-    (
-        "set",
-        "an event sets what jumps: `when x falls { set dot(x) = 0; }`",
-    ),
+    ("start", "start values stand in a scene: `scene s { start x = 1 m; run time 0 s .. 1 s; }`"),
+    ("run", "what is done stands in a scene: `scene s { run time 0 s .. 1 s; }`"),
+    ("set", "an event sets what jumps: `when x falls { set dot(x) = 0; }`"),
     ("print", "what is reported is an `output`"),
     ("plot", "what is reported is an `output`"),
-    (
-        "assert",
-        "a condition on constants is a `require`, a published fact an `expect`",
-    ),
+    ("assert", "a condition on constants is a `require`, a published fact an `expect`"),
     ("include", "a mechanism of another file is a `part`"),
     ("import", "a mechanism of another file is a `part`"),
 ];

@@ -49,10 +49,7 @@ struct Member {
 
 impl Member {
     fn alone(kind: StatementKind) -> Self {
-        Self {
-            documentation: Vec::new(),
-            kind,
-        }
+        Self { documentation: Vec::new(), kind }
     }
 }
 
@@ -111,10 +108,7 @@ impl Parser<'_> {
             return Ok(());
         }
         self.wrong(
-            format!(
-                "found {}, expected `;` after the name of the mechanism",
-                self.found()
-            ),
+            format!("found {}, expected `;` after the name of the mechanism", self.found()),
             Some("a file begins with `Name from \"source\";`"),
         )
     }
@@ -139,10 +133,8 @@ impl Parser<'_> {
         if self.at_end() || self.is_close('}') {
             if !documentation.is_empty() {
                 let span = self.before();
-                self.diagnostics.push(Diagnostic::warning(
-                    span,
-                    "this documentation belongs to nothing",
-                ));
+                self.diagnostics
+                    .push(Diagnostic::warning(span, "this documentation belongs to nothing"));
             }
             return;
         }
@@ -202,20 +194,14 @@ impl Parser<'_> {
             "require" => vec![Member::alone(self.requirement()?)],
             "output" => self.listed(|parser| Ok(StatementKind::Output(parser.output()?)))?,
             "measure" => self.listed(Self::measure)?,
-            "hold" => self.listed(|parser| {
-                Ok(StatementKind::Hold {
-                    target: parser.term()?,
-                })
-            })?,
+            "hold" => self.listed(|parser| Ok(StatementKind::Hold { target: parser.term()? }))?,
             "mark" => vec![Member::alone(self.mark()?)],
             "expect" => vec![Member::alone(StatementKind::Expect(self.expect()?))],
             other => return self.unknown_statement(other, start),
         };
         if !self.take_operator(";") {
-            return self.wrong(
-                format!("found {}, expected `;`", self.found()),
-                self.missing_hint(),
-            );
+            return self
+                .wrong(format!("found {}, expected `;`", self.found()), self.missing_hint());
         }
         Ok(members)
     }
@@ -226,10 +212,7 @@ impl Parser<'_> {
         mut one: impl FnMut(&mut Self) -> Read<StatementKind>,
     ) -> Read<Vec<Member>> {
         self.commas(|parser| {
-            Ok(Member {
-                documentation: parser.documentation(),
-                kind: one(parser)?,
-            })
+            Ok(Member { documentation: parser.documentation(), kind: one(parser)? })
         })
     }
 
@@ -251,11 +234,7 @@ impl Parser<'_> {
 
     fn unknown_statement<T>(&mut self, keyword: &str, start: Span) -> Read<T> {
         let hint = slip::statement(keyword, self.is_operator("=") || self.is_operator(":="));
-        self.wrong_at(
-            start,
-            format!("`{keyword}` begins no statement"),
-            Some(&hint),
-        )
+        self.wrong_at(start, format!("`{keyword}` begins no statement"), Some(&hint))
     }
 
     fn motion(&mut self) -> Read<StatementKind> {
@@ -275,9 +254,7 @@ impl Parser<'_> {
         if !self.take_operator("=") {
             return self.wrong(
                 format!("found {}, expected `=`", self.found()),
-                self.slip().or(Some(
-                    "an equation has two sides and one `=`: `left = right`",
-                )),
+                self.slip().or(Some("an equation has two sides and one `=`: `left = right`")),
             );
         }
         Ok((label, left, self.term()?))
@@ -301,10 +278,7 @@ impl Parser<'_> {
                 Some("it has no name and no `=`: `kinetic m*dot(x)^2/2;`"),
             );
         }
-        Ok(StatementKind::Energy {
-            kind,
-            value: self.term()?,
-        })
+        Ok(StatementKind::Energy { kind, value: self.term()? })
     }
 
     fn force(&mut self) -> Read<StatementKind> {
@@ -318,18 +292,12 @@ impl Parser<'_> {
                 Some("write `force F on x;`"),
             );
         }
-        Ok(StatementKind::Force {
-            value,
-            on: self.term()?,
-        })
+        Ok(StatementKind::Force { value, on: self.term()? })
     }
 
     fn requirement(&mut self) -> Read<StatementKind> {
         let condition = self.term()?;
-        Ok(StatementKind::Require {
-            condition,
-            text: self.text(),
-        })
+        Ok(StatementKind::Require { condition, text: self.text() })
     }
 
     fn preset(&mut self) -> Read<StatementKind> {
@@ -352,17 +320,8 @@ impl Parser<'_> {
         let name = self.name("the name of the effect")?;
         let text = self.text();
         let body = self.block()?;
-        let otherwise = if self.take_word("else") {
-            self.block()?
-        } else {
-            Vec::new()
-        };
-        Ok(StatementKind::Effect {
-            name,
-            text,
-            body,
-            otherwise,
-        })
+        let otherwise = if self.take_word("else") { self.block()? } else { Vec::new() };
+        Ok(StatementKind::Effect { name, text, body, otherwise })
     }
 
     fn mode(&mut self) -> Read<StatementKind> {
@@ -382,28 +341,16 @@ impl Parser<'_> {
         while !self.is_close('}') && !self.at_end() {
             let documentation = self.documentation().join(" ");
             let name = self.name("the name of an alternative")?;
-            let text = self
-                .text()
-                .or((!documentation.is_empty()).then_some(documentation));
-            alternatives.push(Alternative {
-                name,
-                text,
-                body: self.alternative()?,
-            });
+            let text = self.text().or((!documentation.is_empty()).then_some(documentation));
+            alternatives.push(Alternative { name, text, body: self.alternative()? });
         }
         self.close('}')?;
         if alternatives.is_empty() {
-            let report = Diagnostic::error(
-                place,
-                format!("the choice `{}` has no alternative", name.text),
-            );
+            let report =
+                Diagnostic::error(place, format!("the choice `{}` has no alternative", name.text));
             self.diagnostics.push(report);
         }
-        Ok(StatementKind::Choice {
-            name,
-            text,
-            alternatives,
-        })
+        Ok(StatementKind::Choice { name, text, alternatives })
     }
 
     fn alternative(&mut self) -> Read<Vec<Statement>> {
@@ -425,19 +372,11 @@ impl Parser<'_> {
                 let start = self.here();
                 self.advance();
                 let kind = self.deeper(Self::condition)?;
-                vec![Statement {
-                    documentation: Vec::new(),
-                    span: self.since(start),
-                    kind,
-                }]
+                vec![Statement { documentation: Vec::new(), span: self.since(start), kind }]
             }
             () => self.block()?,
         };
-        Ok(StatementKind::If {
-            condition,
-            then,
-            otherwise,
-        })
+        Ok(StatementKind::If { condition, then, otherwise })
     }
 
     fn repetition(&mut self) -> Read<StatementKind> {
@@ -452,11 +391,6 @@ impl Parser<'_> {
         self.indices.push(index.text.clone());
         let body = self.block();
         self.indices.pop();
-        Ok(StatementKind::For {
-            index,
-            from,
-            to,
-            body: body?,
-        })
+        Ok(StatementKind::For { index, from, to, body: body? })
     }
 }

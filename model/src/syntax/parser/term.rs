@@ -55,10 +55,8 @@ impl Parser<'_> {
         let mut left = self.unary()?;
         for _ in 0..CHAIN {
             if self.is_operator("+/") && self.is_operator_ahead(2, "-") {
-                return self.wrong(
-                    "a tolerance begins with `+-`",
-                    Some("write `75 mm +- 0.05 mm`"),
-                );
+                return self
+                    .wrong("a tolerance begins with `+-`", Some("write `75 mm +- 0.05 mm`"));
             }
             if self.is_operator("**") {
                 return self.wrong("a power is written with `^`", Some("write `x^2`"));
@@ -74,11 +72,7 @@ impl Parser<'_> {
             };
             self.cursor.at += text.len();
             let right = self.binary(power + 1)?;
-            if *power == 3
-                && OPERATORS[2..8]
-                    .iter()
-                    .any(|(text, ..)| self.is_operator(text))
-            {
+            if *power == 3 && OPERATORS[2..8].iter().any(|(text, ..)| self.is_operator(text)) {
                 return self.wrong(
                     "comparisons cannot be chained",
                     Some("join two with `&&`, as in `a < b && b < c`"),
@@ -109,10 +103,7 @@ impl Parser<'_> {
             () => return self.power(),
         };
         let inner = self.deeper(Self::unary)?;
-        Ok(Term {
-            span: start.to(inner.span),
-            kind: TermKind::Unary(operator, Box::new(inner)),
-        })
+        Ok(Term { span: start.to(inner.span), kind: TermKind::Unary(operator, Box::new(inner)) })
     }
 
     fn power(&mut self) -> Read<Term> {
@@ -129,10 +120,8 @@ impl Parser<'_> {
             let hint = format!(
                 "write `{value} [{name}^2]` for the unit {name}^2, or `({value} {name})^2` for the power of the quantity"
             );
-            return self.wrong(
-                "it is not clear whether the unit or the quantity is raised",
-                Some(&hint),
-            );
+            return self
+                .wrong("it is not clear whether the unit or the quantity is raised", Some(&hint));
         }
         self.advance();
         let exponent = self.deeper(Self::unary)?;
@@ -169,10 +158,7 @@ impl Parser<'_> {
             TokenKind::Word => return self.named(),
             _ => return self.expected("an expression"),
         };
-        Ok(Term {
-            span: self.since(start),
-            kind,
-        })
+        Ok(Term { span: self.since(start), kind })
     }
 
     /// Items between commas, up to the closing bracket.
@@ -211,23 +197,14 @@ impl Parser<'_> {
         if !value.is_finite() {
             return self.wrong(format!("`{text}` is too large for a number"), None);
         }
-        let suffix = (!suffix.is_empty()).then(|| Name {
-            text: suffix.to_string(),
-            span: start,
-        });
+        let suffix = (!suffix.is_empty()).then(|| Name { text: suffix.to_string(), span: start });
         self.advance();
         let unit = match suffix {
-            Some(name) => Some(UnitTerm {
-                span: start,
-                factors: vec![(name, (1, 1))],
-            }),
+            Some(name) => Some(UnitTerm { span: start, factors: vec![(name, (1, 1))] }),
             None if self.is_open_ahead(0, '[') => Some(self.bracketed_unit()?),
             None => self.following_unit(),
         };
-        let keyword = self
-            .cursor
-            .ahead(0)
-            .filter(|token| KEYWORDS.contains(&token.text.as_str()));
+        let keyword = self.cursor.ahead(0).filter(|token| KEYWORDS.contains(&token.text.as_str()));
         if let (true, Some(keyword)) = (unit.is_some(), keyword)
             && keyword.text.len() > 2
             && !NOT_UNITS.contains(&keyword.text.as_str())
@@ -244,10 +221,7 @@ impl Parser<'_> {
                 )),
             );
         }
-        Ok(Term {
-            span: self.since(start),
-            kind: TermKind::Number { value, unit },
-        })
+        Ok(Term { span: self.since(start), kind: TermKind::Number { value, unit } })
     }
 
     /// One unit name directly after a number.
@@ -257,10 +231,7 @@ impl Parser<'_> {
         }
         let span = self.here();
         let name = self.name("a unit").ok()?;
-        Some(UnitTerm {
-            span,
-            factors: vec![(name, (1, 1))],
-        })
+        Some(UnitTerm { span, factors: vec![(name, (1, 1))] })
     }
 
     /// A name, perhaps of a part, with an index or arguments.
@@ -272,10 +243,7 @@ impl Parser<'_> {
             let name = members.iter().fold(name, within);
             return self.applied(name);
         }
-        let term = Term {
-            span: start,
-            kind: TermKind::Name(name.text),
-        };
+        let term = Term { span: start, kind: TermKind::Name(name.text) };
         Ok(members.into_iter().fold(term, member))
     }
 
@@ -286,15 +254,9 @@ impl Parser<'_> {
             self.call(name)?
         } else if self.is_indexed() {
             let index = Box::new(self.index()?);
-            Term {
-                span: self.since(start),
-                kind: TermKind::Index { name, index },
-            }
+            Term { span: self.since(start), kind: TermKind::Index { name, index } }
         } else {
-            Term {
-                span: start,
-                kind: TermKind::Name(name.text),
-            }
+            Term { span: start, kind: TermKind::Name(name.text) }
         };
         Ok(self.members()?.into_iter().fold(term, member))
     }
@@ -325,10 +287,7 @@ impl Parser<'_> {
             match token.kind {
                 TokenKind::Close(']') => return ahead > 1,
                 TokenKind::Word if !self.indices.contains(&token.text) => return false,
-                TokenKind::Punctuation {
-                    character: '/' | '^',
-                    ..
-                } => return false,
+                TokenKind::Punctuation { character: '/' | '^', .. } => return false,
                 _ => ahead += 1,
             }
         }
@@ -356,16 +315,8 @@ impl Parser<'_> {
             self.indices.pop();
             let body = Box::new(body?);
             self.close(')')?;
-            let kind = TermKind::Sum {
-                index,
-                from: Box::new(from),
-                to: Box::new(to),
-                body,
-            };
-            return Ok(Term {
-                span: self.since(start),
-                kind,
-            });
+            let kind = TermKind::Sum { index, from: Box::new(from), to: Box::new(to), body };
+            return Ok(Term { span: self.since(start), kind });
         }
         if matches!(name.text.as_str(), "integral" | "table") {
             return self.wrong_at(
@@ -377,13 +328,7 @@ impl Parser<'_> {
         let in_output = std::mem::replace(&mut self.in_output, false);
         let arguments = self.list(')');
         self.in_output = in_output;
-        Ok(Term {
-            kind: TermKind::Call {
-                name,
-                arguments: arguments?,
-            },
-            span: self.since(start),
-        })
+        Ok(Term { kind: TermKind::Call { name, arguments: arguments? }, span: self.since(start) })
     }
 
     /// `a .. b`, both ends included.
@@ -413,20 +358,14 @@ impl Parser<'_> {
                 Some("write `if c { x } else { y }`"),
             );
         }
-        let otherwise = if self.is_word("if") {
-            self.deeper(Self::branch)?
-        } else {
-            self.block_of_term()?
-        };
+        let otherwise =
+            if self.is_word("if") { self.deeper(Self::branch)? } else { self.block_of_term()? };
         let kind = TermKind::If {
             condition: Box::new(condition),
             then: Box::new(then),
             otherwise: Box::new(otherwise),
         };
-        Ok(Term {
-            span: self.since(start),
-            kind,
-        })
+        Ok(Term { span: self.since(start), kind })
     }
 
     fn block_of_term(&mut self) -> Read<Term> {
@@ -444,13 +383,7 @@ impl Parser<'_> {
 
 /// `base.name`
 fn member(base: Term, name: Name) -> Term {
-    Term {
-        span: base.span.to(name.span),
-        kind: TermKind::Member {
-            base: Box::new(base),
-            name,
-        },
-    }
+    Term { span: base.span.to(name.span), kind: TermKind::Member { base: Box::new(base), name } }
 }
 
 /// Digits and suffix of a number literal: `75mm` is 75 and `mm`.

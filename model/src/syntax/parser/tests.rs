@@ -74,12 +74,8 @@ fn statements_are_printed_as_they_are_written() {
 #[track_caller]
 fn check_output(text: &str, printed: &str, has_unit: bool) {
     let kind = statement(&format!("for k in 1..3 {{ output {text}; }}"));
-    let StatementKind::For { body, .. } = kind else {
-        panic!("{text}")
-    };
-    let StatementKind::Output(output) = &body[0].kind else {
-        panic!("{text}")
-    };
+    let StatementKind::For { body, .. } = kind else { panic!("{text}") };
+    let StatementKind::Output(output) = &body[0].kind else { panic!("{text}") };
     let value = output.value.as_ref().map(print::term);
     let name = output.name.as_ref().map(print::target);
     assert_eq!(value.or(name).as_deref(), Some(printed), "{text}");
@@ -108,18 +104,8 @@ fn a_bracket_behind_an_output_is_an_index_or_a_unit() {
 fn ranges_and_tolerances_follow_a_value() {
     for (text, half_width, distribution, range) in [
         ("= 75 mm", None, Distribution::Normal, false),
-        (
-            "= 75 mm +- 0.05 mm",
-            Some("0.05 mm"),
-            Distribution::Normal,
-            false,
-        ),
-        (
-            "= 75 mm +- 0.05 mm normal",
-            Some("0.05 mm"),
-            Distribution::Normal,
-            false,
-        ),
+        ("= 75 mm +- 0.05 mm", Some("0.05 mm"), Distribution::Normal, false),
+        ("= 75 mm +- 0.05 mm normal", Some("0.05 mm"), Distribution::Normal, false),
         (
             "= 75 mm +- 0.05 mm uniform in 60 mm .. 90 mm",
             Some("0.05 mm"),
@@ -138,19 +124,12 @@ fn ranges_and_tolerances_follow_a_value() {
             panic!("{text}")
         };
         assert_eq!(
-            constant
-                .tolerance
-                .as_ref()
-                .map(|one| print::term(&one.half_width))
-                .as_deref(),
+            constant.tolerance.as_ref().map(|one| print::term(&one.half_width)).as_deref(),
             half_width,
             "{text}"
         );
         assert_eq!(
-            constant
-                .tolerance
-                .map(|one| one.distribution)
-                .unwrap_or_default(),
+            constant.tolerance.map(|one| one.distribution).unwrap_or_default(),
             distribution,
             "{text}"
         );
@@ -189,28 +168,13 @@ fn blocks_nest() {
     let kind = statement(
         "effect a \"text\" { let x = 1; if b { let y = 2; } else if c { let y = 3; } else { let y = 4; } } else { let x = 2; }",
     );
-    let StatementKind::Effect {
-        name,
-        text,
-        body,
-        otherwise,
-    } = kind
-    else {
-        panic!()
-    };
+    let StatementKind::Effect { name, text, body, otherwise } = kind else { panic!() };
     assert_eq!(
-        (
-            name.text.as_str(),
-            text.as_deref(),
-            body.len(),
-            otherwise.len()
-        ),
+        (name.text.as_str(), text.as_deref(), body.len(), otherwise.len()),
         ("a", Some("text"), 2, 1)
     );
     let kind = statement("choice c { /// First.\n a { let x = 1; } b \"second\" { } }");
-    let StatementKind::Choice { alternatives, .. } = kind else {
-        panic!()
-    };
+    let StatementKind::Choice { alternatives, .. } = kind else { panic!() };
     let texts: Vec<_> = alternatives.iter().map(|one| one.text.as_deref()).collect();
     assert_eq!(texts, [Some("First."), Some("second")]);
 }
@@ -226,16 +190,10 @@ fn names_of_parts_have_dots() {
         .selection
         .iter()
         .map(|one| {
-            (
-                one.name.text.as_str(),
-                one.alternative.as_ref().map(|name| name.text.as_str()),
-            )
+            (one.name.text.as_str(), one.alternative.as_ref().map(|name| name.text.as_str()))
         })
         .collect();
-    assert_eq!(
-        selected,
-        [("a", None), ("b", Some("c")), ("d.e", Some("f"))]
-    );
+    assert_eq!(selected, [("a", None), ("b", Some("c")), ("d.e", Some("f"))]);
     for text in [
         "mark \"top\" at feed.phi = 1;",
         "expect at feed.phi = 1, feed.psi = 2: feed.x = 1 +- 1;",
@@ -250,35 +208,21 @@ fn names_of_parts_have_dots() {
 #[test]
 fn scenes_say_what_they_show_and_do() {
     let text = "scene s \"text\" = a + c.d { periodic over 2*pi/n; preset p; output x, y = 1 [mm]; start x = 0, dot(x) = 1; }";
-    let StatementKind::Scene(scene) = statement(text) else {
-        panic!()
-    };
+    let StatementKind::Scene(scene) = statement(text) else { panic!() };
     assert_eq!(scene.selection.len(), 2);
-    assert_eq!(
-        scene.selection[1]
-            .alternative
-            .as_ref()
-            .map(|name| name.text.as_str()),
-        Some("d")
-    );
+    assert_eq!(scene.selection[1].alternative.as_ref().map(|name| name.text.as_str()), Some("d"));
     assert_eq!(scene.items.len(), 5);
     assert!(matches!(&scene.items[4], SceneItem::Start { values } if values.len() == 2));
-    let StatementKind::Scene(clock) = statement("scene s { periodic; }") else {
-        panic!()
-    };
+    let StatementKind::Scene(clock) = statement("scene s { periodic; }") else { panic!() };
     assert_eq!(clock.items, [SceneItem::Periodic { period: None }]);
-    let StatementKind::Scene(short) = statement("scene s;") else {
-        panic!()
-    };
+    let StatementKind::Scene(short) = statement("scene s;") else { panic!() };
     assert!(short.items.is_empty() && short.selection.is_empty());
 }
 
 #[test]
 fn facts_say_where_they_hold() {
     let text = "expect scene s preset p at theta = 110 deg: dot(x) = 1 mm +- 0.1 mm \"remark\";";
-    let StatementKind::Expect(expect) = statement(text) else {
-        panic!()
-    };
+    let StatementKind::Expect(expect) = statement(text) else { panic!() };
     assert!(expect.scene.is_some() && expect.preset.is_some() && expect.remark.is_some());
     assert!(matches!(expect.at, ExpectAt::Value { .. }));
     let StatementKind::Expect(expect) = statement("expect at maximum: x = 1 +- 0.1;") else {

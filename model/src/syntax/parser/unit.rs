@@ -17,10 +17,7 @@ impl Parser<'_> {
             .is_some_and(|token| token.kind == TokenKind::Number && token.text == "1")
         {
             self.advance();
-            return Ok(UnitTerm {
-                span: start,
-                factors: Vec::new(),
-            });
+            return Ok(UnitTerm { span: start, factors: Vec::new() });
         }
         let name = self.name("a unit, as in `: rad` or `: [kg m^2]`")?;
         if self.is_operator("/") || self.is_operator("*") || self.is_operator("^") {
@@ -29,10 +26,7 @@ impl Parser<'_> {
                 Some("a unit that is more than one name stands in brackets: `v: [m/s]`"),
             );
         }
-        Ok(UnitTerm {
-            span: start,
-            factors: vec![(name, (1, 1))],
-        })
+        Ok(UnitTerm { span: start, factors: vec![(name, (1, 1))] })
     }
 
     /// `[kg m^2/s]`
@@ -93,10 +87,7 @@ impl Parser<'_> {
         if factors.is_empty() {
             return self.expected("a unit");
         }
-        Ok(UnitTerm {
-            span: self.since(start),
-            factors,
-        })
+        Ok(UnitTerm { span: self.since(start), factors })
     }
 
     /// A name with its exponent.
@@ -107,11 +98,7 @@ impl Parser<'_> {
         }
         let exponent = if self.take_open('(') {
             let numerator = self.exponent()?;
-            let denominator = if self.take_operator("/") {
-                self.exponent()?
-            } else {
-                1
-            };
+            let denominator = if self.take_operator("/") { self.exponent()? } else { 1 };
             self.close(')')?;
             (numerator, denominator)
         } else {

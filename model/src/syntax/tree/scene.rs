@@ -32,11 +32,7 @@ pub enum SceneItem {
     /// `periodic over P;`, or `periodic;` where the period is a result.
     Periodic { period: Option<Term> },
     /// `run time a .. b;`
-    Run {
-        variable: Name,
-        from: Term,
-        to: Term,
-    },
+    Run { variable: Name, from: Term, to: Term },
     /// `sweep phi4;`, `sweep alpha 60 deg .. 120 deg, beta;`: a grid when several.
     Sweep { drivers: Vec<SweepRange> },
     /// `preset table;`

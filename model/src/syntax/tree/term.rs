@@ -23,11 +23,7 @@ impl Term {
             TermKind::Binary(_, left, right) => vec![left, right],
             TermKind::Vector(items) => items.iter().collect(),
             TermKind::Call { arguments, .. } => arguments.iter().collect(),
-            TermKind::If {
-                condition,
-                then,
-                otherwise,
-            } => vec![condition, then, otherwise],
+            TermKind::If { condition, then, otherwise } => vec![condition, then, otherwise],
             TermKind::Sum { from, to, body, .. } => vec![from, to, body],
             TermKind::Bound { value, .. } => vec![value],
         }
@@ -68,25 +64,12 @@ pub enum TermKind {
     /// `sin(x)`
     Call { name: Name, arguments: Vec<Term> },
     /// `if c { x } else { y }`
-    If {
-        condition: Box<Term>,
-        then: Box<Term>,
-        otherwise: Box<Term>,
-    },
+    If { condition: Box<Term>, then: Box<Term>, otherwise: Box<Term> },
     /// `sum(k in 1..5, x[k])`, both ends included.
-    Sum {
-        index: Name,
-        from: Box<Term>,
-        to: Box<Term>,
-        body: Box<Term>,
-    },
+    Sum { index: Name, from: Box<Term>, to: Box<Term>, body: Box<Term> },
     /// What the quantity `name` of a part is given instead of what its file says, both of one kind. It is not written
     /// so: the binding `e_v = 6 mm;` of a part makes it.
-    Bound {
-        name: String,
-        value: Box<Term>,
-        instead: Box<Term>,
-    },
+    Bound { name: String, value: Box<Term>, instead: Box<Term> },
 }
 
 /// An operator before its operand.

@@ -38,11 +38,7 @@ impl StatementKind {
                 visitor.target(target);
                 visitor.term(value);
             }),
-            Self::Let {
-                target,
-                arguments,
-                value,
-            } => {
+            Self::Let { target, arguments, value } => {
                 visitor.target(target);
                 visitor.body(arguments.as_deref().unwrap_or_default(), value);
             }
@@ -73,18 +69,8 @@ impl StatementKind {
                     limits((&mut binding.tolerance, &mut binding.range), visitor);
                 }
             }
-            Self::Coordinate(Unknown {
-                target,
-                start,
-                start_rate,
-                ..
-            })
-            | Self::State(Unknown {
-                target,
-                start,
-                start_rate,
-                ..
-            }) => {
+            Self::Coordinate(Unknown { target, start, start_rate, .. })
+            | Self::State(Unknown { target, start, start_rate, .. }) => {
                 visitor.target(target);
                 some(start, visitor);
                 some(start_rate, visitor);
@@ -93,12 +79,8 @@ impl StatementKind {
             Self::Energy { value: term, .. }
             | Self::Mark { value: term, .. }
             | Self::Hold { target: term }
-            | Self::Require {
-                condition: term, ..
-            }
-            | Self::If {
-                condition: term, ..
-            } => visitor.term(term),
+            | Self::Require { condition: term, .. }
+            | Self::If { condition: term, .. } => visitor.term(term),
             Self::Effect { name, .. } | Self::Choice { name, .. } | Self::Mode { name, .. } => {
                 visitor.name(name);
             }
@@ -190,26 +172,12 @@ impl Term {
             | TermKind::Member { base: inner, .. }
             | TermKind::Unary(_, inner) => vec![inner],
             TermKind::Binary(_, left, right)
-            | TermKind::Bound {
-                value: left,
-                instead: right,
-                ..
-            } => vec![left, right],
-            TermKind::Vector(items)
-            | TermKind::Call {
-                arguments: items, ..
-            } => items.iter_mut().collect(),
-            TermKind::If {
-                condition: a,
-                then: b,
-                otherwise: c,
+            | TermKind::Bound { value: left, instead: right, .. } => vec![left, right],
+            TermKind::Vector(items) | TermKind::Call { arguments: items, .. } => {
+                items.iter_mut().collect()
             }
-            | TermKind::Sum {
-                from: a,
-                to: b,
-                body: c,
-                ..
-            } => vec![a, b, c],
+            TermKind::If { condition: a, then: b, otherwise: c }
+            | TermKind::Sum { from: a, to: b, body: c, .. } => vec![a, b, c],
         }
     }
 }

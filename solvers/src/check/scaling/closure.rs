@@ -40,14 +40,9 @@ fn restated(
     let mut compared = 0;
     for index in 0..PLACES {
         let place = place(linkage, index)?;
-        assembly
-            .move_to(&place[..entry.drivers.len()])
-            .map_err(fail)?;
-        let here = Here {
-            values: linkage.values(),
-            place,
-            position: assembly.guide().position.to_vec(),
-        };
+        assembly.move_to(&place[..entry.drivers.len()]).map_err(fail)?;
+        let here =
+            Here { values: linkage.values(), place, position: assembly.guide().position.to_vec() };
         let expected = here.evaluate(prepare);
         for units in &SYSTEMS {
             let there = here.restated(&quantities, units);
@@ -84,11 +79,8 @@ impl Quantities {
         let dimensions = |list: &[Quantity]| -> Vec<Dimension> {
             list.iter().map(|one| one.dimension).collect()
         };
-        let constants: Vec<Dimension> = entry
-            .constants
-            .iter()
-            .map(|constant| constant.quantity.dimension)
-            .collect();
+        let constants: Vec<Dimension> =
+            entry.constants.iter().map(|constant| constant.quantity.dimension).collect();
         let drivers = dimensions(entry.drivers);
         let mut place = drivers.clone();
         if linkage.motion > 0 {
@@ -114,12 +106,7 @@ impl Quantities {
                 results.push((name, over(output.dimension, dimension, 1)));
             }
         }
-        Ok(Self {
-            constants,
-            place,
-            dependents: dimensions(linkage.dependents),
-            results,
-        })
+        Ok(Self { constants, place, dependents: dimensions(linkage.dependents), results })
     }
 }
 

@@ -22,11 +22,7 @@ const FORCE: u8 = 2;
 
 impl<const HIDDEN: u8> Spring<HIDDEN> {
     fn from_values(&[mass, stiffness, root]: &[f64; 3]) -> Self {
-        Self {
-            mass,
-            stiffness,
-            root,
-        }
+        Self { mass, stiffness, root }
     }
 }
 
@@ -98,11 +94,7 @@ impl<const HIDDEN: u8> Scene for Spring<HIDDEN> {
 
 /// A quantity with exponents of m, kg and s.
 const fn quantity(name: &'static str, [length, mass, time]: [(i8, i8); 3]) -> Quantity {
-    Quantity {
-        name,
-        dimension: [length, mass, time, (0, 1), (0, 1), (0, 1), (0, 1)],
-        ..LENGTH
-    }
+    Quantity { name, dimension: [length, mass, time, (0, 1), (0, 1), (0, 1), (0, 1)], ..LENGTH }
 }
 
 const SPEED: [(i8, i8); 3] = [(1, 1), (0, 1), (-1, 1)];
@@ -136,14 +128,8 @@ fn check<const HIDDEN: u8>(stiffness: [(i8, i8); 3]) -> Result<(), Failed> {
         outputs: Box::leak(Box::new([momentum, mean])),
         ..FREE_SHAPE
     };
-    let scenes = Box::leak(Box::new([SceneEntry {
-        shape: Box::leak(Box::new(shape)),
-        ..FREE
-    }]));
-    let mechanism = Mechanism {
-        scenes,
-        ..OSCILLATOR
-    };
+    let scenes = Box::leak(Box::new([SceneEntry { shape: Box::leak(Box::new(shape)), ..FREE }]));
+    let mechanism = Mechanism { scenes, ..OSCILLATOR };
     scaling(&mechanism, "free", Spring::<HIDDEN>::from_values)
 }
 
@@ -171,17 +157,11 @@ fn a_hidden_acceleration_is_found() {
 #[test]
 fn a_hidden_force_is_found_although_it_is_the_same_in_mm_g_ms() {
     let failed = check::<FORCE>(STIFFNESS).unwrap_err().0;
-    assert!(
-        failed.starts_with("rate of dot(x) in cm, g, s, at time 0.685 s"),
-        "{failed}"
-    );
+    assert!(failed.starts_with("rate of dot(x) in cm, g, s, at time 0.685 s"), "{failed}");
 }
 
 #[test]
 fn a_wrong_unit_in_the_table_is_found() {
     let failed = check::<NOTHING>([(0, 1), (1, 1), (-1, 1)]).unwrap_err().0;
-    assert!(
-        failed.starts_with("rate of dot(x) in mm, g, ms"),
-        "{failed}"
-    );
+    assert!(failed.starts_with("rate of dot(x) in mm, g, ms"), "{failed}");
 }

@@ -54,9 +54,7 @@ fn a_triple_zero_of_the_rate_is_one_extreme() {
     let noisy = |x: f64| (-x.powi(4), rounded(x, -4.0 * x.powi(3)));
     for parts in PARTS {
         let (found, _) = course(noisy, parts);
-        let [limit] = &found.limits[..] else {
-            panic!("{found:?}")
-        };
+        let [limit] = &found.limits[..] else { panic!("{found:?}") };
         assert!(limit.place.at.abs() < 1e-5, "{found:?}");
     }
 }
@@ -77,10 +75,7 @@ fn two_extremes_between_neighbouring_samples_are_found() {
 #[test]
 fn extremes_at_the_ends_are_not_inside() {
     let quarter = std::f64::consts::FRAC_PI_2;
-    check(
-        |x| ((quarter * x).sin(), quarter * (quarter * x).cos()),
-        &[],
-    );
+    check(|x| ((quarter * x).sin(), quarter * (quarter * x).cos()), &[]);
 }
 
 #[test]
@@ -116,19 +111,13 @@ fn a_jump_has_a_limit_on_either_side() {
     check_breaks(saw, &[(-0.7, 0.3 + 1.0, 0.3), (0.3, 1.3, 0.3)]);
     check_breaks(|x| (f64::from(u8::from(x < 0.0)), 0.0), &[(0.0, 1.0, 0.0)]);
     // A small one in a steep function.
-    check_breaks(
-        |x| (1e3 * x + f64::from(u8::from(x > 0.1)), 1e3),
-        &[(0.1, 100.0, 101.0)],
-    );
+    check_breaks(|x| (1e3 * x + f64::from(u8::from(x > 0.1)), 1e3), &[(0.1, 100.0, 101.0)]);
 }
 
 #[test]
 fn a_pole_is_no_extreme() {
     let (up, down) = (f64::INFINITY, f64::NEG_INFINITY);
-    check_breaks(
-        |x| ((x - 0.1).recip(), -(x - 0.1).powi(-2)),
-        &[(0.1, down, up)],
-    );
+    check_breaks(|x| ((x - 0.1).recip(), -(x - 0.1).powi(-2)), &[(0.1, down, up)]);
     check_breaks(|x| (x.recip(), -x.powi(-2)), &[(0.0, down, up)]);
     check_breaks(|x| (-x.powi(-2), 2.0 * x.powi(-3)), &[(0.0, down, down)]);
     let square = |x: f64| ((x - 0.123).powi(-2), -2.0 * (x - 0.123).powi(-3));
@@ -155,23 +144,12 @@ fn a_high_summit_is_no_pole() {
 fn an_end_of_the_domain_is_told() {
     let root = |x: f64| ((x - 0.5).sqrt(), 0.5 / (x - 0.5).sqrt());
     check_breaks(root, &[(0.5, f64::NAN, 0.0)]);
-    check_breaks(
-        |x| (x.ln(), x.ln().exp().recip()),
-        &[(0.0, f64::NAN, f64::NEG_INFINITY)],
-    );
+    check_breaks(|x| (x.ln(), x.ln().exp().recip()), &[(0.0, f64::NAN, f64::NEG_INFINITY)]);
 }
 
 #[test]
 fn steep_passages_and_kinks_are_no_breaks() {
     check_breaks(|x| ((x - 0.1).cbrt(), (x - 0.1).cbrt().powi(-2) / 3.0), &[]);
     check(|x| ((x - 0.2).abs(), (x - 0.2).signum()), &[0.2]);
-    check(
-        |x| {
-            (
-                ((x - 0.2) * 1e3).tanh(),
-                1e3 / ((x - 0.2) * 1e3).cosh().powi(2),
-            )
-        },
-        &[],
-    );
+    check(|x| (((x - 0.2) * 1e3).tanh(), 1e3 / ((x - 0.2) * 1e3).cosh().powi(2)), &[]);
 }

@@ -19,9 +19,7 @@ fn times(a: &[f64], b: &[f64]) -> Polynomial {
 
 fn plus(a: &[f64], b: &[f64], factor: f64) -> Polynomial {
     let entry = |p: &[f64], k: usize| p.get(k).copied().unwrap_or(0.0);
-    (0..a.len().max(b.len()))
-        .map(|k| entry(a, k) + factor * entry(b, k))
-        .collect()
+    (0..a.len().max(b.len())).map(|k| entry(a, k) + factor * entry(b, k)).collect()
 }
 
 /// The polynomial of degree 8 of the specification: `P² - 4 Y0² (l6² - A²)`, all times `(1 + t²)⁴`.
@@ -35,11 +33,8 @@ fn polynomial(values: &[f64; 8], phi4: f64) -> Polynomial {
     let one = vec![1.0, 0.0, 1.0];
     let square = times(&one, &one);
     let big_a = with_cosine(s, l7);
-    let b2 = plus(
-        &square.iter().map(|c| c * l6 * l6).collect::<Vec<_>>(),
-        &times(&big_a, &big_a),
-        -1.0,
-    );
+    let b2 =
+        plus(&square.iter().map(|c| c * l6 * l6).collect::<Vec<_>>(), &times(&big_a, &big_a), -1.0);
     let sum = plus(&plus(&times(&x, &x), &times(&y0, &y0), 1.0), &b2, 1.0);
     let p = plus(&sum, &square, -l5 * l5);
     plus(&times(&p, &p), &times(&times(&y0, &y0), &b2), -4.0)
@@ -51,9 +46,7 @@ fn real_roots(values: &[f64; 8], phi4: f64) -> Vec<f64> {
     let f = |phi: f64| {
         let (s, c) = (0.5 * phi).sin_cos();
         let terms = polynomial.iter().enumerate();
-        terms
-            .map(|(k, p)| p * s.powi(k as i32) * c.powi(8 - k as i32))
-            .sum::<f64>()
+        terms.map(|(k, p)| p * s.powi(k as i32) * c.powi(8 - k as i32)).sum::<f64>()
     };
     let count = 20_000;
     let grid = |k: usize| -PI + 2.0 * PI * k as f64 / f64::from(count);
@@ -65,11 +58,7 @@ fn real_roots(values: &[f64; 8], phi4: f64) -> Vec<f64> {
         }
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
-            if f(low) * f(middle) <= 0.0 {
-                high = middle
-            } else {
-                low = middle
-            }
+            if f(low) * f(middle) <= 0.0 { high = middle } else { low = middle }
         }
         roots.push(low);
     }
@@ -82,23 +71,12 @@ fn check_heald(linkage: &Heald, degrees: f64) -> usize {
     let at = degrees.to_radians();
     let list = modes(linkage, &[at], &Search::default()).expect("a position");
     let expected = real_roots(&linkage.values, at);
-    assert!(
-        list.complete,
-        "{degrees}: {} undecided of {}",
-        list.undecided, list.boxes
-    );
-    assert_eq!(
-        list.modes.len(),
-        expected.len(),
-        "{degrees}: {list:?} {expected:?}"
-    );
+    assert!(list.complete, "{degrees}: {} undecided of {}", list.undecided, list.boxes);
+    assert_eq!(list.modes.len(), expected.len(), "{degrees}: {list:?} {expected:?}");
     let mut found: Vec<f64> = list.modes.iter().map(|mode| mode.coordinates[2]).collect();
     found.sort_by(f64::total_cmp);
     for (found, expected) in found.into_iter().zip(expected) {
-        assert!(
-            (found - expected).abs() < 1e-6,
-            "{degrees}: {found} {expected}"
-        );
+        assert!((found - expected).abs() < 1e-6, "{degrees}: {found} {expected}");
     }
     list.boxes
 }
@@ -108,10 +86,7 @@ fn heald_linkage_has_all_modes_of_its_polynomial() {
     let default = modes(&Heald::printed(), &[PI / 2.0], &Search::default()).expect("a position");
     assert_eq!((default.modes.len(), default.complete), (4, true));
     assert!(
-        default
-            .modes
-            .iter()
-            .any(|mode| (mode.coordinates[2].to_degrees() + 70.06145).abs() < 1e-5)
+        default.modes.iter().any(|mode| (mode.coordinates[2].to_degrees() + 70.06145).abs() < 1e-5)
     );
     let (mut most, mut degrees) = (0, -180.0);
     while degrees <= 180.0 {
@@ -126,10 +101,7 @@ fn heald_linkage_has_all_modes_of_its_polynomial() {
 fn modes_in_closed_form_are_counted() {
     let count = |list: crate::closure::Modes| (list.modes.len(), list.complete);
     let search = Search::default();
-    assert_eq!(
-        count(modes(&FourBar::default(), &[1.0], &search).expect("a position")),
-        (2, true)
-    );
+    assert_eq!(count(modes(&FourBar::default(), &[1.0], &search).expect("a position")), (2, true));
     assert_eq!(
         count(modes(&SliderCrank::default(), &[1.0], &search).expect("a position")),
         (2, true)
@@ -139,10 +111,8 @@ fn modes_in_closed_form_are_counted() {
     let mut expected = 0;
     for (first, second) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
         let (mut z, instant) = (Closure::<f64>::zeros(&loops), loops.instant(&[1.0]));
-        let sines = [
-            loops.close(0, &instant, first, &mut z),
-            loops.close(1, &instant, second, &mut z),
-        ];
+        let sines =
+            [loops.close(0, &instant, first, &mut z), loops.close(1, &instant, second, &mut z)];
         expected += usize::from(sines.iter().all(|sine| sine.is_finite()));
     }
     assert_eq!(count(six), (expected, true));

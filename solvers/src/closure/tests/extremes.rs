@@ -39,11 +39,7 @@ fn swing_of_the_selvedge_linkage() {
     // Limit positions: crank and rod in line, rho = l2 ± l1.
     for (extreme, rho, turn) in [(rocker.least, l2 + l1, 0.0), (rocker.greatest, l2 - l1, PI)] {
         let expected = turn + ((rho * rho + a * a - l3 * l3) / (2.0 * rho * a)).acos();
-        assert!(
-            (extreme.at - expected).abs() < 1e-12,
-            "{} {expected}",
-            extreme.at
-        );
+        assert!((extreme.at - expected).abs() < 1e-12, "{} {expected}", extreme.at);
     }
     assert!((rocker.least.at.to_degrees() - 31.43187).abs() < 1e-5);
     assert!((rocker.greatest.at.to_degrees() - 215.18382).abs() < 1e-5);
@@ -85,9 +81,6 @@ fn stroke_up_to_dead_points() {
     let found = stretch(&linkage, 0, (0.0, 1.5)).expect("it assembles");
     assert_eq!(found.high.dead, Some(0));
     for output in found.high.outputs {
-        assert!(
-            (output.rem_euclid(PI) - expected.rem_euclid(PI)).abs() < 1e-11,
-            "{output}"
-        );
+        assert!((output.rem_euclid(PI) - expected.rem_euclid(PI)).abs() < 1e-11, "{output}");
     }
 }

@@ -39,21 +39,15 @@ fn check_change_points<L: Linkage>(
     let mut met = Vec::new();
     for k in 0..=count {
         let at = FRAC_PI_2 + offset + step * k as f64;
-        assembly
-            .move_to(&[at])
-            .unwrap_or_else(|error| panic!("{error}"));
+        assembly.move_to(&[at]).unwrap_or_else(|error| panic!("{error}"));
         met.extend(assembly.take_events());
         let found = assembly.coordinates()[1];
         assert!(apart(found, rocker(crossed, at)) < 1e-9, "{at}: {found}");
     }
-    let turns = ((FRAC_PI_2 + offset + step * count as f64) / PI)
-        .floor()
-        .abs() as usize;
+    let turns = ((FRAC_PI_2 + offset + step * count as f64) / PI).floor().abs() as usize;
     assert_eq!(met.len(), turns, "{met:?}");
     for event in met {
-        let Event::ChangePoint { at, .. } = event else {
-            panic!("{event:?}")
-        };
+        let Event::ChangePoint { at, .. } = event else { panic!("{event:?}") };
         assert!(apart(2.0 * at[0], 0.0) < 1e-11, "{at:?}");
     }
 }
@@ -61,13 +55,7 @@ fn check_change_points<L: Linkage>(
 #[test]
 fn flattened_parallelogram_goes_on_smoothly() {
     for crossed in [false, true] {
-        check_change_points(
-            &parallelogram(crossed),
-            crossed,
-            1f64.to_radians(),
-            720,
-            0.0,
-        );
+        check_change_points(&parallelogram(crossed), crossed, 1f64.to_radians(), 720, 0.0);
         check_change_points(
             &parallelogram(crossed),
             crossed,
@@ -75,20 +63,8 @@ fn flattened_parallelogram_goes_on_smoothly() {
             720,
             0.5f64.to_radians(),
         );
-        check_change_points(
-            &parallelogram(crossed),
-            crossed,
-            7f64.to_radians(),
-            100,
-            0.123,
-        );
-        check_change_points(
-            &parallelogram(crossed),
-            crossed,
-            30f64.to_radians(),
-            24,
-            0.0,
-        );
+        check_change_points(&parallelogram(crossed), crossed, 7f64.to_radians(), 100, 0.123);
+        check_change_points(&parallelogram(crossed), crossed, 30f64.to_radians(), 24, 0.0);
         check_change_points(&parallelogram(crossed), crossed, 1e-3, 4000, 0.0);
     }
 }
@@ -97,13 +73,7 @@ fn flattened_parallelogram_goes_on_smoothly() {
 fn flattened_parallelogram_goes_on_smoothly_when_iterated() {
     for crossed in [false, true] {
         let linkage = Iterated(parallelogram(crossed));
-        check_change_points(
-            &linkage,
-            crossed,
-            1f64.to_radians(),
-            720,
-            0.5f64.to_radians(),
-        );
+        check_change_points(&linkage, crossed, 1f64.to_radians(), 720, 0.5f64.to_radians());
         check_change_points(&linkage, crossed, 7f64.to_radians(), 100, 0.123);
         check_change_points(&linkage, crossed, 1f64.to_radians(), 720, 0.0);
     }
@@ -168,27 +138,20 @@ fn a_nanoradian_before_a_dead_point() {
     let short = 0.008 * end.sin() / 0.1 * 1e-9 / 0.1;
     let expected = 2.0 * (2.0 * short).sqrt();
     let sine = assembly.sine(0);
-    assert!(
-        (sine.abs() / expected - 1.0).abs() < 1e-5,
-        "{sine} {expected}"
-    );
+    assert!((sine.abs() / expected - 1.0).abs() < 1e-5, "{sine} {expected}");
     let (at, gap) = dead_point(assembly.move_to(&[end + 1e-9]));
     assert!((at - end).abs() < 1e-12);
     assert!((gap / (short * 0.1) - 1.0).abs() < 1e-5, "{gap}");
     // The naive way, Newton's method from the position one degree before, does not stay on its side.
     let mut naive = started(&swinging());
-    naive
-        .move_to(&[end - 1f64.to_radians()])
-        .expect("the mode goes on");
+    naive.move_to(&[end - 1f64.to_radians()]).expect("the mode goes on");
     let before = naive.sine(0);
     let instant = naive.closure().instant(&[end - 1e-9]);
     let mut z = *naive.position();
     let (mut row, mut matrix) = ([0.0; 2], [0.0; 4]);
     let mut sines = Vec::new();
     for _ in 0..60 {
-        naive
-            .closure()
-            .trial(0, &instant, &mut z, &mut row, &mut matrix);
+        naive.closure().trial(0, &instant, &mut z, &mut row, &mut matrix);
         let [a, b, c, d] = matrix;
         let determinant = a * d - b * c;
         z[0] -= (d * row[0] - b * row[1]) / determinant;
@@ -204,11 +167,7 @@ fn heald_linkage_lives_between_its_dead_points() {
     for (wanted, expected) in [(-1.5, -65.330f64), (4.5, 220.223)] {
         let mut assembly = started(&Heald::printed());
         let (at, gap) = dead_point(assembly.move_to(&[wanted]));
-        assert!(
-            (at.to_degrees() - expected).abs() < 6e-4,
-            "{}",
-            at.to_degrees()
-        );
+        assert!((at.to_degrees() - expected).abs() < 6e-4, "{}", at.to_degrees());
         assert!(gap > 1e-3, "{gap}");
         let (again, _) = dead_point(assembly.move_to(&[at + 1e-6 * wanted.signum()]));
         assert!((at - again).abs() < 1e-12, "{at} {again}");
@@ -220,40 +179,25 @@ fn dead_points_are_passed_onto_the_other_mode() {
     let mut assembly = started(&swinging());
     let (at, _) = dead_point(assembly.move_to(&[1.4]));
     let mode = assembly.mode(0);
-    assembly
-        .pass_dead_point(&[1.4])
-        .expect("there is a dead point");
+    assembly.pass_dead_point(&[1.4]).expect("there is a dead point");
     let events = assembly.take_events();
-    let [
-        Event::DeadPoint {
-            group: 0,
-            at: passed,
-            mode: after,
-        },
-    ] = &events[..]
-    else {
+    let [Event::DeadPoint { group: 0, at: passed, mode: after }] = &events[..] else {
         panic!("{events:?}")
     };
     assert!((passed[0] - at).abs() < 1e-12);
     assert_eq!(*after, -mode);
     assembly.move_to(&[0.8]).expect("the other mode goes back");
     let mut other = Assembly::<_, f64>::new(&swinging());
-    other
-        .start_at(&[0.8], &assembly.coordinates())
-        .expect("it assembles");
+    other.start_at(&[0.8], &assembly.coordinates()).expect("it assembles");
     assert_eq!(assembly.mode(0), other.mode(0));
     assert_eq!(assembly.mode(0), -mode);
 
     let mut heald = started(&Heald::printed());
     dead_point(heald.move_to(&[4.5]));
     let sine = heald.sine(0);
-    heald
-        .pass_dead_point(&[4.5])
-        .expect("there is a dead point");
+    heald.pass_dead_point(&[4.5]).expect("there is a dead point");
     assert!(heald.sine(0) * sine < 0.0);
-    heald
-        .move_to(&[FRAC_PI_2])
-        .expect("the other mode goes back");
+    heald.move_to(&[FRAC_PI_2]).expect("the other mode goes back");
     assert!(residual(&heald) < 1e-16);
     assert!((heald.position()[2].to_degrees() + 70.06145).abs() > 1.0);
 }
@@ -288,9 +232,7 @@ fn modes_that_miss_each_other_by_one_part_in_1e12_are_not_exchanged() {
     let mut assembly = started(&linkage);
     let mode = assembly.mode(0);
     for k in 0..=300 {
-        assembly
-            .move_to(&[FRAC_PI_2 + 0.01 * f64::from(k)])
-            .expect("the mode goes on");
+        assembly.move_to(&[FRAC_PI_2 + 0.01 * f64::from(k)]).expect("the mode goes on");
     }
     assert_eq!((assembly.mode(0), assembly.take_events()), (mode, vec![]));
     // With its sign kept, the parallelogram has turned into the crossed linkage.
@@ -304,19 +246,14 @@ fn coincident_pivots() {
     // A kite: where the crank lies on the frame, rod and rocker turn freely about one point.
     let kite = |at: f64| FourBar::new([0.1, 0.06, 0.06, 0.1], at, [1.5, 1.5]);
     let outcome = Assembly::<_, f64>::new(&kite(0.0)).start();
-    assert!(
-        matches!(outcome, Err(ClosureError::Ambiguous { group: 0, .. })),
-        "{outcome:?}"
-    );
+    assert!(matches!(outcome, Err(ClosureError::Ambiguous { group: 0, .. })), "{outcome:?}");
     // On the way through, the smooth continuation is taken.
     let mut linkage = kite(0.5);
     linkage.start = [0.9, 1.5];
     let mut assembly = started(&linkage);
     let mut last = assembly.position()[0];
     for k in 1..=100 {
-        assembly
-            .move_to(&[0.5 - 0.01 * f64::from(k)])
-            .expect("it goes on");
+        assembly.move_to(&[0.5 - 0.01 * f64::from(k)]).expect("it goes on");
         let found = assembly.position()[0];
         assert!((found - last).abs() < 0.02, "{k}: {found} {last}");
         assert!(residual(&assembly) < 1e-12);
@@ -373,9 +310,7 @@ fn angles_that_pass_half_a_turn() {
     let (mut last, mut jumps) = (*assembly.position(), 0);
     let first = last;
     for k in 1..=720 {
-        assembly
-            .move_to(&[0.5 + f64::from(k).to_radians()])
-            .expect("the crank turns");
+        assembly.move_to(&[0.5 + f64::from(k).to_radians()]).expect("the crank turns");
         let next = *assembly.position();
         assert!((next[1] - last[1]).abs() < 0.1);
         let naive = |z: [f64; 6]| z[5].atan2(z[4]);
@@ -394,19 +329,14 @@ fn start_values_pick_the_nearest_mode() {
         linkage.range.start = at;
         linkage.start = values;
         let mut assembly = Assembly::<_, f64>::new(&linkage);
-        assembly
-            .start()
-            .map(|start| (assembly.mode(0), *assembly.position(), start))
+        assembly.start().map(|start| (assembly.mode(0), *assembly.position(), start))
     };
     let (open, first, told) = start([0.5, 1.5]).expect("it assembles");
     assert!(told.assumed.is_empty());
     let (crossed, second, _) = start([-0.9, -1.9]).expect("it assembles");
     assert_eq!(open, -crossed);
     // One known value suffices; none is said to have been assumed.
-    assert_eq!(
-        start([f64::NAN, second[1] + 0.3]).expect("it assembles").0,
-        crossed
-    );
+    assert_eq!(start([f64::NAN, second[1] + 0.3]).expect("it assembles").0, crossed);
     let (assumed, _, told) = start([f64::NAN; 2]).expect("it assembles");
     assert_eq!((assumed, told.assumed), (1.0, vec![0]));
     // Whole turns are kept.
@@ -418,10 +348,7 @@ fn start_values_pick_the_nearest_mode() {
     // Half way between the modes there is no nearest one.
     let middle = [0.5 * (first[0] + second[0]), 0.5 * (first[1] + second[1])];
     let outcome = start(middle);
-    assert!(
-        matches!(outcome, Err(ClosureError::Ambiguous { .. })),
-        "{outcome:?}"
-    );
+    assert!(matches!(outcome, Err(ClosureError::Ambiguous { .. })), "{outcome:?}");
 }
 
 #[test]
@@ -445,9 +372,7 @@ fn newton_alone_lands_in_another_mode() {
         let mut newton = Newton::new(kept.closure().shape());
         if let Ok(closed) = newton.close(&loops, 0, &instant_at(&loops, &[at], &[]), &mut z) {
             assert!(closed.residual < 1e-15);
-            let away = (0..3)
-                .map(|j| apart(z[j], kept.position()[j]))
-                .fold(0.0, f64::max);
+            let away = (0..3).map(|j| apart(z[j], kept.position()[j])).fold(0.0, f64::max);
             if away > 1e-6 { other += 1 } else { same += 1 }
         }
     }
@@ -457,32 +382,19 @@ fn newton_alone_lands_in_another_mode() {
 #[test]
 fn nonsense_is_refused() {
     let mut assembly = Assembly::<_, f64>::new(&FourBar::default());
-    assert!(matches!(
-        assembly.move_to(&[1.0]),
-        Err(ClosureError::BadRange { .. })
-    ));
+    assert!(matches!(assembly.move_to(&[1.0]), Err(ClosureError::BadRange { .. })));
     assembly.start().expect("it assembles");
-    assert!(matches!(
-        assembly.move_to(&[f64::NAN]),
-        Err(ClosureError::BadRange { .. })
-    ));
+    assert!(matches!(assembly.move_to(&[f64::NAN]), Err(ClosureError::BadRange { .. })));
     assembly.move_to(&[1.0]).expect("it goes on");
     let mut broken = FourBar::default();
     broken.values[1] = f64::NAN;
     let outcome = Assembly::<_, f64>::new(&broken).start();
-    assert!(
-        matches!(outcome, Err(ClosureError::NotFinite { .. })),
-        "{outcome:?}"
-    );
+    assert!(matches!(outcome, Err(ClosureError::NotFinite { .. })), "{outcome:?}");
 }
 
 #[test]
 fn sweeps_stop_or_pass_through() {
-    let axis = Axis {
-        from: 0.8,
-        to: 1.4,
-        count: 61,
-    };
+    let axis = Axis { from: 0.8, to: 1.4, count: 61 };
     let stopped = sweep(&swinging(), &[axis], AtDeadPoint::Stop).expect("it assembles");
     let end = end_of_swing();
     let count = ((end - 0.8) / 0.01) as usize + 1;
@@ -508,14 +420,9 @@ fn two_groups_flatten_at_once() {
         let mut assembly = started(&linkage);
         for k in 0..=720 {
             let at = FRAC_PI_2 + offset + f64::from(k).to_radians();
-            assembly
-                .move_to(&[at])
-                .unwrap_or_else(|error| panic!("{error}"));
+            assembly.move_to(&[at]).unwrap_or_else(|error| panic!("{error}"));
             let [a, b, c, d] = [0, 1, 2, 3].map(|j| assembly.position()[j]);
-            assert!(
-                apart(a, 0.0) + apart(b, at) + apart(c, 0.0) + apart(d, at) < 1e-8,
-                "{k}"
-            );
+            assert!(apart(a, 0.0) + apart(b, at) + apart(c, 0.0) + apart(d, at) < 1e-8, "{k}");
         }
         assert_eq!(assembly.take_events().len(), 8);
     }

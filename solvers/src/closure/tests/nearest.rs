@@ -6,21 +6,14 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Numbers from 0 to 1, one after the other.
 fn random(state: &mut u64) -> f64 {
-    *state = state
-        .wrapping_mul(6_364_136_223_846_793_005)
-        .wrapping_add(1_442_695_040_888_963_407);
+    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     (*state >> 11) as f64 / (1u64 << 53) as f64
 }
 
 /// Distance of angles, whole turns apart.
 fn distance(a: &[f64], b: &[f64]) -> f64 {
     let apart = |(a, b): (&f64, &f64)| (a - b + PI).rem_euclid(TAU) - PI;
-    a.iter()
-        .zip(b)
-        .map(apart)
-        .map(|one| one * one)
-        .sum::<f64>()
-        .sqrt()
+    a.iter().zip(b).map(apart).map(|one| one * one).sum::<f64>().sqrt()
 }
 
 /// Checks what a linkage of angles is put together as. True if it assembles.
@@ -28,11 +21,8 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 fn check_nearest<L: Linkage>(linkage: &L, at: f64, near: &[f64]) -> bool {
     let search = Search::default();
     let listed = modes(linkage, &[at], &search).expect("a place");
-    let mut all: Vec<f64> = listed
-        .modes
-        .iter()
-        .map(|mode| distance(&mode.coordinates, near))
-        .collect();
+    let mut all: Vec<f64> =
+        listed.modes.iter().map(|mode| distance(&mode.coordinates, near)).collect();
     all.sort_by(f64::total_cmp);
     let mut assembly = Assembly::<L, f64>::new(linkage);
     let outcome = assembly.start_at(&[at], near);
@@ -47,10 +37,7 @@ fn check_nearest<L: Linkage>(linkage: &L, at: f64, near: &[f64]) -> bool {
     let found = distance(&assembly.coordinates(), near);
     assert!(found < least + 1e-9 || found < 0.5, "{found} {all:?}");
     let far = assembly.coordinates();
-    let far = far
-        .iter()
-        .zip(near)
-        .filter(|(a, b)| distance(&[**a], &[**b]) > 1.0);
+    let far = far.iter().zip(near).filter(|(a, b)| distance(&[**a], &[**b]) > 1.0);
     assert_eq!(start.contradicted.len(), far.count());
     true
 }
@@ -85,8 +72,5 @@ fn a_linkage_that_has_no_assembly_says_so() {
     linkage.values[6] = 1e-3;
     linkage.values[7] = 1e-3;
     let outcome = Assembly::<SixBar, f64>::new(&linkage).start();
-    assert!(
-        matches!(outcome, Err(ClosureError::NotAssembled { group: 1, .. })),
-        "{outcome:?}"
-    );
+    assert!(matches!(outcome, Err(ClosureError::NotAssembled { group: 1, .. })), "{outcome:?}");
 }

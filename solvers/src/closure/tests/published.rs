@@ -13,9 +13,7 @@ pub fn started<L: Linkage>(linkage: &L) -> Assembly<L, f64> {
 
 /// First output in degrees after a move.
 fn degrees<L: Linkage>(assembly: &mut Assembly<L, f64>, at: f64) -> f64 {
-    assembly
-        .move_to(&[at.to_radians()])
-        .expect("the mode goes on");
+    assembly.move_to(&[at.to_radians()]).expect("the mode goes on");
     let mut values = vec![0.0; assembly.closure().shape().outputs.len()];
     assembly.outputs(&mut values);
     values[0].to_degrees()
@@ -25,12 +23,8 @@ fn degrees<L: Linkage>(assembly: &mut Assembly<L, f64>, at: f64) -> f64 {
 pub fn residual<L: Linkage>(assembly: &Assembly<L, f64>) -> f64 {
     let mut values = vec![0.0; assembly.coordinates().len()];
     let instant = assembly.closure().instant(assembly.independents());
-    assembly
-        .closure()
-        .residual(&instant, assembly.position(), &mut values);
-    values
-        .into_iter()
-        .fold(0.0, |most, value| most.max(value.abs()))
+    assembly.closure().residual(&instant, assembly.position(), &mut values);
+    values.into_iter().fold(0.0, |most, value| most.max(value.abs()))
 }
 
 #[test]
@@ -49,11 +43,7 @@ fn heald_linkage_as_printed() {
 #[test]
 fn heald_linkage_with_a_straight_guide() {
     let assembly = started(&Heald::guided());
-    for (found, expected) in assembly
-        .position()
-        .iter()
-        .zip([50.91779, 40.65752, -36.42903])
-    {
+    for (found, expected) in assembly.position().iter().zip([50.91779, 40.65752, -36.42903]) {
         assert!((found.to_degrees() - expected).abs() < 5e-6);
     }
 }
@@ -62,16 +52,9 @@ fn heald_linkage_with_a_straight_guide() {
 fn selvedge_linkage() {
     let mut assembly = started(&FourBar::default());
     // χ = 180° - θ
-    for (at, chi) in [
-        (90.0, 74.35483),
-        (215.18382, 38.62483),
-        (31.43187, 88.20922),
-    ] {
+    for (at, chi) in [(90.0, 74.35483), (215.18382, 38.62483), (31.43187, 88.20922)] {
         degrees(&mut assembly, at);
-        assert!(
-            (180.0 - assembly.position()[1].to_degrees() - chi).abs() < 1e-5,
-            "{at}"
-        );
+        assert!((180.0 - assembly.position()[1].to_degrees() - chi).abs() < 1e-5, "{at}");
     }
     assert!((degrees(&mut assembly, 90.0) - 21.35768).abs() < 5e-6);
 }

@@ -51,11 +51,7 @@ impl Task for Kept {
 
 #[test]
 fn sweeps_over_a_revolution() {
-    let axis = Axis {
-        from: 0.0,
-        to: TAU,
-        count: 361,
-    };
+    let axis = Axis { from: 0.0, to: TAU, count: 361 };
     let positions = sweep(&SixBar::default(), &[axis], AtDeadPoint::Stop).expect("it assembles");
     assert_eq!(positions.len(), 361);
     assert!(positions.end.is_none() && positions.events.is_empty());

@@ -11,11 +11,7 @@ fn search<T>(
     slope: impl Fn(f64) -> f64,
     find: impl FnOnce(&mut Search<'_>, Sample, Sample) -> T,
 ) -> T {
-    let mut sample = |part: f64| Sample {
-        part,
-        value: value(part),
-        slope: slope(part),
-    };
+    let mut sample = |part: f64| Sample { part, value: value(part), slope: slope(part) };
     let (from, to) = (sample(0.0), sample(1.0));
     let mut search = Search {
         direction,
@@ -46,16 +42,10 @@ fn crossing(
 fn a_crossing_is_enclosed_to_the_last_bits() {
     let root = crossing(Direction::Rises, -1.0, true, |x| x.exp() - 2.0, f64::exp).unwrap();
     let (before, after) = (root.before, root.at.part);
-    assert!(
-        root.rising && (after - 2.0f64.ln()).abs() < 4e-16,
-        "{root:?}"
-    );
+    assert!(root.rising && (after - 2.0f64.ln()).abs() < 4e-16, "{root:?}");
     assert!(after.exp() > 2.0 && before.exp() < 2.0);
     assert!(after - before <= 8.0 * f64::EPSILON, "{root:?}");
-    assert_eq!(
-        crossing(Direction::Falls, -1.0, true, |x| x.exp() - 2.0, f64::exp),
-        None
-    );
+    assert_eq!(crossing(Direction::Falls, -1.0, true, |x| x.exp() - 2.0, f64::exp), None);
 }
 
 /// Two crossings 2e-4 apart, of which the signs at the ends say nothing.
@@ -65,24 +55,15 @@ fn a_pair_of_crossings_within_a_step_is_found() {
     let slope = |x: f64| 2.0 * (x - 0.3) * (1.0 + x) + (x - 0.3).powi(2);
     assert!(value(0.0) > 0.0 && value(1.0) > 0.0);
     let fall = crossing(Direction::Falls, 1.0, true, value, slope).unwrap();
-    assert!(
-        (fall.at.part - 0.299_912).abs() < 1e-6 && !fall.rising,
-        "{fall:?}"
-    );
+    assert!((fall.at.part - 0.299_912).abs() < 1e-6 && !fall.rising, "{fall:?}");
     let rise = crossing(Direction::Rises, 1.0, true, value, slope).unwrap();
-    assert!(
-        (rise.at.part - 0.300_088).abs() < 1e-6 && rise.rising,
-        "{rise:?}"
-    );
+    assert!((rise.at.part - 0.300_088).abs() < 1e-6 && rise.rising, "{rise:?}");
 }
 
 #[test]
 fn a_touch_is_no_crossing() {
     let value = |x: f64| (x - 0.3).powi(2);
-    assert_eq!(
-        crossing(Direction::Crosses, 1.0, true, value, |x| 2.0 * (x - 0.3)),
-        None
-    );
+    assert_eq!(crossing(Direction::Crosses, 1.0, true, value, |x| 2.0 * (x - 0.3)), None);
 }
 
 /// The continuous solution begins downwards and the motion upwards, `2 x`: it is never below zero.
@@ -132,10 +113,7 @@ fn a_guard_that_leaves_zero_passes_it_at_the_start() {
 
 #[test]
 fn a_guard_that_stays_zero_passes_nothing() {
-    assert_eq!(
-        crossing(Direction::Crosses, 0.0, true, |_| 0.0, |_| 0.0),
-        None
-    );
+    assert_eq!(crossing(Direction::Crosses, 0.0, true, |_| 0.0, |_| 0.0), None);
 }
 
 /// Beside a pole a guard is steeper by any factor than elsewhere, where it is an easy curve all the same.
@@ -169,13 +147,9 @@ fn crossings_of_random_guards_are_not_missed() {
         let Some(first) = first else { continue };
         crossed += 1;
         let kind = (Direction::Crosses, sign, true);
-        let found = search(kind, value, slope, |search, from, to| {
-            search.run_warily(from, to).0
-        });
+        let found = search(kind, value, slope, |search, from, to| search.run_warily(from, to).0);
         // Between two samples it may have passed twice before.
-        let found = found
-            .map(|found| found.at.part)
-            .filter(|at| value(*at).signum() != sign);
+        let found = found.map(|found| found.at.part).filter(|at| value(*at).signum() != sign);
         missed += usize::from(found.is_none_or(|at| at > f64::from(first) / 4000.0));
     }
     assert!(crossed > 9_000, "{crossed}");

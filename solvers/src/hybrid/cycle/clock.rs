@@ -97,10 +97,7 @@ pub(super) fn find(
             break;
         }
     }
-    Err(CycleError::NoReturn {
-        time: walk.time,
-        nearest: nearest.map(|passage| passage.distance),
-    })
+    Err(CycleError::NoReturn { time: walk.time, nearest: nearest.map(|passage| passage.distance) })
 }
 
 impl Walk<'_> {
@@ -127,14 +124,8 @@ impl Walk<'_> {
 
     /// Follows the motion for a time.
     fn stretch(&mut self, length: f64) -> Result<Motion, CycleError> {
-        let motion = follow(
-            self.model,
-            self.mode,
-            (0.0, length),
-            &self.state,
-            self.settings,
-        )
-        .map_err(|error| CycleError::Motion(Box::new(error)))?;
+        let motion = follow(self.model, self.mode, (0.0, length), &self.state, self.settings)
+            .map_err(|error| CycleError::Motion(Box::new(error)))?;
         self.steps += motion.statistics.steps + motion.statistics.rejected;
         self.time += length;
         self.mode = motion.mode;
@@ -190,11 +181,8 @@ impl Walk<'_> {
     /// The nearest passage of the plane through the end of a motion; of those within a factor of ten the last one.
     fn passages(&self, motion: &Motion) -> Option<Passage> {
         let rate = self.rate(self.mode, &self.state);
-        let normal: Vec<f64> = rate
-            .iter()
-            .zip(&self.sizes)
-            .map(|(rate, size)| rate / (size * size))
-            .collect();
+        let normal: Vec<f64> =
+            rate.iter().zip(&self.sizes).map(|(rate, size)| rate / (size * size)).collect();
         let height = |state: &[f64]| -> f64 {
             let terms = state.iter().zip(&motion.end).zip(&normal);
             terms.map(|((a, b), normal)| (a - b) * normal).sum()
@@ -220,13 +208,8 @@ impl Walk<'_> {
                 }
             }
         }
-        let nearest = found
-            .iter()
-            .map(|one| one.distance)
-            .fold(f64::INFINITY, f64::min);
-        found
-            .into_iter()
-            .rfind(|one| one.distance <= 10.0 * nearest)
+        let nearest = found.iter().map(|one| one.distance).fold(f64::INFINITY, f64::min);
+        found.into_iter().rfind(|one| one.distance <= 10.0 * nearest)
     }
 
     /// The motion that repeats after about this time, near here.

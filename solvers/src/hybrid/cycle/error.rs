@@ -102,12 +102,7 @@ impl fmt::Display for CycleError {
                 "at time {time} s event {event} of mode {mode} is touched and not passed, so that the motion does not \
                  depend smoothly on where it begins; change a value a little"
             ),
-            Self::NoneStable {
-                followed,
-                nearest,
-                growth,
-                unstable,
-            } => {
+            Self::NoneStable { followed, nearest, growth, unstable } => {
                 write!(
                     formatter,
                     "no stable motion that repeats was found in {followed} periods; small disturbances change by the \

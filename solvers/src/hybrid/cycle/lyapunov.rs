@@ -93,14 +93,9 @@ impl Stretch<'_> {
     pub(super) fn advance(&mut self, periods: usize) -> Result<DVector<f64>, CycleError> {
         let mut grown = DVector::zeros(self.sizes.len());
         for _ in 0..periods {
-            let motion = follow(
-                self.model,
-                self.mode,
-                (0.0, self.period),
-                &self.state,
-                self.settings,
-            )
-            .map_err(|error| CycleError::Motion(Box::new(error)))?;
+            let motion =
+                follow(self.model, self.mode, (0.0, self.period), &self.state, self.settings)
+                    .map_err(|error| CycleError::Motion(Box::new(error)))?;
             let matrix = variation::of(self.model, &motion, self.settings)?;
             let (sizes, states) = (self.sizes, self.sizes.len());
             let scaled =

@@ -154,13 +154,7 @@ fn follow(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
-    let way = Way {
-        mode,
-        times,
-        start,
-        settings,
-        is_checked: false,
-    };
+    let way = Way { mode, times, start, settings, is_checked: false };
     way.of(model)
 }
 

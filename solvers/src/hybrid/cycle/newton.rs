@@ -50,14 +50,8 @@ impl Gap<'_> {
         start: &DVector<f64>,
         time: f64,
     ) -> Result<(Motion, DVector<f64>), CycleError> {
-        let motion = follow(
-            self.model,
-            self.mode,
-            (0.0, time),
-            start.as_slice(),
-            self.settings,
-        )
-        .map_err(|error| CycleError::Motion(Box::new(error)))?;
+        let motion = follow(self.model, self.mode, (0.0, time), start.as_slice(), self.settings)
+            .map_err(|error| CycleError::Motion(Box::new(error)))?;
         let change = DVector::from_column_slice(&motion.end) - start;
         Ok((motion, change))
     }
@@ -65,9 +59,7 @@ impl Gap<'_> {
     /// A change over the sizes of the states.
     fn size(&self, change: &DVector<f64>) -> f64 {
         let parts = change.iter().zip(self.sizes);
-        parts
-            .map(|(one, size)| one.abs() / size)
-            .fold(0.0, f64::max)
+        parts.map(|(one, size)| one.abs() / size).fold(0.0, f64::max)
     }
 
     /// The motion that repeats near a start; none if Newton's method does not come to one.
@@ -201,9 +193,7 @@ impl Gap<'_> {
         Ok(Cycle {
             multipliers: self.multipliers(&matrix),
             condition: self.condition(&matrix, &motion),
-            residual: scales
-                .map(|(one, scale)| one.abs() / scale)
-                .fold(0.0, f64::max),
+            residual: scales.map(|(one, scale)| one.abs() / scale).fold(0.0, f64::max),
             multiple: self.multiple,
             motion,
             iterations,

@@ -14,10 +14,7 @@ pub(super) struct Past {
 
 impl Past {
     pub(super) fn new(scales: &[f64]) -> Self {
-        Self {
-            states: VecDeque::with_capacity(MULTIPLES + 1),
-            sizes: scales.to_vec(),
-        }
+        Self { states: VecDeque::with_capacity(MULTIPLES + 1), sizes: scales.to_vec() }
     }
 
     /// Adds the state at the end of a period. Gives after how many periods it is nearest to the past, and how near: the

@@ -139,21 +139,13 @@ impl Walk<'_> {
                 steps: self.steps,
             };
             let (mode, motion) = (motion.mode, Box::new(motion));
-            let error = HybridError::Ode {
-                error,
-                mode,
-                motion,
-            };
+            let error = HybridError::Ode { error, mode, motion };
             return Err(CycleError::Motion(Box::new(error)));
         }
         self.events = passed(&motion);
         if motion.mode == self.mode {
             let change = self.apart(&motion.end, &self.state);
-            if self
-                .calmest
-                .as_ref()
-                .is_none_or(|(.., least)| change < *least)
-            {
+            if self.calmest.as_ref().is_none_or(|(.., least)| change < *least) {
                 self.calmest = Some((self.mode, self.state.clone(), change));
             }
         }
@@ -216,9 +208,7 @@ impl Walk<'_> {
             return Ok(cycle);
         }
         let (mode, state) = &begins[number];
-        let moved = self
-            .gap(cycle.multiple, *mode)
-            .close(state, self.followed)?;
+        let moved = self.gap(cycle.multiple, *mode).close(state, self.followed)?;
         Ok(moved.unwrap_or(cycle))
     }
 

@@ -62,12 +62,7 @@ fn jump(
     let (first, last) = (&events[0], &events[events.len() - 1]);
     let mut slopes = DVector::zeros(states);
     let local = Flow::on(model, first.from, sides);
-    local.guard_slopes(
-        first.event,
-        first.time,
-        &first.before,
-        slopes.as_mut_slice(),
-    );
+    local.guard_slopes(first.event, first.time, &first.before, slopes.as_mut_slice());
     let passing = local.guard(first.event, first.time, &first.before).1;
     let mut rate = DVector::zeros(states);
     local.rates(first.time, &first.before, rate.as_mut_slice());
@@ -112,11 +107,9 @@ fn jump(
     let matrix = jumps + (next - rate) * earlier.transpose();
     match matrix.iter().all(|entry| entry.is_finite()) {
         true => Ok(matrix),
-        false => Err(CycleError::Grazing {
-            time: first.time,
-            mode: first.from,
-            event: first.event,
-        }),
+        false => {
+            Err(CycleError::Grazing { time: first.time, mode: first.from, event: first.event })
+        }
     }
 }
 
@@ -235,14 +228,7 @@ pub(super) fn along(
         ..Options::default()
     };
     let mut workspace = Workspace::new(Explicit::Dop853, &columns);
-    integrate(
-        &columns,
-        (from, to),
-        &start,
-        &options,
-        &mut workspace,
-        &mut (),
-    )?;
+    integrate(&columns, (from, to), &start, &options, &mut workspace, &mut ())?;
     let end = DMatrix::from_column_slice(states, states, workspace.state());
     Ok(scaled(&end, false))
 }

@@ -19,16 +19,9 @@ fn trees(order: usize) -> Vec<Tree> {
         let mut found = Vec::new();
         choose(&all, size - 1, all.len(), &mut Vec::new(), &mut found);
         for branches in found {
-            let density = size as f64
-                * branches
-                    .iter()
-                    .map(|&branch| all[branch].density)
-                    .product::<f64>();
-            all.push(Tree {
-                order: size,
-                branches,
-                density,
-            });
+            let density =
+                size as f64 * branches.iter().map(|&branch| all[branch].density).product::<f64>();
+            all.push(Tree { order: size, branches, density });
         }
     }
     all
@@ -66,18 +59,10 @@ fn stage_weights(rows: &[Row], trees: &[Tree]) -> Vec<Vec<f64>> {
     let mut all: Vec<Vec<f64>> = Vec::new();
     for tree in trees {
         let branch = |number: usize, stage: usize| {
-            rows[stage]
-                .iter()
-                .map(|&(j, a)| a * all[number][j])
-                .sum::<f64>()
+            rows[stage].iter().map(|&(j, a)| a * all[number][j]).sum::<f64>()
         };
         let weights = (0..rows.len())
-            .map(|stage| {
-                tree.branches
-                    .iter()
-                    .map(|&number| branch(number, stage))
-                    .product()
-            })
+            .map(|stage| tree.branches.iter().map(|&number| branch(number, stage)).product())
             .collect();
         all.push(weights);
     }
@@ -86,16 +71,9 @@ fn stage_weights(rows: &[Row], trees: &[Tree]) -> Vec<Vec<f64>> {
 
 /// Largest violation of the conditions up to an order.
 fn violation(weights: &[f64], trees: &[Tree], stages: &[Vec<f64>], order: usize, part: f64) -> f64 {
-    let conditions = trees
-        .iter()
-        .zip(stages)
-        .filter(|(tree, _)| tree.order <= order);
+    let conditions = trees.iter().zip(stages).filter(|(tree, _)| tree.order <= order);
     let error = |(tree, stages): (&Tree, &Vec<f64>)| {
-        let sum: f64 = weights
-            .iter()
-            .zip(stages)
-            .map(|(weight, stage)| weight * stage)
-            .sum();
+        let sum: f64 = weights.iter().zip(stages).map(|(weight, stage)| weight * stage).sum();
         (sum - part.powi(tree.order as i32) / tree.density).abs()
     };
     conditions.map(error).fold(0.0, f64::max)
@@ -158,26 +136,12 @@ fn check_tableau(method: Explicit, dense_order: usize) {
         let error = violation(&weights, &trees, &stages, dense_order, part);
         assert!(error < 2e-14, "{part} {error:e}");
     }
-    let error = violation(
-        &dense_weights(method, 0.5),
-        &trees,
-        &stages,
-        dense_order + 1,
-        0.5,
-    );
+    let error = violation(&dense_weights(method, 0.5), &trees, &stages, dense_order + 1, 0.5);
     assert!(error > 1e-8, "{error:e}");
     // The error estimates vanish for the orders below that of the embedded solution.
     let error = full(method.error, rows.len());
-    for (tree, stages) in trees
-        .iter()
-        .zip(&stages)
-        .filter(|(tree, _)| tree.order <= 4)
-    {
-        let sum: f64 = error
-            .iter()
-            .zip(stages)
-            .map(|(weight, stage)| weight * stage)
-            .sum();
+    for (tree, stages) in trees.iter().zip(&stages).filter(|(tree, _)| tree.order <= 4) {
+        let sum: f64 = error.iter().zip(stages).map(|(weight, stage)| weight * stage).sum();
         assert!(sum.abs() < 2e-14, "order {} {sum:e}", tree.order);
     }
 }
@@ -185,9 +149,8 @@ fn check_tableau(method: Explicit, dense_order: usize) {
 #[test]
 fn there_are_as_many_trees_as_published() {
     let trees = trees(8);
-    let counts: Vec<usize> = (1..=8)
-        .map(|order| trees.iter().filter(|tree| tree.order == order).count())
-        .collect();
+    let counts: Vec<usize> =
+        (1..=8).map(|order| trees.iter().filter(|tree| tree.order == order).count()).collect();
     assert_eq!(counts, [1, 1, 2, 4, 9, 20, 48, 115]);
 }
 
@@ -214,10 +177,7 @@ fn distance(first: &[f64], second: &[f64]) -> f64 {
 
 /// Errors at the end and within steps, for equal steps of two lengths, as measured orders.
 fn measured_orders(method: Explicit, span: f64, steps: f64) -> (f64, f64) {
-    let fixed = |steps: f64| Options {
-        fixed_step: Some(span / steps),
-        ..Options::default()
-    };
+    let fixed = |steps: f64| Options { fixed_step: Some(span / steps), ..Options::default() };
     let exact = march(Dop853, pendulum, (0.0, span), [1.0, 0.3], &fixed(1000.0)).unwrap();
     let errors = |steps: f64| {
         let end = end(method, pendulum, (0.0, span), [1.0, 0.3], &fixed(steps));

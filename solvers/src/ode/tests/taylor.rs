@@ -78,13 +78,7 @@ fn an_oscillator_is_followed_over_many_periods_and_back() {
 
 #[test]
 fn the_continuous_solution_is_as_accurate_as_the_steps() {
-    let motion = march(
-        &oscillator(1.0),
-        (0.0, 20.0),
-        &[0.0, 1.0],
-        &tolerance(1e-12),
-    )
-    .unwrap();
+    let motion = march(&oscillator(1.0), (0.0, 20.0), &[0.0, 1.0], &tolerance(1e-12)).unwrap();
     for number in 0..=1000 {
         let time = 0.02 * f64::from(number);
         let (state, rate) = (motion.at(time), motion.derivative_at(time));
@@ -97,11 +91,7 @@ fn the_continuous_solution_is_as_accurate_as_the_steps() {
 #[test]
 fn a_pole_is_approached_and_not_passed() {
     let near = march(&pole(), (0.0, 0.999), &[1.0], &tolerance(1e-10)).unwrap();
-    assert!(
-        (near.end()[0] / 1000.0 - 1.0).abs() < 1e-6,
-        "{:?}",
-        near.end()
-    );
+    assert!((near.end()[0] / 1000.0 - 1.0).abs() < 1e-6, "{:?}", near.end());
     match march(&pole(), (0.0, 2.0), &[1.0], &tolerance(1e-10)) {
         Err(OdeError::StepTooSmall { time, .. } | OdeError::NotFinite { time, .. }) => {
             assert!((time - 1.0).abs() < 1e-9, "{time}");
@@ -132,37 +122,16 @@ fn rates_that_are_no_numbers_are_reported_with_their_time() {
 #[test]
 fn options_are_kept() {
     let check = |options: &Options| march(&oscillator(1.0), (0.0, 10.0), &[1.0, 0.0], options);
-    let short = Options {
-        max_step: Some(0.05),
-        ..tolerance(1e-9)
-    };
+    let short = Options { max_step: Some(0.05), ..tolerance(1e-9) };
     assert!(check(&short).unwrap().statistics.largest_step <= 0.0505 + 1e-15);
-    let fixed = Options {
-        fixed_step: Some(0.1),
-        ..tolerance(1e-9)
-    };
+    let fixed = Options { fixed_step: Some(0.1), ..tolerance(1e-9) };
     let motion = check(&fixed).unwrap();
-    assert_eq!(
-        (motion.statistics.steps, motion.statistics.rejected),
-        (100, 0)
-    );
+    assert_eq!((motion.statistics.steps, motion.statistics.rejected), (100, 0));
     assert!((motion.end()[0] - 10f64.cos()).abs() < 1e-12);
-    let few = Options {
-        max_steps: 3,
-        ..tolerance(1e-9)
-    };
-    assert!(matches!(
-        check(&few),
-        Err(OdeError::TooManySteps { steps: 3, .. })
-    ));
-    let wrong = Options {
-        rtol: f64::NAN,
-        ..tolerance(1e-9)
-    };
-    assert!(matches!(
-        check(&wrong),
-        Err(OdeError::BadOption { name: "rtol", .. })
-    ));
+    let few = Options { max_steps: 3, ..tolerance(1e-9) };
+    assert!(matches!(check(&few), Err(OdeError::TooManySteps { steps: 3, .. })));
+    let wrong = Options { rtol: f64::NAN, ..tolerance(1e-9) };
+    assert!(matches!(check(&wrong), Err(OdeError::BadOption { name: "rtol", .. })));
     let still = march(&oscillator(1.0), (3.0, 3.0), &[1.0, 0.5], &tolerance(1e-9)).unwrap();
     assert_eq!(still.at(3.0), [1.0, 0.5]);
 }
@@ -171,10 +140,7 @@ fn options_are_kept() {
 #[test]
 fn terms_too_large_for_numbers_are_based_on_a_shorter_length() {
     let fast = oscillator(1e12);
-    let options = Options {
-        max_steps: 50,
-        ..tolerance(1e-9)
-    };
+    let options = Options { max_steps: 50, ..tolerance(1e-9) };
     match march(&fast, (0.0, 1e9), &[1.0, 0.0], &options) {
         Err(OdeError::TooManySteps { time, steps: 50 }) => assert!(time < 1e-9, "{time}"),
         other => panic!("{other:?}"),

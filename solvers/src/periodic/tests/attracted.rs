@@ -28,11 +28,7 @@ fn check(scene: &Oscillator<false>, settings: &Settings) -> Orbit {
         Err(failure) => panic!("{settings:?}, {}: {failure}", scene.frequency),
     };
     let words = format!("{settings:?}, {}", scene.frequency);
-    assert!(
-        orbit.residual < 1e3 * settings.rtol * 1e3,
-        "{words}: {:e}",
-        orbit.residual
-    );
+    assert!(orbit.residual < 1e3 * settings.rtol * 1e3, "{words}: {:e}", orbit.residual);
     assert!(orbit.multipliers[0].modulus() < 1.0, "{words}");
     assert!(orbit.followed.is_some_and(|count| count > 0), "{words}");
     orbit
@@ -52,17 +48,11 @@ fn an_oscillator_is_found_at_every_speed_of_its_resonance_curve() {
 fn every_method_finds_the_same_one_near_the_peak() {
     for number in [60, 90, 100, 110, 120, 150] {
         let scene = duffing(0.5, speed(number));
-        let found = [
-            Method::Dop853,
-            Method::Tsit5,
-            Method::Radau,
-            Method::Rosenbrock,
-            Method::Auto,
-        ]
-        .map(|method| check(&scene, &Settings::new(method).rtol(1e-9)).start[0]);
-        let (low, high) = found
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), one| {
+        let found =
+            [Method::Dop853, Method::Tsit5, Method::Radau, Method::Rosenbrock, Method::Auto]
+                .map(|method| check(&scene, &Settings::new(method).rtol(1e-9)).start[0]);
+        let (low, high) =
+            found.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), one| {
                 (one.min(low), one.max(high))
             });
         assert!(high - low < 1e-5, "{number}: {found:?}");
@@ -74,20 +64,9 @@ fn the_start_values_pick_one_of_two_motions() {
     let settings = Settings::new(Method::Dop853).rtol(1e-9);
     let scene = duffing(0.5, 1.6);
     let small = check(&scene, &settings);
-    let large = check(
-        &Oscillator {
-            start: 1.9,
-            ..scene
-        },
-        &settings,
-    );
+    let large = check(&Oscillator { start: 1.9, ..scene }, &settings);
     let size = |orbit: &Orbit| orbit.start[0].hypot(orbit.start[1]);
-    assert!(
-        size(&large) > 2.0 * size(&small),
-        "{} {}",
-        size(&large),
-        size(&small)
-    );
+    assert!(size(&large) > 2.0 * size(&small), "{} {}", size(&large), size(&small));
 }
 
 #[test]

@@ -8,9 +8,7 @@ use std::f64::consts::PI;
 /// Error of an angle in units in its last place: the sine of what it is off, `(y cos φ − x sin φ)/r`.
 fn error(found: f64, y: f64, x: f64) -> f64 {
     let (sine, cosine) = reference(found);
-    let across = sine
-        .times(Double(-x, 0.0))
-        .plus(cosine.times(Double(y, 0.0)));
+    let across = sine.times(Double(-x, 0.0)).plus(cosine.times(Double(y, 0.0)));
     let size = found.abs();
     let unit = size.next_up() - size;
     (across.0 / x.hypot(y) / unit).abs()
@@ -20,9 +18,7 @@ fn error(found: f64, y: f64, x: f64) -> f64 {
 fn points() -> Vec<(f64, f64)> {
     let mut seed = 12345u64;
     let mut random = || {
-        seed = seed
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (seed >> 11) as f64 * 2f64.powi(-53)
     };
     let mut points = Vec::new();
@@ -40,9 +36,7 @@ fn points() -> Vec<(f64, f64)> {
 
 fn largest<S: Bits>() -> f64 {
     let angle = |(y, x)| S::atan2(S::from_f64(y), S::from_f64(x)).to_f64();
-    let errors = points()
-        .into_iter()
-        .map(|(y, x)| error(angle((y, x)), y, x));
+    let errors = points().into_iter().map(|(y, x)| error(angle((y, x)), y, x));
     errors.fold(0.0, f64::max)
 }
 
@@ -90,10 +84,7 @@ fn check_lanes<S: Bits>() {
                 assert!(found.is_nan(), "{y} {x}");
                 continue;
             }
-            assert!(
-                (found - expected).abs() <= 4e-16 * expected.abs(),
-                "{y} {x}"
-            );
+            assert!((found - expected).abs() <= 4e-16 * expected.abs(), "{y} {x}");
             assert_eq!(found.is_sign_negative(), expected.is_sign_negative());
         }
     }

@@ -17,10 +17,7 @@ fn check(function: fn(Bounded, Bounded) -> Bounded) {
             worst = worst.max(away);
         }
         let ample = 10.0 * (worst + FUNCTION * value.abs());
-        assert!(
-            bound <= ample,
-            "{value} at ({x}, {y}): {bound:e} > {ample:e}"
-        );
+        assert!(bound <= ample, "{value} at ({x}, {y}): {bound:e} > {ample:e}");
     }
 }
 
@@ -70,12 +67,8 @@ fn what_rounding_hides_has_no_bound() {
 #[test]
 fn exact_numbers_have_no_bound_to_carry() {
     let [zero, three] = [0.0, 3.0].map(Bounded::exact);
-    for value in [
-        zero.sqrt(),
-        zero.powf(three / Bounded::exact(2.0)),
-        zero * three,
-        three.floor(),
-    ] {
+    for value in [zero.sqrt(), zero.powf(three / Bounded::exact(2.0)), zero * three, three.floor()]
+    {
         assert_eq!(value.bound, 0.0, "{value:?}");
     }
     assert_eq!(Bounded::exact(-2.0).powf(three).value, -8.0);

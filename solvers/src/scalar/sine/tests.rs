@@ -82,9 +82,7 @@ fn error(found: f64, exact: Double) -> f64 {
 fn angles() -> Vec<f64> {
     let mut seed = 12345u64;
     let mut random = || {
-        seed = seed
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (seed >> 11) as f64 * 2f64.powi(-53)
     };
     let mut angles = Vec::new();
@@ -117,15 +115,9 @@ fn largest<S: Bits>() -> [f64; 2] {
 #[test]
 fn errors_stay_below_a_unit_in_the_last_place() {
     for (name, worst) in [("f64", largest::<f64>()), ("Fused", largest::<Fused>())] {
-        println!(
-            "{name}: sine {:.4} ulp, cosine {:.4} ulp",
-            worst[0], worst[1]
-        );
+        println!("{name}: sine {:.4} ulp, cosine {:.4} ulp", worst[0], worst[1]);
         assert!(worst[0] < 1.0 && worst[1] < 1.0, "{name}: {worst:?}");
-        assert!(
-            worst[0] > 0.3,
-            "{name}: an error of {worst:?} is too good to be measured"
-        );
+        assert!(worst[0] > 0.3, "{name}: an error of {worst:?} is too good to be measured");
     }
 }
 
@@ -141,29 +133,14 @@ fn reference_is_exact_where_the_sine_is_known() {
 
 /// Checks single angles and lanes against each other and the standard library.
 fn check_lanes<S: Bits>() {
-    let angles = [
-        0.0,
-        -0.0,
-        1.0e5,
-        -1.0e5,
-        1.0e5f64.next_up(),
-        -7.0e22,
-        2.5,
-        1.0e300,
-    ];
+    let angles = [0.0, -0.0, 1.0e5, -1.0e5, 1.0e5f64.next_up(), -7.0e22, 2.5, 1.0e300];
     let (sines, cosines) = S::sin_cos_all(angles.map(S::from_f64));
     for (k, angle) in angles.into_iter().enumerate() {
         let (sine, cosine) = S::from_f64(angle).sin_cos();
         assert_eq!(sines[k].bits(), sine.bits());
         assert_eq!(cosines[k].bits(), cosine.bits());
-        assert!(
-            (sine.to_f64() - angle.sin()).abs() <= 1.2e-16,
-            "sin {angle}"
-        );
-        assert!(
-            (cosine.to_f64() - angle.cos()).abs() <= 1.2e-16,
-            "cos {angle}"
-        );
+        assert!((sine.to_f64() - angle.sin()).abs() <= 1.2e-16, "sin {angle}");
+        assert!((cosine.to_f64() - angle.cos()).abs() <= 1.2e-16, "cos {angle}");
     }
     assert_eq!(sines[0].bits(), 0.0f64.to_bits());
     assert_eq!(sines[1].bits(), (-0.0f64).to_bits());

@@ -20,12 +20,7 @@ pub(super) struct Suspicion {
 
 impl Suspicion {
     pub fn new() -> Self {
-        Self {
-            steps: 0,
-            lengths: 0.0,
-            calm: 0,
-            limit: STEPS.0,
-        }
+        Self { steps: 0, lengths: 0.0, calm: 0, limit: STEPS.0 }
     }
 
     /// Begins to count.

@@ -26,11 +26,7 @@ const STALLED: f64 = 0.5;
 
 /// `T` of RADAU5: the eigenvectors of `A⁻¹`, their last row `1, 1, 0`.
 const T: [[f64; 3]; 3] = [
-    [
-        0.09443876248897524,
-        -0.1412552950209542,
-        0.03002919410514742,
-    ],
+    [0.09443876248897524, -0.1412552950209542, 0.03002919410514742],
     [0.2502131229653333, 0.2041293522937999, -0.3829421127572619],
     [1.0, 1.0, 0.0],
 ];
@@ -168,10 +164,8 @@ impl Newton {
         for index in 0..n {
             let [w1, w2, w3] = [0, 1, 2].map(|row: usize| self.transformed[row * n + index]);
             first[index] -= gamma * w1;
-            self.right[index] = [
-                second[index] - (alpha * w2 - beta * w3),
-                third[index] - (alpha * w3 + beta * w2),
-            ];
+            self.right[index] =
+                [second[index] - (alpha * w2 - beta * w3), third[index] - (alpha * w3 + beta * w2)];
         }
         Lu::substitute(&real.entries, &real.pivots, first);
         substitute_complex(&complex.entries, &complex.pivots, &mut self.right);
@@ -200,16 +194,8 @@ mod tests {
     fn tableau() -> [[f64; 3]; 3] {
         let s = 6.0_f64.sqrt();
         [
-            [
-                (88.0 - 7.0 * s) / 360.0,
-                (296.0 - 169.0 * s) / 1800.0,
-                (-2.0 + 3.0 * s) / 225.0,
-            ],
-            [
-                (296.0 + 169.0 * s) / 1800.0,
-                (88.0 + 7.0 * s) / 360.0,
-                (-2.0 - 3.0 * s) / 225.0,
-            ],
+            [(88.0 - 7.0 * s) / 360.0, (296.0 - 169.0 * s) / 1800.0, (-2.0 + 3.0 * s) / 225.0],
+            [(296.0 + 169.0 * s) / 1800.0, (88.0 + 7.0 * s) / 360.0, (-2.0 - 3.0 * s) / 225.0],
             [(16.0 - s) / 36.0, (16.0 + s) / 36.0, 1.0 / 9.0],
         ]
     }

@@ -3,23 +3,15 @@
 use super::problems::VAN_DER_POL;
 use super::{Hand, Method, march, tolerances};
 
-const OSCILLATOR: Hand<2> = Hand::new(
-    |_, [place, speed]| [speed, -place],
-    |_, _| [[0.0, 1.0], [-1.0, 0.0]],
-);
+const OSCILLATOR: Hand<2> =
+    Hand::new(|_, [place, speed]| [speed, -place], |_, _| [[0.0, 1.0], [-1.0, 0.0]]);
 
 #[test]
 fn an_oscillator_stays_explicit() {
     for rtol in [1e-2, 1e-4, 1e-7, 1e-10, 1e-13] {
         let options = tolerances(rtol, rtol);
-        let motion = march(
-            &OSCILLATOR,
-            Method::Automatic,
-            (0.0, 300.0),
-            [1.0, 0.0],
-            &options,
-        )
-        .unwrap();
+        let motion =
+            march(&OSCILLATOR, Method::Automatic, (0.0, 300.0), [1.0, 0.0], &options).unwrap();
         assert!(motion.switches.is_empty(), "{rtol:e} {:?}", motion.switches);
         // Its steps look like those beside a stiff part. Trials cost little, and become rare.
         let took = motion.statistics;
@@ -31,14 +23,7 @@ fn an_oscillator_stays_explicit() {
 #[test]
 fn van_der_pol_becomes_stiff_at_once() {
     let options = tolerances(1e-6, 1e-6);
-    let motion = march(
-        &VAN_DER_POL,
-        Method::Automatic,
-        (0.0, 2.0),
-        [2.0, 0.0],
-        &options,
-    )
-    .unwrap();
+    let motion = march(&VAN_DER_POL, Method::Automatic, (0.0, 2.0), [2.0, 0.0], &options).unwrap();
     let took = motion.statistics;
     println!("{took:?} {:?}", motion.switches);
     assert!(motion.switches[0].stiff && motion.switches[0].time < 1e-3);
@@ -89,14 +74,8 @@ const RINGING: Hand<3> = Hand::new(
 #[test]
 fn a_fast_oscillation_that_has_died_is_stiffness() {
     let options = tolerances(1e-6, 1e-6);
-    let motion = march(
-        &RINGING,
-        Method::Automatic,
-        (0.0, 10.0),
-        [1.0, 1.0, -1.0],
-        &options,
-    )
-    .unwrap();
+    let motion =
+        march(&RINGING, Method::Automatic, (0.0, 10.0), [1.0, 1.0, -1.0], &options).unwrap();
     println!("{:?} {:?}", motion.statistics, motion.switches);
     assert!((motion.end()[1] / (-10.0_f64).exp() - 1.0).abs() < 1e-2);
     assert!(motion.statistics.evaluations < 20_000);

@@ -81,48 +81,25 @@ impl Scene for Ball {
     const SMOOTH: bool = false;
 
     fn shape() -> &'static Shape {
-        const STATES: &[Quantity] = &[
-            Quantity::new("x", "", Unit::NONE),
-            Quantity::new("dot(x)", "", Unit::NONE),
-        ];
+        const STATES: &[Quantity] =
+            &[Quantity::new("x", "", Unit::NONE), Quantity::new("dot(x)", "", Unit::NONE)];
         const MODES: &[ModeEntry] = &[
             ModeEntry::new(
                 "flight",
                 "",
-                &[EventEntry::new(
-                    1,
-                    "when x falls to 0",
-                    Direction::Falls,
-                    "m",
-                    1.0,
-                    1,
-                )],
+                &[EventEntry::new(1, "when x falls to 0", Direction::Falls, "m", 1.0, 1)],
             ),
             ModeEntry::new(
                 "contact",
                 "",
-                &[EventEntry::new(
-                    2,
-                    "when x rises to 0",
-                    Direction::Rises,
-                    "m",
-                    1.0,
-                    0,
-                )],
+                &[EventEntry::new(2, "when x rises to 0", Direction::Rises, "m", 1.0, 0)],
             ),
         ];
-        const {
-            &Shape::named("ball")
-                .states(STATES, &[1.0, 1.0])
-                .modes(MODES, 0)
-        }
+        const { &Shape::named("ball").states(STATES, &[1.0, 1.0]).modes(MODES, 0) }
     }
 
     fn prepare<S: Scalar>(&self) -> Moving<S> {
-        Moving {
-            stiffness: S::from_f64(self.stiffness),
-            damping: S::from_f64(self.damping),
-        }
+        Moving { stiffness: S::from_f64(self.stiffness), damping: S::from_f64(self.damping) }
     }
 
     fn events<S: Scalar>(equations: &Moving<S>) -> Option<&dyn Events<S>> {
@@ -151,10 +128,7 @@ fn fall(ball: Ball, method: Method, rtol: f64, end: f64) -> Motion {
 /// `2 √(2H/g) + 2 (π - arctan(v/(g/ω))) / ω`, with `v = √(2gH)`.
 #[test]
 fn a_stiff_contact_gives_the_ball_back() {
-    let ball = Ball {
-        stiffness: 1e9,
-        damping: 0.0,
-    };
+    let ball = Ball { stiffness: 1e9, damping: 0.0 };
     let (g, omega) = (9.81, 1e9_f64.sqrt());
     let fall_time = (2.0 / g).sqrt();
     let contact = 2.0 * (std::f64::consts::PI - (omega * (2.0 * g).sqrt() / g).atan()) / omega;
@@ -175,10 +149,7 @@ fn a_stiff_contact_gives_the_ball_back() {
 /// A contact that absorbs: the ball comes to rest in it, where its equations are as stiff as ever.
 #[test]
 fn rest_in_a_stiff_contact_costs_nothing() {
-    let ball = Ball {
-        stiffness: 1e9,
-        damping: 2e4,
-    };
+    let ball = Ball { stiffness: 1e9, damping: 2e4 };
     let naive = fall(ball, Method::Dop853, 1e-6, 10.0).statistics;
     assert!(naive.evaluations > 100_000, "{naive:?}");
     for method in [Method::Radau, Method::Rosenbrock, Method::Auto] {

@@ -9,9 +9,9 @@ const BLOW_UP: Hand<1> = Hand::new(|_, [y]| [y * y], |_, [y]| [[2.0 * y]]);
 fn a_blow_up_is_reported_where_it_happens() {
     for method in STIFF.into_iter().chain([Method::Automatic]) {
         match march(&BLOW_UP, method, (0.0, 2.0), [1.0], &tolerances(1e-8, 1e-8)) {
-            Err(OdeError::StepTooSmall {
-                time, component: 0, ..
-            }) => assert!((time - 1.0).abs() < 1e-5, "{method:?} {time}"),
+            Err(OdeError::StepTooSmall { time, component: 0, .. }) => {
+                assert!((time - 1.0).abs() < 1e-5, "{method:?} {time}")
+            }
             other => panic!("{method:?} {other:?}"),
         }
     }
@@ -34,10 +34,7 @@ fn a_rate_that_does_not_exist_is_reported() {
         }
         assert_eq!(
             march(&ROOT, method, (0.0, 2.0), [-1.0, 0.0], &options),
-            Err(OdeError::NotFinite {
-                time: 0.0,
-                component: 1
-            })
+            Err(OdeError::NotFinite { time: 0.0, component: 1 })
         );
     }
 }
@@ -47,23 +44,14 @@ fn a_derivative_that_does_not_exist_is_reported() {
     let options = tolerances(1e-8, 1e-8);
     for method in STIFF {
         let error = march(&ROOT, method, (0.0, 2.0), [-0.5, 0.0], &options).unwrap_err();
-        assert_eq!(
-            error,
-            OdeError::NotDifferentiable {
-                time: 0.0,
-                component: 1,
-                by: 0
-            }
-        );
+        assert_eq!(error, OdeError::NotDifferentiable { time: 0.0, component: 1, by: 0 });
         assert!(error.to_string().contains("an explicit method does not"));
     }
 }
 
 /// A stiff part whose derivative does not exist where the motion is, and a rate that does.
-const KINK: Hand<2> = Hand::new(
-    |time, [y, _]| [-1e3 * (y - time.cos()), 1.0],
-    |_, _| [[-1e3, f64::NAN], [0.0, 0.0]],
-);
+const KINK: Hand<2> =
+    Hand::new(|time, [y, _]| [-1e3 * (y - time.cos()), 1.0], |_, _| [[-1e3, f64::NAN], [0.0, 0.0]]);
 
 #[test]
 fn without_a_jacobian_the_choice_is_the_explicit_method() {
@@ -74,26 +62,14 @@ fn without_a_jacobian_the_choice_is_the_explicit_method() {
 }
 
 /// Free motion under a force: the Jacobian has no inverse, and steps need none.
-const FREE: Hand<2> = Hand::new(
-    |time, [_, speed]| [speed, 6.0 * time],
-    |_, _| [[0.0, 1.0], [0.0, 0.0]],
-);
+const FREE: Hand<2> =
+    Hand::new(|time, [_, speed]| [speed, 6.0 * time], |_, _| [[0.0, 1.0], [0.0, 0.0]]);
 
 #[test]
 fn a_singular_jacobian_does_no_harm() {
     for method in STIFF.into_iter().chain([Method::Automatic]) {
-        let motion = march(
-            &FREE,
-            method,
-            (0.0, 3.0),
-            [0.0, 0.0],
-            &tolerances(1e-9, 1e-9),
-        )
-        .unwrap();
-        assert!(
-            (motion.end()[0] - 27.0).abs() < 1e-7,
-            "{method:?} {motion:?}"
-        );
+        let motion = march(&FREE, method, (0.0, 3.0), [0.0, 0.0], &tolerances(1e-9, 1e-9)).unwrap();
+        assert!((motion.end()[0] - 27.0).abs() < 1e-7, "{method:?} {motion:?}");
         let still = motion.at(0.0);
         assert_eq!(still, [0.0, 0.0]);
     }
@@ -115,38 +91,14 @@ fn options_that_make_no_sense_are_refused() {
         assert_eq!(name((0.0, f64::NAN), 0.0, 1e-9), "times");
         assert_eq!(name((0.0, 1.0), f64::INFINITY, 1e-9), "start");
         assert_eq!(name((0.0, 1.0), 0.0, 0.0), "rtol");
-        let options = crate::ode::Options {
-            max_steps: 3,
-            ..tolerances(1e-12, 1e-12)
-        };
+        let options = crate::ode::Options { max_steps: 3, ..tolerances(1e-12, 1e-12) };
         let few = march(&FREE, method, (0.0, 1e3), [1.0, 1.0], &options);
-        assert!(
-            matches!(few, Err(OdeError::TooManySteps { steps: 3, .. })),
-            "{few:?}"
-        );
-        let few = crate::ode::Options {
-            max_steps: 30,
-            ..tolerances(1e-6, 1e-6)
-        };
+        assert!(matches!(few, Err(OdeError::TooManySteps { steps: 3, .. })), "{few:?}");
+        let few = crate::ode::Options { max_steps: 30, ..tolerances(1e-6, 1e-6) };
         let start = [2.0, 0.0];
-        let ended = march(
-            &super::problems::VAN_DER_POL,
-            method,
-            (0.0, 2.0),
-            start,
-            &few,
-        );
-        assert!(
-            matches!(ended, Err(OdeError::TooManySteps { steps: 30, .. })),
-            "{ended:?}"
-        );
-        let none = march(
-            &FREE,
-            method,
-            (1.0, 1.0),
-            [1.0, 1.0],
-            &tolerances(1e-9, 1e-9),
-        );
+        let ended = march(&super::problems::VAN_DER_POL, method, (0.0, 2.0), start, &few);
+        assert!(matches!(ended, Err(OdeError::TooManySteps { steps: 30, .. })), "{ended:?}");
+        let none = march(&FREE, method, (1.0, 1.0), [1.0, 1.0], &tolerances(1e-9, 1e-9));
         assert_eq!(none.unwrap().end(), [1.0, 1.0]);
     }
 }
@@ -164,12 +116,7 @@ const WHEELS: Hand<4> = Hand::new(
             [0.0, 0.0, 1.0, 0.0],
             [0.0, 0.0, 0.0, 1.0],
             [-200.0 * light, 200.0 * light, -0.2 * light, 0.2 * light],
-            [
-                200.0 * heavy,
-                -200.0 * heavy,
-                0.2 * heavy,
-                -0.2 * heavy - 0.005 * heavy,
-            ],
+            [200.0 * heavy, -200.0 * heavy, 0.2 * heavy, -0.2 * heavy - 0.005 * heavy],
         ]
     },
 );
@@ -193,11 +140,7 @@ fn check_rounding(method: Method) {
     assert!(fine.statistics.steps < 20_000, "{:?}", fine.statistics);
     // The speeds end where the torque of the motor is that of the load.
     for motion in [&fine, &coarse] {
-        assert!(
-            (motion.end()[2] / 400.0 - 1.0).abs() < 1e-4,
-            "{:?}",
-            motion.end()
-        );
+        assert!((motion.end()[2] / 400.0 - 1.0).abs() < 1e-4, "{:?}", motion.end());
     }
     assert!((fine.end()[2] - coarse.end()[2]).abs() < 1e-5);
 }

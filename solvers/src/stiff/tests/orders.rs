@@ -36,10 +36,8 @@ fn rosenbrock_is_of_order_5_and_its_continuous_solution_of_order_4() {
 }
 
 /// Prothero and Robinson: `y' = λ (y - cos t) - sin t` with `λ = -1e6`, whose solution is `cos t`.
-const PROTHERO_ROBINSON: Hand<1> = Hand::new(
-    |time, [y]| [-1e6 * (y - time.cos()) - time.sin()],
-    |_, _| [[-1e6]],
-);
+const PROTHERO_ROBINSON: Hand<1> =
+    Hand::new(|time, [y]| [-1e6 * (y - time.cos()) - time.sin()], |_, _| [[-1e6]]);
 
 /// Stiffness reduces the order: what is left of it where `h λ` is large is part of what a method is.
 #[test]

@@ -9,13 +9,7 @@ pub const SMOOTH: Hand<3> = Hand::new(
         let force = -place + y - 1.0 / (1.0 + time * time);
         [-2.0 * time * y * y, speed, force]
     },
-    |time, [y, _, _]| {
-        [
-            [-4.0 * time * y, 0.0, 0.0],
-            [0.0, 0.0, 1.0],
-            [1.0, -1.0, 0.0],
-        ]
-    },
+    |time, [y, _, _]| [[-4.0 * time * y, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, -1.0, 0.0]],
 );
 
 /// The solution of [`SMOOTH`] from `1, 0, 1`.
@@ -26,12 +20,7 @@ pub fn smooth(time: f64) -> [f64; 3] {
 /// The oscillator of van der Pol with `μ = 1000` in its own time, so that `ε = μ⁻² = 1e-6`: Hairer, Wanner II, (IV.10.3).
 pub const VAN_DER_POL: Hand<2> = Hand::new(
     |_, [x, v]| [v, ((1.0 - x * x) * v - x) / 1e-6],
-    |_, [x, v]| {
-        [
-            [0.0, 1.0],
-            [(-2.0 * x * v - 1.0) / 1e-6, (1.0 - x * x) / 1e-6],
-        ]
-    },
+    |_, [x, v]| [[0.0, 1.0], [(-2.0 * x * v - 1.0) / 1e-6, (1.0 - x * x) / 1e-6]],
 );
 
 /// The kinetics of Robertson: Hairer, Wanner II, (IV.10.2).

@@ -15,10 +15,7 @@ fn check<const N: usize>(
     for method in STIFF.into_iter().chain([Method::Automatic]) {
         let motion = march(&problem, method, (0.0, end), start, &tolerances(rtol, atol)).unwrap();
         let error = relative_error(motion.end(), &expected);
-        println!(
-            "{method:?}: {error:e} {:?} {:?}",
-            motion.statistics, motion.switches
-        );
+        println!("{method:?}: {error:e} {:?} {:?}", motion.statistics, motion.switches);
         assert!(error < permitted, "{method:?} {error:e}");
         let took = motion.statistics.evaluations;
         assert!(took <= evaluations, "{method:?} {took}");
@@ -35,11 +32,7 @@ fn van_der_pol() {
 
 #[test]
 fn robertson() {
-    let expected = [
-        2.083340149701255e-8,
-        8.333360770334713e-14,
-        0.999999979166505,
-    ];
+    let expected = [2.083340149701255e-8, 8.333360770334713e-14, 0.999999979166505];
     let motion = ([1.0, 0.0, 0.0], 1e11);
     check(ROBERTSON, motion, (1e-8, 1e-18), expected, 1e-5, 14_000);
 }
@@ -57,12 +50,5 @@ fn hires() {
         2.850001604814231e-3,
     ];
     let start = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0057];
-    check(
-        HIRES,
-        (start, 321.8122),
-        (1e-8, 1e-10),
-        expected,
-        1e-5,
-        5_000,
-    );
+    check(HIRES, (start, 321.8122), (1e-8, 1e-10), expected, 1e-5, 5_000);
 }

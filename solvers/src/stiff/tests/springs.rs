@@ -25,18 +25,8 @@ fn explicitly(c: f64, max_steps: usize) -> Option<usize> {
     let tied = tied(c);
     let flow = Flow::new(&tied, 0);
     let mut workspace = ode::Workspace::new(Explicit::Dop853, &flow);
-    let options = ode::Options {
-        max_steps,
-        ..tolerances(1e-6, 1e-6)
-    };
-    let done = ode::integrate(
-        &flow,
-        (0.0, 10.0),
-        &[0.0, 1.0],
-        &options,
-        &mut workspace,
-        &mut (),
-    );
+    let options = ode::Options { max_steps, ..tolerances(1e-6, 1e-6) };
+    let done = ode::integrate(&flow, (0.0, 10.0), &[0.0, 1.0], &options, &mut workspace, &mut ());
     done.ok().map(|statistics| statistics.evaluations)
 }
 

@@ -58,10 +58,7 @@ pub(super) fn solve(
         .iter()
         .map(|influence| {
             let mark = rows.right.len();
-            let scaled = influence
-                .iter()
-                .zip(&units)
-                .map(|(k, unit)| k * unit / band);
+            let scaled = influence.iter().zip(&units).map(|(k, unit)| k * unit / band);
             keep(&mut rows, rule, &scaled.enumerate().collect::<Vec<_>>());
             mark
         })
@@ -89,10 +86,7 @@ pub(super) fn solve(
 /// Tolerances of which each uses an equal part of the band where it has most influence.
 fn guess(candidates: &[Candidate], band: f64, influences: &[Vec<f64>]) -> Vec<f64> {
     let one = |(p, candidate): (usize, &Candidate)| {
-        let most = influences
-            .iter()
-            .map(|row| row[p].abs())
-            .fold(0.0, f64::max);
+        let most = influences.iter().map(|row| row[p].abs()).fold(0.0, f64::max);
         let part = band / (most * candidates.len() as f64);
         part.clamp(candidate.least, candidate.most)
     };
@@ -159,14 +153,8 @@ fn run(objective: &[f64], rows: Rows) -> Result<(Vec<f64>, Vec<f64>), Allocation
         ..DefaultSettings::default()
     };
     let none = CscMatrix::zeros((n, n));
-    let mut solver = DefaultSolver::new(
-        &none,
-        objective,
-        &matrix,
-        &rows.right,
-        &rows.cones,
-        settings,
-    );
+    let mut solver =
+        DefaultSolver::new(&none, objective, &matrix, &rows.right, &rows.cones, settings);
     solver.solve();
     let solution = solver.solution;
     match solution.status {

@@ -74,24 +74,13 @@ impl fmt::Display for AllocationError {
         match self {
             Self::Tolerance(error) => error.fmt(formatter),
             Self::BadBand { band } => {
-                write!(
-                    formatter,
-                    "a band of {band} cannot be kept; it must be positive and finite"
-                )
+                write!(formatter, "a band of {band} cannot be kept; it must be positive and finite")
             }
-            Self::BadLimits {
-                candidate,
-                least,
-                most,
-            } => write!(
+            Self::BadLimits { candidate, least, most } => write!(
                 formatter,
                 "tolerance {candidate} is to lie between {least} and {most}; expected 0 <= lower limit <= upper limit"
             ),
-            Self::BadCost {
-                candidate,
-                factor,
-                exponent,
-            } => write!(
+            Self::BadCost { candidate, factor, exponent } => write!(
                 formatter,
                 "the cost {factor}/t^{exponent} of tolerance {candidate} does not fall with t; expected both positive"
             ),
@@ -99,23 +88,13 @@ impl fmt::Display for AllocationError {
                 formatter,
                 "tolerance {candidate} has no influence on the output and no upper limit; leave it out, or limit it"
             ),
-            Self::OutOfReach {
-                at,
-                reached,
-                band,
-                candidate,
-                share,
-            } => write!(
+            Self::OutOfReach { at, reached, band, candidate, share } => write!(
                 formatter,
                 "at {at:?} the output errs by {reached:e} with all tolerances at their lower limits, beyond the band of \
                  {band:e}; {:.0} % of it comes from tolerance {candidate}: lower its limit, or widen the band",
                 100.0 * share
             ),
-            Self::NotSolved {
-                at,
-                status,
-                iterations,
-            } => write!(
+            Self::NotSolved { at, status, iterations } => write!(
                 formatter,
                 "the conic programme was not solved: {status} after {iterations} iterations; the output errs most at \
                  {at:?}: a dead point may be there, go less near to it"

@@ -136,9 +136,7 @@ pub(crate) fn allocate_of(
     let places = &study.places;
     let mut influence = |part: f64| {
         let (_, all) = influence_at(&mut *assembly, study.output, &between(places, part))?;
-        let weighed = candidates
-            .iter()
-            .map(|one| rule.weigh(all[one.variable], one));
+        let weighed = candidates.iter().map(|one| rule.weigh(all[one.variable], one));
         Ok(weighed.collect())
     };
     let way = Way::new(&mut influence, rule, places.len())?;
@@ -162,12 +160,7 @@ pub fn allocate_along(
         Ok(all.map(|(k, one)| rule.weigh(k, one)).collect())
     };
     let weighed: &mut Influence<'_> = &mut weighed;
-    choose(
-        Way::new(weighed, rule, places)?,
-        candidates,
-        band,
-        &|part| vec![part],
-    )
+    choose(Way::new(weighed, rule, places)?, candidates, band, &|part| vec![part])
 }
 
 fn check(candidates: &[Candidate], band: f64) -> Result<(), AllocationError> {
@@ -180,20 +173,12 @@ fn check(candidates: &[Candidate], band: f64) -> Result<(), AllocationError> {
     for (candidate, one) in candidates.iter().enumerate() {
         let (least, most) = (one.least, one.most);
         if !(least >= 0.0 && least <= most && most > 0.0 && least.is_finite()) {
-            return Err(AllocationError::BadLimits {
-                candidate,
-                least,
-                most,
-            });
+            return Err(AllocationError::BadLimits { candidate, least, most });
         }
         let (factor, exponent) = (one.cost.factor, one.cost.exponent);
         let falls = factor > 0.0 && exponent > 0.0;
         if !(falls && factor.is_finite() && exponent.is_finite() && one.cost.fixed.is_finite()) {
-            return Err(AllocationError::BadCost {
-                candidate,
-                factor,
-                exponent,
-            });
+            return Err(AllocationError::BadCost { candidate, factor, exponent });
         }
     }
     Ok(())
@@ -217,26 +202,12 @@ fn unsolved(
     kept: &[Peak],
     at: &dyn Fn(f64) -> Vec<f64>,
 ) -> AllocationError {
-    let size = |peak: &Peak| {
-        peak.influence
-            .iter()
-            .map(|one| one.abs())
-            .fold(0.0, f64::max)
-    };
-    let hardest = kept
-        .iter()
-        .max_by(|one, other| size(one).total_cmp(&size(other)));
+    let size = |peak: &Peak| peak.influence.iter().map(|one| one.abs()).fold(0.0, f64::max);
+    let hardest = kept.iter().max_by(|one, other| size(one).total_cmp(&size(other)));
     match (error, hardest) {
-        (
-            AllocationError::NotSolved {
-                status, iterations, ..
-            },
-            Some(peak),
-        ) => AllocationError::NotSolved {
-            at: at(peak.part),
-            status,
-            iterations,
-        },
+        (AllocationError::NotSolved { status, iterations, .. }, Some(peak)) => {
+            AllocationError::NotSolved { at: at(peak.part), status, iterations }
+        }
         (error, _) => error,
     }
 }
@@ -270,14 +241,9 @@ fn choose(
             return finish(&mut way, candidates, &optimum, &kept, excess, at, round);
         }
         if round == ROUNDS {
-            return Err(AllocationError::NotSettled {
-                rounds: round,
-                excess,
-            });
+            return Err(AllocationError::NotSettled { rounds: round, excess });
         }
-        let beyond = peaks
-            .into_iter()
-            .filter(|one| one.error > band * (1.0 + 0.5 * EXCESS));
+        let beyond = peaks.into_iter().filter(|one| one.error > band * (1.0 + 0.5 * EXCESS));
         kept.extend(beyond);
     }
     unreachable!("the last round returns")
@@ -353,10 +319,7 @@ fn finish(
     });
     let costs = tolerances.iter().zip(candidates);
     let price: f64 = optimum.prices.iter().sum();
-    let active = kept
-        .iter()
-        .zip(&optimum.prices)
-        .map(|(peak, price)| (peak, *price));
+    let active = kept.iter().zip(&optimum.prices).map(|(peak, price)| (peak, *price));
     let peaks = way.peaks(&tolerances)?;
     let worst = greatest(&peaks);
     Ok(Allocation {
@@ -366,10 +329,7 @@ fn finish(
         greatest_at: at(worst.part),
         active: active
             .filter(|(_, own)| *own > 1e-6 * price)
-            .map(|(peak, own)| Active {
-                at: at(peak.part),
-                share: own / price,
-            })
+            .map(|(peak, own)| Active { at: at(peak.part), share: own / price })
             .collect(),
         price,
         rounds,

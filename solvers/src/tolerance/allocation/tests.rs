@@ -8,11 +8,7 @@ fn candidate(variable: usize, factor: f64) -> Candidate {
     Candidate {
         variable,
         distribution: Distribution::Uniform,
-        cost: Cost {
-            fixed: 0.0,
-            factor,
-            exponent: 1.0,
-        },
+        cost: Cost { fixed: 0.0, factor, exponent: 1.0 },
         least: 0.0,
         most: f64::INFINITY,
     }
@@ -47,17 +43,10 @@ fn check_closed_form(rule: Rule, exponent: f64, shape: impl Fn(f64, f64) -> f64)
     // Near the optimum the cost is flat: it is far more accurate than the tolerances.
     let pairs = candidates.iter().zip(&expected);
     let cost: f64 = pairs.map(|(one, t)| one.cost.of(*t)).sum();
-    assert!(
-        (found.cost / cost - 1.0).abs() < 1e-7,
-        "{} {cost}",
-        found.cost
-    );
+    assert!((found.cost / cost - 1.0).abs() < 1e-7, "{} {cost}", found.cost);
     assert!(found.greatest <= band * (1.0 + 1e-12) && found.greatest > band * (1.0 - 1e-6));
     // A cost that goes with the power -k of the band.
-    assert!(
-        (found.price / (exponent * cost) - 1.0).abs() < 1e-4,
-        "{found:?}"
-    );
+    assert!((found.price / (exponent * cost) - 1.0).abs() < 1e-4, "{found:?}");
     assert_eq!(found.active.len(), 1);
 }
 
@@ -74,9 +63,7 @@ fn root_sum_square_with_reciprocal_cost() {
 #[test]
 fn worst_case_with_other_exponents() {
     for exponent in [0.5, 2.0] {
-        check_closed_form(Rule::Worst, exponent, |k, b| {
-            (b / k).powf(1.0 / (1.0 + exponent))
-        });
+        check_closed_form(Rule::Worst, exponent, |k, b| (b / k).powf(1.0 / (1.0 + exponent)));
     }
 }
 
@@ -91,14 +78,8 @@ fn root_sum_square_with_other_exponents() {
 #[test]
 fn deviations_permit_wider_tolerances_than_half_widths() {
     let run = |rule| {
-        allocate_along(
-            &mut |_| INFLUENCES.to_vec(),
-            1,
-            &candidates(1.0),
-            rule,
-            1e-3,
-        )
-        .expect("there is an optimum")
+        allocate_along(&mut |_| INFLUENCES.to_vec(), 1, &candidates(1.0), rule, 1e-3)
+            .expect("there is an optimum")
     };
     let (half_widths, deviations) = (run(Rule::RootSumSquare), run(Rule::Deviation));
     for (narrow, wide) in half_widths.tolerances.iter().zip(&deviations.tolerances) {
@@ -109,26 +90,21 @@ fn deviations_permit_wider_tolerances_than_half_widths() {
 fn heald(rule: Rule, band: f64) -> (Study, Vec<Candidate>, Result<Allocation, AllocationError>) {
     let degrees: Vec<f64> = (0..=12).map(|k| 60.0 + 5.0 * f64::from(k)).collect();
     let study = study(&degrees, 1.0, Distribution::Uniform);
-    let candidates: Vec<Candidate> = study
-        .sources
-        .iter()
-        .map(|source| candidate(source.variable, source.half_width))
-        .collect();
+    let candidates: Vec<Candidate> =
+        study.sources.iter().map(|source| candidate(source.variable, source.half_width)).collect();
     let found = allocate(&Heald::default(), &study, &candidates, rule, band);
     (study, candidates, found)
 }
 
 /// The greatest error over ten thousand places.
 fn densely(rule: Rule, candidates: &[Candidate], tolerances: &[f64]) -> f64 {
-    let places: Vec<Vec<f64>> = (0..=10_000)
-        .map(|k| vec![(60.0 + 0.006 * f64::from(k)).to_radians()])
-        .collect();
+    let places: Vec<Vec<f64>> =
+        (0..=10_000).map(|k| vec![(60.0 + 0.006 * f64::from(k)).to_radians()]).collect();
     let all = crate::tolerance::influences(&Heald::default(), 0, &places).expect("it moves");
     let error = |place: usize| {
         let row = candidates.iter();
-        let weighed: Vec<f64> = row
-            .map(|one| rule.weigh(all.at(place)[one.variable], one))
-            .collect();
+        let weighed: Vec<f64> =
+            row.map(|one| rule.weigh(all.at(place)[one.variable], one)).collect();
         rule.error(&weighed, tolerances)
     };
     (0..places.len()).map(error).fold(0.0, f64::max)
@@ -178,27 +154,15 @@ fn limits_are_kept_and_named() {
     let mut candidates = candidates(1.0);
     candidates[1].least = 2e-4;
     candidates[0].most = 1e-5;
-    let found = allocate_along(
-        &mut |_| INFLUENCES.to_vec(),
-        1,
-        &candidates,
-        Rule::Worst,
-        1e-3,
-    )
-    .expect("there is an optimum");
+    let found = allocate_along(&mut |_| INFLUENCES.to_vec(), 1, &candidates, Rule::Worst, 1e-3)
+        .expect("there is an optimum");
     assert_eq!(found.limits[..2], [Limit::Most, Limit::Least]);
     assert!(found.tolerances[0] <= 1e-5 && found.tolerances[1] >= 2e-4);
     assert_eq!(found.limits[2..], [Limit::None, Limit::None]);
     // Nothing but upper limits binds in a wide band.
     candidates.iter_mut().for_each(|one| one.most = 3e-4);
-    let wide = allocate_along(
-        &mut |_| INFLUENCES.to_vec(),
-        1,
-        &candidates,
-        Rule::Worst,
-        1.0,
-    )
-    .expect("there is an optimum");
+    let wide = allocate_along(&mut |_| INFLUENCES.to_vec(), 1, &candidates, Rule::Worst, 1.0)
+        .expect("there is an optimum");
     assert_eq!(wide.limits, [Limit::Most; 4]);
     assert!(wide.price.abs() < 1e-6 * wide.cost && wide.greatest < 1.0);
 }
@@ -209,14 +173,7 @@ fn a_band_out_of_reach_says_where_and_by_how_much() {
     candidates.iter_mut().for_each(|one| one.least = 4e-5);
     candidates[7].least = 1e-3;
     let found = allocate(&Heald::default(), &study, &candidates, Rule::Worst, 0.5e-3);
-    let Err(AllocationError::OutOfReach {
-        at,
-        reached,
-        band,
-        candidate,
-        share,
-    }) = found
-    else {
+    let Err(AllocationError::OutOfReach { at, reached, band, candidate, share }) = found else {
         panic!("{found:?}");
     };
     assert_eq!(band, 0.5e-3);
@@ -232,13 +189,7 @@ fn check_refused(change: impl Fn(&mut Vec<Candidate>), band: f64, expected: &All
     let mut candidates = candidates(1.0);
     change(&mut candidates);
     let influences = [0.75, 0.0, 0.84, 2.2];
-    let found = allocate_along(
-        &mut |_| influences.to_vec(),
-        1,
-        &candidates,
-        Rule::Worst,
-        band,
-    );
+    let found = allocate_along(&mut |_| influences.to_vec(), 1, &candidates, Rule::Worst, band);
     assert_eq!(found.as_ref().unwrap_err(), expected);
 }
 
@@ -247,35 +198,17 @@ fn requirements_without_sense_are_refused() {
     check_refused(|_| (), 0.0, &AllocationError::BadBand { band: 0.0 });
     check_refused(|_| (), -1.0, &AllocationError::BadBand { band: -1.0 });
     check_refused(|_| (), 1e-3, &AllocationError::Unbounded { candidate: 1 });
-    check_refused(
-        |all| all.clear(),
-        1e-3,
-        &AllocationError::Tolerance(ToleranceError::NoSource),
-    );
+    check_refused(|all| all.clear(), 1e-3, &AllocationError::Tolerance(ToleranceError::NoSource));
     check_refused(
         |all| (all[2].least, all[2].most) = (2.0, 1.0),
         1e-3,
-        &AllocationError::BadLimits {
-            candidate: 2,
-            least: 2.0,
-            most: 1.0,
-        },
+        &AllocationError::BadLimits { candidate: 2, least: 2.0, most: 1.0 },
     );
     check_refused(
         |all| all[3].cost.factor = -1.0,
         1e-3,
-        &AllocationError::BadCost {
-            candidate: 3,
-            factor: -1.0,
-            exponent: 1.0,
-        },
+        &AllocationError::BadCost { candidate: 3, factor: -1.0, exponent: 1.0 },
     );
-    let nan = allocate_along(
-        &mut |_| vec![1.0; 4],
-        1,
-        &candidates(1.0),
-        Rule::Worst,
-        f64::NAN,
-    );
+    let nan = allocate_along(&mut |_| vec![1.0; 4], 1, &candidates(1.0), Rule::Worst, f64::NAN);
     assert!(matches!(nan, Err(AllocationError::BadBand { .. })));
 }

@@ -32,19 +32,9 @@ impl<'a> Way<'a> {
             0 | 1 => 1,
             more => more.max(PLACES),
         };
-        let parts: Vec<f64> = (0..count)
-            .map(|k| k as f64 / (count - 1).max(1) as f64)
-            .collect();
-        let known = parts
-            .iter()
-            .map(|part| influence(*part))
-            .collect::<Result<_, _>>()?;
-        Ok(Self {
-            influence,
-            rule,
-            parts,
-            known,
-        })
+        let parts: Vec<f64> = (0..count).map(|k| k as f64 / (count - 1).max(1) as f64).collect();
+        let known = parts.iter().map(|part| influence(*part)).collect::<Result<_, _>>()?;
+        Ok(Self { influence, rule, parts, known })
     }
 
     /// Largest influence of each tolerance over the places.
@@ -55,26 +45,17 @@ impl<'a> Way<'a> {
 
     /// The places at which the error is greater than beside them, refined, with the errors there.
     pub fn peaks(&mut self, tolerances: &[f64]) -> Result<Vec<Peak>, AllocationError> {
-        let errors: Vec<f64> = self
-            .known
-            .iter()
-            .map(|row| self.rule.error(row, tolerances))
-            .collect();
+        let errors: Vec<f64> =
+            self.known.iter().map(|row| self.rule.error(row, tolerances)).collect();
         let last = errors.len() - 1;
         let mut peaks = Vec::new();
         for (k, error) in errors.iter().enumerate() {
             let left = k == 0 || errors[k - 1] <= *error;
             let right = k == last || errors[k + 1] < *error;
             if left && right {
-                let ends = (
-                    self.parts[k.saturating_sub(1)],
-                    self.parts[(k + 1).min(last)],
-                );
-                let mut best = Peak {
-                    part: self.parts[k],
-                    influence: self.known[k].clone(),
-                    error: *error,
-                };
+                let ends = (self.parts[k.saturating_sub(1)], self.parts[(k + 1).min(last)]);
+                let mut best =
+                    Peak { part: self.parts[k], influence: self.known[k].clone(), error: *error };
                 self.climb(ends, tolerances, &mut best)?;
                 peaks.push(best);
             }
@@ -124,11 +105,7 @@ impl<'a> Way<'a> {
         let influence = (self.influence)(part)?;
         let error = self.rule.error(&influence, tolerances);
         if error > best.error {
-            *best = Peak {
-                part,
-                influence,
-                error,
-            };
+            *best = Peak { part, influence, error };
         }
         Ok(error)
     }

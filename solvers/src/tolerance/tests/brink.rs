@@ -6,10 +6,7 @@ use super::{Heald, at};
 use crate::closure::{Assembly, Closure, Linkage, Variable};
 
 fn sampling(samples: u64) -> Sampling {
-    Sampling {
-        samples,
-        ..Sampling::default()
-    }
+    Sampling { samples, ..Sampling::default() }
 }
 
 #[test]
@@ -19,11 +16,7 @@ fn half_of_the_linkages_fail_just_before_the_dead_centre() {
         .expect("the nominal linkage assembles")
         .places[0];
     assert_eq!(found.status, Status::Conditional);
-    assert!(
-        (0.4..0.6).contains(&found.failures.value),
-        "{:?}",
-        found.failures
-    );
+    assert!((0.4..0.6).contains(&found.failures.value), "{:?}", found.failures);
 }
 
 /// A made linkage closed by plain Newton steps from the nominal position: the output and the sign of the mode.
@@ -80,20 +73,13 @@ fn the_naive_way_averages_over_other_modes() {
         .places[0];
     assert!(others > 100, "{found} found, {others} elsewhere");
     let kept = (found - others) as f64 - ours.assembled as f64;
-    assert!(
-        kept.abs() < 0.02 * samples as f64,
-        "{found} {others} {}",
-        ours.assembled
-    );
+    assert!(kept.abs() < 0.02 * samples as f64, "{found} {others} {}", ours.assembled);
 }
 
 /// All errors at their extremes, as the corner says.
 fn signed(half_widths: impl Iterator<Item = f64>, corner: u32) -> Vec<f64> {
     let sign = |bit: usize| if corner >> bit & 1 == 0 { -1.0 } else { 1.0 };
-    half_widths
-        .enumerate()
-        .map(|(bit, one)| sign(bit) * one)
-        .collect()
+    half_widths.enumerate().map(|(bit, one)| sign(bit) * one).collect()
 }
 
 #[test]
@@ -114,16 +100,9 @@ fn extremes_are_closed_to_rounding() {
     assembly.start().expect("it assembles");
     assembly.move_to(&study.places[0]).expect("it gets there");
     let nominal = *assembly.position();
-    for (error, corner) in [
-        (exact.least, exact.least_at),
-        (exact.greatest, exact.greatest_at),
-    ] {
+    for (error, corner) in [(exact.least, exact.least_at), (exact.greatest, exact.greatest_at)] {
         let errors = signed(study.sources.iter().map(|one| one.half_width), corner);
         let (value, _) = naive(&heald, &study.places[0], &errors, &nominal).expect("it closes");
-        assert!(
-            (value - nominal[2] - error).abs() < 2e-15,
-            "{error} {}",
-            value - nominal[2]
-        );
+        assert!((value - nominal[2] - error).abs() < 2e-15, "{error} {}", value - nominal[2]);
     }
 }

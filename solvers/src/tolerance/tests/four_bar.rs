@@ -18,17 +18,8 @@ struct Loops<S>([S; 4]);
 const SHAPE: Shape = by_hand(
     [4, 1],
     &[true; 2],
-    &[Group {
-        kind: GroupKind::Rrr,
-        unknowns: &[0, 1],
-        equations: &[0, 1],
-    }],
-    &[
-        Variable::Constant(0),
-        Variable::Constant(1),
-        Variable::Constant(2),
-        Variable::Constant(3),
-    ],
+    &[Group { kind: GroupKind::Rrr, unknowns: &[0, 1], equations: &[0, 1] }],
+    &[Variable::Constant(0), Variable::Constant(1), Variable::Constant(2), Variable::Constant(3)],
 );
 
 impl Linkage for FourBar {
@@ -57,12 +48,7 @@ impl Linkage for FourBar {
         None
     }
     fn ranges(&self) -> Vec<Range> {
-        vec![Range {
-            from: 0.0,
-            to: TAU,
-            start: 1.0,
-            period: TAU,
-        }]
+        vec![Range { from: 0.0, to: TAU, start: 1.0, period: TAU }]
     }
     fn start(&self) -> Vec<f64> {
         vec![0.5, 1.5]
@@ -154,19 +140,10 @@ fn the_share_that_does_not_meet_is_the_one_that_is_known() {
             distribution: Distribution::Uniform,
         }],
     };
-    let sampling = Sampling {
-        samples: 50_000,
-        ..Sampling::default()
-    };
+    let sampling = Sampling { samples: 50_000, ..Sampling::default() };
     let found = monte_carlo(&linkage, &study, &sampling, &|_| ()).expect("it is at the brink");
     let place = &found.places[0];
     assert_eq!(place.status, Status::Conditional);
-    assert_eq!(
-        place.assembled,
-        50_000 - (place.failures.value * 5e4).round() as u64
-    );
-    assert!(
-        place.failures.low < 0.45 && 0.45 < place.failures.high,
-        "{place:?}"
-    );
+    assert_eq!(place.assembled, 50_000 - (place.failures.value * 5e4).round() as u64);
+    assert!(place.failures.low < 0.45 && 0.45 < place.failures.high, "{place:?}");
 }

@@ -15,9 +15,7 @@ pub struct Heald {
 
 impl Default for Heald {
     fn default() -> Self {
-        Self {
-            values: [0.09, 0.23, 0.18, 0.12, 0.08, 0.105, 0.04],
-        }
+        Self { values: [0.09, 0.23, 0.18, 0.12, 0.08, 0.105, 0.04] }
     }
 }
 
@@ -27,11 +25,7 @@ pub struct Loops<S>([S; 7]);
 const SHAPE: Shape = by_hand(
     [7, 1],
     &[true; 3],
-    &[Group {
-        kind: GroupKind::General,
-        unknowns: &[0, 1, 2],
-        equations: &[0, 1, 2],
-    }],
+    &[Group { kind: GroupKind::General, unknowns: &[0, 1, 2], equations: &[0, 1, 2] }],
     &[
         Variable::Constant(0),
         Variable::Constant(1),
@@ -100,17 +94,7 @@ impl<S: Scalar> Loops<S> {
     fn matrix(&self, z: &[S; 9]) -> [S; 9] {
         let [_, l5, l6, l7, ..] = self.0;
         let [_, _, _, c5, s5, c6, s6, c7, s7] = *z;
-        [
-            -l5 * s5,
-            l6 * s6,
-            l7 * s7,
-            l5 * c5,
-            -l6 * c6,
-            -l7 * c7,
-            S::ZERO,
-            -l6 * s6,
-            l7 * s7,
-        ]
+        [-l5 * s5, l6 * s6, l7 * s7, l5 * c5, -l6 * c6, -l7 * c7, S::ZERO, -l6 * s6, l7 * s7]
     }
 }
 

@@ -16,17 +16,9 @@ fn bands(degrees: &[f64], sources: Option<&[Source]>) -> Vec<super::super::Linea
 fn bands_of_the_heald_linkage() {
     let band = &bands(&[90.0], None)[0];
     assert!((band.worst - 2.0570e-3).abs() < 5e-8, "{}", band.worst);
-    assert!(
-        (band.deviation - 0.559_49e-3).abs() < 5e-9,
-        "{}",
-        band.deviation
-    );
+    assert!((band.deviation - 0.559_49e-3).abs() < 5e-9, "{}", band.deviation);
     let shares: f64 = band.contributions.iter().map(|one| one.share).sum();
-    let variances: f64 = band
-        .contributions
-        .iter()
-        .map(|one| one.variance_share)
-        .sum();
+    let variances: f64 = band.contributions.iter().map(|one| one.variance_share).sum();
     assert!((shares - 1.0).abs() < 1e-14 && (variances - 1.0).abs() < 1e-14);
 }
 
@@ -70,19 +62,11 @@ fn play_adds_its_length_error() {
 #[test]
 fn samples_agree_with_the_first_order_where_tolerances_are_small() {
     let (heald, study) = at(90.0);
-    let sampling = Sampling {
-        samples: 200_000,
-        ..Sampling::default()
-    };
-    let found = &monte_carlo(&heald, &study, &sampling, &|_| ())
-        .expect("it assembles")
-        .places[0];
+    let sampling = Sampling { samples: 200_000, ..Sampling::default() };
+    let found = &monte_carlo(&heald, &study, &sampling, &|_| ()).expect("it assembles").places[0];
     assert_eq!(found.status, Status::Complete);
     let deviation = found.deviation;
-    assert!(
-        deviation.low < 0.559_49e-3 && 0.559_49e-3 < deviation.high,
-        "{deviation:?}"
-    );
+    assert!(deviation.low < 0.559_49e-3 && 0.559_49e-3 < deviation.high, "{deviation:?}");
     assert!(found.greatest < 2.0570e-3 && found.least > -2.0570e-3);
     assert!(found.mean.low < 1e-6 && found.mean.high > -1e-6);
     assert!((found.value.to_degrees() + 70.06145).abs() < 5e-6);
@@ -99,9 +83,6 @@ fn distributions_have_their_deviations() {
         let deviation = found.expect("it assembles").places[0].deviation;
         let expected = 0.559_49e-3 * factor;
         let room = 1.5 * (deviation.high - deviation.low);
-        assert!(
-            (deviation.value - expected).abs() < room,
-            "{deviation:?} {expected}"
-        );
+        assert!((deviation.value - expected).abs() < room, "{deviation:?} {expected}");
     }
 }

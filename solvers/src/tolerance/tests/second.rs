@@ -54,15 +54,9 @@ fn the_linear_sum_is_exceeded_where_tolerances_are_scaled_by_twenty() {
         let (exact, second) = (extremes.exact.worst(), extremes.quadratic.worst());
         let first = first(&study);
         assert!(exact > at_least * first, "{exact} {first}");
-        assert!(
-            (exact - second).abs() < 0.3 * (exact - first),
-            "{exact} {second} {first}"
-        );
+        assert!((exact - second).abs() < 0.3 * (exact - first), "{exact} {second} {first}");
         let compared = differences(&heald, &study, 4_000, 1).expect("it assembles")[0];
-        assert!(
-            compared.linear.rms > 5.0 * compared.quadratic.rms,
-            "{compared:?}"
-        );
+        assert!(compared.linear.rms > 5.0 * compared.quadratic.rms, "{compared:?}");
     }
 }
 
@@ -73,18 +67,12 @@ fn shift_and_skewness_are_those_of_the_second_order() {
     let study = study(&[200.0], 20.0, Distribution::Uniform);
     let form = &quadratics(&heald, &study).expect("it assembles")[0];
     let moments = form.moments(&study.sources);
-    let sampling = Sampling {
-        samples: 400_000,
-        ..Sampling::default()
-    };
+    let sampling = Sampling { samples: 400_000, ..Sampling::default() };
     let found = monte_carlo(&heald, &study, &sampling, &|_| ()).expect("it assembles");
     let found = &found.places[0];
     assert!(found.mean.high < -3e-4, "{:?}", found.mean);
     assert!(found.mean.low < moments.mean && moments.mean < found.mean.high);
-    assert!(
-        (moments.skewness - found.skewness).abs() < 0.02,
-        "{moments:?} {found:?}"
-    );
+    assert!((moments.skewness - found.skewness).abs() < 0.02, "{moments:?} {found:?}");
 }
 
 #[test]
@@ -92,9 +80,6 @@ fn too_many_sources_are_not_combined() {
     let mut study = study(&[90.0], 1.0, Distribution::Uniform);
     let source = study.sources[0];
     study.sources.resize(17, source);
-    let expected = ToleranceError::TooManyCorners {
-        sources: 17,
-        most: 16,
-    };
+    let expected = ToleranceError::TooManyCorners { sources: 17, most: 16 };
     assert_eq!(corners(&Heald::default(), &study), Err(expected));
 }

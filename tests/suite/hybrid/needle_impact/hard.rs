@@ -31,11 +31,7 @@ fn friction_of_nothing() {
             worst = worst.max((naive / number(&one["tau"]) - 1.0).abs());
         }
         // The same motion by integration.
-        let moved = Moved::of(
-            "selected",
-            &[("P_C", number(&one["P_C"])), ("V_c", 2.0)],
-            1e-3,
-        );
+        let moved = Moved::of("selected", &[("P_C", number(&one["P_C"])), ("V_c", 2.0)], 1e-3);
         assert_eq!(moved.modes().first(), Some(&"impact"));
     }
     assert!(worst == 1.0, "the smaller root is lost: {worst:e}");
@@ -46,21 +42,14 @@ fn friction_of_nothing() {
 fn damping_up_to_the_critical_one_and_beyond() {
     let near = |share: f64| {
         let c: f64 = 1.0 / (1.0 / 2.04e6 + 1.0 / 5.74e4);
-        [
-            ("V_given", 2.0),
-            ("Delta", 0.0),
-            ("h_p", (c / 0.6e-3).sqrt() * share),
-        ]
+        [("V_given", 2.0), ("Delta", 0.0), ("h_p", (c / 0.6e-3).sqrt() * share)]
     };
     // The force is smooth there: its differences are as its slope.
     let force = |share: f64| Formula::blow("blow", &near(share));
     let slope = (force(1.1) - force(0.9)) / 0.2;
     for step in [1e-2, 1e-4, 1e-6, 1e-8] {
         let change = (force(1.0 + step) - force(1.0 - step)) / (2.0 * step);
-        assert!(
-            (change / slope - 1.0).abs() < 0.02 + 1e-13 / step,
-            "{step:e}: {change} {slope}"
-        );
+        assert!((change / slope - 1.0).abs() < 0.02 + 1e-13 / step, "{step:e}: {change} {slope}");
     }
     assert!(Formula::blow("blow_paper", &near(0.99)).is_finite());
     assert!(Formula::blow("blow_paper", &near(1.01)).is_nan());
@@ -77,12 +66,7 @@ fn damping_up_to_the_critical_one_and_beyond() {
         let values = [("V_given", speed), near(share)[2], ("Delta", 0.0)];
         for (motion, formula) in [("selected", "blow"), ("total", "blow_total")] {
             let moved = Moved::of(motion, &changes, 1e-3);
-            check(
-                motion,
-                moved.measure("F_cam_max"),
-                Formula::blow(formula, &values),
-                1e-9,
-            );
+            check(motion, moved.measure("F_cam_max"), Formula::blow(formula, &values), 1e-9);
         }
     }
 }
@@ -93,11 +77,7 @@ fn contact_that_is_much_shorter_than_the_flight() {
     let longitudinal = Formula::of("sliding", &[("c_l", 1e15)], 2.0);
     check("c_p", longitudinal.get("c_p"), 5.74e4, 1e-10);
     for factor in [1e3, 1e5] {
-        let changes = [
-            ("c_b", 5.74e4 * factor),
-            ("c_l", 2.04e6 * factor),
-            ("V_c", 2.0),
-        ];
+        let changes = [("c_b", 5.74e4 * factor), ("c_l", 2.04e6 * factor), ("V_c", 2.0)];
         let moved = Moved::of("selected", &changes, 1e-3);
         assert_eq!(moved.modes(), ["impact", "away"]);
         let here = Formula::of("sliding", &changes[..2], 2.0);
@@ -129,10 +109,7 @@ fn the_first_rebound() {
         let moved = moved(1.0 + above);
         assert_eq!(moved.modes()[..3], ["stuck", "press", "free"], "{above:e}");
         let early = begun(&moved) + time - moved.event("free").time;
-        assert!(
-            early > 0.0 && early < 1e-3 * above.sqrt(),
-            "{above:e}: {early:e}"
-        );
+        assert!(early > 0.0 && early < 1e-3 * above.sqrt(), "{above:e}: {early:e}");
         // The first loss of contact jumps from never to the tangent point, and ends as soon as it began.
         let again = moved.motion.events[3].time - moved.event("free").time;
         assert!(again < 4e-3 * above.sqrt(), "{above:e}: {again:e}");
@@ -141,24 +118,16 @@ fn the_first_rebound() {
     let above = speed * (1.0 + 1e-7);
     let steps = below.motion.pieces.last().unwrap().trajectory.times();
     let force = |time: f64| {
-        let (k, h, m) = (
-            5.31e4 * 47.5_f64.to_radians().sin() * 47.5_f64.to_radians().cos(),
-            565.1,
-            0.6e-3,
-        );
+        let (k, h, m) =
+            (5.31e4 * 47.5_f64.to_radians().sin() * 47.5_f64.to_radians().cos(), 565.1, 0.6e-3);
         let v = above * 47.5_f64.to_radians().tan();
         let w = (k / m - h * h).sqrt();
         let a = -2.0 * m * h * v / k;
         4.8 + k * (-h * time).exp() * (a * (w * time).cos() + (v + h * a) / w * (w * time).sin())
     };
-    let seen = steps
-        .iter()
-        .filter(|at| force(**at - begun(&below)) < 0.0)
-        .count();
+    let seen = steps.iter().filter(|at| force(**at - begun(&below)) < 0.0).count();
     assert_eq!(seen, 0);
-    let least = (0..20_000)
-        .map(|k| force(1e-3 * f64::from(k) / 2e4))
-        .fold(1.0, f64::min);
+    let least = (0..20_000).map(|k| force(1e-3 * f64::from(k) / 2e4)).fold(1.0, f64::min);
     assert!(least < 0.0, "and yet it is lost: {least:e}");
 }
 
@@ -195,12 +164,7 @@ fn the_hidden_gap() {
     let limit = |gap: f64| (2.0 * 8000.0 * gap).sqrt() / 47.5_f64.to_radians().tan();
     let strikes = |speed: f64| {
         let moved = Moved::of("selected_full", &[("V_c", speed)], 3e-3);
-        check(
-            "left at",
-            moved.event("overrun").before[0],
-            2e-3 - hidden,
-            1e-10,
-        );
+        check("left at", moved.event("overrun").before[0], 2e-3 - hidden, 1e-10);
         moved.modes().contains(&"impact")
     };
     let (naive, ours) = (limit(0.25e-3), limit(0.25e-3 + hidden));
@@ -216,12 +180,7 @@ fn friction_does_not_drive() {
     let constant = Moved::of("selected", &changes, 1e-3);
     let left = constant.event("away");
     let end = constant.output("dot(y)", 1e-3);
-    check(
-        "gained",
-        left.after[1] - end,
-        8000.0 * (1e-3 - left.time),
-        1e-9,
-    );
+    check("gained", left.after[1] - end, 8000.0 * (1e-3 - left.time), 1e-9);
     let faster = Moved::of("rubbing", &[("V_c", 5.0)], 3e-3);
     let modes = faster.modes();
     assert_eq!(modes, ["impact", "back", "away", "rest"]);
@@ -274,10 +233,7 @@ fn a_step_in_the_integrand() {
                 moved.run.rates_in(mode, time, &state)[0] / 40.0
             })
             .sum();
-        assert!(
-            (fixed / expected - 1.0).abs() > 1e-3,
-            "{changes:?}: {fixed:e} {expected:e}"
-        );
+        assert!((fixed / expected - 1.0).abs() > 1e-3, "{changes:?}: {fixed:e} {expected:e}");
     }
 }
 

@@ -7,10 +7,7 @@ const INCLINATION: f64 = 47.5 * std::f64::consts::PI / 180.0;
 /// The speed in a table, in m/s or rpm, and with how many of its digits.
 #[track_caller]
 fn rounds_to(found: f64, printed: f64, half: f64) {
-    assert!(
-        (found - printed).abs() <= half,
-        "{found}, printed {printed}"
-    );
+    assert!((found - printed).abs() <= half, "{found}, printed {printed}");
 }
 
 #[test]
@@ -20,16 +17,8 @@ fn what_follows_from_the_printed_values() {
     rounds_to(here.get("c_p"), 5.583e4, 5.0);
     let rpm = std::f64::consts::TAU / 60.0;
     rounds_to(here.get("speed") / rpm, 342.87, 0.005);
-    rounds_to(
-        Formula::of("sliding", &[], 1.64).get("speed") / rpm,
-        328.84,
-        0.005,
-    );
-    rounds_to(
-        Formula::of("sliding", &[], 1.6383).get("speed") / rpm,
-        328.5,
-        0.01,
-    );
+    rounds_to(Formula::of("sliding", &[], 1.64).get("speed") / rpm, 328.84, 0.005);
+    rounds_to(Formula::of("sliding", &[], 1.6383).get("speed") / rpm, 328.5, 0.01);
     rounds_to(here.get("limit"), 1.8327, 5e-5);
     rounds_to(here.get("limit_speed") / rpm, 367.5, 0.05);
 }
@@ -44,22 +33,10 @@ fn reconstructed_rebound() {
         ("reach_cos2", 1.60),
         ("reach", 1.68),
     ] {
-        rounds_to(
-            Formula::of(scene, &[], INCLINATION).get("V_c"),
-            expected,
-            0.005,
-        );
+        rounds_to(Formula::of(scene, &[], INCLINATION).get("V_c"), expected, 0.005);
     }
-    rounds_to(
-        Formula::of("graze_total", &[], INCLINATION).get("V_c"),
-        1.639,
-        5e-4,
-    );
-    rounds_to(
-        Formula::of("graze", &[], INCLINATION).get("V_c"),
-        1.663,
-        5e-4,
-    );
+    rounds_to(Formula::of("graze_total", &[], INCLINATION).get("V_c"), 1.639, 5e-4);
+    rounds_to(Formula::of("graze", &[], INCLINATION).get("V_c"), 1.663, 5e-4);
 }
 
 /// None of the twenty variants meets both published speeds, 1.64 and 1.71 m/s; the closest was picked afterwards.
@@ -70,11 +47,7 @@ fn no_variant_meets_both_published_speeds() {
     let apart = |one: &Value| {
         let graze = number(&one["graze"]);
         // A first rebound that is faster than 2 m/s at once reaches the cam at its own threshold.
-        let reach = if one["reach"].is_null() {
-            graze
-        } else {
-            number(&one["reach"])
-        };
+        let reach = if one["reach"].is_null() { graze } else { number(&one["reach"]) };
         (graze / 1.64 - 1.0).abs().max((reach / 1.71 - 1.0).abs())
     };
     let nearest = variants.iter().map(apart).fold(f64::INFINITY, f64::min);
@@ -100,13 +73,8 @@ fn fitted_rebound() {
     rounds_to(at(1.64, &[]), 1.64 * INCLINATION.tan(), 1e-12);
     rounds_to(at(1.5, &[]), 1.5 * INCLINATION.tan(), 1e-12);
     let b = |changes: &[(&str, f64)]| {
-        let (low, speed) = (
-            changes
-                .iter()
-                .find(|one| one.0 == "V_r")
-                .map_or(1.64, |one| one.1),
-            1.9,
-        );
+        let (low, speed) =
+            (changes.iter().find(|one| one.0 == "V_r").map_or(1.64, |one| one.1), 1.9);
         let tan2 = INCLINATION.tan().powi(2);
         (at(speed, changes).powi(2) - speed * speed * tan2) / ((speed * speed - low * low) * tan2)
     };
@@ -127,10 +95,7 @@ fn fitted_rebound() {
 fn formula_12_underestimates() {
     let both = |speed: f64| {
         let changes = [("V_given", speed), ("Delta", 0.0)];
-        (
-            Formula::blow("blow", &changes),
-            Formula::blow("blow_paper", &changes),
-        )
+        (Formula::blow("blow", &changes), Formula::blow("blow_paper", &changes))
     };
     let mut speed = 0.01;
     while speed < 20.0 {
@@ -146,12 +111,7 @@ fn formula_12_underestimates() {
         let changes = [("V_given", speed), ("Delta", 0.0), ("h_p", 0.0)];
         let c = 1.0 / (1.0 / 2.04e6 + 1.0 / 5.74e4);
         let blow = speed * (0.6e-3_f64 * c).sqrt();
-        check(
-            "paper",
-            Formula::blow("blow_paper", &changes),
-            blow - 4.8,
-            1e-12,
-        );
+        check("paper", Formula::blow("blow_paper", &changes), blow - 4.8, 1e-12);
         check(
             "exact",
             Formula::blow("blow", &changes),

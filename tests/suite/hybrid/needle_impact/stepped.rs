@@ -6,16 +6,10 @@ use super::*;
 #[track_caller]
 fn agrees(name: &str) -> Moved {
     let case = &REFERENCE["stepped"][name];
-    let moved = Moved::of(
-        case["scene"].as_str().unwrap(),
-        &changes(&case["values"]),
-        number(&case["end"]),
-    );
+    let moved =
+        Moved::of(case["scene"].as_str().unwrap(), &changes(&case["values"]), number(&case["end"]));
     let expected = case["events"].as_array().unwrap();
-    let modes: Vec<&str> = expected
-        .iter()
-        .map(|one| one["to"].as_str().unwrap())
-        .collect();
+    let modes: Vec<&str> = expected.iter().map(|one| one["to"].as_str().unwrap()).collect();
     assert_eq!(moved.modes(), modes, "{name}");
     for (event, one) in moved.motion.events.iter().zip(expected) {
         let off = (event.time - number(&one["time"])).abs();
@@ -59,13 +53,9 @@ fn friction_that_opposes_the_motion() {
 
 #[test]
 fn needles_that_are_struck() {
-    for name in [
-        "unselected_slow",
-        "unselected",
-        "unselected_hard",
-        "unselected_free",
-        "unselected_total",
-    ] {
+    for name in
+        ["unselected_slow", "unselected", "unselected_hard", "unselected_free", "unselected_total"]
+    {
         agrees(name);
     }
 }

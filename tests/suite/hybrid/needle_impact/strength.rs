@@ -13,10 +13,7 @@ fn probability_of_failure() {
             // The solver bounds the error by the whole, which is one.
             let off = (found - expected).abs();
             let what = format!("{} {changes:?} {name}", one["scene"]);
-            assert!(
-                off < 1e-9 * expected + 1e-13,
-                "{what}: {found:e}, expected {expected:e}"
-            );
+            assert!(off < 1e-9 * expected + 1e-13, "{what}: {found:e}, expected {expected:e}");
             // Probability is one in all.
             assert!((0.0..=1.0 + 1e-12).contains(&found));
         }
@@ -30,10 +27,7 @@ struct Normal {
 
 impl Normal {
     fn uniform(&mut self) -> f64 {
-        self.state = self
-            .state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        self.state = self.state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         ((self.state >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
     }
 
@@ -49,11 +43,8 @@ fn monte_carlo_agrees_with_the_integral() {
     use assur::closure::{Assembly, Linkage};
     use assur_equations::needle_impact::StruckFitted;
     let (speed, s_ln, t_life, samples) = (1.8, 0.2, 3.6e5, 40_000);
-    let expected = Moved::of(
-        "chance_struck",
-        &[("V_c", speed), ("s_ln", s_ln), ("t_life", t_life)],
-        1.0,
-    );
+    let expected =
+        Moved::of("chance_struck", &[("V_c", speed), ("s_ln", s_ln), ("t_life", t_life)], 1.0);
     let expected = expected.output("P_both", 1.0);
     let scene = entry("needle_impact", "struck_fitted");
     let used = place(scene.outputs, "used");
@@ -80,10 +71,7 @@ fn monte_carlo_agrees_with_the_integral() {
     }
     let share = f64::from(broken) / f64::from(samples);
     let spread = (expected * (1.0 - expected) / f64::from(samples)).sqrt();
-    assert!(
-        (0.05..0.95).contains(&expected),
-        "{expected} decides nothing"
-    );
+    assert!((0.05..0.95).contains(&expected), "{expected} decides nothing");
     assert!(
         (share - expected).abs() < 4.0 * spread,
         "{share}, expected {expected} within {spread}"
@@ -100,20 +88,14 @@ fn monte_carlo_of_runs_agrees_with_the_integral() {
     let nominal = values(scene, &changes);
     let made = |index: usize| {
         let mut one = drawn(scene.constants, &nominal, 11, index);
-        let gap = scene
-            .constants
-            .iter()
-            .position(|it| it.quantity.name == "Delta");
+        let gap = scene.constants.iter().position(|it| it.quantity.name == "Delta");
         one[gap.unwrap()] = one[gap.unwrap()].max(0.0);
         one
     };
     let settings = Settings { rtol: 1e-8, ..FINE };
     let found = runs(&scene.bind, count, &made, &settings, 0, &|_| {});
     let breaks = place(scene.measures, "breaks");
-    let broken: f64 = found
-        .into_iter()
-        .map(|one| one.unwrap()[breaks].unwrap())
-        .sum();
+    let broken: f64 = found.into_iter().map(|one| one.unwrap()[breaks].unwrap()).sum();
     let share = broken / count as f64;
     let spread = (expected * (1.0 - expected) / count as f64).sqrt();
     assert!(
@@ -126,20 +108,13 @@ fn monte_carlo_of_runs_agrees_with_the_integral() {
 #[test]
 fn measures_are_those_of_the_closed_forms() {
     for speed in [1.9, 2.5, 3.0] {
-        for (motion, formula) in [
-            ("selected", "sliding"),
-            ("total", "sliding_total"),
-            ("plain", "sliding_plain"),
-        ] {
+        for (motion, formula) in
+            [("selected", "sliding"), ("total", "sliding_total"), ("plain", "sliding_plain")]
+        {
             let moved = Moved::of(motion, &[("V_c", speed)], 1e-3);
             let here = Formula::of(formula, &[], speed);
             check(motion, moved.measure("F_cam_max"), here.get("F"), 1e-9);
-            check(
-                motion,
-                moved.measure("stress_cam"),
-                here.get("stress_cam"),
-                1e-9,
-            );
+            check(motion, moved.measure("stress_cam"), here.get("stress_cam"), 1e-9);
         }
     }
     for speed in [1.7, 2.0, 2.8] {
@@ -148,12 +123,7 @@ fn measures_are_those_of_the_closed_forms() {
         for (measure, output) in [("F_cam_max", "F"), ("F_wedge_max", "F_wedge")] {
             check(measure, moved.measure(measure), here.get(output), 1e-9);
         }
-        check(
-            "V_0",
-            moved.event("overrun").before[1],
-            here.get("V_0"),
-            1e-9,
-        );
+        check("V_0", moved.event("overrun").before[1], here.get("V_0"), 1e-9);
     }
 }
 

@@ -11,28 +11,19 @@ fn lost_contact_grows_from_nothing() {
         let mut found = Vec::new();
         for row in case["rows"].as_array().unwrap() {
             let glued = numbers(&row["glued"]);
-            let foot = Elliptic::with(&[
-                ("mu2", number(&case["mu2"])),
-                ("omega", number(&row["omega"])),
-            ]);
+            let foot =
+                Elliptic::with(&[("mu2", number(&case["mu2"])), ("omega", number(&row["omega"]))]);
             let cycle = hybrid::cycle_from(&foot, (CONTACT, &glued), foot.period(), &FINE).unwrap();
             assert_eq!((cycle.multiple, changes(&cycle.motion).len()), (1, 2));
             let start = cycle.motion.pieces[0].trajectory.at(0.0);
-            for (value, (expected, size)) in start
-                .iter()
-                .zip(numbers(&row["start"]).iter().zip([1e-3, 1e-1]))
+            for (value, (expected, size)) in
+                start.iter().zip(numbers(&row["start"]).iter().zip([1e-3, 1e-1]))
             {
-                assert!(
-                    (value - expected).abs() < 1e-10 * size,
-                    "{value:e} {expected:e}"
-                );
+                assert!((value - expected).abs() < 1e-10 * size, "{value:e} {expected:e}");
             }
             let flight = Measured::of(&foot, &cycle.motion).free * foot.period();
             let expected = number(&row["flight"]);
-            assert!(
-                (flight / expected - 1.0).abs() < 1e-5,
-                "{flight:e} s, {expected:e} s"
-            );
+            assert!((flight / expected - 1.0).abs() < 1e-5, "{flight:e} s, {expected:e} s");
             let away = ((start[0] - glued[0]) * foot.omega).hypot(start[1] - glued[1]);
             found.push((number(&row["above"]), flight, away));
         }
@@ -63,9 +54,6 @@ fn two_roots_in_one_step() {
     for quarters in 1..=6 {
         let expected = first / 2f64.powi(quarters);
         let found = flight(1e-3 / 4f64.powi(quarters));
-        assert!(
-            (found / expected - 1.0).abs() < 0.02,
-            "{found:e} {expected:e}"
-        );
+        assert!((found / expected - 1.0).abs() < 0.02, "{found:e} {expected:e}");
     }
 }

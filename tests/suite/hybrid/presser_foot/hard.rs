@@ -24,10 +24,7 @@ fn the_foot_leaves_where_the_force_is_zero() {
         let step = 1e-5;
         let on = [event.before[0] + step * event.before[1], event.before[1]];
         assert!(compressed(&foot, event.time + step, &on) > 0.0);
-        assert!(
-            output(&foot, "F2", CONTACT, event.time + step, &on) < 0.0,
-            "it pulls"
-        );
+        assert!(output(&foot, "F2", CONTACT, event.time + step, &on) < 0.0, "it pulls");
     }
     assert_eq!(left, 2);
     assert!(Measured::of(&foot, &cycle.motion).smallest > -1e-9);
@@ -40,12 +37,8 @@ fn the_foot_leaves_where_the_force_is_zero() {
 #[test]
 fn the_force_comes_back_before_the_gap_closes() {
     let case = &REFERENCE["cases"]["progressive_250"];
-    let by: Vec<&str> = case["events"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|one| one["by"].as_str().unwrap())
-        .collect();
+    let by: Vec<&str> =
+        case["events"].as_array().unwrap().iter().map(|one| one["by"].as_str().unwrap()).collect();
     assert_eq!(by, ["force"; 4]);
     check::<Progressive>("progressive_250");
 }
@@ -67,10 +60,7 @@ fn contact_regained_at_a_kink_is_regained_exactly_there() {
         let flown = regained.0 - lost.0;
         let touching = (foot.mu1 + foot.mu2) * (foot.period() - flown) + foot.mu1 * flown;
         let expected = (-touching / foot.m).exp();
-        assert!(
-            (product / expected - 1.0).abs() < 1e-6,
-            "{product:e} {expected:e}"
-        );
+        assert!((product / expected - 1.0).abs() < 1e-6, "{product:e} {expected:e}");
     }
 }
 
@@ -84,11 +74,7 @@ fn how_the_force_begins_where_contact_is_regained() {
             let force = output(foot, "F2", CONTACT, one.time, &one.after);
             let phi = 300.0 * one.time - PI;
             // Half a turn later the rack is below the plate.
-            let rate = if phi.cos() > 0.5 {
-                -0.6 * phi.sin()
-            } else {
-                0.0
-            };
+            let rate = if phi.cos() > 0.5 { -0.6 * phi.sin() } else { 0.0 };
             (force, rate - one.after[1])
         });
         both.collect()
@@ -97,10 +83,7 @@ fn how_the_force_begins_where_contact_is_regained() {
     let all = begins(&damped, &damped.cycle().unwrap().motion);
     assert_eq!(all.len(), 2);
     for (force, rate) in all {
-        assert!(
-            force > 1.0 && (force - damped.mu2 * rate).abs() < 1e-9,
-            "{force} {rate}"
-        );
+        assert!(force > 1.0 && (force - damped.mu2 * rate).abs() < 1e-9, "{force} {rate}");
     }
     let growing = HuntCrossley::default();
     for (force, rate) in begins(&growing, &growing.cycle().unwrap().motion) {
@@ -109,10 +92,7 @@ fn how_the_force_begins_where_contact_is_regained() {
     let elastic = Undamped::default();
     let motion = hybrid::march(&elastic, (0.0, 0.2), &elastic.start(), &FINE).unwrap();
     let all = begins(&elastic, &motion);
-    assert!(
-        all.len() > 5 && all.iter().all(|one| one.0.abs() < 1e-9),
-        "{all:?}"
-    );
+    assert!(all.len() > 5 && all.iter().all(|one| one.0.abs() < 1e-9), "{all:?}");
 }
 
 /// A heavy foot flies over turns of the rack that its motion does not feel, in steps longer than these. The naive way, to
@@ -120,12 +100,7 @@ fn how_the_force_begins_where_contact_is_regained() {
 #[test]
 fn no_contact_is_stepped_over_in_flight() {
     let changes = [("m", 10.0), ("omega", 1000.0), ("rise", 5e-3)];
-    let foot = Undamped {
-        m: 10.0,
-        omega: 1000.0,
-        rise: 5e-3,
-        ..Undamped::default()
-    };
+    let foot = Undamped { m: 10.0, omega: 1000.0, rise: 5e-3, ..Undamped::default() };
     let rack = Elliptic::with(&changes);
     let mut largest_step: f64 = 0.0;
     for rtol in [1e-7, 1e-9, 1e-10, 1e-12, 1e-13] {
@@ -157,9 +132,8 @@ fn damping_that_outweighs_the_force_does_not_pull() {
     let motion = hybrid::march(&foot, (0.0, 40.0 * foot.period()), &foot.start(), &FINE).unwrap();
     let early = motion.events.iter().filter(|one| one.to == FLIGHT);
     let as_elliptic = Elliptic::with(&[("omega", 400.0)]);
-    let compressed: Vec<f64> = early
-        .map(|one| compressed(&as_elliptic, one.time, &one.before))
-        .collect();
+    let compressed: Vec<f64> =
+        early.map(|one| compressed(&as_elliptic, one.time, &one.before)).collect();
     assert!(compressed.iter().any(|one| *one > 1e-5), "{compressed:?}");
     for piece in motion.pieces.iter().filter(|one| one.mode == CONTACT) {
         for time in piece.trajectory.times() {
@@ -175,11 +149,7 @@ fn without_damping_nothing_is_lost() {
     let foot = Elliptic::with(&[("mu1", 0.0), ("mu2", 0.0), ("rise", 0.0), ("F10", 5.0)]);
     let energy = |mode: usize, state: &[f64]| {
         let (w, v) = (state[0], state[1]);
-        let fabric = if mode == CONTACT {
-            foot.c2 * w * w / 2.0
-        } else {
-            0.0
-        };
+        let fabric = if mode == CONTACT { foot.c2 * w * w / 2.0 } else { 0.0 };
         foot.m * v * v / 2.0 + foot.c1 * w * w / 2.0 + (foot.F10 + foot.m * foot.g) * w + fabric
     };
     let start = [-1e-4, 0.5];
@@ -204,19 +174,12 @@ fn fabrics_from_soft_to_hard() {
         let rest = -(foot.F10 + foot.m * foot.g) / foot.c1;
         let expected = (-rest / (height - rest)).acos() / k;
         let first = motion.events[0].time;
-        assert!(
-            (first / expected - 1.0).abs() < 1e-11,
-            "c2 = {c2:e}: {first} {expected}"
-        );
+        assert!((first / expected - 1.0).abs() < 1e-11, "c2 = {c2:e}: {first} {expected}");
         // In the end it lies still.
         let lying = -(foot.F10 + foot.m * foot.g) / (foot.c1 + c2);
         if c2 > 1e4 {
             assert_eq!(motion.mode, CONTACT);
-            assert!(
-                (motion.end[0] / lying - 1.0).abs() < 1e-6,
-                "{:e} {lying:e}",
-                motion.end[0]
-            );
+            assert!((motion.end[0] / lying - 1.0).abs() < 1e-6, "{:e} {lying:e}", motion.end[0]);
         }
         let contacts = changes(&motion).len();
         assert!(contacts < 60, "c2 = {c2:e}: {contacts} changes of contact");
@@ -229,11 +192,8 @@ fn short_contacts_follow_each_other() {
     let mut foot = Elliptic::with(&[("c2", 5e6), ("rise", 0.0), ("mu1", 0.0)]);
     foot.mu2 = 5.0;
     let motion = hybrid::march_in(&foot, FLIGHT, (0.0, 1.0), &[1e-3, 0.0], &FINE).unwrap();
-    let landings: Vec<f64> = changes(&motion)
-        .iter()
-        .filter(|one| one.1 == CONTACT)
-        .map(|one| one.0)
-        .collect();
+    let landings: Vec<f64> =
+        changes(&motion).iter().filter(|one| one.1 == CONTACT).map(|one| one.0).collect();
     assert!(landings.len() > 50, "{}", landings.len());
     let gaps: Vec<f64> = landings.windows(2).map(|pair| pair[1] - pair[0]).collect();
     assert!(gaps.windows(2).all(|pair| pair[1] < pair[0]));
@@ -265,17 +225,11 @@ fn flights_of_several_turns() {
 #[test]
 fn no_stable_motion_is_reported() {
     let error = Elliptic::with(&[("omega", 800.0)]).cycle().unwrap_err();
-    let CycleError::NoneStable {
-        growth, unstable, ..
-    } = &error
-    else {
+    let CycleError::NoneStable { growth, unstable, .. } = &error else {
         panic!("{error}");
     };
     assert!(*growth > 1.1, "{error}");
-    assert!(
-        unstable.as_ref().is_some_and(|one| !one.is_stable()),
-        "{error}"
-    );
+    assert!(unstable.as_ref().is_some_and(|one| !one.is_stable()), "{error}");
 }
 
 /// Just beyond a doubling of the period the motion of half the length is near, and not stable: what attracts is the other.
@@ -341,10 +295,7 @@ fn without_spring_and_preload() {
     let at = |preload: f64, c1: f64| {
         let foot = Elliptic::with(&[("F10", preload), ("c1", c1), ("omega", 60.0)]);
         let cycle = foot.cycle().unwrap();
-        (
-            cycle.motion.pieces[0].trajectory.at(0.0),
-            Measured::of(&foot, &cycle.motion).mean,
-        )
+        (cycle.motion.pieces[0].trajectory.at(0.0), Measured::of(&foot, &cycle.motion).mean)
     };
     let (state, mean) = at(0.0, 0.0);
     let (near, near_mean) = at(1e-9, 1e-6);
@@ -364,25 +315,14 @@ fn a_foot_of_no_mass_follows_the_fabric() {
     foot.g = 0.0;
     let settings = Settings::new(Method::Tsit5).rtol(1e-8);
     let motion = hybrid::march(&foot, (0.0, foot.period()), &foot.start(), &settings).unwrap();
-    assert!(
-        motion.statistics.steps > 1000,
-        "{}",
-        motion.statistics.steps
-    );
-    let stiff = Settings {
-        method: Method::Auto,
-        ..settings
-    };
+    assert!(motion.statistics.steps > 1000, "{}", motion.statistics.steps);
+    let stiff = Settings { method: Method::Auto, ..settings };
     let other = hybrid::march(&foot, (0.0, foot.period()), &foot.start(), &stiff).unwrap();
     assert!(20 * other.statistics.steps < motion.statistics.steps);
     assert!((other.end[0] / motion.end[0] - 1.0).abs() < 1e-6);
     // Where the rack is below the plate the fabric bears the spring.
     let lying = -foot.F10 / (foot.c1 + foot.c2);
-    assert!(
-        (motion.end[0] / lying - 1.0).abs() < 1e-5,
-        "{:e} {lying:e}",
-        motion.end[0]
-    );
+    assert!((motion.end[0] / lying - 1.0).abs() < 1e-5, "{:e} {lying:e}", motion.end[0]);
 }
 
 /// Turn after turn the foot leaves and comes back at the same angles: nothing drifts.
@@ -390,12 +330,8 @@ fn a_foot_of_no_mass_follows_the_fabric() {
 fn check_drift(turns: u32) {
     let case = &REFERENCE["cases"]["elliptic_300"];
     let foot = foot::<Elliptic>(case);
-    let expected: Vec<f64> = case["events"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|one| number(&one["time"]))
-        .collect();
+    let expected: Vec<f64> =
+        case["events"].as_array().unwrap().iter().map(|one| number(&one["time"])).collect();
     let (mut mode, mut state) = (FLIGHT, numbers(&case["start"]));
     let batch = 100;
     let mut worst = 0.0f64;
@@ -440,10 +376,7 @@ fn a_motion_below_the_fabric_is_not_found() {
             let hanging = -(foot.F10 + foot.m * foot.g) / foot.c1;
             if let Ok(cycle) = found {
                 let place = cycle.motion.end[0];
-                assert!(
-                    (place / hanging - 1.0).abs() > 0.1,
-                    "{omega} 1/s: {place} m"
-                );
+                assert!((place / hanging - 1.0).abs() > 0.1, "{omega} 1/s: {place} m");
             }
         }
     }
@@ -460,16 +393,8 @@ fn an_unstable_motion_is_given_as_such() {
     for number in 0..8 {
         let start = [1e-4 * f64::from(number), 0.01];
         let ended = hybrid::cycle_from(&foot, (FLIGHT, &start), foot.period(), &FINE);
-        let Err(CycleError::NoneStable {
-            unstable: Some(unstable),
-            growth,
-            ..
-        }) = ended
-        else {
-            panic!(
-                "start {number}: {:?}",
-                ended.err().map(|one| one.to_string())
-            );
+        let Err(CycleError::NoneStable { unstable: Some(unstable), growth, .. }) = ended else {
+            panic!("start {number}: {:?}", ended.err().map(|one| one.to_string()));
         };
         assert!(unstable.multiple == 1 && growth > 1.2, "{growth}");
         assert!(unstable.residual < 1e-9 && unstable.multipliers[0].modulus() > 1.2);

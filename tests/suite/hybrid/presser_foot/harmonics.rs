@@ -36,9 +36,7 @@ fn integral(machine: &Machine, (from, to): (f64, f64), weight: impl Fn(f64) -> f
     let half = (to - from) / f64::from(2 * parts);
     let middles = (0..parts).map(|part| from + half * f64::from(2 * part + 1));
     let points = middles.flat_map(|middle| GAUSS.map(|(x, c)| (middle + half * x, half * c)));
-    points
-        .map(|(phi, c)| c * level(machine, phi) * weight(phi))
-        .sum()
+    points.map(|(phi, c)| c * level(machine, phi) * weight(phi)).sum()
 }
 
 /// The harmonics that the file gives are those of the mechanism: by quadrature of what its closures say, and of what a
@@ -49,9 +47,7 @@ fn the_harmonics_are_those_of_the_mechanism() {
     let above = (crossing(&machine, 0.0, -2.0), crossing(&machine, 0.0, 2.0));
     let crossings = numbers(&REFERENCE["rack"]["crossings"]);
     assert!((above.0 - crossings[0]).abs() < 1e-12 && (above.1 - crossings[1]).abs() < 1e-12);
-    let cosines = [
-        given.a_0, given.a_1, given.a_2, given.a_3, given.a_4, given.a_5,
-    ];
+    let cosines = [given.a_0, given.a_1, given.a_2, given.a_3, given.a_4, given.a_5];
     let sines = [0.0, given.b_1, given.b_2, given.b_3, given.b_4, given.b_5];
     for k in 0..=5 {
         let (place, turns) = (k as usize, f64::from(k));
@@ -92,10 +88,7 @@ fn each_harmonic_brings_the_series_nearer() {
         let (a, b) = pairs[order as usize - 1];
         let gained = off(order - 1) - off(order);
         let expected = (a * a + b * b) / 2.0;
-        assert!(
-            gained > 0.0 && (gained / expected - 1.0).abs() < 1e-3,
-            "{order}"
-        );
+        assert!(gained > 0.0 && (gained / expected - 1.0).abs() < 1e-3, "{order}");
     }
 }
 

@@ -32,14 +32,9 @@ fn the_growth_of_disturbances_is_that_of_the_second_computation() {
 #[test]
 fn the_exponents_sum_to_the_damping() {
     let turns = 300;
-    for foot in [
-        Elliptic::with(&[("omega", 800.0)]),
-        Elliptic::with(&[("c2", 4e5), ("mu2", 40.0)]),
-    ] {
-        let periods = Periods {
-            settling: 0,
-            counted: turns,
-        };
+    for foot in [Elliptic::with(&[("omega", 800.0)]), Elliptic::with(&[("c2", 4e5), ("mu2", 40.0)])]
+    {
+        let periods = Periods { settling: 0, counted: turns };
         let start = foot.start();
         let found =
             hybrid::lyapunov(&foot, (CONTACT, &start), foot.period(), periods, &FINE).unwrap();
@@ -65,10 +60,7 @@ fn of_a_motion_that_repeats_they_follow_from_its_multipliers() {
         let foot = Elliptic::with(&[("omega", omega)]);
         let cycle = foot.cycle().unwrap();
         let start = cycle.motion.pieces[0].trajectory.at(0.0);
-        let periods = Periods {
-            settling: 40,
-            counted: 20,
-        };
+        let periods = Periods { settling: 40, counted: 20 };
         let begin = (cycle.motion.pieces[0].mode, &start[..]);
         let found = hybrid::lyapunov(&foot, begin, foot.period(), periods, &FINE).unwrap();
         let length = cycle.multiple as f64 * foot.period();

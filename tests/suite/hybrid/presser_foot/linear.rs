@@ -16,22 +16,14 @@ fn check_rows<C: Foot>(name: &str) {
         let found = foot.cycle().unwrap();
         assert!(changes(&found.motion).is_empty());
         let start = found.motion.pieces[0].trajectory.at(0.0);
-        for (value, (expected, size)) in start
-            .iter()
-            .zip(numbers(&row["start"]).iter().zip([1e-3, 1e-1]))
+        for (value, (expected, size)) in
+            start.iter().zip(numbers(&row["start"]).iter().zip([1e-3, 1e-1]))
         {
-            assert!(
-                (value - expected).abs() < 1e-11 * size,
-                "{name}: {value:e} {expected:e}"
-            );
+            assert!((value - expected).abs() < 1e-11 * size, "{name}: {value:e} {expected:e}");
         }
         for pair in row["forces"].as_array().unwrap() {
             let pair = numbers(pair);
-            let found = force(
-                &foot,
-                &found.motion,
-                (pair[0] + PI) * foot.period() / (2.0 * PI),
-            );
+            let found = force(&foot, &found.motion, (pair[0] + PI) * foot.period() / (2.0 * PI));
             assert!(
                 (found - pair[1]).abs() < 1e-9,
                 "{name} at {} rad: {found} {}",
@@ -58,12 +50,7 @@ fn without_separation_the_motion_is_that_of_the_closed_form() {
 /// At rest on the plate the fabric bears spring and weight.
 #[test]
 fn at_rest_on_the_plate() {
-    for changes in [
-        &[][..],
-        &[("F10", 0.0)],
-        &[("F10", 0.0), ("c1", 0.0)],
-        &[("c1", 1e5)],
-    ] {
+    for changes in [&[][..], &[("F10", 0.0)], &[("F10", 0.0), ("c1", 0.0)], &[("c1", 1e5)]] {
         let mut foot = Elliptic::with(changes);
         foot.rise = 0.0;
         let found = foot.cycle().unwrap();
@@ -79,9 +66,7 @@ fn at_rest_on_the_plate() {
 fn separates<C: Foot>(case: &Value, omega: f64) -> bool {
     let mut foot = foot::<C>(case);
     foot.set("omega", omega);
-    let found = foot
-        .cycle()
-        .unwrap_or_else(|error| panic!("{omega}: {error}"));
+    let found = foot.cycle().unwrap_or_else(|error| panic!("{omega}: {error}"));
     !changes(&found.motion).is_empty()
 }
 
@@ -91,44 +76,24 @@ fn separates<C: Foot>(case: &Value, omega: f64) -> bool {
 fn check_borders<C: Foot>(name: &str, expected: &[bool]) {
     let case = &REFERENCE["linear"][name];
     let borders = case["borders"].as_array().unwrap();
-    let kinds: Vec<bool> = borders
-        .iter()
-        .map(|one| one["separates"].as_bool().unwrap())
-        .collect();
+    let kinds: Vec<bool> = borders.iter().map(|one| one["separates"].as_bool().unwrap()).collect();
     assert_eq!(kinds, expected, "{name}");
     let mut free = true;
     let mut speeds: Vec<(f64, bool)> = Vec::new();
     for border in borders {
-        let (omega, begins) = (
-            number(&border["omega"]),
-            border["separates"].as_bool().unwrap(),
-        );
+        let (omega, begins) = (number(&border["omega"]), border["separates"].as_bool().unwrap());
         assert_eq!(free, begins);
-        speeds.extend([
-            (omega * (1.0 - 1e-6), !begins),
-            (omega * (1.0 + 1e-6), begins),
-        ]);
+        speeds.extend([(omega * (1.0 - 1e-6), !begins), (omega * (1.0 + 1e-6), begins)]);
         free = !begins;
     }
     for (omega, expected) in speeds {
-        assert_eq!(
-            separates::<C>(case, omega),
-            expected,
-            "{name} at {omega} 1/s"
-        );
+        assert_eq!(separates::<C>(case, omega), expected, "{name} at {omega} 1/s");
     }
     // A coarse look at everything between.
     for step in 0..=20 {
         let omega = 120.0 + 15.0 * f64::from(step);
-        let passed = borders
-            .iter()
-            .filter(|one| number(&one["omega"]) < omega)
-            .count();
-        assert_eq!(
-            separates::<C>(case, omega),
-            passed % 2 == 1,
-            "{name} at {omega} 1/s"
-        );
+        let passed = borders.iter().filter(|one| number(&one["omega"]) < omega).count();
+        assert_eq!(separates::<C>(case, omega), passed % 2 == 1, "{name} at {omega} 1/s");
     }
 }
 
@@ -174,14 +139,8 @@ fn the_smallest_preload() {
                 foot.set("omega", number(&row["omega"]));
                 let preload = factor * number(&row["preload"]);
                 foot.set("F10", preload);
-                let found = foot
-                    .cycle()
-                    .unwrap_or_else(|error| panic!("{name} {row}: {error}"));
-                assert_eq!(
-                    !changes(&found.motion).is_empty(),
-                    expected,
-                    "{name}: {preload} N"
-                );
+                let found = foot.cycle().unwrap_or_else(|error| panic!("{name} {row}: {error}"));
+                assert_eq!(!changes(&found.motion).is_empty(), expected, "{name}: {preload} N");
             }
         }
     }
@@ -217,9 +176,5 @@ fn without_location_of_events_the_order_is_lost() {
     let (coarse, fine) = (ours(1e-6), ours(1e-11));
     let order = (coarse.1 / fine.1).ln() / (fine.0 / coarse.0).ln();
     assert!(order > 4.0, "{order}: {coarse:?} {fine:?}");
-    assert!(
-        naive_error(16_000) > 1e3 * fine.1,
-        "{} {fine:?}",
-        naive_error(16_000)
-    );
+    assert!(naive_error(16_000) > 1e3 * fine.1, "{} {fine:?}", naive_error(16_000));
 }

@@ -16,19 +16,13 @@ pub(super) fn turn(
         let phi = foot.omega * time - PI;
         let height = foot.rise / (1.0 - edge);
         let (s, ds) = match phi.cos() > edge {
-            true => (
-                height * (phi.cos() - edge),
-                -height * foot.omega * phi.sin(),
-            ),
+            true => (height * (phi.cos() - edge), -height * foot.omega * phi.sin()),
             false => (0.0, 0.0),
         };
         let f = foot.c2 * (s - w) + foot.mu2 * (ds - v);
         let pressed = if presses(s - w, f) { f } else { 0.0 };
         smallest = smallest.min(pressed);
-        [
-            v,
-            (pressed - foot.F10 - foot.c1 * w - foot.mu1 * v - foot.m * foot.g) / foot.m,
-        ]
+        [v, (pressed - foot.F10 - foot.c1 * w - foot.mu1 * v - foot.m * foot.g) / foot.m]
     };
     let h = foot.period() / steps as f64;
     let mut state = [start[0], start[1]];

@@ -73,10 +73,7 @@ fn the_rack_takes_the_fabric_from_the_plate_where_they_are_level() {
             let [before, after] = [-blur, blur]
                 .map(|part| force(&foot, &cycle.motion, event.time + part * foot.period()));
             let expected = foot.mu2 * difference.abs();
-            assert!(
-                (after - before - expected).abs() < 1e-7,
-                "{before} {after} {expected}"
-            );
+            assert!((after - before - expected).abs() < 1e-7, "{before} {after} {expected}");
         }
     }
 }

@@ -37,9 +37,6 @@ fn no_neighbour_presses_more() {
         }
         let at = |size: f64| smallest(std::array::from_fn(|i| best[i] + size * direction[i]));
         let lost = [1e-3, 1e-2].map(|size| (most - at(size)) / size);
-        assert!(
-            lost[0] > 0.0 && lost[1] > lost[0] - 1e-6,
-            "{direction:?} {lost:?}"
-        );
+        assert!(lost[0] > 0.0 && lost[1] > lost[0] - 1e-6, "{direction:?} {lost:?}");
     }
 }

@@ -69,11 +69,7 @@ fn a_fabric_that_recovers_slowly() {
 #[test]
 fn friction_in_the_guide() {
     let at = |rub: f64| {
-        let foot = Guided {
-            F_c: rub,
-            w_stop: 1.0,
-            ..Guided::default()
-        };
+        let foot = Guided { F_c: rub, w_stop: 1.0, ..Guided::default() };
         let found = hybrid::cycle(&foot, 2.0 * PI / foot.omega, &FINE).unwrap();
         Measured::of(&foot, &found.motion)
     };
@@ -87,18 +83,10 @@ fn friction_in_the_guide() {
 /// The stop throws the bar back with the part `e_stop` of its speed, and the bar never gets beyond it.
 #[test]
 fn a_stop_above() {
-    let foot = Guided {
-        F_c: 0.0,
-        w_stop: 1.1e-3,
-        omega: 400.0,
-        ..Guided::default()
-    };
+    let foot = Guided { F_c: 0.0, w_stop: 1.1e-3, omega: 400.0, ..Guided::default() };
     let motion = hybrid::march(&foot, (0.0, 0.5), &foot.start(), &FINE).unwrap();
-    let hits: Vec<_> = motion
-        .events
-        .iter()
-        .filter(|one| (one.before[1] - one.after[1]).abs() > 1e-9)
-        .collect();
+    let hits: Vec<_> =
+        motion.events.iter().filter(|one| (one.before[1] - one.after[1]).abs() > 1e-9).collect();
     assert!(hits.len() > 5, "{}", hits.len());
     for hit in hits {
         assert!((hit.before[0] - foot.w_stop).abs() < 1e-15);
@@ -115,10 +103,7 @@ fn a_stop_above() {
 /// A speed that does not change is a speed.
 #[test]
 fn a_ramp_of_nothing_is_none() {
-    let ramp = RunUp {
-        alpha: 0.0,
-        ..RunUp::default()
-    };
+    let ramp = RunUp { alpha: 0.0, ..RunUp::default() };
     let steady = Elliptic::default();
     let end = 10.0 * steady.period();
     let [one, other] = [
@@ -135,16 +120,9 @@ fn a_ramp_of_nothing_is_none() {
 #[test]
 fn a_run_up_leaves_the_fabric_where_steady_motion_does() {
     let border = number(&REFERENCE["linear"]["elliptic"]["borders"][0]["omega"]);
-    let foot = RunUp {
-        omega: 215.0,
-        alpha: 4.0,
-        ..RunUp::default()
-    };
+    let foot = RunUp { omega: 215.0, alpha: 4.0, ..RunUp::default() };
     let motion = hybrid::march(&foot, (0.0, 4.0), &foot.start(), &FINE).unwrap();
-    let first = changes(&motion)
-        .into_iter()
-        .find(|one| one.0 > 0.2)
-        .unwrap();
+    let first = changes(&motion).into_iter().find(|one| one.0 > 0.2).unwrap();
     let speed = foot.omega + foot.alpha * first.0;
     // A turn takes 28 ms, in which the speed rises by 0.1 1/s.
     assert!((speed - border).abs() < 0.3, "{speed} {border}");
@@ -152,23 +130,12 @@ fn a_run_up_leaves_the_fabric_where_steady_motion_does() {
 
 #[test]
 fn a_preload_that_follows_the_speed() {
-    let tracked = Tracked {
-        omega: 400.0,
-        ..Tracked::default()
-    };
+    let tracked = Tracked { omega: 400.0, ..Tracked::default() };
     let preload = tracked.F10 + tracked.F_rise * (tracked.omega - tracked.omega_0);
     let fixed = Elliptic::with(&[("omega", 400.0), ("F10", preload)]);
-    let [one, other] = [
-        hybrid::cycle(&tracked, fixed.period(), &FINE).unwrap(),
-        fixed.cycle().unwrap(),
-    ];
+    let [one, other] =
+        [hybrid::cycle(&tracked, fixed.period(), &FINE).unwrap(), fixed.cycle().unwrap()];
     assert_eq!(one.multiple, other.multiple);
-    let [a, b] = [
-        Measured::of(&tracked, &one.motion),
-        Measured::of(&fixed, &other.motion),
-    ];
-    assert!(
-        (a.mean - b.mean).abs() < 1e-8 && (a.free - b.free).abs() < 1e-9,
-        "{a:?} {b:?}"
-    );
+    let [a, b] = [Measured::of(&tracked, &one.motion), Measured::of(&fixed, &other.motion)];
+    assert!((a.mean - b.mean).abs() < 1e-8 && (a.free - b.free).abs() < 1e-9, "{a:?} {b:?}");
 }

@@ -63,10 +63,7 @@ fn run_up_under_constant_torque() {
     let moved = check::<Constant>("constant");
     let Constant { J1, J2, Mc, Ms, .. } = moved.drive;
     let late = moved.output("ddot(phi2)", 0.1);
-    assert!(
-        (late / ((Ms - Mc) / (J1 + J2)) - 1.0).abs() < 1e-9,
-        "{late}"
-    );
+    assert!((late / ((Ms - Mc) / (J1 + J2)) - 1.0).abs() < 1e-9, "{late}");
 }
 
 /// When the table starts under the transient torque, `t ~ Mc^(1/4)`: over twelve powers of ten of the resistance.
@@ -82,10 +79,7 @@ fn start_under_the_transient_torque() {
         let off = (found.before[2] / speed - 1.0).abs();
         assert!(off < 1e-7, "1e{exponent}: {off:e} of the speed");
         let leading = number(&case["leading"]) / time - 1.0;
-        assert!(
-            leading.abs() < 2.0 * 1e-4_f64.max(1e3 * time),
-            "1e{exponent}: {leading}"
-        );
+        assert!(leading.abs() < 2.0 * 1e-4_f64.max(1e3 * time), "1e{exponent}: {leading}");
     }
 }
 
@@ -102,9 +96,7 @@ fn contact_through_the_clearance() {
 #[test]
 fn light_table_follows_the_motor() {
     let moved = check::<Table1>("light_table");
-    let Table1 {
-        J1, Mc, Ms, omega, ..
-    } = moved.drive;
+    let Table1 { J1, Mc, Ms, omega, .. } = moved.drive;
     let (alpha, tau) = (omega * (1.0 - Mc / Ms), omega * J1 / Ms);
     for time in [0.01, 0.02, 0.05] {
         let found = moved.output("dot(phi2)", time) / (alpha * (1.0 - (-time / tau).exp())) - 1.0;
@@ -116,14 +108,7 @@ fn light_table_follows_the_motor() {
 #[test]
 fn stiff_link_is_the_rigid_limit() {
     let moved = check::<Table1>("stiff");
-    let Table1 {
-        J1,
-        J2,
-        Mc,
-        Ms,
-        omega,
-        ..
-    } = moved.drive;
+    let Table1 { J1, J2, Mc, Ms, omega, .. } = moved.drive;
     let (alpha, tau) = (omega * (1.0 - Mc / Ms), omega * (J1 + J2) / Ms);
     for time in [0.005, 0.02, 0.05] {
         let found = moved.output("dot(phi2)", time) / (alpha * (1.0 - (-time / tau).exp())) - 1.0;

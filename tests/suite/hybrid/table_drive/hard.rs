@@ -6,35 +6,18 @@ use assur::hybrid::HybridError;
 /// Without resistance and clearance the guard is zero at the start, and signs at the ends of a step show no change.
 #[test]
 fn without_resistance_the_table_starts_at_once() {
-    for drive in [
-        Table1::with(&[("Mc", 0.0)]),
-        Table1::with(&[("Mc", 0.0), ("beta", 0.0)]),
-    ] {
+    for drive in [Table1::with(&[("Mc", 0.0)]), Table1::with(&[("Mc", 0.0), ("beta", 0.0)])] {
         let moved = Moved::of(drive, 0.1);
         assert_eq!(moved.modes(), ["run"]);
-        assert!(
-            moved.event("run").time < 1e-9,
-            "{}",
-            moved.event("run").time
-        );
+        assert!(moved.event("run").time < 1e-9, "{}", moved.event("run").time);
         let ends = moved.motion.pieces[0].trajectory.times();
-        let signs = [
-            0.0,
-            moved.motion.pieces.last().unwrap().trajectory.times()[1],
-        ]
-        .map(|time| moved.output("elastic_torque", time) - moved.drive.Mc);
-        assert!(
-            signs[0] * signs[1] == 0.0,
-            "no change of sign: {signs:?} {ends:?}"
-        );
+        let signs = [0.0, moved.motion.pieces.last().unwrap().trajectory.times()[1]]
+            .map(|time| moved.output("elastic_torque", time) - moved.drive.Mc);
+        assert!(signs[0] * signs[1] == 0.0, "no change of sign: {signs:?} {ends:?}");
     }
     let moved = Moved::of(Switched::with(&[("Mc", 0.0)]), 0.1);
     assert_eq!(moved.modes(), ["run"]);
-    assert!(
-        moved.event("run").time < 1e-6,
-        "{}",
-        moved.event("run").time
-    );
+    assert!(moved.event("run").time < 1e-6, "{}", moved.event("run").time);
     let moved = Moved::of(Loose::with(&[("Mc", 0.0)]), 0.1);
     assert_eq!(moved.modes(), ["run"], "from the contact on");
 }
@@ -57,14 +40,7 @@ fn a_clearance_of_nothing_is_none() {
 #[test]
 fn the_transient_torque_keeps_its_digits() {
     let written = |drive: &Blocked, time: f64| {
-        let Blocked {
-            omega,
-            Mst,
-            lambda1,
-            lambda2,
-            cos_ph,
-            ..
-        } = *drive;
+        let Blocked { omega, Mst, lambda1, lambda2, cos_ph, .. } = *drive;
         let ph = cos_ph.acos();
         let wave = (-lambda2 * time).exp() * (omega * time - ph).cos()
             + (-lambda1 * time).exp() * (omega * time + ph).cos();
@@ -74,10 +50,7 @@ fn the_transient_torque_keeps_its_digits() {
     for one in REFERENCE["starting"].as_array().unwrap() {
         let (time, expected) = (number(&one["time"]), number(&one["torque"]));
         let found = moved.output_of("motor_torque", time, 0, &[0.0; 4]);
-        assert!(
-            (found / expected - 1.0).abs() < 2e-14,
-            "at {time} s: {found:e} {expected:e}"
-        );
+        assert!((found / expected - 1.0).abs() < 2e-14, "at {time} s: {found:e} {expected:e}");
         let naive = (written(&moved.drive, time) / expected - 1.0).abs();
         assert!(time > 2e-6 || naive > 1e-10, "at {time} s: {naive:e}");
         assert!(time > 2e-9 || naive > 1e-3, "at {time} s: {naive:e}");
@@ -86,14 +59,7 @@ fn the_transient_torque_keeps_its_digits() {
 
 /// The largest torque of the link while the table is at rest, and when.
 fn winding_peak() -> (f64, f64) {
-    let Table1 {
-        J1,
-        c,
-        beta,
-        Ms,
-        omega,
-        ..
-    } = Table1::with(&[("beta", 0.01)]);
+    let Table1 { J1, c, beta, Ms, omega, .. } = Table1::with(&[("beta", 0.01)]);
     let d = (beta + Ms / omega) / (2.0 * J1);
     let q = (c / J1 - d * d).sqrt();
     let time = std::f64::consts::PI / q;
@@ -110,15 +76,8 @@ fn a_resistance_that_is_just_reached() {
     for below in [1e-4, 1e-6, 1e-8, 1e-10] {
         let moved = Moved::of(drive(1.0 - below), 0.1);
         let early = time - moved.motion.events[0].time;
-        assert!(
-            moved.modes().starts_with(&["run"]),
-            "{below}: {:?}",
-            moved.modes()
-        );
-        assert!(
-            early > 0.0 && early < 2e-3 * below.sqrt(),
-            "{below}: {early:e}"
-        );
+        assert!(moved.modes().starts_with(&["run"]), "{below}: {:?}", moved.modes());
+        assert!(early > 0.0 && early < 2e-3 * below.sqrt(), "{below}: {early:e}");
         let steps = above.motion.pieces[0].trajectory.times().iter();
         let seen =
             steps.filter(|time| above.output("elastic_torque", **time) >= peak * (1.0 - below));
@@ -147,10 +106,7 @@ fn resonance_is_a_motion_like_others() {
         let (k, r) = (1024.0, omega / 1024.0);
         20.0 * (1.0 - ((omega * time).cos() - r * r * (k * time).cos()) / (1.0 - r * r))
     };
-    let (at, beside) = (
-        Moved::of(drive(omega), 0.1),
-        Moved::of(drive(omega * (1.0 + 1e-12)), 0.1),
-    );
+    let (at, beside) = (Moved::of(drive(omega), 0.1), Moved::of(drive(omega * (1.0 + 1e-12)), 0.1));
     let mut naive: f64 = 0.0;
     for time in at.times() {
         let expected =
@@ -171,18 +127,11 @@ fn resonance_is_a_motion_like_others() {
 fn a_table_that_is_too_heavy_stops() {
     for resistance in [17.3, 18.0, 20.0] {
         let moved = Moved::of(Table1::with(&[("beta", 0.01), ("Mc", resistance)]), 0.5);
-        let Table1 {
-            Mc, Ms, omega, c, ..
-        } = moved.drive;
+        let Table1 { Mc, Ms, omega, c, .. } = moved.drive;
         let by_the_book = omega * (1.0 - Mc / Ms);
         assert!(by_the_book < 0.0);
         assert_eq!(moved.modes().last(), Some(&"stick"));
-        assert!(
-            moved
-                .times()
-                .into_iter()
-                .all(|time| moved.output("dot(phi2)", time) >= -1e-12)
-        );
+        assert!(moved.times().into_iter().all(|time| moved.output("dot(phi2)", time) >= -1e-12));
         assert_eq!(moved.output("dot(phi2)", 0.5), 0.0);
         assert!((moved.output("twist", 0.5) - Ms / c).abs() < 1e-9);
     }
@@ -191,16 +140,11 @@ fn a_table_that_is_too_heavy_stops() {
 /// The link swings about the resistance, which the table follows with stops and starts: each is found, none twice.
 #[test]
 fn sticking_and_slipping_come_to_an_end() {
-    for (damping, resistance, inertia) in [
-        (1e-3, 16.5, 5e-5),
-        (1e-3, 17.1, 5e-4),
-        (0.0, 17.2, 5e-5),
-        (1e-3, 17.25, 2e-3),
-    ] {
-        let moved = Moved::of(
-            Table1::with(&[("beta", damping), ("Mc", resistance), ("J2", inertia)]),
-            0.3,
-        );
+    for (damping, resistance, inertia) in
+        [(1e-3, 16.5, 5e-5), (1e-3, 17.1, 5e-4), (0.0, 17.2, 5e-5), (1e-3, 17.25, 2e-3)]
+    {
+        let moved =
+            Moved::of(Table1::with(&[("beta", damping), ("Mc", resistance), ("J2", inertia)]), 0.3);
         let events = &moved.motion.events;
         assert!((3..400).contains(&events.len()), "{}", events.len());
         // The last swings, of a rounding each, may take no time.
@@ -215,10 +159,7 @@ fn sticking_and_slipping_come_to_an_end() {
         for piece in pieces.filter(|piece| Table1::shape().modes[piece.mode].name == "stick") {
             let (from, to) = Motion::ends(piece);
             let angles = [from, (from + to) / 2.0, to].map(|time| piece.trajectory.at(time)[1]);
-            assert!(
-                angles[0] == angles[1] && angles[1] == angles[2],
-                "{angles:?}"
-            );
+            assert!(angles[0] == angles[1] && angles[1] == angles[2], "{angles:?}");
         }
     }
 }
@@ -248,9 +189,7 @@ fn clearance_opens_again_and_does_not_pull() {
 fn a_start_without_acceleration_is_no_stop() {
     let mut seed: u64 = 1;
     let mut random = |low: f64, high: f64| {
-        seed = seed
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         low * (high / low).powf((seed >> 11) as f64 / (1_u64 << 53) as f64)
     };
     for _ in 0..300 {
@@ -272,17 +211,8 @@ fn a_start_without_acceleration_is_no_stop() {
         );
         let undamped = Table1::with(&[values.as_slice(), &[("beta", 0.0)]].concat());
         let undamped = Moved::at(undamped, 3e-3, &settings);
-        let first: Vec<_> = undamped
-            .motion
-            .events
-            .iter()
-            .map(|event| event.time)
-            .take(2)
-            .collect();
-        assert!(
-            first.len() < 2 || first[1] > first[0] * 1.001,
-            "{values:?} {first:?}"
-        );
+        let first: Vec<_> = undamped.motion.events.iter().map(|event| event.time).take(2).collect();
+        assert!(first.len() < 2 || first[1] > first[0] * 1.001, "{values:?} {first:?}");
     }
 }
 
@@ -291,10 +221,7 @@ fn a_start_without_acceleration_is_no_stop() {
 fn a_light_table_is_stiff() {
     let evaluations = |inertia: f64| {
         let settings = Settings::new(Method::Dop853).rtol(1e-6);
-        Moved::at(Table1::with(&[("J2", inertia)]), 0.02, &settings)
-            .motion
-            .statistics
-            .evaluations
+        Moved::at(Table1::with(&[("J2", inertia)]), 0.02, &settings).motion.statistics.evaluations
     };
     let (usual, light) = (evaluations(5e-4), evaluations(5e-10));
     assert!(usual < 3000 && light > 1_000_000, "{usual} {light}");
@@ -306,10 +233,7 @@ fn a_light_table_is_stiff() {
         assert!(work < 3000, "{method:?} {work}");
         for time in [1e-3, 5e-3, 0.02] {
             let pair = [&ours, &slow].map(|one| one.output("dot(phi2)", time));
-            assert!(
-                (pair[0] / pair[1] - 1.0).abs() < 1e-4,
-                "{method:?} {pair:?}"
-            );
+            assert!((pair[0] / pair[1] - 1.0).abs() < 1e-4, "{method:?} {pair:?}");
         }
     }
 }
@@ -339,10 +263,7 @@ fn a_light_table_without_damping_is_not_stopped_by_an_error() {
                 let begun = moved.event("run").time;
                 let expected = end - (end - together(begun)) * (-rate * (END - begun)).exp();
                 let mean = together(END);
-                assert!(
-                    (mean / expected - 1.0).abs() < 1e-4,
-                    "{what}: {mean} {expected}"
-                );
+                assert!((mean / expected - 1.0).abs() < 1e-4, "{what}: {mean} {expected}");
             }
         }
     }
@@ -358,10 +279,7 @@ fn a_table_that_has_run_up_runs_on() {
             let end = drive.omega * (1.0 - drive.Mc / drive.Ms);
             let moved = Moved::at(drive, 0.2, &Settings::new(method).rtol(rtol));
             let speed = moved.output("dot(phi2)", 0.2);
-            assert!(
-                (speed / end - 1.0).abs() < 1e-9,
-                "{method:?} {rtol:e}: {speed} {end}"
-            );
+            assert!((speed / end - 1.0).abs() < 1e-9, "{method:?} {rtol:e}: {speed} {end}");
             let steps = moved.motion.statistics.steps + moved.motion.statistics.rejected;
             assert!(steps < 6000, "{method:?} {rtol:e}: {steps}");
         }
@@ -390,9 +308,6 @@ fn absurd_values_are_refused() {
     }
     let drive = Table1::with(&[("Ms", f64::NAN)]);
     let ended = march(&drive, (0.0, 0.1), &drive.start(), &FINE);
-    let is_error = matches!(
-        ended,
-        Err(HybridError::Ode { .. } | HybridError::Guard { .. })
-    );
+    let is_error = matches!(ended, Err(HybridError::Ode { .. } | HybridError::Guard { .. }));
     assert!(is_error, "{ended:?}");
 }

@@ -19,11 +19,7 @@ fn check_continuity<C: Drive>(drive: C) {
         for (index, (before, after)) in event.before.iter().zip(&event.after).enumerate() {
             // What is set is a speed that has just passed zero.
             let off = (before - after).abs();
-            assert!(
-                off < 1e-9,
-                "{} jumps by {off:e}",
-                C::shape().states[index].name
-            );
+            assert!(off < 1e-9, "{} jumps by {off:e}", C::shape().states[index].name);
         }
     }
 }
@@ -94,10 +90,7 @@ fn momentum_is_accounted_for() {
         for time in moved.times().into_iter().step_by(50) {
             let get = |name: &str| moved.output(name, time);
             let off = J1 * get("dot(phi1)") + J2 * get("dot(phi2)") - get("impulse");
-            assert!(
-                off.abs() < 1e-11 * J1 * omega,
-                "{changes:?} at {time} s: {off:e}"
-            );
+            assert!(off.abs() < 1e-11 * J1 * omega, "{changes:?} at {time} s: {off:e}");
         }
     }
 }
@@ -123,10 +116,7 @@ fn only_ratios_of_inertias_and_torques_matter() {
             for time in [1e-3, 5e-3, 0.02, 0.05] {
                 for name in ["phi1", "phi2", "twist", "dot(phi1)", "dot(phi2)"] {
                     let (a, b) = (one.output(name, time), other.output(name, time));
-                    assert!(
-                        (a - b).abs() < 1e-9 * (1e-3 + a.abs()),
-                        "{name} at {time} s: {a} {b}"
-                    );
+                    assert!((a - b).abs() < 1e-9 * (1e-3 + a.abs()), "{name} at {time} s: {a} {b}");
                 }
             }
         }
@@ -138,9 +128,7 @@ fn only_ratios_of_inertias_and_torques_matter() {
 fn the_steady_state_carries_the_resistance() {
     for changes in &VARIANTS[..4] {
         let moved = Moved::of(Table1::with(changes), 3.0);
-        let Table1 {
-            c, Mc, Ms, omega, ..
-        } = moved.drive;
+        let Table1 { c, Mc, Ms, omega, .. } = moved.drive;
         let alpha = omega * (1.0 - Mc / Ms);
         for (name, expected) in [
             ("dot(phi1)", alpha),
@@ -151,10 +139,7 @@ fn the_steady_state_carries_the_resistance() {
             ("elastic_torque", Mc),
         ] {
             let found = moved.output(name, 3.0);
-            assert!(
-                (found / expected - 1.0).abs() < 1e-9,
-                "{name}: {found} {expected}"
-            );
+            assert!((found / expected - 1.0).abs() < 1e-9, "{name}: {found} {expected}");
         }
     }
 }

@@ -57,16 +57,8 @@ const TABLE_2: [[f64; 10]; 14] = [
 /// Cells that are wrong by what stands beside them.
 const DEFECTIVE_1: [(f64, &str, &str); 7] = [
     (0.001, "dot(phi1)", "over an angle of 8 mrad"),
-    (
-        0.002,
-        "dot(phi2)",
-        "the acceleration falls from 17000 to 14800, the speed rises by 16.9",
-    ),
-    (
-        0.003,
-        "dot(phi2)",
-        "13.4 more than before, at accelerations of 12600 to 14800 over 1 ms",
-    ),
+    (0.002, "dot(phi2)", "the acceleration falls from 17000 to 14800, the speed rises by 16.9"),
+    (0.003, "dot(phi2)", "13.4 more than before, at accelerations of 12600 to 14800 over 1 ms"),
     (0.005, "dot(phi2)", "a digit: the difference says 65.95"),
     (0.004, "dot(twist)", "a digit: the speeds say -0.99"),
     (0.01, "dot(twist)", "a digit: the speeds say -0.50"),
@@ -164,9 +156,8 @@ fn check<C: Drive>(
                 Some(one) if !is_off => {
                     wrong.push(format!("{time} {name} is said to be defective, {}", one.2))
                 }
-                None if is_off => wrong.push(format!(
-                    "{time} {name}: {found:.5}, printed {printed}, band {band:.4}"
-                )),
+                None if is_off => wrong
+                    .push(format!("{time} {name}: {found:.5}, printed {printed}, band {band:.4}")),
                 _ => {}
             }
         }
@@ -202,13 +193,7 @@ fn apart<C: Drive>(moved: &Moved<C>, begin: f64) -> f64 {
 #[test]
 fn table_2_was_computed_with_less_resistance() {
     let angles = |resistance: f64| {
-        let moved = Moved::of(
-            Table2 {
-                Mc: resistance,
-                ..Table2::default()
-            },
-            0.2,
-        );
+        let moved = Moved::of(Table2 { Mc: resistance, ..Table2::default() }, 0.2);
         apart(&moved, moved.event("run").time)
     };
     let (less, as_headed) = (angles(0.85), angles(1.0));
@@ -219,19 +204,10 @@ fn table_2_was_computed_with_less_resistance() {
 /// Its time does not count from switching on.
 #[test]
 fn table_2_counts_from_the_start_of_the_table() {
-    let moved = Moved::of(
-        Table2 {
-            Mc: 0.85,
-            ..Table2::default()
-        },
-        0.2,
-    );
+    let moved = Moved::of(Table2 { Mc: 0.85, ..Table2::default() }, 0.2);
     let from_the_start = apart(&moved, moved.event("run").time);
     let from_switching_on = apart(&moved, 0.0);
-    assert!(
-        from_switching_on > 3.0 * from_the_start,
-        "{from_switching_on} {from_the_start}"
-    );
+    assert!(from_switching_on > 3.0 * from_the_start, "{from_switching_on} {from_the_start}");
 }
 
 /// With the values of the heading the twist would swing, which none of the printed columns does, and be twice as large.

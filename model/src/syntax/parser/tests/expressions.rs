@@ -25,11 +25,7 @@ fn operators_bind_as_in_mathematics() {
         ("5 N/q", "(5 N)/q"),
         ("if a { b } else { c }*d", "(if a { b } else { c })*d"),
     ] {
-        assert_eq!(
-            bare(&term(text)),
-            bare(&term(grouped)),
-            "{text} is not {grouped}"
-        );
+        assert_eq!(bare(&term(text)), bare(&term(grouped)), "{text} is not {grouped}");
     }
 }
 
@@ -83,11 +79,7 @@ fn printing_and_reading_keep_the_tree() {
     ] {
         let tree = term(text);
         let printed = print::term(&tree);
-        assert_eq!(
-            bare(&term(&printed)),
-            bare(&tree),
-            "{text} is printed as {printed}"
-        );
+        assert_eq!(bare(&term(&printed)), bare(&tree), "{text} is printed as {printed}");
         assert_eq!(print::term(&term(&printed)), printed, "{text}");
     }
 }
@@ -98,9 +90,8 @@ fn bare(term: &Term) -> String {
     match &term.kind {
         TermKind::Number { value, unit } => {
             let factors = unit.iter().flat_map(|unit| &unit.factors);
-            let unit: Vec<_> = factors
-                .map(|(name, power)| format!("{}{power:?}", name.text))
-                .collect();
+            let unit: Vec<_> =
+                factors.map(|(name, power)| format!("{}{power:?}", name.text)).collect();
             format!("{value:e}{}", unit.join("."))
         }
         TermKind::Name(name) => name.clone(),
@@ -113,45 +104,20 @@ fn bare(term: &Term) -> String {
             format!("({operator:?} {} {})", bare(left), bare(right))
         }
         TermKind::Call { name, arguments } => format!("({} {})", name.text, list(arguments)),
-        TermKind::If {
-            condition,
-            then,
-            otherwise,
-        } => {
-            format!(
-                "(if {} {} {})",
-                bare(condition),
-                bare(then),
-                bare(otherwise)
-            )
+        TermKind::If { condition, then, otherwise } => {
+            format!("(if {} {} {})", bare(condition), bare(then), bare(otherwise))
         }
-        TermKind::Sum {
-            index,
-            from,
-            to,
-            body,
-        } => {
-            format!(
-                "(sum {} {} {} {})",
-                index.text,
-                bare(from),
-                bare(to),
-                bare(body)
-            )
+        TermKind::Sum { index, from, to, body } => {
+            format!("(sum {} {} {} {})", index.text, bare(from), bare(to), bare(body))
         }
     }
 }
 
 #[track_caller]
 fn check_unit(text: &str, expected: &[(&str, (i8, i8))]) {
-    let TermKind::Number { unit, .. } = term(text).kind else {
-        panic!("{text} is no number")
-    };
+    let TermKind::Number { unit, .. } = term(text).kind else { panic!("{text} is no number") };
     let factors = unit.map(|unit| unit.factors).unwrap_or_default();
-    let found: Vec<_> = factors
-        .iter()
-        .map(|(name, power)| (name.text.as_str(), *power))
-        .collect();
+    let found: Vec<_> = factors.iter().map(|(name, power)| (name.text.as_str(), *power)).collect();
     assert_eq!(found, expected, "{text}");
 }
 
@@ -163,19 +129,10 @@ fn a_number_takes_its_unit() {
     check_unit("75 [mm]", &[("mm", (1, 1))]);
     check_unit("0.1 [kg m^2]", &[("kg", (1, 1)), ("m", (2, 1))]);
     check_unit("0.1 [kg*m^2]", &[("kg", (1, 1)), ("m", (2, 1))]);
-    check_unit(
-        "1 [N m/rad]",
-        &[("N", (1, 1)), ("m", (1, 1)), ("rad", (-1, 1))],
-    );
+    check_unit("1 [N m/rad]", &[("N", (1, 1)), ("m", (1, 1)), ("rad", (-1, 1))]);
     check_unit("1 [1/(m^2 s^2)]", &[("m", (-2, 1)), ("s", (-2, 1))]);
-    check_unit(
-        "1 [J/(kg K)]",
-        &[("J", (1, 1)), ("kg", (-1, 1)), ("K", (-1, 1))],
-    );
-    check_unit(
-        "1 [kg/m/s]",
-        &[("kg", (1, 1)), ("m", (-1, 1)), ("s", (-1, 1))],
-    );
+    check_unit("1 [J/(kg K)]", &[("J", (1, 1)), ("kg", (-1, 1)), ("K", (-1, 1))]);
+    check_unit("1 [kg/m/s]", &[("kg", (1, 1)), ("m", (-1, 1)), ("s", (-1, 1))]);
     check_unit("1 [m^(1/2)]", &[("m", (1, 2))]);
     check_unit("1 [s^-1]", &[("s", (-1, 1))]);
 }

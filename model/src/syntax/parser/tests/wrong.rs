@@ -90,24 +90,16 @@ fn wrong_texts_are_explained() {
         let range = lexed.ranges[found.span.first as usize].start
             ..lexed.ranges[found.span.last as usize].end;
         assert_eq!(&whole[range], *words, "{text}: {found:?}");
-        assert!(
-            found.hint.as_deref().unwrap_or("").contains(hint),
-            "{text}: {found:?}"
-        );
+        assert!(found.hint.as_deref().unwrap_or("").contains(hint), "{text}: {found:?}");
     }
 }
 
 /// Two mistakes in one file, whatever stands between them, give two messages, and what is right is kept.
 #[test]
 fn after_a_mistake_the_next_statement_is_read() {
-    for first in WRONG
-        .iter()
-        .map(|case| case.0)
-        .filter(|text| text.ends_with([';', '}']))
-    {
-        let (tree, messages, _) = read(&file(&format!(
-            "{first} let good = 1; let = 2; let last = 3;"
-        )));
+    for first in WRONG.iter().map(|case| case.0).filter(|text| text.ends_with([';', '}'])) {
+        let (tree, messages, _) =
+            read(&file(&format!("{first} let good = 1; let = 2; let last = 3;")));
         assert_eq!(messages.len(), 2, "{first}: {messages:?}");
         let count = tree.unwrap().statements.len();
         assert!((2..=4).contains(&count), "{first}: {count} statements");
@@ -128,24 +120,13 @@ fn the_header_is_needed() {
         ("", "found the end, expected the name of the mechanism", ""),
         ("1", "found `1`, expected the name of the mechanism", "1"),
         ("Sample", "expected `;` after the name", "Sample"),
-        (
-            "Sample from x;",
-            "expected the source in quotation marks",
-            "x",
-        ),
+        ("Sample from x;", "expected the source in quotation marks", "x"),
         ("dimension R = 75 mm;", "expected `;` after the name", "R"),
     ] {
         let (_, messages, lexed) = read(text);
         assert_eq!(messages.len(), 1, "{text}: {messages:?}");
-        assert!(
-            messages[0].message.contains(message),
-            "{text}: {messages:?}"
-        );
-        let range = lexed
-            .ranges
-            .get(messages[0].span.first as usize)
-            .cloned()
-            .unwrap_or(0..0);
+        assert!(messages[0].message.contains(message), "{text}: {messages:?}");
+        let range = lexed.ranges.get(messages[0].span.first as usize).cloned().unwrap_or(0..0);
         assert_eq!(&text[range], words, "{text}");
     }
 }
@@ -179,19 +160,12 @@ fn depth_is_limited() {
         ("[", "1", "]"),
     ] {
         let deep = |count: usize| {
-            format!(
-                "let x = {}{inner}{}; let y = 1;",
-                open.repeat(count),
-                close.repeat(count)
-            )
+            format!("let x = {}{inner}{}; let y = 1;", open.repeat(count), close.repeat(count))
         };
         assert!(read(&file(&deep(20))).1.is_empty(), "{open}");
         let (tree, messages, _) = read(&file(&deep(2000)));
         assert_eq!(messages.len(), 1, "{open}: {messages:?}");
-        assert!(
-            messages[0].message.contains("nested more than 64 deep"),
-            "{open}: {messages:?}"
-        );
+        assert!(messages[0].message.contains("nested more than 64 deep"), "{open}: {messages:?}");
         assert_eq!(tree.unwrap().statements.len(), 1, "{open}");
     }
     for operator in [" + ", "*", " && "] {
@@ -200,12 +174,7 @@ fn depth_is_limited() {
         assert!(read(&file(&long(1900))).1.is_empty(), "{operator}");
         let (_, messages, _) = read(&file(&long(100_000)));
         assert_eq!(messages.len(), 1, "{operator}");
-        assert!(
-            messages[0]
-                .message
-                .contains("joins more than 2000 operands"),
-            "{messages:?}"
-        );
+        assert!(messages[0].message.contains("joins more than 2000 operands"), "{messages:?}");
     }
     let blocks = format!("{}{} let y = 1;", "if a { ".repeat(500), "}".repeat(500));
     let (tree, messages, _) = read(&file(&blocks));

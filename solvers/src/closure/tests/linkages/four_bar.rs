@@ -17,16 +17,7 @@ pub struct FourBar {
 
 impl FourBar {
     pub fn new(values: [f64; 4], start_at: f64, start: [f64; 2]) -> Self {
-        Self {
-            values,
-            start,
-            range: Range {
-                from: 0.0,
-                to: TAU,
-                start: start_at,
-                period: TAU,
-            },
-        }
+        Self { values, start, range: Range { from: 0.0, to: TAU, start: start_at, period: TAU } }
     }
 }
 
@@ -45,10 +36,7 @@ pub struct Loops<S, const ITERATED: bool> {
 impl<S: Scalar, const ITERATED: bool> Loops<S, ITERATED> {
     #[inline(always)]
     fn span(&self, instant: &[S; 2]) -> [S; 2] {
-        [
-            self.frame - self.crank * instant[0],
-            -self.crank * instant[1],
-        ]
+        [self.frame - self.crank * instant[0], -self.crank * instant[1]]
     }
 }
 
@@ -58,31 +46,18 @@ const fn shape(groups: List<Group>) -> Shape {
 }
 
 /// In closed form.
-const SHAPE: Shape = shape(&[Group {
-    kind: GroupKind::Rrr,
-    unknowns: &[0, 1],
-    equations: &[0, 1],
-}]);
+const SHAPE: Shape =
+    shape(&[Group { kind: GroupKind::Rrr, unknowns: &[0, 1], equations: &[0, 1] }]);
 
 /// By iteration.
-const ITERATED: Shape = shape(&[Group {
-    kind: GroupKind::General,
-    unknowns: &[0, 1],
-    equations: &[0, 1],
-}]);
+const ITERATED: Shape =
+    shape(&[Group { kind: GroupKind::General, unknowns: &[0, 1], equations: &[0, 1] }]);
 
 impl Linkage for FourBar {
     type Closure<S: Scalar> = Loops<S, false>;
     constants!();
     fn prepare<S: Scalar>(values: &[S]) -> Loops<S, false> {
-        Loops {
-            crank: values[0],
-            frame: values[3],
-            dyad: Dyad {
-                l2: values[1],
-                l3: values[2],
-            },
-        }
+        Loops { crank: values[0], frame: values[3], dyad: Dyad { l2: values[1], l3: values[2] } }
     }
     fn span(&self) -> Span {
         Span::Open

@@ -48,11 +48,7 @@ pub struct Loops<S>([S; 8]);
 const SHAPE: Shape = by_hand(
     [8, 1],
     &[true; 3],
-    &[Group {
-        kind: GroupKind::General,
-        unknowns: &[0, 1, 2],
-        equations: &[0, 1, 2],
-    }],
+    &[Group { kind: GroupKind::General, unknowns: &[0, 1, 2], equations: &[0, 1, 2] }],
     &[],
 );
 
@@ -72,12 +68,7 @@ impl Linkage for Heald {
 
     fn ranges(&self) -> Vec<Range> {
         let degrees = |value: f64| value.to_radians();
-        vec![Range {
-            from: degrees(60.0),
-            to: degrees(120.0),
-            start: degrees(90.0),
-            period: TAU,
-        }]
+        vec![Range { from: degrees(60.0), to: degrees(120.0), start: degrees(90.0), period: TAU }]
     }
     fn start(&self) -> Vec<f64> {
         self.start.to_vec()

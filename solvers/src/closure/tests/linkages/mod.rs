@@ -67,12 +67,7 @@ impl<S: Scalar> Dyad<S> {
         let a = [p * x + root * y, p * y - root * x];
         let b = [a[0] - square * x, a[1] - square * y];
         let (scale_a, scale_b) = (S::ONE / (square * l2), S::ONE / (square * l3));
-        let directions = [
-            a[0] * scale_a,
-            a[1] * scale_a,
-            b[0] * scale_b,
-            b[1] * scale_b,
-        ];
+        let directions = [a[0] * scale_a, a[1] * scale_a, b[0] * scale_b, b[1] * scale_b];
         (root / (l2 * l3), directions)
     }
 
@@ -84,19 +79,13 @@ impl<S: Scalar> Dyad<S> {
     /// Residuals and Jacobian.
     pub fn trial(&self, [ca, sa, cb, sb]: Directions<S>, [x, y]: [S; 2]) -> ([S; 2], [S; 4]) {
         let (l2, l3) = (self.l2, self.l3);
-        (
-            [l2 * ca - l3 * cb - x, l2 * sa - l3 * sb - y],
-            [-l2 * sa, l3 * sb, l2 * ca, -l3 * cb],
-        )
+        ([l2 * ca - l3 * cb - x, l2 * sa - l3 * sb - y], [-l2 * sa, l3 * sb, l2 * ca, -l3 * cb])
     }
 
     /// Rates of both angles for a rate of `d`.
     pub fn rates(&self, [ca, sa, cb, sb]: Directions<S>, [x, y]: [S; 2]) -> [S; 2] {
         let sine = sa * cb - ca * sb;
-        [
-            -(x * cb + y * sb) / (self.l2 * sine),
-            -(x * ca + y * sa) / (self.l3 * sine),
-        ]
+        [-(x * cb + y * sb) / (self.l2 * sine), -(x * ca + y * sa) / (self.l3 * sine)]
     }
 }
 

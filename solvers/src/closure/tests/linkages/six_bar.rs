@@ -41,10 +41,7 @@ impl<S: Scalar> Loops<S> {
             return [self.frame - crank[0], -crank[1]];
         }
         let (c, s, [x, y]) = (z[4], z[5], self.point);
-        [
-            self.pivot[0] - crank[0] - (c * x - s * y),
-            self.pivot[1] - crank[1] - (s * x + c * y),
-        ]
+        [self.pivot[0] - crank[0] - (c * x - s * y), self.pivot[1] - crank[1] - (s * x + c * y)]
     }
     fn dyad(&self, group: usize) -> Dyad<S> {
         if group == 0 { self.first } else { self.second }
@@ -56,16 +53,8 @@ const SHAPE: Shape = by_hand(
     [10, 4],
     &[true; 4],
     &[
-        Group {
-            kind: GroupKind::Rrr,
-            unknowns: &[0, 1],
-            equations: &[0, 1],
-        },
-        Group {
-            kind: GroupKind::Rrr,
-            unknowns: &[2, 3],
-            equations: &[2, 3],
-        },
+        Group { kind: GroupKind::Rrr, unknowns: &[0, 1], equations: &[0, 1] },
+        Group { kind: GroupKind::Rrr, unknowns: &[2, 3], equations: &[2, 3] },
     ],
     &[],
 );
@@ -92,12 +81,7 @@ impl Linkage for SixBar {
     }
 
     fn ranges(&self) -> Vec<Range> {
-        vec![Range {
-            from: 0.0,
-            to: TAU,
-            start: TAU / 4.0,
-            period: TAU,
-        }]
+        vec![Range { from: 0.0, to: TAU, start: TAU / 4.0, period: TAU }]
     }
     fn start(&self) -> Vec<f64> {
         self.start.to_vec()
@@ -147,12 +131,7 @@ impl<S: Scalar> Closure<S> for Loops<S> {
         for (group, dyad) in [self.first, self.second].into_iter().enumerate() {
             let (sine, all) = dyad.close(self.span(group, instant, z), modes[group]);
             sines[group] = sine;
-            [
-                z[4 + 4 * group],
-                z[5 + 4 * group],
-                z[6 + 4 * group],
-                z[7 + 4 * group],
-            ] = all;
+            [z[4 + 4 * group], z[5 + 4 * group], z[6 + 4 * group], z[7 + 4 * group]] = all;
         }
         [z[0], z[1], z[2], z[3]] =
             S::atan2_all([z[5], z[7], z[9], z[11]], [z[4], z[6], z[8], z[10]]);
@@ -181,9 +160,7 @@ impl<S: Scalar> Closure<S> for Loops<S> {
     }
     fn coefficients(&self, instant: &[S; 2], z: &[S; 12], columns: &mut [[S; 12]]) {
         let crank = [-self.crank * instant[1], self.crank * instant[0]];
-        let first = self
-            .first
-            .rates([z[4], z[5], z[6], z[7]], [-crank[0], -crank[1]]);
+        let first = self.first.rates([z[4], z[5], z[6], z[7]], [-crank[0], -crank[1]]);
         let [x, y] = [
             z[4] * self.point[0] - z[5] * self.point[1],
             z[5] * self.point[0] + z[4] * self.point[1],

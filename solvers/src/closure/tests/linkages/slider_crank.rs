@@ -16,10 +16,7 @@ pub struct SliderCrank {
 
 impl Default for SliderCrank {
     fn default() -> Self {
-        Self {
-            values: [0.075, 0.271, 0.0],
-            start: [0.0, 0.3],
-        }
+        Self { values: [0.075, 0.271, 0.0], start: [0.0, 0.3] }
     }
 }
 
@@ -29,11 +26,7 @@ pub struct Loops<S>([S; 3]);
 const SHAPE: Shape = by_hand(
     [3, 1],
     &[true, false],
-    &[Group {
-        kind: GroupKind::Rrp,
-        unknowns: &[0, 1],
-        equations: &[0, 1],
-    }],
+    &[Group { kind: GroupKind::Rrp, unknowns: &[0, 1], equations: &[0, 1] }],
     &[],
 );
 
@@ -52,12 +45,7 @@ impl Linkage for SliderCrank {
     }
 
     fn ranges(&self) -> Vec<Range> {
-        vec![Range {
-            from: 0.0,
-            to: TAU,
-            start: 0.5,
-            period: TAU,
-        }]
+        vec![Range { from: 0.0, to: TAU, start: 0.5, period: TAU }]
     }
     fn start(&self) -> Vec<f64> {
         self.start.to_vec()
@@ -90,12 +78,7 @@ impl<S: Scalar> Closure<S> for Loops<S> {
         let height = e - l1 * instant[1];
         let width = mode * ((l2 - height) * (l2 + height)).sqrt();
         let (cosine, sine) = (width / l2, height / l2);
-        *z = [
-            S::atan2(height, width),
-            l1 * instant[0] + width,
-            cosine,
-            sine,
-        ];
+        *z = [S::atan2(height, width), l1 * instant[0] + width, cosine, sine];
         cosine
     }
     fn margin(&self, _: usize, instant: &[S; 2], _: &[S; 4]) -> S {
@@ -113,10 +96,7 @@ impl<S: Scalar> Closure<S> for Loops<S> {
         let [l1, l2, e] = self.0;
         let (sine, cosine) = z[0].sin_cos();
         (z[2], z[3]) = (cosine, sine);
-        *residual = [
-            l1 * instant[0] + l2 * cosine - z[1],
-            l1 * instant[1] + l2 * sine - e,
-        ];
+        *residual = [l1 * instant[0] + l2 * cosine - z[1], l1 * instant[1] + l2 * sine - e];
         *jacobian = [-l2 * sine, -S::ONE, l2 * cosine, S::ZERO];
     }
     fn residual(&self, instant: &[S; 2], z: &[S; 4], residual: &mut [S]) {
