@@ -251,8 +251,11 @@ mod tests {
     const ENTRY: LinkageEntry = LinkageEntry {
         dependents: &[Quantity { name: "phi5", ..TIME }, Quantity { name: "phi6", ..TIME }],
         loops: &[length("loop.x"), length("loop.y")],
+        angles: &[true, true],
         groups: &[Group { kind: GroupKind::Rrr, unknowns: &[0, 1], equations: &[0, 1] }],
         variables: &[],
+        motion: 0,
+        second: false,
         tolerances: &[],
         points: &[],
         links: &[],

@@ -103,7 +103,7 @@ macro_rules! plain {
     };
 }
 
-plain!(f64, |angles| sine::sin_cos_all(angles), |y, x| { angle::atan2_all(y, x) });
+plain!(f64, |angles| sine::sin_cos_all(angles), |y, x| angle::atan2_all(y, x));
 plain!(
     f32,
     |angles| {
