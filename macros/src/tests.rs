@@ -51,6 +51,12 @@ fn pieces(file: syn::File) -> Vec<(String, String)> {
             (syn::Item::Mod(one), _) if one.ident == "shapes_" => {
                 pieces.push(("shapes".to_owned(), syn::parse_quote!(#item)));
             }
+            // What a position says, and events, are pieces of their own.
+            (syn::Item::Impl(one), Some((name, _))) if layer(one).is_some() => {
+                let stem = name.trim_end_matches("_equations").trim_end_matches("_reports");
+                let name = format!("{stem}_{}", layer(one).unwrap_or_default());
+                pieces.push((name, syn::parse_quote!(#item)));
+            }
             (syn::Item::Impl(_) | syn::Item::Type(_) | syn::Item::Macro(_), Some((_, piece))) => {
                 piece.items.push(item);
             }
@@ -59,6 +65,16 @@ fn pieces(file: syn::File) -> Vec<(String, String)> {
     }
     let formatted = |(name, piece)| (name, prettyplease::unparse(&piece));
     pieces.into_iter().map(formatted).collect()
+}
+
+/// The layer that an implementation is of, if that has a piece of its own.
+fn layer(implementation: &syn::ItemImpl) -> Option<&'static str> {
+    let text = quote::quote!(#implementation).to_string();
+    let is_of = |name: &str| text.contains(&format!(":: problem :: {name} < S > for"));
+    [("Reports", "reports"), ("Events", "events")]
+        .into_iter()
+        .find(|(name, _)| is_of(name))
+        .map(|(_, name)| name)
 }
 
 /// Compares with a golden file, or writes it.

@@ -17,6 +17,7 @@ mod pendulum;
 mod batten_elastic {
     include!("../src/golden/batten_elastic/elastic.rs");
     include!("../src/golden/batten_elastic/elastic_equations.rs");
+    include!("../src/golden/batten_elastic/elastic_reports.rs");
     include!("../src/golden/batten_elastic/shapes.rs");
 }
 
@@ -34,6 +35,8 @@ mod ball {
     include!("../src/golden/ball/fall_in_flight_equations.rs");
     include!("../src/golden/ball/fall_in_contact_equations.rs");
     include!("../src/golden/ball/fall_equations.rs");
+    include!("../src/golden/ball/fall_reports.rs");
+    include!("../src/golden/ball/fall_events.rs");
     include!("../src/golden/ball/shapes.rs");
 }
 
