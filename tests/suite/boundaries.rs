@@ -110,6 +110,28 @@ fn every_member_has_its_arrows() {
     assert_eq!(members, BTreeSet::from(known));
 }
 
+/// The packages that a package of ours is built with: itself, those of ours below it, and theirs.
+fn below(package: &str) -> BTreeSet<String> {
+    let mut found = BTreeSet::from([package.to_owned()]);
+    if let Some((_, folder, _)) = ARROWS.iter().find(|(name, ..)| *name == package) {
+        let own = dependencies(&read(&root().join(folder).join("Cargo.toml")));
+        found.extend(own.iter().flat_map(|name| below(name)));
+    }
+    found
+}
+
+#[test]
+fn what_macros_need_is_built_once() {
+    let manifest = read(&root().join("Cargo.toml"));
+    let (_, levels) = manifest.split_once("[profile.release.package]").expect("levels");
+    let levels = levels.lines().filter_map(|line| line.split_once(" = {"));
+    let levels: BTreeSet<&str> =
+        levels.map(|(name, _)| name.trim_matches('"').split('@').next().unwrap()).collect();
+    for package in below("assur-macros") {
+        assert!(levels.contains(package.as_str()), "{package} has no level of its own");
+    }
+}
+
 /// All files below a folder.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
