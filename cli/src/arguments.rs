@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use crate::asked::{Asked, Values};
-use crate::settings::Accuracy;
+use crate::answer::Format;
+use crate::ask::settings::Accuracy;
+use crate::ask::{Asked, Values};
 
 /// Mechanisms as equation files: run, check and explain them.
 #[derive(Debug, Parser)]
@@ -60,6 +61,9 @@ pub enum Command {
     /// Find how an output errs by the tolerances, and tolerances of least cost.
     #[command(after_help = crate::tolerance::EXAMPLES)]
     Tolerance(crate::tolerance::ToleranceArguments),
+    /// Print what an answer in JSON is made of, as JSON Schema.
+    #[command(after_help = "Example:\n  assur schema run > assur-run.schema.json")]
+    Schema(crate::schema::SchemaArguments),
 }
 
 const RUN_EXAMPLES: &str = "Examples:
@@ -75,45 +79,7 @@ const RUN_EXAMPLES: &str = "Examples:
 A linkage is moved through the positions of its drivers: --at names one of each, alpha=90deg,beta=180deg; a driver that
 is not named stands where it starts.
 
-One JSON object is printed with --format json. Its fields:
-  format       \"assur-run/1\"
-  mechanism    name, title, source
-  scene        name, effects, choices, preset
-  parameters   each: name, kind, unit, value, default, changed
-  task         kind (periodic, run or open), from, to, unit, periods, period (where it is a result)
-  settings     method, rtol, atol (each that is given: name, unit, value)
-  status       \"complete\"; \"incomplete\" when a value is missing (null), that of a measure too;
-               \"not unique\" when free motions that nothing drives could be added; \"inaccurate\" when
-               solutions with other tolerances differ by a hundredth of the amplitude, exit code 1
-  results      each: name, unit, value and estimated_error at the beginning of the task;
-               minimum and maximum over it: value, time, and an error of each
-  at           each --at: place, time, drivers, results
-  modes        each: name, summary
-  first_mode   name of the mode at the beginning; null where there are no modes
-  events       each: time, from, to, event, line, guard, before, after
-  measures     numbers of the whole task, each: name, unit, value, estimated_error; or missing
-  published    each: name, unit, place, published, tolerance, computed, estimated_error,
-               deviation, relative_deviation, within (null when not comparable), remark, line
-  multipliers  each: re, im, modulus, angle, angle_unit, estimated_error, meaning
-  conclusions  what the multipliers say, in words
-  statistics   steps, rejected, evaluations, jacobians, stiff_steps, rounded_steps,
-               switches (time, to), condition, residual, seconds, seconds_with_error_estimate,
-               largest_estimated_error, work_for_ten_times_more_accuracy, error_estimate_cut_off
-  figure       path of the figure, or null
-Of a linkage there are besides (and no settings, multipliers, conclusions):
-  drivers      each: name, unit, from, to, start
-  task         kind may be sweep, over: names of the drivers
-  status       may be \"stopped\"; stopped then lists place and reason, and the exit code is 1
-  note         that it is put together far from the start values of its file, or null
-  results      each: name, unit, minimum and maximum, with value, unbounded and at (drivers),
-               stroke, limit_positions (kind, value, at; over a task with one axis),
-               breaks (kind: jump, pole or end; before, after, at)
-  positions    at round positions: drivers, time if it runs, results (null: not reached)
-  transmission each: loops, unknowns, kind, smallest_angle, unit, at
-  reach        each: driver, unit, turns, low and high (at, dead_point)
-  events       each: place, event
-  at           besides: outside, transmission, influence (each: by, of, unit, value)
-  statistics   positions, reached, seconds, seconds_with_limits, largest_gap
+One JSON object is printed with --format json, which `assur schema run` describes.
 
 The figure goes to NAME-SCENE.svg in the current directory, or where --out or --plot say;
 with --format json or csv it is drawn only when one of these asks for it.";
@@ -153,18 +119,6 @@ pub struct RunArguments {
     pub curves: Option<String>,
 }
 
-/// How results are printed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Format {
-    /// Tables to read.
-    #[default]
-    Table,
-    /// One JSON object.
-    Json,
-    /// The curves over the task, one row a sample or position.
-    Csv,
-}
-
 /// What the rows of comma-separated values are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Rows {
@@ -196,18 +150,8 @@ pub struct StructureArguments {
     #[command(flatten)]
     pub asked: Asked,
     /// What is printed.
-    #[arg(long, value_enum, default_value_t = StructureFormat::Table)]
-    pub format: StructureFormat,
-}
-
-/// How a structure is printed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum StructureFormat {
-    /// Tables to read.
-    #[default]
-    Table,
-    /// One JSON object.
-    Json,
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
 }
 
 /// Options of `assur check`.
@@ -258,7 +202,7 @@ mod tests {
                 panic!("{words:?} is not understood");
             };
             assert_eq!(options.asked.name.as_deref(), Some("batten"));
-            assert_eq!(options.accuracy.rtol.as_deref(), Some("1e-9"));
+            assert_eq!(options.accuracy.rtol, Some(1e-9));
         }
     }
 }

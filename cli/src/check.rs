@@ -8,11 +8,11 @@ use assur_model::program::Stage;
 
 use crate::arguments::CheckArguments;
 use crate::error::Failure;
-use crate::number;
-use crate::output::{complain, print};
+use crate::show::number;
+use crate::show::output::{complain, print};
+use crate::show::style;
+use crate::show::text::{Align, Columns};
 use crate::source::Source;
-use crate::style;
-use crate::text::{Align, Columns};
 
 /// Checks each file: messages go to standard error, what a right file holds to standard output.
 ///

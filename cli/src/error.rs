@@ -1,12 +1,37 @@
 //! Why the command did not do what was asked: what, where, and what to do about it.
 
-use crate::style::Style;
+use std::fmt;
+
+use crate::show::style::Style;
 
 /// The order in which facts are printed, however they were added.
 const ORDER: [&str; 3] = ["where", "why", "help"];
 
 /// Most characters of a line that is printed.
 const LONGEST: usize = 1000;
+
+/// Why something is so, and what to do about it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Told {
+    /// Where it is, as positions of drivers; empty if that is not known.
+    pub place: String,
+    /// Why.
+    pub reason: String,
+    /// What to do about it.
+    pub remedy: &'static str,
+}
+
+impl Told {
+    /// Of something without a place of its own.
+    pub fn new(reason: impl Into<String>, remedy: &'static str) -> Self {
+        Self { place: String::new(), reason: reason.into(), remedy }
+    }
+
+    /// The message of a command that wanted to do something.
+    pub fn failure(self, what: impl Into<String>) -> Failure {
+        Failure::numerical(what).reason(self.reason).remedy(self.remedy)
+    }
+}
 
 /// A request that could not be carried out.
 #[derive(Clone, Debug, PartialEq)]
@@ -103,6 +128,15 @@ impl Failure {
         text
     }
 }
+
+/// Without facts, as a reason of something else. Options that are read as the command starts are refused so.
+impl fmt::Display for Failure {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.what)
+    }
+}
+
+impl std::error::Error for Failure {}
 
 /// A line with what a terminal would obey, and would not show, written out.
 fn printable(line: &str) -> String {

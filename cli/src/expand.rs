@@ -6,14 +6,14 @@ use assur::registry::Mechanism;
 use assur_model::checked::Model;
 
 use crate::arguments::ExpandArguments;
-use crate::asked::For;
+use crate::ask::For;
+use crate::ask::lookup;
+use crate::ask::lookup::Registry;
 use crate::emit::{self, Origin};
 use crate::error::Failure;
-use crate::lookup;
-use crate::lookup::Registry;
-use crate::output::{complain, print};
+use crate::show::output::{complain, print};
+use crate::show::style;
 use crate::source::{Checked, Source};
-use crate::style;
 
 /// Prints the emitted Rust of a mechanism or of an equation file; of one scene when asked for it.
 ///

@@ -3,6 +3,10 @@
 //!
 //! It knows no mechanism. Everything that it says about one comes from the registry or from an equation file.
 //!
+//! A request is read (`ask`), answered by the module of its subcommand, and shown in the format that is asked for
+//! (`answer`, which is the way of every request; `show` and `plot`). What `run` says of scenes stands in `motion` and
+//! `linkage`.
+//!
 //! | exit code | meaning |
 //! |---|---|
 //! | 0 | done |
@@ -10,59 +14,39 @@
 //! | 2 | the request cannot be carried out as it stands: a wrong name, value, unit, file |
 //! | 130 | interrupted; nothing is left half written |
 
+mod answer;
 mod arguments;
-mod asked;
-mod case;
+mod ask;
 mod check;
-mod constants;
-mod csv;
-mod curves;
 mod draw;
-mod effects;
 #[path = "../../macros/src/emit/mod.rs"]
 mod emit;
 mod error;
-mod events;
 mod expand;
-mod json;
 mod linkage;
 mod list;
-mod lookup;
-mod measures;
 mod modes;
 mod motion;
-mod multipliers;
-mod number;
-mod output;
-mod permitted;
 mod plot;
-mod progress;
 mod published;
-mod report;
-mod round;
 mod run;
 mod scenes;
-mod settings;
+mod schema;
+mod show;
 mod source;
 mod structure;
 mod study;
-mod style;
-mod table;
-mod text;
 mod tolerance;
-mod turn;
-mod unclosed;
-mod unfollowed;
-mod unit;
-mod values;
-mod variables;
 
+use std::error::Error;
 use std::process::ExitCode;
 
 use arguments::{Arguments, Command};
+use ask::lookup::Registry;
 use assur::registry::Mechanism;
 use clap::Parser;
-use lookup::Registry;
+use clap::error::{ContextKind, ContextValue};
+use show::{output, style};
 
 /// Does what the arguments of the process ask for, about these mechanisms, `REGISTRY` of
 /// [`equations!`](assur::equations).
@@ -84,6 +68,7 @@ pub fn main(mechanisms: &'static [Mechanism]) -> ExitCode {
         Command::Modes(options) => modes::execute(options, registry),
         Command::Study(options) => study::execute(options, registry),
         Command::Tolerance(options) => tolerance::execute(options, registry),
+        Command::Schema(options) => schema::execute(options),
     };
     ended(outcome)
 }
@@ -103,6 +88,16 @@ fn ended(outcome: Result<(), error::Failure>) -> ExitCode {
 fn refuse(refused: &clap::Error) -> ExitCode {
     if !refused.use_stderr() {
         return ended(output::printed(refused.print()));
+    }
+    let given = |kind| match refused.get(kind) {
+        Some(ContextValue::String(text)) => text.as_str(),
+        _ => "",
+    };
+    let failure = refused.source().and_then(|source| source.downcast_ref::<error::Failure>());
+    if let Some(failure) = failure {
+        let option = given(ContextKind::InvalidArg).split(' ').next().unwrap_or_default();
+        let place = format!("{option} {}", given(ContextKind::InvalidValue));
+        return ended(Err(failure.clone().place(place)));
     }
     let text = match style::stderr().is_coloured() {
         true => refused.render().ansi().to_string(),

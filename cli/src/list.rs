@@ -1,10 +1,10 @@
 //! `assur list`: what there is.
 
+use crate::ask::lookup::Registry;
 use crate::error::Failure;
-use crate::lookup::Registry;
-use crate::output;
-use crate::style;
-use crate::text::{Align, Columns, wrap};
+use crate::show::output;
+use crate::show::style;
+use crate::show::text::{Align, Columns, wrap};
 
 /// Widest line of prose.
 const WIDTH: usize = 96;

@@ -1,61 +1,134 @@
 //! `assur run`: a scene with its values, its results and its figure.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use assur::problem::Span;
-use assur::registry::{Mechanism, SceneEntry};
+use assur::registry::SceneEntry;
+use serde::Serialize;
 
-use crate::arguments::{Format, Rows, RunArguments};
-use crate::asked::For;
-use crate::case::Case;
+use crate::answer::{Format, give};
+use crate::arguments::{Rows, RunArguments};
+use crate::ask::For;
+use crate::ask::constants::Constants;
+use crate::ask::lookup::Registry;
+use crate::ask::place::Place;
 use crate::error::Failure;
-use crate::lookup::Registry;
-use crate::output::{self, Destination};
+use crate::linkage::{self, json::Linkage};
+use crate::motion::{self, events, json::Motion};
 use crate::plot::Selection;
-use crate::progress::Progress;
-use crate::report::{self, Report};
-use crate::{csv, events, json, linkage, plot, style, table, values};
+use crate::show::json::{About, Published};
+use crate::show::progress::Progress;
 
-/// Runs a scene. Everything is computed first; then the figure is written, then the answer is printed.
+/// The answer of `assur run` as an object.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct Run {
+    /// `assur-run/1`.
+    format: &'static str,
+    #[serde(flatten)]
+    about: About,
+    #[serde(flatten)]
+    found: Found,
+    published: Vec<Published>,
+    /// Path of the figure, if one was drawn.
+    figure: Option<String>,
+}
+
+/// What is found of a scene.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(untagged)]
+pub enum Found {
+    Motion(Box<Motion>),
+    Linkage(Box<Linkage>),
+}
+
+/// What is wanted of an answer.
+pub struct Shown {
+    /// The curves of the figure.
+    pub curves: Selection,
+    /// What the rows of comma-separated values are.
+    pub rows: Rows,
+}
+
+impl Run {
+    /// All of it.
+    pub fn new(
+        about: About,
+        found: Found,
+        published: Vec<Published>,
+        figure: Option<String>,
+    ) -> Self {
+        Self { format: "assur-run/1", about, found, published, figure }
+    }
+}
+
+/// Runs a scene.
 ///
 /// # Errors
-/// A wrong request, or numbers that do not come out, nothing being written then; or a motion that is not accurate, after all
-/// else is printed.
+/// A wrong request, or numbers that do not come out, nothing being written then; or an answer that is not whole or not
+/// accurate, after all else is printed.
 pub fn execute(options: &RunArguments, registry: Registry) -> Result<(), Failure> {
-    let (mechanism, constants) = options.asked.find(registry, "run", For::All)?;
+    let constants = options.asked.find(registry, "run", For::All)?;
     let scene = constants.scene;
     check_rows(options, scene)?;
-    if scene.linkage.is_some() {
-        return linkage::run::execute(options, mechanism, constants);
-    }
-    let places =
-        options.at.iter().map(|text| values::place(scene, text)).collect::<Result<Vec<_>, _>>()?;
-    let settings = options.accuracy.settings(scene)?;
     let curves = Selection::read(scene, options.curves.as_deref())?;
-    let figure = match figure_path(options, mechanism, scene) {
-        Some(path) => Some(Destination::figure(&path)?),
-        None => None,
-    };
-    let case = Case::new(constants)?;
-    if case.task == Span::Open && places.is_empty() {
-        return Err(Failure::request(format!("scene `{}` has no task of its own", scene.name))
-            .remedy(format!(
-                "say where to look: --at {}=…",
-                scene.drivers.first().map_or("time", |driver| driver.name)
-            )));
+    let shown = Shown { curves, rows: options.rows };
+    let figure = figure_path(options, &constants);
+    let figure = figure.as_deref();
+    match scene.linkage {
+        Some(_) => give(options.format, figure, || of_linkage(options, constants, shown)),
+        None => give(options.format, figure, || of_motion(options, constants, shown)),
     }
-    let progress = Progress::start(format!("{}, scene {}", mechanism.name, scene.name), 0);
-    let report = report::collect(mechanism, case, settings, &places)?;
-    drop(progress);
-    let drawn = match figure.filter(|_| !report.curves.times.is_empty()) {
-        Some(destination) => {
-            destination.write(plot::draw(&report, &curves).as_bytes())?;
-            Some(destination)
-        }
-        None => None,
-    };
-    output::print(&render(&report, options, drawn.as_ref().map(Destination::path)))?;
-    report.outcome()
+}
+
+fn of_motion(
+    options: &RunArguments,
+    constants: Constants,
+    shown: Shown,
+) -> Result<motion::report::Report, Failure> {
+    let settings = options.accuracy.settings(constants.scene)?;
+    let case = motion::case::Case::new(constants)?;
+    let places = options.at.iter().map(|text| Place::read(&case, text, true));
+    let places = places.collect::<Result<Vec<_>, _>>()?;
+    if case.moved.task == Span::Open && places.is_empty() {
+        return Err(nowhere(case.scene, "task of its own", "time"));
+    }
+    let _progress = progress(&case.constants);
+    motion::report::collect(case, &settings, &places, shown)
+}
+
+fn of_linkage(
+    options: &RunArguments,
+    constants: Constants,
+    shown: Shown,
+) -> Result<linkage::report::Report, Failure> {
+    if let Some((option, text)) = options.accuracy.given().next() {
+        return Err(Failure::request(format!("a linkage takes no {option}"))
+            .place(format!("{option} {text}"))
+            .reason("its loops are closed to rounding; nothing is integrated")
+            .remedy("leave it out"));
+    }
+    let case = linkage::case::Case::new(constants)?;
+    let places = options.at.iter().map(|text| linkage::place::read(&case, text));
+    let places = places.collect::<Result<Vec<_>, _>>()?;
+    if case.moved.task == linkage::case::Task::Open && places.is_empty() {
+        return Err(nowhere(case.scene, "range to go over", "…"));
+    }
+    let _progress = progress(&case.constants);
+    linkage::report::collect(case, places, shown)
+}
+
+fn progress(constants: &Constants) -> Progress {
+    let name = constants.mechanism.name;
+    Progress::start(format!("{name}, scene {}", constants.scene.name), 0)
+}
+
+/// That a scene does nothing unless it is said where to look.
+fn nowhere(scene: &SceneEntry, lacks: &str, instead: &str) -> Failure {
+    let driver = scene.drivers.first().map_or(instead, |driver| driver.name);
+    Failure::request(format!("scene `{}` has no {lacks}", scene.name))
+        .remedy(format!("say where to look: --at {driver}=…"))
 }
 
 /// Rows of limits are rows of a linkage, rows of events those of a scene that states some.
@@ -80,22 +153,9 @@ fn check_rows(options: &RunArguments, scene: &SceneEntry) -> Result<(), Failure>
     }
 }
 
-fn render(report: &Report, options: &RunArguments, figure: Option<&Path>) -> String {
-    match (options.format, options.rows) {
-        (Format::Table, _) => table::render(report, figure, style::stdout()),
-        (Format::Json, _) => json::render(report, figure),
-        (Format::Csv, Rows::Events) => csv::events(report),
-        (Format::Csv, _) => csv::render(report),
-    }
-}
-
 /// Where the figure goes: a table has one unless told otherwise, the formats for programs only when it is asked for.
-pub fn figure_path(
-    options: &RunArguments,
-    mechanism: &Mechanism,
-    scene: &SceneEntry,
-) -> Option<PathBuf> {
-    let name = format!("{}-{}.svg", mechanism.name, scene.name);
+fn figure_path(options: &RunArguments, constants: &Constants) -> Option<PathBuf> {
+    let name = format!("{}-{}.svg", constants.mechanism.name, constants.scene.name);
     match (&options.plot, &options.out) {
         (Some(file), _) => Some(file.clone()),
         (None, Some(directory)) => Some(directory.join(name)),

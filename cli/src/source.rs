@@ -13,7 +13,7 @@ use assur_model::texts::{Place, Texts};
 use assur_model::token::Span;
 
 use crate::error::Failure;
-use crate::style::Style;
+use crate::show::style::Style;
 
 /// Messages that are printed of one file; the rest is counted.
 const SHOWN: usize = 50;

@@ -42,7 +42,7 @@ impl Geometry {
         others: impl Iterator<Item = &'a Sample>,
     ) -> Self {
         let others: Vec<_> = others.collect();
-        let count = case.entry.points.len();
+        let count = case.moved.entry.points.len();
         let along = |way: &Vec<Sample>, index: usize| -> Vec<Point> {
             way.iter().map(|sample| point(sample, index)).collect()
         };

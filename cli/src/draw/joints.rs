@@ -12,10 +12,10 @@ const SLIDE: Point = (14.0, 8.5);
 pub fn ground(svg: &mut Svg, (x, y): Point) {
     let base = y + 17.0;
     svg.polygon("ground", &[(x, y), (x - 10.0, base), (x + 10.0, base)]);
-    svg.line("frame", (x - 16.0, base), (x + 16.0, base));
+    svg.line("symbol", (x - 16.0, base), (x + 16.0, base));
     for step in 0..5 {
         let right = x - 11.0 + 6.5 * f64::from(step);
-        svg.line("frame", (right, base), (right - 5.0, base + 6.0));
+        svg.line("symbol", (right, base), (right - 5.0, base + 6.0));
     }
 }
 
@@ -34,7 +34,7 @@ pub fn slides(picture: &Picture<'_>, index: usize) -> Option<Point> {
     let Moves::Straight(along) = picture.geometry.moves[index] else {
         return None;
     };
-    let linked = neighbours(picture.case.entry, index);
+    let linked = neighbours(picture.case.moved.entry, index);
     let mut others = linked.iter().map(|&other| picture.geometry.moves[other]);
     let alike = others.any(|other| matches!(other, Moves::Straight(_)));
     (!linked.is_empty() && !alike).then_some(along)

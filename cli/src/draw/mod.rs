@@ -18,21 +18,21 @@ use std::f64::consts::PI;
 use std::path::PathBuf;
 
 use assur::closure::ClosureError;
-use assur::registry::{Mechanism, Sample};
+use assur::registry::Sample;
 use assur::shape::Quantity;
 
 use crate::arguments::DrawArguments;
-use crate::asked::For;
+use crate::ask::For;
+use crate::ask::lookup::Registry;
 use crate::error::Failure;
 use crate::linkage::case::{Case, Task};
 use crate::linkage::line::Line;
 use crate::linkage::place;
 use crate::linkage::report::snapshot;
-use crate::linkage::wording::{Names, contradiction, tell};
-use crate::lookup::Registry;
-use crate::number;
-use crate::output::{self, Destination};
+use crate::linkage::wording::contradiction;
 use crate::plot::name;
+use crate::show::number;
+use crate::show::output::{self, Destination};
 use geometry::Geometry;
 
 /// Positions that are drawn unless others are asked for.
@@ -50,8 +50,8 @@ const FRAMES: usize = 96;
 /// A wrong request, nothing being written then; or a linkage that does not get everywhere, after the rest of its way has
 /// been drawn.
 pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failure> {
-    let (mechanism, constants) = options.asked.find(registry, "draw", For::Linkages)?;
-    let scene = constants.scene;
+    let constants = options.asked.find(registry, "draw", For::Linkages)?;
+    let (mechanism, scene) = (constants.mechanism, constants.scene);
     let directory = options.out.clone().unwrap_or_else(|| PathBuf::from("."));
     let file = |what: &str| {
         let name = format!("{}-{}-{what}.svg", mechanism.name, scene.name);
@@ -59,7 +59,7 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
     };
     let (still, moving) = (file("positions")?, file("moving")?);
     let case = Case::new(constants)?;
-    if case.entry.points.is_empty() {
+    if case.moved.entry.points.is_empty() {
         return Err(Failure::request(format!("scene `{}` has no points", scene.name))
             .remedy("state them in the equation file: point A = [0, 0]; link A - B \"crank\";"));
     }
@@ -75,12 +75,8 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
         true => way.some(&case, &geometry),
         false => asked,
     };
-    let picture = Picture {
-        mechanism,
-        case: &case,
-        geometry: &geometry,
-        label: label(&case.drivers, &positions),
-    };
+    let picture =
+        Picture { case: &case, geometry: &geometry, label: label(&case.drivers, &positions) };
     let shown: Vec<_> = positions.iter().map(|(_, sample)| sample).collect();
     still.write(still::draw(&picture, &shown).as_bytes())?;
     let mut text = format!(
@@ -90,7 +86,7 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
         picture.label,
         still.path().display()
     );
-    if let Some(note) = contradiction(mechanism, scene, case.run()) {
+    if let Some(note) = contradiction(&case.constants, case.run()) {
         text += &format!("Note:      {note}\n");
     }
     let frames = way.frames(&case, &geometry);
@@ -104,8 +100,6 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
 
 /// What a picture shows.
 pub struct Picture<'a> {
-    /// The mechanism.
-    pub mechanism: &'static Mechanism,
     /// The linkage with its values.
     pub case: &'a Case,
     /// Its points along the way.
@@ -131,7 +125,6 @@ impl Way {
     /// # Errors
     /// When it cannot be put together, or has no way to go and positions are wanted of it.
     fn follow(case: &Case, wanted: bool) -> Result<Self, Failure> {
-        let names = Names { entry: case.entry, drivers: &case.drivers };
         let mut way =
             Self { ends: Vec::new(), samples: Vec::new(), standing: standing(case), stop: None };
         let axes = case.axes();
@@ -144,9 +137,8 @@ impl Way {
         for (index, axis) in axes.iter().enumerate() {
             let share = |part: usize| axis.from + (axis.to - axis.from) * part as f64 / FINE as f64;
             let line = way.line(case, index, (0..=FINE).map(share).collect());
-            let line = line.map_err(|error| {
-                tell(names, &error).failure("the linkage cannot be put together")
-            })?;
+            let line = line
+                .map_err(|error| case.tell(&error).failure("the linkage cannot be put together"))?;
             if let (Some(error), None) = (line.stops.first(), &way.stop) {
                 let missing = line.stations.len() - line.reached().count();
                 let share = number::rounded(100.0 * missing as f64 / (FINE + 1) as f64, 2);
@@ -154,7 +146,7 @@ impl Way {
                     "the linkage does not get over its whole range: {} % of it is missing",
                     number::short(share)
                 );
-                way.stop = Some(tell(names, error).failure(what));
+                way.stop = Some(case.tell(error).failure(what));
             }
             let along: Vec<_> = line.reached().map(|(station, _)| station[index]).collect();
             let (Some(first), Some(last)) = (along.first(), along.last()) else {
@@ -233,9 +225,9 @@ impl Way {
 
 /// Where each axis stands while another one moves.
 fn standing(case: &Case) -> Vec<f64> {
-    match &case.task {
+    match &case.moved.task {
         Task::Sweep(drivers) => {
-            let ranges = drivers.iter().map(|&index| &case.ranges[index]);
+            let ranges = drivers.iter().map(|&index| &case.moved.ranges[index]);
             ranges
                 .map(|range| if range.start.is_finite() { range.start } else { range.from })
                 .collect()

@@ -15,7 +15,7 @@ const WAY: f64 = 4.0;
 
 /// Draws it; the frames are evenly apart in time.
 pub fn draw(picture: &Picture<'_>, frames: &[Sample]) -> String {
-    let title = format!("{}: motion", picture.mechanism.title);
+    let title = format!("{}: motion", picture.case.constants.mechanism.title);
     let sheet = Sheet::new(picture, "");
     let mut svg = sheet.begin(&title);
     let frames: Vec<_> = frames.iter().map(|frame| pixels(picture, &sheet, frame)).collect();
@@ -64,7 +64,7 @@ fn shape(svg: &mut Svg, element: &str, class: &str, shapes: &[Vec<Point>], clock
 }
 
 fn links(svg: &mut Svg, picture: &Picture<'_>, frames: &[Vec<Point>], clock: &Clock) {
-    for (index, link) in picture.case.entry.links.iter().enumerate() {
+    for (index, link) in picture.case.moved.entry.links.iter().enumerate() {
         if picture.geometry.is_frame(link.points) {
             continue;
         }
@@ -81,7 +81,7 @@ fn links(svg: &mut Svg, picture: &Picture<'_>, frames: &[Vec<Point>], clock: &Cl
 
 fn pivots(svg: &mut Svg, picture: &Picture<'_>, frames: &[Vec<Point>], clock: &Clock) {
     let named = names::names(picture, &frames[0]);
-    for index in 0..picture.case.entry.points.len() {
+    for index in 0..picture.case.moved.entry.points.len() {
         let at = |frame: &Vec<Point>| frame[index];
         if let Some(along) = joints::slides(picture, index) {
             let shapes = frames.iter().map(|frame| joints::slide(at(frame), along).to_vec());

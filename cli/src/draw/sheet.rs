@@ -2,11 +2,11 @@
 
 use super::Picture;
 use super::geometry::{Point, distance};
-use crate::number;
 use crate::plot::figure::lead;
 use crate::plot::legend::text_width;
 use crate::plot::svg::{Anchor, Svg};
-use crate::text::wrap;
+use crate::show::number;
+use crate::show::text::wrap;
 
 /// Left and right of the drawing: room for names of points.
 const MARGIN: f64 = 70.0;
@@ -18,44 +18,6 @@ const LARGEST: (f64, f64) = (680.0, 520.0);
 const NARROWEST: f64 = 520.0;
 /// Colours of links that can be told apart.
 const COLOURS: usize = 14;
-
-/// How everything looks.
-pub const STYLE: &str = "\
-text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif; font-size: 12px; fill: #24292f; }
-.paper { fill: #ffffff; }
-.title { font-size: 20px; font-weight: 600; }
-.lead { font-size: 13px; fill: #57606a; }
-.unit { fill: #57606a; }
-.point { font-size: 15px; font-style: italic; }
-.index { font-size: 11px; }
-.halo { font-size: 15px; font-style: italic; stroke: #ffffff; stroke-width: 4; stroke-linejoin: round; }
-.path { fill: none; stroke: #8c959f; stroke-width: 1.1; stroke-dasharray: 3 3; }
-.guide { stroke: #8c959f; stroke-width: 1.2; }
-.bar { stroke: #24292f; stroke-width: 1.4; }
-.frame { stroke: #57606a; stroke-width: 1.3; fill: none; }
-.ground { fill: #eaeef2; stroke: #57606a; stroke-width: 1.3; stroke-linejoin: round; }
-.link { fill: none; stroke-width: 8; stroke-linecap: round; stroke-linejoin: round; }
-.pale { fill: none; stroke-width: 3.4; stroke-linecap: round; stroke-linejoin: round; stroke-opacity: 0.3; }
-.plate { stroke: none; fill-opacity: 0.14; }
-.pivot { fill: #ffffff; stroke: #24292f; stroke-width: 1.8; }
-.dot { fill: #ffffff; stroke: #8c959f; stroke-width: 1; }
-.slide { fill: #f6f8fa; stroke: #24292f; stroke-width: 1.6; stroke-linejoin: round; }
-.c0 { stroke: #0072b2; fill: none; } .f0 { fill: #0072b2; }
-.c1 { stroke: #d55e00; fill: none; } .f1 { fill: #d55e00; }
-.c2 { stroke: #009e73; fill: none; } .f2 { fill: #009e73; }
-.c3 { stroke: #aa4499; fill: none; } .f3 { fill: #aa4499; }
-.c4 { stroke: #8a6d00; fill: none; } .f4 { fill: #8a6d00; }
-.c5 { stroke: #56b4e9; fill: none; } .f5 { fill: #56b4e9; }
-.c6 { stroke: #882255; fill: none; } .f6 { fill: #882255; }
-.c7 { stroke: #e69f00; fill: none; } .f7 { fill: #e69f00; }
-.c8 { stroke: #332288; fill: none; } .f8 { fill: #332288; }
-.c9 { stroke: #88a03c; fill: none; } .f9 { fill: #88a03c; }
-.c10 { stroke: #cc6677; fill: none; } .f10 { fill: #cc6677; }
-.c11 { stroke: #44aa99; fill: none; } .f11 { fill: #44aa99; }
-.c12 { stroke: #7a4f2a; fill: none; } .f12 { fill: #7a4f2a; }
-.c13 { stroke: #7c6fd0; fill: none; } .f13 { fill: #7c6fd0; }
-.k { stroke: #57606a; fill: none; }
-";
 
 /// The paper with its scale.
 pub struct Sheet {
@@ -150,7 +112,7 @@ impl Sheet {
 
     /// The whole file.
     pub fn finish(&self, svg: Svg, title: &str) -> String {
-        svg.finish(title, &self.lead.join(" "), STYLE)
+        svg.finish(title, &self.lead.join(" "))
     }
 
     /// Whether two pixels are so near that their names would touch.
@@ -161,7 +123,7 @@ impl Sheet {
 
 /// The class of the colour of a link; links of the frame are grey.
 pub fn colour(picture: &Picture<'_>, link: usize) -> String {
-    let links = picture.case.entry.links;
+    let links = picture.case.moved.entry.links;
     if picture.geometry.is_frame(links[link].points) {
         return "k".to_owned();
     }
@@ -174,7 +136,7 @@ fn legend(picture: &Picture<'_>, width: f64, top: f64) -> Vec<Entry> {
     let mut at = (30.0, top);
     let mut entries: Vec<Entry> = Vec::new();
     let mut before = None;
-    for (index, link) in picture.case.entry.links.iter().enumerate() {
+    for (index, link) in picture.case.moved.entry.links.iter().enumerate() {
         if link.text.is_empty() {
             continue;
         }
@@ -198,7 +160,7 @@ fn legend(picture: &Picture<'_>, width: f64, top: f64) -> Vec<Entry> {
 
 /// The part of the mechanism that a link belongs to, as its points are named; empty if to none.
 fn part(picture: &Picture<'_>, points: &[usize]) -> &'static str {
-    let name = points.first().map(|&index| picture.case.entry.points[index]);
+    let name = points.first().map(|&index| picture.case.moved.entry.points[index]);
     let part = name.and_then(|name| name.rsplit_once('.'));
     part.map_or("", |(part, _)| part)
 }

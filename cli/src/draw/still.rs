@@ -12,7 +12,7 @@ use crate::plot::svg::Svg;
 
 /// Draws it.
 pub fn draw(picture: &Picture<'_>, positions: &[&Sample]) -> String {
-    let title = format!("{}: positions", picture.mechanism.title);
+    let title = format!("{}: positions", picture.case.constants.mechanism.title);
     let strong = match positions.len() {
         0 | 1 => "",
         _ => " (the first one strong)",
@@ -31,7 +31,7 @@ pub fn draw(picture: &Picture<'_>, positions: &[&Sample]) -> String {
 
 /// The pixels of the points at a position.
 pub fn pixels(picture: &Picture<'_>, sheet: &Sheet, sample: &Sample) -> Vec<Point> {
-    let points = 0..picture.case.entry.points.len();
+    let points = 0..picture.case.moved.entry.points.len();
     points.map(|index| sheet.pixel(point(sample, index))).collect()
 }
 
@@ -61,7 +61,7 @@ pub fn paths(svg: &mut Svg, picture: &Picture<'_>, sheet: &Sheet) {
 /// A position as a background.
 fn pale(svg: &mut Svg, picture: &Picture<'_>, at: &[Point]) {
     svg.begin("another position");
-    for (index, link) in picture.case.entry.links.iter().enumerate() {
+    for (index, link) in picture.case.moved.entry.links.iter().enumerate() {
         if !picture.geometry.is_frame(link.points) {
             let points: Vec<_> = link.points.iter().map(|&point| at[point]).collect();
             svg.path(&format!("pale {}", colour(picture, index)), &points);
@@ -79,7 +79,7 @@ fn pale(svg: &mut Svg, picture: &Picture<'_>, at: &[Point]) {
 fn strong_position(svg: &mut Svg, picture: &Picture<'_>, at: &[Point]) {
     svg.begin("the first position");
     frame(svg, picture, at);
-    for (index, link) in picture.case.entry.links.iter().enumerate() {
+    for (index, link) in picture.case.moved.entry.links.iter().enumerate() {
         if picture.geometry.is_frame(link.points) {
             continue;
         }
@@ -104,10 +104,10 @@ fn strong_position(svg: &mut Svg, picture: &Picture<'_>, at: &[Point]) {
 
 /// What stands: the points of the frame and lines between them.
 pub fn frame(svg: &mut Svg, picture: &Picture<'_>, at: &[Point]) {
-    for link in picture.case.entry.links {
+    for link in picture.case.moved.entry.links {
         if picture.geometry.is_frame(link.points) {
             let points: Vec<_> = link.points.iter().map(|&point| at[point]).collect();
-            svg.path("frame", &points);
+            svg.path("symbol", &points);
         }
     }
     for (index, place) in at.iter().enumerate() {

@@ -2,35 +2,30 @@
 
 use assur::closure::{AnyLinkage, ClosureError, Range};
 use assur::problem::Span;
-use assur::registry::{Path, Sample, SceneEntry};
-use assur::shape::{LinkageEntry, Quantity};
+use assur::registry::{Path, Sample};
+use assur::shape::{LinkageEntry, Quantity, Subject};
 
-use crate::case;
-use crate::constants::Constants;
-use crate::error::Failure;
-use crate::number;
-use crate::values::TIME;
-use crate::variables::{self, Variable};
-use assur::shape::Subject;
+use super::wording::{self, Names};
+use crate::ask::case;
+use crate::ask::constants::Constants;
+use crate::ask::values::TIME;
+use crate::ask::variables::{self, Variable};
+use crate::error::{Failure, Told};
+use crate::show::number;
 
-/// A linkage with its values.
-pub struct Case {
-    /// The scene.
-    pub scene: &'static SceneEntry,
+/// What moves it.
+pub struct Moves {
     /// Its loops.
     pub entry: &'static LinkageEntry,
-    /// Its dimensions and parameters.
-    pub constants: Constants,
-    /// What is reported.
-    pub variables: Vec<Variable>,
-    /// The drivers, angles in degrees.
-    pub drivers: Vec<Quantity>,
-    /// Where they move.
+    /// Where the drivers move.
     pub ranges: Vec<Range>,
     /// What is done.
     pub task: Task,
     run: Box<dyn AnyLinkage>,
 }
+
+/// A linkage with its values, angles of its drivers in degrees.
+pub type Case = case::Case<Moves>;
 
 /// What moves the drivers. A station of it is a position of each driver that is swept, or a time.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,30 +70,27 @@ impl Case {
         };
         Ok(Self {
             scene,
-            entry,
             variables: variables::of_linkage(scene, entry),
             constants,
             drivers: scene.drivers.iter().map(shown).collect(),
-            ranges,
-            task,
-            run,
+            moved: Moves { entry, ranges, task, run },
         })
     }
 
     /// The linkage as the solvers see it.
     pub fn run(&self) -> &dyn AnyLinkage {
-        self.run.as_ref()
+        self.moved.run.as_ref()
     }
 
     /// What the task varies, the fastest first.
     pub fn axes(&self) -> Vec<Axis> {
-        match &self.task {
+        match &self.moved.task {
             Task::Sweep(drivers) => drivers
                 .iter()
                 .map(|&index| Axis {
                     quantity: self.drivers[index],
-                    from: self.ranges[index].from,
-                    to: self.ranges[index].to,
+                    from: self.moved.ranges[index].from,
+                    to: self.moved.ranges[index].to,
                 })
                 .collect(),
             Task::Time(span) => {
@@ -111,17 +103,13 @@ impl Case {
 
     /// The independent variables at a station of the task.
     pub fn place(&self, station: &[f64]) -> Vec<f64> {
-        match &self.task {
+        match &self.moved.task {
             Task::Time(_) => {
                 let time = station.first().copied().unwrap_or(f64::NAN);
-                self.run.drive(time).unwrap_or_default()
+                self.moved.run.drive(time).unwrap_or_default()
             }
             Task::Sweep(drivers) => {
-                let mut place = self.standing();
-                for (&index, position) in drivers.iter().zip(station) {
-                    place[index] = *position;
-                }
-                place
+                self.standing_but(drivers.iter().copied().zip(station.iter().copied()))
             }
             Task::Open => self.standing(),
         }
@@ -129,7 +117,51 @@ impl Case {
 
     /// The positions of the drivers where they start.
     pub fn standing(&self) -> Vec<f64> {
-        self.ranges.iter().map(|range| range.start).collect()
+        self.moved.ranges.iter().map(|range| range.start).collect()
+    }
+
+    /// The positions of the drivers where they start, but for some that stand elsewhere.
+    pub fn standing_but(&self, others: impl IntoIterator<Item = (usize, f64)>) -> Vec<f64> {
+        let mut place = self.standing();
+        for (index, position) in others {
+            place[index] = position;
+        }
+        place
+    }
+
+    /// When a driver first has a position, where all of them move in time.
+    ///
+    /// # Errors
+    /// The lowest and the highest position that it has; neither is a number where they do not move in time.
+    pub fn time_of(&self, driver: usize, position: f64) -> Result<f64, (f64, f64)> {
+        let Task::Time(span) = self.moved.task else { return Err((f64::NAN, f64::NAN)) };
+        let at = |time: f64| self.place(&[time]).get(driver).copied().unwrap_or(f64::NAN);
+        span.time_of(at, position)
+    }
+
+    /// An error in words.
+    pub fn tell(&self, error: &ClosureError) -> Told {
+        wording::tell(Names { entry: self.moved.entry, drivers: &self.drivers }, error)
+    }
+
+    /// The task in words.
+    pub fn task_in_words(&self) -> String {
+        let names = |drivers: &[usize]| {
+            let names = drivers.iter().map(|&index| self.drivers[index].name);
+            names.collect::<Vec<_>>().join(" and ")
+        };
+        match &self.moved.task {
+            Task::Sweep(drivers) => format!("positions over {}", names(drivers)),
+            Task::Time(Span::Periodic(period)) => {
+                format!("positions over one period of {} s", number::short(*period))
+            }
+            Task::Time(span) => {
+                let (from, to) = span.limits();
+                let [from, to] = [from, to].map(number::short);
+                format!("positions from {from} s to {to} s")
+            }
+            Task::Open => "positions".to_owned(),
+        }
     }
 
     /// The linkage at the independent variables.
@@ -137,7 +169,7 @@ impl Case {
     /// # Errors
     /// Why it does not get there.
     pub fn at(&self, place: Vec<f64>) -> Result<Sample, ClosureError> {
-        let mut path = self.run.follow(&[place])?;
+        let mut path = self.moved.run.follow(&[place])?;
         match (path.samples.pop(), path.stopped) {
             (Some(sample), None) => Ok(sample),
             (_, Some(error)) => Err(error),
@@ -153,7 +185,7 @@ impl Case {
     /// Why it cannot be put together.
     pub fn follow(&self, stations: &[Vec<f64>]) -> Result<Path, ClosureError> {
         let places: Vec<_> = stations.iter().map(|station| self.place(station)).collect();
-        self.run.follow(&places)
+        self.moved.run.follow(&places)
     }
 
     /// The values of the variables, SI units.
@@ -171,26 +203,6 @@ impl Case {
         let values = self.variables.iter().map(value);
         values.map(|value| value.unwrap_or(f64::NAN)).collect()
     }
-
-    /// Positions of drivers in words, `phi4 = 90 deg`.
-    pub fn label(&self, independents: &[f64]) -> String {
-        label(&self.drivers, independents)
-    }
-}
-
-/// Positions of drivers in words, `phi4 = 90 deg`.
-pub fn label(drivers: &[Quantity], independents: &[f64]) -> String {
-    let parts = drivers
-        .iter()
-        .zip(independents)
-        .map(|(driver, position)| format!("{} = {}", driver.name, amount(driver, *position)));
-    parts.collect::<Vec<_>>().join(", ")
-}
-
-/// A value with its unit, `90 deg`.
-pub fn amount(quantity: &Quantity, value: f64) -> String {
-    let number = number::short(value / quantity.factor);
-    format!("{number} {}", quantity.unit).trim_end().to_owned()
 }
 
 /// A driver as it is shown: nobody reads a crank angle in radians.

@@ -1,7 +1,6 @@
-//! The positions of a linkage as comma-separated values: one heading with names and units, one row a position, no
-//! comments. Columns: the time if it runs, the drivers, every variable, the transmission angle of each group; empty cells
-//! where the linkage does not get. With `--rows limits` its limits instead, one number a row.
+//! A linkage as comma-separated values.
 
+use assur::closure::Group;
 use assur::registry::Sample;
 
 use super::case::Task;
@@ -9,29 +8,26 @@ use super::group;
 use super::reach;
 use super::report::Report;
 use super::search::Extreme;
-use crate::csv::{cell, title};
-use crate::unit;
-use crate::values::TIME;
+use crate::ask::values::TIME;
+use crate::ask::variables::Variable;
+use crate::show::csv::{cell, cells, line, title, titles};
+use crate::show::unit;
 
-/// The whole table; a scene without a task gives the places of `--at`.
+/// The positions over the task, one a row; a scene without a task gives the places of `--at`. Columns: the time if it runs,
+/// the drivers, every variable, the transmission angle of each group; empty cells where the linkage does not get.
 pub fn render(report: &Report) -> String {
     let case = &report.case;
-    let timed = matches!(case.task, Task::Time(_));
-    let mut heading = Vec::new();
-    if timed {
-        heading.push(title(TIME.name, TIME.unit));
-    }
-    heading.extend(case.drivers.iter().map(|driver| title(driver.name, driver.unit)));
-    heading.extend(case.variables.iter().map(|one| title(&one.name, &one.unit)));
-    for (_, of_group) in transmitting(report) {
-        let name = format!("transmission({})", group::equations(case.entry, of_group));
-        heading.push(title(&name, "deg"));
-    }
-    let mut text = heading.join(",") + "\n";
-    for line in &report.lines {
-        for (station, sample) in line.stations.iter().zip(&line.samples) {
-            let time = timed.then(|| station.first().copied()).flatten();
-            text += &row(report, time, &case.place(station), sample.as_ref());
+    let variables = case.variables.iter().map(|one| title(&one.name, &one.unit));
+    let angles = transmitting(report).map(|(_, of_group)| {
+        let loops = group::equations(case.moved.entry, of_group);
+        title(&format!("transmission({loops})"), "deg")
+    });
+    let drivers = titles(&case.drivers);
+    let mut text =
+        line(time_title(report).into_iter().chain(drivers).chain(variables).chain(angles));
+    for along in &report.lines {
+        for (station, sample) in along.stations.iter().zip(&along.samples) {
+            text += &row(report, time(report, station), &case.place(station), sample.as_ref());
         }
     }
     if report.lines.is_empty() {
@@ -42,49 +38,28 @@ pub fn render(report: &Report) -> String {
     text
 }
 
-/// Extremes, strokes, limit positions and the reach of the drivers: one row for each number.
+/// The heading of the time, where the drivers move in it.
+fn time_title(report: &Report) -> Option<String> {
+    let is_timed = matches!(report.case.moved.task, Task::Time(_));
+    is_timed.then(|| title(TIME.name, TIME.unit))
+}
+
+/// The time of a station, where the drivers move in it.
+fn time(report: &Report, station: &[f64]) -> Option<f64> {
+    let is_timed = matches!(report.case.moved.task, Task::Time(_));
+    station.first().copied().filter(|_| is_timed)
+}
+
+/// Extremes, strokes, limit positions and the reach of the drivers: one row for each number, with the name, the unit, what it
+/// is, and where.
 pub fn limits(report: &Report) -> String {
     let case = &report.case;
-    let timed = matches!(case.task, Task::Time(_));
-    let drivers = case.drivers.iter();
-    let time = timed.then(|| title(TIME.name, TIME.unit));
     let heading = ["name", "unit", "what", "value"].map(str::to_owned);
-    let heading: Vec<_> = heading
-        .into_iter()
-        .chain(time)
-        .chain(drivers.map(|driver| title(driver.name, driver.unit)))
-        .collect();
-    let mut text = heading.join(",") + "\n";
-    let empty = || vec![String::new(); case.drivers.len() + usize::from(timed)];
-    let at = |extreme: &Extreme| {
-        let time = timed.then(|| extreme.station.first().copied()).flatten();
-        let time = time.into_iter().map(cell);
-        let drivers = case.drivers.iter().zip(&extreme.independents);
-        time.chain(drivers.map(|(driver, position)| cell(unit::stated(*position, driver.factor))))
-            .collect()
-    };
-    let mut row = |(name, unit): (&str, &str), what: &str, value: f64, at: Vec<String>| {
-        let start = [title(name, ""), unit.to_owned(), what.to_owned(), bounded(value)];
-        text += &(start.into_iter().chain(at).collect::<Vec<_>>().join(",") + "\n");
-    };
+    let heading = heading.into_iter().chain(time_title(report)).chain(titles(&case.drivers));
+    let mut text = line(heading);
     for (variable, limits) in case.variables.iter().zip(&report.limits) {
-        let Some((low, high)) = limits else { continue };
-        let named = (variable.name.as_str(), variable.unit.as_str());
-        row(named, "minimum", variable.in_unit(low.value), at(low));
-        row(named, "maximum", variable.in_unit(high.value), at(high));
-        let stroke = variable.in_unit(high.value - low.value);
-        row(named, "stroke", stroke, empty());
-        let Some(stroke) = reach::stroke(case, report.strokes.as_ref(), variable) else {
-            continue;
-        };
-        for turn in reach::turns(case, stroke) {
-            let value = variable.in_unit(turn.place.value);
-            row(named, turn.kind(), value, at(&turn.place));
-        }
-        for gap in reach::gaps(case, stroke) {
-            let [before, after] = [gap.place.value, gap.after].map(|one| variable.in_unit(one));
-            row(named, &format!("before {}", gap.kind()), before, at(&gap.place));
-            row(named, &format!("after {}", gap.kind()), after, at(&gap.place));
+        if let Some((low, high)) = limits {
+            text += &of_variable(report, variable, (low, high));
         }
     }
     for reach in &report.reach {
@@ -97,10 +72,50 @@ pub fn limits(report: &Report) -> String {
                 (false, None) => format!("reach {word}"),
             };
             let value = unit::stated(end.at, driver.factor);
-            row((driver.name, driver.unit), &what, value, empty());
+            text += &limit(report, (driver.name, driver.unit), &what, value, None);
         }
     }
     text
+}
+
+/// All rows of a variable.
+fn of_variable(report: &Report, variable: &Variable, (low, high): (&Extreme, &Extreme)) -> String {
+    let case = &report.case;
+    let row = |what: &str, value: f64, at: Option<&Extreme>| {
+        let named = (variable.name.as_str(), variable.unit.as_str());
+        limit(report, named, what, variable.in_unit(value), at)
+    };
+    let mut text = row("minimum", low.value, Some(low))
+        + &row("maximum", high.value, Some(high))
+        + &row("stroke", high.value - low.value, None);
+    if let Some(stroke) = reach::stroke(case, report.strokes.as_ref(), variable) {
+        for turn in reach::turns(case, stroke) {
+            text += &row(turn.kind(), turn.place.value, Some(&turn.place));
+        }
+        for gap in reach::gaps(case, stroke) {
+            text += &row(&format!("before {}", gap.kind()), gap.place.value, Some(&gap.place));
+            text += &row(&format!("after {}", gap.kind()), gap.after, Some(&gap.place));
+        }
+    }
+    text
+}
+
+/// A row of [`limits`].
+fn limit(
+    report: &Report,
+    (name, unit): (&str, &str),
+    what: &str,
+    value: f64,
+    at: Option<&Extreme>,
+) -> String {
+    let drivers = &report.case.drivers;
+    let empty = || vec![String::new(); drivers.len() + time_title(report).iter().len()];
+    let place = at.map_or_else(empty, |at| {
+        let time = time(report, &at.station).map(cell).into_iter();
+        time.chain(cells(drivers, &at.independents)).collect()
+    });
+    let start = [title(name, ""), unit.to_owned(), what.to_owned(), bounded(value)];
+    line(start.into_iter().chain(place))
 }
 
 /// A number, `inf` or `-inf` beyond all bounds.
@@ -113,25 +128,22 @@ fn bounded(value: f64) -> String {
 
 fn row(report: &Report, time: Option<f64>, place: &[f64], sample: Option<&Sample>) -> String {
     let case = &report.case;
-    let mut cells: Vec<_> = time.into_iter().map(cell).collect();
-    let drivers = case.drivers.iter().zip(place);
-    cells.extend(drivers.map(|(driver, position)| cell(unit::stated(*position, driver.factor))));
     let values = match sample {
         Some(sample) => case.values(sample),
         None => vec![f64::NAN; case.variables.len()],
     };
     let variables = case.variables.iter().zip(values);
-    cells.extend(variables.map(|(variable, value)| cell(variable.in_unit(value))));
+    let variables = variables.map(|(variable, value)| cell(variable.in_unit(value)));
     let angles = transmitting(report).map(|(index, _)| match sample {
         Some(sample) => cell(group::transmission(sample.sines[index])),
         None => String::new(),
     });
-    cells.extend(angles);
-    cells.join(",") + "\n"
+    let drivers = cells(&case.drivers, place);
+    line(time.into_iter().map(cell).chain(drivers).chain(variables).chain(angles))
 }
 
 /// The groups that have a transmission angle.
-fn transmitting(report: &Report) -> impl Iterator<Item = (usize, &'static assur::closure::Group)> {
-    let groups = report.case.entry.groups.iter().enumerate();
+fn transmitting(report: &Report) -> impl Iterator<Item = (usize, &'static Group)> {
+    let groups = report.case.moved.entry.groups.iter().enumerate();
     groups.filter(|(_, of_group)| group::transmits(of_group))
 }

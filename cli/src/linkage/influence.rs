@@ -4,7 +4,7 @@ use assur::closure::Variable;
 use assur::shape::Quantity;
 
 use super::case::Case;
-use crate::variables::Variable as Result;
+use crate::ask::variables::Variable as Result;
 
 /// Influence coefficients at one place.
 #[derive(Clone, Debug)]
@@ -20,7 +20,7 @@ pub fn at(case: &Case, place: &[f64]) -> Vec<Influence> {
     let Ok(values) = case.run().influence(place) else {
         return Vec::new();
     };
-    let variables = case.entry.variables;
+    let variables = case.moved.entry.variables;
     let of = |wanted: bool| {
         let values = &values;
         let list = variables.iter().enumerate();

@@ -1,297 +1,522 @@
-//! The answer of `assur run --format json` about a linkage: one object, with the fields of [`crate::json`] as far as they
-//! make sense, and these.
-//!
-//! | field | contents |
-//! |---|---|
-//! | `drivers` | each `name`, `unit`, `from`, `to`, `start` |
-//! | `task` | `kind` (`sweep`, `periodic`, `run` or `open`); of a sweep `over`, the names of its drivers, else `from`, `to`, `unit` of the time |
-//! | `status` | `"complete"`; `"stopped"` when positions of the task are not reached (`stopped` says why, the exit code is 1); or `"incomplete"` when a value below is null because it is not a finite number |
-//! | `stopped` | each `place`, `reason` |
-//! | `note` | that the linkage is put together far from the start values of its file, in words; or null |
-//! | `results` | each `name`, `unit`, and `minimum` and `maximum` over the task, each with `value` and `at` (`drivers`; `time` if it runs; `unbounded` beside a null `value` at a pole), `stroke`, `limit_positions` where it turns round inside a task with one axis (each `kind`, `value`, `at`; null over a grid), and `breaks` (each `kind`: `jump`, `pole` or `end` of what has a value, `before`, `after`, `at`; `"inf"` or `"-inf"` beyond all bounds) |
-//! | `positions` | at round positions, each `drivers` (`name`, `unit`, `value`), `time` if it runs, `results` (`name`, `unit`, `value`; null where the linkage does not get) |
-//! | `transmission` | for each group that has one `loops`, `unknowns`, `kind`, `smallest_angle`, `unit`, `at` |
-//! | `reach` | how far each driver goes in this assembly mode: `driver`, `unit`, `turns` (all round), `low` and `high` (`at`, `dead_point`: the loops, or null), or `reason` |
-//! | `events` | each `place`, `event` in words |
-//! | `at` | for each `--at`: `place` in words, `time`, `drivers`, `outside` (drivers outside of their ranges, in words), `results`, `transmission` (`loops`, `angle`, `unit`), `influence` (each `by`, `of`, `unit`, `value`) |
-//! | `statistics` | `positions`, `reached`, `seconds`, `seconds_with_limits`, `largest_gap` (`loop`, `value`, `unit`) |
+//! A linkage as an object.
 
 use std::path::Path;
 
-use assur::closure::End;
+use assur::closure;
 use assur::problem::Span;
 use assur::registry::Sample;
-use serde_json::{Map, Value, json};
+use serde::Serialize;
 
 use super::case::{Case, Task};
-use super::group;
 use super::influence::unit_of;
-use super::reach;
+use super::reach::{self, Gap};
 use super::report::{Report, Snapshot};
-use super::search::Extreme;
-use crate::json::{FORMAT, compared, mechanism, parameters, scene};
-use crate::unit;
-use crate::variables::Variable;
+use super::{group, search};
+use crate::ask::variables::Variable;
+use crate::run::{Found, Run};
+use crate::show::json::{About, Amount, Number, Published, number, path};
+use crate::show::unit;
 
-/// The object, with its last line ended.
-pub fn render(report: &Report, figure: Option<&Path>) -> String {
-    let case = &report.case;
-    let positions = positions(report);
-    let places: Vec<_> = report.places.iter().map(|place| snapshot(case, place)).collect();
-    let lacks = |one: &Value| {
-        let results = one["results"].as_array();
-        results.is_some_and(|list| list.iter().any(|result| result["value"].is_null()))
-    };
-    let status = match (report.is_complete(), positions.iter().chain(&places).any(lacks)) {
-        (false, _) => "stopped",
-        (true, true) => "incomplete",
-        (true, false) => "complete",
-    };
-    let stopped = report.stops.iter();
-    let stopped = stopped.map(|stop| json!({ "place": stop.place, "reason": stop.reason }));
-    let events = report.met.iter();
-    let events = events.map(|(place, event)| json!({ "place": place, "event": event }));
-    let object = json!({
-        "format": FORMAT,
-        "mechanism": mechanism(report.mechanism),
-        "scene": scene(&case.constants),
-        "parameters": parameters(&case.constants),
-        "drivers": drivers(case),
-        "task": task(case),
-        "status": status,
-        "stopped": stopped.collect::<Vec<_>>(),
-        "note": report.note,
-        "results": limits(report),
-        "positions": positions,
-        "transmission": transmissions(report),
-        "reach": reaches(report),
-        "events": events.collect::<Vec<_>>(),
-        "at": places,
-        "published": report.published.iter().map(compared).collect::<Vec<_>>(),
-        "statistics": statistics(report),
-        "figure": figure.map(|path| path.display().to_string()),
-    });
-    // A `Value` has only text keys and finite numbers, so printing it cannot fail.
-    serde_json::to_string_pretty(&object).unwrap_or_default() + "\n"
+/// What is found of a linkage.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct Linkage {
+    drivers: Vec<Driver>,
+    task: Duty,
+    status: Status,
+    /// Where the way ends.
+    stopped: Vec<Stop>,
+    /// That it is put together far from the start values of its file, in words.
+    note: Option<String>,
+    /// The limits of every variable over the task.
+    results: Vec<Limits>,
+    /// At round positions.
+    positions: Vec<Position>,
+    /// For each group that has a transmission angle.
+    transmission: Vec<Transmission>,
+    /// How far each driver goes in this assembly mode.
+    reach: Vec<Reach>,
+    /// What was met on the way.
+    events: Vec<Met>,
+    /// Everything at each `--at`.
+    at: Vec<Place>,
+    statistics: Statistics,
 }
 
-fn drivers(case: &Case) -> Value {
-    let drivers = case.drivers.iter().zip(&case.ranges);
-    let one = drivers.map(|(driver, range)| {
-        json!({
-            "name": driver.name,
-            "unit": driver.unit,
-            "from": unit::stated(range.from, driver.factor),
-            "to": unit::stated(range.to, driver.factor),
-            "start": unit::stated(range.start, driver.factor),
-        })
-    });
-    one.collect()
+/// A driver and its range.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct Driver {
+    name: &'static str,
+    unit: &'static str,
+    from: Number,
+    to: Number,
+    start: Number,
 }
 
-fn task(case: &Case) -> Value {
-    match &case.task {
-        Task::Sweep(drivers) => {
-            let names = drivers.iter().map(|&index| case.drivers[index].name);
-            json!({ "kind": "sweep", "over": names.collect::<Vec<_>>() })
-        }
-        Task::Time(span) => {
-            let (from, to) = span.limits();
-            let kind = if matches!(span, Span::Periodic(_)) { "periodic" } else { "run" };
-            json!({ "kind": kind, "from": from, "to": to, "unit": "s" })
-        }
-        Task::Open => json!({ "kind": "open" }),
-    }
+/// What is done.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(tag = "kind", rename_all = "snake_case")]
+enum Duty {
+    /// Drivers go over their ranges.
+    Sweep {
+        /// Their names.
+        over: Vec<&'static str>,
+    },
+    /// Drivers move in time, over one period.
+    Periodic(Times),
+    /// Drivers move in time.
+    Run(Times),
+    /// Nothing but the places that are asked for.
+    Open,
 }
 
-fn positions(report: &Report) -> Vec<Value> {
-    let case = &report.case;
-    let stations = report.rows.iter().flat_map(|line| line.stations.iter().zip(&line.samples));
-    let one = stations.map(|(station, sample)| {
-        let mut object = place(case, station, &case.place(station));
-        object.insert("results".to_owned(), results(case, sample.as_ref()));
-        Value::Object(object)
-    });
-    one.collect()
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Times {
+    from: f64,
+    to: f64,
+    unit: &'static str,
 }
 
-/// Positions of the drivers, and the time if it runs.
-fn place(case: &Case, station: &[f64], independents: &[f64]) -> Map<String, Value> {
-    let drivers = case.drivers.iter().zip(independents).map(|(driver, position)| {
-        json!({ "name": driver.name, "unit": driver.unit, "value": unit::stated(*position, driver.factor) })
-    });
-    let mut object = Map::new();
-    object.insert("drivers".to_owned(), drivers.collect());
-    if let Task::Time(_) = case.task {
-        object.insert("time".to_owned(), json!(station.first()));
-    }
-    object
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+enum Status {
+    Complete,
+    /// Positions of the task are not reached; the exit code is 1.
+    Stopped,
+    /// A value of `positions` or `at` is null because it is not a finite number.
+    Incomplete,
 }
 
-fn results(case: &Case, sample: Option<&Sample>) -> Value {
-    let values = sample.map(|sample| case.values(sample));
-    let variables = case.variables.iter().enumerate().map(|(index, variable)| {
-        json!({
-            "name": variable.name,
-            "unit": variable.unit,
-            "value": values.as_ref().map(|values| variable.in_unit(values[index])),
-        })
-    });
-    variables.collect()
+/// Why positions are not reached.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Stop {
+    place: String,
+    reason: String,
 }
 
-fn at(case: &Case, extreme: &Extreme) -> Value {
-    Value::Object(place(case, &extreme.station, &extreme.independents))
+/// The limits of a variable over the task.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Limits {
+    name: String,
+    unit: String,
+    minimum: Option<Extreme>,
+    maximum: Option<Extreme>,
+    stroke: Number,
+    /// Where it turns round inside a task with one axis; null over a grid.
+    limit_positions: Option<Vec<Turn>>,
+    /// Where it jumps, goes beyond all bounds or has no value; null over a grid.
+    breaks: Option<Vec<Break>>,
 }
 
-fn limits(report: &Report) -> Value {
-    let case = &report.case;
-    let variables = case.variables.iter().zip(&report.limits);
-    let one = variables.map(|(variable, limits)| {
-        let end = |extreme: Option<&Extreme>| match extreme {
-            Some(one) => json!({
-                "value": variable.in_unit(one.value),
-                "unbounded": one.value.is_infinite(),
-                "at": at(case, one),
-            }),
-            None => Value::Null,
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Extreme {
+    /// Null beyond all bounds.
+    value: Number,
+    unbounded: bool,
+    at: Drivers,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Turn {
+    /// `highest` or `lowest`.
+    kind: &'static str,
+    value: Number,
+    at: Drivers,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Break {
+    /// `jump`, `pole` or `end` of what has a value.
+    kind: &'static str,
+    before: Side,
+    after: Side,
+    at: Drivers,
+}
+
+/// What a variable tends to.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(untagged)]
+enum Side {
+    Value(Number),
+    /// Beyond all bounds: `inf` or `-inf`.
+    Infinite(&'static str),
+}
+
+/// Where the drivers stand.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Drivers {
+    drivers: Vec<Amount>,
+    /// Where they move in time.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    time: Option<f64>,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Position {
+    #[serde(flatten)]
+    place: Drivers,
+    /// Values are null where the linkage does not get.
+    results: Vec<Amount>,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Transmission {
+    loops: String,
+    unknowns: String,
+    kind: &'static str,
+    smallest_angle: Number,
+    unit: &'static str,
+    at: Drivers,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Reach {
+    driver: &'static str,
+    unit: &'static str,
+    /// Whether it turns all round.
+    turns: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    low: Option<End>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    high: Option<End>,
+    /// Why the ends are not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct End {
+    at: Number,
+    /// The loops whose dead point it is; null where it goes farther.
+    dead_point: Option<String>,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Met {
+    place: String,
+    /// In words.
+    event: String,
+}
+
+/// Everything at a place that was asked for.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Place {
+    /// In words.
+    place: String,
+    #[serde(flatten)]
+    at: Drivers,
+    /// Drivers outside of their ranges, in words.
+    outside: Vec<String>,
+    results: Vec<Amount>,
+    transmission: Vec<Angle>,
+    influence: Vec<Influence>,
+}
+
+/// A transmission angle.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Angle {
+    loops: String,
+    angle: Number,
+    unit: &'static str,
+}
+
+/// What a driver or dimension does to an output.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Influence {
+    by: &'static str,
+    of: String,
+    unit: String,
+    value: Number,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Statistics {
+    positions: usize,
+    reached: usize,
+    seconds: f64,
+    seconds_with_limits: f64,
+    /// What is left of the loop equation that is closed worst.
+    largest_gap: Option<Residual>,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct Residual {
+    r#loop: &'static str,
+    value: Number,
+    unit: &'static str,
+}
+
+/// The object.
+pub fn run(report: &Report, figure: Option<&Path>) -> Run {
+    Run::new(
+        About::of(&report.case.constants),
+        Found::Linkage(Box::new(Linkage::of(report))),
+        Published::all(&report.published),
+        path(figure),
+    )
+}
+
+impl Linkage {
+    fn of(report: &Report) -> Self {
+        let case = &report.case;
+        let stations = report.rows.iter().flat_map(|line| line.stations.iter().zip(&line.samples));
+        let position = |(station, sample): (&Vec<f64>, &Option<Sample>)| Position {
+            place: Drivers::of(case, station, &case.place(station)),
+            results: results(case, sample.as_ref()),
         };
-        json!({
-            "name": variable.name,
-            "unit": variable.unit,
-            "minimum": end(limits.as_ref().map(|limits| &limits.0)),
-            "maximum": end(limits.as_ref().map(|limits| &limits.1)),
-            "stroke": limits.as_ref().map(|(low, high)| variable.in_unit(high.value - low.value)),
-            "limit_positions": turns(report, variable),
-            "breaks": breaks(report, variable),
-        })
-    });
-    one.collect()
+        let positions: Vec<_> = stations.map(position).collect();
+        let at: Vec<_> = report.places.iter().map(|place| Place::of(case, place)).collect();
+        let all = positions.iter().map(|one| &one.results).chain(at.iter().map(|one| &one.results));
+        let status = match (report.is_complete(), all.flatten().all(|one| one.value.is_some())) {
+            (false, _) => Status::Stopped,
+            (true, false) => Status::Incomplete,
+            (true, true) => Status::Complete,
+        };
+        let stop = |(place, reason): (&String, &String)| Stop {
+            place: place.clone(),
+            reason: reason.clone(),
+        };
+        let met =
+            |(place, event): &(String, String)| Met { place: place.clone(), event: event.clone() };
+        Self {
+            drivers: Driver::all(case),
+            task: Duty::of(case),
+            status,
+            stopped: report.stops.iter().map(|one| stop((&one.place, &one.reason))).collect(),
+            note: report.note.clone(),
+            results: Limits::all(report),
+            positions,
+            transmission: transmissions(report),
+            reach: reaches(report),
+            events: report.met.iter().map(met).collect(),
+            at,
+            statistics: Statistics::of(report),
+        }
+    }
 }
 
-/// Where a variable turns round, null unless the task has one axis.
-fn turns(report: &Report, variable: &Variable) -> Value {
-    let case = &report.case;
-    let Some(stroke) = reach::stroke(case, report.strokes.as_ref(), variable) else {
-        return Value::Null;
-    };
-    let turns = reach::turns(case, stroke).into_iter().map(|turn| {
-        json!({
-            "kind": turn.kind(),
-            "value": variable.in_unit(turn.place.value),
-            "at": at(case, &turn.place),
-        })
-    });
-    turns.collect()
+impl Driver {
+    /// All drivers with their ranges.
+    pub fn all(case: &Case) -> Vec<Self> {
+        let starts = case.standing().into_iter().map(Some);
+        Self::starting(case, starts)
+    }
+
+    /// All drivers with their ranges, each starting at a position, SI units.
+    pub fn starting(case: &Case, starts: impl Iterator<Item = Option<f64>>) -> Vec<Self> {
+        let drivers = case.drivers.iter().zip(&case.moved.ranges).zip(starts);
+        let one = drivers.map(|((driver, range), start)| {
+            let stated = |value: f64| number(unit::stated(value, driver.factor));
+            Self {
+                name: driver.name,
+                unit: driver.unit,
+                from: stated(range.from),
+                to: stated(range.to),
+                start: start.and_then(stated),
+            }
+        });
+        one.collect()
+    }
 }
 
-/// Where a variable jumps, goes beyond all bounds or has no value, null unless the task has one axis.
-fn breaks(report: &Report, variable: &Variable) -> Value {
-    let case = &report.case;
-    let Some(stroke) = reach::stroke(case, report.strokes.as_ref(), variable) else {
-        return Value::Null;
-    };
-    let side = |value: f64| match value {
-        f64::INFINITY => json!("inf"),
-        f64::NEG_INFINITY => json!("-inf"),
-        value => json!(variable.in_unit(value)),
-    };
-    let gaps = reach::gaps(case, stroke).into_iter().map(|gap| {
-        json!({
-            "kind": gap.kind(),
-            "before": side(gap.place.value),
-            "after": side(gap.after),
-            "at": at(case, &gap.place),
-        })
-    });
-    gaps.collect()
+impl Duty {
+    fn of(case: &Case) -> Self {
+        let times = |span: &Span| {
+            let (from, to) = span.limits();
+            Times { from, to, unit: "s" }
+        };
+        match &case.moved.task {
+            Task::Sweep(drivers) => {
+                let names = drivers.iter().map(|&index| case.drivers[index].name);
+                Self::Sweep { over: names.collect() }
+            }
+            Task::Time(span @ Span::Periodic(_)) => Self::Periodic(times(span)),
+            Task::Time(span) => Self::Run(times(span)),
+            Task::Open => Self::Open,
+        }
+    }
 }
 
-fn reaches(report: &Report) -> Value {
+impl Drivers {
+    /// The drivers at a station of the task.
+    fn of(case: &Case, station: &[f64], independents: &[f64]) -> Self {
+        let is_timed = matches!(case.moved.task, Task::Time(_));
+        Self {
+            drivers: Amount::all(&case.drivers, independents),
+            time: station.first().copied().filter(|_| is_timed),
+        }
+    }
+
+    fn at(case: &Case, extreme: &search::Extreme) -> Self {
+        Self::of(case, &extreme.station, &extreme.independents)
+    }
+}
+
+fn results(case: &Case, sample: Option<&Sample>) -> Vec<Amount> {
+    let values = sample.map(|sample| case.values(sample));
+    Amount::results(&case.variables, values.as_deref())
+}
+
+impl Limits {
+    fn all(report: &Report) -> Vec<Self> {
+        let variables = report.case.variables.iter().zip(&report.limits);
+        variables.map(|(variable, limits)| Self::of(report, variable, limits.as_ref())).collect()
+    }
+
+    fn of(
+        report: &Report,
+        variable: &Variable,
+        limits: Option<&(search::Extreme, search::Extreme)>,
+    ) -> Self {
+        let case = &report.case;
+        let end = |one: &search::Extreme| Extreme {
+            value: number(variable.in_unit(one.value)),
+            unbounded: one.value.is_infinite(),
+            at: Drivers::at(case, one),
+        };
+        let stroke = reach::stroke(case, report.strokes.as_ref(), variable);
+        let turn = |turn: reach::Turn| Turn {
+            kind: turn.kind(),
+            value: number(variable.in_unit(turn.place.value)),
+            at: Drivers::at(case, &turn.place),
+        };
+        let gap = |gap: Gap| Break {
+            kind: gap.kind(),
+            before: Side::of(variable, gap.place.value),
+            after: Side::of(variable, gap.after),
+            at: Drivers::at(case, &gap.place),
+        };
+        Self {
+            name: variable.name.clone(),
+            unit: variable.unit.clone(),
+            minimum: limits.map(|(low, _)| end(low)),
+            maximum: limits.map(|(_, high)| end(high)),
+            stroke: limits.and_then(|(low, high)| number(variable.in_unit(high.value - low.value))),
+            limit_positions: stroke
+                .map(|stroke| reach::turns(case, stroke).into_iter().map(turn).collect()),
+            breaks: stroke.map(|stroke| reach::gaps(case, stroke).into_iter().map(gap).collect()),
+        }
+    }
+}
+
+impl Side {
+    fn of(variable: &Variable, value: f64) -> Self {
+        match value {
+            f64::INFINITY => Self::Infinite("inf"),
+            f64::NEG_INFINITY => Self::Infinite("-inf"),
+            value => Self::Value(number(variable.in_unit(value))),
+        }
+    }
+}
+
+fn reaches(report: &Report) -> Vec<Reach> {
     let case = &report.case;
     let one = report.reach.iter().map(|reach| {
         let driver = &case.drivers[reach.driver];
-        let end = |end: &End| {
-            let dead = end.dead.and_then(|index| case.entry.groups.get(index));
-            json!({
-                "at": unit::stated(end.at, driver.factor),
-                "dead_point": dead.map(|of_group| group::equations(case.entry, of_group)),
-            })
-        };
-        let mut object =
-            json!({ "driver": driver.name, "unit": driver.unit, "turns": reach.turns });
-        match &reach.stretch {
-            Ok(found) => {
-                object["low"] = end(&found.low);
-                object["high"] = end(&found.high);
+        let end = |end: &closure::End| {
+            let dead = end.dead.and_then(|index| case.moved.entry.groups.get(index));
+            End {
+                at: number(unit::stated(end.at, driver.factor)),
+                dead_point: dead.map(|of_group| group::equations(case.moved.entry, of_group)),
             }
-            Err(told) => object["reason"] = json!(told.reason),
+        };
+        let found = reach.stretch.as_ref();
+        Reach {
+            driver: driver.name,
+            unit: driver.unit,
+            turns: reach.turns,
+            low: found.ok().map(|found| end(&found.low)),
+            high: found.ok().map(|found| end(&found.high)),
+            reason: found.err().map(|told| told.reason.clone()),
         }
-        object
     });
     one.collect()
 }
 
-fn transmissions(report: &Report) -> Value {
-    let entry = report.case.entry;
+fn transmissions(report: &Report) -> Vec<Transmission> {
+    let entry = report.case.moved.entry;
     let one = report.transmissions.iter().map(|(index, worst)| {
         let of_group = &entry.groups[*index];
-        json!({
-            "loops": group::equations(entry, of_group),
-            "unknowns": group::unknowns(entry, of_group),
-            "kind": group::kind(of_group.kind),
-            "smallest_angle": group::transmission(worst.value),
-            "unit": "deg",
-            "at": at(&report.case, worst),
-        })
+        Transmission {
+            loops: group::equations(entry, of_group),
+            unknowns: group::unknowns(entry, of_group),
+            kind: group::kind(of_group.kind),
+            smallest_angle: number(group::transmission(worst.value)),
+            unit: "deg",
+            at: Drivers::at(&report.case, worst),
+        }
     });
     one.collect()
 }
 
-fn snapshot(case: &Case, snapshot: &Snapshot) -> Value {
-    let time: Vec<_> = snapshot.place.time.into_iter().collect();
-    let mut object = Map::new();
-    object.insert("place".to_owned(), json!(snapshot.place.label));
-    object.extend(place(case, &time, &snapshot.place.independents));
-    object.insert("outside".to_owned(), json!(snapshot.place.outside));
-    object.insert("results".to_owned(), results(case, Some(&snapshot.sample)));
-    let groups = case.entry.groups.iter().zip(&snapshot.sample.sines);
-    let groups = groups.filter(|(of_group, _)| group::transmits(of_group));
-    let angles = groups.map(|(of_group, sine)| {
-        json!({
-            "loops": group::equations(case.entry, of_group),
-            "angle": group::transmission(*sine),
-            "unit": "deg",
-        })
-    });
-    object.insert("transmission".to_owned(), angles.collect());
-    let coefficients = snapshot.influence.iter().flat_map(|row| {
-        let outputs = case.variables.iter().zip(&row.values);
-        outputs.map(|(output, value)| {
-            let (unit, factor) = unit_of(output, &row.variable);
-            json!({
-                "by": row.variable.name,
-                "of": output.name,
-                "unit": unit,
-                "value": unit::stated(*value, factor),
+impl Place {
+    fn of(case: &Case, snapshot: &Snapshot) -> Self {
+        let time: Vec<_> = snapshot.place.time.into_iter().collect();
+        let entry = case.moved.entry;
+        let groups = entry.groups.iter().zip(&snapshot.sample.sines);
+        let angles = groups.filter(|(of_group, _)| group::transmits(of_group));
+        let angles = angles.map(|(of_group, sine)| Angle {
+            loops: group::equations(entry, of_group),
+            angle: number(group::transmission(*sine)),
+            unit: "deg",
+        });
+        let coefficients = snapshot.influence.iter().flat_map(|row| {
+            let outputs = case.variables.iter().zip(&row.values);
+            outputs.map(|(output, value)| {
+                let (unit, factor) = unit_of(output, &row.variable);
+                let (by, of) = (row.variable.name, output.name.clone());
+                Influence { by, of, unit, value: number(unit::stated(*value, factor)) }
             })
-        })
-    });
-    object.insert("influence".to_owned(), coefficients.collect());
-    Value::Object(object)
+        });
+        Self {
+            place: snapshot.place.label.clone(),
+            at: Drivers::of(case, &time, &snapshot.place.independents),
+            outside: snapshot.place.outside.clone(),
+            results: results(case, Some(&snapshot.sample)),
+            transmission: angles.collect(),
+            influence: coefficients.collect(),
+        }
+    }
 }
 
-fn statistics(report: &Report) -> Value {
-    let cost = &report.cost;
-    let gap = cost.gap.map(|(index, gap)| {
-        let of = &report.case.entry.loops[index];
-        json!({ "loop": of.name, "value": unit::stated(gap, of.factor), "unit": of.unit })
-    });
-    json!({
-        "positions": cost.positions,
-        "reached": cost.reached,
-        "seconds": cost.closing,
-        "seconds_with_limits": cost.total,
-        "largest_gap": gap,
-    })
+impl Residual {
+    /// What is left of a loop equation, SI units.
+    pub fn of(case: &Case, index: usize, left: f64) -> Self {
+        let of = &case.moved.entry.loops[index];
+        Self { r#loop: of.name, value: number(unit::stated(left, of.factor)), unit: of.unit }
+    }
+}
+
+impl Statistics {
+    fn of(report: &Report) -> Self {
+        let cost = &report.cost;
+        Self {
+            positions: cost.positions,
+            reached: cost.reached,
+            seconds: cost.closing,
+            seconds_with_limits: cost.total,
+            largest_gap: cost.gap.map(|(index, gap)| Residual::of(&report.case, index, gap)),
+        }
+    }
 }

@@ -8,7 +8,7 @@ use assur::problem::Span;
 use assur::registry::Sample;
 
 use super::case::{Axis, Case, Task};
-use crate::round;
+use super::round;
 
 /// Stations that differ in the fastest axis alone.
 pub struct Line {
@@ -99,12 +99,12 @@ impl Case {
 
     /// The station between others at which the driver that moves starts, if there is one.
     fn hub(&self, axis: usize, stations: &[Vec<f64>]) -> Option<Vec<f64>> {
-        let Task::Sweep(drivers) = &self.task else {
+        let Task::Sweep(drivers) = &self.moved.task else {
             return None;
         };
         let (first, last) = (stations.first()?, stations.last()?);
         let mut hub = first.clone();
-        hub[axis] = self.ranges[*drivers.get(axis)?].start;
+        hub[axis] = self.moved.ranges[*drivers.get(axis)?].start;
         let (low, high) = (first[axis].min(last[axis]), first[axis].max(last[axis]));
         (low < hub[axis] && hub[axis] < high).then_some(hub)
     }
@@ -194,7 +194,7 @@ fn a_few(axes: &[Axis]) -> Vec<Vec<f64>> {
 
 /// The times at which the first driver has round positions, if it moves in time and never turns round.
 fn at_round_positions(case: &Case) -> Option<Vec<f64>> {
-    let Task::Time(span) = &case.task else {
+    let Task::Time(span) = &case.moved.task else {
         return None;
     };
     let (from, to) = span.limits();

@@ -5,22 +5,23 @@
 //! | `case` | a linkage with its values, and what its task varies |
 //! | `line`, `search` | the stations of a task, and where something is largest |
 //! | `reach` | how far the drivers go, limit positions and strokes |
-//! | `place`, `influence`, `published` | what `--at` names, influence coefficients, published values |
+//! | `place`, `influence`, `found` | what `--at` names, influence coefficients, what is compared with published values |
 //! | `report` | all of that together |
 //! | `table`, `json`, `csv` | how it is printed |
 //! | `group`, `wording` | groups, errors and events in words |
 
 pub mod case;
 pub mod csv;
+pub mod found;
 pub mod group;
 pub mod influence;
 pub mod json;
 pub mod line;
 pub mod place;
-pub mod published;
+
 pub mod reach;
 pub mod report;
-pub mod run;
+pub mod round;
 pub mod search;
 pub mod table;
 pub mod wording;

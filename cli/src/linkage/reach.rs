@@ -10,8 +10,8 @@ use assur::registry::Sample;
 use super::case::{Case, Task};
 use super::line::Line;
 use super::search::{Extreme, largest, smallest};
-use super::wording::{Names, Told, tell};
-use crate::variables::Variable;
+use crate::ask::variables::Variable;
+use crate::error::Told;
 use assur::shape::Subject;
 
 /// A driver that does not turn is followed so many widths of its range beyond its ends.
@@ -65,7 +65,7 @@ impl Gap {
 
 /// How far each driver goes that has a start position.
 pub fn of(case: &Case) -> Vec<Reach> {
-    if case.standing().iter().any(|start| !start.is_finite()) || case.task == Task::Open {
+    if case.standing().iter().any(|start| !start.is_finite()) || case.moved.task == Task::Open {
         return Vec::new();
     }
     let drivers = 0..case.drivers.len();
@@ -73,7 +73,7 @@ pub fn of(case: &Case) -> Vec<Reach> {
 }
 
 fn of_driver(case: &Case, driver: usize) -> Reach {
-    let range = &case.ranges[driver];
+    let range = &case.moved.ranges[driver];
     let is_angle = case.drivers[driver].unit == "deg";
     let (low, high) = (range.from.min(range.to), range.from.max(range.to));
     let bounds = match is_angle {
@@ -89,10 +89,7 @@ fn of_driver(case: &Case, driver: usize) -> Reach {
     Reach {
         driver,
         turns: stretch.as_ref().is_ok_and(is_free),
-        stretch: stretch.map_err(|error| {
-            let names = Names { entry: case.entry, drivers: &case.drivers };
-            tell(names, &error)
-        }),
+        stretch: stretch.map_err(|error| case.tell(&error)),
     }
 }
 
@@ -104,7 +101,7 @@ pub fn strokes(case: &Case) -> Option<Vec<Stroke>> {
 
 /// What moves the linkage through a task with one axis.
 fn along(case: &Case) -> Option<Along> {
-    match (&case.task, &case.axes()[..]) {
+    match (&case.moved.task, &case.axes()[..]) {
         (Task::Time(_), [axis]) => Some(Along::Time(axis.from, axis.to)),
         (Task::Sweep(drivers), [axis]) => {
             let bounds = (axis.from.min(axis.to), axis.from.max(axis.to));

@@ -1,27 +1,32 @@
 //! Everything that `assur run` has to say about a linkage, as numbers in SI units; how it is printed is decided elsewhere.
 
+use std::path::Path;
 use std::time::Instant;
 
 use assur::closure::{ClosureError, Stroke};
-use assur::problem::Span;
-use assur::registry::{Mechanism, Sample};
+use assur::registry::Sample;
+use serde::Serialize;
 
-use super::case::{Case, Task};
+use super::case::Case;
+use super::found::Found;
 use super::group;
 use super::influence::{self, Influence};
 use super::line::{Grid, Line};
 use super::place::Place;
-use super::published;
 use super::reach::{self, Reach};
 use super::search::{Extreme, smallest};
-use super::wording::{Names, Told, contradiction, event, tell};
-use crate::error::Failure;
-use crate::published::Comparison;
+use super::wording::{Names, contradiction, event};
+use super::{csv, json, table};
+use crate::answer::Answer;
+use crate::arguments::Rows;
+use crate::error::{Failure, Told};
+use crate::plot;
+use crate::published::{self, Comparison};
+use crate::run::Shown;
+use crate::show::page::Page;
 
 /// All results of a run of a linkage.
 pub struct Report {
-    /// The mechanism.
-    pub mechanism: &'static Mechanism,
     /// The linkage with its values.
     pub case: Case,
     /// Finely along the task.
@@ -48,6 +53,8 @@ pub struct Report {
     pub published: Vec<Comparison>,
     /// What it cost.
     pub cost: Cost,
+    /// What is wanted of it.
+    pub shown: Shown,
 }
 
 /// The linkage at one place.
@@ -80,13 +87,30 @@ impl Report {
     pub fn is_complete(&self) -> bool {
         self.stops.is_empty()
     }
+}
 
-    /// Why the linkage does not get everywhere, once everything else is printed.
-    ///
-    /// # Errors
-    /// The reasons.
-    pub fn outcome(self) -> Result<(), Failure> {
-        let mut stops = self.stops.into_iter();
+impl Answer for Report {
+    fn figure(&self) -> Option<String> {
+        (!self.lines.is_empty()).then(|| plot::draw_linkage(self, &self.shown.curves))
+    }
+
+    fn table(&self, page: &mut Page, figure: Option<&Path>) {
+        table::render(page, self, figure);
+    }
+
+    fn csv(&self) -> String {
+        match self.shown.rows {
+            Rows::Limits => csv::limits(self),
+            _ => csv::render(self),
+        }
+    }
+
+    fn json(&self, figure: Option<&Path>) -> impl Serialize {
+        json::run(self, figure)
+    }
+
+    fn outcome(&self) -> Result<(), Failure> {
+        let mut stops = self.stops.iter();
         let Some(first) = stops.next() else {
             return Ok(());
         };
@@ -95,8 +119,8 @@ impl Report {
             self.cost.positions - self.cost.reached,
             self.cost.positions
         );
-        let failure = first.failure(what);
-        Err(stops.take(3).fold(failure, |failure, stop| failure.reason(stop.reason)))
+        let failure = first.clone().failure(what);
+        Err(stops.take(3).fold(failure, |failure, stop| failure.reason(stop.reason.as_str())))
     }
 }
 
@@ -104,46 +128,40 @@ impl Report {
 ///
 /// # Errors
 /// When it cannot be put together, or a place that was asked for is not reached.
-pub fn collect(
-    mechanism: &'static Mechanism,
-    case: Case,
-    places: Vec<Place>,
-) -> Result<Report, Failure> {
-    let names = Names { entry: case.entry, drivers: &case.drivers };
+pub fn collect(case: Case, places: Vec<Place>, shown: Shown) -> Result<Report, Failure> {
     let clock = Instant::now();
-    let apart = |error: ClosureError| {
-        let told = tell(names, &error);
-        told.failure("the linkage cannot be put together")
+    let apart = |case: &Case, error: &ClosureError| {
+        case.tell(error).failure("the linkage cannot be put together")
     };
-    let lines = case.grid(&Grid::fine(&case)).map_err(apart)?;
-    let closing = clock.elapsed().as_secs_f64();
-    let rows = case.grid(&Grid::coarse(&case)).map_err(apart)?;
+    let found = Found::of(case).map_err(|(case, error)| apart(&case, &error))?;
+    let published = published::compare(&found)?;
+    let Found { case, lines, strokes, seconds: closing } = found;
+    let rows = case.grid(&Grid::coarse(&case)).map_err(|error| apart(&case, &error))?;
     let places: Vec<_> =
         places.into_iter().map(|place| snapshot(&case, place)).collect::<Result<_, _>>()?;
-    let strokes = reach::strokes(&case);
     let variables = 0..case.variables.len();
     let limits = variables.map(|index| reach::extremes(&case, &lines, strokes.as_ref(), index));
     let limits = limits.collect();
-    let transmissions = (0..case.entry.groups.len())
-        .filter(|&index| group::transmits(&case.entry.groups[index]))
+    let transmissions = (0..case.moved.entry.groups.len())
+        .filter(|&index| group::transmits(&case.moved.entry.groups[index]))
         .filter_map(|index| {
             let dead = strokes.as_ref().and_then(|_| reach::dead_end(&case, index));
             let worst = || smallest(&case, &lines, |sample| sample.sines[index].abs());
             Some((index, dead.or_else(worst)?))
         });
     let transmissions = transmissions.collect();
+    let names = Names { entry: case.moved.entry, drivers: &case.drivers };
     let mut met: Vec<_> =
         lines.iter().flat_map(|line| &line.met).map(|one| event(names, one)).collect();
     met.dedup();
     let mut stops: Vec<Told> = Vec::new();
-    for told in lines.iter().flat_map(|line| &line.stops).map(|error| tell(names, error)) {
+    for told in lines.iter().flat_map(|line| &line.stops).map(|error| case.tell(error)) {
         if !stops.contains(&told) {
             stops.push(told);
         }
     }
-    let published = published::compare(mechanism, &case, &lines, strokes.as_ref())?;
     let reach = reach::of(&case);
-    let note = contradiction(mechanism, case.scene, case.run());
+    let note = contradiction(&case.constants, case.run());
     let cost = Cost {
         positions: lines.iter().map(|line| line.stations.len()).sum(),
         reached: lines.iter().map(|line| line.reached().count()).sum(),
@@ -152,7 +170,6 @@ pub fn collect(
         gap: gap(&lines, &places),
     };
     Ok(Report {
-        mechanism,
         lines,
         rows,
         limits,
@@ -166,6 +183,7 @@ pub fn collect(
         published,
         cost,
         case,
+        shown,
     })
 }
 
@@ -175,8 +193,7 @@ pub fn collect(
 /// Why it does not get there.
 pub fn snapshot(case: &Case, place: Place) -> Result<Snapshot, Failure> {
     let sample = case.at(place.independents.clone()).map_err(|error| {
-        let names = Names { entry: case.entry, drivers: &case.drivers };
-        tell(names, &error)
+        case.tell(&error)
             .failure(format!("the linkage does not get to {}", place.label))
             .place(place.option.as_str())
     })?;
@@ -189,24 +206,4 @@ fn gap(lines: &[Line], places: &[Snapshot]) -> Option<(usize, f64)> {
     let all = swept.chain(places.iter().map(|place| &place.sample));
     let left = all.flat_map(|sample| sample.residuals.iter().map(|left| left.abs()).enumerate());
     left.max_by(|(_, a), (_, b)| a.total_cmp(b))
-}
-
-/// The task in words.
-pub fn task(case: &Case) -> String {
-    let names = |drivers: &[usize]| {
-        let names = drivers.iter().map(|&index| case.drivers[index].name);
-        names.collect::<Vec<_>>().join(" and ")
-    };
-    match &case.task {
-        Task::Sweep(drivers) => format!("positions over {}", names(drivers)),
-        Task::Time(Span::Periodic(period)) => {
-            format!("positions over one period of {} s", crate::number::short(*period))
-        }
-        Task::Time(span) => {
-            let (from, to) = span.limits();
-            let [from, to] = [from, to].map(crate::number::short);
-            format!("positions from {from} s to {to} s")
-        }
-        Task::Open => "positions".to_owned(),
-    }
 }

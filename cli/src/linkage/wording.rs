@@ -1,13 +1,14 @@
 //! Why a linkage does not get to a position, in the names and units of the equation file.
 
 use assur::closure::{AnyLinkage, ClosureError, Contradiction, Event, GroupKind};
-use assur::registry::{Mechanism, SceneEntry};
 use assur::shape::{LinkageEntry, Quantity};
 
-use super::case::{amount as quantity_text, label, shown};
+use super::case::shown;
 use super::group;
-use crate::error::Failure;
-use crate::number;
+use crate::ask::case::{amount as quantity_text, label};
+use crate::ask::constants::Constants;
+use crate::error::Told;
+use crate::show::number;
 
 /// A linkage as its messages need it.
 #[derive(Clone, Copy)]
@@ -16,24 +17,6 @@ pub struct Names<'a> {
     pub entry: &'a LinkageEntry,
     /// The drivers as they are shown.
     pub drivers: &'a [Quantity],
-}
-
-/// An error in words.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Told {
-    /// Where it is, as positions of the drivers; empty if that is not known.
-    pub place: String,
-    /// Why.
-    pub reason: String,
-    /// What to do about it.
-    pub remedy: &'static str,
-}
-
-impl Told {
-    /// The message of a command that wanted to do something.
-    pub fn failure(self, what: impl Into<String>) -> Failure {
-        Failure::numerical(what).reason(self.reason).remedy(self.remedy)
-    }
 }
 
 /// Words an error.
@@ -126,12 +109,8 @@ pub fn tell(names: Names<'_>, error: &ClosureError) -> Told {
 }
 
 /// That a linkage is put together far from its start values, in words; none if it is not.
-pub fn contradiction(
-    mechanism: &Mechanism,
-    scene: &SceneEntry,
-    run: &dyn AnyLinkage,
-) -> Option<String> {
-    let entry = scene.linkage.as_ref()?;
+pub fn contradiction(constants: &Constants, run: &dyn AnyLinkage) -> Option<String> {
+    let entry = constants.scene.linkage.as_ref()?;
     // Why it does not go together at all is told where that matters.
     let start = run.follow(&[]).ok()?.start;
     let one = |found: &Contradiction| {
@@ -145,8 +124,8 @@ pub fn contradiction(
         format!(
             "far from the start values of the file: {}; `assur modes {} --scene {}` lists all assemblies",
             list.join(", "),
-            mechanism.name,
-            scene.name
+            constants.mechanism.name,
+            constants.scene.name
         )
     })
 }
@@ -240,7 +219,7 @@ fn degrees(sine: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::values::TIME;
+    use crate::ask::values::TIME;
     use assur::closure::Group;
     use assur::shape::Loop;
 

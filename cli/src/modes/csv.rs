@@ -1,28 +1,26 @@
-//! The modes as comma-separated values: one heading with names and units, one row a mode. Columns: the drivers, every
-//! variable, the sign of the determinant and the transmission angle of each group, what is left of each loop equation,
-//! and 1 in the row of the mode that the start values pick.
+//! The modes as comma-separated values: one row a mode. Columns: the drivers, every variable, the sign of the determinant and
+//! the transmission angle of each group, what is left of each loop equation, and 1 in the row of the mode that the start values
+//! pick.
 
-use super::{Answer, Found, sign};
-use crate::csv::{cell, title};
-use crate::linkage::group;
-use crate::unit;
 use assur::registry::Listed;
 
+use super::{Found, Modes, sign};
+use crate::linkage::group;
+use crate::show::csv::{cell, cells, line, title, titles};
+use crate::show::unit;
+
 /// The whole table.
-pub fn render(answer: &Answer) -> String {
-    let (case, entry) = (&answer.case, answer.case.entry);
-    let drivers = case.drivers.iter();
-    let mut heading: Vec<_> = drivers.map(|one| title(one.name, one.unit)).collect();
-    heading.extend(case.variables.iter().map(|one| title(&one.name, &one.unit)));
-    for one in entry.groups {
+pub fn render(answer: &Modes) -> String {
+    let (case, entry) = (&answer.case, answer.case.moved.entry);
+    let variables = case.variables.iter().map(|one| title(&one.name, &one.unit));
+    let groups = entry.groups.iter().flat_map(|one| {
         let loops = group::equations(entry, one);
-        heading.push(title(&format!("sign({loops})"), ""));
-        heading.push(title(&format!("transmission({loops})"), "deg"));
-    }
-    let loops = entry.loops.iter();
-    heading.extend(loops.map(|of| title(&format!("gap({})", of.name), of.unit)));
-    heading.push("declared".to_owned());
-    let mut text = heading.join(",") + "\n";
+        let of = |what: &str, unit: &str| title(&format!("{what}({loops})"), unit);
+        [of("sign", ""), of("transmission", "deg")]
+    });
+    let loops = entry.loops.iter().map(|of| title(&format!("gap({})", of.name), of.unit));
+    let heading = titles(&case.drivers).chain(variables).chain(groups).chain(loops);
+    let mut text = line(heading.chain(["declared".to_owned()]));
     for found in &answer.found {
         for (index, mode) in found.listing.modes.iter().enumerate() {
             let declared = found.listing.declared == Some(index);
@@ -32,24 +30,15 @@ pub fn render(answer: &Answer) -> String {
     text
 }
 
-fn row(answer: &Answer, found: &Found, mode: &Listed, declared: bool) -> String {
-    let case = &answer.case;
-    let drivers = case.drivers.iter().zip(&found.place.independents);
-    let mut cells: Vec<_> =
-        drivers.map(|(driver, position)| cell(unit::stated(*position, driver.factor))).collect();
-    cells.extend(answer.values(mode).into_iter().map(cell));
-    for (one, sine) in case.entry.groups.iter().zip(&mode.sines) {
-        let sign = match sign(*sine) {
-            "+" => "1",
-            "-" => "-1",
-            _ => "0",
-        };
-        cells.push(sign.to_owned());
+fn row(answer: &Modes, found: &Found, mode: &Listed, declared: bool) -> String {
+    let (case, entry) = (&answer.case, answer.case.moved.entry);
+    let groups = entry.groups.iter().zip(&mode.sines).flat_map(|(one, sine)| {
         let angle = group::transmits(one).then(|| group::transmission(*sine));
-        cells.push(cell(angle.unwrap_or(f64::NAN)));
-    }
-    let left = case.entry.loops.iter().zip(&mode.residuals);
-    cells.extend(left.map(|(of, left)| cell(unit::stated(*left, of.factor))));
-    cells.push(u8::from(declared).to_string());
-    cells.join(",") + "\n"
+        [sign(*sine).to_string(), cell(angle.unwrap_or(f64::NAN))]
+    });
+    let left = entry.loops.iter().zip(&mode.residuals);
+    let left = left.map(|(of, left)| cell(unit::stated(*left, of.factor)));
+    let values = answer.values(mode).into_iter().map(cell);
+    let start = cells(&case.drivers, &found.place.independents).chain(values);
+    line(start.chain(groups).chain(left).chain([u8::from(declared).to_string()]))
 }

@@ -4,20 +4,22 @@ mod csv;
 mod json;
 mod table;
 
+use std::path::Path;
 use std::time::Instant;
 
 use assur::closure::Search;
-use assur::registry::{Listed, Listing, Mechanism};
+use assur::registry::{Listed, Listing};
 use clap::Args;
+use serde::Serialize;
 
-use crate::arguments::Format;
-use crate::asked::{Asked, For};
-use crate::error::Failure;
+use crate::answer::{Answer, Format, give};
+use crate::ask::lookup::Registry;
+use crate::ask::{Asked, For};
+use crate::error::{Failure, Told};
 use crate::linkage::case::Case;
 use crate::linkage::place::{self, Place};
-use crate::linkage::wording::{Names, Told, tell};
-use crate::lookup::Registry;
-use crate::{output, style};
+use crate::show::page::Page;
+pub use json::Modes as Object;
 
 /// Examples, and what the formats contain.
 pub const EXAMPLES: &str = "Examples:
@@ -28,7 +30,7 @@ pub const EXAMPLES: &str = "Examples:
 Loops in closed form have two modes each; loops that are closed together are searched completely by interval
 arithmetic, so that the list says itself whether there are others.
 
-One JSON object is printed with --format json, \"assur-modes/1\"; csv has one row a mode.";
+Csv has one row a mode.";
 
 /// Options of `assur modes`.
 #[derive(Args, Debug)]
@@ -44,9 +46,7 @@ pub struct ModesArguments {
 }
 
 /// The modes at all places.
-pub struct Answer {
-    /// The mechanism.
-    pub mechanism: &'static Mechanism,
+pub struct Modes {
     /// The linkage with its values.
     pub case: Case,
     /// The places, each with its modes.
@@ -65,46 +65,47 @@ pub struct Found {
     pub unreached: Option<Told>,
 }
 
-/// Lists the modes, then prints them.
+/// Lists the modes.
 ///
 /// # Errors
 /// A wrong request. That a linkage cannot be assembled somewhere is an answer, not an error.
 pub fn execute(options: &ModesArguments, registry: Registry) -> Result<(), Failure> {
-    let (mechanism, constants) = options.asked.find(registry, "modes", For::Linkages)?;
-    let case = Case::new(constants)?;
-    let places = match options.at.as_slice() {
-        [] => vec![place::start(&case)?],
-        given => given.iter().map(|text| place::read(&case, text)).collect::<Result<_, _>>()?,
-    };
-    let clock = Instant::now();
-    let found = places.into_iter().map(|place| find(&case, place));
-    let answer = Answer {
-        mechanism,
-        found: found.collect::<Result<_, _>>()?,
-        seconds: clock.elapsed().as_secs_f64(),
-        case,
-    };
-    output::print(&match options.format {
-        Format::Table => table::render(&answer, style::stdout()),
-        Format::Json => json::render(&answer),
-        Format::Csv => csv::render(&answer),
+    give(options.format, None, || {
+        let case = Case::new(options.asked.find(registry, "modes", For::Linkages)?)?;
+        let places = match options.at.as_slice() {
+            [] => vec![place::start(&case)?],
+            given => given.iter().map(|text| place::read(&case, text)).collect::<Result<_, _>>()?,
+        };
+        let clock = Instant::now();
+        let found = places.into_iter().map(|place| find(&case, place));
+        let found = found.collect::<Result<_, _>>()?;
+        Ok(Modes { found, seconds: clock.elapsed().as_secs_f64(), case })
     })
 }
 
 fn find(case: &Case, place: Place) -> Result<Found, Failure> {
-    let names = Names { entry: case.entry, drivers: &case.drivers };
-    let listing = case
-        .run()
-        .modes(&place.independents, &Search::default())
-        .map_err(|error| tell(names, &error).failure("the modes cannot be listed"))?;
-    Ok(Found {
-        unreached: listing.stopped.as_ref().map(|error| tell(names, error)),
-        listing,
-        place,
-    })
+    let listing = case.run().modes(&place.independents, &Search::default());
+    let listing =
+        listing.map_err(|error| case.tell(&error).failure("the modes cannot be listed"))?;
+    let unreached = listing.stopped.as_ref().map(|error| case.tell(error));
+    Ok(Found { unreached, listing, place })
 }
 
-impl Answer {
+impl Answer for Modes {
+    fn table(&self, page: &mut Page, _: Option<&Path>) {
+        table::render(page, self);
+    }
+
+    fn csv(&self) -> String {
+        csv::render(self)
+    }
+
+    fn json(&self, _: Option<&Path>) -> impl Serialize {
+        Object::of(self)
+    }
+}
+
+impl Modes {
     /// The values of the variables in a mode, each in its unit.
     pub fn values(&self, mode: &Listed) -> Vec<f64> {
         let values = self.case.values_of(&mode.dependents, &mode.outputs);
@@ -119,11 +120,11 @@ impl Answer {
     }
 }
 
-/// The sign of a determinant: the assembly mode of a group.
-pub fn sign(sine: f64) -> &'static str {
+/// The sign of a determinant, 0 where it has none: the assembly mode of a group.
+pub fn sign(sine: f64) -> i8 {
     match sine {
-        sine if sine > 0.0 => "+",
-        sine if sine < 0.0 => "-",
-        _ => "0",
+        sine if sine > 0.0 => 1,
+        sine if sine < 0.0 => -1,
+        _ => 0,
     }
 }

@@ -3,35 +3,30 @@
 use assur::closure::GroupKind;
 use assur::registry::Listed;
 
-use super::{Answer, Found, sign};
+use super::{Found, Modes};
 use crate::linkage::group;
-use crate::number;
-use crate::style::Style;
-use crate::table::{Page, WIDTH, about};
-use crate::text::{Align, Columns, wrap};
+use crate::show::number;
+use crate::show::page::{Page, WIDTH};
+use crate::show::text::{Align, Columns, wrap};
 
 /// Digits of a value.
 const DIGITS: usize = 7;
 /// Beside values of the same kind this part of them is rounding.
 const NOISE: f64 = 1e-14;
 
-/// All tables, with the last line ended.
-pub fn render(answer: &Answer, style: Style) -> String {
-    let mut page = Page::new(style);
-    let case = &answer.case;
-    let title = format!("{}, scene {}: assembly modes", answer.mechanism.title, case.scene.name);
-    about(&mut page, &title, &case.constants);
-    groups(&mut page, answer);
+/// All tables.
+pub fn render(page: &mut Page, answer: &Modes) {
+    page.about(&answer.case.constants, "assembly modes");
+    groups(page, answer);
     for found in &answer.found {
-        modes(&mut page, answer, found);
+        modes(page, answer, found);
     }
     page.line(&format!("Found in {}.", number::duration(answer.seconds)));
-    page.text
 }
 
 /// The groups whose determinants have the signs below.
-fn groups(page: &mut Page, answer: &Answer) {
-    let entry = answer.case.entry;
+fn groups(page: &mut Page, answer: &Modes) {
+    let entry = answer.case.moved.entry;
     let mut table = Columns::new([
         ("group", Align::Right),
         ("loops", Align::Left),
@@ -47,10 +42,9 @@ fn groups(page: &mut Page, answer: &Answer) {
         ]);
     }
     page.section("Groups of loops, in the order of solution", &table);
-    page.line("");
 }
 
-fn modes(page: &mut Page, answer: &Answer, found: &Found) {
+fn modes(page: &mut Page, answer: &Modes, found: &Found) {
     let count = match found.listing.modes.len() {
         0 => "no assembly mode".to_owned(),
         1 => "1 assembly mode".to_owned(),
@@ -62,7 +56,7 @@ fn modes(page: &mut Page, answer: &Answer, found: &Found) {
         true => standing(answer, found),
         false => lying(answer, found),
     };
-    page.section(&heading, &table);
+    page.table(&heading, &table);
     remarks(page, answer, found);
     page.line("");
 }
@@ -71,8 +65,8 @@ fn modes(page: &mut Page, answer: &Answer, found: &Found) {
 const MEANT: &str = "declared";
 
 /// A column for each mode.
-fn standing(answer: &Answer, found: &Found) -> Columns {
-    let entry = answer.case.entry;
+fn standing(answer: &Modes, found: &Found) -> Columns {
+    let entry = answer.case.moved.entry;
     let modes = &found.listing.modes;
     let numbers: Vec<_> = (1..=modes.len()).map(|number| number.to_string()).collect();
     let numbers = numbers.iter().map(|number| (number.as_str(), Align::Point));
@@ -105,7 +99,7 @@ fn standing(answer: &Answer, found: &Found) -> Columns {
 }
 
 /// A row for each mode.
-fn lying(answer: &Answer, found: &Found) -> Columns {
+fn lying(answer: &Modes, found: &Found) -> Columns {
     let variables = answer.case.variables.iter();
     let headings = variables.map(|one| match one.unit.as_str() {
         "" => one.name.clone(),
@@ -134,7 +128,7 @@ fn lying(answer: &Answer, found: &Found) -> Columns {
 }
 
 /// The values of a mode; what is rounding beside others of its kind is zero.
-fn texts(answer: &Answer, mode: &Listed) -> Vec<String> {
+fn texts(answer: &Modes, mode: &Listed) -> Vec<String> {
     let variables = &answer.case.variables;
     let values = answer.values(mode);
     let size = |index: usize| (values[index] * variables[index].factor).abs();
@@ -149,28 +143,28 @@ fn texts(answer: &Answer, mode: &Listed) -> Vec<String> {
     (0..values.len()).map(text).collect()
 }
 
-fn transmission(answer: &Answer, mode: &Listed) -> String {
+fn transmission(answer: &Modes, mode: &Listed) -> String {
     let angle = worst(answer, &mode.sines);
     angle.map_or(String::new(), |angle| format!("{angle:.3}"))
 }
 
-fn gap(answer: &Answer, mode: &Listed) -> String {
-    let Some((index, gap)) = Answer::gap(mode) else {
+fn gap(answer: &Modes, mode: &Listed) -> String {
+    let Some((index, gap)) = Modes::gap(mode) else {
         return String::new();
     };
-    let of = &answer.case.entry.loops[index];
+    let of = &answer.case.moved.entry.loops[index];
     format!("{} {}", number::error(gap / of.factor), of.unit)
 }
 
 /// The smallest transmission angle, in degrees.
-fn worst(answer: &Answer, sines: &[f64]) -> Option<f64> {
-    let groups = answer.case.entry.groups.iter().zip(sines);
+fn worst(answer: &Modes, sines: &[f64]) -> Option<f64> {
+    let groups = answer.case.moved.entry.groups.iter().zip(sines);
     let transmitting = groups.filter(|(one, _)| group::transmits(one));
     transmitting.map(|(_, sine)| group::transmission(*sine)).reduce(f64::min)
 }
 
 /// Whether these are all, and what becomes of the mode that is meant.
-fn remarks(page: &mut Page, answer: &Answer, found: &Found) {
+fn remarks(page: &mut Page, answer: &Modes, found: &Found) {
     let listing = &found.listing;
     let said = match (listing.complete, listing.undecided) {
         (true, _) => format!("There is no other{}.", within(answer)),
@@ -201,8 +195,8 @@ fn remarks(page: &mut Page, answer: &Answer, found: &Found) {
 }
 
 /// How far displacements of loops that are closed together were looked for.
-fn within(answer: &Answer) -> String {
-    let entry = answer.case.entry;
+fn within(answer: &Modes) -> String {
+    let entry = answer.case.moved.entry;
     let mut searched = entry
         .groups
         .iter()
@@ -212,5 +206,14 @@ fn within(answer: &Answer) -> String {
     match searched.any(is_length) {
         true => " with displacements within 10 m".to_owned(),
         false => String::new(),
+    }
+}
+
+/// The sign of a determinant as a text.
+fn sign(sine: f64) -> &'static str {
+    match super::sign(sine) {
+        1 => "+",
+        -1 => "-",
+        _ => "0",
     }
 }

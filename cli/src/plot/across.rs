@@ -4,7 +4,7 @@ use assur::shape::Quantity;
 
 use super::axis::Axis;
 use super::name;
-use crate::report::Report;
+use crate::motion::report::Report;
 
 /// The horizontal axis: the first driver where it advances steadily through a steady state, else the time.
 pub struct Across {
@@ -52,7 +52,7 @@ impl Across {
 
     /// The position on the axis at a time.
     pub fn at(&self, report: &Report, time: f64) -> f64 {
-        let driven = if self.driver { report.case.drivers(time).first().copied() } else { None };
+        let driven = if self.driver { report.case.drivers_at(time).first().copied() } else { None };
         driven.unwrap_or(time) / self.factor
     }
 

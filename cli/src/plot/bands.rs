@@ -158,7 +158,7 @@ mod tests {
         let (mut strip, mut legend) = (Svg::new(400.0, 100.0), Svg::new(400.0, 100.0));
         bands.strip(&mut strip, 0.0);
         bands.legend(&mut legend, 0.0);
-        (strip.finish("", "", ""), legend.finish("", "", ""))
+        (strip.finish("", ""), legend.finish("", ""))
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::kind::Kind;
 use super::panels::Data;
 use super::selection::Selection;
-use crate::variables::Variable;
+use crate::ask::variables::Variable;
 
 /// A curve this many times smaller than another would be a flat line beside it and gets a panel of its own.
 const COMPARABLE: f64 = 15.0;

@@ -9,10 +9,10 @@ use super::kind::Kind;
 use super::name::{self, Name};
 use super::panels::{Fact, Panel};
 use super::selection::Selection;
+use crate::ask::variables::Variable;
 use crate::linkage::case::Task;
 use crate::linkage::influence::{self, unit_of};
 use crate::linkage::report::Report;
-use crate::variables::Variable;
 
 /// Most curves of a panel.
 const CURVES: usize = 7;
@@ -66,7 +66,7 @@ pub fn panels(
 /// The coefficients at each station, outputs by variables.
 fn sample(report: &Report, stations: &[Option<Vec<f64>>]) -> Vec<Vec<f64>> {
     let case = &report.case;
-    let all = case.entry.variables.len() * case.scene.outputs.len();
+    let all = case.moved.entry.variables.len() * case.scene.outputs.len();
     let at = |station: &Option<Vec<f64>>| {
         let place = case.place(station.as_ref()?);
         case.run().influence(&place).ok()
@@ -78,10 +78,10 @@ fn sample(report: &Report, stations: &[Option<Vec<f64>>]) -> Vec<Vec<f64>> {
 /// The coefficients that are wanted and are not zero everywhere.
 fn tracks(report: &Report, selection: &Selection, found: &[Vec<f64>]) -> Vec<Track> {
     let case = &report.case;
-    let width = case.entry.variables.len();
+    let width = case.moved.entry.variables.len();
     let mut tracks = Vec::new();
     for (output, shown) in case.variables[..case.scene.outputs.len()].iter().enumerate() {
-        for (variable, of) in case.entry.variables.iter().enumerate() {
+        for (variable, of) in case.moved.entry.variables.iter().enumerate() {
             let Some(by) = influence::quantity(case, *of) else {
                 continue;
             };
@@ -123,7 +123,7 @@ fn is_wanted(
 
 /// Whether a driver moves during the task.
 fn moves(report: &Report, driver: &str) -> bool {
-    match &report.case.task {
+    match &report.case.moved.task {
         Task::Sweep(drivers) => {
             let mut names = drivers.iter().map(|&index| report.case.drivers[index].name);
             names.any(|name| name == driver)
@@ -133,7 +133,7 @@ fn moves(report: &Report, driver: &str) -> bool {
 }
 
 fn is_driver(report: &Report, track: &Track) -> bool {
-    matches!(report.case.entry.variables[track.variable], By::Driver(_))
+    matches!(report.case.moved.entry.variables[track.variable], By::Driver(_))
 }
 
 /// Tracks with the same key together, in the order of the first of each.

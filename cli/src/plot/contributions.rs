@@ -17,18 +17,6 @@ const ROW: f64 = 15.0;
 /// Fills that can be told apart.
 const FILLS: usize = 8;
 
-const STYLE: &str = "\
-text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif; font-size: 12px; fill: #24292f; }
-.paper { fill: #ffffff; }
-.title { font-size: 15px; font-weight: 600; }
-.tick, .label { fill: #57606a; }
-.grid { stroke: #e6e9ed; }
-.axis { stroke: #8c959f; }
-.deviation { fill: none; stroke: #24292f; stroke-width: 1.8; stroke-dasharray: 6 3; }
-.f0 { fill: #4c8fbd; } .f1 { fill: #e69f00; } .f2 { fill: #5fae93; } .f3 { fill: #c2705a; }
-.f4 { fill: #a78bba; } .f5 { fill: #b3a369; } .f6 { fill: #8cc3e0; } .f7 { fill: #a8b0b8; }
-";
-
 /// What the figure shows.
 #[derive(Clone)]
 pub struct Chart {
@@ -74,9 +62,9 @@ pub fn contributions(chart: &Chart) -> String {
     let y = Scale { values: up.ends, pixels: (HEIGHT - BOTTOM, TOP) };
     let mut svg = Svg::new(WIDTH, HEIGHT);
     svg.rectangle("paper", (0.0, 0.0), (WIDTH, HEIGHT));
-    svg.text("title", (LEFT, 20.0), Anchor::Start, &chart.title);
+    svg.text("subject", (LEFT, 20.0), Anchor::Start, &chart.title);
     let note = (WIDTH - RIGHT, TOP - 8.0);
-    svg.text("label", note, Anchor::End, &chart.note);
+    svg.text("unit", note, Anchor::End, &chart.note);
     fill(&mut svg, chart, &layers, (&x, &y));
     axes(&mut svg, chart, (&along, &up), (&x, &y));
     let deviation = chart.places.iter().zip(&chart.deviation);
@@ -88,7 +76,7 @@ pub fn contributions(chart: &Chart) -> String {
         "Layers from below: {}; dashed: the standard deviation.",
         words.collect::<Vec<_>>().join(", ")
     );
-    svg.finish(&chart.title, &description, STYLE)
+    svg.finish(&chart.title, &description)
 }
 
 /// The same with the smallest of many layers as one, so that each has a fill of its own.
@@ -124,7 +112,7 @@ fn fill(svg: &mut Svg, chart: &Chart, layers: &[Vec<f64>], (x, y): (&Scale, &Sca
         let mut outline = edge(&pair[1]);
         outline.extend(edge(&pair[0]).into_iter().rev());
         svg.begin(&chart.bands[index].name);
-        svg.path(&format!("f{}", index % FILLS), &outline);
+        svg.path(&format!("t{}", index % FILLS), &outline);
         svg.end();
     }
 }
@@ -134,20 +122,20 @@ fn axes(svg: &mut Svg, chart: &Chart, (along, up): (&Axis, &Axis), (x, y): (&Sca
     for tick in &up.ticks {
         let at = y.pixel(*tick);
         svg.line("grid", (LEFT, at), (right, at));
-        svg.text("tick", (LEFT - 6.0, at + 4.0), Anchor::End, &up.label(*tick));
+        svg.text("number", (LEFT - 6.0, at + 4.0), Anchor::End, &up.label(*tick));
     }
     for tick in &along.ticks {
         let at = x.pixel(*tick);
         svg.line("axis", (at, bottom), (at, bottom + 4.0));
-        svg.text("tick", (at, bottom + 18.0), Anchor::Middle, &along.label(*tick));
+        svg.text("number", (at, bottom + 18.0), Anchor::Middle, &along.label(*tick));
     }
     svg.line("axis", (LEFT, bottom), (right, bottom));
     svg.line("axis", (LEFT, TOP), (LEFT, bottom));
     let (letter, unit) = &chart.abscissa;
     let label = format!("{letter}, {}", name::unit(unit));
     let label = label.trim_end_matches(", ");
-    svg.text("label", (right, HEIGHT - 14.0), Anchor::End, label);
-    svg.text("label", (LEFT, TOP - 8.0), Anchor::Start, &chart.ordinate);
+    svg.text("unit", (right, HEIGHT - 14.0), Anchor::End, label);
+    svg.text("unit", (LEFT, TOP - 8.0), Anchor::Start, &chart.ordinate);
 }
 
 /// The names, in the order of the layers.
@@ -155,7 +143,7 @@ fn names(svg: &mut Svg, chart: &Chart) {
     let left = WIDTH - RIGHT + 12.0;
     for (index, band) in chart.bands.iter().enumerate() {
         let y = TOP + 10.0 + ROW * (chart.bands.len() - 1 - index) as f64;
-        svg.rectangle(&format!("f{}", index % FILLS), (left, y - 9.0), (10.0, 10.0));
+        svg.rectangle(&format!("t{}", index % FILLS), (left, y - 9.0), (10.0, 10.0));
         svg.text("name", (left + 16.0, y), Anchor::Start, &band.name);
     }
     let y = TOP + 10.0 + ROW * chart.bands.len() as f64;

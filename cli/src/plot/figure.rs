@@ -9,9 +9,9 @@ use super::name;
 use super::panels::Panel;
 use super::scale::Scale;
 use super::svg::{Anchor, Svg};
-use crate::constants::Constants;
-use crate::number;
-use crate::text;
+use crate::ask::constants::Constants;
+use crate::show::number;
+use crate::show::text;
 
 /// Left of the plotting area of a column: numbers of the axis.
 const LEFT: f64 = 66.0;
@@ -25,37 +25,6 @@ const RIGHT: f64 = 24.0;
 const ALONE: usize = 3;
 /// The same where some have a column of their own otherwise.
 const STACKED: usize = 7;
-
-const STYLE: &str = "\
-text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif; font-size: 12px; fill: #24292f; }
-.paper { fill: #ffffff; }
-.title { font-size: 20px; font-weight: 600; }
-.lead { font-size: 13px; fill: #57606a; }
-.heading { font-size: 13px; font-weight: 600; }
-.unit { fill: #57606a; }
-.number { fill: #57606a; font-size: 11.5px; }
-.letter { font-style: italic; font-size: 13px; }
-.mark { font-size: 11.5px; fill: #57606a; }
-.named { font-size: 11.5px; fill: #9a3412; }
-.b0 { fill: #e8f1fa; } .b1 { fill: #fdf1e3; } .b2 { fill: #e6f4ea; } .b3 { fill: #f5e9f5; }
-.b4 { fill: #f7f3c8; } .b5 { fill: #d0eef0; } .b6 { fill: #fbe0e0; } .b7 { fill: #e4e5e9; }
-.frame { fill: none; stroke: #8c959f; stroke-width: 1; }
-.grid { stroke: #e6e9ed; stroke-width: 1; }
-.zero { stroke: #8c959f; stroke-width: 1; }
-.stated { stroke: #8c959f; stroke-width: 1; stroke-dasharray: 2 3; }
-.place { stroke: #c2410c; stroke-width: 1.1; stroke-dasharray: 6 3; }
-.curve { fill: none; stroke-width: 1.8; stroke-linejoin: round; stroke-linecap: butt; }
-.fact { fill: #ffffff; stroke-width: 1.5; }
-.c { stroke: #24292f; }
-.c0 { stroke: #0072b2; }
-.c1 { stroke: #d55e00; stroke-dasharray: 9 3; }
-.c2 { stroke: #009e73; stroke-dasharray: 14 3 3 3; }
-.c3 { stroke: #aa4499; stroke-dasharray: 4 2.5; }
-.c4 { stroke: #8a6d00; }
-.c5 { stroke: #56b4e9; stroke-dasharray: 9 3; }
-.c6 { stroke: #882255; stroke-dasharray: 14 3 3 3; }
-.fact, .solid { stroke-dasharray: none; }
-";
 
 /// What a figure shows.
 pub struct Figure {
@@ -114,7 +83,7 @@ impl Figure {
             column.draw(&mut svg, top, &self.positions, &self.across.title);
         }
         foot(&mut svg, &self.made, has_facts, bottom + 16.0);
-        svg.finish(&self.title, &lead.join(" "), STYLE)
+        svg.finish(&self.title, &lead.join(" "))
     }
 }
 

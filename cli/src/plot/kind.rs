@@ -1,6 +1,6 @@
 //! Which kind of quantity a variable is, told by its dimension and unit.
 
-use crate::variables::{Dimension, Variable};
+use crate::ask::variables::{Dimension, Variable};
 
 /// A kind of quantity: what may share a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use super::name::Name;
 use super::panels::{Line, Panel};
 use super::svg::{Anchor, Svg};
-use crate::text;
+use crate::show::text;
 
 /// Width of a character at 12 pixels; rather too wide than too narrow.
 pub const CHARACTER: f64 = 7.0;

@@ -10,12 +10,12 @@ use super::marks::{self, Mark};
 use super::name::{self, Name};
 use super::panels::{self, Data, Panel, Published};
 use super::selection::Selection;
+use crate::ask::variables::Variable;
 use crate::linkage::case::{Axis, Task};
 use crate::linkage::line::{Grid, Line};
-use crate::linkage::report::{Report, task};
+use crate::linkage::report::Report;
 use crate::linkage::wording;
-use crate::number;
-use crate::variables::Variable;
+use crate::show::number;
 
 /// Curves of a family that can be told apart.
 const FAMILY: usize = 7;
@@ -37,7 +37,11 @@ pub fn draw(report: &Report, selection: &Selection) -> String {
     };
     Figure {
         bands: Vec::new(),
-        title: format!("{}: {}", report.mechanism.title, task(&report.case)),
+        title: format!(
+            "{}: {}",
+            report.case.constants.mechanism.title,
+            report.case.task_in_words()
+        ),
         lead: lead(&report.case.constants),
         marks: marks(report, &across, &positions),
         panels,
@@ -55,7 +59,7 @@ fn across(report: &Report, axes: &[Axis]) -> Across {
     let swept = axes.first().map(|axis| &axis.quantity);
     match driver.or(swept) {
         Some(quantity) => Across::along(quantity),
-        None => Across::along(&crate::values::TIME),
+        None => Across::along(&crate::ask::values::TIME),
     }
 }
 
@@ -64,7 +68,7 @@ fn is_driven(report: &Report) -> bool {
     let case = &report.case;
     let first = |station: &Vec<f64>| case.place(station).first().copied().unwrap_or(f64::NAN);
     let line = report.lines.first();
-    matches!(case.task, Task::Time(_))
+    matches!(case.moved.task, Task::Time(_))
         && line.is_some_and(|line| {
             line.stations.windows(2).all(|pair| first(&pair[0]) < first(&pair[1]))
         })
@@ -188,7 +192,7 @@ fn published(report: &Report, across: &Across, driven: bool) -> Vec<Published> {
 
 /// Whether this driver is the horizontal axis.
 fn swept(report: &Report, index: usize) -> bool {
-    matches!(&report.case.task, Task::Sweep(drivers) if drivers.first() == Some(&index))
+    matches!(&report.case.moved.task, Task::Sweep(drivers) if drivers.first() == Some(&index))
 }
 
 /// For each output a panel with a curve for each position of the second driver.
@@ -247,7 +251,7 @@ fn marks(report: &Report, across: &Across, positions: &[f64]) -> Vec<Mark> {
     };
     let driven = is_driven(report);
     let lines = || report.lines.iter().filter(|_| report.lines.len() == 1);
-    let first = match &case.task {
+    let first = match &case.moved.task {
         Task::Sweep(drivers) => drivers.first().copied(),
         _ => driven.then_some(0),
     };
@@ -278,7 +282,7 @@ fn marks(report: &Report, across: &Across, positions: &[f64]) -> Vec<Mark> {
 }
 
 fn made(report: &Report) -> String {
-    let kinds = report.case.entry.groups.iter();
+    let kinds = report.case.moved.entry.groups.iter();
     let iterated =
         kinds.filter(|group| !group.kind.has_modes() && group.equations.len() > 1).count();
     match (report.is_complete(), iterated) {

@@ -8,9 +8,9 @@ use super::figure::{Figure, lead};
 use super::marks::{self, Mark};
 use super::panels::{self, Data, Published};
 use super::selection::Selection;
-use crate::events;
-use crate::number;
-use crate::report::Report;
+use crate::motion::events;
+use crate::motion::report::Report;
+use crate::show::number;
 
 /// Draws the figure of a report.
 pub fn draw(report: &Report, selection: &Selection) -> String {
@@ -61,7 +61,7 @@ fn title(report: &Report) -> String {
     } else {
         "motion".to_owned()
     };
-    format!("{}: {what}", report.mechanism.title)
+    format!("{}: {what}", report.case.constants.mechanism.title)
 }
 
 /// The marks of the equation file and those that were asked for.
@@ -69,7 +69,7 @@ fn marks(report: &Report, positions: &[f64], abscissa: &dyn Fn(f64) -> f64) -> V
     let case = &report.case;
     let stated = case.scene.marks.iter().filter_map(|mark| {
         let time = match mark.at {
-            At::Time(time) => case.task.reduce(time)?,
+            At::Time(time) => case.moved.task.reduce(time)?,
             At::Driver(driver, position) => case.run().time_of(driver, position).ok()?,
             _ => return None,
         };

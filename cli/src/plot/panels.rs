@@ -4,7 +4,7 @@ use super::cluster::{self, Track};
 use super::kind::Kind;
 use super::name::{self, Name};
 use super::selection::Selection;
-use crate::variables::Variable;
+use crate::ask::variables::Variable;
 
 /// Panels of a figure unless others are asked for.
 const USUAL: usize = 6;

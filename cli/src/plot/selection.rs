@@ -4,9 +4,9 @@ use assur::closure::Variable as By;
 use assur::registry::SceneEntry;
 use assur::shape::Quantity;
 
+use crate::ask::lookup::suggestion;
+use crate::ask::variables;
 use crate::error::Failure;
-use crate::lookup::suggestion;
-use crate::variables;
 
 /// Which curves a figure shows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -17,19 +17,6 @@ const BELOW: f64 = 56.0;
 /// Steps of the scale of colours.
 const SHADES: usize = 9;
 
-const STYLE: &str = "\
-text { font-family: 'Source Sans 3', 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif; font-size: 12px; fill: #24292f; }
-.paper { fill: #ffffff; }
-.title { font-size: 15px; font-weight: 600; }
-.tick, .label { fill: #57606a; }
-.grid { stroke: #e6e9ed; }
-.frame { fill: none; stroke: #8c959f; }
-.curve { fill: none; stroke: #0072b2; stroke-width: 1.8; stroke-linejoin: round; }
-.none { fill: #f6f8fa; }
-.s0 { fill: #440154; } .s1 { fill: #472d7b; } .s2 { fill: #3b528b; } .s3 { fill: #2c728e; } .s4 { fill: #21918c; }
-.s5 { fill: #28ae80; } .s6 { fill: #5ec962; } .s7 { fill: #addc30; } .s8 { fill: #fde725; }
-";
-
 /// One panel.
 pub enum Layer {
     /// Points joined.
@@ -69,7 +56,7 @@ pub fn sheets(title: &str, layers: &[Layer]) -> String {
     let height = TOP + layers.len() as f64 * (PANEL + BELOW);
     let mut svg = Svg::new(WIDTH, height);
     svg.rectangle("paper", (0.0, 0.0), (WIDTH, height));
-    svg.text("title", (LEFT, 20.0), Anchor::Start, title);
+    svg.text("subject", (LEFT, 20.0), Anchor::Start, title);
     let mut names = Vec::new();
     for (index, layer) in layers.iter().enumerate() {
         let top = TOP + index as f64 * (PANEL + BELOW);
@@ -84,7 +71,7 @@ pub fn sheets(title: &str, layers: &[Layer]) -> String {
             }
         }
     }
-    svg.finish(title, &names.join("; "), STYLE)
+    svg.finish(title, &names.join("; "))
 }
 
 fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
@@ -109,18 +96,18 @@ fn axes(
         if grid {
             svg.line("grid", (LEFT, at), (WIDTH - RIGHT, at));
         }
-        svg.text("tick", (LEFT - 6.0, at + 4.0), Anchor::End, &up.label(*tick));
+        svg.text("number", (LEFT - 6.0, at + 4.0), Anchor::End, &up.label(*tick));
     }
     for tick in &along.ticks {
         let at = x.pixel(*tick);
         if grid {
             svg.line("grid", (at, y.pixels.1), (at, y.pixels.0));
         }
-        svg.text("tick", (at, y.pixels.0 + 16.0), Anchor::Middle, &along.label(*tick));
+        svg.text("number", (at, y.pixels.0 + 16.0), Anchor::Middle, &along.label(*tick));
     }
     let below = (WIDTH - RIGHT, y.pixels.0 + 34.0);
-    svg.text("label", below, Anchor::End, names.0);
-    svg.text("label", (LEFT, y.pixels.1 - 5.0), Anchor::Start, names.1);
+    svg.text("unit", below, Anchor::End, names.0);
+    svg.text("unit", (LEFT, y.pixels.1 - 5.0), Anchor::Start, names.1);
     (x, y)
 }
 
@@ -133,14 +120,14 @@ fn curve(svg: &mut Svg, sheet: &Sheet, top: f64) {
     let (left, right) = ends(sheet.points.iter().map(|point| point.0));
     let (low, high) = ends(sheet.points.iter().map(|point| point.1));
     if low > high {
-        svg.text("label", (LEFT, top + 30.0), Anchor::Start, &format!("{}: none", sheet.up));
+        svg.text("unit", (LEFT, top + 30.0), Anchor::Start, &format!("{}: none", sheet.up));
         return;
     }
     let (along, up) = (Axis::between(left, right, 7), Axis::around(low, high, 5));
     let (x, y) = axes(svg, (&along, &up), (&sheet.along, &sheet.up), top, true);
     let points = sheet.points.iter();
     let points: Vec<_> = points.map(|(a, b)| (x.pixel(*a), y.pixel(*b))).collect();
-    svg.path("curve", &simplify(&points));
+    svg.path("curve c0", &simplify(&points));
     frame(svg, (&x, &y));
 }
 
@@ -188,7 +175,7 @@ fn shades(svg: &mut Svg, map: &Map, top: f64) {
         svg.rectangle(&format!("s{index}"), (WIDTH - RIGHT + 14.0, at), (14.0, step + 0.4));
     }
     for (value, at) in [(low, y.pixels.0), (high, y.pixels.1 + 10.0)] {
-        let text = crate::number::significant(value, 3);
-        svg.text("tick", (WIDTH - RIGHT + 34.0, at), Anchor::Start, &text);
+        let text = crate::show::number::significant(value, 3);
+        svg.text("number", (WIDTH - RIGHT + 34.0, at), Anchor::Start, &text);
     }
 }

@@ -2,6 +2,9 @@
 
 use std::fmt::Write;
 
+/// How the elements of all figures look, by their classes.
+const STYLE: &str = include_str!("style.css");
+
 /// Where a text stands relative to its point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
@@ -13,7 +16,7 @@ pub enum Anchor {
     End,
 }
 
-/// A picture under construction. How elements look is said once, by the classes of the style sheet.
+/// A picture under construction. How elements look is said once, by the style sheet of all figures.
 #[derive(Clone, Debug)]
 pub struct Svg {
     width: f64,
@@ -109,13 +112,13 @@ impl Svg {
     }
 
     /// The whole file.
-    pub fn finish(self, title: &str, description: &str, style: &str) -> String {
+    pub fn finish(self, title: &str, description: &str) -> String {
         let (width, height) = (short(self.width), short(self.height));
         format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
              <svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" role=\"img\">\n\
-             <title>{}</title>\n<desc>{}</desc>\n<style>\n{style}</style>\n{}</svg>\n",
+             <title>{}</title>\n<desc>{}</desc>\n<style>\n{STYLE}</style>\n{}</svg>\n",
             escape(title),
             escape(description),
             self.body
@@ -161,6 +164,6 @@ mod tests {
     fn a_gap_lifts_the_pen() {
         let mut svg = Svg::new(10.0, 10.0);
         svg.path("c", &[(0.0, 0.0), (1.0, 1.004), (f64::NAN, 0.0), (2.0, -0.001)]);
-        assert!(svg.finish("", "", "").contains(r#"d="M0 0L1 1M2 0""#));
+        assert!(svg.finish("", "").contains(r#"d="M0 0L1 1M2 0""#));
     }
 }

@@ -4,8 +4,8 @@ use assur::study::{self, Outcome, Spread};
 
 use super::question::{Question, Way};
 use crate::error::Failure;
-use crate::motion;
-use crate::progress::Progress;
+use crate::motion::solve;
+use crate::show::progress::Progress;
 
 /// Shares for which quantiles are found.
 pub const LEVELS: [f64; 5] = [0.01, 0.1, 0.5, 0.9, 0.99];
@@ -46,7 +46,7 @@ impl Answer {
 fn outcome(question: &Question, index: usize) -> Outcome {
     let run = question.scene.bind.motion(&question.values(index));
     let run = run.map_err(|refused| refused.to_string())?;
-    motion::measures(question.scene, run, &question.settings)
+    solve::measures(question.scene, run, &question.settings)
 }
 
 /// Does all runs.
@@ -56,7 +56,7 @@ fn outcome(question: &Question, index: usize) -> Outcome {
 pub fn find(question: &Question) -> Result<Answer, Failure> {
     let count = question.count();
     let clock = std::time::Instant::now();
-    let what = format!("{}, scene {}", question.mechanism.name, question.scene.name);
+    let what = format!("{}, scene {}", question.constants.mechanism.name, question.scene.name);
     let progress = Progress::start(what, count as u64);
     let outcomes =
         study::each(count, question.threads, &|more| progress.advance_by(more), &|index| {

@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::arguments::Format;
-use crate::asked::Asked;
-use crate::settings::Accuracy;
+use crate::answer::Format;
+use crate::ask::Asked;
+use crate::ask::settings::Accuracy;
+use crate::ask::values::whole;
 
 /// Examples, and what the formats contain.
 pub const EXAMPLES: &str = "Examples:
@@ -18,7 +19,12 @@ pub const EXAMPLES: &str = "Examples:
 --samples makes values at random: those with a tolerance in the file, and those that --tolerance gives one (normally
 distributed, the tolerance being three standard deviations).
 
-Formats: json prints one object, \"assur-study/1\"; csv one row a run.";
+Csv has one row a run.";
+
+/// Most runs of a study.
+pub const MOST: u64 = 10_000_000;
+/// Most threads.
+const THREADS: u64 = 1024;
 
 /// Options of `assur study`.
 #[derive(Args, Debug, Default)]
@@ -29,20 +35,23 @@ pub struct StudyArguments {
     #[arg(long, value_name = "NAME=FROM..TO:COUNT")]
     pub over: Vec<String>,
     /// Number of runs with values made at random.
-    #[arg(long, value_name = "NUMBER", conflicts_with = "over", allow_hyphen_values = true)]
-    pub samples: Option<String>,
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<2, MOST>, conflicts_with = "over")]
+    #[arg(allow_hyphen_values = true)]
+    pub samples: Option<u64>,
     /// A tolerance, `J2=10%` or `J2=5e-5[kg m^2]`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE", requires = "samples")]
     pub tolerance: Vec<String>,
     /// Which values are made: the same seed gives the same ones.
-    #[arg(long, value_name = "NUMBER", default_value = "1", allow_hyphen_values = true)]
-    pub seed: String,
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<0, { u64::MAX }>)]
+    #[arg(default_value = "1", allow_hyphen_values = true)]
+    pub seed: u64,
     /// The measures, `F_largest,free`; all unless given.
     #[arg(long, value_name = "NAMES")]
     pub measure: Option<String>,
     /// Number of threads; as many as the machine has unless given.
-    #[arg(long, value_name = "NUMBER", default_value = "0", allow_hyphen_values = true)]
-    pub threads: String,
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<0, THREADS>)]
+    #[arg(default_value = "0", allow_hyphen_values = true)]
+    pub threads: u64,
     #[command(flatten)]
     pub accuracy: Accuracy,
     /// What is printed.

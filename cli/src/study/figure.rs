@@ -8,7 +8,7 @@ use crate::plot::{self, Layer, Map, Sheet};
 
 /// Draws it: a panel for each measure, one below the other.
 pub fn draw(question: &Question, answer: &Answer) -> String {
-    let title = format!("{}, scene {}", question.mechanism.title, question.scene.name);
+    let title = format!("{}, scene {}", question.constants.mechanism.title, question.scene.name);
     let panels = question.measures.iter().map(|index| match &question.way {
         Way::Grid(ranges) => match ranges.as_slice() {
             [along, up] => Layer::Map(map(question, answer, (along, up), *index)),

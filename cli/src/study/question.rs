@@ -1,28 +1,20 @@
 //! The request, read and checked.
 
-use assur::registry::{Mechanism, SceneEntry, Settings};
+use assur::registry::{SceneEntry, Settings};
 use assur::shape::Constant;
 use assur::study;
 
-use super::arguments::StudyArguments;
+use super::arguments::{MOST, StudyArguments};
 use super::range::{self, Range};
 use super::tolerance;
-use crate::asked::For;
-use crate::constants::Constants;
+use crate::ask::For;
+use crate::ask::constants::Constants;
+use crate::ask::lookup::Registry;
+use crate::ask::lookup::suggestion;
 use crate::error::Failure;
-use crate::lookup::Registry;
-use crate::lookup::suggestion;
-use crate::values;
-
-/// Most runs of a study.
-const MOST: usize = 10_000_000;
-/// Most threads.
-const THREADS: u64 = 1024;
 
 /// What is asked.
 pub struct Question {
-    /// The mechanism.
-    pub mechanism: &'static Mechanism,
     /// The scene.
     pub scene: &'static SceneEntry,
     /// The values that all runs have in common.
@@ -51,20 +43,19 @@ impl Question {
     /// # Errors
     /// Whatever is unknown, cannot be, or does not go together.
     pub fn read(options: &StudyArguments, registry: Registry) -> Result<Self, Failure> {
-        let (mechanism, constants) = options.asked.find(registry, "study", For::Measured)?;
+        let constants = options.asked.find(registry, "study", For::Measured)?;
         let scene = constants.scene;
-        let way = match &options.samples {
+        let way = match options.samples {
             Some(samples) => random(options, scene, &constants, samples)?,
             None => grid(options, scene, &constants)?,
         };
         Ok(Self {
-            mechanism,
             scene,
             constants,
             way,
             measures: measures(scene, options.measure.as_deref())?,
             settings: options.accuracy.settings(scene)?,
-            threads: values::whole("--threads", &options.threads, (0, THREADS))? as usize,
+            threads: options.threads as usize,
         })
     }
 
@@ -123,7 +114,7 @@ fn grid(
         }
     }
     let count: usize = ranges.iter().map(|range| range.values.len()).product();
-    if count > MOST {
+    if count as u64 > MOST {
         return Err(Failure::request(format!("{count} runs are too many"))
             .remedy(format!("a study has {MOST} at most")));
     }
@@ -134,10 +125,8 @@ fn random(
     options: &StudyArguments,
     scene: &SceneEntry,
     values: &Constants,
-    samples: &str,
+    samples: u64,
 ) -> Result<Way, Failure> {
-    let count = values::whole("--samples", samples, (2, MOST as u64))? as usize;
-    let seed = values::whole("--seed", &options.seed, (0, u64::MAX))?;
     let mut constants = scene.constants.to_vec();
     tolerance::give(&mut constants, &options.tolerance, scene, values)?;
     if constants.iter().all(|one| one.tolerance == 0.0) {
@@ -148,7 +137,7 @@ fn random(
         .place(format!("--samples {samples}"))
         .remedy("give one: --tolerance NAME=10%"));
     }
-    Ok(Way::Random(constants, count, seed))
+    Ok(Way::Random(constants, samples as usize, options.seed))
 }
 
 /// The measures that are asked for, by index.

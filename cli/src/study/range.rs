@@ -2,10 +2,10 @@
 
 use assur::registry::SceneEntry;
 
+use crate::ask::lookup::suggestion;
+use crate::ask::permitted::permitted;
+use crate::ask::values::{quantity, split};
 use crate::error::Failure;
-use crate::lookup::suggestion;
-use crate::permitted::permitted;
-use crate::values::{quantity, split};
 
 /// Most values along one range.
 const MOST: usize = 100_000;

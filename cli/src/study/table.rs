@@ -8,38 +8,27 @@ use assur::study;
 use super::answer::{Answer, CONFIDENCE};
 use super::question::{Question, Way};
 use super::range::Range;
-use crate::number;
-use crate::style::Style;
-use crate::table::{Page, about};
-use crate::text::{Align, Columns};
+use crate::show::number;
+use crate::show::page::Page;
+use crate::show::text::{Align, Columns};
 
 /// Most rows of a table.
 const ROWS: usize = 60;
 
-/// All tables, with the last line ended.
-pub fn render(question: &Question, answer: &Answer, figure: Option<&Path>, style: Style) -> String {
-    let mut page = Page::new(style);
-    let title = format!(
-        "{}, scene {}: {} runs",
-        question.mechanism.title,
-        question.scene.name,
-        question.count()
-    );
-    about(&mut page, &title, &question.constants);
+/// All tables.
+pub fn render(page: &mut Page, question: &Question, answer: &Answer, figure: Option<&Path>) {
+    page.about(&question.constants, &format!("{} runs", question.count()));
     match &question.way {
         Way::Grid(ranges) => match ranges.as_slice() {
-            [along, up] => maps(&mut page, question, answer, (along, up)),
-            ranges => curves(&mut page, question, answer, &ranges[0]),
+            [along, up] => maps(page, question, answer, (along, up)),
+            ranges => curves(page, question, answer, &ranges[0]),
         },
-        Way::Random(..) => spreads(&mut page, question, answer),
+        Way::Random(..) => spreads(page, question, answer),
     }
-    failures(&mut page, question, answer);
-    if let Some(path) = figure {
-        page.line(&format!("Figure: {}", path.display()));
-    }
+    failures(page, question, answer);
+    page.figure(figure);
     let seconds = number::duration(answer.seconds);
     page.line(&format!("{} runs took {seconds}.", question.count()));
-    page.text
 }
 
 /// A name with its unit.
@@ -81,7 +70,6 @@ fn curves(page: &mut Page, question: &Question, answer: &Answer, range: &Range) 
         _ => format!("Measures, every {stride}th run (--format csv has all)"),
     };
     page.section(&heading, &table);
-    page.line("");
 }
 
 /// For each measure a table with one value along and one down.
@@ -111,7 +99,6 @@ fn maps(page: &mut Page, question: &Question, answer: &Answer, (along, down): (&
             table.row(std::iter::once(number::short(value / quantities[1].factor)).chain(cells));
         }
         page.section(&headed(measure), &table);
-        page.line("");
     }
 }
 
@@ -154,7 +141,6 @@ fn spreads(page: &mut Page, question: &Question, answer: &Answer) {
     }
     let heading = format!("Measures (± {} of the mean)", number::percent(CONFIDENCE));
     page.section(&heading, &table);
-    page.line("");
 }
 
 /// Runs that did not come out.

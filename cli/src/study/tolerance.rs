@@ -4,9 +4,9 @@ use assur::registry::SceneEntry;
 use assur::shape::{Constant, Distribution};
 
 use super::range;
-use crate::constants::Constants;
+use crate::ask::constants::Constants;
+use crate::ask::values::{once, quantity, split};
 use crate::error::Failure;
-use crate::values::{once, quantity, split};
 
 /// Gives constants the tolerances that are asked for, normally distributed.
 ///

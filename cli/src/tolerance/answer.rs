@@ -10,11 +10,9 @@ use assur::tolerance::{
 use super::arguments::Kind;
 use super::question::{Label, Question};
 use crate::error::Failure;
-use crate::linkage::case::label as label_of;
-use crate::linkage::wording::{Names, tell};
-use crate::number;
 use crate::plot::{Band, Chart, name};
-use crate::progress::Progress;
+use crate::show::number;
+use crate::show::progress::Progress;
 
 /// Linkages over which the orders are compared.
 const COMPARED: u64 = 10_000;
@@ -77,7 +75,7 @@ pub fn find(question: &Question) -> Result<Answer, Failure> {
     let said = |error| said(question, error);
     let study = &question.study;
     let linear = |study: &Study| {
-        let influences = question.run.influences(study)?;
+        let influences = question.case.run().influences(study)?;
         tolerance::linear(&influences, &study.sources)
     };
     let range = linear(study).map_err(said)?;
@@ -118,8 +116,8 @@ pub fn find(question: &Question) -> Result<Answer, Failure> {
 }
 
 fn second(question: &Question, study: &Study) -> Result<Second, ToleranceError> {
-    let form = question.run.quadratics(study)?.swap_remove(0);
-    let extremes = match question.run.corners(study) {
+    let form = question.case.run().quadratics(study)?.swap_remove(0);
+    let extremes = match question.case.run().corners(study) {
         Ok(all) => Some(all[0]),
         Err(ToleranceError::TooManyCorners { .. }) => None,
         Err(error) => return Err(error),
@@ -128,22 +126,22 @@ fn second(question: &Question, study: &Study) -> Result<Second, ToleranceError> 
     Ok(Second {
         moments: form.moments(&study.sources),
         extremes,
-        differences: question.run.differences(study, COMPARED, seed)?[0],
+        differences: question.case.run().differences(study, COMPARED, seed)?[0],
     })
 }
 
 fn made(question: &Question, study: &Study) -> Result<MonteCarlo, ToleranceError> {
-    let what = format!("{}, linkages made at random", question.mechanism.name);
+    let what = format!("{}, linkages made at random", question.case.constants.mechanism.name);
     let bar = Progress::start(what, question.sampling.samples);
     let progress = |more| bar.advance_by(more);
-    question.run.monte_carlo(study, &question.sampling, &progress)
+    question.case.run().monte_carlo(study, &question.sampling, &progress)
 }
 
 fn allocation(question: &Question) -> Result<Option<Allocation>, Failure> {
     let Some(wanted) = &question.allocation else {
         return Ok(None);
     };
-    let run = &question.run;
+    let run = question.case.run();
     let found = run.allocate(&question.study, &wanted.candidates, wanted.rule, wanted.band);
     found.map(Some).map_err(|error| out_of_reach(question, error))
 }
@@ -161,17 +159,8 @@ fn said(question: &Question, error: ToleranceError) -> Failure {
             Failure::request(format!("`{}` cannot err by {half_width}", source(index)))
         }
         ToleranceError::Closure(error) => {
-            let names = question
-                .scene
-                .linkage
-                .as_ref()
-                .map(|entry| Names { entry, drivers: &question.drivers });
-            let reason = match names {
-                Some(names) => tell(names, &error).reason,
-                None => error.to_string(),
-            };
             Failure::numerical("the linkage does not get to all places")
-                .reason(reason)
+                .reason(question.case.tell(&error).reason)
                 .remedy("look at another place with --at, or change the values with --set")
         }
         ToleranceError::NotFinite { at, .. } => Failure::numerical(format!(
@@ -252,7 +241,7 @@ fn out_of_reach(question: &Question, error: AllocationError) -> Failure {
 
 /// Positions of the drivers in words.
 pub fn place_text(question: &Question, place: &[f64]) -> String {
-    label_of(&question.drivers, place)
+    question.case.label(place)
 }
 
 /// The unit in which errors of the output are printed: thousandths of a radian for an angle.
@@ -298,7 +287,7 @@ impl Answer {
     /// What the figure shows.
     pub fn chart(&self, question: &Question) -> Chart {
         let unit = Unit::of(question);
-        let driver = question.drivers.first();
+        let driver = question.case.drivers.first();
         let along = self.along.as_ref().unwrap_or(&self.range);
         let places = question.along.as_ref().unwrap_or(&question.study.places);
         let abscissa = |place: &Vec<f64>| match driver {
@@ -319,8 +308,8 @@ impl Answer {
         Chart {
             title: format!(
                 "{}, scene {}: what contributes to the error of {}",
-                question.mechanism.title,
-                question.scene.name,
+                question.case.constants.mechanism.title,
+                question.case.scene.name,
                 name::set(question.output().name).text
             ),
             note: changed,

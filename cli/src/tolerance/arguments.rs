@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use crate::arguments::Format;
-use crate::asked::Asked;
+use crate::answer::Format;
+use crate::ask::Asked;
+use crate::ask::values::whole;
 
 /// Examples, and what the formats contain.
 pub const EXAMPLES: &str = "Examples:
@@ -25,7 +26,12 @@ monte-carlo (linkages made at random; those that do not assemble are counted), a
 deviation) within a band over the whole range. A tolerance t costs w*T/t, T being the one of the file and w
 its weight, 1 unless --cost says otherwise: each of the file's tolerances costs its weight.
 
-Formats: json prints one object, \"assur-tolerance/1\", csv the bands and contributions over the range.";
+Csv has the bands and contributions over the range.";
+
+/// Most places over the range.
+const PLACES: u64 = 10_000;
+/// Most linkages made at random.
+const SAMPLES: u64 = 100_000_000_000;
 
 /// Options of `assur tolerance`.
 #[derive(Args, Debug, Default)]
@@ -42,11 +48,13 @@ pub struct ToleranceArguments {
     #[arg(long, value_enum, default_value_t = Kind::All)]
     pub kind: Kind,
     /// Number of linkages made at random.
-    #[arg(long, value_name = "NUMBER", default_value = "100000", allow_hyphen_values = true)]
-    pub samples: String,
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<2, SAMPLES>)]
+    #[arg(default_value = "100000", allow_hyphen_values = true)]
+    pub samples: u64,
     /// Which of them: the same seed gives the same ones.
-    #[arg(long, value_name = "NUMBER", default_value = "1", allow_hyphen_values = true)]
-    pub seed: String,
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<0, { u64::MAX }>)]
+    #[arg(default_value = "1", allow_hyphen_values = true)]
+    pub seed: u64,
     /// Multiplies all tolerances.
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, allow_hyphen_values = true)]
     pub scale: f64,
@@ -66,8 +74,9 @@ pub struct ToleranceArguments {
     #[arg(long, value_name = "NAME=LOW..HIGH", requires = "allocate")]
     pub limit: Vec<String>,
     /// Places over the range.
-    #[arg(long, value_name = "NUMBER", default_value = "61", allow_hyphen_values = true)]
-    pub places: String,
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<2, PLACES>)]
+    #[arg(default_value = "61", allow_hyphen_values = true)]
+    pub places: u64,
     /// What is printed.
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,

@@ -2,33 +2,24 @@
 
 use super::answer::{Answer, Unit, label};
 use super::question::Question;
-use crate::csv::{cell, title};
-use crate::unit;
+use crate::show::csv::{cell, cells, line, title, titles};
+use crate::show::unit;
 
 /// The whole table.
 pub fn render(question: &Question, answer: &Answer) -> String {
-    let unit = Unit::of(question);
-    let drivers = &question.drivers;
-    let output = question.output();
-    let mut heading: Vec<String> = drivers.iter().map(|one| title(one.name, one.unit)).collect();
-    heading.push(title(output.name, output.unit));
-    heading.push(title("worst case", unit.name));
-    heading.push(title("standard deviation", unit.name));
+    let (unit, output) = (Unit::of(question), question.output());
+    let drivers = &question.case.drivers;
+    let errors = ["worst case", "standard deviation"].map(|name| title(name, unit.name));
     let sources = 0..question.study.sources.len();
-    heading.extend(sources.map(|source| title(&label(question, source), unit.name)));
-    let mut text = heading.join(",") + "\n";
+    let sources = sources.map(|source| title(&label(question, source), unit.name));
+    let heading = titles(drivers).chain([title(output.name, output.unit)]);
+    let mut text = line(heading.chain(errors).chain(sources));
     for (place, linear) in question.study.places.iter().zip(&answer.range) {
-        let mut cells: Vec<f64> = drivers
-            .iter()
-            .zip(place)
-            .map(|(driver, value)| unit::stated(*value, driver.factor))
-            .collect();
-        cells.push(unit::stated(linear.value, output.factor));
-        cells.push(unit::stated(linear.worst, unit.factor));
-        cells.push(unit::stated(linear.deviation, unit.factor));
-        cells.extend(linear.contributions.iter().map(|one| unit::stated(one.worst, unit.factor)));
-        let cells: Vec<String> = cells.into_iter().map(cell).collect();
-        text += &(cells.join(",") + "\n");
+        let contributions = linear.contributions.iter().map(|one| one.worst);
+        let errors = [linear.worst, linear.deviation].into_iter().chain(contributions);
+        let errors = errors.map(|error| cell(unit::stated(error, unit.factor)));
+        let value = cell(unit::stated(linear.value, output.factor));
+        text += &line(cells(drivers, place).chain([value]).chain(errors));
     }
     text
 }

@@ -3,41 +3,27 @@
 mod names;
 mod wanted;
 
-use assur::closure::AnyLinkage;
-use assur::registry::{Mechanism, SceneEntry};
 use assur::shape::Quantity;
 use assur::tolerance::{Sampling, Source, Study};
 
 use super::arguments::{Kind, ToleranceArguments};
 use super::places::{along, range};
-use crate::asked::For;
-use crate::constants::Constants;
+use crate::ask::For;
+use crate::ask::constants::Constants;
+use crate::ask::lookup::Registry;
+use crate::ask::permitted::permitted;
 use crate::error::Failure;
-use crate::linkage::case::shown;
+use crate::linkage::case::Case;
+use crate::linkage::place;
 use crate::linkage::wording::contradiction;
-use crate::lookup;
-use crate::lookup::Registry;
-use crate::number;
-use crate::permitted::permitted;
-use crate::values;
+use crate::show::number;
 use names::Names;
 pub use wanted::Wanted;
 
-/// Most places over the range.
-const PLACES: u64 = 10_000;
-/// Fewest and most linkages made at random.
-const SAMPLES: (u64, u64) = (2, 100_000_000_000);
-
 /// A question, and what its numbers are called.
 pub struct Question {
-    /// The mechanism.
-    pub mechanism: &'static Mechanism,
-    /// The scene.
-    pub scene: &'static SceneEntry,
-    /// The linkage with these values.
-    pub run: Box<dyn AnyLinkage>,
-    /// Its drivers as they are shown, angles in degrees.
-    pub drivers: Vec<Quantity>,
+    /// The linkage with its values.
+    pub case: Case,
     /// What was given with --set, in words; empty if nothing.
     pub changed: String,
     /// What errs, over the range.
@@ -75,47 +61,34 @@ impl Question {
     /// # Errors
     /// A name, unit or number that is wrong, or a scene that is no linkage.
     pub fn read(options: &ToleranceArguments, registry: Registry) -> Result<Self, Failure> {
-        let asked = options.asked.find(registry, "tolerance", For::Linkages)?;
-        let (mechanism, constants) = asked;
-        let scene = constants.scene;
-        let Some(linkage) = &scene.linkage else {
-            return Err(lookup::no_linkage(registry, mechanism, scene));
-        };
-        let run = scene.bind.linkage(&constants.values).map_err(|refused| {
-            Failure::request(format!("scene `{}` does not accept these values", scene.name))
-                .reason(refused.to_string())
-                .remedy("change the value with --set, or leave it out for the default")
-        })?;
-        let places = values::whole("--places", &options.places, (2, PLACES))? as usize;
-        let sampling = Sampling {
-            samples: values::whole("--samples", &options.samples, SAMPLES)?,
-            seed: values::whole("--seed", &options.seed, (0, u64::MAX))?,
-            ..Sampling::default()
-        };
-        let names = Names { scene, linkage };
+        let case = Case::new(options.asked.find(registry, "tolerance", For::Linkages)?)?;
+        let places = options.places as usize;
+        let sampling =
+            Sampling { samples: options.samples, seed: options.seed, ..Sampling::default() };
+        let names = Names { scene: case.scene, linkage: case.moved.entry };
         let (sources, labels) = names.sources(options)?;
         let study = Study {
             output: names.output(options.output.as_deref())?,
-            places: range(&*run, places),
+            places: range(case.run(), places),
             sources,
         };
         let allocation = match &options.allocate {
             Some(band) => Some(names.wanted(options, band, &study, &labels)?),
             None => None,
         };
-        let notes = contradiction(mechanism, scene, &*run)
+        let notes = contradiction(&case.constants, case.run())
             .into_iter()
-            .chain(beyond(&constants, &labels, &study))
+            .chain(beyond(&case.constants, &labels, &study))
             .collect();
         Ok(Self {
             notes,
-            mechanism,
-            scene,
-            at: names.place(&*run, &options.at)?,
-            along: along(&*run, places),
-            drivers: scene.drivers.iter().map(shown).collect(),
-            changed: changed(&constants),
-            run,
+            at: match options.at.as_slice() {
+                [] => None,
+                given => Some(place::read(&case, &given.join(","))?.independents),
+            },
+            along: along(case.run(), places),
+            changed: changed(&case.constants),
+            case,
             study,
             labels,
             is_named: options.output.is_some(),
@@ -127,12 +100,12 @@ impl Question {
 
     /// The output.
     pub fn output(&self) -> &'static Quantity {
-        &self.scene.outputs[self.study.output]
+        &self.case.scene.outputs[self.study.output]
     }
 
     /// Names of the other outputs.
     pub fn other_outputs(&self) -> Vec<&'static str> {
-        let outputs = self.scene.outputs.iter().enumerate();
+        let outputs = self.case.scene.outputs.iter().enumerate();
         let others = outputs.filter(|(index, _)| *index != self.study.output);
         others.map(|(_, one)| one.name).collect()
     }

@@ -9,45 +9,42 @@ use assur::shape::Distribution;
 
 use super::answer::{Answer, Unit, label, place_text};
 use super::question::Question;
-use crate::number;
-use crate::style::Style;
-use crate::table::WIDTH;
-use crate::text::{Align, Columns, wrap};
+use crate::show::number;
+use crate::show::page::Page;
+use crate::show::text::{Align, Columns};
 
 /// Digits of an error.
 const DIGITS: usize = 5;
 
-/// All tables, with the last line ended.
-pub fn render(question: &Question, answer: &Answer, figure: Option<&Path>, style: Style) -> String {
-    let page = Page { text: String::new(), style, question, answer, unit: Unit::of(question) };
-    page.whole(figure)
+/// All tables.
+pub fn render(page: &mut Page, question: &Question, answer: &Answer, figure: Option<&Path>) {
+    Sheet { page, question, answer, unit: Unit::of(question) }.whole(figure);
 }
 
-struct Page<'a> {
-    text: String,
-    style: Style,
+/// The page with what stands on it.
+struct Sheet<'a> {
+    page: &'a mut Page,
     question: &'a Question,
     answer: &'a Answer,
     unit: Unit,
 }
 
-impl Page<'_> {
-    fn whole(mut self, figure: Option<&Path>) -> String {
+impl Sheet<'_> {
+    fn whole(mut self, figure: Option<&Path>) {
         let question = self.question;
         let title = format!(
             "{}, scene {}: how {} errs",
-            question.mechanism.title,
-            question.scene.name,
+            question.case.constants.mechanism.title,
+            question.case.scene.name,
             question.output().name
         );
-        self.line(&self.style.heading(&title));
+        let page = &mut *self.page;
+        page.line(&page.style.heading(&title));
         if !question.changed.is_empty() {
-            self.line(&format!("  with {}", question.changed));
+            page.line(&format!("  with {}", question.changed));
         }
         for note in &question.notes {
-            for line in wrap(note, WIDTH - 2) {
-                self.line(&self.style.warn(&format!("  {line}")));
-            }
+            page.warn(note);
         }
         let others = question.other_outputs();
         let others = match others.is_empty() {
@@ -56,36 +53,21 @@ impl Page<'_> {
         };
         if !question.is_named && !others.is_empty() {
             let output = question.output().name;
-            self.line(&format!(
+            page.line(&format!(
                 "  {output} is the last output of the scene; for another one: {others}"
             ));
         }
-        self.line("");
+        page.line("");
         self.contributions();
         self.bands();
         self.missed();
         self.range();
         self.allocation();
-        if let Some(path) = figure {
-            self.line(&format!("Figure: {}", path.display()));
-        }
+        self.page.figure(figure);
         if question.is_named && !others.is_empty() {
-            self.line(&format!("Other outputs: {others}."));
+            self.page.line(&format!("Other outputs: {others}."));
         }
-        self.line(&format!("Found in {}.", number::duration(self.answer.seconds)));
-        self.text
-    }
-
-    fn line(&mut self, line: &str) {
-        self.text += line;
-        self.text.push('\n');
-    }
-
-    fn section(&mut self, heading: &str, table: &Columns) {
-        let heading = self.style.heading(heading);
-        self.line(&heading);
-        self.text += &table.render(self.style);
-        self.line("");
+        self.page.line(&format!("Found in {}.", number::duration(self.answer.seconds)));
     }
 
     /// An error of the output in its unit.
@@ -139,7 +121,7 @@ impl Page<'_> {
             Some(_) => format!("At {place}"),
             None => format!("At {place}, where the error is greatest"),
         };
-        self.section(&heading, &table);
+        self.page.section(&heading, &table);
     }
 
     fn range(&mut self) {
@@ -174,7 +156,7 @@ impl Page<'_> {
             self.unit.text(answer.range[worst].worst),
             place_text(question, &question.study.places[worst])
         );
-        self.section(&heading, &table);
+        self.page.section(&heading, &table);
     }
 }
 

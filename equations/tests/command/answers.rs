@@ -90,10 +90,10 @@ fn json_has_its_documented_fields() {
         "first_mode",
         "events",
         "measures",
-        "published",
         "multipliers",
         "conclusions",
         "statistics",
+        "published",
         "figure",
     ];
     assert_eq!(names, documented);

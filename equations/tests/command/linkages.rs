@@ -89,8 +89,8 @@ fn json_has_its_documented_fields() {
         "reach",
         "events",
         "at",
-        "published",
         "statistics",
+        "published",
         "figure",
     ];
     assert_eq!(names, documented);

@@ -7,6 +7,7 @@ mod linkages;
 mod modes;
 mod record;
 mod refusals;
+mod schema;
 mod shipped;
 #[cfg(unix)]
 mod signals;

@@ -1,16 +1,16 @@
 //! Limits of a linkage: extremes, limit positions, how far the drivers go, transmission angles.
 
 use super::{decimals, fixed};
+use crate::ask::values::TIME;
 use crate::linkage::case::Task;
 use crate::linkage::group;
 use crate::linkage::reach;
 use crate::linkage::report::Report;
 use crate::linkage::search::Extreme;
 use crate::linkage::wording::dead_point;
-use crate::number;
-use crate::table::Page;
-use crate::text::{Align, Columns};
-use crate::values::TIME;
+use crate::show::number;
+use crate::show::page::Page;
+use crate::show::text::{Align, Columns};
 
 /// Digits of what is known to the last.
 const EXACT: usize = 10;
@@ -33,7 +33,7 @@ fn station(report: &Report, extreme: &Extreme) -> String {
         number::short(number::rounded(value / axis.quantity.factor, 6))
     });
     let mut parts: Vec<_> = parts.collect();
-    if let (Task::Time(_), Some(driver)) = (&report.case.task, report.case.drivers.first()) {
+    if let (Task::Time(_), Some(driver)) = (&report.case.moved.task, report.case.drivers.first()) {
         let position = extreme.independents.first().copied().unwrap_or(f64::NAN);
         parts = vec![number::short(number::rounded(position / driver.factor, 6))];
     }
@@ -43,7 +43,7 @@ fn station(report: &Report, extreme: &Extreme) -> String {
 /// What [`station`] gives, with units.
 fn station_heading(report: &Report) -> String {
     let case = &report.case;
-    let quantities: Vec<_> = match &case.task {
+    let quantities: Vec<_> = match &case.moved.task {
         Task::Time(_) => vec![case.drivers.first().copied().unwrap_or(TIME)],
         _ => case.axes().iter().map(|axis| axis.quantity).collect(),
     };
@@ -94,7 +94,6 @@ fn limits(page: &mut Page, report: &Report) {
     }
     if report.limits.iter().any(Option::is_some) {
         page.section("Limits", &table);
-        page.line("");
     }
 }
 
@@ -152,18 +151,16 @@ fn turns(page: &mut Page, report: &Report) {
     }
     if turning {
         page.section("Limit positions, where an output turns round", &turns);
-        page.line("");
     }
     if broken {
         page.section("Jumps, poles and ends of what has a value", &gaps);
-        page.line("");
     }
 }
 
 /// A place of a task with one axis, to the last digits: of the first driver.
 fn exactly(report: &Report, extreme: &Extreme) -> String {
     let case = &report.case;
-    let value = match (&case.task, case.drivers.first()) {
+    let value = match (&case.moved.task, case.drivers.first()) {
         (Task::Time(_), Some(driver)) => {
             extreme.independents.first().map(|position| position / driver.factor)
         }
@@ -212,7 +209,7 @@ fn reach(page: &mut Page, report: &Report) {
                 number::significant(end.at / driver.factor, EXACT),
                 driver.unit.to_owned(),
                 match end.dead {
-                    Some(group) => dead_point(case.entry, group),
+                    Some(group) => dead_point(case.moved.entry, group),
                     None => "and farther".to_owned(),
                 },
             ]);
@@ -223,7 +220,6 @@ fn reach(page: &mut Page, report: &Report) {
         _ => "Reach of each driver in this assembly mode, the others standing where they start",
     };
     page.section(heading, &table);
-    page.line("");
 }
 
 fn transmissions(page: &mut Page, report: &Report) {
@@ -241,7 +237,7 @@ fn transmissions(page: &mut Page, report: &Report) {
         ("", Align::Left),
     ]);
     for (index, worst) in &report.transmissions {
-        let of_group = &report.case.entry.groups[*index];
+        let of_group = &report.case.moved.entry.groups[*index];
         let angle = group::transmission(worst.value);
         let remark = match angle {
             angle if angle < 1e-3 => "in line: no force is transmitted",
@@ -250,8 +246,8 @@ fn transmissions(page: &mut Page, report: &Report) {
             _ => "",
         };
         table.row([
-            group::equations(report.case.entry, of_group),
-            group::unknowns(report.case.entry, of_group),
+            group::equations(report.case.moved.entry, of_group),
+            group::unknowns(report.case.moved.entry, of_group),
             group::kind(of_group.kind).to_owned(),
             format!("{angle:.3}"),
             station(report, worst),
@@ -259,5 +255,4 @@ fn transmissions(page: &mut Page, report: &Report) {
         ]);
     }
     page.section("Transmission angle (90 deg is best, 0 a dead point)", &table);
-    page.line("");
 }

@@ -3,9 +3,9 @@
 use crate::linkage::group;
 use crate::linkage::influence::unit_of;
 use crate::linkage::report::{Report, Snapshot};
-use crate::number;
-use crate::table::Page;
-use crate::text::{Align, Columns};
+use crate::show::number;
+use crate::show::page::Page;
+use crate::show::text::{Align, Columns};
 
 /// Everything at a place.
 pub fn section(page: &mut Page, report: &Report, snapshot: &Snapshot) {
@@ -31,21 +31,20 @@ pub fn section(page: &mut Page, report: &Report, snapshot: &Snapshot) {
             variable.summary.clone(),
         ]);
     }
-    for (index, of_group) in case.entry.groups.iter().enumerate() {
+    for (index, of_group) in case.moved.entry.groups.iter().enumerate() {
         if group::transmits(of_group) {
             let angle = group::transmission(snapshot.sample.sines[index]);
             table.row([
                 "transmission".to_owned(),
                 number::short(number::rounded(angle, 6)),
                 "deg".to_owned(),
-                group::equations(case.entry, of_group),
+                group::equations(case.moved.entry, of_group),
             ]);
         }
     }
-    page.section(&format!("At {}{time}", snapshot.place.label), &table);
+    page.table(&format!("At {}{time}", snapshot.place.label), &table);
     for outside in &snapshot.place.outside {
-        let line = page.style.warn(&format!("  {outside}"));
-        page.line(&line);
+        page.warn(outside);
     }
     page.line("");
     influence(page, report, snapshot);
@@ -75,5 +74,4 @@ fn influence(page: &mut Page, report: &Report, snapshot: &Snapshot) {
     }
     let heading = format!("Influence coefficients at {}", snapshot.place.label);
     page.section(&heading, &table);
-    page.line("");
 }

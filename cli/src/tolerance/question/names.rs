@@ -1,15 +1,15 @@
 //! What the names in options mean: what errs, the output, the place.
 
-use assur::closure::{AnyLinkage, Variable};
+use assur::closure::Variable;
 use assur::registry::SceneEntry;
 use assur::shape::{Distribution, LinkageEntry, Quantity};
 use assur::tolerance::Source;
 
 use super::Label;
+use crate::ask::lookup::suggestion;
+use crate::ask::values::{once, quantity, split};
 use crate::error::Failure;
-use crate::lookup::suggestion;
 use crate::tolerance::arguments::ToleranceArguments;
-use crate::values::{self, Place, once, quantity, split};
 
 /// The names of a scene.
 pub(super) struct Names {
@@ -113,33 +113,5 @@ impl Names {
                 .place(format!("--output {name}"))
                 .remedy(suggestion(name, &names))
         })
-    }
-
-    /// Where `--at` looks.
-    pub fn place(
-        &self,
-        run: &dyn AnyLinkage,
-        options: &[String],
-    ) -> Result<Option<Vec<f64>>, Failure> {
-        if options.is_empty() {
-            return Ok(None);
-        }
-        let mut place: Vec<f64> = run.ranges().iter().map(|range| range.start).collect();
-        let mut time = None;
-        for text in options.iter().flat_map(|text| text.split(',')) {
-            match values::place(self.scene, text)? {
-                Place::Time(at) => time = Some(at),
-                Place::Driver(index, value) => {
-                    place[index] = value;
-                    let at = |time| {
-                        let drive = run.drive(time);
-                        drive.and_then(|all| all.get(index).copied()).unwrap_or(f64::NAN)
-                    };
-                    time = time.or(run.span().time_of(at, value).ok());
-                }
-            }
-        }
-        let moving = time.and_then(|time| run.drive(time));
-        Ok(Some(moving.unwrap_or(place)))
     }
 }

@@ -4,9 +4,9 @@ use assur::tolerance::{Candidate, Cost, Rule, Study};
 
 use super::Label;
 use super::names::Names;
+use crate::ask::values::{once, quantity, split};
 use crate::error::Failure;
 use crate::tolerance::arguments::{Kind, ToleranceArguments};
-use crate::values::{once, quantity, split};
 
 /// Tolerances to be chosen.
 pub struct Wanted {

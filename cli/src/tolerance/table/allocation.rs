@@ -2,13 +2,13 @@
 
 use assur::tolerance::{Allocation, Limit, Rule};
 
-use super::Page;
-use crate::number;
-use crate::text::{Align, Columns};
+use super::Sheet;
+use crate::show::number;
+use crate::show::text::{Align, Columns};
 use crate::tolerance::answer::place_text;
 use crate::tolerance::question::Wanted;
 
-impl Page<'_> {
+impl Sheet<'_> {
     /// Tolerances of least cost.
     pub fn allocation(&mut self) {
         let (Some(found), Some(wanted)) = (&self.answer.allocation, &self.question.allocation)
@@ -17,7 +17,7 @@ impl Page<'_> {
         };
         self.chosen(found, wanted);
         let unit = self.unit;
-        self.line(&format!(
+        self.page.line(&format!(
             "Cost {} against {} for those of the file; the error is at most {}, at {}.",
             number::significant(found.cost, 4),
             number::significant(present(wanted), 4),
@@ -30,13 +30,13 @@ impl Page<'_> {
         });
         let binding: Vec<_> = binding.collect();
         if !binding.is_empty() {
-            self.line(&format!("It binds at {}.", binding.join("; ")));
+            self.page.line(&format!("It binds at {}.", binding.join("; ")));
         }
-        self.line(&format!(
+        self.page.line(&format!(
             "A band wider by 1 % saves {}.",
             number::significant(0.01 * found.price, 3)
         ));
-        self.line("");
+        self.page.line("");
     }
 
     fn chosen(&mut self, found: &Allocation, wanted: &Wanted) {
@@ -75,7 +75,7 @@ impl Page<'_> {
             "Tolerances of least cost that keep the {what} within {} over the range",
             self.unit.text(wanted.band)
         );
-        self.section(&heading, &table);
+        self.page.section(&heading, &table);
     }
 }
 

@@ -2,13 +2,13 @@
 
 use assur::tolerance::{Corners, Estimate, Status};
 
-use super::Page;
-use crate::number;
-use crate::text::{Align, Columns};
+use super::Sheet;
+use crate::show::number;
+use crate::show::text::{Align, Columns};
 use crate::tolerance::answer::{MISSED, Second};
 use crate::tolerance::arguments::Kind;
 
-impl Page<'_> {
+impl Sheet<'_> {
     /// The bands that are wanted.
     pub fn bands(&mut self) {
         let (kind, answer) = (self.question.kind, self.answer);
@@ -48,7 +48,7 @@ impl Page<'_> {
             row("  least", self.error(place.least), beyond.clone());
             row("  greatest", self.error(place.greatest), beyond.replace("lower", "higher"));
         }
-        self.section("Bands", &table);
+        self.page.section("Bands", &table);
         self.failures();
     }
 
@@ -92,7 +92,7 @@ impl Page<'_> {
                 "All of {drawn} linkages made at random (seed {}) assemble.",
                 self.question.sampling.seed
             ),
-            Status::Conditional => self.style.warn(&format!(
+            Status::Conditional => self.page.style.warn(&format!(
                 "{failed} of {drawn} linkages made at random ({} %, between {} and {} %) do not assemble in this mode: \
                  the numbers above are those of the others alone.",
                 share(failures.value),
@@ -100,11 +100,12 @@ impl Page<'_> {
                 share(failures.high)
             )),
             Status::Empty => self
+                .page
                 .style
                 .warn(&format!("None of {drawn} linkages made at random assembles in this mode.")),
         };
-        self.line(&line);
-        self.line("");
+        self.page.line(&line);
+        self.page.line("");
     }
 
     /// What the linear sum misses.
@@ -134,21 +135,21 @@ impl Page<'_> {
             "What each order misses, over {} linkages made at random",
             number::count(differences.compared as usize)
         );
-        self.section(&heading, &table);
+        self.page.section(&heading, &table);
         let share = differences.linear.rms / differences.errors.rms;
         if share > MISSED {
-            self.line(&self.style.warn(&format!(
+            self.page.line(&self.page.style.warn(&format!(
                 "The first order misses {} % of the error: worst case, standard deviation and shares above mislead here.",
                 number::significant(100.0 * share, 2)
             )));
-            self.line("");
+            self.page.line("");
         }
         if !second.is_trusted() {
-            self.line(&self.style.warn(
+            self.page.line(&self.page.style.warn(
                 "The second order does not describe these errors, as near a dead point: trust what is closed again and \
                  made at random alone.",
             ));
-            self.line("");
+            self.page.line("");
         }
     }
 }

@@ -1,0 +1,163 @@
+//! A motion as tables to read.
+
+mod variables;
+
+use std::path::Path;
+
+use assur::problem::Span;
+use assur::registry::Method;
+
+use super::report::Report;
+use super::{events, measures};
+use crate::ask::settings::given_atol;
+use crate::published;
+use crate::show::number;
+use crate::show::page::{Page, WIDTH};
+use crate::show::text::{Align, Columns, wrap};
+use crate::show::unit;
+
+/// All tables.
+pub fn render(page: &mut Page, report: &Report, figure: Option<&Path>) {
+    let constants = &report.case.constants;
+    page.about(constants, &task(report));
+    page.parameters(constants);
+    if !report.curves.times.is_empty() {
+        let heading = format!("At the start, {}", report.start.label);
+        variables::snapshot(page, report, &report.start, &heading);
+        variables::extremes(page, report);
+        events::section(page, report);
+        measures::section(page, report);
+    }
+    for place in &report.places {
+        let time = if place.label.starts_with("time") {
+            String::new()
+        } else {
+            format!(", time = {} s", number::short(place.time))
+        };
+        variables::snapshot(page, report, place, &format!("At {}{time}", place.label));
+    }
+    published::section(page, &report.published);
+    multipliers(page, report);
+    page.figure(figure);
+    page.line(&last_line(report));
+}
+
+/// The task in words.
+fn task(report: &Report) -> String {
+    let repeats = report.case.moved.repeats;
+    match report.case.moved.task {
+        Span::Periodic(_) if let Some((period, error)) = report.period() => format!(
+            "steady state that repeats by itself, after {} s (± {})",
+            number::with_error(period, error),
+            number::error(error)
+        ),
+        Span::Periodic(all) if repeats > 1 => format!(
+            "steady state that repeats after {} periods of {} s",
+            repeats,
+            number::short(all / repeats as f64)
+        ),
+        Span::Periodic(period) => {
+            format!("steady state over one period of {} s", number::short(period))
+        }
+        Span::Run(from, to) => {
+            format!("motion from {} s to {} s", number::short(from), number::short(to))
+        }
+        Span::Open | Span::Autonomous => "positions".to_owned(),
+    }
+}
+
+fn multipliers(page: &mut Page, report: &Report) {
+    if report.multipliers.is_empty() {
+        return;
+    }
+    let mut table = Columns::new([
+        ("modulus", Align::Point),
+        ("angle, deg", Align::Point),
+        ("a disturbance", Align::Left),
+    ]);
+    let turn = report.case.turn();
+    for multiplier in &report.multipliers {
+        let angle = number::significant(multiplier.angle(), 6);
+        table.row([
+            format!("{:.9}", multiplier.modulus()),
+            if multiplier.pair { format!("±{angle}") } else { angle },
+            multiplier.meaning(turn),
+        ]);
+    }
+    let heading = format!("Floquet multipliers, what one {} does to a disturbance", turn.one());
+    page.table(&heading, &table);
+    for line in report.conclusions() {
+        for (index, part) in wrap(&line, WIDTH - 4).iter().enumerate() {
+            page.line(&format!("  {}{part}", if index == 0 { "" } else { "  " }));
+        }
+    }
+    page.line("");
+}
+
+/// The price: estimated global error of what is printed, time spent, and what ten times more accuracy would cost.
+fn last_line(report: &Report) -> String {
+    let cost = &report.cost;
+    let error = match cost.worst {
+        Some((index, share)) => {
+            format!(
+                "{}Estimated global error {} of the amplitude ({})",
+                if report.is_inaccurate() { "INACCURATE. " } else { "" },
+                number::error(share),
+                report.case.variables[index].name
+            )
+        }
+        None => "Estimated global error: rounding only".to_owned(),
+    };
+    let effort = report.motion.statistics();
+    let work = if effort.evaluations > 0 {
+        format!(
+            "solved in {} by {} with rtol {:e}{} ({} steps{}, {} evaluations)",
+            number::duration(cost.solve),
+            report.motion.settings.method,
+            report.motion.settings.rtol,
+            atol_part(report),
+            number::count(effort.steps),
+            stiff_part(report),
+            number::count(effort.evaluations)
+        )
+    } else {
+        format!("evaluated in {}", number::duration(cost.total))
+    };
+    let more = match cost.tenfold {
+        _ if effort.rounded_steps > 0 => format!(
+            "; in {} steps rounding is larger than the tolerance, so that a smaller --rtol gains nothing there",
+            number::count(effort.rounded_steps)
+        ),
+        Some(factor) => format!("; ten times more accuracy takes {factor:.2} times as long"),
+        None if cost.is_cut_off => {
+            "; the estimate with a tenth of the tolerance was cut off".to_owned()
+        }
+        None if effort.evaluations > 0 => {
+            "; double precision has no room for ten times more accuracy".to_owned()
+        }
+        None => String::new(),
+    };
+    format!("{error}; {work}{more}.")
+}
+
+/// The absolute tolerances that are given.
+fn atol_part(report: &Report) -> String {
+    let given = given_atol(&report.motion.settings, report.case.scene);
+    let parts = given.map(|(state, value)| {
+        let value = unit::stated(value, state.factor);
+        format!(", atol {value:e} {} of {}", state.unit, state.name)
+    });
+    parts.collect::<String>().replace("  ", " ")
+}
+
+/// How many of the steps were stiff ones, where `auto` chose.
+fn stiff_part(report: &Report) -> String {
+    if report.motion.settings.method != Method::Auto {
+        return String::new();
+    }
+    let stiff = number::count(report.motion.statistics().stiff_steps);
+    match report.motion.switches().first() {
+        Some(first) => format!(", {stiff} of them stiff, from t = {:.3e} s on", first.time),
+        None => format!(", {stiff} of them stiff"),
+    }
+}
