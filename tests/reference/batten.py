@@ -19,13 +19,13 @@ Let e = ds/dphi2 (K1: X'(theta); K3: X'(theta - phi2)) and g = Delta^-1 (u + bet
 Drive side: F1 = m1 x1'' + (1+lam) m3 x3'' - lam m4 x4'',  M1 = X'(theta) F1 + c (phi2 + beta_t phi2').
 """
 import cmath
-import json
 import math
 import sys
 import mpmath
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
+import rows
 
 THETA_B = "1.9198"                                   # crank angle at the start of the blow into the locks
 PH = dict(m1="28.5", m2="28.5", m3="2.02", m4="2.02", J2="0.1004", c="20980", lam="0.385", d33="3.80e-6",
@@ -324,7 +324,7 @@ def main():
                                     "det_Phi": float(np.linalg.det(Phin)), "last_newton_step_relative": step}
     if "--no-mpmath" not in sys.argv:
         out["elastic"]["mpmath_30_digits"] = mpmath_elastic(v, Phi)
-    json.dump(out, sys.stdout, indent=1)
+    print(rows.text(out))
     print()
 
 

@@ -7,8 +7,8 @@ Positions of dyads by the meeting of circles, of the heald linkage by mpmath's N
 by differences of positions at 60 digits. Nothing is shared with the equations of the project but the dimensions.
 Needs mpmath. Lengths in mm, angles in degrees, derivatives in degrees or mm per unit of the variable (degree or mm).
 """
-import json
 import mpmath as mp
+import rows
 
 mp.mp.dps = 60
 RAD = mp.pi / 180
@@ -153,4 +153,4 @@ if __name__ == "__main__":
         case("feed_stitch", "forward", stitch(), {"nu": 20}),
         case("dwell_six_bar", "standard", six_bar()),
     ]
-    print(json.dumps(cases, indent=1))
+    print(rows.text(cases))

@@ -11,7 +11,6 @@ from event to event, in modes of its own making. Needs mpmath, scipy. Everything
     limiting cam  m y'' + 2 m h y' + c y = -P                    y(0) = 0, y'(0) = V
     wedge         m u'' + 2 m h u' + K u = P, u = v t - y        u(0) = u0, u'(0) = v
 """
-import json
 import math
 import random
 import sys
@@ -19,6 +18,7 @@ from mpmath import mp, mpf, mpc
 import mpmath
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
+import rows
 
 mp.dps = 40
 DIGITS = 25
@@ -644,7 +644,7 @@ def main():
                                          rebound=True, **full),
         "unselected_full_ended": stepped("unselected_full", changes=dict(V_c=3.0, H_w=0.1e-3), rebound=True, **full),
     }
-    json.dump(out, sys.stdout, indent=1)
+    print(rows.text(out))
     print()
 
 

@@ -14,7 +14,6 @@ The feed mechanism is closed by circles (linkages.py). Needs numpy, scipy, mpmat
 On a plate that yields (c_p) D = max(Y, sink w) - w with sink = c2/(c2 + c_p); where Y passes sink w is an event too.
 """
 import functools
-import json
 import math
 import sys
 import mpmath as mp
@@ -23,6 +22,7 @@ from scipy.integrate import quad, solve_ivp
 from scipy.linalg import expm
 from scipy.optimize import brentq, linprog, minimize_scalar
 import linkages
+import rows
 
 BASE = dict(m=0.15, c1=2000.0, mu1=2.0, F10=40.0, c2=1e5, c3=0.0, mu2=30.0, eta=0.8, g=9.80665, omega=300.0,
             phi_p=math.radians(120), phi_v=math.radians(60), rise=1e-3, q1=0.0, q2=0.0, q3=0.0, drop=3e-3, order=5,
@@ -605,7 +605,7 @@ def main():
     out["grazing"] = [grazing(30.0, 226.0, 227.0), grazing(0.0, 229.0, 230.0)]
     out["transition"] = best_transition()
     out["irregular"] = growth(800.0)
-    json.dump(out, sys.stdout, indent=1)
+    print(rows.text(out))
     print()
 
 

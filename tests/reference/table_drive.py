@@ -15,13 +15,13 @@ Needs mpmath, scipy. Everything is SI.
     back   like run with -Mc
     coast  J1 f1'' = Me,  J2 f2'' = -Mc
 """
-import json
 import math
 import sys
 import mpmath
 from mpmath import mp, mpf
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
+import rows
 
 mp.dps = 50
 BASE = dict(J1="5e-4", J2="5e-4", c="710", beta="0.980665", Mc="0.2", Ms="17.2", omega="157", g="0",
@@ -425,7 +425,7 @@ def main():
         "pulled_back": stepped("transient", dict(beta="0.001", Mc="30", J2="5e-3", c="12.3", lambda1="0", lambda2="0"),
                                end=0.3, motor="transient"),
     }
-    json.dump(out, sys.stdout, indent=1)
+    print(rows.text(out))
     print()
 
 
