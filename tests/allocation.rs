@@ -1,8 +1,10 @@
-//! Nothing is allocated where a scene of fixed size is evaluated or integrated.
+//! Nothing is allocated where a scene of fixed size is evaluated, or in a step of any method.
 
-use assur::model::{Bound, Flow};
+use assur::model::{Bound, Flow, Model};
 use assur::ode::{Explicit, Options, Varied, Workspace, integrate};
 use assur::problem::{Equations, Phase, Reports, Scene, Span};
+use assur::shape::Shape;
+use assur::stiff;
 use assur_equations::batten::{Elastic, Exact};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -67,6 +69,67 @@ fn check_revolutions<C: Scene + Default>(method: Explicit) {
     assert!(steps > 100, "{steps}");
 }
 
+/// Van der Pol's oscillator with `ε = 1e-4`.
+struct Oscillator;
+
+impl Equations<f64> for Oscillator {
+    fn states(&self) -> usize {
+        2
+    }
+
+    fn rates(&self, _phase: Phase<'_, f64>, _instant: &[f64], state: &[f64], rates: &mut [f64]) {
+        rates[0] = state[1];
+        rates[1] = 1e4 * ((1.0 - state[0] * state[0]) * state[1] - state[0]);
+    }
+
+    fn variation(
+        &self,
+        _phase: Phase<'_, f64>,
+        _instant: &[f64],
+        _state: &[f64],
+        _rates: &mut [f64],
+        _columns: &[f64],
+        _products: &mut [f64],
+    ) {
+        unreachable!("no stiff method asks for variations");
+    }
+
+    fn jacobian(
+        &self,
+        _phase: Phase<'_, f64>,
+        _instant: &[f64],
+        state: &[f64],
+        columns: &mut [f64],
+    ) {
+        let slope = 1e4 * (-2.0 * state[0] * state[1] - 1.0);
+        columns.copy_from_slice(&[0.0, slope, 1.0, 1e4 * (1.0 - state[0] * state[0])]);
+    }
+}
+
+impl Reports<f64> for Oscillator {}
+
+impl Model for Oscillator {
+    fn shape(&self) -> &Shape {
+        const { &Shape::named("oscillator") }
+    }
+
+    fn equations(&self) -> &dyn Equations<f64> {
+        self
+    }
+
+    fn reports(&self) -> &dyn Reports<f64> {
+        self
+    }
+
+    fn span(&self) -> Span {
+        Span::Open
+    }
+
+    fn start(&self) -> Vec<f64> {
+        vec![2.0, 0.0]
+    }
+}
+
 #[test]
 fn the_counter_counts() {
     assert_eq!(allocations(Vec::<f64>::new), 0);
@@ -123,4 +186,24 @@ fn variational_equations_allocate_nothing_per_step() {
         allocations(|| integrate(&varied, times, &start, &options, &mut workspace, &mut ()))
     });
     assert!(counts[0] <= 1 && counts[1] == 0, "{counts:?}");
+}
+
+#[test]
+fn stiff_methods_allocate_nothing_per_step() {
+    for method in [stiff::Method::Radau, stiff::Method::Rosenbrock, stiff::Method::Automatic] {
+        let flow = Flow::new(&Oscillator, 0);
+        let mut workspace = stiff::Workspace::new(method, &flow);
+        let options = Options::default();
+        for end in [2.0, 6.0] {
+            let mut steps = 0;
+            let count = allocations(|| {
+                let (times, start) = ((0.0, end), [2.0, 0.0]);
+                let done =
+                    stiff::integrate(&flow, times, &start, &options, &mut workspace, &mut ());
+                steps = done.unwrap().steps;
+            });
+            assert_eq!(count, 0, "{method:?}");
+            assert!(steps > 500, "{method:?} {steps}");
+        }
+    }
 }
