@@ -11,11 +11,6 @@ use assur_model::program::Stage;
 
 use crate::table::{Table, number};
 
-// Without this `cargo fmt` would format the files of another package.
-#[rustfmt::skip]
-#[path = "../../macros/src/emit/mod.rs"]
-mod emit;
-
 /// Seconds that the longest chain may take.
 const GOAL: f64 = 2.0;
 /// Links of the chains.
@@ -69,14 +64,14 @@ fn derive(links: usize) -> Derived {
         let model = compiled.model.as_ref().expect("the chain is right");
 
         let start = Instant::now();
-        let origin = emit::Origin {
+        let origin = assur_emit::Origin {
             file: "chain.eqn".to_owned(),
             has_file: false,
             line_of: &|_| 1,
             part_of: &|_| None,
             parts: Vec::new(),
         };
-        let items = emit::mechanism(model, &origin);
+        let items = assur_emit::mechanism(model, &origin);
         let emitting = start.elapsed().as_secs_f64();
 
         let start = Instant::now();

@@ -3,13 +3,13 @@
 use std::path::Path;
 
 use assur::registry::Mechanism;
+use assur_emit::Origin;
 use assur_model::checked::Model;
 
 use crate::arguments::ExpandArguments;
 use crate::ask::For;
 use crate::ask::lookup;
 use crate::ask::lookup::Registry;
-use crate::emit::{self, Origin};
 use crate::error::Failure;
 use crate::show::output::{complain, print};
 use crate::show::style;
@@ -102,7 +102,7 @@ fn parsed(model: &Model, source: &Source, checked: &Checked<'_>) -> Result<syn::
         },
         parts: checked.compiled.parts.iter().map(|part| part.path.clone()).collect(),
     };
-    syn::parse2(emit::mechanism(model, &origin)).map_err(|error| {
+    syn::parse2(assur_emit::mechanism(model, &origin)).map_err(|error| {
         Failure::request("the emitted Rust cannot be laid out")
             .place(source.name())
             .reason(error.to_string())

@@ -19,8 +19,6 @@ mod arguments;
 mod ask;
 mod check;
 mod draw;
-#[path = "../../macros/src/emit/mod.rs"]
-mod emit;
 mod error;
 mod expand;
 mod linkage;

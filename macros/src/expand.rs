@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
+use assur_emit::Origin;
 use assur_model::checked::{Compiled, Model, SceneModel};
 use assur_model::diagnostic::{Diagnostic, Diagnostics, Severity};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::emit::{self, Origin};
 use crate::parts::Parts;
 use crate::report;
 use crate::tokens::Source;
@@ -37,7 +37,7 @@ pub fn mechanism(input: TokenStream) -> TokenStream {
         part_of: &part_of,
         parts: source.parts.iter().map(|part| part.path.clone()).collect(),
     };
-    let items = emit::mechanism(&model, &origin);
+    let items = assur_emit::mechanism(&model, &origin);
     let report = report::items(&diagnostics, &source);
     let used = parts.used;
     quote!(#report #used #items)

@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
+use assur_emit::names;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::LitStr;
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
 
-use crate::emit::names;
 use crate::report;
 
 /// Expands the macro.

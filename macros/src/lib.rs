@@ -1,10 +1,9 @@
 //! The macros of Assur: equations in, checked Rust out. Use them through the facade, `assur`.
 //!
 //! The language itself is the crate `assur-model`; nothing here knows algebra. A macro reads rustc's tokens
-//! (`tokens`), has them compiled, and prints the resulting programs as Rust (`emit`) and the messages as errors of
+//! (`tokens`), has them compiled, and prints the resulting programs as Rust (`assur-emit`) and the messages as errors of
 //! rustc that point into the equation file (`report`).
 
-mod emit;
 mod expand;
 mod files;
 mod parts;

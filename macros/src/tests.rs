@@ -2,10 +2,9 @@
 
 use std::path::Path;
 
+use assur_emit::Origin;
 use assur_model::checked::Model;
 use assur_model::lexer::{self, Lexed};
-
-use crate::emit::{self, Origin};
 
 /// A mechanism and the text between its braces.
 fn compiled(text: &str) -> (Model, Lexed) {
@@ -30,7 +29,7 @@ fn emitted(text: &str, file: &str, is_kept: impl Fn(&str) -> bool) -> syn::File 
         part_of: &|_| None,
         parts: Vec::new(),
     };
-    let items = emit::mechanism(&model, &origin);
+    let items = assur_emit::mechanism(&model, &origin);
     syn::parse2(items).expect("the emitted items are Rust")
 }
 
@@ -45,7 +44,7 @@ fn pieces(file: syn::File) -> Vec<(String, String)> {
     for item in content.expect("the items stand in a module").1 {
         match (&item, pieces.last_mut()) {
             (syn::Item::Struct(one), _) => {
-                let name = emit::names::snake(&one.ident.to_string());
+                let name = assur_emit::names::snake(&one.ident.to_string());
                 pieces.push((name, syn::parse_quote!(#item)));
             }
             (syn::Item::Mod(one), _) if one.ident == "shapes_" => {
@@ -132,12 +131,12 @@ fn batten_elastic() {
 
 #[test]
 fn unary_signs_and_numbers_are_rust() {
-    assert_eq!(emit::names::identifier("2x").to_string(), "v2x_");
-    assert_eq!(emit::names::identifier("dot(x[3])").to_string(), "dot_x_3");
-    assert_eq!(emit::names::identifier("type").to_string(), "r#type");
-    assert_eq!(emit::names::identifier("φ2").to_string(), "φ2");
-    assert_eq!(emit::names::pascal("two_term"), "TwoTerm");
-    assert_eq!(emit::names::snake("HealdLinkage"), "heald_linkage");
+    assert_eq!(assur_emit::names::identifier("2x").to_string(), "v2x_");
+    assert_eq!(assur_emit::names::identifier("dot(x[3])").to_string(), "dot_x_3");
+    assert_eq!(assur_emit::names::identifier("type").to_string(), "r#type");
+    assert_eq!(assur_emit::names::identifier("φ2").to_string(), "φ2");
+    assert_eq!(assur_emit::names::pascal("two_term"), "TwoTerm");
+    assert_eq!(assur_emit::names::snake("HealdLinkage"), "heald_linkage");
 }
 
 #[test]

@@ -13,7 +13,7 @@ pub use measure::{MeasureInfo, Moment, Primitive, PrimitiveKind};
 pub use mode::{EventInfo, ModeModel};
 
 use crate::diagnostic::Diagnostic;
-use crate::program::Program;
+use crate::program::{Counts, Program, Staging, Value};
 pub use crate::syntax::tree::{Direction, Distribution};
 use crate::token::Span;
 
@@ -149,6 +149,25 @@ pub struct SceneModel {
     pub first: usize,
     /// The operations.
     pub program: Program,
+}
+
+impl SceneModel {
+    /// How many operations it takes; of a linkage a position counts as an evaluation, and its influence coefficients as
+    /// the Jacobian.
+    pub fn counts(&self, staging: &Staging) -> Counts {
+        let results = &self.program.results;
+        let (evaluated, slopes): (Vec<Value>, Vec<Value>) = match &self.linkage {
+            Some(linkage) => {
+                let closing = &results.closing;
+                (closing.of_position(&linkage.groups), closing.influence.clone())
+            }
+            None => {
+                let slopes = results.jacobian.iter().map(|entry| entry.2);
+                (results.derivative.clone(), slopes.collect())
+            }
+        };
+        self.program.counts(staging, &evaluated, &slopes)
+    }
 }
 
 /// A named quantity with the unit in which it is printed.

@@ -5,24 +5,34 @@ mod build;
 mod closing;
 mod collect;
 mod count;
+mod counts;
 mod emit;
 mod evaluate;
 mod event;
 mod latency;
+mod levels;
+mod needed;
 mod order;
 mod product;
 mod resting;
 mod results;
 mod sensitivity;
+mod series;
 mod share;
+mod staging;
 mod surfaces;
 
 pub use crate::expression::{Form, Function, Relation};
 pub use build::{Request, build};
 pub use closing::{ClosedForm, Closing};
+pub use counts::Counts;
 pub use evaluate::{Place, Values};
 pub use event::{Event, Slopes};
+pub use levels::{Level, Pair};
+pub use needed::Shape;
 pub use results::Results;
+pub use series::{Series, Step};
+pub use staging::{Idle, Staging};
 
 /// Index of an operation, and so of its value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]

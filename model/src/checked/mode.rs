@@ -1,6 +1,6 @@
 //! Modes of a motion and the events between them.
 
-use super::EquationInfo;
+use super::{EquationInfo, SceneModel};
 use crate::program::Program;
 use crate::syntax::tree::Direction;
 use crate::token::Span;
@@ -59,5 +59,23 @@ impl EventInfo {
             span,
             is_idle: false,
         }
+    }
+}
+
+impl SceneModel {
+    /// Its modes as scenes of their own; none where there are none.
+    pub fn split(&self) -> Vec<SceneModel> {
+        let mode = |(index, mode): (usize, &ModeModel)| {
+            let mut program = mode.program.clone();
+            // What is made of a whole run, or of the time alone, is no matter of modes: the first one computes it.
+            if index != self.first {
+                program.results.measures.clear();
+                program.results.margins.clear();
+                program.results.drivers.clear();
+            }
+            let equations = mode.equations.clone();
+            SceneModel { program, equations, modes: Vec::new(), ..self.clone() }
+        };
+        self.modes.iter().enumerate().map(mode).collect()
     }
 }

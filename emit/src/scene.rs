@@ -4,8 +4,8 @@ use assur_model::checked::Model;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::layout::Layout;
-use super::{Origin, closure, equations, modes, names, outputs, parameters};
+use crate::layout::Layout;
+use crate::{Origin, closure, equations, modes, names, outputs, parameters};
 
 /// Names of the types of the scenes: `TwoTerm` for `two_term`; the only scene of a mechanism that states none has the
 /// name of the mechanism.

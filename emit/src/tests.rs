@@ -4,9 +4,9 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::expression::size;
-use super::layout::Layout;
-use super::{Origin, names};
+use crate::expression::size;
+use crate::layout::Layout;
+use crate::{Origin, names};
 
 /// The module of the tests; nothing when there is nothing to test.
 pub fn module(layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {

@@ -3,15 +3,14 @@
 use std::collections::BTreeSet;
 
 use assur_model::checked::SceneModel;
-use assur_model::program::{OperationKind, Program, Stage, Value};
+use assur_model::program::{Counts, OperationKind, Program, Shape, Stage, Staging, Value};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::body::Body;
-use super::expression::{self, size as whole};
-use super::names::{self, Names};
-use super::schedule::{self, Shape};
-use super::{docs, formula};
+use crate::body::Body;
+use crate::expression::{self, size as whole};
+use crate::names::{self, Names};
+use crate::{docs, formula};
 
 /// Operations of an evaluation with its Jacobian, in all modes together, from which on functions are long.
 const LONG: usize = 1000;
@@ -28,54 +27,14 @@ pub struct Layout<'a> {
     pub parameters: Ident,
     /// The prepared equations, `ElasticEquations`.
     pub equations: Ident,
-    /// Values that the prepared equations store.
-    pub prepared: BTreeSet<Value>,
-    /// Values that the instant stores.
-    pub timed: BTreeSet<Value>,
+    /// What the prepared equations and the instant store.
+    pub staging: Staging,
+    /// How many operations its functions do.
+    pub counts: Counts,
     /// The modes, each laid out like a scene of its own; empty where there are none.
     pub modes: Vec<Layout<'a>>,
     /// Of a mode the field that holds its prepared values.
     pub field: Option<Ident>,
-}
-
-/// What an instant stores: what the derivative needs of the time, and the functions of the time that the Jacobian
-/// needs beside it. The rest of the Jacobian is computed where it is asked for, so that a plain run does not pay for it;
-/// so is all that events need.
-///
-/// Of a linkage: what closing needs of the drivers, and the functions of them that the rest needs beside it.
-fn timed(program: &Program) -> BTreeSet<Value> {
-    let results = &program.results;
-    let closing = &results.closing;
-    let stage = |value: Value| program.operations[value.0 as usize].stage;
-    let slopes = closing.slopes.iter().map(|entry| entry.2);
-    let mut first: Vec<Value> = results.derivative.clone();
-    first.extend(closing.residuals.iter().copied().chain(slopes));
-    for closed in closing.groups.iter().flatten() {
-        first.extend(closed.values.iter().map(|entry| entry.1).chain([closed.sine]));
-    }
-    let mut timed = schedule::frontier(program, &first, Stage::State);
-    timed.retain(|value| stage(*value) == Stage::Instant);
-    let mut open: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
-    if !closing.cosines.is_empty() || closing != &Default::default() {
-        open.extend(results.outputs.iter().copied().chain(closing.all()));
-    }
-    let mut seen: BTreeSet<Value> = BTreeSet::new();
-    while let Some(value) = open.pop() {
-        if !seen.insert(value) {
-            continue;
-        }
-        let kind = &program.operations[value.0 as usize].kind;
-        if stage(value) < Stage::Instant || timed.contains(&value) {
-            continue;
-        }
-        let function = matches!(kind, OperationKind::Call(..) | OperationKind::Input(_));
-        if function && stage(value) == Stage::Instant {
-            timed.insert(value);
-        } else {
-            open.extend(kind.operands());
-        }
-    }
-    timed
 }
 
 /// The body of a function that is not inlined: what stands in it is, into a function that is compiled for the
@@ -88,25 +47,7 @@ impl<'a> Layout<'a> {
     /// Lays out a scene whose type has this name.
     pub fn new(scene: &'a SceneModel, type_name: &str) -> Self {
         let program = &scene.program;
-        let results = &program.results;
-        let slopes = results.jacobian.iter().map(|entry| entry.2);
-        let evaluated: Vec<Value> = results.derivative.iter().copied().chain(slopes).collect();
-        let rest = [
-            &results.outputs,
-            &results.drivers,
-            &results.mass,
-            &results.energy,
-            &results.measured,
-            &results.measures,
-            &results.margins,
-        ];
-        let all: Vec<Value> = evaluated
-            .iter()
-            .chain(rest.into_iter().flatten())
-            .copied()
-            .chain(results.closing.all())
-            .chain(results.events.iter().flat_map(|event| event.all()))
-            .collect();
+        let staging = program.staging();
         let names = scene.constants.iter().map(|constant| constant.quantity.name.as_str());
         Self {
             scene,
@@ -114,8 +55,8 @@ impl<'a> Layout<'a> {
             constants: names::distinct(names),
             parameters: names::identifier(type_name),
             equations: format_ident!("{type_name}Equations"),
-            prepared: schedule::frontier(program, &all, Stage::Instant),
-            timed: timed(program),
+            counts: scene.counts(&staging),
+            staging,
             modes: Vec::new(),
             field: None,
         }
@@ -201,13 +142,14 @@ impl<'a> Layout<'a> {
     /// Length of a row of what depends on the time alone.
     pub fn row(&self) -> usize {
         let modes = self.each_mode().iter();
-        let own = modes.map(|mode| mode.timed.iter().map(|value| mode.numbers(*value)).sum());
+        let own =
+            modes.map(|mode| mode.staging.timed.iter().map(|value| mode.numbers(*value)).sum());
         own.max().unwrap_or(0)
     }
 
     /// How many numbers of a row a value takes.
     fn numbers(&self, value: Value) -> usize {
-        match schedule::shape(self.program(), value) {
+        match self.program().shape(value) {
             Shape::Number | Shape::Mask => 1,
             Shape::Factor(_, size) => size * size,
             Shape::Vector(size) => size,
@@ -216,10 +158,10 @@ impl<'a> Layout<'a> {
 
     /// A value that depends on the time alone, read from a row.
     pub fn read_row(&self, value: Value) -> TokenStream {
-        let before = self.timed.range(..value);
+        let before = self.staging.timed.range(..value);
         let begin: usize = before.map(|value| self.numbers(*value)).sum();
         let at = |index: usize| whole(begin + index);
-        match schedule::shape(self.program(), value) {
+        match self.program().shape(value) {
             Shape::Number => {
                 let at = at(0);
                 quote!(instant[#at])
@@ -246,10 +188,10 @@ impl<'a> Layout<'a> {
 
     /// The numbers of a row, as a body has computed them.
     pub fn row_of(&self, body: &Body<'_>) -> Vec<TokenStream> {
-        let timed = self.timed.iter();
+        let timed = self.staging.timed.iter();
         let numbers = timed.flat_map(|value| {
             let text = body.value(*value);
-            match schedule::shape(self.program(), *value) {
+            match self.program().shape(*value) {
                 Shape::Number => vec![text],
                 Shape::Mask => vec![quote!(S::select(#text, S::ONE, S::ZERO))],
                 Shape::Factor(_, size) => (0..size * size)
@@ -332,7 +274,7 @@ impl<'a> Layout<'a> {
 
     /// The type of a value.
     fn type_of(&self, value: Value) -> TokenStream {
-        match schedule::shape(self.program(), value) {
+        match self.program().shape(value) {
             Shape::Number => quote!(S),
             Shape::Mask => quote!(S::Mask),
             Shape::Factor(form, size) => expression::factors(form, size),
@@ -345,7 +287,7 @@ impl<'a> Layout<'a> {
 
     /// Any value of the right type.
     pub fn placeholder(&self, value: Value) -> TokenStream {
-        match schedule::shape(self.program(), value) {
+        match self.program().shape(value) {
             Shape::Number => quote!(S::ZERO),
             Shape::Mask => quote!(S::less(S::ZERO, S::ZERO)),
             Shape::Factor(form, size) => {

@@ -12,9 +12,9 @@ use assur_model::token::Span;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::expression::{number, size};
-use super::layout::Layout;
-use super::{Origin, counts, measures};
+use crate::expression::{number, size};
+use crate::layout::Layout;
+use crate::{Origin, measures};
 
 /// The module with the shapes of all scenes, which have the names of their types.
 pub fn module(layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
@@ -154,7 +154,7 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
         quote!(EquationText::new(#line, #text, #unit))
     });
     let equations = list("equations", equations);
-    let operations = counts::of(layout).all().map(size);
+    let operations = layout.counts.all().map(size);
     let marks = scene.marks.iter().map(|mark| {
         let (text, at) = (&mark.text, place(&mark.at));
         quote!(Mark::new(#text, #at))

@@ -1,16 +1,16 @@
-//! A checked model as Rust items.
+//! The printer of Assur: a checked model as Rust items.
 //!
-//! It knows only the model and proc-macro2, so that the command prints the same text for `assur expand`. The order is
-//! that of the output: for each scene the parameters that a user fills in ([`parameters`]), the equations prepared for
-//! a scalar type ([`equations`]), what depends on the time alone ([`instant`]), outputs and energies ([`outputs`]);
-//! then the shapes ([`shape`]), the tables ([`registry`]) and the tests ([`tests`]). The functions are straight lines of statements
-//! ([`body`]); which values they need and in which order is found in [`schedule`], what is stored where in [`layout`];
-//! [`formula`] says in the fields' documentation what they are.
+//! It knows only the model and proc-macro2, so that the macros and the command print the same text, and it does no
+//! analysis: what is stored, in which order operations are done and which of them have series is said by
+//! [`assur_model::program`]. [`mechanism`] prints everything. The order is that of the output: for each scene the
+//! parameters that a user fills in (`parameters`), the equations prepared for a scalar type (`equations`), what depends on
+//! the time alone (`instant`), outputs and energies (`outputs`); then the shapes (`shape`), the tables (`registry`) and
+//! the tests (`tests`). The functions are straight lines of statements (`body`); what has which name and type is found in
+//! `layout`; `formula` says in the fields' documentation what it is.
 
 mod blocks;
 mod body;
 mod closure;
-mod counts;
 mod docs;
 mod equations;
 mod expression;
@@ -22,12 +22,10 @@ mod measures;
 mod modes;
 pub mod names;
 mod outputs;
-mod pairs;
 mod parameters;
 mod registry;
 mod requirements;
 mod scene;
-mod schedule;
 mod series;
 mod shape;
 mod slopes;
@@ -35,7 +33,7 @@ mod subjects;
 mod tests;
 mod values;
 
-use assur_model::checked::Model;
+use assur_model::checked::{Model, SceneModel};
 use assur_model::token::Span;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -60,7 +58,7 @@ pub struct Origin<'a> {
 /// a quantity of the equations.
 pub fn mechanism(model: &Model, origin: &Origin<'_>) -> TokenStream {
     let types = scene::type_names(model);
-    let modes = modes::split(model);
+    let modes: Vec<_> = model.scenes.iter().map(SceneModel::split).collect();
     let layouts: Vec<Layout<'_>> = model
         .scenes
         .iter()

@@ -5,8 +5,8 @@ use assur_model::token::Span;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::layout::Layout;
-use super::{Origin, counts, values};
+use crate::layout::Layout;
+use crate::{Origin, values};
 
 /// A text as documentation, line by line.
 pub fn lines(text: &str) -> TokenStream {
@@ -73,7 +73,7 @@ pub fn scene(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> String 
     text += &table("Drivers", QUANTITY, scene.drivers.iter().map(quantity_row));
     text += &table("State", QUANTITY, scene.states.iter().map(quantity_row));
     text += &table("Outputs", QUANTITY, scene.outputs.iter().map(quantity_row));
-    let count = counts::of(layout);
+    let count = layout.counts;
     let (evaluation, jacobian) = match &scene.linkage {
         Some(_) => ("per position", "for all influence coefficients"),
         None => ("per evaluation", "per Jacobian"),

@@ -4,11 +4,11 @@ use assur_model::checked::SpanKind;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::body::{Body, Place};
-use super::equations::exact;
-use super::expression::size;
-use super::layout::Layout;
-use super::modes::each;
+use crate::body::{Body, Place};
+use crate::equations::exact;
+use crate::expression::size;
+use crate::layout::Layout;
+use crate::modes::each;
 
 /// The methods of `Events`, where variations of the motion pass through them.
 pub fn methods(layout: &Layout<'_>) -> Option<TokenStream> {

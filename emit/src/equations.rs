@@ -6,11 +6,11 @@ use assur_model::program::{OperationKind, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::blocks::blocks;
-use super::body::{Body, Place};
-use super::expression::{scalar, size};
-use super::layout::Layout;
-use super::{counts, docs, instant, series};
+use crate::blocks::blocks;
+use crate::body::{Body, Place};
+use crate::expression::{scalar, size};
+use crate::layout::Layout;
+use crate::{docs, instant, series};
 
 /// Longest array literal for a column of the Jacobian; longer columns are filled entry by entry.
 const SHORT: usize = 8;
@@ -22,7 +22,7 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
     let name = &layout.equations;
     let states = size(layout.states());
     let fields = match layout.modes.as_slice() {
-        [] => layout.fields(&layout.prepared),
+        [] => layout.fields(&layout.staging.prepared),
         modes => {
             let fields = modes.iter().map(|mode| {
                 let (field, kind) = (&mode.field, &mode.equations);
@@ -32,7 +32,7 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
         }
     };
     let modes = layout.modes.iter().zip(&layout.scene.modes).map(|(mode, own)| {
-        let (name, fields) = (&mode.equations, mode.fields(&mode.prepared));
+        let (name, fields) = (&mode.equations, mode.fields(&mode.staging.prepared));
         let text = match own.name.as_str() {
             "" => docs::lines("In the only mode."),
             name => docs::lines(&format!("In the mode `{name}`.")),
@@ -88,7 +88,7 @@ fn rates(layout: &Layout<'_>) -> TokenStream {
         let values = wanted.iter().map(|value| body.value(*value));
         layout.body(quote!(#statements *rates = [#(#values),*];))
     });
-    let text = layout.counted(counts::of(layout).derivative);
+    let text = layout.counted(layout.counts.derivative);
     quote! {
         #text
         #[inline(always)]
@@ -109,7 +109,7 @@ fn jacobian(layout: &Layout<'_>) -> TokenStream {
             #body
         }
     });
-    let text = layout.counted(counts::of(layout).jacobian);
+    let text = layout.counted(layout.counts.jacobian);
     quote! {
         #text
         #[inline(always)]

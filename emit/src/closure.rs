@@ -5,11 +5,11 @@ use assur_model::program::{ClosedForm, Input, OperationKind, Stage, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::blocks::blocks;
-use super::body::{Body, Place};
-use super::expression::size;
-use super::layout::{Layout, outlined};
-use super::{docs, instant, schedule};
+use crate::blocks::blocks;
+use crate::body::{Body, Place};
+use crate::expression::size;
+use crate::layout::{Layout, outlined};
+use crate::{docs, instant};
 
 /// Operations from which on a method is long.
 const LONG: usize = 200;
@@ -18,7 +18,7 @@ const LONG: usize = 200;
 pub fn items(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
     let (name, parameters) = (&layout.equations, &layout.parameters);
     let (instants, instant) = instant::of_drivers(layout);
-    let fields = layout.fields(&layout.prepared);
+    let fields = layout.fields(&layout.staging.prepared);
     let text =
         docs::lines(&format!("Loops of [`{}`], prepared for a scalar type.", layout.parameters));
     let largest = linkage.groups.iter().map(|group| group.unknowns.len()).max().unwrap_or(0);
@@ -115,7 +115,7 @@ fn close_all(layout: &Layout<'_>) -> TokenStream {
         quote!({ let mode = modes[#group]; #statements sines[#group] = #sine; })
     });
     let count = size(forms.len());
-    let first = super::equations::exact(&[(quote!(mut sines), forms.len())]);
+    let first = crate::equations::exact(&[(quote!(mut sines), forms.len())]);
     quote! {
         #[inline(always)]
         fn close_all(&self, instant: &Self::Instant, modes: &[S], position: &mut Self::Position, sines: &mut [S]) {
@@ -153,7 +153,7 @@ fn form(layout: &Layout<'_>, closed: &ClosedForm<Value>) -> Form {
         let (place, value) = (size(*place), body.value(*value));
         quote!(position[#place] = #value;)
     });
-    let read = schedule::needed(program, &wanted, &|_| false);
+    let read = program.needed(&wanted, &|_| false);
     let reads =
         read.into_iter().filter_map(|value| match program.operations[value.0 as usize].kind {
             OperationKind::Input(Input::Position(place)) => Some(place as usize),
@@ -291,7 +291,7 @@ fn coefficients(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
             writes.push(quote!(columns[#driver][#dependent] = #value;));
         }
     }
-    let first = super::equations::exact(&[(quote!(mut columns), layout.scene.drivers.len())]);
+    let first = crate::equations::exact(&[(quote!(mut columns), layout.scene.drivers.len())]);
     let writes = blocks(&writes);
     quote! {
         #[inline(always)]
@@ -305,7 +305,7 @@ fn coefficients(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
 
 /// A method that writes some values one after the other.
 fn list(layout: &Layout<'_>, method: &str, target: &TokenStream, wanted: &[Value]) -> TokenStream {
-    let method = super::names::identifier(method);
+    let method = crate::names::identifier(method);
     let body = Body::new(layout, Place::Evaluation, wanted, &[]);
     let statements = body.statements(wanted);
     let writes: Vec<TokenStream> = wanted
@@ -317,7 +317,7 @@ fn list(layout: &Layout<'_>, method: &str, target: &TokenStream, wanted: &[Value
         })
         .collect();
     let first = (!wanted.is_empty())
-        .then(|| super::equations::exact(&[(quote!(mut #target), wanted.len())]));
+        .then(|| crate::equations::exact(&[(quote!(mut #target), wanted.len())]));
     let writes = blocks(&writes);
     // A long method is compiled once for each scalar type, not once for each solver that calls it.
     let is_long = layout.program().count(wanted, Stage::State) > LONG;

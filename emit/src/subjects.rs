@@ -3,9 +3,9 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::expression::size;
-use super::layout::Layout;
-use super::{docs, names};
+use crate::expression::size;
+use crate::layout::Layout;
+use crate::{docs, names};
 
 /// A constant for each state, output and measure. An output that repeats the name of a state is that state.
 pub fn items(layout: &Layout<'_>) -> TokenStream {

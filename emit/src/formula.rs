@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use assur_model::program::{Function, Input, OperationKind, Relation, Value};
 
-use super::expression::Binding;
-use super::layout::Layout;
+use crate::expression::Binding;
+use crate::layout::Layout;
 
 /// Longest formula, in characters.
 const LONGEST: usize = 100;
@@ -55,7 +55,7 @@ impl Printer<'_> {
             | Input::Mode(_)
             | Input::Side(_)
             | Input::Measured(_) => {
-                return super::names::given(scene, input).unwrap_or_default();
+                return crate::names::given(scene, input).unwrap_or_default();
             }
         };
         quantity.map_or_else(String::new, |quantity| quantity.name.clone())

@@ -6,18 +6,17 @@ use assur_model::program::{Stage, Value};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::body::{Body, Place};
-use super::expression::{Expression, size};
-use super::layout::Layout;
-use super::pairs::pairs;
-use super::{names, schedule};
+use crate::body::{Body, Place};
+use crate::expression::{Expression, size};
+use crate::layout::Layout;
+use crate::names;
 
 /// Times that are treated together: so many sines are packed well.
 const PACKED: usize = 4;
 
 /// The method of `Closure` that makes the row of a linkage from its drivers, and its length.
 pub fn of_drivers(layout: &Layout<'_>) -> (TokenStream, Literal) {
-    let wanted: Vec<Value> = layout.timed.iter().copied().collect();
+    let wanted: Vec<Value> = layout.staging.timed.iter().copied().collect();
     let body = Body::new(layout, Place::Independents, &wanted, &[]);
     let (statements, numbers) = (body.statements(&wanted), layout.row_of(&body));
     let length = size(numbers.len());
@@ -80,39 +79,30 @@ pub fn methods(layout: &Layout<'_>) -> Option<TokenStream> {
 /// The statements that fill the rows of a mode, for at most [`PACKED`] times.
 fn rows(layout: &Layout<'_>) -> TokenStream {
     let program = layout.program();
-    if layout.timed.is_empty() {
+    if layout.staging.timed.is_empty() {
         return TokenStream::new();
     }
-    // Where a branch that reads the time is not the one that holds, nothing of it is wanted.
-    let is_idle = |side: Option<(u32, f64)>| {
-        let results = &program.results;
-        let slopes = results.jacobian.iter().map(|(_, _, value)| *value);
-        let rates: Vec<Value> = results.derivative.iter().copied().chain(slopes).collect();
-        let resting = program.resting(&rates, side);
-        let stages = resting.iter().map(|value| program.operations[value.0 as usize].stage);
-        stages.into_iter().all(|stage| stage != Stage::Instant)
-    };
-    if is_idle(None) {
+    let idle = program.idle();
+    if idle.always {
         return TokenStream::new();
     }
-    let idle = (0..program.surfaces.len() as u32).flat_map(|surface| {
-        let index = size(surface as usize);
-        [(-1.0, quote!(phase.side(#index), S::ZERO)), (1.0, quote!(S::ZERO, phase.side(#index)))]
-            .map(|(side, pair)| (is_idle(Some((surface, side))), pair))
+    let idle = idle.sides.iter().map(|(surface, side)| {
+        let index = size(*surface as usize);
+        let pair = match *side < 0.0 {
+            true => quote!(phase.side(#index), S::ZERO),
+            false => quote!(S::ZERO, phase.side(#index)),
+        };
+        quote!(if S::holds(S::less(#pair)) { return; })
     });
-    let idle: Vec<TokenStream> = idle
-        .filter(|(is_idle, _)| *is_idle)
-        .map(|(_, pair)| quote!(if S::holds(S::less(#pair)) { return; }))
-        .collect();
-    let wanted: Vec<Value> = layout.timed.iter().copied().collect();
+    let wanted: Vec<Value> = layout.staging.timed.iter().copied().collect();
     // Whatever is prepared is there; the time stands in an array.
-    let prepared = |value: Value| program.operations[value.0 as usize].stage < Stage::Instant;
-    let needed = schedule::needed(program, &wanted, &prepared);
+    let prepared = |value: Value| program.stage(value) < Stage::Instant;
+    let needed = program.needed(&wanted, &prepared);
     let mut given: BTreeMap<Value, Expression> = BTreeMap::new();
     let mut sines = Vec::new();
     let packed = size(PACKED);
-    for level in schedule::levels(program, &needed) {
-        let pairs = pairs(layout, &level.batch);
+    for level in program.levels(&needed) {
+        let pairs = program.pairs(&level.batch);
         if pairs.is_empty() {
             continue;
         }

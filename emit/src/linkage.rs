@@ -5,10 +5,10 @@ use assur_model::program::Value;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::body::{Body, Place};
-use super::expression::{number, size};
-use super::layout::Layout;
-use super::requirements;
+use crate::body::{Body, Place};
+use crate::expression::{number, size};
+use crate::layout::Layout;
+use crate::requirements;
 
 /// The implementation of `Linkage`.
 pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
@@ -21,7 +21,7 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
         quote!(::assur::closure::Range { from: #from, to: #to, start: #start, period: #period })
     });
     let starts = linkage.dependents.iter().map(|one| number(one.start));
-    let span = super::parameters::span(layout);
+    let span = crate::parameters::span(layout);
     quote! {
         impl ::assur::closure::Linkage for #name {
             type Closure<S: ::assur::scalar::Scalar> = #closure<S>;
@@ -59,9 +59,10 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
 
 /// What depends on the constants alone, from constants of any scalar type.
 fn prepare(layout: &Layout<'_>) -> TokenStream {
-    let wanted: Vec<Value> = layout.prepared.iter().copied().collect();
+    let wanted: Vec<Value> = layout.staging.prepared.iter().copied().collect();
     let body = Body::new(layout, Place::Values, &wanted, &[]);
-    let (statements, fields) = (body.statements(&wanted), layout.stored(&layout.prepared, &body));
+    let (statements, fields) =
+        (body.statements(&wanted), layout.stored(&layout.staging.prepared, &body));
     let closure = &layout.equations;
     quote! {
         #[inline(always)]

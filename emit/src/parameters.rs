@@ -5,10 +5,10 @@ use assur_model::program::Value;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::body::{Body, Place};
-use super::expression::size;
-use super::layout::Layout;
-use super::{Origin, docs, linkage, requirements, subjects, values};
+use crate::body::{Body, Place};
+use crate::expression::size;
+use crate::layout::Layout;
+use crate::{Origin, docs, linkage, requirements, subjects, values};
 
 /// The parameter struct of a scene with its methods.
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
@@ -101,7 +101,7 @@ fn computed(
     if wanted.is_empty() {
         return TokenStream::new();
     }
-    let (name, text) = (super::names::identifier(name), docs::lines(text));
+    let (name, text) = (crate::names::identifier(name), docs::lines(text));
     let body = Body::new(layout, Place::Parameters, wanted, &[]);
     let (statements, count) = (body.statements(wanted), size(wanted.len()));
     let values = wanted.iter().map(|value| body.value(*value));
@@ -173,9 +173,10 @@ fn prepare(layout: &Layout<'_>) -> TokenStream {
 
 /// What depends on the parameters alone, stored where later stages use it.
 fn prepared(layout: &Layout<'_>) -> TokenStream {
-    let wanted: Vec<Value> = layout.prepared.iter().copied().collect();
+    let wanted: Vec<Value> = layout.staging.prepared.iter().copied().collect();
     let body = Body::new(layout, Place::Parameters, &wanted, &[]);
-    let (statements, fields) = (body.statements(&wanted), layout.stored(&layout.prepared, &body));
+    let (statements, fields) =
+        (body.statements(&wanted), layout.stored(&layout.staging.prepared, &body));
     let equations = &layout.equations;
     quote!(#statements #equations { #fields })
 }

@@ -4,12 +4,11 @@ use assur_model::program::Value;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::blocks::blocks;
-use super::body::{Body, Place};
-use super::counts;
-use super::equations::exact;
-use super::expression::{size, triangle};
-use super::layout::{Layout, outlined};
+use crate::blocks::blocks;
+use crate::body::{Body, Place};
+use crate::equations::exact;
+use crate::expression::{size, triangle};
+use crate::layout::{Layout, outlined};
 
 /// The implementation of `Reports`.
 pub fn items(layout: &Layout<'_>) -> TokenStream {
@@ -28,7 +27,7 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
 }
 
 fn outputs(layout: &Layout<'_>) -> Option<TokenStream> {
-    let text = layout.counted(counts::of(layout).outputs);
+    let text = layout.counted(layout.counts.outputs);
     let states = size(layout.states());
     let outputs =
         layout.in_mode(&quote!({}), &|mode| of_state(mode, &mode.program().results.outputs));
@@ -45,7 +44,7 @@ fn outputs(layout: &Layout<'_>) -> Option<TokenStream> {
 
 /// A method for values that depend on the time alone, which the first mode computes; none where there are none.
 fn of_time(layout: &Layout<'_>, method: &str, wanted: &[Value]) -> Option<TokenStream> {
-    let method = super::names::identifier(method);
+    let method = crate::names::identifier(method);
     let body = outlined(writes(layout.first_mode(), wanted));
     (!wanted.is_empty()).then(|| {
         quote! {

@@ -6,15 +6,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use assur_model::program::{Input, OperationKind, Stage, Value};
+use assur_model::program::{Input, Level, OperationKind, Stage, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::blocks::BLOCK;
-use super::expression::{self, Expression};
-use super::layout::Layout;
-use super::pairs::pairs;
-use super::schedule::{self, Levels};
+use crate::blocks::BLOCK;
+use crate::expression::{self, Expression};
+use crate::layout::Layout;
 
 /// Most operations in one expression.
 const LONGEST: usize = 8;
@@ -67,10 +65,10 @@ impl<'a> Body<'a> {
         given: BTreeMap<Value, Expression>,
     ) -> Self {
         let mut body = Self { layout, place, statements: Vec::new(), written: given };
-        let needed =
-            schedule::needed(layout.program(), wanted, &|value| body.outside(value).is_some());
+        let program = layout.program();
+        let needed = program.needed(wanted, &|value| body.outside(value).is_some());
         let uses = body.uses(&needed, wanted, named);
-        for Levels { mut before, batch } in schedule::levels(layout.program(), &needed) {
+        for Level { mut before, batch } in program.levels(&needed) {
             before.sort_by_key(|value| body.input_order(*value));
             for value in before {
                 body.state(value, uses.get(&value).copied().unwrap_or(0));
@@ -104,7 +102,7 @@ impl<'a> Body<'a> {
     }
 
     fn kind(&self, value: Value) -> &'a OperationKind {
-        &self.layout.program().operations[value.0 as usize].kind
+        self.layout.program().kind(value)
     }
 
     /// The text of a value that is there already.
@@ -127,7 +125,9 @@ impl<'a> Body<'a> {
                 let owner = self.layout.owner();
                 quote!(#owner.#name)
             }
-            (_, Place::Evaluation, Stage::Instant) if self.layout.timed.contains(&value) => {
+            (_, Place::Evaluation, Stage::Instant)
+                if self.layout.staging.timed.contains(&value) =>
+            {
                 self.layout.read_row(value)
             }
             _ => return None,
@@ -222,7 +222,7 @@ impl<'a> Body<'a> {
 
     /// Adds the statement that takes the sines and cosines of a batch.
     fn state_sines(&mut self, batch: &[Value]) {
-        let pairs = pairs(self.layout, batch);
+        let pairs = self.layout.program().pairs(batch);
         let name = |value: &Option<Value>| match value {
             Some(value) => {
                 let name = self.layout.names.of(*value);

@@ -2,7 +2,7 @@
 
 use assur_model::checked::{ConstantInfo, QuantityInfo};
 
-use super::docs::plain;
+use crate::docs::plain;
 
 /// Documentation of a field: `Crank radius. 75 mm ± 0.05 mm; here in SI units.`
 pub fn field(constant: &ConstantInfo) -> String {

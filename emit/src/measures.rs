@@ -4,7 +4,7 @@ use assur_model::checked::{ModeModel, Moment, Primitive, PrimitiveKind, SceneMod
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::expression::size;
+use crate::expression::size;
 
 /// The call that puts the measures into a shape, where the scene has any.
 pub fn call(scene: &SceneModel, measures: &TokenStream) -> Option<TokenStream> {

@@ -1,14 +1,13 @@
-//! The Taylor series of a motion: the same operations as for the rates, term by term.
+//! The Taylor series of a motion, as the model says how its terms follow from each other.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
-use assur_model::program::{Function, Input, OperationKind, Stage, Value};
+use assur_model::program::{Function, Input, OperationKind, Pair, Series, Step, Value};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::expression::{self, Expression, scalar, size};
-use super::layout::{Layout, outlined};
-use super::schedule;
+use crate::expression::{self, Expression, scalar, size};
+use crate::layout::{Layout, outlined};
 
 /// Most operations of a series: rustc is slow on longer scopes.
 const LONGEST: usize = 600;
@@ -46,9 +45,10 @@ fn body(layout: &Layout<'_>) -> Option<TokenStream> {
     if rates.is_empty() {
         return Some(quote!(true));
     }
-    let series = Series::new(layout, rates)?;
-    let (makers, statements) = (&series.makers, &series.statements);
-    let values = rates.iter().map(|value| series.term(*value));
+    let series = layout.program().series(rates).filter(|series| series.operations() <= LONGEST)?;
+    let writer = Writer::new(layout, &series, rates)?;
+    let (makers, statements) = (&writer.makers, &writer.statements);
+    let values = rates.iter().map(|value| writer.term(*value));
     let states = size(layout.states());
     Some(quote! {
         let (rows_, _) = rows.as_chunks_mut::<#states>();
@@ -68,77 +68,41 @@ fn body(layout: &Layout<'_>) -> Option<TokenStream> {
 }
 
 /// The statements of one order, and before all orders those that make what remembers the terms.
-struct Series<'a> {
+struct Writer<'a> {
     layout: &'a Layout<'a>,
+    series: &'a Series<'a>,
     makers: Vec<TokenStream>,
     statements: Vec<TokenStream>,
-    /// Values that a statement for another one has computed with it.
-    done: BTreeSet<Value>,
-    /// Values that are the same all along the step.
-    steady: BTreeSet<Value>,
     /// Values that are written where they are read.
     written: BTreeMap<Value, TokenStream>,
 }
 
-impl<'a> Series<'a> {
-    fn new(layout: &'a Layout<'a>, wanted: &[Value]) -> Option<Self> {
-        let mut series = Self {
+impl<'a> Writer<'a> {
+    fn new(layout: &'a Layout<'a>, series: &'a Series<'a>, wanted: &[Value]) -> Option<Self> {
+        let mut writer = Self {
             layout,
+            series,
             makers: Vec::new(),
             statements: Vec::new(),
-            done: BTreeSet::new(),
-            steady: BTreeSet::new(),
             written: BTreeMap::new(),
         };
-        let needed = schedule::needed(layout.program(), wanted, &|value| series.is_constant(value));
-        if needed.len() > LONGEST {
-            return None;
-        }
-        for value in &needed {
-            if series.is_decided(*value) {
-                series.steady.insert(*value);
-            }
-        }
-        for value in &needed {
-            if series.done.contains(value)
-                || matches!(series.kind(*value), OperationKind::Factor { .. })
-            {
-                continue;
-            }
-            let name = layout.names.of(*value);
-            let statement = if series.steady.contains(value) {
-                series.decided(*value)
-            } else if let Some(statement) = series.pair(*value, &needed) {
-                statement
-            } else {
-                let text = series.operation(*value)?;
-                if series.is_factored(*value, &needed, wanted) {
-                    series.written.insert(*value, text);
+        for step in series.steps(wanted) {
+            let statement = match step {
+                Step::Decided(value) => writer.decided(value),
+                Step::Pair(pair, is_even) => writer.pair(pair, is_even),
+                Step::Term(value) => {
+                    let (name, text) = (layout.names.of(value), writer.operation(value)?);
+                    quote!(let #name = #text;)
+                }
+                Step::Factor(value) => {
+                    let text = writer.operation(value)?;
+                    writer.written.insert(value, text);
                     continue;
                 }
-                quote!(let #name = #text;)
             };
-            series.statements.push(statement);
+            writer.statements.push(statement);
         }
-        Some(series)
-    }
-
-    /// Whether a value is decided by the first terms.
-    fn is_decided(&self, value: Value) -> bool {
-        use OperationKind as Kind;
-        let kind = self.kind(value);
-        match kind {
-            Kind::Input(Input::Side(_)) | Kind::Compare(..) => true,
-            Kind::Call(Function::Sign | Function::Floor, _) => true,
-            Kind::Number(_) | Kind::Input(_) => false,
-            Kind::Factor { .. } | Kind::Solve { .. } | Kind::Element { .. } => false,
-            _ => kind.operands().into_iter().all(|operand| self.is_steady(operand)),
-        }
-    }
-
-    /// Whether a value is the same all along the step.
-    fn is_steady(&self, value: Value) -> bool {
-        self.is_constant(value) || self.steady.contains(&value)
+        Some(writer)
     }
 
     /// The statement for a value that the first terms decide.
@@ -149,7 +113,8 @@ impl<'a> Series<'a> {
             return quote!(let #name = phase.side(#index););
         }
         let first = |operand: Value| {
-            let (name, is_constant) = (self.layout.names.of(operand), self.is_constant(operand));
+            let (name, is_constant) =
+                (self.layout.names.of(operand), self.series.is_constant(operand));
             Expression::whole(match is_constant {
                 true => self.constant(operand),
                 false => quote!(#name),
@@ -169,44 +134,8 @@ impl<'a> Series<'a> {
         name
     }
 
-    /// Whether a value is read once, by a product with something steady, and worth leaving out where that is zero.
-    fn is_factored(&self, value: Value, needed: &BTreeSet<Value>, wanted: &[Value]) -> bool {
-        use OperationKind as Kind;
-        let is_long = match self.kind(value) {
-            Kind::Multiply(a, b) | Kind::MultiplyAdd(a, b, _) => {
-                !self.is_steady(*a) && !self.is_steady(*b)
-            }
-            Kind::Divide(_, below) => !self.is_steady(*below),
-            Kind::Call(..) => true,
-            _ => false,
-        };
-        let reads = |reader: &Value| {
-            let operands = self.kind(*reader).operands();
-            operands.iter().filter(|operand| **operand == value).count()
-        };
-        let by_product = |reader: &Value| match self.kind(*reader) {
-            Kind::Multiply(a, b)
-            | Kind::MultiplyAdd(a, b, _)
-            | Kind::MultiplySubtract(a, b, _)
-            | Kind::NegateMultiplyAdd(a, b, _) => {
-                *a == value && self.is_steady(*b) || *b == value && self.is_steady(*a)
-            }
-            _ => false,
-        };
-        is_long
-            && !wanted.contains(&value)
-            && needed.iter().map(reads).sum::<usize>() == 1
-            && needed.iter().any(by_product)
-    }
-
     fn kind(&self, value: Value) -> &'a OperationKind {
-        &self.layout.program().operations[value.0 as usize].kind
-    }
-
-    /// Whether a value is the same all along.
-    fn is_constant(&self, value: Value) -> bool {
-        let operation = &self.layout.program().operations[value.0 as usize];
-        operation.stage <= Stage::Parameter
+        self.layout.program().kind(value)
     }
 
     /// The text of a constant.
@@ -226,7 +155,7 @@ impl<'a> Series<'a> {
         match self.kind(value) {
             OperationKind::Number(0.0) => quote!(S::ZERO),
             OperationKind::Number(1.0) => quote!(one_),
-            _ if self.is_steady(value) => {
+            _ if self.series.is_steady(value) => {
                 let steady = self.steady(value);
                 quote!(one_ * #steady)
             }
@@ -236,7 +165,7 @@ impl<'a> Series<'a> {
 
     /// The text of something steady, a condition among them.
     fn steady(&self, value: Value) -> TokenStream {
-        match self.is_constant(value) {
+        match self.series.is_constant(value) {
             true => self.constant(value),
             false => {
                 let name = self.layout.names.of(value);
@@ -253,16 +182,7 @@ impl<'a> Series<'a> {
     }
 
     /// The statement for sine and cosine of an angle.
-    fn pair(&mut self, value: Value, needed: &BTreeSet<Value>) -> Option<TokenStream> {
-        let program = self.layout.program();
-        let angle = schedule::angle(program, value)?;
-        let name = |function: Function| {
-            let kind = OperationKind::Call(function, vec![angle]);
-            let mut all = needed.iter();
-            all.find(|one| *self.kind(**one) == kind).copied()
-        };
-        let (sine, cosine) = (name(Function::Sin), name(Function::Cos));
-        self.done.extend(sine.into_iter().chain(cosine));
+    fn pair(&mut self, pair: Pair, is_even: bool) -> TokenStream {
         let text = |value: Option<Value>| match value {
             Some(value) => {
                 let name = self.layout.names.of(value);
@@ -270,47 +190,19 @@ impl<'a> Series<'a> {
             }
             None => quote!(_),
         };
-        let (sine, cosine, term) = (text(sine), text(cosine), self.term(angle));
-        let memory = match self.is_even(angle) {
+        let (sine, cosine, term) = (text(pair.sine), text(pair.cosine), self.term(pair.angle));
+        let memory = match is_even {
             true => self.made(quote!(Turn)),
             false => self.made(quote!(Sine)),
         };
-        Some(quote!(let (#sine, #cosine) = #memory.next(k_, #term);))
-    }
-
-    /// Whether a value grows evenly with the time.
-    fn is_even(&self, value: Value) -> bool {
-        use OperationKind as Kind;
-        let constant = |value: &Value| self.is_steady(*value);
-        constant(&value)
-            || match self.kind(value) {
-                Kind::Input(Input::Time) => true,
-                Kind::Add(a, b) | Kind::Subtract(a, b) => self.is_even(*a) && self.is_even(*b),
-                Kind::Negate(a) => self.is_even(*a),
-                Kind::Multiply(a, b) => {
-                    constant(a) && self.is_even(*b) || constant(b) && self.is_even(*a)
-                }
-                Kind::Divide(a, b) => constant(b) && self.is_even(*a),
-                Kind::MultiplyAdd(a, b, c)
-                | Kind::MultiplySubtract(a, b, c)
-                | Kind::NegateMultiplyAdd(a, b, c) => {
-                    let is_even =
-                        constant(a) && self.is_even(*b) || constant(b) && self.is_even(*a);
-                    is_even && self.is_even(*c)
-                }
-                _ => false,
-            }
+        quote!(let (#sine, #cosine) = #memory.next(k_, #term);)
     }
 
     fn product(&mut self, a: Value, b: Value) -> TokenStream {
-        let (factor, value) = match (self.is_steady(a), self.is_steady(b)) {
-            (true, _) => (a, b),
-            (_, true) => (b, a),
-            _ => {
-                let (first, second) = (self.term(a), self.term(b));
-                let memory = self.made(quote!(Product));
-                return quote!(#memory.next(k_, #first, #second));
-            }
+        let Some((factor, value)) = self.series.scaled(a, b) else {
+            let (first, second) = (self.term(a), self.term(b));
+            let memory = self.made(quote!(Product));
+            return quote!(#memory.next(k_, #first, #second));
         };
         let (factor, term) = (self.steady(factor), self.term(value));
         match self.written.contains_key(&value) {
@@ -348,7 +240,7 @@ impl<'a> Series<'a> {
                 let (product, term) = (self.product(*a, *b), self.term(*c));
                 quote!(#term - #product)
             }
-            Kind::Divide(_, below) if self.is_steady(*below) => {
+            Kind::Divide(_, below) if self.series.is_steady(*below) => {
                 let (above, below) = (&terms[0], self.steady(*below));
                 quote!(#above / #below)
             }
@@ -377,7 +269,7 @@ impl<'a> Series<'a> {
             let factor = self.constant(factor);
             return quote!(#factor.solve([#(#right),*]));
         };
-        if self.is_constant(factor) {
+        if self.series.is_constant(factor) {
             let factor = self.constant(factor);
             return quote!(#factor.solve([#(#right),*]));
         }
@@ -413,7 +305,7 @@ impl<'a> Series<'a> {
                 });
                 return Some(quote!(S::select(#is_first, #first, #second)));
             }
-            Function::Power if !self.is_steady(read[1]) => {
+            Function::Power if !self.series.is_steady(read[1]) => {
                 let (logarithm, product) = (self.made(quote!(Ln)), self.made(quote!(Product)));
                 let (power, base, exponent) = (self.made(quote!(Exp)), &terms[0], &terms[1]);
                 return Some(quote! {{

@@ -4,9 +4,9 @@ use assur_model::checked::Model;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::expression::number;
-use super::layout::Layout;
-use super::{Origin, docs, names};
+use crate::expression::number;
+use crate::layout::Layout;
+use crate::{Origin, docs, names};
 
 /// The static `MECHANISM` and the functions that its entries point to.
 pub fn table(model: &Model, layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {

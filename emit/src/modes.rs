@@ -2,37 +2,15 @@
 //!
 //! They are asked through a pointer, so that each is a function of its own for the instructions of its numbers.
 
-use assur_model::checked::{Model, SceneModel};
 use assur_model::program::{Event, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::body::{Body, Place};
-use super::equations::exact;
-use super::expression::size;
-use super::layout::{Layout, outlined};
-use super::slopes;
-
-/// For each scene its modes as scenes of their own; none where there are none.
-pub fn split(model: &Model) -> Vec<Vec<SceneModel>> {
-    let mode = |scene: &SceneModel, index: usize| {
-        let mut program = scene.modes[index].program.clone();
-        // What is made of a whole run, or of the time alone, is no matter of modes: the first one computes it.
-        if index != scene.first {
-            program.results.measures.clear();
-            program.results.margins.clear();
-            program.results.drivers.clear();
-        }
-        SceneModel {
-            program,
-            equations: scene.modes[index].equations.clone(),
-            modes: Vec::new(),
-            ..scene.clone()
-        }
-    };
-    let scenes = model.scenes.iter();
-    scenes.map(|scene| (0..scene.modes.len()).map(|index| mode(scene, index)).collect()).collect()
-}
+use crate::body::{Body, Place};
+use crate::equations::exact;
+use crate::expression::size;
+use crate::layout::{Layout, outlined};
+use crate::slopes;
 
 /// The implementation of `Events`; none for a scene without modes.
 pub fn items(layout: &Layout<'_>) -> Option<TokenStream> {

@@ -4,8 +4,8 @@ use assur_model::checked::RequirementInfo;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::expression::number;
-use super::layout::Layout;
+use crate::expression::number;
+use crate::layout::Layout;
 
 /// The method of `Scene` that checks them.
 pub fn check(layout: &Layout<'_>) -> TokenStream {

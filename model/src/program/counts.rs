@@ -1,0 +1,63 @@
+//! How many operations a scene takes at each of its stages.
+
+use std::collections::BTreeSet;
+
+use super::{Form, OperationKind as Kind, Program, Stage, Staging, Value};
+
+/// Operations of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Counts {
+    /// Once per parameter set.
+    pub prepare: usize,
+    /// Once per instant.
+    pub instant: usize,
+    /// Per evaluation of the derivative; of a linkage per position, a group without closed form being iterated once.
+    pub derivative: usize,
+    /// Per evaluation of the Jacobian; of a linkage of the influence coefficients.
+    pub jacobian: usize,
+    /// Per evaluation of all outputs.
+    pub outputs: usize,
+}
+
+impl Counts {
+    /// All of them.
+    pub fn all(&self) -> [usize; 5] {
+        [self.prepare, self.instant, self.derivative, self.jacobian, self.outputs]
+    }
+}
+
+impl Program {
+    /// Counts the operations of a scene that evaluates some values, and some slopes beside them.
+    pub fn counts(&self, staging: &Staging, evaluated: &[Value], slopes: &[Value]) -> Counts {
+        let stored = |value: Value, from: Stage| self.stage(value) < from && !self.is_number(value);
+        let count = |wanted: &[Value], from: Stage| {
+            self.operations_of(&self.needed(wanted, &|value| stored(value, from)))
+        };
+        let list = |values: &BTreeSet<Value>| values.iter().copied().collect::<Vec<Value>>();
+        let there = |value: Value| stored(value, Stage::Instant) || staging.timed.contains(&value);
+        Counts {
+            prepare: count(&list(&staging.prepared), Stage::Constant),
+            instant: count(&list(&staging.timed), Stage::Instant),
+            derivative: count(evaluated, Stage::State),
+            jacobian: self.operations_of(&self.needed(slopes, &there)),
+            outputs: count(&self.results.outputs, Stage::Instant),
+        }
+    }
+
+    /// Arithmetic operations, functions and selections among some values.
+    fn operations_of(&self, values: &BTreeSet<Value>) -> usize {
+        let cost = |value: &Value| match self.kind(*value) {
+            // The triangular systems are counted with each solution.
+            Kind::Factor { form, size, .. } => {
+                let size = *size as usize;
+                let symmetric = size * (size + 1) * (2 * size + 1) / 6;
+                match form {
+                    Form::Symmetric => symmetric,
+                    Form::General => 2 * symmetric,
+                }
+            }
+            kind => kind.weight(),
+        };
+        values.iter().map(cost).sum()
+    }
+}

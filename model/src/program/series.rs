@@ -1,0 +1,174 @@
+//! The Taylor series of values in time: the same operations as for the values themselves, term by term.
+//!
+//! What holds all along the step is told from what has terms of its own, and for each operation that has it is said which
+//! recurrence gives the next one. Whoever runs the program, printed or interpreted, does the steps in their order, once
+//! for each order.
+
+use std::collections::BTreeSet;
+
+use super::{Function, Input, OperationKind as Kind, Pair, Program, Stage, Value};
+
+/// How the terms of some values follow from each other.
+#[derive(Clone, Debug)]
+pub struct Series<'a> {
+    program: &'a Program,
+    /// The values that have terms, or are decided by the first ones.
+    needed: BTreeSet<Value>,
+    /// Values that the first terms decide.
+    decided: BTreeSet<Value>,
+}
+
+/// What is done for one order of the series.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// A value that the first terms decide, and that is the same all along the step.
+    Decided(Value),
+    /// Sine and cosine of an angle; the recurrence for one that grows evenly with the time is shorter.
+    Pair(Pair, bool),
+    /// The next term of an operation.
+    Term(Value),
+    /// The same of one that a single product with something steady reads: it may be left out where that is zero.
+    Factor(Value),
+}
+
+impl Program {
+    /// The series of some values; none where an operation has no series.
+    pub fn series(&self, wanted: &[Value]) -> Option<Series<'_>> {
+        let needed = self.needed(wanted, &|value| self.stage(value) <= Stage::Parameter);
+        let mut series = Series { program: self, needed, decided: BTreeSet::new() };
+        for value in &series.needed {
+            if series.is_decided(*value) {
+                series.decided.insert(*value);
+            }
+        }
+        series.needed.iter().all(|value| series.has_terms(*value)).then_some(series)
+    }
+}
+
+impl Series<'_> {
+    /// How many operations it takes for each order.
+    pub fn operations(&self) -> usize {
+        self.needed.len()
+    }
+
+    /// What is done for each order. `wanted` are the values whose terms are read in the end.
+    pub fn steps(&self, wanted: &[Value]) -> Vec<Step> {
+        let mut steps = Vec::new();
+        let mut paired: BTreeSet<Value> = BTreeSet::new();
+        for value in self.needed.iter().copied() {
+            if paired.contains(&value) || matches!(self.program.kind(value), Kind::Factor { .. }) {
+                continue;
+            }
+            steps.push(if self.decided.contains(&value) {
+                Step::Decided(value)
+            } else if let Some(pair) = self.pair(value) {
+                paired.extend(pair.sine.into_iter().chain(pair.cosine));
+                Step::Pair(pair, self.is_even(pair.angle))
+            } else if self.is_factor(value, wanted) {
+                Step::Factor(value)
+            } else {
+                Step::Term(value)
+            });
+        }
+        steps
+    }
+
+    /// Whether a value depends on nothing but the parameters.
+    pub fn is_constant(&self, value: Value) -> bool {
+        self.program.stage(value) <= Stage::Parameter
+    }
+
+    /// Whether a value is the same all along the step.
+    pub fn is_steady(&self, value: Value) -> bool {
+        self.is_constant(value) || self.decided.contains(&value)
+    }
+
+    /// The factors of a product, the steady one first; none where both have terms.
+    pub fn scaled(&self, a: Value, b: Value) -> Option<(Value, Value)> {
+        match (self.is_steady(a), self.is_steady(b)) {
+            (true, _) => Some((a, b)),
+            (_, true) => Some((b, a)),
+            _ => None,
+        }
+    }
+
+    /// Whether a value is decided by the first terms.
+    fn is_decided(&self, value: Value) -> bool {
+        let kind = self.program.kind(value);
+        match kind {
+            Kind::Input(Input::Side(_)) | Kind::Compare(..) => true,
+            Kind::Call(Function::Sign | Function::Floor, _) => true,
+            Kind::Number(_) | Kind::Input(_) => false,
+            Kind::Factor { .. } | Kind::Solve { .. } | Kind::Element { .. } => false,
+            _ => kind.operands().into_iter().all(|operand| self.is_steady(operand)),
+        }
+    }
+
+    /// Whether there is a recurrence for the terms of a value, or it needs none.
+    fn has_terms(&self, value: Value) -> bool {
+        match self.program.kind(value) {
+            Kind::Input(Input::Time | Input::State(_)) => true,
+            Kind::Input(_) | Kind::And(..) | Kind::Or(..) | Kind::Not(_) => self.is_steady(value),
+            _ => true,
+        }
+    }
+
+    /// Sine and cosine of one angle, if a value is one of them.
+    fn pair(&self, value: Value) -> Option<Pair> {
+        let angle = self.program.angle(value)?;
+        let of = |function: Function| {
+            let kind = Kind::Call(function, vec![angle]);
+            self.needed.iter().find(|one| *self.program.kind(**one) == kind).copied()
+        };
+        Some(Pair { angle, sine: of(Function::Sin), cosine: of(Function::Cos) })
+    }
+
+    /// Whether a value is read once, by a product with something steady, and worth leaving out where that is zero.
+    fn is_factor(&self, value: Value, wanted: &[Value]) -> bool {
+        let is_long = match self.program.kind(value) {
+            Kind::Multiply(a, b) | Kind::MultiplyAdd(a, b, _) => {
+                !self.is_steady(*a) && !self.is_steady(*b)
+            }
+            Kind::Divide(_, below) => !self.is_steady(*below),
+            Kind::Call(..) => true,
+            _ => false,
+        };
+        let reads = |reader: &Value| {
+            let operands = self.program.kind(*reader).operands();
+            operands.iter().filter(|operand| **operand == value).count()
+        };
+        let by_product = |reader: &Value| match self.program.kind(*reader) {
+            Kind::Multiply(a, b)
+            | Kind::MultiplyAdd(a, b, _)
+            | Kind::MultiplySubtract(a, b, _)
+            | Kind::NegateMultiplyAdd(a, b, _) => {
+                *a == value && self.is_steady(*b) || *b == value && self.is_steady(*a)
+            }
+            _ => false,
+        };
+        is_long
+            && !wanted.contains(&value)
+            && self.needed.iter().map(reads).sum::<usize>() == 1
+            && self.needed.iter().any(by_product)
+    }
+
+    /// Whether a value grows evenly with the time.
+    fn is_even(&self, value: Value) -> bool {
+        let constant = |value: &Value| self.is_steady(*value);
+        let product = |a: &Value, b: &Value| {
+            constant(a) && self.is_even(*b) || constant(b) && self.is_even(*a)
+        };
+        constant(&value)
+            || match self.program.kind(value) {
+                Kind::Input(Input::Time) => true,
+                Kind::Add(a, b) | Kind::Subtract(a, b) => self.is_even(*a) && self.is_even(*b),
+                Kind::Negate(a) => self.is_even(*a),
+                Kind::Multiply(a, b) => product(a, b),
+                Kind::Divide(a, b) => constant(b) && self.is_even(*a),
+                Kind::MultiplyAdd(a, b, c)
+                | Kind::MultiplySubtract(a, b, c)
+                | Kind::NegateMultiplyAdd(a, b, c) => product(a, b) && self.is_even(*c),
+                _ => false,
+            }
+    }
+}
