@@ -1,5 +1,7 @@
 //! The arrows between the packages. See section 1 of the design.
 
+mod paths;
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
