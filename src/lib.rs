@@ -13,16 +13,22 @@ pub use assur_macros::{equations, mechanism};
 #[doc(hidden)]
 pub use assur_solvers::exact;
 pub use assur_solvers::{
-    answer, check, closure, dense, dispatch, hybrid, measure, model, ode, periodic, problem,
-    registry, scalar, series, shape, stiff, study, tolerance,
+    answer, check, closure, dense, dispatch, hybrid, measure, model, periodic, problem, registry,
+    scalar, series, shape, stiff, study, tolerance,
 };
+
+/// The motion of a scene without events, and the explicit methods that it is found by.
+pub mod ode {
+    pub use assur_solvers::model::Varied;
+    pub use assur_solvers::ode::*;
+    pub use assur_solvers::smooth::march;
+}
 
 /// What most programs need: `use assur::prelude::*;`.
 pub mod prelude {
     pub use assur_macros::{equations, mechanism};
-    pub use assur_solvers::answer::{Motion, Move, Solve};
+    pub use assur_solvers::answer::{Method, Motion, Move, Settings, Solve};
     pub use assur_solvers::model::{Bound, Model};
     pub use assur_solvers::problem::{Equations, Phase, Reports, Scene, Smooth};
-    pub use assur_solvers::registry::{Method, Settings};
     pub use assur_solvers::scalar::Scalar;
 }

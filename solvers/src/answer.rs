@@ -19,8 +19,10 @@ mod motion;
 mod moved;
 mod position;
 mod question;
+mod run;
 mod status;
 
+pub use crate::settings::{Method, Settings, UnknownMethod};
 pub use error::Error;
 pub use estimate::Estimate;
 pub use extremes::{End, Ends, Samples};

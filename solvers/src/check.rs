@@ -22,10 +22,10 @@ pub use facts::fact;
 pub use linkage::closure;
 pub use scaling::{closure_scaling, scaling};
 
-use crate::ode;
 use crate::problem::{Equations, Phase, Reports, Scene, Smooth};
-use crate::registry::{Method, Settings};
 use crate::scalar::Scalar;
+use crate::settings::{Method, Settings};
+use crate::smooth;
 
 /// Largest drift of the energy, as a share of what is exchanged.
 const DRIFT: f64 = 1e-9;
@@ -61,7 +61,7 @@ pub fn energy<C: Smooth + Default>() -> Result<(), Failed> {
     let (from, to) = scene.span().limits();
     let start = moving_start(&scene, &equations, from);
     let settings = Settings::new(Method::Dop853).rtol(1e-12);
-    let motion = ode::march(&scene, (from, to), &start, &settings)
+    let motion = smooth::march(&scene, (from, to), &start, &settings)
         .map_err(|error| Failed(format!("the motion could not be followed: {error}")))?;
     let at = |time: f64| {
         let energies = equations.energy(Phase::of(0), time, &motion.at(time));

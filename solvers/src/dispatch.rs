@@ -3,6 +3,7 @@
 //! A program is compiled for the oldest machine that it shall run on. Work that is worth it goes through [`dispatch`],
 //! which asks the processor once and, where it has fused and packed instructions, runs a copy compiled for them.
 
+pub use crate::scalar::processor::is_fused;
 use crate::scalar::{Fused, Scalar};
 
 /// Work that may run on any scalar type.
@@ -36,19 +37,6 @@ pub fn dispatch<T: Task>(task: T) -> T::Output {
     #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
     {
         task.run::<f64>()
-    }
-}
-
-/// Whether [`dispatch`] runs on fused numbers on this machine.
-#[inline]
-pub fn is_fused() -> bool {
-    #[cfg(target_arch = "x86_64")]
-    {
-        is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    {
-        cfg!(target_arch = "aarch64")
     }
 }
 

@@ -7,7 +7,8 @@
 //! |---|---|
 //! | [`answer`] | the front door: what is asked of a scene, and its motion |
 //! | [`model`] | a scene with its values behind a pointer, so that what follows is compiled once |
-//! | [`ode`] | the motion from a start: Tsitouras 5(4), Dormand–Prince 8(5,3), Taylor series; continuous output |
+//! | [`smooth`] | the motion from a start in one phase, by any of the methods below or its Taylor series |
+//! | [`ode`] | explicit methods: Tsitouras 5(4), Dormand–Prince 8(5,3); continuous output |
 //! | [`series`] | what emitted code computes those series with |
 //! | [`stiff`] | the same for stiff motions: Radau IIA 5, Rodas5P, and the choice on the way |
 //! | [`closure`] | the positions of a linkage: its loops closed |
@@ -26,6 +27,7 @@ pub mod check;
 pub mod closure;
 pub mod dense;
 pub mod dispatch;
+mod floquet;
 pub mod hybrid;
 pub mod measure;
 pub mod model;
@@ -35,7 +37,9 @@ pub mod problem;
 pub mod registry;
 pub mod scalar;
 pub mod series;
+mod settings;
 pub mod shape;
+pub mod smooth;
 pub mod stiff;
 pub mod study;
 pub mod tolerance;

@@ -8,9 +8,11 @@ mod flow;
 #[cfg(test)]
 pub(crate) mod hand;
 mod staged;
+mod varied;
 
 pub use bound::Bound;
 pub use flow::Flow;
+pub use varied::Varied;
 
 use crate::ode::{Explicit, Room, system};
 use crate::problem::{Equations, Events, Phase, Reports, Span};

@@ -4,18 +4,12 @@
 //! prints the answer, and the dimensions for [`crate::check::scaling`].
 
 mod bind;
-mod limits;
 mod linkage;
-mod path;
-mod run;
-mod settings;
-mod tolerance;
 
+pub use crate::closure::{Listed, Listing, Path, Sample};
+pub use crate::settings::{Method, Settings, UnknownMethod};
 pub use bind::{bind, check_values, with};
-pub use limits::{Listed, Listing};
 pub use linkage::bind_linkage;
-pub use path::{Path, Sample};
-pub use settings::{Method, Settings, UnknownMethod};
 
 use crate::closure::AnyLinkage;
 use crate::model::Model;

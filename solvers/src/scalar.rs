@@ -9,6 +9,7 @@ mod dual;
 mod fused;
 mod interval;
 mod plain;
+pub(crate) mod processor;
 mod sine;
 
 pub use bounded::Bounded;

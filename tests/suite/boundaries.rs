@@ -1,5 +1,6 @@
 //! The arrows between the packages. See section 1 of the design.
 
+mod graph;
 mod paths;
 
 use std::collections::BTreeSet;
@@ -187,11 +188,13 @@ fn the_list_of_equation_files_is_the_directory() {
     assert_eq!(registered, present);
 }
 
-/// The lines that are compiled into the program: no comments, no unit tests (which stand last in a file).
+/// The lines that are compiled into the program: no comments, no unit tests (which stand last in a file, unless they have
+/// one of their own).
 fn code(text: &str) -> impl Iterator<Item = &str> {
-    text.lines()
-        .take_while(|line| !line.starts_with("#[cfg(test)]"))
-        .filter(|line| !line.trim_start().starts_with("//"))
+    let lines: Vec<&str> = text.lines().collect();
+    let is_test = |pair: &[&str]| pair[0].starts_with("#[cfg(test)]") && !pair[1].ends_with(';');
+    let end = lines.windows(2).position(is_test).unwrap_or(lines.len());
+    lines.into_iter().take(end).filter(|line| !line.trim_start().starts_with("//"))
 }
 
 /// Whether a line shows the user how the command or the macro is called.

@@ -9,7 +9,7 @@ use super::error::Error;
 use super::motion::Motion;
 use crate::measure::Missing;
 use crate::problem::Span;
-use crate::registry::Settings;
+use crate::settings::Settings;
 use crate::shape::Subject;
 
 /// The smallest relative tolerance: double precision leaves no room for less.

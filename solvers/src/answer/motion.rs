@@ -11,7 +11,7 @@ use crate::model::Model;
 use crate::ode::Statistics;
 use crate::periodic::{Multiplier, Orbit};
 use crate::problem::Span;
-use crate::registry::Settings;
+use crate::settings::Settings;
 use crate::shape::{Shape, Subject, find};
 use crate::stiff::Switch;
 

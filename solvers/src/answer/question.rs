@@ -6,7 +6,7 @@ use crate::hybrid::{self, HybridError, Way};
 use crate::model::{Bound, Model};
 use crate::periodic;
 use crate::problem::{Refused, Scene, Span};
-use crate::registry::Settings;
+use crate::settings::Settings;
 use std::sync::Arc;
 
 /// What is asked of a scene: its motion over its task, from its start, unless another one is given.

@@ -7,9 +7,9 @@ use super::crossing::Crossing;
 use super::error::ClosureError;
 use super::guide::Guide;
 use super::meeting::Meeting;
-use super::problem::GroupKind;
 use super::root::brent;
 use crate::scalar::Scalar;
+use crate::shape::GroupKind;
 use std::f64::consts::TAU;
 
 /// First part of the way that is tried.

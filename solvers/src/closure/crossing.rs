@@ -7,10 +7,10 @@
 use super::assembly::Event;
 use super::continuation::Way;
 use super::guide::Guide;
-use super::problem::GroupKind;
 use super::root::through;
 use super::stand::Stand;
 use crate::scalar::Scalar;
+use crate::shape::GroupKind;
 
 /// Sine at which it is decided whether modes meet, miss each other or leave a gap.
 pub(super) const FINEST: f64 = 1e-6;

@@ -5,11 +5,10 @@ use super::assembly::{Event, Groups};
 use super::error::ClosureError;
 use super::loops::{Loops, instant_at};
 use super::newton::Newton;
-use super::problem::GroupKind;
 use super::stand::Stand;
 use super::step::Passage;
 use crate::scalar::Scalar;
-use crate::shape::{LinkageEntry, Shape};
+use crate::shape::{GroupKind, LinkageEntry, Shape};
 
 /// What an assembly has besides what a certain step needs.
 pub(super) struct Rest<S: Scalar> {

@@ -15,6 +15,7 @@
 //! | `strokes`, `track`, `rates` | limit positions and strokes of outputs and dependent coordinates |
 //! | `extremes`, `breaks`, `noise` | where a function turns round, jumps, or goes beyond all bounds |
 //! | `modes`, `branch` | all assembly modes at one position |
+//! | `path`, `listing` | the same of any linkage, with all that it amounts to |
 
 mod any;
 mod arc;
@@ -27,12 +28,14 @@ mod error;
 mod extremes;
 mod guide;
 mod limits;
+mod listing;
 mod loops;
 mod meeting;
 mod modes;
 mod nearest;
 mod newton;
 mod noise;
+mod path;
 mod positions;
 mod predict;
 mod problem;
@@ -50,22 +53,22 @@ mod track;
 mod turn;
 mod undetermined;
 
+pub use crate::shape::{Group, GroupKind, Variable};
 pub use any::AnyLinkage;
 pub use assembly::{Assembly, Event};
 pub use breaks::Break;
 pub use error::ClosureError;
 pub use extremes::{Extreme, Limit};
 pub(crate) use guide::{Guide, Moves};
-pub(crate) use limits::stretch_of;
 pub use limits::{End, Stretch, stretch};
+pub use listing::{Listed, Listing};
 pub(crate) use loops::{Answers, Apart, Loops, Square, instant_at};
-pub(crate) use modes::modes_of;
 pub use modes::{Mode, Modes, Search, modes};
 pub(crate) use newton::Newton;
+pub use path::{Path, Sample};
 pub use positions::Positions;
-pub use problem::{Closure, Group, GroupKind, Linkage, Range, Variable};
+pub use problem::{Closure, Linkage, Range};
 pub use start::{Contradiction, Start};
-pub(crate) use strokes::strokes_of;
 pub use strokes::{Stroke, strokes};
 pub use sweep::{AtDeadPoint, Axis, sweep};
 pub use track::Along;

@@ -9,9 +9,9 @@ use super::continuation::ROUNDING;
 use super::error::ClosureError;
 use super::loops::{Loops, Trials, instant_at};
 use super::newton::Newton;
-use super::problem::{GroupKind, Linkage};
+use super::problem::Linkage;
 use crate::scalar::Interval;
-use crate::shape::LinkageEntry;
+use crate::shape::{GroupKind, LinkageEntry};
 use std::f64::consts::{PI, TAU};
 
 /// Solutions nearer to each other than this are one, in radians or parts of the bound.

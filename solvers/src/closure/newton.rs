@@ -5,10 +5,9 @@
 //! leads to a position of least residual, which is either a solution or shows the gap that cannot be closed.
 
 use super::loops::{Square, Trials};
-use super::problem::Group;
 use super::scaled::Scaled;
 use crate::scalar::Scalar;
-use crate::shape::{LinkageEntry, Shape};
+use crate::shape::{Group, LinkageEntry, Shape};
 
 /// Largest number of iterations.
 const ITERATIONS: usize = 100;

@@ -9,41 +9,6 @@ use crate::problem::{Refused, Span, Storage};
 use crate::scalar::Scalar;
 use crate::shape::Shape;
 
-/// How the unknowns of a group are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GroupKind {
-    /// Equations that are linear in displacements: one solution. Two of them are a PRP or RPP dyad.
-    Linear,
-    /// One equation `A cos φ + B sin φ = C`: two solutions.
-    Angle,
-    /// Two links joined by a pivot, each turning: two circles meet.
-    Rrr,
-    /// A link that turns and a slide: a circle meets a line.
-    Rrp,
-    /// A slide that turns about a pivot, its displacement and its angle unknown.
-    Rpr,
-    /// None of these: iteration.
-    General,
-}
-
-impl GroupKind {
-    /// Whether the group has two assembly modes in closed form.
-    pub fn has_modes(self) -> bool {
-        !matches!(self, GroupKind::Linear | GroupKind::General)
-    }
-}
-
-/// Loop equations that are closed together.
-#[derive(Clone, Copy, Debug)]
-pub struct Group {
-    /// How they are solved.
-    pub kind: GroupKind,
-    /// Indices of the dependent coordinates that they determine.
-    pub unknowns: &'static [usize],
-    /// Indices of the scalar equations.
-    pub equations: &'static [usize],
-}
-
 /// The loops of one linkage with its dimensions fixed. The methods neither allocate nor panic; what does not exist is
 /// NaN.
 pub trait Closure<S: Scalar>: Send + Sync + 'static {
@@ -161,15 +126,6 @@ pub struct Range {
     pub start: f64,
     /// The period after which the linkage is where it was, 2π for a turning crank; infinite if there is none.
     pub period: f64,
-}
-
-/// What an influence coefficient is taken by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Variable {
-    /// The constant of this index.
-    Constant(usize),
-    /// The position of the driver of this index.
-    Driver(usize),
 }
 
 /// A linkage with its dimensions: the type that a user fills in and hands to a solver.

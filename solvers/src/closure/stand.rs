@@ -8,8 +8,8 @@ use super::crossing::{Crossing, SINE};
 use super::error::ClosureError;
 use super::guide::Guide;
 use super::meeting::{CLEAR, Meeting};
-use super::problem::GroupKind;
 use crate::scalar::Scalar;
+use crate::shape::GroupKind;
 
 /// Part of a way on which the rate of a sine is measured that begins at zero.
 const TINY: f64 = 1e-3;

@@ -3,8 +3,8 @@
 use super::error::ClosureError;
 use super::guide::Guide;
 use super::newton::{Failure, Stop};
-use super::problem::GroupKind;
 use crate::scalar::Scalar;
+use crate::shape::GroupKind;
 use std::f64::consts::{PI, TAU};
 
 /// Modes that lie nearer to each other than this, in radians or lengths of a link, are not told apart.

@@ -4,8 +4,9 @@
 //! accepted, so that the compiler keeps them in registers and writes them once.
 
 use super::assembly::{Assembly, Position};
-use super::problem::{Closure, GroupKind, Linkage};
+use super::problem::{Closure, Linkage};
 use crate::scalar::Scalar;
+use crate::shape::GroupKind;
 
 /// A group before and after a step: its sine, what was expected of it, and the turns of its links.
 pub(super) struct Passage<S> {

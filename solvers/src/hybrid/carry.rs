@@ -2,8 +2,9 @@
 
 use super::watch::Watch;
 use crate::model::Flow;
-use crate::ode::{self, Observer, OdeError, Options, Statistics, Taylor};
-use crate::registry::Settings;
+use crate::ode::{self, Observer, OdeError, Options, Statistics};
+use crate::settings::Settings;
+use crate::smooth::Taylor;
 use crate::stiff::{self, Switch};
 
 /// A method with its memory. A stiff one, and the automatic choice, keep it from event to event, and what they have found

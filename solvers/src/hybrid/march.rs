@@ -6,9 +6,10 @@ use super::motion::Motion;
 use super::run::Run;
 use super::start;
 use crate::model::{Bound, Flow, Model};
-use crate::ode::{self, OdeError, Options, bad_start};
+use crate::ode::{OdeError, Options, bad_start};
 use crate::problem::Scene;
-use crate::registry::Settings;
+use crate::settings::Settings;
+use crate::smooth;
 
 /// The motion of a scene from a start, through all its events; in one piece where there are none.
 ///
@@ -53,7 +54,7 @@ impl Way<'_> {
     pub fn of(&self, model: &dyn Model) -> Result<Motion, HybridError> {
         let (times, settings, shape) = (self.times, self.settings, model.shape());
         if model.events().is_none() {
-            let integrated = ode::follow(model, times, self.start, settings);
+            let integrated = smooth::follow(model, times, self.start, settings);
             return Motion::smooth(integrated, times.0, self.start);
         }
         start::check_mode(shape, self.mode)?;

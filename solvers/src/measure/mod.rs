@@ -20,9 +20,10 @@ mod primitive;
 mod quadrature;
 mod window;
 
+pub use crate::shape::{Kind, Moment, NamedEvent, Primitive};
 pub use extreme::{Extreme, Extremes};
 pub use grid::Sample;
-pub use primitive::{Kind, Missing, Moment, NamedEvent, Primitive};
+pub use primitive::Missing;
 
 use crate::hybrid::Motion;
 use crate::model::{Bound, Model};

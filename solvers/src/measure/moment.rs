@@ -1,8 +1,9 @@
 //! Values at moments.
 
 use super::grid::Sampler;
-use super::primitive::{Missing, Moment};
+use super::primitive::Missing;
 use crate::hybrid::{Happened, Motion};
+use crate::shape::Moment;
 
 /// A quantity at a moment.
 pub(super) fn value(

@@ -17,7 +17,7 @@ const MOST: usize = MEASURED / 2;
 const HELD: f64 = 0.25;
 
 /// What has been measured.
-pub(super) struct Doubt {
+pub(crate) struct Doubt {
     /// Steps that are permitted in all.
     permitted: usize,
     /// Steps that were measured in this row, and how many of them are held.

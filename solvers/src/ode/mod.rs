@@ -3,7 +3,7 @@
 //! [`integrate`] carries any [`System`] over a stretch of time, forwards or backwards, by a method ([`Explicit`]); what
 //! happens with the steps is up to an [`Observer`]. All its memory is the [`Workspace`]. Of a scene all stages of a step are
 //! one call, compiled for it; everything around them is compiled once.
-//! [`march`] is the usual task: the motion of a scene from a start, kept as a [`Trajectory`], also by its Taylor series.
+//! A motion that is kept is a [`Trajectory`]; [`march`](crate::smooth::march) finds that of a scene.
 //!
 //! The control follows E. Hairer, S. P. Nørsett, G. Wanner: *Solving Ordinary Differential Equations I*, 2nd edition,
 //! sections II.4 to II.6.
@@ -14,35 +14,29 @@ mod dop853;
 mod doubt;
 mod error;
 mod explicit;
-mod march;
 mod norm;
 mod observer;
 mod options;
 pub(crate) mod step;
 pub(crate) mod system;
 mod tableau;
-mod taylor;
 mod trajectory;
 mod tsit5;
-mod varied;
 mod workspace;
 
 pub(crate) use controller::Controller;
+pub(crate) use doubt::Doubt;
 pub use error::OdeError;
 pub(crate) use explicit::Clock;
 pub use explicit::{Statistics, integrate};
-pub(crate) use march::follow;
-pub use march::march;
 pub(crate) use norm::first_bad;
 pub use observer::{Basis, Observer, Step};
-pub(crate) use options::bad_start;
 pub use options::{AbsoluteTolerance, Options};
+pub(crate) use options::{bad, bad_start};
 pub use step::Room;
 pub use system::System;
 pub use tableau::{Explicit, Row, Tableau};
-pub(crate) use taylor::Taylor;
-pub use trajectory::{Recorder, Trajectory};
-pub use varied::Varied;
+pub use trajectory::{Recorder, Switch, Trajectory};
 pub use workspace::Workspace;
 pub(crate) use workspace::{SHORTEST, time_evaluation};
 

@@ -1,7 +1,8 @@
 //! How accurately to integrate.
 
 use super::error::OdeError;
-use crate::registry::Settings;
+use super::tableau::Explicit;
+use crate::settings::{Method, Settings};
 
 /// Error of a state that is permitted whatever the size of the state.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,7 +124,7 @@ impl Default for Options {
 }
 
 /// The error for an option.
-pub(super) fn bad<T>(name: &'static str, reason: String) -> Result<T, OdeError> {
+pub(crate) fn bad<T>(name: &'static str, reason: String) -> Result<T, OdeError> {
     Err(OdeError::BadOption { name, reason })
 }
 
@@ -132,5 +133,16 @@ pub(crate) fn bad_start(values: usize, states: usize) -> OdeError {
     OdeError::BadOption {
         name: "start",
         reason: format!("{values} values are given for {states} states"),
+    }
+}
+
+impl Method {
+    /// The method among the explicit ones of Runge and Kutta; none if it is another.
+    pub fn explicit(self) -> Option<Explicit> {
+        match self {
+            Self::Tsit5 => Some(Explicit::Tsit5),
+            Self::Dop853 => Some(Explicit::Dop853),
+            _ => None,
+        }
     }
 }

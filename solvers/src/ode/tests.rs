@@ -2,7 +2,6 @@
 
 mod motions;
 mod order;
-mod taylor;
 
 use super::{
     AbsoluteTolerance, Explicit, OdeError, Options, Recorder, Trajectory, Workspace, integrate,

@@ -2,7 +2,6 @@
 
 use super::explicit::Statistics;
 use super::observer::{Basis, Observer, Step};
-use crate::stiff::Switch;
 
 /// Steps for which there is room at first.
 const FIRST_STEPS: usize = 12;
@@ -10,6 +9,15 @@ const FIRST_STEPS: usize = 12;
 const FIRST_NUMBERS: usize = 192;
 /// Most numbers of a motion that is copied where it is finished.
 const SHORT: usize = 512;
+
+/// Where an automatic choice changed the method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Switch {
+    /// When, in seconds.
+    pub time: f64,
+    /// Whether it was to the stiff method; otherwise it was back to the explicit one.
+    pub stiff: bool,
+}
 
 /// A motion that was computed: a polynomial for each step.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,13 +1,8 @@
-//! The linear equations `(I - Φ) δ = gap` that close a motion.
-//!
-//! States differ in size by more than their scales tell: the speeds of a stiff mechanism are its displacements times a
-//! high frequency. So the matrix is balanced first (B. N. Parlett, C. Reinsch, Numer. Math. 13, 1969), and conditions
-//! and errors are those of the balanced one.
+//! The linear equations `(I - Φ) δ = gap` that close a motion, solved as far as they are known.
 
 use super::error::PeriodicError;
-use super::multipliers::{self, Multiplier};
-use nalgebra::linalg::{LU, SVD, balancing};
-use nalgebra::{DMatrix, DVector, Dyn};
+use crate::floquet::{Closing, Multiplier, multipliers};
+use nalgebra::{DMatrix, DVector};
 
 /// Largest relative error of the motion that is still worth returning.
 const USEFUL_ERROR: f64 = 1e-2;
@@ -15,20 +10,6 @@ const USEFUL_ERROR: f64 = 1e-2;
 const REFINEMENTS: usize = 2;
 /// Distance of a multiplier from +1 from which on a large error is not the fault of a resonance.
 const FAR: f64 = 0.1;
-
-/// The matrix `I - Φ` with its decompositions, balanced.
-pub(crate) struct Closing {
-    /// Sizes of the states; the matrix is `D⁻¹ (I - Φ) D`.
-    sizes: DVector<f64>,
-    /// The balanced matrix.
-    matrix: DMatrix<f64>,
-    /// `1 + ‖Φ‖`, the size that errors of the matrix are relative to.
-    size: f64,
-    /// Its triangular factors.
-    factors: LU<f64, Dyn, Dyn>,
-    /// Its singular values and vectors; `None` if there are no states.
-    singular: Option<SVD<f64, Dyn, Dyn>>,
-}
 
 /// A solution.
 pub(crate) struct Closed {
@@ -39,47 +20,6 @@ pub(crate) struct Closed {
 }
 
 impl Closing {
-    /// The matrix for `Φ`.
-    pub fn new(phi: &DMatrix<f64>) -> Self {
-        let mut balanced = phi.clone();
-        let finite = !phi.is_empty() && phi.iter().all(|entry| entry.is_finite());
-        let sizes = match finite {
-            true => balancing::balance_parlett_reinsch(&mut balanced),
-            false => DVector::from_element(phi.nrows(), 1.0),
-        };
-        let matrix = DMatrix::identity(phi.nrows(), phi.ncols()) - &balanced;
-        Self {
-            size: 1.0 + balanced.norm(),
-            factors: matrix.clone().lu(),
-            singular: (!matrix.is_empty()).then(|| matrix.clone().svd(true, true)),
-            matrix,
-            sizes,
-        }
-    }
-
-    /// Amplification of relative errors of `Φ`: `(1 + ‖Φ‖) / σ`, `σ` the smallest singular value.
-    pub fn condition(&self) -> f64 {
-        self.singular.as_ref().map_or(1.0, |singular| self.size / singular.singular_values.min())
-    }
-
-    /// The determinant of `I - Φ`.
-    pub fn determinant(&self) -> f64 {
-        self.factors.determinant()
-    }
-
-    /// Relative size of a difference of two computations of `Φ`, as a measure of its error.
-    pub fn uncertainty(&self, difference: &DMatrix<f64>) -> f64 {
-        let balanced = DMatrix::from_fn(difference.nrows(), difference.ncols(), |row, column| {
-            difference[(row, column)] * self.sizes[column] / self.sizes[row]
-        });
-        balanced.norm() / self.size
-    }
-
-    /// Size of a vector of states.
-    pub fn length(&self, vector: &DVector<f64>) -> f64 {
-        vector.component_div(&self.sizes).norm()
-    }
-
     /// Solves for `δ` where `Φ` has a relative error `uncertainty`.
     ///
     /// A direction that is known too badly for a useful solution is left open if the gap has at most `load` in it: then
@@ -138,7 +78,7 @@ impl Closing {
     /// Why there is no useful solution.
     fn failure(&self, expected_error: f64, state: usize) -> PeriodicError {
         let phi = DMatrix::identity(self.matrix.nrows(), self.matrix.ncols()) - &self.matrix;
-        let nearest = multipliers::of(&phi, None, f64::EPSILON)
+        let nearest = multipliers(&phi, None, f64::EPSILON)
             .into_iter()
             .min_by(|a, b| a.distance().total_cmp(&b.distance()));
         let multiplier = nearest.unwrap_or(Multiplier { re: 1.0, im: 0.0, error: 0.0 });

@@ -1,6 +1,6 @@
 //! Why no repeating motion was found.
 
-use super::multipliers::Multiplier;
+use crate::floquet::Multiplier;
 use crate::hybrid::CycleError;
 use crate::ode::OdeError;
 use std::fmt;

@@ -14,21 +14,20 @@
 //! first is the error estimate, and the difference of the two `Φ` says how well `I - Φ` is known. Where that is not well
 //! enough for the solution, near a resonance, the solver says so instead of returning numbers.
 
-pub(crate) mod closing;
+mod closing;
 mod error;
-pub(crate) mod multipliers;
 mod period;
 mod shooting;
 mod smallest;
 
+pub use crate::floquet::Multiplier;
 pub use error::PeriodicError;
-pub use multipliers::Multiplier;
 
+use crate::floquet::{Closing, multipliers};
 use crate::model::{Bound, Model};
 use crate::ode::Trajectory;
 use crate::problem::Smooth;
-use crate::registry::Settings;
-use closing::Closing;
+use crate::settings::Settings;
 use nalgebra::DVector;
 use period::{Period, Return};
 
@@ -188,7 +187,7 @@ fn close(period: &Period<'_>, mut guess: DVector<f64>, rtol: f64) -> Result<Orbi
         trajectory,
         multiple: 1,
         followed: None,
-        multipliers: multipliers::of(&fine.matrix, Some(&coarse.matrix), SMALLEST_RTOL),
+        multipliers: multipliers(&fine.matrix, Some(&coarse.matrix), SMALLEST_RTOL),
         condition: closing.condition(),
         iterations,
         free: free.len(),

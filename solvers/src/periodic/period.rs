@@ -2,12 +2,12 @@
 
 use super::error::PeriodicError;
 use crate::hybrid::{Cycle, CycleError, Motion, cycle_of, variations};
-use crate::model::{Flow, Model};
+use crate::model::{Flow, Model, Varied};
 use crate::ode::{
-    self, Explicit, Observer, OdeError, Options, Step, Trajectory, Varied, Workspace, bad_start,
-    integrate,
+    Explicit, Observer, OdeError, Options, Step, Trajectory, Workspace, bad_start, integrate,
 };
-use crate::registry::{Method, Settings};
+use crate::settings::{Method, Settings};
+use crate::smooth;
 use nalgebra::{DMatrix, DVector};
 
 /// A scene with its period.
@@ -81,7 +81,7 @@ impl Period<'_> {
     /// Integrates the motion alone over the period.
     pub fn march(&self, start: &DVector<f64>, rtol: f64) -> Result<Trajectory, OdeError> {
         let times = (0.0, self.period);
-        ode::follow(self.model, times, &self.unscaled(start), &self.settings.at(rtol))
+        smooth::follow(self.model, times, &self.unscaled(start), &self.settings.at(rtol))
     }
 
     /// The motion that attracts the one from a start.

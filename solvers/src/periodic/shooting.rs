@@ -1,8 +1,8 @@
 //! Shooting: Newton's method for the start of a motion that repeats.
 
-use super::closing::Closing;
 use super::error::PeriodicError;
 use super::period::{Period, Return};
+use crate::floquet::Closing;
 use crate::ode::OdeError;
 use nalgebra::DVector;
 

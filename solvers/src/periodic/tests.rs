@@ -4,8 +4,8 @@ mod attracted;
 
 use super::{Orbit, PeriodicError, solve};
 use crate::problem::{Equations, Phase, Refused, Reports, Scene, Smooth, Span};
-use crate::registry::{Method, Settings};
 use crate::scalar::Scalar;
+use crate::settings::{Method, Settings};
 use crate::shape::{Quantity, Shape, Unit};
 use std::f64::consts::TAU;
 

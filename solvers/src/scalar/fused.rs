@@ -1,7 +1,7 @@
 //! `f64` whose products and sums are fused.
 
+use super::processor::is_fused;
 use super::{Real, Scalar, angle, sine};
-use crate::dispatch::is_fused;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An `f64` whose [`Scalar::mul_add`] is rounded once.

@@ -3,7 +3,6 @@
 #[cfg(test)]
 use super::{Constant, Shape, Unit};
 use super::{Distribution, List, Quantity, Text};
-use crate::closure::{Group, GroupKind, Variable};
 
 /// The loops of a scene as data.
 #[derive(Clone, Copy, Debug)]
@@ -58,6 +57,50 @@ impl LinkageEntry {
         let sizes = self.groups.iter().map(|group| group.unknowns.len());
         sizes.max().unwrap_or(0)
     }
+}
+
+/// How the unknowns of a group are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GroupKind {
+    /// Equations that are linear in displacements: one solution. Two of them are a PRP or RPP dyad.
+    Linear,
+    /// One equation `A cos φ + B sin φ = C`: two solutions.
+    Angle,
+    /// Two links joined by a pivot, each turning: two circles meet.
+    Rrr,
+    /// A link that turns and a slide: a circle meets a line.
+    Rrp,
+    /// A slide that turns about a pivot, its displacement and its angle unknown.
+    Rpr,
+    /// None of these: iteration.
+    General,
+}
+
+impl GroupKind {
+    /// Whether the group has two assembly modes in closed form.
+    pub fn has_modes(self) -> bool {
+        !matches!(self, GroupKind::Linear | GroupKind::General)
+    }
+}
+
+/// Loop equations that are closed together.
+#[derive(Clone, Copy, Debug)]
+pub struct Group {
+    /// How they are solved.
+    pub kind: GroupKind,
+    /// Indices of the dependent coordinates that they determine.
+    pub unknowns: &'static [usize],
+    /// Indices of the scalar equations.
+    pub equations: &'static [usize],
+}
+
+/// What an influence coefficient is taken by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variable {
+    /// The constant of this index.
+    Constant(usize),
+    /// The position of the driver of this index.
+    Driver(usize),
 }
 
 /// A scalar loop equation.

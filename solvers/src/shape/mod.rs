@@ -1,28 +1,26 @@
 //! What a scene is made of, as a value: names, units, tables. Empty lists say what it has not.
 //!
 //! The solvers read counts, scales and events here, and never a name or a unit; these are carried for whoever prints the
-//! answer, and the dimensions for [`crate::check::scaling`].
+//! answer, and the dimensions for whoever states a scene in other units.
 
 mod facts;
 mod loops;
+mod measured;
 mod modes;
 mod quantity;
 
 pub use facts::{At, EquationText, Expectation, Mark, Operations, Subject};
 #[cfg(test)]
 pub(crate) use loops::by_hand;
-pub use loops::{Link, LinkageEntry, Loop};
+pub use loops::{Group, GroupKind, Link, LinkageEntry, Loop, Variable};
+pub use measured::{Kind, Moment, NamedEvent, Primitive};
 pub use modes::{Direction, EventEntry, ModeEntry};
 pub use quantity::{Constant, Distribution, Quantity, Unit};
-
-use crate::measure::Primitive;
 
 /// What emitted tables name.
 #[doc(hidden)]
 pub mod tables {
     pub use super::*;
-    pub use crate::closure::{Group, GroupKind, Variable};
-    pub use crate::measure::{Kind, Moment, NamedEvent, Primitive};
 }
 
 /// A text of a shape.

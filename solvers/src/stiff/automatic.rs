@@ -20,7 +20,7 @@ use super::rosenbrock::Rosenbrock;
 use super::spectrum::Calm;
 use super::stepper::drive;
 use crate::model::Flow;
-use crate::ode::{self, Explicit, Observer, OdeError, Options, Statistics};
+use crate::ode::{self, Explicit, Observer, OdeError, Options, Statistics, Switch};
 use gauge::{Gauge, STIFF, Suspicion};
 
 /// Steps up to which the stiff method is on trial.
@@ -29,15 +29,6 @@ const TRIAL: usize = 40;
 const PROOF: f64 = 4.0;
 /// Relative tolerance above which Radau is the stiff method, below Rodas5P.
 const LOOSE: f64 = 1e-5;
-
-/// Where the method changed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Switch {
-    /// When, in seconds.
-    pub time: f64,
-    /// Whether it was to the stiff method; otherwise it was back to the explicit one.
-    pub stiff: bool,
-}
 
 /// The memory of the methods.
 pub(super) struct Automatic {

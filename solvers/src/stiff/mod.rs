@@ -34,11 +34,12 @@ mod rounding;
 mod spectrum;
 mod stepper;
 
-pub use automatic::Switch;
+pub use crate::ode::Switch;
 pub(crate) use march::record;
 
 use crate::model::Flow;
 use crate::ode::{Observer, OdeError, Options, Statistics, bad_start, first_bad};
+use crate::settings;
 use automatic::Automatic;
 use here::Here;
 use radau::Radau;
@@ -136,6 +137,18 @@ pub fn integrate(
         }
     }
     Ok(here.statistics)
+}
+
+impl settings::Method {
+    /// The method among those that solve stiff motions; none if it is explicit.
+    pub fn stiff(self) -> Option<Method> {
+        match self {
+            Self::Tsit5 | Self::Dop853 | Self::Taylor => None,
+            Self::Radau => Some(Method::Radau),
+            Self::Rosenbrock => Some(Method::Rosenbrock),
+            Self::Auto => Some(Method::Automatic),
+        }
+    }
 }
 
 #[cfg(test)]

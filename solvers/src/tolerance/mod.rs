@@ -17,6 +17,7 @@
 
 #[cfg(feature = "allocation")]
 mod allocation;
+mod asked;
 mod corners;
 mod differences;
 mod distribution;
@@ -44,27 +45,20 @@ mod variation;
 mod varied;
 
 #[cfg(feature = "allocation")]
-pub(crate) use allocation::allocate_of;
-#[cfg(feature = "allocation")]
 pub use allocation::{
     Active, Allocation, AllocationError, Candidate, Cost, Limit, Rule, allocate, allocate_along,
 };
-pub(crate) use corners::corners_of;
 pub use corners::{Corners, Extremes, corners};
-pub(crate) use differences::differences_of;
 pub use differences::{Difference, Differences, differences};
 pub(crate) use drawing::{Block, Drawing, Run};
 pub use elastic::{Bar, Loaded, elastic};
 pub use error::ToleranceError;
 pub(crate) use estimate::share;
 pub use estimate::{Estimate, Quantile, Sampled, Status};
-pub(crate) use influence::influences_of;
 pub use influence::{Influences, influences};
 pub use linear::{Contribution, Linear, Rank, linear, ranking, worst_place};
-pub(crate) use monte_carlo::monte_carlo_of;
 pub use monte_carlo::{MonteCarlo, Sampling, monte_carlo};
 pub(crate) use normal::quantile as normal_quantile;
 pub use random::Random;
-pub(crate) use second::quadratics_of;
 pub use second::{Moments, Quadratic, quadratics};
 pub use source::{Source, Study};

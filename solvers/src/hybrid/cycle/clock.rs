@@ -9,7 +9,7 @@ use super::error::CycleError;
 use super::newton::Gap;
 use super::{Cycle, follow, phase};
 use crate::model::{Flow, Model};
-use crate::registry::Settings;
+use crate::settings::Settings;
 
 /// So near to its past, over the sizes of its states, a motion is closed at once.
 const NEAR: f64 = 1e-4;

@@ -12,7 +12,7 @@ use super::error::CycleError;
 use super::{follow, has_slopes, variation};
 use crate::model::{Bound, Model};
 use crate::problem::Scene;
-use crate::registry::Settings;
+use crate::settings::Settings;
 
 /// Lyapunov exponents, and where the motion has come to.
 #[derive(Clone, Debug, PartialEq)]

@@ -31,11 +31,11 @@ pub use lyapunov::{Lyapunov, Periods, lyapunov};
 
 use super::march::Way;
 use super::{HybridError, Motion};
+use crate::floquet::Multiplier;
 use crate::model::{Bound, Flow, Model};
 use crate::ode::OdeError;
-use crate::periodic::Multiplier;
 use crate::problem::Scene;
-use crate::registry::Settings;
+use crate::settings::Settings;
 use nalgebra::DMatrix;
 
 /// Periods that a motion is followed before it is closed, unless it closes by itself.

@@ -9,10 +9,9 @@ use nalgebra::{DMatrix, DVector};
 use super::super::Motion;
 use super::error::CycleError;
 use super::{Cycle, follow, variation};
+use crate::floquet::{Closing, Multiplier, multipliers};
 use crate::model::{Flow, Model};
-use crate::periodic::closing::Closing;
-use crate::periodic::multipliers::{self, Multiplier};
-use crate::registry::Settings;
+use crate::settings::Settings;
 
 /// Steps of Newton's method at most.
 const ITERATIONS: usize = 30;
@@ -165,7 +164,7 @@ impl Gap<'_> {
     /// The multipliers; without the one of the phase, which is 1, where nothing states the time.
     fn multipliers(&self, matrix: &DMatrix<f64>) -> Vec<Multiplier> {
         let error = UNCERTAINTY * self.settings.rtol;
-        let mut all = multipliers::of(&self.scaled(matrix), None, error);
+        let mut all = multipliers(&self.scaled(matrix), None, error);
         let distances = all.iter().map(Multiplier::distance).enumerate();
         let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((place, _)) = nearest.filter(|_| self.is_free) {

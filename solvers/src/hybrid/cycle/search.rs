@@ -8,7 +8,7 @@ use super::returns::Past;
 use super::{Cycle, FOLLOWED, PATIENCE, follow, phase};
 use crate::model::Model;
 use crate::ode::OdeError;
-use crate::registry::Settings;
+use crate::settings::Settings;
 
 /// So near to its past, over the sizes of its states, a motion is closed at once.
 const NEAR: f64 = 1e-4;

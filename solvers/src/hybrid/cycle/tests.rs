@@ -2,7 +2,7 @@
 
 use super::{Cycle, CycleError, clock_of};
 use crate::model::hand::Hand;
-use crate::registry::{Method, Settings};
+use crate::settings::{Method, Settings};
 
 /// `x'' - (gain - saturation x²) x' + x = force t` in state `x` and `x'`.
 #[derive(Clone, Copy)]

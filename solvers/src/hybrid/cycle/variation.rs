@@ -18,7 +18,7 @@ use super::super::{Happened, Motion, Piece};
 use super::error::CycleError;
 use crate::model::{Flow, Model};
 use crate::ode::{AbsoluteTolerance, Explicit, OdeError, Options, System, Workspace, integrate};
-use crate::registry::Settings;
+use crate::settings::Settings;
 
 /// The matrix of derivatives of the end of a motion by its begin, SI units.
 pub(super) fn of(

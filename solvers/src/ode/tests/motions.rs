@@ -3,7 +3,7 @@
 use super::super::Explicit::{Dop853, Tsit5};
 use super::super::{Explicit, OdeError, Options};
 use super::{end, march, tolerance};
-use crate::registry::Settings;
+use crate::settings::Settings;
 use std::f64::consts::TAU;
 
 /// A free oscillator of frequency 1.

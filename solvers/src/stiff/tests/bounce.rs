@@ -2,8 +2,8 @@
 
 use crate::hybrid::{Motion, march};
 use crate::problem::{Equations, Events, Phase, Refused, Reports, Scene, Span};
-use crate::registry::{Method, Settings};
 use crate::scalar::Scalar;
+use crate::settings::{Method, Settings};
 use crate::shape::{Direction, EventEntry};
 use crate::shape::{ModeEntry, Quantity, Shape, Unit};
 

@@ -6,13 +6,10 @@
 //! the step are compared with those of the series there, whose difference is the derivative of the first term that was left
 //! out: that is the error of the step.
 
-use super::doubt::Doubt;
-use super::error::OdeError;
-use super::explicit::{Clock, Statistics};
-use super::observer::{Basis, Observer, Step};
-use super::options::{Options, bad, bad_start};
-use super::workspace::SHORTEST;
 use crate::model::Flow;
+use crate::ode::{
+    Basis, Clock, Doubt, Observer, OdeError, Options, SHORTEST, Statistics, Step, bad, bad_start,
+};
 use crate::series::TERMS;
 
 /// Part of the length that the last terms permit.

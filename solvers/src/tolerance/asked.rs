@@ -1,13 +1,20 @@
 //! What is asked about the tolerances of a linkage.
 
-use crate::closure::{AnyLinkage, Variable};
-use crate::tolerance::{
-    self, Differences, Extremes, Influences, MonteCarlo, Quadratic, Sampling, Study, ToleranceError,
-};
 #[cfg(feature = "allocation")]
-use crate::tolerance::{Allocation, AllocationError, Candidate, Rule};
+use super::allocation::allocate_of;
+use super::corners::corners_of;
+use super::differences::differences_of;
+use super::influence::influences_of;
+use super::monte_carlo::monte_carlo_of;
+use super::second::quadratics_of;
+#[cfg(feature = "allocation")]
+use super::{Allocation, AllocationError, Candidate, Rule};
+use super::{
+    Differences, Extremes, Influences, MonteCarlo, Quadratic, Sampling, Study, ToleranceError,
+};
+use crate::closure::{AnyLinkage, Variable};
 
-/// Each run is explained where the solvers have it, in [`mod@crate::tolerance`]. There is none of a linkage in which nothing
+/// Each run is explained where the solvers have it, in [`mod@super`]. There is none of a linkage in which nothing
 /// has a tolerance or is a made dimension.
 impl dyn AnyLinkage + '_ {
     /// Whether anything in it is made to a tolerance, or is a dimension and so may be.
@@ -19,35 +26,35 @@ impl dyn AnyLinkage + '_ {
         is_made.then_some(()).ok_or(ToleranceError::NoSource)
     }
 
-    /// Influence of all variables on the output, see [`fn@tolerance::influences`].
+    /// Influence of all variables on the output, see [`fn@super::influences`].
     ///
     /// # Errors
     /// Why a place is not reached.
     pub fn influences(&self, study: &Study) -> Result<Influences, ToleranceError> {
         self.is_made()?;
         study.check_places(self.shape())?;
-        tolerance::influences_of(self, study.output, &study.places)
+        influences_of(self, study.output, &study.places)
     }
 
-    /// The output to second order, see [`fn@tolerance::quadratics`].
+    /// The output to second order, see [`fn@super::quadratics`].
     ///
     /// # Errors
     /// [`ToleranceError`].
     pub fn quadratics(&self, study: &Study) -> Result<Vec<Quadratic>, ToleranceError> {
         self.is_made()?;
-        tolerance::quadratics_of(self, study)
+        quadratics_of(self, study)
     }
 
-    /// Errors at all extremes, see [`fn@tolerance::corners`].
+    /// Errors at all extremes, see [`fn@super::corners`].
     ///
     /// # Errors
     /// [`ToleranceError`].
     pub fn corners(&self, study: &Study) -> Result<Vec<Extremes>, ToleranceError> {
         self.is_made()?;
-        tolerance::corners_of(self, study)
+        corners_of(self, study)
     }
 
-    /// What the first and the second order miss, see [`fn@tolerance::differences`].
+    /// What the first and the second order miss, see [`fn@super::differences`].
     ///
     /// # Errors
     /// [`ToleranceError`].
@@ -58,10 +65,10 @@ impl dyn AnyLinkage + '_ {
         seed: u64,
     ) -> Result<Vec<Differences>, ToleranceError> {
         self.is_made()?;
-        tolerance::differences_of(self, study, samples, seed)
+        differences_of(self, study, samples, seed)
     }
 
-    /// Linkages made at random, see [`fn@tolerance::monte_carlo`].
+    /// Linkages made at random, see [`fn@super::monte_carlo`].
     ///
     /// # Errors
     /// [`ToleranceError`].
@@ -72,10 +79,10 @@ impl dyn AnyLinkage + '_ {
         progress: &(dyn Fn(u64) + Sync),
     ) -> Result<MonteCarlo, ToleranceError> {
         self.is_made()?;
-        tolerance::monte_carlo_of(self, study, sampling, progress)
+        monte_carlo_of(self, study, sampling, progress)
     }
 
-    /// Tolerances of least cost, see [`fn@tolerance::allocate`].
+    /// Tolerances of least cost, see [`fn@super::allocate`].
     ///
     /// # Errors
     /// [`AllocationError`].
@@ -88,6 +95,6 @@ impl dyn AnyLinkage + '_ {
         band: f64,
     ) -> Result<Allocation, AllocationError> {
         self.is_made()?;
-        tolerance::allocate_of(self, study, candidates, rule, band)
+        allocate_of(self, study, candidates, rule, band)
     }
 }

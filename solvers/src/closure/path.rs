@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use crate::closure::{AnyLinkage, ClosureError, Event, Guide, Start, instant_at};
+use super::{AnyLinkage, ClosureError, Event, Guide, Start, instant_at};
 
 /// A linkage at one position.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,15 +1,15 @@
-//! The motion of a scene from a start.
+//! The motion of a scene without events from a start, in one piece, by whichever method is asked for.
 
-use super::error::OdeError;
-use super::explicit::integrate;
-use super::observer::Observer;
-use super::options::Options;
-use super::taylor::Taylor;
-use super::trajectory::{Recorder, Trajectory};
-use super::workspace::Workspace;
+mod taylor;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use taylor::Taylor;
+
 use crate::model::{Bound, Flow, Model};
+use crate::ode::{Observer, OdeError, Options, Recorder, Trajectory, Workspace, integrate};
 use crate::problem::Smooth;
-use crate::registry::Settings;
+use crate::settings::Settings;
 use crate::stiff;
 
 /// The motion of a scene without events from a start. Where the settings give no absolute tolerances they are `rtol` times

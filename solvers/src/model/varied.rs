@@ -1,9 +1,7 @@
 //! A motion beside its variations.
 
-use super::step::Room;
-use super::system::System;
-use super::tableau::Explicit;
-use crate::model::Flow;
+use super::Flow;
+use crate::ode::{Explicit, Room, System};
 
 /// A flow beside its variational equations `c' = ∂f/∂y · c`, one column for each state: the state is the motion, and behind it
 /// one column after the other.

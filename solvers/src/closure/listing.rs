@@ -2,9 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use crate::closure::{
-    self, Along, AnyLinkage, ClosureError, Newton, Search, Stretch, Stroke, instant_at,
-};
+use super::limits::stretch_of;
+use super::modes::modes_of;
+use super::strokes::strokes_of;
+use super::{Along, AnyLinkage, ClosureError, Mode, Newton, Search, Stretch, Stroke, instant_at};
 
 /// Solutions nearer to each other than this are the same, in radians, metres or whatever a coordinate is in.
 const SAME: f64 = 1e-6;
@@ -40,14 +41,14 @@ pub struct Listed {
 }
 
 impl dyn AnyLinkage + '_ {
-    /// All assembly modes at a place, and which one the start values pick; see [`fn@closure::modes`]. The place is the
+    /// All assembly modes at a place, and which one the start values pick; see [`fn@super::modes`]. The place is the
     /// positions of the drivers, and behind them how these move where that is known.
     ///
     /// # Errors
     /// [`ClosureError::BadRange`] if the place makes no sense.
     pub fn modes(&self, place: &[f64], search: &Search) -> Result<Listing, ClosureError> {
         let (drivers, motion) = place.split_at(place.len().min(self.shape().drivers.len()));
-        let found = closure::modes_of(self, drivers, search)?;
+        let found = modes_of(self, drivers, search)?;
         let modes = found.modes.into_iter();
         let modes: Vec<_> = modes.map(|mode| self.listed((drivers, motion), mode)).collect();
         let (declared, stopped) = match self.there(drivers) {
@@ -67,21 +68,21 @@ impl dyn AnyLinkage + '_ {
         })
     }
 
-    /// How far one driver goes within bounds, see [`fn@closure::stretch`].
+    /// How far one driver goes within bounds, see [`fn@super::stretch`].
     ///
     /// # Errors
     /// As there.
     pub fn stretch(&self, driver: usize, bounds: (f64, f64)) -> Result<Stretch, ClosureError> {
-        closure::stretch_of(self, driver, bounds)
+        stretch_of(self, driver, bounds)
     }
 
     /// Limit positions and strokes of the outputs, and behind them of the dependent coordinates, see
-    /// [`fn@closure::strokes`].
+    /// [`fn@super::strokes`].
     ///
     /// # Errors
     /// As there.
     pub fn strokes(&self, along: Along) -> Result<Vec<Stroke>, ClosureError> {
-        closure::strokes_of(self, along)
+        strokes_of(self, along)
     }
 
     /// How drivers move, if as much is given as they have.
@@ -93,7 +94,7 @@ impl dyn AnyLinkage + '_ {
     }
 
     /// A mode with its outputs and what is left of its equations.
-    fn listed(&self, (drivers, motion): (&[f64], &[f64]), mode: closure::Mode) -> Listed {
+    fn listed(&self, (drivers, motion): (&[f64], &[f64]), mode: Mode) -> Listed {
         let (shape, loops) = (self.shape(), self.prepare(&self.values()));
         let instant = instant_at(&*loops, drivers, self.motion(motion));
         let mut position = vec![0.0; loops.lengths().0];

@@ -1,10 +1,15 @@
 //! The method of Taylor series against closed forms, and where there are no series.
 
-use super::super::{OdeError, Options, Recorder, Taylor, Trajectory};
-use super::tolerance;
+use super::Taylor;
 use crate::model::hand::Hand;
 use crate::model::{Flow, Model};
+use crate::ode::{AbsoluteTolerance, OdeError, Options, Recorder, Trajectory};
 use std::f64::consts::TAU;
+
+/// Options with one tolerance.
+fn tolerance(tolerance: f64) -> Options {
+    Options { rtol: tolerance, atol: AbsoluteTolerance::Same(tolerance), ..Options::default() }
+}
 
 /// A free oscillator of this frequency.
 fn oscillator(frequency: f64) -> impl Model {

@@ -37,25 +37,6 @@ impl Method {
             Self::Auto => "auto",
         }
     }
-
-    /// The method among the explicit ones of Runge and Kutta; none if it is another.
-    pub fn explicit(self) -> Option<crate::ode::Explicit> {
-        match self {
-            Self::Tsit5 => Some(crate::ode::Explicit::Tsit5),
-            Self::Dop853 => Some(crate::ode::Explicit::Dop853),
-            _ => None,
-        }
-    }
-
-    /// The method among those that solve stiff motions; none if it is explicit.
-    pub fn stiff(self) -> Option<crate::stiff::Method> {
-        match self {
-            Self::Tsit5 | Self::Dop853 | Self::Taylor => None,
-            Self::Radau => Some(crate::stiff::Method::Radau),
-            Self::Rosenbrock => Some(crate::stiff::Method::Rosenbrock),
-            Self::Auto => Some(crate::stiff::Method::Automatic),
-        }
-    }
 }
 
 impl fmt::Display for Method {

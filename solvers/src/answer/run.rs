@@ -1,12 +1,13 @@
 //! What is asked of a scene with its values, whichever it is.
 
-use super::Settings;
 use crate::hybrid::{self, Cycle, CycleError, HybridError, Motion, Way};
 use crate::measure::{self, Missing};
 use crate::model::{Flow, Model};
 use crate::ode::{self, OdeError, Trajectory};
 use crate::periodic::{self, Orbit, PeriodicError};
 use crate::problem::Phase;
+use crate::settings::Settings;
+use crate::smooth;
 
 impl dyn Model + '_ {
     /// Positions of the drivers at a time.
@@ -99,7 +100,7 @@ impl dyn Model + '_ {
     ) -> Result<Trajectory, OdeError> {
         match self.events() {
             Some(_) => Err(has_modes()),
-            None => ode::follow(self, times, start, settings),
+            None => smooth::follow(self, times, start, settings),
         }
     }
 

@@ -1,0 +1,108 @@
+//! What measures find of a run.
+
+/// A number of a run that is found by looking at it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Primitive {
+    /// What is found.
+    pub kind: Kind,
+    /// The quantity concerned, by index.
+    pub argument: usize,
+    /// Only where this quantity, by index, is positive.
+    pub window: Option<usize>,
+}
+
+impl Primitive {
+    /// A number of the whole run.
+    #[doc(hidden)]
+    pub const fn of(kind: Kind, argument: usize) -> Self {
+        Self { kind, argument, window: None }
+    }
+
+    /// Only where this quantity is positive.
+    #[doc(hidden)]
+    pub const fn within(mut self, window: usize) -> Self {
+        self.window = Some(window);
+        self
+    }
+}
+
+/// What is found of a quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// The largest value.
+    Peak,
+    /// The smallest value.
+    Lowest,
+    /// The mean over the time.
+    Mean,
+    /// The square root of the mean of the square over the time.
+    Rms,
+    /// The integral over the time.
+    Integral,
+    /// How long the quantity is positive.
+    Duration,
+    /// The value at a moment.
+    Value(Moment),
+    /// How often a moment comes.
+    Count(Moment),
+    /// `1/π ∫ x cos kα dα` over the turns of an angle, per turn; for `k = 0` the mean over the angle.
+    Cosine {
+        /// The angle and its time derivative, by index.
+        angle: (usize, usize),
+        /// The number of the harmonic.
+        order: u32,
+    },
+    /// `1/π ∫ x sin kα dα` over the turns of an angle, per turn.
+    Sine {
+        /// The angle and its time derivative, by index.
+        angle: (usize, usize),
+        /// The number of the harmonic.
+        order: u32,
+    },
+}
+
+/// A moment of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moment {
+    /// Its begin.
+    Start,
+    /// Its end.
+    End,
+    /// Just after a mode is entered, the first or the last time. A run that begins in the mode does not enter it there.
+    Enter {
+        /// The mode, by index.
+        mode: usize,
+        /// The last time.
+        last: bool,
+    },
+    /// Just before a mode is left, the first or the last time.
+    Leave {
+        /// The mode, by index.
+        mode: usize,
+        /// The last time.
+        last: bool,
+    },
+    /// Just before an event of a name happens, the first or the last time.
+    Before {
+        /// The event.
+        event: NamedEvent,
+        /// The last time.
+        last: bool,
+    },
+    /// Just after an event of a name has happened, the first or the last time.
+    After {
+        /// The event.
+        event: NamedEvent,
+        /// The last time.
+        last: bool,
+    },
+}
+
+/// What a scene calls by one name: an event, or several.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NamedEvent {
+    /// The name.
+    pub name: &'static str,
+    /// Each by its mode and its index in that mode.
+    pub places: &'static [(usize, usize)],
+}
