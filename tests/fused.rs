@@ -7,12 +7,12 @@ use std::marker::PhantomData;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard};
 
+use assur::answer::{Method, Settings};
 use assur::closure::{self, Assembly, AtDeadPoint, Axis, Closure, Linkage};
 use assur::dispatch::{Task, dispatch};
 use assur::ode;
 use assur::periodic;
 use assur::problem::{Equations, Phase, Reports, Scene, Span};
-use assur::registry::{Method, Settings};
 use assur::scalar::Scalar;
 use assur_equations::batten::{Elastic, Start};
 use assur_equations::{heald_linkage, presser_foot, sewing_feed, table_drive};

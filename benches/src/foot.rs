@@ -2,9 +2,9 @@
 
 use std::hint::black_box;
 
+use assur::answer::{Method, Settings};
 use assur::hybrid::{self, Cycle, Motion};
 use assur::problem::Scene;
-use assur::registry::{Method, Settings};
 use assur_equations::presser_foot::Elliptic;
 
 use crate::count::{Case, Measure, measure};

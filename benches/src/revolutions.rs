@@ -2,12 +2,12 @@
 
 use std::hint::black_box;
 
+use assur::answer::{Method, Settings};
 use assur::dispatch::is_fused;
 use assur::model::{Bound, Flow};
 use assur::ode::{Explicit, Options, Workspace, integrate};
 use assur::periodic;
 use assur::problem::{Scene, Span};
-use assur::registry::{Method, Settings};
 use assur_equations::batten::Elastic;
 
 use crate::count::{Case, measure, shortest};

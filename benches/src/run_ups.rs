@@ -8,9 +8,10 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use assur::answer::{Method, Settings};
 use assur::hybrid::{self, Motion};
 use assur::problem::Scene;
-use assur::registry::{Method, SceneEntry, Settings};
+use assur::registry::SceneEntry;
 use assur::study::{self, Outcome};
 use assur_equations::table_drive::{MECHANISM, Table1};
 

@@ -1,7 +1,7 @@
 //! The method of Taylor series beside the method of Dormand and Prince: two ways from the same equations.
 
 use crate::solved::bind;
-use assur::registry::{Method, Settings};
+use assur::answer::{Method, Settings};
 use assur::{hybrid, ode};
 use assur_equations::REGISTRY;
 

@@ -1,9 +1,10 @@
 //! A scene of the registry with its steady state, read by the names that the equation file gives.
 
+use assur::answer::{Method, Settings};
 use assur::model::Model;
 use assur::periodic::{Orbit, PeriodicError};
 use assur::problem::{Refused, Span};
-use assur::registry::{Bind, Method, SceneEntry, Settings};
+use assur::registry::{Bind, SceneEntry};
 use assur_equations::REGISTRY;
 use std::f64::consts::TAU;
 

@@ -4,7 +4,7 @@
 //! get the hand-written equations and the instants at which the rack passes the plate, but "diffsol, all found", which
 //! finds those as it finds the other events.
 
-use assur::registry::Method;
+use assur::answer::Method;
 
 use super::{Peer, Point, all_runs, foot_diffsol, foot_scipy, peer, points, time_at};
 use crate::foot::{Run, START, assur_by, error, hand};

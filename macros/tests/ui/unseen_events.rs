@@ -10,6 +10,6 @@ assur::mechanism! {
 }
 
 fn main() {
-    let settings = assur::registry::Settings::default();
+    let settings = assur::answer::Settings::default();
     let _ = assur::ode::march(&Fall::default(), (0.0, 1.0), &[1.0, 0.0], &settings);
 }

@@ -1,7 +1,7 @@
 //! Small differences of large terms.
 
 use crate::solved::{RPM, Solved, entry};
-use assur::registry::{Method, Settings};
+use assur::answer::{Method, Settings};
 
 /// The angle of the crank at the start of the blow into the locks.
 const LOCKS: f64 = 1.9198;

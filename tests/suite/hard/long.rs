@@ -1,10 +1,10 @@
 //! Motions over many periods without losses.
 
 use crate::solved::{FINE, RPM, Solved, USUAL, entry};
+use assur::answer::{Method, Settings};
 use assur::model::{Bound, Flow};
 use assur::ode::{Explicit, Observer, Options, Step, Workspace, integrate};
 use assur::problem::{Phase, Reports, Scene};
-use assur::registry::{self, Settings};
 
 assur::mechanism! {
     /// A point mass on a massless rod, swinging widely.
@@ -104,7 +104,7 @@ fn near_a_multiplier_of_minus_one_nothing_grows() {
         let distances = distances(&solved, &[0.0; 6], 200, settings);
         largest(&distances[150..]) / largest(&distances[..50])
     };
-    let crude = Settings::new(registry::Method::Tsit5).rtol(1e-3);
+    let crude = Settings::new(Method::Tsit5).rtol(1e-3);
     assert!(late(&crude) > 1.5, "{}", late(&crude));
     assert!(late(&USUAL) < 1.0, "{}", late(&USUAL));
 }

@@ -1,8 +1,8 @@
 //! Absolute tolerances of the states: a state that is far smaller than its scale decides about the others.
 
+use assur::answer::{Method, Settings};
 use assur::ode;
 use assur::problem::Scene;
-use assur::registry::{Method, Settings};
 
 mod kinetics {
     assur::mechanism! {

@@ -2,9 +2,9 @@
 
 use crate::solved::FINE;
 use approx::assert_relative_eq;
+use assur::answer::Settings;
 use assur::ode;
 use assur::problem::{Scene, Smooth};
-use assur::registry::Settings;
 
 /// In metres, kilograms and seconds.
 mod large {

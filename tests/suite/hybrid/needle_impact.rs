@@ -8,9 +8,10 @@ mod stepped;
 mod strength;
 
 use crate::solved::{FINE, entry, values};
+use assur::answer::Settings;
 use assur::hybrid::{Happened, Motion};
 use assur::model::Model;
-use assur::registry::{SceneEntry, Settings};
+use assur::registry::SceneEntry;
 use assur::shape::Quantity;
 use serde_json::Value;
 use std::sync::LazyLock;

@@ -4,7 +4,7 @@
 //! V. G. Butkevich and others, equations (5) and (8) to (19); the corrections are in the comments of each test.
 
 use crate::solved::{entry, values};
-use assur::registry::Sample;
+use assur::closure::Sample;
 use std::f64::consts::FRAC_PI_2;
 
 const L: [f64; 4] = [0.090, 0.230, 0.180, 0.120];
