@@ -10,11 +10,12 @@
 extern crate self as assur;
 
 pub use assur_macros::{equations, mechanism};
+pub use assur_registry::{check, registry, study};
 #[doc(hidden)]
 pub use assur_solvers::exact;
 pub use assur_solvers::{
-    answer, check, closure, dense, dispatch, hybrid, measure, model, periodic, problem, registry,
-    scalar, series, shape, stiff, study, tolerance,
+    answer, closure, dense, dispatch, hybrid, measure, model, periodic, problem, scalar, series,
+    shape, stiff, tolerance,
 };
 
 /// The motion of a scene without events, and the explicit methods that it is found by.

@@ -1,7 +1,7 @@
 //! The numerical solvers of Assur.
 //!
 //! A mechanism is to them a set of equations `y' = f(t, y)` with outputs, given by the traits of [`problem`]. They
-//! know no symbol, name or unit; where a name stands in a table ([`registry`]), it is carried for whoever prints it.
+//! know no symbol, name or unit; where a name stands in a [`shape`], it is carried for whoever prints it.
 //!
 //! | module | what it finds |
 //! |---|---|
@@ -15,15 +15,12 @@
 //! | [`periodic`] | the steady state: method of initial parameters, shooting, Floquet multipliers |
 //! | [`hybrid`] | the motion from event to event |
 //! | [`mod@measure`] | numbers of a whole run |
-//! | [`study`] | many runs with different values |
 //! | [`tolerance`](mod@tolerance) | errors of a linkage from tolerances, and tolerances of least cost |
 //! | [`dense`] | small linear systems |
-//! | [`check`] | what the generated tests of a mechanism ask of it |
 //! | [`shape`] | what a scene is made of |
 //! | [`scalar`], [`dispatch`] | the numbers that all of it runs on, and the choice of the instruction set |
 
 pub mod answer;
-pub mod check;
 pub mod closure;
 pub mod dense;
 pub mod dispatch;
@@ -34,12 +31,10 @@ pub mod model;
 pub mod ode;
 pub mod periodic;
 pub mod problem;
-pub mod registry;
 pub mod scalar;
 pub mod series;
 mod settings;
 pub mod shape;
 pub mod smooth;
 pub mod stiff;
-pub mod study;
 pub mod tolerance;

@@ -113,7 +113,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
 
     /// All of it, whichever linkage it is of.
     #[inline]
-    pub(crate) fn guide(&mut self) -> Guide<'_, S> {
+    pub fn guide(&mut self) -> Guide<'_, S> {
         let (groups, rest) = (&mut self.groups, &mut self.rest);
         Guide {
             linkage: &self.linkage,

@@ -46,16 +46,17 @@ impl<S: Scalar> Rest<S> {
 /// All of an assembly, whichever linkage it is of.
 pub struct Guide<'a, S: Scalar> {
     pub(crate) linkage: &'a dyn AnyLinkage,
-    pub(crate) loops: &'a dyn Loops<S>,
+    /// Its loops.
+    pub loops: &'a dyn Loops<S>,
     pub(super) entry: &'static LinkageEntry,
     /// The independent variables.
-    pub(crate) independents: &'a mut [S],
+    pub independents: &'a mut [S],
     /// What depends on them alone.
     pub(super) instant: &'a mut [S],
     /// Their change in the last step.
     pub(super) heading: &'a mut [S],
     /// The position: the dependent coordinates first, angles continued over whole turns.
-    pub(crate) position: &'a mut [S],
+    pub position: &'a mut [S],
     /// Whole turns that angles have made, in radians.
     pub(super) turns: &'a mut [S],
     pub(super) groups: Groups<&'a mut [S]>,

@@ -59,10 +59,14 @@ pub use assembly::{Assembly, Event};
 pub use breaks::Break;
 pub use error::ClosureError;
 pub use extremes::{Extreme, Limit};
-pub(crate) use guide::{Guide, Moves};
+#[doc(hidden)]
+pub use guide::Guide;
+pub(crate) use guide::Moves;
 pub use limits::{End, Stretch, stretch};
 pub use listing::{Listed, Listing};
-pub(crate) use loops::{Answers, Apart, Loops, Square, instant_at};
+pub(crate) use loops::Loops;
+#[doc(hidden)]
+pub use loops::{Answers, Apart, Square, instant_at};
 pub use modes::{Mode, Modes, Search, modes};
 pub(crate) use newton::Newton;
 pub use path::{Path, Sample};

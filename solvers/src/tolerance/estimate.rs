@@ -137,7 +137,7 @@ fn around(value: f64, half: f64) -> Estimate {
 
 /// A share with the interval of E. B. Wilson (Journal of the American Statistical Association 22, 1927), which holds
 /// near 0 and 1 too.
-pub(crate) fn share(count: u64, of: u64, z: f64) -> Estimate {
+pub fn share(count: u64, of: u64, z: f64) -> Estimate {
     let n = of as f64;
     let p = count as f64 / n;
     let middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);

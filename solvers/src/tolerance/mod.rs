@@ -53,12 +53,14 @@ pub use differences::{Difference, Differences, differences};
 pub(crate) use drawing::{Block, Drawing, Run};
 pub use elastic::{Bar, Loaded, elastic};
 pub use error::ToleranceError;
-pub(crate) use estimate::share;
+#[doc(hidden)]
+pub use estimate::share;
 pub use estimate::{Estimate, Quantile, Sampled, Status};
 pub use influence::{Influences, influences};
 pub use linear::{Contribution, Linear, Rank, linear, ranking, worst_place};
 pub use monte_carlo::{MonteCarlo, Sampling, monte_carlo};
-pub(crate) use normal::quantile as normal_quantile;
+#[doc(hidden)]
+pub use normal::quantile as normal_quantile;
 pub use random::Random;
 pub use second::{Moments, Quadratic, quadratics};
 pub use source::{Source, Study};

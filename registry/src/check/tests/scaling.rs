@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::check::{Failed, scaling};
-use crate::shape::Shape;
-use crate::shape::{Constant, Distribution};
+use assur_solvers::shape::Shape;
+use assur_solvers::shape::{Constant, Distribution};
 
 /// A mass on a spring, pushed by what `HIDDEN` says.
 #[derive(Clone)]

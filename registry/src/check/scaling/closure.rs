@@ -3,10 +3,10 @@
 use super::{Dimension, SYSTEMS, TIME, Units};
 use crate::check::Failed;
 use crate::check::linkage::{PLACES, place};
-use crate::closure::{Answers, AnyLinkage, Apart, Linkage, Variable, instant_at};
 use crate::registry::{Mechanism, SceneEntry};
-use crate::scalar::{Bounded, Scalar};
-use crate::shape::Quantity;
+use assur_solvers::closure::{Answers, AnyLinkage, Apart, Linkage, Variable, instant_at};
+use assur_solvers::scalar::{Bounded, Scalar};
+use assur_solvers::shape::Quantity;
 
 /// Checks at several positions that a linkage has the same outputs and influence coefficients when its dimensions,
 /// drivers and dependent coordinates are stated in other units.
@@ -34,7 +34,7 @@ fn restated(
     let entry = mechanism.scenes.iter().find(|entry| entry.name == scene);
     let entry = entry.ok_or_else(|| Failed("there is no such scene".into()))?;
     let quantities = Quantities::of(entry)?;
-    let fail = |error: crate::closure::ClosureError| Failed(error.to_string());
+    let fail = |error: assur_solvers::closure::ClosureError| Failed(error.to_string());
     let mut assembly = linkage.assemble();
     assembly.guide().start().map_err(fail)?;
     let mut compared = 0;

@@ -23,10 +23,10 @@ mod closure;
 pub use closure::closure_scaling;
 
 use super::{Failed, places, rates};
-use crate::problem::{Phase, Reports, Scene};
 use crate::registry::{Mechanism, SceneEntry};
-use crate::scalar::{Bounded, Scalar};
-use crate::shape::{Constant, Quantity};
+use assur_solvers::problem::{Phase, Reports, Scene};
+use assur_solvers::scalar::{Bounded, Scalar};
+use assur_solvers::shape::{Constant, Quantity};
 
 /// Exponents of the seven base units, as in [`Quantity::dimension`].
 type Dimension = [(i8, i8); 7];

@@ -3,12 +3,11 @@
 mod scaling;
 
 use super::{energy, fact, jacobian};
-use crate::model::hand::multiply;
-use crate::problem::{Equations, Phase, Refused, Reports, Scene, Smooth, Span};
 use crate::registry::{Bind, Mechanism, SceneEntry, bind};
-use crate::scalar::Scalar;
-use crate::shape::Shape;
-use crate::shape::{At, Expectation, Quantity, Subject};
+use assur_solvers::problem::{Equations, Phase, Refused, Reports, Scene, Smooth, Span};
+use assur_solvers::scalar::Scalar;
+use assur_solvers::shape::Shape;
+use assur_solvers::shape::{At, Expectation, Quantity, Subject};
 
 /// An oscillator of unit frequency whose spring hardens; with a mistake in its Jacobian or a leak in its energy.
 #[derive(Clone, Default)]
@@ -43,7 +42,13 @@ impl<S: Scalar, const MISTAKE: u8> Equations<S> for Prepared<MISTAKE> {
         let mut slopes = [S::ZERO; 4];
         self.rates(phase, instant, state, rates);
         self.jacobian(phase, instant, state, &mut slopes);
-        multiply(&slopes, columns, products);
+        let states = slopes.len().isqrt();
+        for (place, product) in products.iter_mut().enumerate() {
+            let (row, column) = (place % states, place / states);
+            let terms =
+                (0..states).map(|j| slopes[j * states + row] * columns[column * states + j]);
+            *product = terms.fold(S::ZERO, |sum, term| sum + term);
+        }
     }
 
     fn jacobian(&self, _phase: Phase<'_, S>, _instant: &[S], state: &[S], columns: &mut [S]) {

@@ -1,7 +1,7 @@
 //! Many runs.
 
 use super::*;
-use crate::shape::{Constant, Distribution, Quantity};
+use assur_solvers::shape::{Constant, Distribution, Quantity};
 
 const WIDE: Constant = Constant {
     quantity: Quantity { name: "a", summary: "", unit: "", factor: 1.0, dimension: [(0, 1); 7] },

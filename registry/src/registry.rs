@@ -6,15 +6,13 @@
 mod bind;
 mod linkage;
 
-pub use crate::closure::{Listed, Listing, Path, Sample};
-pub use crate::settings::{Method, Settings, UnknownMethod};
 pub use bind::{bind, check_values, with};
 pub use linkage::bind_linkage;
 
-use crate::closure::AnyLinkage;
-use crate::model::Model;
-use crate::problem::Refused;
-use crate::shape::Shape;
+use assur_solvers::closure::AnyLinkage;
+use assur_solvers::model::Model;
+use assur_solvers::problem::Refused;
+use assur_solvers::shape::Shape;
 
 /// One equation file.
 #[derive(Clone, Copy)]

@@ -2,7 +2,7 @@
 
 use super::Failed;
 use super::linkage::{Position, compare};
-use crate::closure::{AnyLinkage, Variable, instant_at};
+use assur_solvers::closure::{AnyLinkage, Variable, instant_at};
 
 /// Largest deviation from a difference of positions, whose rounding grows as its step shrinks, as a share of the largest
 /// derivative by the same variable.

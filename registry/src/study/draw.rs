@@ -1,7 +1,7 @@
 //! Values made at random.
 
-use crate::shape::Constant;
-use crate::tolerance::Random;
+use assur_solvers::shape::Constant;
+use assur_solvers::tolerance::Random;
 
 /// The values of made number `index`: those that have a tolerance are drawn from their distribution around the nominal
 /// ones, SI units. The same seed and number give the same values.

@@ -1,6 +1,6 @@
 //! What the values of a measure say together.
 
-use crate::tolerance::{self, Estimate, normal_quantile};
+use assur_solvers::tolerance::{self, Estimate, normal_quantile};
 
 /// The values of a measure in many runs.
 #[derive(Clone, Debug, PartialEq)]

@@ -22,10 +22,10 @@ pub use facts::fact;
 pub use linkage::closure;
 pub use scaling::{closure_scaling, scaling};
 
-use crate::problem::{Equations, Phase, Reports, Scene, Smooth};
-use crate::scalar::Scalar;
-use crate::settings::{Method, Settings};
-use crate::smooth;
+use assur_solvers::answer::{Method, Settings};
+use assur_solvers::problem::{Equations, Phase, Reports, Scene, Smooth};
+use assur_solvers::scalar::Scalar;
+use assur_solvers::smooth;
 
 /// Largest drift of the energy, as a share of what is exchanged.
 const DRIFT: f64 = 1e-9;

@@ -1,9 +1,9 @@
 //! Derived Jacobians against dual numbers.
 
 use super::{Failed, places, rates};
-use crate::problem::{Equations, Phase, Scene};
-use crate::scalar::{Dual, Scalar};
-use crate::shape::Shape;
+use assur_solvers::problem::{Equations, Phase, Scene};
+use assur_solvers::scalar::{Dual, Scalar};
+use assur_solvers::shape::Shape;
 
 /// Largest deviation of an entry, as a share of its row.
 const DEVIATION: f64 = 1e-9;

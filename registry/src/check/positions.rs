@@ -1,10 +1,10 @@
 //! Published facts of a linkage.
 
 use super::Failed;
-use crate::closure::{Along, AnyLinkage, Stroke};
-use crate::problem::Span;
-use crate::registry::{Sample, SceneEntry};
-use crate::shape::{At, Expectation, Subject};
+use crate::registry::SceneEntry;
+use assur_solvers::closure::{Along, AnyLinkage, Sample, Stroke};
+use assur_solvers::problem::Span;
+use assur_solvers::shape::{At, Expectation, Subject};
 
 /// The computed value of what a fact speaks of.
 pub(super) fn value(

@@ -1,11 +1,11 @@
 //! Published facts against the computed motion.
 
 use super::{Failed, positions};
-use crate::answer::{Motion, Question};
-use crate::measure;
-use crate::problem::Refused;
-use crate::registry::{Bind, Mechanism, Method, SceneEntry, Settings};
-use crate::shape::{At, Constant, Expectation, Quantity, Subject};
+use crate::registry::{Bind, Mechanism, SceneEntry};
+use assur_solvers::answer::{Method, Motion, Question, Settings};
+use assur_solvers::measure;
+use assur_solvers::problem::Refused;
+use assur_solvers::shape::{At, Constant, Expectation, Quantity, Subject};
 
 /// How the motion is found: far more accurately than anything is published.
 const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-11);

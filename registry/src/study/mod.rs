@@ -13,10 +13,10 @@ use std::num::NonZeroUsize;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::answer::{Error, Question};
-use crate::measure::Missing;
-use crate::problem::Span;
-use crate::registry::{Bind, Settings};
+use crate::registry::Bind;
+use assur_solvers::answer::{Error, Question, Settings};
+use assur_solvers::measure::Missing;
+use assur_solvers::problem::Span;
 
 /// What a run came to: its measures, each with its value or why there is none; or why there is no motion.
 pub type Outcome = Result<Vec<Result<f64, Missing>>, String>;

@@ -1,8 +1,8 @@
 //! Values of a scene, checked and fixed.
 
-use crate::model::{Bound, Model};
-use crate::problem::{Refused, Scene};
-use crate::shape::Constant;
+use assur_solvers::model::{Bound, Model};
+use assur_solvers::problem::{Refused, Scene};
+use assur_solvers::shape::Constant;
 
 /// Checks the values of a scene and prepares it.
 ///
@@ -63,7 +63,7 @@ fn tidy(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::Quantity;
+    use assur_solvers::shape::Quantity;
 
     const MASS: Constant = Constant {
         quantity: Quantity {
@@ -76,7 +76,7 @@ mod tests {
         is_dimension: false,
         default: 1e-3,
         tolerance: 0.0,
-        distribution: crate::shape::Distribution::Normal,
+        distribution: assur_solvers::shape::Distribution::Normal,
         range: (1e-6, 10.0),
     };
 

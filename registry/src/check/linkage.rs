@@ -2,10 +2,10 @@
 
 use super::Failed;
 use super::resolve::resolved;
-use crate::closure::{Answers, AnyLinkage, Guide, Linkage, Square, Variable, instant_at};
-use crate::dense::Lu;
-use crate::scalar::Dual;
-use crate::shape::LinkageEntry;
+use assur_solvers::closure::{Answers, AnyLinkage, Guide, Linkage, Square, Variable, instant_at};
+use assur_solvers::dense::Lu;
+use assur_solvers::scalar::Dual;
+use assur_solvers::shape::LinkageEntry;
 
 /// Largest residual of a loop, as a share of its largest coefficient.
 const RESIDUAL: f64 = 1e-14;
@@ -51,7 +51,7 @@ pub(super) fn place(linkage: &dyn AnyLinkage, index: usize) -> Result<Vec<f64>, 
         return all.ok_or_else(|| Failed("the drivers do not move in time".into()));
     }
     let ranges = linkage.ranges();
-    let at = |(k, range): (usize, &crate::closure::Range)| match range.from.is_finite() {
+    let at = |(k, range): (usize, &assur_solvers::closure::Range)| match range.from.is_finite() {
         true => range.from + (range.to - range.from) * (share + 0.618 * k as f64).fract(),
         false => range.start,
     };

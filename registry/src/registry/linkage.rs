@@ -1,7 +1,7 @@
 //! A linkage with its values, as whoever does not know its type has it.
 
-use crate::closure::{AnyLinkage, Linkage};
-use crate::problem::Refused;
+use assur_solvers::closure::{AnyLinkage, Linkage};
+use assur_solvers::problem::Refused;
 
 /// Checks the values of a linkage.
 ///
