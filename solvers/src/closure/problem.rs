@@ -42,8 +42,8 @@ pub trait Closure<S: Scalar>: Send + Sync + 'static {
     /// angle: the determinant of its Jacobian over the product of the lengths of its columns, with the sign of `mode`.
     /// Zero is a dead point; NaN says that the group does not assemble. Groups it depends on must be closed.
     ///
-    /// For [`GroupKind::Linear`] `mode` is without effect, and the sine is that between the two directions (±1 for a
-    /// single equation). A group of kind [`GroupKind::General`] gives NaN.
+    /// For [`GroupKind::Linear`](super::GroupKind::Linear) `mode` is without effect, and the sine is that between the two
+    /// directions (±1 for a single equation). A group of kind [`GroupKind::General`](super::GroupKind::General) gives NaN.
     fn close(
         &self,
         group: usize,
@@ -73,7 +73,8 @@ pub trait Closure<S: Scalar>: Send + Sync + 'static {
 
     /// Completes a position of which the unknowns of a group (the first entries) have been set, and writes the
     /// residuals of its `n` equations and their Jacobian by its unknowns: `jacobian.as_ref()[i*n + j] = ∂F_i/∂z_j`, in the
-    /// order of [`Group::equations`] and [`Group::unknowns`]. For groups of every kind.
+    /// order of [`Group::equations`](super::Group::equations) and [`Group::unknowns`](super::Group::unknowns). For groups of
+    /// every kind.
     fn trial(
         &self,
         group: usize,
