@@ -1,0 +1,16 @@
+//! How far a linkage goes.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `limits` | how far a driver can go |
+//! | `strokes`, `track`, `rates` | limit positions and strokes of outputs and dependent coordinates |
+//! | `extremes`, `breaks`, `noise`, `root` | where a function turns round, jumps, or goes beyond all bounds |
+
+pub(super) mod breaks;
+pub(super) mod extremes;
+pub(super) mod limits;
+pub(super) mod noise;
+pub(super) mod rates;
+pub(super) mod root;
+pub(super) mod strokes;
+pub(super) mod track;

@@ -1,0 +1,109 @@
+//! A linkage with its values behind a pointer: what asks about it is compiled once for all linkages.
+//!
+//! What is compiled for each are its loops on the numbers that are asked for, a step of an [`Assembly`], and the drawing
+//! of linkages made at random.
+
+use super::loops::{Answers, Apart, Loops, Trials};
+use super::problem::{Linkage, Range};
+use crate::closure::position::assembly::Assembly;
+use crate::closure::position::guide::Moves;
+use crate::dispatch::dispatch;
+use crate::problem::Span;
+use crate::scalar::{Dual, Interval};
+use crate::shape::Shape;
+use crate::tolerance::{Block, Drawing, Run};
+use std::marker::PhantomData;
+
+/// A linkage with its values.
+pub trait AnyLinkage: Send + Sync {
+    /// What it is made of.
+    fn shape(&self) -> &'static Shape;
+
+    /// See [`Linkage::values`].
+    fn values(&self) -> Vec<f64>;
+
+    /// See [`Linkage::with_values`].
+    fn with_values(&self, values: &[f64]) -> Box<dyn AnyLinkage>;
+
+    /// See [`Linkage::span`].
+    fn span(&self) -> Span;
+
+    /// See [`Linkage::drive`].
+    fn drive(&self, time: f64) -> Option<Vec<f64>>;
+
+    /// See [`Linkage::ranges`].
+    fn ranges(&self) -> Vec<Range>;
+
+    /// See [`Linkage::start`].
+    fn start(&self) -> Vec<f64>;
+
+    /// An assembly that is not yet put together.
+    #[doc(hidden)]
+    fn assemble(&self) -> Box<dyn Moves>;
+
+    /// Its loops, from constants.
+    #[doc(hidden)]
+    fn prepare(&self, values: &[f64]) -> Box<dyn Loops<f64>>;
+
+    /// The same with derivatives.
+    #[doc(hidden)]
+    fn differentiate(&self, values: &[Dual]) -> Box<dyn Answers<Dual>>;
+
+    /// The same over intervals.
+    #[doc(hidden)]
+    fn enclose(&self, values: &[Interval]) -> Box<dyn Trials<Interval>>;
+
+    /// Makes linkages at random, from one sample to another, and counts the classes of their errors.
+    #[doc(hidden)]
+    fn draw(&self, run: &Run<'_>, samples: (u64, u64), counts: &mut [u64]) -> Block;
+}
+
+impl<L: Linkage> AnyLinkage for L {
+    fn shape(&self) -> &'static Shape {
+        L::shape()
+    }
+
+    fn values(&self) -> Vec<f64> {
+        Linkage::values(self)
+    }
+
+    fn with_values(&self, values: &[f64]) -> Box<dyn AnyLinkage> {
+        Box::new(<L as Linkage>::with_values(values))
+    }
+
+    fn span(&self) -> Span {
+        Linkage::span(self)
+    }
+
+    fn drive(&self, time: f64) -> Option<Vec<f64>> {
+        Linkage::drive(self, time)
+    }
+
+    fn ranges(&self) -> Vec<Range> {
+        Linkage::ranges(self)
+    }
+
+    fn start(&self) -> Vec<f64> {
+        Linkage::start(self)
+    }
+
+    fn assemble(&self) -> Box<dyn Moves> {
+        Box::new(Assembly::<L, f64>::new(self))
+    }
+
+    fn prepare(&self, values: &[f64]) -> Box<dyn Loops<f64>> {
+        Box::new(Apart(<L as Linkage>::prepare(values)))
+    }
+
+    fn differentiate(&self, values: &[Dual]) -> Box<dyn Answers<Dual>> {
+        Box::new(Apart(<L as Linkage>::prepare(values)))
+    }
+
+    fn enclose(&self, values: &[Interval]) -> Box<dyn Trials<Interval>> {
+        Box::new(Apart(<L as Linkage>::prepare(values)))
+    }
+
+    fn draw(&self, run: &Run<'_>, samples: (u64, u64), counts: &mut [u64]) -> Block {
+        dispatch(Drawing { run, samples, counts, linkage: PhantomData::<L> })
+    }
+}

@@ -1,0 +1,135 @@
+//! How a linkage can be assembled, and how far it goes.
+
+use std::f64::consts::TAU;
+
+use crate::closure::extent::limits::stretch_of;
+use crate::closure::extent::strokes::strokes_of;
+use crate::closure::modes::modes_of;
+use crate::closure::{
+    Along, AnyLinkage, ClosureError, Mode, Newton, Search, Stretch, Stroke, instant_at,
+};
+
+/// Solutions nearer to each other than this are the same, in radians, metres or whatever a coordinate is in.
+const SAME: f64 = 1e-6;
+
+/// All assembly modes at one place, each with what it amounts to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Listing {
+    /// The modes.
+    pub modes: Vec<Listed>,
+    /// Whether there are certainly no others (but for displacements beyond the bound of the search).
+    pub complete: bool,
+    /// Boxes of unknowns that could not be decided: two modes may meet there, or nearly.
+    pub undecided: usize,
+    /// Boxes that were looked at.
+    pub boxes: usize,
+    /// Which of the modes the start values pick.
+    pub declared: Option<usize>,
+    /// Why the linkage does not get to the place in that mode.
+    pub stopped: Option<ClosureError>,
+}
+
+/// One assembly mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Listed {
+    /// The dependent coordinates, angles within `±π`.
+    pub dependents: Vec<f64>,
+    /// The outputs.
+    pub outputs: Vec<f64>,
+    /// Sine of the transmission angle of each group: its determinant over the lengths of its columns.
+    pub sines: Vec<f64>,
+    /// What is left of each loop equation.
+    pub residuals: Vec<f64>,
+}
+
+impl dyn AnyLinkage + '_ {
+    /// All assembly modes at a place, and which one the start values pick; see [`fn@crate::closure::modes`]. The place is the
+    /// positions of the drivers, and behind them how these move where that is known.
+    ///
+    /// # Errors
+    /// [`ClosureError::BadRange`] if the place makes no sense.
+    pub fn modes(&self, place: &[f64], search: &Search) -> Result<Listing, ClosureError> {
+        let (drivers, motion) = place.split_at(place.len().min(self.shape().drivers.len()));
+        let found = modes_of(self, drivers, search)?;
+        let modes = found.modes.into_iter();
+        let modes: Vec<_> = modes.map(|mode| self.listed((drivers, motion), mode)).collect();
+        let (declared, stopped) = match self.there(drivers) {
+            Ok(dependents) => {
+                let same = |mode: &Listed| self.is_same(&mode.dependents, &dependents);
+                (modes.iter().position(same), None)
+            }
+            Err(error) => (None, Some(error)),
+        };
+        Ok(Listing {
+            modes,
+            complete: found.complete,
+            undecided: found.undecided,
+            boxes: found.boxes,
+            declared,
+            stopped,
+        })
+    }
+
+    /// How far one driver goes within bounds, see [`fn@crate::closure::stretch`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn stretch(&self, driver: usize, bounds: (f64, f64)) -> Result<Stretch, ClosureError> {
+        stretch_of(self, driver, bounds)
+    }
+
+    /// Limit positions and strokes of the outputs, and behind them of the dependent coordinates, see
+    /// [`fn@crate::closure::extent::strokes`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn strokes(&self, along: Along) -> Result<Vec<Stroke>, ClosureError> {
+        strokes_of(self, along)
+    }
+
+    /// How drivers move, if as much is given as they have.
+    pub(in crate::closure) fn motion<'a>(&self, motion: &'a [f64]) -> &'a [f64] {
+        match motion.len() == self.shape().loops().motion {
+            true => motion,
+            false => &[],
+        }
+    }
+
+    /// A mode with its outputs and what is left of its equations.
+    fn listed(&self, (drivers, motion): (&[f64], &[f64]), mode: Mode) -> Listed {
+        let (shape, loops) = (self.shape(), self.prepare(&self.values()));
+        let instant = instant_at(&*loops, drivers, self.motion(motion));
+        let mut position = vec![0.0; loops.lengths().0];
+        position[..mode.coordinates.len()].copy_from_slice(&mode.coordinates);
+        // What the position holds beside the coordinates follows from them.
+        let mut newton = Newton::new(shape);
+        for group in 0..shape.loops().groups.len() {
+            newton.sine(&*loops, group, &instant, &mut position);
+        }
+        let mut outputs = vec![0.0; shape.outputs.len()];
+        loops.outputs(&instant, &position, &mut outputs);
+        let mut residuals = vec![0.0; shape.loops().dependents.len()];
+        loops.residual(&instant, &position, &mut residuals);
+        Listed { dependents: mode.coordinates, outputs, sines: mode.sines, residuals }
+    }
+
+    /// The dependent coordinates at a place in the mode that the start values pick.
+    fn there(&self, place: &[f64]) -> Result<Vec<f64>, ClosureError> {
+        let mut assembly = self.assemble();
+        assembly.guide().start()?;
+        assembly.travel(place)?;
+        Ok(assembly.guide().coordinates())
+    }
+
+    /// Whether two positions are one, angles but for whole turns.
+    fn is_same(&self, a: &[f64], b: &[f64]) -> bool {
+        let mut pairs = a.iter().zip(b).zip(self.shape().loops().angles);
+        pairs.all(|((a, b), is_angle)| {
+            let apart = match is_angle {
+                true => (a - b) - TAU * ((a - b) / TAU).round(),
+                false => a - b,
+            };
+            apart.abs() < SAME
+        })
+    }
+}
