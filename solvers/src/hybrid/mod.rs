@@ -3,25 +3,13 @@
 //! In each mode the equations are smooth. An event is where a guard, a function of time and state, passes zero; it sets
 //! coordinates anew and leads to a mode. [`march`] carries the motion from event to event:
 //!
-//! | file | what it does |
+//! | folder or file | what it finds |
 //! |---|---|
-//! | `watch` | looks for events in every step, and ends the integration at the first one |
-//! | `within` | the guards within a step: where they bend, and where they pass zero |
-//! | `crossing` | the first zero of a guard between two points |
-//! | `narrow` | that zero to the last bits |
-//! | `cubic` | the cubic through two points |
-//! | `guard` | what is remembered of a guard from step to step |
-//! | `rounding` | how large the terms are of which a guard is made |
-//! | `room` | memory for the guards of a mode |
-//! | `carry` | the method that integrates between events |
-//! | `start` | whether a motion may begin where it is to |
-//! | `march` | the motion that is asked for, by which method |
-//! | `run` | from event to event, several at one instant, and the rules that end it |
-//! | `settle` | where a mode begins: signs of its guards, sides of its switching surfaces |
-//! | `end` | why a motion ends early |
+//! | `event` | events within the steps of a mode |
+//! | `run` | the motion that is asked for, from event to event |
 //! | `cycle` | motions that repeat: [`cycle()`]; growth of disturbances: [`lyapunov`] |
-//! | `numbers` | a few numbers without an allocation |
 //! | `motion` | the result: pieces between events, and a record of each event |
+//! | `numbers` | a few numbers without an allocation |
 //!
 //! **What is found.** Within a step a guard is the cubic through its values and rates at both ends, as far as that agrees
 //! with the value in the middle; where it does not, or where the cubic may vanish, the step is halved. Methods step far
@@ -46,33 +34,21 @@
 //! the last than the part [`SOON`] of the time to be covered; or one event twice, between which its guard has not left
 //! zero by more than its rounding. These are errors that carry the motion so far.
 
-mod carry;
-mod crossing;
-mod cubic;
 mod cycle;
-mod end;
 mod error;
-mod guard;
-mod march;
+mod event;
 mod motion;
-mod narrow;
 mod numbers;
-mod room;
-mod rounding;
 mod run;
-mod settle;
-mod start;
-mod watch;
-mod within;
 
 pub use crate::shape::{Direction, EventEntry};
 pub use cycle::{Cycle, CycleError, Lyapunov, Periods, clock, cycle, cycle_from, lyapunov};
 pub(crate) use cycle::{clock_of, cycle_of, variations};
 pub use error::HybridError;
-pub(crate) use march::Way;
-pub use march::{march, march_in};
 pub use motion::{Happened, Motion, Piece};
 pub use numbers::Numbers;
+pub(crate) use run::march::Way;
+pub use run::march::{march, march_in};
 
 /// Roundings of its terms that a guard may have where it counts as zero.
 pub const NOISE: f64 = 16.0;

@@ -29,7 +29,7 @@ mod variation;
 pub use error::CycleError;
 pub use lyapunov::{Lyapunov, Periods, lyapunov};
 
-use super::march::Way;
+use super::run::march::Way;
 use super::{HybridError, Motion};
 use crate::floquet::Multiplier;
 use crate::model::{Bound, Flow, Model};

@@ -4,7 +4,7 @@ use crate::model::Flow;
 
 /// Values and rates of the guards of a mode.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Guards {
+pub(in crate::hybrid) struct Guards {
     /// The values, then the rates.
     numbers: Vec<f64>,
     /// How many of each.
@@ -56,7 +56,7 @@ const KEPT: usize = 10;
 
 /// All guards at the first parts of a step that have been looked at.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Seen {
+pub(in crate::hybrid) struct Seen {
     parts: [f64; KEPT],
     length: usize,
     /// The guards at one part after the other: values, then rates.
@@ -102,7 +102,7 @@ impl Seen {
 
 /// The guards in several places.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Room {
+pub(in crate::hybrid) struct Room {
     /// At the begin of a step.
     pub begin: Guards,
     /// At its end.

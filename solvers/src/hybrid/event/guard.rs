@@ -1,14 +1,14 @@
 //! What is remembered of a guard from step to step.
 
-use super::NOISE;
 use super::cubic::{Sample, is_far};
+use crate::hybrid::NOISE;
 
 /// A step that is longer by this than any in which a guard has been looked at is looked into.
 const LONGER: f64 = 1.25;
 
 /// What is remembered of a guard.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Guard {
+pub(in crate::hybrid) struct Guard {
     /// Sign so far, 0 while it has been zero since the mode began.
     pub sign: f64,
     /// Whether leaving zero counts as passing it.

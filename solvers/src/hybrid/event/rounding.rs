@@ -1,7 +1,7 @@
 //! How large the terms are of which a guard is made.
 
-use super::numbers::Numbers;
 use super::room::Guards;
+use crate::hybrid::numbers::Numbers;
 use crate::model::Flow;
 
 /// Relative change of what a guard depends on; large enough for the rounding of the difference.
@@ -9,7 +9,7 @@ const CHANGE: f64 = 1.0 / (1 << 20) as f64;
 
 /// The terms of the guards of a mode and of their rates: `Σ |∂g/∂y · y|` over state and time. Their roundings are those
 /// of a guard, however small it is itself. `here` are the guards at this time and state, `there` is room for others.
-pub(super) fn terms(
+pub(in crate::hybrid) fn terms(
     flow: &Flow<'_>,
     time: f64,
     state: &[f64],

@@ -1,12 +1,12 @@
 //! Where a mode begins: the signs of its guards, and the sides of its switching surfaces.
 
-use super::NOISE;
 use super::end::End;
-use super::numbers::Numbers;
-use super::room::Room;
-use super::rounding::terms;
-use super::run::Run;
-use super::watch::NEAR;
+use crate::hybrid::NOISE;
+use crate::hybrid::event::room::Room;
+use crate::hybrid::event::rounding::terms;
+use crate::hybrid::event::watch::NEAR;
+use crate::hybrid::numbers::Numbers;
+use crate::hybrid::run::Run;
 use crate::shape::EventEntry;
 
 /// Part of the rate with which a guard passed zero that counts as none after the event.

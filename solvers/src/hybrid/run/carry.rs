@@ -1,6 +1,6 @@
 //! The method that carries a motion from one event to the next.
 
-use super::watch::Watch;
+use crate::hybrid::event::watch::Watch;
 use crate::model::Flow;
 use crate::ode::{self, Observer, OdeError, Options, Statistics};
 use crate::settings::Settings;
@@ -9,7 +9,7 @@ use crate::stiff::{self, Switch};
 
 /// A method with its memory. A stiff one, and the automatic choice, keep it from event to event, and what they have found
 /// out about the stiffness with it.
-pub(super) enum Carrier {
+pub(in crate::hybrid) enum Carrier {
     Explicit(ode::Workspace),
     Taylor(Taylor),
     Stiff(Box<stiff::Workspace>),

@@ -1,12 +1,12 @@
 //! Why a motion ends early.
 
-use super::TURNS;
-use super::error::HybridError;
-use super::motion::Motion;
+use crate::hybrid::TURNS;
+use crate::hybrid::error::HybridError;
+use crate::hybrid::motion::Motion;
 use crate::ode::OdeError;
 
 /// Why the motion ends early.
-pub(super) enum End {
+pub(in crate::hybrid) enum End {
     Ode(OdeError),
     Loop(Vec<usize>),
     Chatter { since: f64, events: usize },

@@ -1,10 +1,10 @@
 //! The motion of a scene: what is asked for, by which method.
 
 use super::carry::Carrier;
-use super::error::HybridError;
-use super::motion::Motion;
-use super::run::Run;
 use super::start;
+use crate::hybrid::error::HybridError;
+use crate::hybrid::motion::Motion;
+use crate::hybrid::run::Run;
 use crate::model::{Bound, Flow, Model};
 use crate::ode::{OdeError, Options, bad_start};
 use crate::problem::Scene;

@@ -1,16 +1,22 @@
 //! From event to event, several at one instant, and the rules that end it.
 
-use super::carry::Carrier;
-use super::end::End;
-use super::guard::Guard;
+pub(super) mod carry;
+pub(super) mod end;
+pub(super) mod march;
+pub(super) mod settle;
+pub(super) mod start;
+
+use super::event::guard::Guard;
+use super::event::room::Room;
+use super::event::watch::Watch;
 use super::motion::{Happened, Motion, Piece};
 use super::numbers::Numbers;
-use super::room::Room;
-use super::watch::Watch;
 use super::{CHATTER, SOON, TURNS};
 use crate::model::Flow;
 use crate::ode::{Options, Recorder, Statistics};
 use crate::shape::Shape;
+use carry::Carrier;
+use end::End;
 
 /// A motion under way.
 pub(super) struct Run<'a> {

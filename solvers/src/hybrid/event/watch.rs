@@ -20,7 +20,7 @@ const BLUR: f64 = 64.0;
 
 /// A guard of less than this part of the largest that it has been may be no more than the rounding of its terms, which is
 /// found out then.
-pub(super) const NEAR: f64 = 1e-6;
+pub(in crate::hybrid) const NEAR: f64 = 1e-6;
 /// What that length counts from one step to the next: now and then a guard is looked at again.
 const FORGET: f64 = 0.997;
 /// What the largest rate of a guard counts from one step to the next.
@@ -41,7 +41,7 @@ impl Found {
 
 /// An event that ends an integration.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Due {
+pub(in crate::hybrid) struct Due {
     /// Which event of the mode.
     pub event: usize,
     /// When.
@@ -53,7 +53,7 @@ pub(super) struct Due {
 }
 
 /// An observer that records the motion in a mode, and ends it at the first event.
-pub(super) struct Watch<'a> {
+pub(in crate::hybrid) struct Watch<'a> {
     pub flow: &'a Flow<'a>,
     pub events: &'static [EventEntry],
     pub recorder: &'a mut Recorder,

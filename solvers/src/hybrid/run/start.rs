@@ -1,9 +1,9 @@
 //! Whether a motion may begin where it is to.
 
-use super::error::HybridError;
-use super::room::Room;
-use super::rounding::terms;
-use super::{Direction, NOISE};
+use crate::hybrid::error::HybridError;
+use crate::hybrid::event::room::Room;
+use crate::hybrid::event::rounding::terms;
+use crate::hybrid::{Direction, NOISE};
 use crate::model::Flow;
 use crate::shape::Shape;
 

@@ -12,7 +12,7 @@ const THIRD: f64 = 1.0 / 3.0;
 
 /// A guard at a part of the step, from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Sample {
+pub(in crate::hybrid) struct Sample {
     pub part: f64,
     pub value: f64,
     /// Derivative by the part.
