@@ -2,11 +2,11 @@
 
 #[cfg(feature = "allocation")]
 use super::allocation::allocate_of;
-use super::corners::corners_of;
-use super::differences::differences_of;
-use super::influence::influences_of;
-use super::monte_carlo::monte_carlo_of;
-use super::second::quadratics_of;
+use super::order::corners::corners_of;
+use super::order::differences::differences_of;
+use super::order::influence::influences_of;
+use super::order::second::quadratics_of;
+use super::sample::monte_carlo::monte_carlo_of;
 #[cfg(feature = "allocation")]
 use super::{Allocation, AllocationError, Candidate, Rule};
 use super::{
@@ -45,7 +45,7 @@ impl dyn AnyLinkage + '_ {
         quadratics_of(self, study)
     }
 
-    /// Errors at all extremes, see [`fn@super::corners`].
+    /// Errors at all extremes, see [`fn@super::order::corners`].
     ///
     /// # Errors
     /// [`ToleranceError`].
@@ -54,7 +54,7 @@ impl dyn AnyLinkage + '_ {
         corners_of(self, study)
     }
 
-    /// What the first and the second order miss, see [`fn@super::differences`].
+    /// What the first and the second order miss, see [`fn@super::order::differences`].
     ///
     /// # Errors
     /// [`ToleranceError`].
@@ -68,7 +68,7 @@ impl dyn AnyLinkage + '_ {
         differences_of(self, study, samples, seed)
     }
 
-    /// Linkages made at random, see [`fn@super::monte_carlo`].
+    /// Linkages made at random, see [`fn@super::sample::monte_carlo`].
     ///
     /// # Errors
     /// [`ToleranceError`].

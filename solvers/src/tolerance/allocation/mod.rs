@@ -11,7 +11,7 @@ mod way;
 
 pub use error::AllocationError;
 
-use super::influence::influence_at;
+use super::order::influence::influence_at;
 use super::source::{Study, check_variables};
 use crate::closure::{AnyLinkage, Linkage};
 use crate::shape::Distribution;

@@ -1,9 +1,10 @@
 //! Tolerances at the brink of what assembles, beside the naive way.
 
-use super::super::random::Random;
-use super::super::{Sampling, Status, corners, monte_carlo, small};
+use super::super::made::small;
+use super::super::{Sampling, Status, corners, monte_carlo};
 use super::{Heald, at};
 use crate::closure::{Assembly, Closure, Linkage, Variable};
+use crate::tolerance::random::Random;
 
 fn sampling(samples: u64) -> Sampling {
     Sampling { samples, ..Sampling::default() }

@@ -1,10 +1,10 @@
 //! Heald linkage as printed, see the specification; its influence coefficients by the adjoint of the loops.
 
-use super::super::small;
 use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
 use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
 use crate::shape::{Shape, by_hand};
+use crate::tolerance::made::small;
 use std::f64::consts::TAU;
 
 /// Constants `l4, l5, l6, l7, a, b, s`; unknowns `φ5, φ6, φ7`; output `φ7`.

@@ -1,11 +1,18 @@
 //! Made linkages: prepared with other dimensions and closed near the nominal one, many samples at a time.
 
-use super::nominal::Nominal;
-use super::place::Place;
+pub(super) mod exact;
+pub(super) mod lead;
+pub(super) mod nominal;
+pub(super) mod place;
+pub(super) mod small;
+pub(super) mod varied;
+
 use super::source::Source;
-use super::varied::{Lanes, Varied};
 use crate::closure::{Closure, Linkage};
 use crate::scalar::Scalar;
+use nominal::Nominal;
+use place::Place;
+use varied::{Lanes, Varied};
 
 /// Makes linkages, `W` samples at a time; keeps the memory for it.
 pub(super) struct Maker<L: Linkage, S: Scalar, const W: usize> {

@@ -3,9 +3,9 @@
 //! What is the same sum for every sample is added up sample beside sample, so that the compiler packs it: a loop over
 //! the sources of one sample has a length that only the run knows.
 
-use super::source::Source;
 use crate::closure::Variable;
 use crate::scalar::Scalar;
+use crate::tolerance::source::Source;
 
 /// Values of `W` samples.
 pub(super) type Lanes<S, const W: usize> = [S; W];

@@ -3,16 +3,16 @@
 //! Errors are drawn and their first order is added up for a batch of samples at once, which the compiler packs; the
 //! linkages are then closed one by one, and what they give is tallied for the whole batch.
 
-use super::lead::Lead;
-use super::made::Maker;
-use super::nominal::Nominal;
-use super::random::Random;
-use super::source::Study;
 use super::tally::{CLASSES, Classes, Sums};
 use crate::closure::{AnyLinkage, Linkage};
 use crate::dispatch::Task;
 use crate::scalar::Scalar;
 use crate::shape::Distribution;
+use crate::tolerance::made::Maker;
+use crate::tolerance::made::lead::Lead;
+use crate::tolerance::made::nominal::Nominal;
+use crate::tolerance::random::Random;
+use crate::tolerance::source::Study;
 use std::marker::PhantomData;
 
 /// Samples in a batch.

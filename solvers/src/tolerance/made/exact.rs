@@ -2,12 +2,12 @@
 
 use super::lead::Lead;
 use super::nominal::Nominal;
-use super::source::Study;
 use crate::closure::AnyLinkage;
+use crate::tolerance::source::Study;
 
 /// The errors of the output at all places for errors of the sources; no number where the linkage does not assemble in its
 /// mode.
-pub(super) fn errors(
+pub(in crate::tolerance) fn errors(
     linkage: &dyn AnyLinkage,
     study: &Study,
     nominals: &[Nominal],

@@ -1,7 +1,7 @@
 //! What samples say of the distribution that they come from, with confidence intervals.
 
-use super::normal;
 use super::tally::{Classes, Sums};
+use crate::tolerance::random::normal;
 
 /// An estimate with its confidence interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -170,7 +170,7 @@ mod tests {
             drawn: 10,
             sums: &Sums::NONE,
             classes: &Classes::around((0.0, 1.0)),
-            counts: &[0; super::super::tally::CLASSES],
+            counts: &[0; crate::tolerance::sample::tally::CLASSES],
         };
         let sampled = counted.judge(0.95, &[0.5]);
         assert_eq!(sampled.status, Status::Empty);

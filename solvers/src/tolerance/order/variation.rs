@@ -5,7 +5,7 @@ use crate::dense::{Lu, Singular};
 use crate::scalar::Dual;
 
 /// Derivatives by one variable at a closed position.
-pub(super) struct Variation {
+pub(in crate::tolerance) struct Variation {
     /// Of the dependent coordinates.
     pub dependents: Vec<f64>,
     /// Of the influence coefficients, outputs by variables.
@@ -13,7 +13,7 @@ pub(super) struct Variation {
 }
 
 /// Where a linkage stands.
-pub(super) struct Stand<'a> {
+pub(in crate::tolerance) struct Stand<'a> {
     /// The constants.
     pub values: &'a [f64],
     /// Positions of the drivers.

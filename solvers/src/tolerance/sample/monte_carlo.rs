@@ -4,13 +4,13 @@
 //! alone, and sums are joined in the order of the blocks: the answer is the same, bit for bit, for any number of threads.
 
 use super::drawing::{Block, Run};
-use super::error::ToleranceError;
 use super::estimate::{Counted, Estimate, Sampled, share};
-use super::nominal::Nominal;
-use super::normal;
-use super::source::Study;
 use super::tally::{CLASSES, Classes, Sums};
 use crate::closure::{AnyLinkage, Linkage};
+use crate::tolerance::error::ToleranceError;
+use crate::tolerance::made::nominal::Nominal;
+use crate::tolerance::random::normal;
+use crate::tolerance::source::Study;
 use std::num::NonZeroUsize;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -1,12 +1,12 @@
 //! How far the first and the second order are from closing the loops again, over linkages made at random.
 
-use super::error::ToleranceError;
-use super::exact;
-use super::nominal::Nominal;
-use super::random::Random;
 use super::second::quadratics_of;
-use super::source::Study;
 use crate::closure::{AnyLinkage, Linkage};
+use crate::tolerance::error::ToleranceError;
+use crate::tolerance::made::exact;
+use crate::tolerance::made::nominal::Nominal;
+use crate::tolerance::random::Random;
+use crate::tolerance::source::Study;
 
 /// How far an approximation is off.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

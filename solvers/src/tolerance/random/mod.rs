@@ -4,6 +4,9 @@
 //! `splitmix64.c`) adds a constant and mixes: its `n`-th number needs none of those before it. A sample is therefore the
 //! same whichever thread draws it.
 
+pub(super) mod distribution;
+pub(super) mod normal;
+
 /// 2⁶⁴ over the golden ratio, odd.
 const GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
 

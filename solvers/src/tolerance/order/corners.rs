@@ -4,12 +4,12 @@
 //! monotonic in some dimension may be worse between its extremes; to second order only where that dimension has
 //! a second derivative larger than its first over the tolerance.
 
-use super::error::ToleranceError;
-use super::exact;
-use super::nominal::Nominal;
 use super::second::quadratics_of;
-use super::source::Study;
 use crate::closure::{AnyLinkage, Linkage};
+use crate::tolerance::error::ToleranceError;
+use crate::tolerance::made::exact;
+use crate::tolerance::made::nominal::Nominal;
+use crate::tolerance::source::Study;
 
 /// Largest number of sources.
 const MOST: usize = 16;

@@ -9,13 +9,13 @@
 //! third     3/2 Σ K_p² H_pp (m_p - v_p²) + 6 Σ_{p<q} K_p K_q H_pq v_p v_q + O(H³)
 //! ```
 
-use super::error::ToleranceError;
 use super::influence::influence_at;
-use super::nominal::Nominal;
-use super::source::{Source, Study};
 use super::variation::Stand;
 use crate::closure::{AnyLinkage, Guide, Linkage, instant_at};
 use crate::dense::Singular;
+use crate::tolerance::error::ToleranceError;
+use crate::tolerance::made::nominal::Nominal;
+use crate::tolerance::source::{Source, Study};
 
 /// An output near the nominal linkage, as a quadratic form of the errors of the sources.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! The influence of all variables on one output along places.
 
-use super::error::ToleranceError;
 use crate::closure::{AnyLinkage, ClosureError, Linkage, Moves, instant_at};
 use crate::shape::Shape;
+use crate::tolerance::error::ToleranceError;
 
 /// An output and its influence coefficients along places.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,7 +70,7 @@ pub(crate) fn influences_of(
 }
 
 /// Moves an assembled linkage to a place: an output and its influence coefficients there.
-pub(super) fn influence_at(
+pub(in crate::tolerance) fn influence_at(
     assembly: &mut dyn Moves,
     output: usize,
     place: &[f64],
@@ -89,7 +89,7 @@ pub(super) fn influence_at(
 }
 
 /// The positions of the drivers at a place, and how they move there.
-pub(super) fn split<'a>(
+pub(in crate::tolerance) fn split<'a>(
     shape: &Shape,
     place: &'a [f64],
 ) -> Result<(&'a [f64], &'a [f64]), ClosureError> {

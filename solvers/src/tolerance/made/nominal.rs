@@ -1,10 +1,10 @@
 //! The linkage as drawn, at one place: where the search for made ones begins.
 
-use super::error::ToleranceError;
-use super::influence::split;
-use super::source::Source;
-use super::variation::Stand;
 use crate::closure::{AnyLinkage, Guide, Newton, instant_at};
+use crate::tolerance::error::ToleranceError;
+use crate::tolerance::order::influence::split;
+use crate::tolerance::order::variation::Stand;
+use crate::tolerance::source::Source;
 
 /// The nominal linkage at one place.
 #[derive(Clone, Debug)]
@@ -26,7 +26,7 @@ pub struct Nominal {
     /// Derivatives of the dependent coordinates by the sources: coordinates by sources. Empty if no group is iterated.
     pub(super) tangents: Vec<f64>,
     /// The outputs.
-    pub(super) outputs: Vec<f64>,
+    pub(in crate::tolerance) outputs: Vec<f64>,
 }
 
 impl Nominal {
@@ -34,7 +34,7 @@ impl Nominal {
     ///
     /// # Errors
     /// Why it does not get to one of them, or that something is not finite there.
-    pub(super) fn along(
+    pub(in crate::tolerance) fn along(
         linkage: &dyn AnyLinkage,
         places: &[Vec<f64>],
         sources: &[Source],
@@ -111,7 +111,7 @@ impl Nominal {
     }
 
     /// Where it stands.
-    pub(super) fn stand(&self) -> Stand<'_> {
+    pub(in crate::tolerance) fn stand(&self) -> Stand<'_> {
         Stand {
             values: &self.values,
             independents: &self.independents,

@@ -3,9 +3,9 @@
 use super::nominal::Nominal;
 use super::place::{CONTRACTION, NOTHING, unwrap};
 use super::small;
-use super::source::Study;
 use crate::closure::{AnyLinkage, GroupKind, Loops, Square, Variable, instant_at};
 use crate::shape::LinkageEntry;
+use crate::tolerance::source::Study;
 
 /// Shortest step, as a part of the errors. A linkage that comes nearer to its dead point than this is not told from one
 /// beyond it.
@@ -19,7 +19,7 @@ const LONGEST: f64 = 0.25;
 const ITERATIONS: usize = 20;
 
 /// One linkage in the making.
-pub(super) struct Lead<'a> {
+pub(in crate::tolerance) struct Lead<'a> {
     linkage: &'a dyn AnyLinkage,
     entry: &'static LinkageEntry,
     study: &'a Study,

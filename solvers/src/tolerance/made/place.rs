@@ -6,15 +6,15 @@
 //! problems*, 2004, section 5.1), and the determinant of the Jacobian has kept its sign. What fails this test is led
 //! there from the nominal linkage in smaller steps ([`super::lead`]).
 
-use super::made::numbers;
 use super::nominal::Nominal;
 use super::small;
-use super::source::Source;
 use super::varied::{self, Lanes, Varied};
 use crate::closure::{Closure, GroupKind, Linkage, Variable};
 use crate::problem::Storage;
 use crate::scalar::Scalar;
 use crate::shape::LinkageEntry;
+use crate::tolerance::made::numbers;
+use crate::tolerance::source::Source;
 use std::f64::consts::TAU;
 
 /// Largest ratio of successive corrections.

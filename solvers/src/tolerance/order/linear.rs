@@ -3,9 +3,9 @@
 //! An output errs by `Σ K_p δ_p`. At the worst all errors have the sign of their coefficient: `Σ |K_p| T_p`. Independent
 //! errors add up by their variances: `σ² = Σ K_p² σ_p²`.
 
-use super::error::ToleranceError;
 use super::influence::Influences;
-use super::source::{Source, check_sources};
+use crate::tolerance::error::ToleranceError;
+use crate::tolerance::source::{Source, check_sources};
 
 /// The error of an output at one place, to first order.
 #[derive(Clone, Debug, PartialEq)]

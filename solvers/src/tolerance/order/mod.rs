@@ -1,0 +1,15 @@
+//! Errors to first and second order, and when the second one matters.
+//!
+//! | file | what it finds |
+//! |---|---|
+//! | `influence`, [`linear`](fn@super::linear) | greatest error and deviation to first order, what each source contributes |
+//! | `second` | the same to second order |
+//! | [`corners`](fn@super::corners), [`differences`](fn@super::differences) | extremes, and what both orders miss |
+//! | `variation` | derivatives by dual numbers |
+
+pub(super) mod corners;
+pub(super) mod differences;
+pub(super) mod influence;
+pub(super) mod linear;
+pub(super) mod second;
+pub(super) mod variation;
