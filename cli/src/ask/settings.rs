@@ -1,6 +1,7 @@
 //! How a motion is integrated: what stands behind `--rtol`, `--atol` and `--method`.
 
-use assur::registry::{Method, SceneEntry, Settings};
+use assur::answer::{Method, Settings};
+use assur::registry::SceneEntry;
 use assur::shape::Quantity;
 use assur_model::nearest::nearest;
 use clap::Args;

@@ -1,6 +1,6 @@
 //! The points of a linkage along its way: which stand, which move, which move straight.
 
-use assur::registry::Sample;
+use assur::closure::Sample;
 use assur::shape::LinkageEntry;
 
 use crate::linkage::case::Case;

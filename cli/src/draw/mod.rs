@@ -17,8 +17,7 @@ mod still;
 use std::f64::consts::PI;
 use std::path::PathBuf;
 
-use assur::closure::ClosureError;
-use assur::registry::Sample;
+use assur::closure::{ClosureError, Sample};
 use assur::shape::Quantity;
 
 use crate::arguments::DrawArguments;

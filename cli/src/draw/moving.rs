@@ -1,6 +1,6 @@
 //! The linkage in motion, by the animation elements of SVG: any browser plays it.
 
-use assur::registry::Sample;
+use assur::closure::Sample;
 
 use super::geometry::{Moves, Point};
 use super::joints::{self, PIVOT};

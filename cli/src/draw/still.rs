@@ -1,6 +1,6 @@
 //! The linkage at some positions: the first one strong, the others pale, with the path of each moving point.
 
-use assur::registry::Sample;
+use assur::closure::Sample;
 
 use super::Picture;
 use super::geometry::{Moves, Point, point};

@@ -1,8 +1,7 @@
 //! A linkage with its values: how its drivers move, and what is reported.
 
-use assur::closure::{AnyLinkage, ClosureError, Range};
+use assur::closure::{AnyLinkage, ClosureError, Path, Range, Sample};
 use assur::problem::Span;
-use assur::registry::{Path, Sample};
 use assur::shape::{LinkageEntry, Quantity, Subject};
 
 use super::wording::{self, Names};

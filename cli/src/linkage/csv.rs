@@ -1,7 +1,6 @@
 //! A linkage as comma-separated values.
 
-use assur::closure::Group;
-use assur::registry::Sample;
+use assur::closure::{Group, Sample};
 
 use super::case::Task;
 use super::group;

@@ -2,8 +2,7 @@
 
 use std::time::Instant;
 
-use assur::closure::{ClosureError, Stroke};
-use assur::registry::Sample;
+use assur::closure::{ClosureError, Sample, Stroke};
 use assur::shape::{At, Expectation, Subject};
 
 use super::case::{Case, Task};

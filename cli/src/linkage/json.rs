@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use assur::closure;
+use assur::closure::Sample;
 use assur::problem::Span;
-use assur::registry::Sample;
 use serde::Serialize;
 
 use super::case::{Case, Task};

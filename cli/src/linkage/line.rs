@@ -3,9 +3,8 @@
 //! Along a line the first driver moves and the others stand, or the time runs. A driver whose start lies inside its
 //! range goes from there to both ends, so that a dead point on one side does not hide the other.
 
-use assur::closure::{ClosureError, Event};
+use assur::closure::{ClosureError, Event, Sample};
 use assur::problem::Span;
-use assur::registry::Sample;
 
 use super::case::{Axis, Case, Task};
 use super::round;

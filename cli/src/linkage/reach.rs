@@ -4,8 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use assur::closure::{Along, Break, Extreme as Place, Stretch, Stroke};
-use assur::registry::Sample;
+use assur::closure::{Along, Break, Extreme as Place, Sample, Stretch, Stroke};
 
 use super::case::{Case, Task};
 use super::line::Line;

@@ -3,8 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use assur::closure::{ClosureError, Stroke};
-use assur::registry::Sample;
+use assur::closure::{ClosureError, Sample, Stroke};
 use serde::Serialize;
 
 use super::case::Case;

@@ -2,7 +2,7 @@
 
 use super::case::{Axis, Case};
 use super::line::Line;
-use assur::registry::Sample;
+use assur::closure::Sample;
 
 /// Most positions that are tried to refine one extreme.
 const TRIALS: usize = 400;

@@ -2,7 +2,7 @@
 //! the transmission angle of each group, what is left of each loop equation, and 1 in the row of the mode that the start values
 //! pick.
 
-use assur::registry::Listed;
+use assur::closure::Listed;
 
 use super::{Found, Modes, sign};
 use crate::linkage::group;

@@ -1,7 +1,6 @@
 //! The modes as an object.
 
-use assur::closure::Group;
-use assur::registry::Listed;
+use assur::closure::{Group, Listed};
 use serde::Serialize;
 
 use super::{Found, sign};

@@ -7,8 +7,7 @@ mod table;
 use std::path::Path;
 use std::time::Instant;
 
-use assur::closure::Search;
-use assur::registry::{Listed, Listing};
+use assur::closure::{Listed, Listing, Search};
 use clap::Args;
 use serde::Serialize;
 

@@ -1,7 +1,6 @@
 //! The modes as tables to read.
 
-use assur::closure::GroupKind;
-use assur::registry::Listed;
+use assur::closure::{GroupKind, Listed};
 
 use super::{Found, Modes};
 use crate::linkage::group;

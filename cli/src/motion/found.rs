@@ -1,8 +1,7 @@
 //! What was found of a motion, beside published values.
 
-use assur::answer::{Ends, Estimate, Motion};
+use assur::answer::{Ends, Estimate, Motion, Settings};
 use assur::measure::ALWAYS;
-use assur::registry::Settings;
 use assur::shape::{At, Expectation, Subject};
 
 use super::case::Case;

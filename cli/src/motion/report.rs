@@ -3,9 +3,8 @@
 use std::path::Path;
 use std::time::Instant;
 
-use assur::answer::{Ends, Motion};
+use assur::answer::{Ends, Motion, Settings};
 use assur::problem::Span;
-use assur::registry::Settings;
 use serde::Serialize;
 
 use super::case::Case;

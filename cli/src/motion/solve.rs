@@ -1,10 +1,10 @@
 //! The motions that the library finds for a scene, and what is said where there is none.
 
-use assur::answer::{Error, Motion, Question};
+use assur::answer::{Error, Motion, Question, Settings};
 use assur::measure::Missing;
 use assur::model::Model;
 use assur::problem::Span;
-use assur::registry::{SceneEntry, Settings};
+use assur::registry::SceneEntry;
 
 use super::case::Case;
 use super::unfollowed;

@@ -2,9 +2,10 @@
 
 mod effects;
 
+use assur::answer::Settings;
 use assur::closure::ClosureError;
 use assur::problem::Span;
-use assur::registry::{Mechanism, SceneEntry, Settings};
+use assur::registry::{Mechanism, SceneEntry};
 use assur::shape::LinkageEntry;
 
 use crate::arguments::ScenesArguments;

@@ -6,8 +6,8 @@
 
 use std::path::Path;
 
+use assur::answer::Settings as Given;
 use assur::registry::SceneEntry;
-use assur::registry::Settings as Given;
 use assur::shape::Quantity;
 use serde::{Serialize, Serializer};
 

@@ -6,8 +6,7 @@ mod table;
 
 use std::path::Path;
 
-use assur::closure::{ClosureError, Group};
-use assur::registry::Sample;
+use assur::closure::{ClosureError, Group, Sample};
 use assur::shape::EquationText;
 use serde::Serialize;
 

@@ -1,6 +1,7 @@
 //! The request, read and checked.
 
-use assur::registry::{SceneEntry, Settings};
+use assur::answer::Settings;
+use assur::registry::SceneEntry;
 use assur::shape::Constant;
 use assur::study;
 

@@ -5,7 +5,7 @@ mod place;
 
 use std::path::Path;
 
-use assur::registry::Sample;
+use assur::closure::Sample;
 
 use super::case::Task;
 use super::report::Report;

@@ -4,8 +4,8 @@ mod variables;
 
 use std::path::Path;
 
+use assur::answer::Method;
 use assur::problem::Span;
-use assur::registry::Method;
 
 use super::report::Report;
 use super::{events, measures};
