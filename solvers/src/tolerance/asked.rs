@@ -45,7 +45,7 @@ impl dyn AnyLinkage + '_ {
         quadratics_of(self, study)
     }
 
-    /// Errors at all extremes, see [`fn@super::order::corners`].
+    /// Errors at all extremes, see [`fn@super::corners`].
     ///
     /// # Errors
     /// [`ToleranceError`].
@@ -54,7 +54,7 @@ impl dyn AnyLinkage + '_ {
         corners_of(self, study)
     }
 
-    /// What the first and the second order miss, see [`fn@super::order::differences`].
+    /// What the first and the second order miss, see [`fn@super::differences`].
     ///
     /// # Errors
     /// [`ToleranceError`].
@@ -68,7 +68,7 @@ impl dyn AnyLinkage + '_ {
         differences_of(self, study, samples, seed)
     }
 
-    /// Linkages made at random, see [`fn@super::sample::monte_carlo`].
+    /// Linkages made at random, see [`fn@super::monte_carlo`].
     ///
     /// # Errors
     /// [`ToleranceError`].

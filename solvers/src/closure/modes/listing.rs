@@ -79,7 +79,7 @@ impl dyn AnyLinkage + '_ {
     }
 
     /// Limit positions and strokes of the outputs, and behind them of the dependent coordinates, see
-    /// [`fn@crate::closure::extent::strokes`].
+    /// [`fn@crate::closure::strokes`].
     ///
     /// # Errors
     /// As there.
