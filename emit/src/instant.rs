@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 use crate::body::{Body, Place};
 use crate::expression::{Expression, size};
 use crate::layout::Layout;
-use crate::names;
+use crate::{docs, names};
 
 /// Times that are treated together: so many sines are packed well.
 const PACKED: usize = 4;
@@ -22,8 +22,10 @@ pub fn of_drivers(layout: &Layout<'_>) -> (TokenStream, Literal) {
     let length = size(numbers.len());
     let made = quote!(#statements [#(#numbers),*]);
     let motion = layout.program().results.closing.rates.len() + 1;
+    let formulas = explained(layout);
     if motion == 1 {
         let method = quote! {
+            #formulas
             #[inline(always)]
             fn instant(&self, independents: &[S]) -> Self::Instant {
                 #made
@@ -38,12 +40,28 @@ pub fn of_drivers(layout: &Layout<'_>) -> (TokenStream, Literal) {
             self.moving(independents, &[S::from_f64(f64::NAN); #motion])
         }
 
+        #formulas
         #[inline(always)]
         fn moving(&self, independents: &[S], motion: &[S]) -> Self::Instant {
             #made
         }
     };
     (methods, length)
+}
+
+/// Documentation of a method that makes rows: what stands in them, in each mode.
+fn explained(layout: &Layout<'_>) -> TokenStream {
+    let lists = layout.each_mode().iter().enumerate().map(|(index, mode)| {
+        let items: Vec<String> =
+            mode.row_formulas().into_iter().map(|entry| format!("- {entry}\n")).collect();
+        match layout.scene.modes.get(index).map_or("", |mode| &mode.name) {
+            name if !(name.is_empty() || items.is_empty()) => {
+                format!("In mode `{name}`:\n{}\n", items.concat())
+            }
+            _ => items.concat(),
+        }
+    });
+    docs::lines(&lists.collect::<String>())
 }
 
 /// The methods of `Equations` that make rows, where there are any.
@@ -60,12 +78,14 @@ pub fn methods(layout: &Layout<'_>) -> Option<TokenStream> {
             false => layout.body(code),
         }
     });
+    let formulas = explained(layout);
     Some(quote! {
         #[inline(always)]
         fn instant(&self) -> usize {
             #row
         }
 
+        #formulas
         #[inline(always)]
         fn instants(&self, phase: ::assur::problem::Phase<'_, S>, times: &[S], rows: &mut [S]) {
             let (rows, _) = rows.as_chunks_mut::<#row>();

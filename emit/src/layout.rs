@@ -139,6 +139,21 @@ impl<'a> Layout<'a> {
         quote!(match phase.mode { #(#arms)* _ => #otherwise })
     }
 
+    /// What stands in a row, each with its name and formula where that is not long.
+    pub fn row_formulas(&self) -> Vec<String> {
+        let mut place = 0;
+        let entry = |value: &Value| {
+            let at = place;
+            place += self.numbers(*value);
+            let formula = formula::of(self, *value, &self.staging.prepared)?;
+            Some(match &self.program().operations[value.0 as usize].name {
+                Some(name) => format!("`instant[{at}]`: `{name} = {formula}`"),
+                None => format!("`instant[{at}]`: `{formula}`"),
+            })
+        };
+        self.staging.timed.iter().filter_map(entry).collect()
+    }
+
     /// Length of a row of what depends on the time alone.
     pub fn row(&self) -> usize {
         let modes = self.each_mode().iter();
