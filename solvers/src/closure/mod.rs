@@ -15,7 +15,7 @@ mod modes;
 mod passage;
 mod position;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub use crate::shape::{Group, GroupKind, Variable};
 pub use error::ClosureError;

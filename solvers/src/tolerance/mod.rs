@@ -18,7 +18,7 @@ mod allocation;
 mod asked;
 mod elastic;
 mod error;
-mod made;
+pub(crate) mod made;
 mod order;
 mod random;
 mod sample;

@@ -3,7 +3,7 @@
 mod all_modes;
 mod extremes;
 mod hard;
-mod linkages;
+pub(crate) mod linkages;
 mod nearest;
 mod published;
 mod speed;

@@ -4,7 +4,7 @@ pub(super) mod exact;
 pub(super) mod lead;
 pub(super) mod nominal;
 pub(super) mod place;
-pub(super) mod small;
+pub(crate) mod small;
 pub(super) mod varied;
 
 use super::source::Source;

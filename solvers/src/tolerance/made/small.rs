@@ -5,7 +5,7 @@ use crate::scalar::Scalar;
 /// Solves `A x = right` in place for a matrix of `n` rows, stored row by row, and gives its determinant. A singular one
 /// gives zero and no number.
 #[inline(always)]
-pub(in crate::tolerance) fn solve<S: Scalar>(n: usize, matrix: &mut [S], right: &mut [S]) -> S {
+pub(crate) fn solve<S: Scalar>(n: usize, matrix: &mut [S], right: &mut [S]) -> S {
     match n {
         0 => S::ONE,
         1 => {

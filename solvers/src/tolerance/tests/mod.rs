@@ -1,13 +1,12 @@
 mod brink;
 mod four_bar;
-mod heald;
 mod published;
 mod second;
 mod seeds;
 
 use super::{Source, Study};
+pub(super) use crate::closure::tests::linkages::Heald;
 use crate::shape::Distribution;
-pub(super) use heald::Heald;
 
 /// The heald linkage with its tolerances: 0.05 mm, for a, b, s 0.1 mm, 0.1 deg, as many times, of this distribution.
 pub(super) fn study(degrees: &[f64], scale: f64, distribution: Distribution) -> Study {

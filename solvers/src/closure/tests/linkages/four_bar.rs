@@ -1,7 +1,7 @@
 //! Four-bar: crank, rod and rocker in the plane. `l1 dir(β) + l2 dir(γ) = [a, 0] + l3 dir(θ)`.
 
 use super::{Directions, Dyad, constants, directions, unasked};
-use crate::closure::{Closure, Group, GroupKind, Linkage, Range};
+use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
 use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
 use crate::shape::{List, Shape, by_hand};
@@ -40,9 +40,13 @@ impl<S: Scalar, const ITERATED: bool> Loops<S, ITERATED> {
     }
 }
 
+/// What its outputs are influenced by.
+const VARIABLES: [Variable; 4] =
+    [Variable::Constant(0), Variable::Constant(1), Variable::Constant(2), Variable::Constant(3)];
+
 /// What it is made of, its loops closed in a way.
 const fn shape(groups: List<Group>) -> Shape {
-    by_hand([4, 2], &[true, true], groups, &[])
+    by_hand([4, 2], &[true, true], groups, &VARIABLES)
 }
 
 /// In closed form.

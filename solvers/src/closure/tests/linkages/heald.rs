@@ -5,11 +5,12 @@
 //! l6 cos φ6 = s + l7 cos φ7
 //! ```
 
-use super::{constants, unasked};
-use crate::closure::{Closure, Group, GroupKind, Linkage, Range};
+use super::constants;
+use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
 use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
 use crate::shape::{Shape, by_hand};
+use crate::tolerance::made::small;
 use std::f64::consts::TAU;
 
 /// Constants `l4, l5, l6, l7, a, b, s, κ`; unknowns `φ5, φ6, φ7`; output `φ7`.
@@ -49,7 +50,16 @@ const SHAPE: Shape = by_hand(
     [8, 1],
     &[true; 3],
     &[Group { kind: GroupKind::General, unknowns: &[0, 1, 2], equations: &[0, 1, 2] }],
-    &[],
+    &[
+        Variable::Constant(0),
+        Variable::Constant(1),
+        Variable::Constant(2),
+        Variable::Constant(3),
+        Variable::Constant(4),
+        Variable::Constant(5),
+        Variable::Constant(6),
+        Variable::Driver(0),
+    ],
 );
 
 impl Linkage for Heald {
@@ -112,7 +122,6 @@ impl<S: Scalar> Closure<S> for Loops<S> {
     fn shape(&self) -> &'static Shape {
         const { &SHAPE }
     }
-    unasked!(S);
 
     #[inline(always)]
     fn zeros(&self) -> [S; 9] {
@@ -147,23 +156,36 @@ impl<S: Scalar> Closure<S> for Loops<S> {
         residual.copy_from_slice(&self.rows(instant, z));
     }
     fn coefficients(&self, instant: &[S; 2], z: &[S; 9], columns: &mut [[S; 9]]) {
-        let j = self.matrix(z);
-        let right = [self.0[0] * instant[1], -self.0[0] * instant[0], S::ZERO];
-        let minor = |a: usize, b: usize, c: usize, d: usize| j[a] * j[d] - j[b] * j[c];
-        let determinant =
-            j[0] * minor(4, 5, 7, 8) - j[1] * minor(3, 5, 6, 8) + j[2] * minor(3, 4, 6, 7);
-        for k in 0..3 {
-            let mut m = j;
-            for i in 0..3 {
-                m[3 * i + k] = right[i];
-            }
-            let minor = |a: usize, b: usize, c: usize, d: usize| m[a] * m[d] - m[b] * m[c];
-            let value =
-                m[0] * minor(4, 5, 7, 8) - m[1] * minor(3, 5, 6, 8) + m[2] * minor(3, 4, 6, 7);
-            columns[0][k] = value / determinant;
-        }
+        let mut right = [self.0[0] * instant[1], -self.0[0] * instant[0], S::ZERO];
+        small::solve(3, &mut self.matrix(z), &mut right);
+        columns[0][..3].copy_from_slice(&right);
     }
     fn outputs(&self, _: &[S; 2], z: &[S; 9], values: &mut [S]) {
         values[0] = z[2];
     }
+    /// By the adjoint of the loops.
+    fn influence(&self, instant: &[S; 2], z: &[S; 9], values: &mut [S]) {
+        let m = self.matrix(z);
+        let mut transposed = [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
+        let mut adjoint = [S::ZERO, S::ZERO, -S::ONE];
+        small::solve(3, &mut transposed, &mut adjoint);
+        let [_, _, _, c5, s5, c6, s6, c7, s7] = *z;
+        let (l4, kappa, zero, one) = (self.0[0], self.0[7], S::ZERO, S::ONE);
+        let columns = [
+            [instant[0], instant[1], zero],
+            [c5, s5, zero],
+            [-c6, -s6, c6],
+            [-kappa * c7, -kappa * s7, -c7],
+            [zero, -one, zero],
+            [-one, zero, zero],
+            [zero, zero, -one],
+            [-l4 * instant[1], l4 * instant[0], zero],
+        ];
+        for (value, column) in values.iter_mut().zip(columns) {
+            let [x, y, g] = adjoint;
+            *value = x * column[0] + y * column[1] + g * column[2];
+        }
+    }
+    fn second_influence(&self, _: &[S; 2], _: &[S; 9], _: &mut [S]) {}
+    fn points(&self, _: &[S; 2], _: &[S; 9], _: &mut [S]) {}
 }
