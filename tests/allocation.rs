@@ -190,7 +190,8 @@ fn variational_equations_allocate_nothing_per_step() {
 
 #[test]
 fn stiff_methods_allocate_nothing_per_step() {
-    for method in [stiff::Method::Radau, stiff::Method::Rosenbrock, stiff::Method::Automatic] {
+    for method in [stiff::Implicit::Radau, stiff::Implicit::Rosenbrock, stiff::Implicit::Automatic]
+    {
         let flow = Flow::new(&Oscillator, 0);
         let mut workspace = stiff::Workspace::new(method, &flow);
         let options = Options::default();

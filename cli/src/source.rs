@@ -9,7 +9,7 @@ use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use assur_model::checked::Compiled;
 use assur_model::diagnostic::{Diagnostic, Severity};
 use assur_model::lexer::{self, Lexed, Unreadable};
-use assur_model::texts::{Place, Texts};
+use assur_model::texts::{Location, Texts};
 use assur_model::token::Span;
 
 use crate::error::Failure;
@@ -222,7 +222,7 @@ impl Checked<'_> {
     }
 
     /// Where a range of tokens stands, if in the file of a part.
-    pub fn part(&self, span: Span) -> Option<Place<'_>> {
+    pub fn part(&self, span: Span) -> Option<Location<'_>> {
         self.texts.place(&self.compiled.parts, span)
     }
 

@@ -19,7 +19,7 @@ const LONGEST: usize = 8;
 
 /// Where a function stands, and so what it finds computed.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Place {
+pub enum Scope {
     /// A method of the parameter struct.
     Parameters,
     /// A method of the equations that is given `time`, and perhaps `state`.
@@ -44,14 +44,14 @@ struct Statement {
 /// Statements, and the expressions that are written where they are read.
 pub struct Body<'a> {
     layout: &'a Layout<'a>,
-    place: Place,
+    place: Scope,
     statements: Vec<Statement>,
     written: BTreeMap<Value, Expression>,
 }
 
 impl<'a> Body<'a> {
     /// The statements that lead to the wanted values; with `named`, each of those gets a name of its own.
-    pub fn new(layout: &'a Layout<'a>, place: Place, wanted: &[Value], named: &[Value]) -> Self {
+    pub fn new(layout: &'a Layout<'a>, place: Scope, wanted: &[Value], named: &[Value]) -> Self {
         let all: Vec<Value> = wanted.iter().chain(named).copied().collect();
         Self::with_given(layout, place, &all, named, BTreeMap::new())
     }
@@ -59,7 +59,7 @@ impl<'a> Body<'a> {
     /// The same where some values are already there.
     pub fn with_given(
         layout: &'a Layout<'a>,
-        place: Place,
+        place: Scope,
         wanted: &[Value],
         named: &[Value],
         given: BTreeMap<Value, Expression>,
@@ -114,8 +114,8 @@ impl<'a> Body<'a> {
         let name = self.layout.names.of(value);
         let stored = match (&operation.kind, self.place, operation.stage) {
             (OperationKind::Number(_), _, _) => return None,
-            (OperationKind::Input(Input::Time), Place::Time | Place::Drive, _) => quote!(time),
-            (_, Place::Parameters | Place::Values | Place::Drive, _) => return None,
+            (OperationKind::Input(Input::Time), Scope::Time | Scope::Drive, _) => quote!(time),
+            (_, Scope::Parameters | Scope::Values | Scope::Drive, _) => return None,
             (OperationKind::Input(Input::Position(place)), ..) => {
                 let place = expression::size(*place as usize);
                 quote!(position[#place])
@@ -125,7 +125,7 @@ impl<'a> Body<'a> {
                 let owner = self.layout.owner();
                 quote!(#owner.#name)
             }
-            (_, Place::Evaluation, Stage::Instant)
+            (_, Scope::Evaluation, Stage::Instant)
                 if self.layout.staging.timed.contains(&value) =>
             {
                 self.layout.read_row(value)
@@ -176,7 +176,7 @@ impl<'a> Body<'a> {
 
     fn input(&self, input: Input) -> Expression {
         Expression::whole(match input {
-            Input::Parameter(index) if self.place == Place::Values => {
+            Input::Parameter(index) if self.place == Scope::Values => {
                 let index = expression::size(index as usize);
                 quote!(values[#index])
             }
@@ -184,7 +184,7 @@ impl<'a> Body<'a> {
                 let field = &self.layout.constants[index as usize];
                 quote!(<S as ::assur::scalar::Scalar>::from_f64(self.#field))
             }
-            Input::Time if self.place == Place::Independents => {
+            Input::Time if self.place == Scope::Independents => {
                 let last = expression::size(2 * self.layout.scene.drivers.len());
                 quote!(motion[#last])
             }

@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::blocks::blocks;
-use crate::body::{Body, Place};
+use crate::body::{Body, Scope};
 use crate::expression::size;
 use crate::layout::{Layout, outlined};
 use crate::{docs, instant};
@@ -147,7 +147,7 @@ fn form(layout: &Layout<'_>, closed: &ClosedForm<Value>) -> Form {
     let (angles, others): (Vec<_>, Vec<_>) =
         closed.values.iter().copied().partition(|entry| is_angle(entry.0));
     let wanted: Vec<Value> = others.iter().map(|entry| entry.1).chain([closed.sine]).collect();
-    let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
+    let body = Body::new(layout, Scope::Evaluation, &wanted, &[]);
     let statements = body.statements(&wanted);
     let writes = others.iter().map(|(place, value)| {
         let (place, value) = (size(*place), body.value(*value));
@@ -195,7 +195,7 @@ fn margin(layout: &Layout<'_>) -> TokenStream {
     let groups = &layout.program().results.closing.groups;
     let arms = groups.iter().map(|closed| {
         let wanted = [closed.as_ref()?.margin];
-        let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
+        let body = Body::new(layout, Scope::Evaluation, &wanted, &[]);
         let (statements, value) = (body.statements(&wanted), body.value(wanted[0]));
         Some(quote!(#statements #value))
     });
@@ -225,7 +225,7 @@ fn trial(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
             .collect();
         let wanted: Vec<Value> =
             residuals.iter().copied().chain(slopes.iter().flatten().copied()).collect();
-        let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
+        let body = Body::new(layout, Scope::Evaluation, &wanted, &[]);
         let statements = body.statements(&wanted);
         let sines = sines(layout, &group.unknowns);
         let rows = residuals.iter().enumerate().map(|(index, value)| {
@@ -280,7 +280,7 @@ fn sines(layout: &Layout<'_>, unknowns: &[usize]) -> TokenStream {
 fn coefficients(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
     let entries = &layout.program().results.closing.coefficients;
     let wanted: Vec<Value> = entries.iter().map(|entry| entry.2).collect();
-    let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
+    let body = Body::new(layout, Scope::Evaluation, &wanted, &[]);
     let statements = body.statements(&wanted);
     let mut writes = Vec::new();
     for driver in 0..layout.scene.drivers.len() {
@@ -306,7 +306,7 @@ fn coefficients(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
 /// A method that writes some values one after the other.
 fn list(layout: &Layout<'_>, method: &str, target: &TokenStream, wanted: &[Value]) -> TokenStream {
     let method = crate::names::identifier(method);
-    let body = Body::new(layout, Place::Evaluation, wanted, &[]);
+    let body = Body::new(layout, Scope::Evaluation, wanted, &[]);
     let statements = body.statements(wanted);
     let writes: Vec<TokenStream> = wanted
         .iter()

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::blocks::blocks;
-use crate::body::{Body, Place};
+use crate::body::{Body, Scope};
 use crate::expression::{scalar, size};
 use crate::layout::Layout;
 use crate::{docs, instant, series};
@@ -83,7 +83,7 @@ fn rates(layout: &Layout<'_>) -> TokenStream {
     let exact = exact(&[(quote!(state), states), (quote!(mut rates), states)]);
     let body = layout.in_mode(&quote!({}), &|mode| {
         let wanted = &mode.program().results.derivative;
-        let body = Body::new(mode, Place::Evaluation, wanted, &[]);
+        let body = Body::new(mode, Scope::Evaluation, wanted, &[]);
         let statements = body.statements(wanted);
         let values = wanted.iter().map(|value| body.value(*value));
         layout.body(quote!(#statements *rates = [#(#values),*];))
@@ -123,7 +123,7 @@ fn jacobian(layout: &Layout<'_>) -> TokenStream {
 fn columns(layout: &Layout<'_>) -> TokenStream {
     let entries = &layout.program().results.jacobian;
     let wanted: Vec<Value> = entries.iter().map(|entry| entry.2).collect();
-    let body = Body::new(layout, Place::Evaluation, &wanted, &[]);
+    let body = Body::new(layout, Scope::Evaluation, &wanted, &[]);
     let statements = body.statements(&wanted);
     let (states, count) = (layout.states(), size(layout.states()));
     let mut writes = Vec::new();
@@ -183,7 +183,7 @@ fn products(layout: &Layout<'_>) -> TokenStream {
     let slopes: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
     let all: Vec<Value> = results.derivative.iter().chain(&slopes).copied().collect();
     // The entries are read once for each column: each gets a name.
-    let body = Body::new(layout, Place::Evaluation, &results.derivative, &slopes);
+    let body = Body::new(layout, Scope::Evaluation, &results.derivative, &slopes);
     let statements = body.statements(&all);
     let values = results.derivative.iter().map(|value| body.value(*value));
     let rows: Vec<TokenStream> =

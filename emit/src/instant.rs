@@ -6,7 +6,7 @@ use assur_model::program::{Stage, Value};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::body::{Body, Place};
+use crate::body::{Body, Scope};
 use crate::expression::{Expression, size};
 use crate::layout::Layout;
 use crate::{docs, names};
@@ -17,7 +17,7 @@ const PACKED: usize = 4;
 /// The method of `Closure` that makes the row of a linkage from its drivers, and its length.
 pub fn of_drivers(layout: &Layout<'_>) -> (TokenStream, Literal) {
     let wanted: Vec<Value> = layout.staging.timed.iter().copied().collect();
-    let body = Body::new(layout, Place::Independents, &wanted, &[]);
+    let body = Body::new(layout, Scope::Independents, &wanted, &[]);
     let (statements, numbers) = (body.statements(&wanted), layout.row_of(&body));
     let length = size(numbers.len());
     let made = quote!(#statements [#(#numbers),*]);
@@ -131,7 +131,7 @@ fn rows(layout: &Layout<'_>) -> TokenStream {
             .iter()
             .map(|angle| format_ident!("angle_{}_", names::bare(layout.names.of(*angle))))
             .collect();
-        let body = Body::with_given(layout, Place::Time, &angles, &[], given.clone());
+        let body = Body::with_given(layout, Scope::Time, &angles, &[], given.clone());
         let statements = body.statements(&angles);
         let values = angles.iter().map(|angle| body.value(*angle));
         sines.push(quote! {
@@ -155,7 +155,7 @@ fn rows(layout: &Layout<'_>) -> TokenStream {
             sines.push(quote!(let (#sine, #cosine) = S::sin_cos_all(#array);));
         }
     }
-    let body = Body::with_given(layout, Place::Time, &wanted, &[], given);
+    let body = Body::with_given(layout, Scope::Time, &wanted, &[], given);
     let (statements, numbers) = (body.statements(&wanted), layout.row_of(&body));
     let count = size(numbers.len());
     quote! {

@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 
 use crate::body::Body;
 use crate::expression::{self, size as whole};
-use crate::names::{self, Names};
+use crate::names::{self, Locals};
 use crate::{docs, formula};
 
 /// Operations of an evaluation with its Jacobian, in all modes together, from which on functions are long.
@@ -20,7 +20,7 @@ pub struct Layout<'a> {
     /// The scene.
     pub scene: &'a SceneModel,
     /// Local names of its values.
-    pub names: Names,
+    pub names: Locals,
     /// Fields of the parameter struct.
     pub constants: Vec<Ident>,
     /// The parameter struct, `Elastic`.
@@ -51,7 +51,7 @@ impl<'a> Layout<'a> {
         let names = scene.constants.iter().map(|constant| constant.quantity.name.as_str());
         Self {
             scene,
-            names: Names::new(scene),
+            names: Locals::new(scene),
             constants: names::distinct(names),
             parameters: names::identifier(type_name),
             equations: format_ident!("{type_name}Equations"),

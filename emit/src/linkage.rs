@@ -5,7 +5,7 @@ use assur_model::program::Value;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::body::{Body, Place};
+use crate::body::{Body, Scope};
 use crate::expression::{number, size};
 use crate::layout::Layout;
 use crate::requirements;
@@ -60,7 +60,7 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
 /// What depends on the constants alone, from constants of any scalar type.
 fn prepare(layout: &Layout<'_>) -> TokenStream {
     let wanted: Vec<Value> = layout.staging.prepared.iter().copied().collect();
-    let body = Body::new(layout, Place::Values, &wanted, &[]);
+    let body = Body::new(layout, Scope::Values, &wanted, &[]);
     let (statements, fields) =
         (body.statements(&wanted), layout.stored(&layout.staging.prepared, &body));
     let closure = &layout.equations;
@@ -94,7 +94,7 @@ pub fn motion(layout: &Layout<'_>) -> TokenStream {
     }
     let drivers = results.drivers.iter();
     let wanted: Vec<Value> = drivers.chain(&results.closing.rates).copied().collect();
-    let body = Body::new(layout, Place::Drive, &wanted, &[]);
+    let body = Body::new(layout, Scope::Drive, &wanted, &[]);
     let statements = body.statements(&wanted);
     let values = wanted.iter().map(|value| body.value(*value));
     let count = size(wanted.len() + 1);

@@ -6,7 +6,7 @@ use assur_model::program::{Event, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::body::{Body, Place};
+use crate::body::{Body, Scope};
 use crate::equations::exact;
 use crate::expression::size;
 use crate::layout::{Layout, outlined};
@@ -37,7 +37,7 @@ fn guards(layout: &Layout<'_>) -> TokenStream {
         if values.is_empty() {
             return TokenStream::new();
         }
-        let body = Body::new(mode, Place::Time, &values, &[]);
+        let body = Body::new(mode, Scope::Time, &values, &[]);
         let statements = body.statements(&values);
         let exact = exact(&[(quote!(mut values), events.len()), (quote!(mut rates), events.len())]);
         let (values, rates) = (
@@ -70,7 +70,7 @@ fn conditions(layout: &Layout<'_>) -> TokenStream {
     let states = size(layout.states());
     let arms = each(layout, &|mode, event| {
         let condition = event.condition?;
-        let body = Body::new(mode, Place::Time, &[condition], &[]);
+        let body = Body::new(mode, Scope::Time, &[condition], &[]);
         let (statements, value) = (body.statements(&[condition]), body.value(condition));
         Some(quote!(#statements S::holds(#value)))
     });
@@ -94,7 +94,7 @@ fn jumps(layout: &Layout<'_>) -> TokenStream {
         if event.after.is_empty() {
             return None;
         }
-        let body = Body::new(mode, Place::Time, &event.after, &[]);
+        let body = Body::new(mode, Scope::Time, &event.after, &[]);
         let statements = body.statements(&event.after);
         let values = event.after.iter().map(|value| body.value(*value));
         Some(quote!(#statements *after = [#(#values),*];))

@@ -1,4 +1,4 @@
-//! Names of emitted things. What the file names keeps its name; what the printer adds ends in `_`, which no name of a
+//! Locals of emitted things. What the file names keeps its name; what the printer adds ends in `_`, which no name of a
 //! file may.
 
 use std::collections::BTreeSet;
@@ -171,12 +171,12 @@ fn free(name: String, index: usize, taken: &mut BTreeSet<String>) -> Ident {
 }
 
 /// The local name of each value of a program.
-pub struct Names {
+pub struct Locals {
     of: Vec<Ident>,
 }
 
-impl Names {
-    /// Names the values of a scene.
+impl Locals {
+    /// Locals the values of a scene.
     pub fn new(scene: &SceneModel) -> Self {
         let mut taken: BTreeSet<String> = RESERVED.iter().map(|name| (*name).to_owned()).collect();
         let mut of: Vec<Ident> = Vec::new();

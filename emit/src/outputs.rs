@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::blocks::blocks;
-use crate::body::{Body, Place};
+use crate::body::{Body, Scope};
 use crate::equations::exact;
 use crate::expression::{size, triangle};
 use crate::layout::{Layout, outlined};
@@ -89,7 +89,7 @@ fn writes(layout: &Layout<'_>, wanted: &[Value]) -> TokenStream {
     if wanted.is_empty() {
         return TokenStream::new();
     }
-    let body = Body::new(layout, Place::Time, wanted, &[]);
+    let body = Body::new(layout, Scope::Time, wanted, &[]);
     let exact = exact(&[(quote!(mut values), wanted.len())]);
     let statements = body.statements(wanted);
     let written: Vec<TokenStream> = wanted
@@ -116,7 +116,7 @@ fn mass(layout: &Layout<'_>) -> Option<TokenStream> {
         }
         let mass = &mode.program().results.mass;
         // Entries beside the diagonal are written twice: each gets a name.
-        let body = Body::new(mode, Place::Time, &[], mass);
+        let body = Body::new(mode, Scope::Time, &[], mass);
         let statements = body.statements(mass);
         let entries = (0..count * count).map(|place| {
             let (row, column) = (place / count, place % count);
@@ -147,7 +147,7 @@ fn energy(layout: &Layout<'_>) -> Option<TokenStream> {
         let [kinetic, potential] = energy.as_slice() else {
             return none.clone();
         };
-        let body = Body::new(mode, Place::Time, energy, &[]);
+        let body = Body::new(mode, Scope::Time, energy, &[]);
         let statements = body.statements(energy);
         let (kinetic, potential) = (body.value(*kinetic), body.value(*potential));
         let states = size(mode.states());

@@ -5,7 +5,7 @@ use assur_model::program::Value;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::body::{Body, Place};
+use crate::body::{Body, Scope};
 use crate::expression::size;
 use crate::layout::Layout;
 use crate::{Origin, docs, linkage, requirements, subjects, values};
@@ -102,7 +102,7 @@ fn computed(
         return TokenStream::new();
     }
     let (name, text) = (crate::names::identifier(name), docs::lines(text));
-    let body = Body::new(layout, Place::Parameters, wanted, &[]);
+    let body = Body::new(layout, Scope::Parameters, wanted, &[]);
     let (statements, count) = (body.statements(wanted), size(wanted.len()));
     let values = wanted.iter().map(|value| body.value(*value));
     quote! {
@@ -174,7 +174,7 @@ fn prepare(layout: &Layout<'_>) -> TokenStream {
 /// What depends on the parameters alone, stored where later stages use it.
 fn prepared(layout: &Layout<'_>) -> TokenStream {
     let wanted: Vec<Value> = layout.staging.prepared.iter().copied().collect();
-    let body = Body::new(layout, Place::Parameters, &wanted, &[]);
+    let body = Body::new(layout, Scope::Parameters, &wanted, &[]);
     let (statements, fields) =
         (body.statements(&wanted), layout.stored(&layout.staging.prepared, &body));
     let equations = &layout.equations;

@@ -7,7 +7,7 @@ use quote::quote;
 use crate::layout::Layout;
 use crate::{Origin, closure, equations, modes, names, outputs, parameters};
 
-/// Names of the types of the scenes: `TwoTerm` for `two_term`; the only scene of a mechanism that states none has the
+/// Locals of the types of the scenes: `TwoTerm` for `two_term`; the only scene of a mechanism that states none has the
 /// name of the mechanism.
 pub fn type_names(model: &Model) -> Vec<String> {
     if let [only] = model.scenes.as_slice()
@@ -25,7 +25,7 @@ pub fn alias(model: &Model, types: &[String]) -> Option<(Ident, Ident)> {
     (!types.contains(&name)).then(|| (names::identifier(&name), names::identifier(first)))
 }
 
-/// Names of the public types of all scenes.
+/// Locals of the public types of all scenes.
 pub fn exported<'a>(layouts: &'a [Layout<'_>]) -> impl Iterator<Item = TokenStream> + use<'a> {
     layouts.iter().map(|layout| {
         let (parameters, equations) = (&layout.parameters, &layout.equations);

@@ -4,7 +4,7 @@ use assur_model::checked::SpanKind;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::body::{Body, Place};
+use crate::body::{Body, Scope};
 use crate::equations::exact;
 use crate::expression::size;
 use crate::layout::Layout;
@@ -33,7 +33,7 @@ fn guards(layout: &Layout<'_>) -> Option<TokenStream> {
         if wanted.is_empty() {
             return None;
         }
-        let body = Body::new(mode, Place::Time, wanted, &[]);
+        let body = Body::new(mode, Scope::Time, wanted, &[]);
         let statements = body.statements(wanted);
         let values = wanted.iter().map(|value| body.value(*value));
         Some(quote!(#statements *slopes = [#(#values),*];))
@@ -67,7 +67,7 @@ fn jumps(layout: &Layout<'_>) -> Option<TokenStream> {
             return None;
         }
         let wanted: Vec<_> = after.iter().chain(rate).copied().collect();
-        let body = Body::new(mode, Place::Time, &wanted, &[]);
+        let body = Body::new(mode, Scope::Time, &wanted, &[]);
         let statements = body.statements(&wanted);
         let columns = (0..count).map(|column| {
             let values = after[column * count..][..count].iter();

@@ -1,4 +1,4 @@
-//! Names of what a scene says, as indices of its motion: `motion.at(4.0)[Swing::PHI]`.
+//! Locals of what a scene says, as indices of its motion: `motion.at(4.0)[Swing::PHI]`.
 
 use proc_macro2::TokenStream;
 use quote::quote;

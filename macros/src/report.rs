@@ -7,7 +7,7 @@
 use std::path::PathBuf;
 
 use assur_model::diagnostic::{Diagnostic, Severity};
-use assur_model::texts::Place;
+use assur_model::texts::Location;
 use assur_model::token::Span;
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
@@ -90,7 +90,7 @@ fn excerpt(span: Span, source: &Source) -> Option<String> {
 }
 
 /// A place in the file of a part.
-fn in_part(place: &Place<'_>, source: &Source) -> String {
+fn in_part(place: &Location<'_>, source: &Source) -> String {
     let main = match proc_macro::is_available() {
         true => PathBuf::from(source.places(place.part).1.unwrap().file()),
         false => PathBuf::new(),

@@ -7,14 +7,14 @@ use proc_macro2::{Delimiter, Group, Literal, Spacing, TokenStream, TokenTree};
 use syn::Lit;
 
 /// A place as rustc knows it.
-type Place = proc_macro2::Span;
+type RustSpan = proc_macro2::Span;
 
 /// The tokens of an equation file with their places.
 #[derive(Default)]
 pub struct Source {
     /// The tokens.
     pub tokens: Vec<Token>,
-    places: Vec<Place>,
+    places: Vec<RustSpan>,
     /// The files of parts that were read.
     pub parts: Vec<PartFile>,
     /// Their texts.
@@ -30,16 +30,16 @@ impl Source {
     }
 
     /// Where a span stands, if in the file of a part: rustc knows nothing of those.
-    pub fn part(&self, span: Span) -> Option<texts::Place<'_>> {
+    pub fn part(&self, span: Span) -> Option<texts::Location<'_>> {
         self.texts.place(&self.parts, span)
     }
 
     /// The places of the first and the last token of a span; of the part that is meant, if it stands in its file.
-    pub fn places(&self, span: Span) -> (Place, Place) {
+    pub fn places(&self, span: Span) -> (RustSpan, RustSpan) {
         let span = self.part(span).map_or(span, |place| place.part);
         let at = |index: u32| {
             let last = self.places.len().saturating_sub(1);
-            self.places.get((index as usize).min(last)).copied().unwrap_or_else(Place::call_site)
+            self.places.get((index as usize).min(last)).copied().unwrap_or_else(RustSpan::call_site)
         };
         (at(span.first), at(span.last.max(span.first)))
     }
@@ -93,7 +93,7 @@ impl Source {
         self.push(TokenKind::Close(close), "", group.span_close());
     }
 
-    fn push(&mut self, kind: TokenKind, text: &str, place: Place) {
+    fn push(&mut self, kind: TokenKind, text: &str, place: RustSpan) {
         self.tokens.push(Token { kind, text: text.to_owned() });
         self.places.push(place);
     }

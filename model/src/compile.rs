@@ -27,10 +27,10 @@ use crate::linkage::Linkage;
 use crate::lower::{Kind, Lowering};
 use crate::modes::{Phase, Phases};
 use crate::motion::{self, Equation, Solved, UnknownName};
-use crate::parts::Parts;
 use crate::program;
 use crate::resolve::Role;
 use crate::scene::{Selected, Survey};
+use crate::statements::Parts;
 use crate::syntax::tree::{File, Scene};
 use crate::token::Span;
 

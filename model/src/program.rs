@@ -26,7 +26,7 @@ pub use crate::expression::{Form, Function, Relation};
 pub use build::{Request, build};
 pub use closing::{ClosedForm, Closing};
 pub use counts::Counts;
-pub use evaluate::{Place, Values};
+pub use evaluate::{Configuration, Values};
 pub use event::{Event, Slopes};
 pub use levels::{Level, Pair};
 pub use needed::Shape;

@@ -18,7 +18,7 @@ pub struct Texts {
 
 /// A place in the file of a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place<'a> {
+pub struct Location<'a> {
     /// Path of the file, relative to the main one.
     pub path: &'a str,
     /// The whole text.
@@ -80,14 +80,14 @@ impl Texts {
     }
 
     /// Where a range of tokens stands, if in the file of a part.
-    pub fn place(&self, parts: &[PartFile], span: Span) -> Option<Place<'_>> {
+    pub fn place(&self, parts: &[PartFile], span: Span) -> Option<Location<'_>> {
         let part = parts.iter().rfind(|part| part.first <= span.first)?;
         let (path, (text, ranges)) = self.files.get_key_value(&part.path)?;
         let of = |index: u32| ranges.get((index - part.first) as usize).cloned();
         let first = of(span.first)?;
         let last = of(span.last.max(span.first)).unwrap_or(first.clone());
         let (line, column) = line_and_column(text, first.start);
-        Some(Place {
+        Some(Location {
             path,
             text,
             range: first.start..last.end.max(first.end),

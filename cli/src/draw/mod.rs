@@ -68,7 +68,7 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
         .into_iter()
         .map(|place| Ok((place.label.clone(), snapshot(&case, place)?.sample)))
         .collect::<Result<Vec<_>, Failure>>()?;
-    let way = Way::follow(&case, asked.is_empty())?;
+    let way = Travel::follow(&case, asked.is_empty())?;
     let geometry = Geometry::new(&case, &way.samples, asked.iter().map(|(_, sample)| sample));
     let positions = match asked.is_empty() {
         true => way.some(&case, &geometry),
@@ -108,7 +108,7 @@ pub struct Picture<'a> {
 }
 
 /// The ways of the linkage as far as they are reached: one driver moves after the other, the rest stand where they start.
-struct Way {
+struct Travel {
     /// For each axis the ends of what is reached.
     ends: Vec<(f64, f64)>,
     /// For each axis positions along it.
@@ -118,7 +118,7 @@ struct Way {
     stop: Option<Failure>,
 }
 
-impl Way {
+impl Travel {
     /// Follows the linkage along its ways.
     ///
     /// # Errors

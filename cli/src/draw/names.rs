@@ -1,4 +1,4 @@
-//! Names of points: short ones, each where it covers nothing.
+//! Terms of points: short ones, each where it covers nothing.
 
 use std::f64::consts::TAU;
 

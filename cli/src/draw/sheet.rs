@@ -131,7 +131,7 @@ pub fn colour(picture: &Picture<'_>, link: usize) -> String {
     format!("c{}", moving.count() % COLOURS)
 }
 
-/// Names of the links in rows, those of each part of the mechanism on rows of their own.
+/// Terms of the links in rows, those of each part of the mechanism on rows of their own.
 fn legend(picture: &Picture<'_>, width: f64, top: f64) -> Vec<Entry> {
     let mut at = (30.0, top);
     let mut entries: Vec<Entry> = Vec::new();

@@ -4,7 +4,7 @@ use assur::closure::{AnyLinkage, ClosureError, Path, Range, Sample};
 use assur::problem::Span;
 use assur::shape::{LinkageEntry, Quantity, Subject};
 
-use super::wording::{self, Names};
+use super::wording::{self, Terms};
 use crate::ask::case;
 use crate::ask::constants::Constants;
 use crate::ask::values::TIME;
@@ -140,7 +140,7 @@ impl Case {
 
     /// An error in words.
     pub fn tell(&self, error: &ClosureError) -> Told {
-        wording::tell(Names { entry: self.moved.entry, drivers: &self.drivers }, error)
+        wording::tell(Terms { entry: self.moved.entry, drivers: &self.drivers }, error)
     }
 
     /// The task in words.

@@ -3,13 +3,13 @@
 use assur::closure::{Group, GroupKind};
 use assur::shape::LinkageEntry;
 
-/// Names of the loop equations of a group, `loop.x, loop.y`.
+/// Terms of the loop equations of a group, `loop.x, loop.y`.
 pub fn equations(entry: &LinkageEntry, group: &Group) -> String {
     let names = group.equations.iter().map(|&index| entry.loops[index].name);
     names.collect::<Vec<_>>().join(", ")
 }
 
-/// Names of the dependent coordinates of a group, `phi5, phi6`.
+/// Terms of the dependent coordinates of a group, `phi5, phi6`.
 pub fn unknowns(entry: &LinkageEntry, group: &Group) -> String {
     let names = group.unknowns.iter().map(|&index| entry.dependents[index].name);
     names.collect::<Vec<_>>().join(", ")

@@ -14,7 +14,7 @@ use super::line::{Grid, Line};
 use super::place::Place;
 use super::reach::{self, Reach};
 use super::search::{Extreme, smallest};
-use super::wording::{Names, contradiction, event};
+use super::wording::{Terms, contradiction, event};
 use super::{csv, json, table};
 use crate::answer::Answer;
 use crate::arguments::Rows;
@@ -149,7 +149,7 @@ pub fn collect(case: Case, places: Vec<Place>, shown: Shown) -> Result<Report, F
             Some((index, dead.or_else(worst)?))
         });
     let transmissions = transmissions.collect();
-    let names = Names { entry: case.moved.entry, drivers: &case.drivers };
+    let names = Terms { entry: case.moved.entry, drivers: &case.drivers };
     let mut met: Vec<_> =
         lines.iter().flat_map(|line| &line.met).map(|one| event(names, one)).collect();
     met.dedup();

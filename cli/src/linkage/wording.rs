@@ -12,7 +12,7 @@ use crate::show::number;
 
 /// A linkage as its messages need it.
 #[derive(Clone, Copy)]
-pub struct Names<'a> {
+pub struct Terms<'a> {
     /// The loops.
     pub entry: &'a LinkageEntry,
     /// The drivers as they are shown.
@@ -20,7 +20,7 @@ pub struct Names<'a> {
 }
 
 /// Words an error.
-pub fn tell(names: Names<'_>, error: &ClosureError) -> Told {
+pub fn tell(names: Terms<'_>, error: &ClosureError) -> Told {
     let place = |at: &[f64]| label(names.drivers, at);
     let group = |index: usize| group::both(names.entry, index);
     match error {
@@ -167,7 +167,7 @@ fn dead(entry: &LinkageEntry, index: usize) -> &'static str {
 }
 
 /// What happened on the way: its place, and what it was.
-pub fn event(names: Names<'_>, event: &Event) -> (String, String) {
+pub fn event(names: Terms<'_>, event: &Event) -> (String, String) {
     let group = |index: usize| group::both(names.entry, index);
     match event {
         Event::ChangePoint { group: index, at, .. } => (
@@ -243,7 +243,7 @@ mod tests {
     #[track_caller]
     fn check(error: &ClosureError, expected: &str) {
         let driver = Quantity { name: "phi4", unit: "deg", factor: 1f64.to_radians(), ..TIME };
-        let names = Names { entry: &ENTRY, drivers: &[driver] };
+        let names = Terms { entry: &ENTRY, drivers: &[driver] };
         assert_eq!(tell(names, error).reason, expected);
     }
 

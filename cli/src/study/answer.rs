@@ -2,7 +2,7 @@
 
 use assur::study::{self, Outcome, Spread};
 
-use super::question::{Question, Way};
+use super::question::{Plan, Question};
 use crate::error::Failure;
 use crate::motion::solve;
 use crate::show::progress::Progress;
@@ -70,7 +70,7 @@ pub fn find(question: &Question) -> Result<Answer, Failure> {
             .reason(format!("the first: {reason}"))
             .remedy("run one of them with `assur run` and look at it"));
     }
-    if let Way::Random(..) = question.way {
+    if let Plan::Random(..) = question.way {
         let spread = |measure: &usize| {
             let values: Vec<f64> = (0..count).map(|run| answer.value(run, *measure)).collect();
             study::spread(&values, CONFIDENCE, &LEVELS)

@@ -2,7 +2,7 @@
 //! a measure.
 
 use super::answer::Answer;
-use super::question::{Question, Way};
+use super::question::{Plan, Question};
 use crate::show::csv::{cell, line, quoted, title};
 use crate::show::unit;
 
@@ -10,8 +10,8 @@ use crate::show::unit;
 pub fn render(question: &Question, answer: &Answer) -> String {
     let (constants, measures) = (question.scene.constants, question.scene.measures);
     let varied: Vec<usize> = match &question.way {
-        Way::Grid(ranges) => ranges.iter().map(|range| range.constant).collect(),
-        Way::Random(drawn, ..) => {
+        Plan::Grid(ranges) => ranges.iter().map(|range| range.constant).collect(),
+        Plan::Random(drawn, ..) => {
             (0..drawn.len()).filter(|index| drawn[*index].tolerance > 0.0).collect()
         }
     };

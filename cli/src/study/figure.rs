@@ -1,7 +1,7 @@
 //! The figure of a study: curves over one value, a map over two, or the shares of runs made at random.
 
 use super::answer::Answer;
-use super::question::{Question, Way};
+use super::question::{Plan, Question};
 use super::range::Range;
 use super::table::headed;
 use crate::plot::{self, Layer, Map, Sheet};
@@ -10,11 +10,11 @@ use crate::plot::{self, Layer, Map, Sheet};
 pub fn draw(question: &Question, answer: &Answer) -> String {
     let title = format!("{}, scene {}", question.constants.mechanism.title, question.scene.name);
     let panels = question.measures.iter().map(|index| match &question.way {
-        Way::Grid(ranges) => match ranges.as_slice() {
+        Plan::Grid(ranges) => match ranges.as_slice() {
             [along, up] => Layer::Map(map(question, answer, (along, up), *index)),
             ranges => Layer::Curve(curve(question, answer, &ranges[0], *index)),
         },
-        Way::Random(_, count, _) => Layer::Curve(shares(question, answer, *count, *index)),
+        Plan::Random(_, count, _) => Layer::Curve(shares(question, answer, *count, *index)),
     });
     plot::sheets(&title, &panels.collect::<Vec<_>>())
 }

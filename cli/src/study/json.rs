@@ -7,7 +7,7 @@ use assur::study::Spread;
 use serde::Serialize;
 
 use super::answer::Answer;
-use super::question::{Question, Way};
+use super::question::{Plan, Question};
 use crate::show::json::{self, About, Number, Settings, number};
 use crate::show::unit;
 
@@ -108,8 +108,8 @@ impl Study {
             Some(Missing { run, reason })
         });
         let (over, random) = match &question.way {
-            Way::Grid(ranges) => (Some(ranges), None),
-            Way::Random(constants, samples, seed) => (None, Some((constants, *samples, *seed))),
+            Plan::Grid(ranges) => (Some(ranges), None),
+            Plan::Random(constants, samples, seed) => (None, Some((constants, *samples, *seed))),
         };
         let measures = 0..question.measures.len();
         Self {

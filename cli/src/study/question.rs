@@ -21,7 +21,7 @@ pub struct Question {
     /// The values that all runs have in common.
     pub constants: Constants,
     /// What differs.
-    pub way: Way,
+    pub way: Plan,
     /// The measures, by index.
     pub measures: Vec<usize>,
     /// The method and its accuracy.
@@ -31,7 +31,7 @@ pub struct Question {
 }
 
 /// How the runs differ.
-pub enum Way {
+pub enum Plan {
     /// Over one range, or two.
     Grid(Vec<Range>),
     /// With values made at random: the constants with their tolerances, the number of runs, the seed.
@@ -63,8 +63,8 @@ impl Question {
     /// Number of runs.
     pub fn count(&self) -> usize {
         match &self.way {
-            Way::Grid(ranges) => ranges.iter().map(|range| range.values.len()).product(),
-            Way::Random(_, samples, _) => *samples,
+            Plan::Grid(ranges) => ranges.iter().map(|range| range.values.len()).product(),
+            Plan::Random(_, samples, _) => *samples,
         }
     }
 
@@ -72,7 +72,7 @@ impl Question {
     pub fn values(&self, index: usize) -> Vec<f64> {
         let mut values = self.constants.values.clone();
         match &self.way {
-            Way::Grid(ranges) => {
+            Plan::Grid(ranges) => {
                 let mut rest = index;
                 for range in ranges {
                     values[range.constant] = range.values[rest % range.values.len()];
@@ -80,7 +80,7 @@ impl Question {
                 }
                 values
             }
-            Way::Random(constants, _, seed) => study::drawn(constants, &values, *seed, index),
+            Plan::Random(constants, _, seed) => study::drawn(constants, &values, *seed, index),
         }
     }
 }
@@ -89,7 +89,7 @@ fn grid(
     options: &StudyArguments,
     scene: &SceneEntry,
     constants: &Constants,
-) -> Result<Way, Failure> {
+) -> Result<Plan, Failure> {
     let ranges = options.over.iter().map(|text| range::read(scene, text));
     let ranges: Vec<Range> = ranges.collect::<Result<_, _>>()?;
     if ranges.is_empty() || ranges.len() > 2 {
@@ -119,7 +119,7 @@ fn grid(
         return Err(Failure::request(format!("{count} runs are too many"))
             .remedy(format!("a study has {MOST} at most")));
     }
-    Ok(Way::Grid(ranges))
+    Ok(Plan::Grid(ranges))
 }
 
 fn random(
@@ -127,7 +127,7 @@ fn random(
     scene: &SceneEntry,
     values: &Constants,
     samples: u64,
-) -> Result<Way, Failure> {
+) -> Result<Plan, Failure> {
     let mut constants = scene.constants.to_vec();
     tolerance::give(&mut constants, &options.tolerance, scene, values)?;
     if constants.iter().all(|one| one.tolerance == 0.0) {
@@ -138,7 +138,7 @@ fn random(
         .place(format!("--samples {samples}"))
         .remedy("give one: --tolerance NAME=10%"));
     }
-    Ok(Way::Random(constants, samples as usize, options.seed))
+    Ok(Plan::Random(constants, samples as usize, options.seed))
 }
 
 /// The measures that are asked for, by index.

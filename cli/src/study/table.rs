@@ -6,7 +6,7 @@ use assur::shape::Quantity;
 use assur::study;
 
 use super::answer::{Answer, CONFIDENCE};
-use super::question::{Question, Way};
+use super::question::{Plan, Question};
 use super::range::Range;
 use crate::show::number;
 use crate::show::page::Page;
@@ -19,11 +19,11 @@ const ROWS: usize = 60;
 pub fn render(page: &mut Page, question: &Question, answer: &Answer, figure: Option<&Path>) {
     page.about(&question.constants, &format!("{} runs", question.count()));
     match &question.way {
-        Way::Grid(ranges) => match ranges.as_slice() {
+        Plan::Grid(ranges) => match ranges.as_slice() {
             [along, up] => maps(page, question, answer, (along, up)),
             ranges => curves(page, question, answer, &ranges[0]),
         },
-        Way::Random(..) => spreads(page, question, answer),
+        Plan::Random(..) => spreads(page, question, answer),
     }
     failures(page, question, answer);
     page.figure(figure);
@@ -152,7 +152,7 @@ fn failures(page: &mut Page, question: &Question, answer: &Answer) {
     let share = study::share(failed, count, CONFIDENCE);
     let values = question.values(first);
     let given: Vec<String> = match &question.way {
-        Way::Grid(ranges) => ranges
+        Plan::Grid(ranges) => ranges
             .iter()
             .map(|range| {
                 let quantity = &question.scene.constants[range.constant].quantity;
@@ -160,7 +160,7 @@ fn failures(page: &mut Page, question: &Question, answer: &Answer) {
                 format!("{} = {value} {}", quantity.name, quantity.unit).trim_end().to_owned()
             })
             .collect(),
-        Way::Random(..) => vec![format!("run {first}")],
+        Plan::Random(..) => vec![format!("run {first}")],
     };
     page.line(&format!(
         "{failed} of {count} runs did not come out ({}, with 95 % between {} and {}). The first, {}: {reason}",

@@ -17,7 +17,7 @@ use crate::linkage::case::Case;
 use crate::linkage::place;
 use crate::linkage::wording::contradiction;
 use crate::show::number;
-use names::Names;
+use names::Options;
 pub use wanted::Wanted;
 
 /// A question, and what its numbers are called.
@@ -65,7 +65,7 @@ impl Question {
         let places = options.places as usize;
         let sampling =
             Sampling { samples: options.samples, seed: options.seed, ..Sampling::default() };
-        let names = Names { scene: case.scene, linkage: case.moved.entry };
+        let names = Options { scene: case.scene, linkage: case.moved.entry };
         let (sources, labels) = names.sources(options)?;
         let study = Study {
             output: names.output(options.output.as_deref())?,
@@ -103,7 +103,7 @@ impl Question {
         &self.case.scene.outputs[self.study.output]
     }
 
-    /// Names of the other outputs.
+    /// Options of the other outputs.
     pub fn other_outputs(&self) -> Vec<&'static str> {
         let outputs = self.case.scene.outputs.iter().enumerate();
         let others = outputs.filter(|(index, _)| *index != self.study.output);

@@ -5,7 +5,7 @@ use crate::expression::Symbol;
 use crate::lower::Lowering;
 use crate::modes;
 use crate::motion::Equation;
-use crate::parts::Parts;
+use crate::statements::Parts;
 
 /// The equations that hold in a mode.
 pub fn equations(

@@ -3,8 +3,8 @@
 use super::Here;
 use crate::checked::EquationInfo;
 use crate::lower::Lowering;
-use crate::parts::Parts;
 use crate::resolve::Role;
+use crate::statements::Parts;
 use crate::syntax::tree::{StatementKind, Term, TermKind};
 use crate::unroll::target_name;
 

@@ -10,7 +10,7 @@ use crate::syntax::tree::{Name, Scene, SceneItem, Term};
 use crate::token::Span;
 
 /// A component of the state vector, the term of its start value and its kind.
-type Place = (usize, Term, Kind);
+type Slot = (usize, Term, Kind);
 
 /// Start values of the state vector; the mode in which the motion begins holds some coordinates.
 pub fn start(
@@ -48,9 +48,9 @@ pub fn start(
 }
 
 /// The start values that the scene states.
-fn stated(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>) -> Vec<Place> {
+fn stated(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>) -> Vec<Slot> {
     let coordinates = names.coordinates.len();
-    let mut places: Vec<Place> = Vec::new();
+    let mut places: Vec<Slot> = Vec::new();
     let mut said: Vec<(usize, Span)> = Vec::new();
     let items = scene.into_iter().flat_map(|scene| &scene.items);
     let values = items.filter_map(|item| match item {
@@ -98,7 +98,7 @@ struct Starts<'a> {
 
 impl Starts<'_> {
     /// The start values that stand where coordinates and states are declared.
-    fn declared(&mut self, low: &Lowering<'_>) -> Vec<Place> {
+    fn declared(&mut self, low: &Lowering<'_>) -> Vec<Slot> {
         let coordinates = self.names.coordinates.len();
         let mut places = Vec::new();
         for (index, declared) in self.names.coordinates.iter().enumerate() {
@@ -119,7 +119,7 @@ impl Starts<'_> {
     }
 
     /// Takes up a start value.
-    fn take(&mut self, (slot, term, kind): Place, low: &mut Lowering<'_>) {
+    fn take(&mut self, (slot, term, kind): Slot, low: &mut Lowering<'_>) {
         let Some((value, found)) = low.scalar(&term) else {
             return;
         };

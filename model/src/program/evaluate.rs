@@ -11,7 +11,7 @@ pub struct Values {
 
 /// Where a linkage is evaluated.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Place<'a> {
+pub struct Configuration<'a> {
     /// Positions of the drivers, and their speeds and accelerations where these are given.
     pub drivers: &'a [f64],
     /// Dependent coordinates, then cosines and sines of those that are angles.
@@ -35,11 +35,16 @@ impl Values {
 impl Program {
     /// Evaluates all operations. Shapes: `parameters`, `states`; inputs that are missing are NaN.
     pub fn evaluate(&self, parameters: &[f64], time: f64, state: &[f64]) -> Values {
-        self.evaluate_all(parameters, time, state, &Place::default())
+        self.evaluate_all(parameters, time, state, &Configuration::default())
     }
 
     /// Evaluates all operations of a linkage at a place.
-    pub fn evaluate_linkage(&self, parameters: &[f64], time: f64, linkage: &Place<'_>) -> Values {
+    pub fn evaluate_linkage(
+        &self,
+        parameters: &[f64],
+        time: f64,
+        linkage: &Configuration<'_>,
+    ) -> Values {
         self.evaluate_all(parameters, time, &[], linkage)
     }
 
@@ -48,7 +53,7 @@ impl Program {
         parameters: &[f64],
         time: f64,
         state: &[f64],
-        linkage: &Place<'_>,
+        linkage: &Configuration<'_>,
     ) -> Values {
         let given =
             |list: &[f64], index: u32| list.get(index as usize).copied().unwrap_or(f64::NAN);

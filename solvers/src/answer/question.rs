@@ -2,7 +2,7 @@
 
 use super::error::Error;
 use super::motion::{Motion, Repeats};
-use crate::hybrid::{self, HybridError, Way};
+use crate::hybrid::{self, HybridError, Request};
 use crate::model::{Bound, Model};
 use crate::periodic;
 use crate::problem::{Refused, Scene, Span};
@@ -123,7 +123,7 @@ impl Question {
         start: &[f64],
         settings: &Settings,
     ) -> Result<hybrid::Motion, HybridError> {
-        let way = Way { mode: self.mode, times, start, settings, is_checked: true };
+        let way = Request { mode: self.mode, times, start, settings, is_checked: true };
         way.of(self.model.as_ref())
     }
 }

@@ -1,6 +1,6 @@
 //! What is asked of a scene with its values, whichever it is.
 
-use crate::hybrid::{self, Cycle, CycleError, HybridError, Motion, Way};
+use crate::hybrid::{self, Cycle, CycleError, HybridError, Motion, Request};
 use crate::measure::{self, Missing};
 use crate::model::{Flow, Model};
 use crate::ode::{self, OdeError, Trajectory};
@@ -128,7 +128,7 @@ impl dyn Model + '_ {
         start: &[f64],
         settings: &Settings,
     ) -> Result<Motion, HybridError> {
-        let way = Way { mode, times, start, settings, is_checked: true };
+        let way = Request { mode, times, start, settings, is_checked: true };
         way.of(self)
     }
 

@@ -30,7 +30,7 @@ pub(crate) use linkage::loops::Loops;
 pub use linkage::loops::{Answers, Apart, Square, instant_at};
 pub use linkage::problem::{Closure, Linkage, Range};
 pub use modes::listing::{Listed, Listing};
-pub use modes::{Mode, Modes, Search, modes};
+pub use modes::{AssemblyMode, AssemblyModes, Search, modes};
 pub use position::assembly::{Assembly, Event};
 #[doc(hidden)]
 pub use position::guide::Guide;

@@ -47,7 +47,7 @@ pub(crate) use cycle::{clock_of, cycle_of, variations};
 pub use error::HybridError;
 pub use motion::{Happened, Motion, Piece};
 pub use numbers::Numbers;
-pub(crate) use run::march::Way;
+pub(crate) use run::march::Request;
 pub use run::march::{march, march_in};
 
 /// Roundings of its terms that a guard may have where it counts as zero.

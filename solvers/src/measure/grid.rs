@@ -44,13 +44,13 @@ const fn quartic() -> [[f64; GRID / 2 + 1]; GRID / 2] {
 }
 
 /// Writes the quantities in a mode at a time and state.
-pub type Sample<'a> = dyn Fn(usize, f64, &[f64], &mut [f64]) + 'a;
+pub type Probe<'a> = dyn Fn(usize, f64, &[f64], &mut [f64]) + 'a;
 
 /// Looks at quantities along a run.
 pub(super) struct Sampler<'a> {
     /// The run.
     pub(super) motion: &'a Motion,
-    sample: &'a Sample<'a>,
+    sample: &'a Probe<'a>,
     state: Vec<f64>,
     values: Vec<f64>,
     /// Halvings that are left, and how many more there are for each step.
@@ -60,7 +60,7 @@ pub(super) struct Sampler<'a> {
 }
 
 impl<'a> Sampler<'a> {
-    pub(super) fn new(motion: &'a Motion, count: usize, sample: &'a Sample<'a>) -> Self {
+    pub(super) fn new(motion: &'a Motion, count: usize, sample: &'a Probe<'a>) -> Self {
         let times = motion.pieces.iter().map(|piece| piece.trajectory.times());
         let steps: usize = times.map(<[f64]>::len).sum();
         Self {

@@ -22,7 +22,7 @@ mod window;
 
 pub use crate::shape::{Kind, Moment, NamedEvent, Primitive};
 pub use extreme::{Extreme, Extremes};
-pub use grid::Sample;
+pub use grid::Probe;
 pub use primitive::Missing;
 
 use crate::hybrid::Motion;
@@ -45,7 +45,7 @@ pub fn find(
     motion: &Motion,
     primitives: &[Primitive],
     count: usize,
-    sample: &Sample<'_>,
+    sample: &Probe<'_>,
 ) -> Vec<Result<f64, Missing>> {
     let mut sampler = Sampler::new(motion, count, sample);
     let tallies = primitives.iter().map(primitive::Tally::new);
@@ -77,7 +77,7 @@ pub fn extremes(
     motion: &Motion,
     times: (f64, f64),
     count: usize,
-    sample: &Sample<'_>,
+    sample: &Probe<'_>,
 ) -> Vec<Option<Extremes>> {
     let mut sampler = Sampler::new(motion, count, sample);
     let hunt = |index| [Sense::Smallest, Sense::Largest].map(|sense| Hunt::new(index, sense));
@@ -100,7 +100,7 @@ pub fn extremes(
 pub fn all(
     motion: &Motion,
     shape: &Shape,
-    sample: &Sample<'_>,
+    sample: &Probe<'_>,
     measures: &dyn Fn(&[f64], &mut [f64]),
 ) -> Vec<Result<f64, Missing>> {
     let found = find(motion, shape.primitives, shape.measured, sample);

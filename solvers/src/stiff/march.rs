@@ -1,6 +1,6 @@
 //! A motion by a stiff method.
 
-use super::{Method, Workspace, integrate};
+use super::{Implicit, Workspace, integrate};
 use crate::model::Flow;
 use crate::ode::{OdeError, Options, Recorder, Trajectory};
 
@@ -13,7 +13,7 @@ pub(crate) fn record(
     times: (f64, f64),
     start: &[f64],
     options: &Options,
-    method: Method,
+    method: Implicit,
 ) -> Result<Trajectory, OdeError> {
     let mut workspace = Workspace::new(method, flow);
     let mut recorder = Recorder::new(times.0, start);

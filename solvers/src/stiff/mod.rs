@@ -48,7 +48,7 @@ use stepper::drive;
 
 /// A method for stiff motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
+pub enum Implicit {
     /// Radau IIA of order 5.
     Radau,
     /// The Rosenbrock method Rodas5P of order 5.
@@ -72,12 +72,14 @@ enum Chosen {
 
 impl Workspace {
     /// Room for the states of a system.
-    pub fn new(method: Method, flow: &Flow<'_>) -> Self {
+    pub fn new(method: Implicit, flow: &Flow<'_>) -> Self {
         let states = flow.states();
         let (method, degree) = match method {
-            Method::Radau => (Chosen::Radau(Radau::new(states)), Radau::DEGREE),
-            Method::Rosenbrock => (Chosen::Rosenbrock(Rosenbrock::new(states)), Rosenbrock::DEGREE),
-            Method::Automatic => {
+            Implicit::Radau => (Chosen::Radau(Radau::new(states)), Radau::DEGREE),
+            Implicit::Rosenbrock => {
+                (Chosen::Rosenbrock(Rosenbrock::new(states)), Rosenbrock::DEGREE)
+            }
+            Implicit::Automatic => {
                 (Chosen::Automatic(Box::new(Automatic::new(flow))), Automatic::DEGREE)
             }
         };
@@ -141,12 +143,12 @@ pub fn integrate(
 
 impl settings::Method {
     /// The method among those that solve stiff motions; none if it is explicit.
-    pub fn stiff(self) -> Option<Method> {
+    pub fn stiff(self) -> Option<Implicit> {
         match self {
             Self::Tsit5 | Self::Dop853 | Self::Taylor => None,
-            Self::Radau => Some(Method::Radau),
-            Self::Rosenbrock => Some(Method::Rosenbrock),
-            Self::Auto => Some(Method::Automatic),
+            Self::Radau => Some(Implicit::Radau),
+            Self::Rosenbrock => Some(Implicit::Rosenbrock),
+            Self::Auto => Some(Implicit::Automatic),
         }
     }
 }

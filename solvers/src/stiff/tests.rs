@@ -8,19 +8,19 @@ mod problems;
 mod published;
 mod springs;
 
-use super::Method;
+use super::Implicit;
 use super::march::record;
 use crate::model::hand::Hand;
 use crate::model::{Flow, Model};
 use crate::ode::{AbsoluteTolerance, OdeError, Options, Trajectory};
 
 /// Both stiff methods.
-const STIFF: [Method; 2] = [Method::Radau, Method::Rosenbrock];
+const STIFF: [Implicit; 2] = [Implicit::Radau, Implicit::Rosenbrock];
 
 /// A motion by a method.
 fn march<const N: usize>(
     model: &dyn Model,
-    method: Method,
+    method: Implicit,
     times: (f64, f64),
     start: [f64; N],
     options: &Options,

@@ -12,12 +12,12 @@ use crate::error::Failure;
 use crate::tolerance::arguments::ToleranceArguments;
 
 /// The names of a scene.
-pub(super) struct Names {
+pub(super) struct Options {
     pub scene: &'static SceneEntry,
     pub linkage: &'static LinkageEntry,
 }
 
-impl Names {
+impl Options {
     /// The quantity of a variable, its tolerance and how it is distributed.
     pub fn variable(&self, index: usize) -> (&'static Quantity, f64, Distribution) {
         match self.linkage.variables[index] {

@@ -3,7 +3,7 @@
 use assur::tolerance::{Candidate, Cost, Rule, Study};
 
 use super::Label;
-use super::names::Names;
+use super::names::Options;
 use crate::ask::values::{once, quantity, split};
 use crate::error::Failure;
 use crate::tolerance::arguments::{Kind, ToleranceArguments};
@@ -18,7 +18,7 @@ pub struct Wanted {
     pub candidates: Vec<Candidate>,
 }
 
-impl Names {
+impl Options {
     /// What is to be chosen.
     pub fn wanted(
         &self,

@@ -3,7 +3,7 @@
 //! What the function tends to on one side is told from values at distances that shrink by the same factor each time: their
 //! differences shrink towards a limit, and do not towards a pole, were it that of a logarithm.
 
-use super::extremes::{Sample, Search};
+use super::extremes::{Node, Search};
 use crate::closure::error::ClosureError;
 
 /// Distances from a break, in parts of the range, at which it is looked what the function tends to.
@@ -33,12 +33,12 @@ impl Break {
     }
 }
 
-impl<F: FnMut(f64) -> Result<Sample, ClosureError>> Search<F> {
+impl<F: FnMut(f64) -> Result<Node, ClosureError>> Search<F> {
     /// The break between two places near to each other whose values contradict their rates; none if there is no gap.
     pub(super) fn break_between(
         &mut self,
-        before: Sample,
-        after: Sample,
+        before: Node,
+        after: Node,
     ) -> Result<Option<Break>, ClosureError> {
         let (below, above) = self.narrow(before, after)?;
         let found = Break {
@@ -54,11 +54,7 @@ impl<F: FnMut(f64) -> Result<Sample, ClosureError>> Search<F> {
     }
 
     /// The last place on one side of a break and the first on the other, neighbouring numbers or nearly.
-    fn narrow(
-        &mut self,
-        mut below: Sample,
-        mut above: Sample,
-    ) -> Result<(Sample, Sample), ClosureError> {
+    fn narrow(&mut self, mut below: Node, mut above: Node) -> Result<(Node, Node), ClosureError> {
         loop {
             let middle = 0.5 * (below.at + above.at);
             let is_inside = below.at < middle && middle < above.at;

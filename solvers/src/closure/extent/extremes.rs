@@ -38,13 +38,13 @@ pub struct Limit {
 
 /// A value with its rate.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::closure) struct Sample {
+pub(in crate::closure) struct Node {
     pub at: f64,
     pub value: f64,
     pub rate: f64,
 }
 
-impl Sample {
+impl Node {
     /// Whether there are a value and a rate.
     pub fn is_known(self) -> bool {
         self.value.is_finite() && !self.rate.is_nan()
@@ -74,8 +74,8 @@ pub(super) struct Course {
 /// # Errors
 /// The first one of `look`, which takes further samples.
 pub(super) fn follow(
-    samples: &[Sample],
-    look: impl FnMut(f64) -> Result<Sample, ClosureError>,
+    samples: &[Node],
+    look: impl FnMut(f64) -> Result<Node, ClosureError>,
 ) -> Result<Course, ClosureError> {
     let mut search = Search {
         look,
@@ -113,15 +113,15 @@ pub(super) struct Search<F> {
     /// How many looks may still be taken before the next sample.
     left: usize,
     /// The last sample with a rate above noise.
-    last: Option<Sample>,
+    last: Option<Node>,
     /// Since then the function stands still between these places.
     still: Option<(f64, f64)>,
     course: Course,
 }
 
-impl<F: FnMut(f64) -> Result<Sample, ClosureError>> Search<F> {
+impl<F: FnMut(f64) -> Result<Node, ClosureError>> Search<F> {
     /// Goes from one sample to the next.
-    fn go(&mut self, before: Sample, after: Sample, halvings: usize) -> Result<(), ClosureError> {
+    fn go(&mut self, before: Node, after: Node, halvings: usize) -> Result<(), ClosureError> {
         let is_torn = self.noise.is_torn(before, after);
         if !is_torn && !self.noise.hides(before, after) {
             return self.pass(after);
@@ -142,7 +142,7 @@ impl<F: FnMut(f64) -> Result<Sample, ClosureError>> Search<F> {
     }
 
     /// Passes a sample; writes down an extreme before it.
-    fn pass(&mut self, sample: Sample) -> Result<(), ClosureError> {
+    fn pass(&mut self, sample: Node) -> Result<(), ClosureError> {
         let sign = self.noise.sign(sample.rate);
         if !sample.is_known() {
             (self.last, self.still) = (None, None);
@@ -205,7 +205,7 @@ impl<F: FnMut(f64) -> Result<Sample, ClosureError>> Search<F> {
     }
 
     /// Where the rate is zero, between two places where it has different signs.
-    fn root(&mut self, before: Sample, after: Sample) -> Result<f64, ClosureError> {
+    fn root(&mut self, before: Node, after: Node) -> Result<f64, ClosureError> {
         let mut error = None;
         let at = brent(
             |at| match (self.look)(at) {

@@ -1,6 +1,6 @@
 //! What of the values and rates of a function is rounding, and whether they agree with each other between two samples.
 
-use super::extremes::Sample;
+use super::extremes::Node;
 
 /// Rates this much smaller than usual ones are noise: until such a rate vanishes and comes back, the function changes by
 /// no more than its rounding.
@@ -20,7 +20,7 @@ pub(super) struct Noise {
 }
 
 impl Noise {
-    pub fn of(samples: &[Sample]) -> Self {
+    pub fn of(samples: &[Node]) -> Self {
         // Neither rests nor poles make a value or a rate usual.
         let usual = |sizes: &mut Vec<f64>| {
             sizes.retain(|one| one.is_finite());
@@ -56,7 +56,7 @@ impl Noise {
     }
 
     /// Whether a function turns between two places without a change of sign.
-    pub fn hides(self, before: Sample, after: Sample) -> bool {
+    pub fn hides(self, before: Node, after: Node) -> bool {
         let rise = after.value - before.value;
         let is_known = before.is_known() && after.is_known() && rise.abs() > self.value;
         let slope = rise / (after.at - before.at);
@@ -68,7 +68,7 @@ impl Noise {
     }
 
     /// Whether the rise between two places is not what the rates there lead to, or there is a value at one of them only.
-    pub fn is_torn(self, before: Sample, after: Sample) -> bool {
+    pub fn is_torn(self, before: Node, after: Node) -> bool {
         if !before.is_known() || !after.is_known() {
             return before.is_known() != after.is_known();
         }

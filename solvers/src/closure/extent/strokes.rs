@@ -5,7 +5,7 @@
 //! looked what it tends to on either side.
 
 use super::breaks::{Break, unbounded};
-use super::extremes::{self, Course, Extreme, Limit, Sample};
+use super::extremes::{self, Course, Extreme, Limit, Node};
 use super::limits::{End, Stretch, stretch_of};
 use super::track::{Along, Track};
 use crate::closure::error::ClosureError;
@@ -70,7 +70,7 @@ pub(crate) fn strokes_of(
         // What hangs on rates is zero over zero at a change point, and rounding about it.
         let is_lost = met.iter().any(|look| look.of(channel).value.is_nan());
         let near = |at: f64| points.iter().any(|point| (at - point).abs() < AROUND * (to - from));
-        let seen = |sample: Sample| match is_lost && near(sample.at) {
+        let seen = |sample: Node| match is_lost && near(sample.at) {
             true => sample.unknown(),
             false => sample,
         };
@@ -85,7 +85,7 @@ pub(crate) fn strokes_of(
         });
         let ends = match &stretch {
             Some(found) => at_ends(found, channel, &mut course, look)?,
-            None => samples.first().into_iter().chain(samples.last()).map(Sample::place).collect(),
+            None => samples.first().into_iter().chain(samples.last()).map(Node::place).collect(),
         };
         Ok(over(course, ends, &samples))
     };
@@ -113,7 +113,7 @@ fn at_ends(
     stretch: &Stretch,
     channel: usize,
     course: &mut Course,
-    mut look: impl FnMut(f64) -> Result<Sample, ClosureError>,
+    mut look: impl FnMut(f64) -> Result<Node, ClosureError>,
 ) -> Result<Vec<Extreme>, ClosureError> {
     let width = stretch.high.at - stretch.low.at;
     let mut ends = Vec::new();
@@ -141,7 +141,7 @@ fn at_ends(
 }
 
 /// The stroke over limit positions, breaks and ends, and over samples that lie clearly beyond them.
-fn over(course: Course, ends: Vec<Extreme>, samples: &[Sample]) -> Stroke {
+fn over(course: Course, ends: Vec<Extreme>, samples: &[Node]) -> Stroke {
     let Course { limits, breaks } = course;
     let beside = |one: &Break| [one.before, one.after].map(|value| Extreme { at: one.at, value });
     let known = limits.iter().map(|limit| limit.place);
@@ -160,7 +160,7 @@ fn over(course: Course, ends: Vec<Extreme>, samples: &[Sample]) -> Stroke {
         greatest.value - least.value
     };
     let length = known.iter().fold(0.0, |_, one| reach(*one, 0.0));
-    for &Sample { at, value, .. } in samples {
+    for &Node { at, value, .. } in samples {
         reach(Extreme { at, value }, CLEAR * length);
     }
     Stroke { least, greatest, limits, breaks }
@@ -173,7 +173,7 @@ mod tests {
     #[test]
     fn samples_clearly_beyond_all_else_count() {
         let extreme = |at: f64, value: f64| Extreme { at, value };
-        let sample = |at: f64, value: f64| Sample { at, value, rate: 1.0 };
+        let sample = |at: f64, value: f64| Node { at, value, rate: 1.0 };
         let ends = vec![extreme(0.0, 1.0), extreme(4.0, 2.0)];
         let lowest = Limit { place: extreme(1.0, 0.5), is_highest: false };
         let course = Course { limits: vec![lowest], breaks: Vec::new() };

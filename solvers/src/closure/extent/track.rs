@@ -1,6 +1,6 @@
 //! A linkage moved along its task, by one of its drivers or in time, and looked at anywhere on it.
 
-use super::extremes::Sample;
+use super::extremes::Node;
 use super::rates::Rates;
 use crate::closure::error::ClosureError;
 use crate::closure::linkage::any::AnyLinkage;
@@ -38,9 +38,9 @@ pub(super) struct Look {
 
 impl Look {
     /// One of them.
-    pub fn of(&self, channel: usize) -> Sample {
+    pub fn of(&self, channel: usize) -> Node {
         let Dual { value, slope } = self.values[channel];
-        Sample { at: self.at, value, rate: slope }
+        Node { at: self.at, value, rate: slope }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::closure::extent::limits::stretch_of;
 use crate::closure::extent::strokes::strokes_of;
 use crate::closure::modes::modes_of;
 use crate::closure::{
-    Along, AnyLinkage, ClosureError, Mode, Newton, Search, Stretch, Stroke, instant_at,
+    Along, AnyLinkage, AssemblyMode, ClosureError, Newton, Search, Stretch, Stroke, instant_at,
 };
 
 /// Solutions nearer to each other than this are the same, in radians, metres or whatever a coordinate is in.
@@ -96,7 +96,7 @@ impl dyn AnyLinkage + '_ {
     }
 
     /// A mode with its outputs and what is left of its equations.
-    fn listed(&self, (drivers, motion): (&[f64], &[f64]), mode: Mode) -> Listed {
+    fn listed(&self, (drivers, motion): (&[f64], &[f64]), mode: AssemblyMode) -> Listed {
         let (shape, loops) = (self.shape(), self.prepare(&self.values()));
         let instant = instant_at(&*loops, drivers, self.motion(motion));
         let mut position = vec![0.0; loops.lengths().0];

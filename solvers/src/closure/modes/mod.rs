@@ -37,7 +37,7 @@ impl Default for Search {
 
 /// A way in which a linkage can be assembled.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mode {
+pub struct AssemblyMode {
     /// The dependent coordinates, angles within `±π`.
     pub coordinates: Vec<f64>,
     /// Sines of the transmission angles of the groups. Their signs are the assembly modes.
@@ -46,9 +46,9 @@ pub struct Mode {
 
 /// All the ways in which a linkage can be assembled at one position.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Modes {
+pub struct AssemblyModes {
     /// The modes.
-    pub modes: Vec<Mode>,
+    pub modes: Vec<AssemblyMode>,
     /// Whether there are certainly no others (but for displacements beyond the bound).
     pub complete: bool,
     /// Boxes of unknowns that could not be decided: two modes may meet there, or nearly.
@@ -61,7 +61,11 @@ pub struct Modes {
 ///
 /// # Errors
 /// [`ClosureError::BadRange`] if the position makes no sense.
-pub fn modes<L: Linkage>(linkage: &L, at: &[f64], search: &Search) -> Result<Modes, ClosureError> {
+pub fn modes<L: Linkage>(
+    linkage: &L,
+    at: &[f64],
+    search: &Search,
+) -> Result<AssemblyModes, ClosureError> {
     modes_of(linkage, at, search)
 }
 
@@ -70,16 +74,16 @@ pub(crate) fn modes_of(
     linkage: &dyn AnyLinkage,
     at: &[f64],
     search: &Search,
-) -> Result<Modes, ClosureError> {
+) -> Result<AssemblyModes, ClosureError> {
     let shape = linkage.shape();
     let drivers = shape.drivers.len();
     if at.len() != drivers || at.iter().any(|value| !value.is_finite()) {
         let reason = format!("a position at {at:?}: expected {drivers} finite values");
         return Err(ClosureError::BadRange { reason });
     }
-    let mut list = Modes { complete: true, ..Modes::default() };
+    let mut list = AssemblyModes { complete: true, ..AssemblyModes::default() };
     if shape.loops().groups.is_empty() {
-        list.modes.push(Mode { coordinates: Vec::new(), sines: Vec::new() });
+        list.modes.push(AssemblyMode { coordinates: Vec::new(), sines: Vec::new() });
         return Ok(list);
     }
     let values = linkage.values();
@@ -112,7 +116,7 @@ struct Listing<'a> {
     newton: Newton<f64>,
     /// Sines of the groups that are closed.
     sines: Vec<f64>,
-    list: Modes,
+    list: AssemblyModes,
 }
 
 impl Listing<'_> {
@@ -120,7 +124,7 @@ impl Listing<'_> {
     fn close(&mut self, group: usize, position: &[f64]) {
         let Some(described) = self.entry.groups.get(group) else {
             let coordinates = position[..self.entry.dependents.len()].to_vec();
-            self.list.modes.push(Mode { coordinates, sines: self.sines.clone() });
+            self.list.modes.push(AssemblyMode { coordinates, sines: self.sines.clone() });
             return;
         };
         match described.kind {

@@ -4,7 +4,7 @@
 //! chapters 6 and 7) of all loops `F(z, t) = 0` at once, `t` the place on the way. The derivatives come from dual
 //! numbers, so that they exist where the kinematic coefficients do not.
 
-use super::continuation::{Way, scalars};
+use super::continuation::{Segment, scalars};
 use crate::closure::extent::root::brent;
 use crate::closure::linkage::any::AnyLinkage;
 use crate::closure::linkage::loops::{Answers, Square, instant_at};
@@ -38,7 +38,7 @@ pub(super) struct Point {
 pub(super) struct Curve<'a> {
     loops: Box<dyn Answers<Dual>>,
     entry: &'static LinkageEntry,
-    way: &'a Way,
+    way: &'a Segment,
     /// Units of the dependent coordinates, and of the place on the way.
     units: Vec<f64>,
     square: Square<Dual>,
@@ -47,7 +47,7 @@ pub(super) struct Curve<'a> {
 
 impl<'a> Curve<'a> {
     /// The curve. Units of the dependent coordinates and, last, of the place: what counts as much as a radian.
-    pub fn new(linkage: &dyn AnyLinkage, way: &'a Way, units: Vec<f64>) -> Self {
+    pub fn new(linkage: &dyn AnyLinkage, way: &'a Segment, units: Vec<f64>) -> Self {
         let values: Vec<Dual> = scalars(&linkage.values());
         let loops = linkage.differentiate(&values);
         Self {

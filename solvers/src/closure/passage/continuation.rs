@@ -26,13 +26,13 @@ const NEAR: f64 = 0.05;
 pub(in crate::closure) const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// A straight way of the independent variables, `t` from 0 to 1, and the change points found on it.
-pub(in crate::closure) struct Way {
+pub(in crate::closure) struct Segment {
     from: Vec<f64>,
     to: Vec<f64>,
     pub crossings: Vec<Crossing>,
 }
 
-impl Way {
+impl Segment {
     /// A way without change points.
     pub fn new(from: Vec<f64>, to: Vec<f64>) -> Self {
         Self { from, to, crossings: Vec::new() }
@@ -45,7 +45,7 @@ impl Way {
     }
 }
 
-impl Way {
+impl Segment {
     /// The change point of a group.
     fn crossing_of(&self, group: usize) -> Option<&Crossing> {
         self.crossings.iter().find(|crossing| crossing.group == group)
@@ -96,7 +96,8 @@ impl<S: Scalar> Guide<'_, S> {
     #[cold]
     #[inline(never)]
     pub(in crate::closure) fn follow(&mut self, target: &[S]) -> Result<(), ClosureError> {
-        let mut way = Way::new(self.place(), target.iter().map(|value| value.to_f64()).collect());
+        let mut way =
+            Segment::new(self.place(), target.iter().map(|value| value.to_f64()).collect());
         if let Some(bad) = way.from.iter().chain(&way.to).find(|value| !value.is_finite()) {
             let reason = format!(
                 "an independent variable is {bad}: start the linkage, and move it to finite values"
@@ -107,7 +108,7 @@ impl<S: Scalar> Guide<'_, S> {
         self.walk(&mut way)
     }
 
-    fn walk(&mut self, way: &mut Way) -> Result<(), ClosureError> {
+    fn walk(&mut self, way: &mut Segment) -> Result<(), ClosureError> {
         let mut progress = Progress { done: 0.0, step: 1.0, looked: (0, f64::INFINITY), end: None };
         for _ in 0..ATTEMPTS {
             if let Some((group, at)) = progress.end
@@ -141,7 +142,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// Looks why a group does not close at `to`.
-    fn look_behind(&mut self, way: &mut Way, progress: &mut Progress, group: usize, to: f64) {
+    fn look_behind(&mut self, way: &mut Segment, progress: &mut Progress, group: usize, to: f64) {
         if self.entry.groups[group].kind == GroupKind::General {
             return self.look_ahead(way, progress, group);
         }
@@ -155,7 +156,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// Looks for a meeting of modes ahead of a group that comes near one.
-    fn look_ahead(&mut self, way: &mut Way, progress: &mut Progress, group: usize) {
+    fn look_ahead(&mut self, way: &mut Segment, progress: &mut Progress, group: usize) {
         let sine = self.sine(group).abs();
         let known = progress.end.is_some() || way.crossing_of(group).is_some();
         let looked = progress.looked.0 == group && sine > 0.1 * progress.looked.1;
@@ -175,7 +176,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// Remembers what a look has found.
-    fn heed(&mut self, way: &mut Way, progress: &mut Progress, group: usize, found: Meeting) {
+    fn heed(&mut self, way: &mut Segment, progress: &mut Progress, group: usize, found: Meeting) {
         match found {
             Meeting::Point(crossing) => way.crossings.push(crossing),
             Meeting::Gap(beyond) => {
@@ -187,7 +188,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// Closes all groups at `t` near the last position. Stops at the first group that is not certain.
-    fn attempt(&mut self, way: &Way, t: f64) -> Verdict {
+    fn attempt(&mut self, way: &Segment, t: f64) -> Verdict {
         let independents = scalars::<S>(&way.at(t));
         let instant = self.instant_at(&independents);
         let ratio = self.ratio(&independents).to_f64();
@@ -254,7 +255,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// Closes the groups up to this one at `t`, in a mode of the last one, and gives the sine of that.
-    pub(super) fn probe(&mut self, way: &Way, t: f64, group: usize, mode: f64) -> f64 {
+    pub(super) fn probe(&mut self, way: &Segment, t: f64, group: usize, mode: f64) -> f64 {
         let independents = scalars::<S>(&way.at(t));
         let instant = self.instant_at(&independents);
         self.trial.copy_from_slice(self.position);
@@ -269,7 +270,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// The margin of a group at `t`, NaN if one before it does not close.
-    pub(super) fn margin_at(&mut self, way: &Way, t: f64, group: usize) -> f64 {
+    pub(super) fn margin_at(&mut self, way: &Segment, t: f64, group: usize) -> f64 {
         if group > 0 && self.probe(way, t, group - 1, self.mode(group - 1)).is_nan() {
             return f64::NAN;
         }
@@ -281,20 +282,20 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// Gap that rounding may leave in a group.
-    pub(super) fn allowance(&mut self, way: &Way, t: f64, group: usize) -> f64 {
+    pub(super) fn allowance(&mut self, way: &Segment, t: f64, group: usize) -> f64 {
         let instant = self.instant_at(&scalars::<S>(&way.at(t)));
         self.trial.copy_from_slice(self.position);
         ROUNDING * self.reach(group, &instant)
     }
 
     /// Where a group ceases to assemble between two places.
-    fn end_of_mode(&mut self, way: &Way, group: usize, done: f64, beyond: f64) -> f64 {
+    fn end_of_mode(&mut self, way: &Segment, group: usize, done: f64, beyond: f64) -> f64 {
         let ends = (self.margin_at(way, done, group), self.margin_at(way, beyond, group));
         brent(|t| self.margin_at(way, t, group), (done, ends.0), (beyond, ends.1))
     }
 
     /// Makes what was tried at `t` the position.
-    fn take(&mut self, way: &mut Way, t: f64) {
+    fn take(&mut self, way: &mut Segment, t: f64) {
         let place = way.at(t);
         let independents = scalars::<S>(&place);
         let instant = self.instant_at(&independents);
@@ -303,7 +304,7 @@ impl<S: Scalar> Guide<'_, S> {
         self.accept(&independents, &instant);
     }
 
-    fn dead_point(&mut self, group: usize, way: &Way, at: f64) -> ClosureError {
+    fn dead_point(&mut self, group: usize, way: &Segment, at: f64) -> ClosureError {
         let gap = if self.entry.groups[group].kind == GroupKind::General {
             self.gap_at(way, 1.0, group)
         } else {
@@ -313,7 +314,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// The gap that is left in an iterated group at `t`, as far as the iteration can tell.
-    fn gap_at(&mut self, way: &Way, t: f64, group: usize) -> f64 {
+    fn gap_at(&mut self, way: &Segment, t: f64, group: usize) -> f64 {
         if group > 0 && self.margin_at(way, t, group - 1).is_nan() {
             return f64::NAN;
         }
@@ -328,7 +329,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// The error for a group whose smooth continuation cannot be told.
-    pub(super) fn lost_at(&self, way: &Way, group: usize) -> ClosureError {
+    pub(super) fn lost_at(&self, way: &Segment, group: usize) -> ClosureError {
         ClosureError::ModeLost {
             group,
             at: self.place(),
@@ -338,7 +339,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// The error for a way that could not be divided any further.
-    fn lost(&mut self, way: &Way, done: f64, verdict: Verdict) -> ClosureError {
+    fn lost(&mut self, way: &Segment, done: f64, verdict: Verdict) -> ClosureError {
         let group = match verdict {
             Verdict::Doubtful(group) | Verdict::Open(group) => group,
             Verdict::Certain => 0,

@@ -4,7 +4,7 @@
 //! with a fixed mode, comes back. All is computed from positions at some distance on both sides, where the sines are
 //! large enough to be known well: at the change point itself half of the digits are lost.
 
-use super::continuation::Way;
+use super::continuation::Segment;
 use super::stand::Stand;
 use crate::closure::extent::root::through;
 use crate::closure::position::assembly::Event;
@@ -22,7 +22,7 @@ pub(in crate::closure) struct Crossing {
     pub group: usize,
     /// Where on the way.
     pub at: f64,
-    /// Modes before and after it.
+    /// AssemblyModes before and after it.
     pub modes: (f64, f64),
     /// Within this distance the position is interpolated.
     pub near: f64,
@@ -111,7 +111,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// Reports the change points that are passed, and remembers those that are stood on.
-    pub(super) fn pass_crossings(&mut self, way: &mut Way, t: f64) {
+    pub(super) fn pass_crossings(&mut self, way: &mut Segment, t: f64) {
         self.stands.clear();
         for crossing in std::mem::take(&mut way.crossings) {
             if crossing.is_at(t) {
@@ -124,7 +124,7 @@ impl<S: Scalar> Guide<'_, S> {
         }
     }
 
-    fn report(&mut self, crossing: &Crossing, way: &Way) {
+    fn report(&mut self, crossing: &Crossing, way: &Segment) {
         let iterated = self.entry.groups[crossing.group].kind == GroupKind::General;
         let before = if iterated { crossing.modes.0 } else { self.mode(crossing.group) };
         if before != crossing.modes.1 {

@@ -1,6 +1,6 @@
 //! Looking ahead where the sine of a group goes to zero: whether two modes meet there, miss each other or leave a gap.
 
-use super::continuation::{Way, scalars};
+use super::continuation::{Segment, scalars};
 use super::crossing::{Crossing, FINEST, SINE};
 use crate::closure::extent::root::through;
 use crate::closure::position::guide::Guide;
@@ -23,7 +23,7 @@ impl<S: Scalar> Guide<'_, S> {
     /// Looks ahead from `done`, where the sine of a group goes to zero, at about `guess` if that is known.
     pub(super) fn meet(
         &mut self,
-        way: &Way,
+        way: &Segment,
         done: f64,
         guess: Option<f64>,
         group: usize,
@@ -39,7 +39,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// Where the sine of a group goes to zero, from its change in the last step.
-    pub(super) fn zero_ahead(&self, way: &Way, done: f64, group: usize) -> Option<f64> {
+    pub(super) fn zero_ahead(&self, way: &Segment, done: f64, group: usize) -> Option<f64> {
         let steps = self.ratio(&scalars::<S>(&way.at(1.0))).to_f64() / (1.0 - done);
         let slope = self.groups.changes[group].to_f64() * steps;
         let at = done - self.sine(group) / slope;
@@ -49,7 +49,7 @@ impl<S: Scalar> Guide<'_, S> {
     /// Closes in on a zero of the sine, whose modulus comes back. Gives the place and the rate of the sine.
     fn close_in(
         &mut self,
-        way: &Way,
+        way: &Segment,
         group: usize,
         mode: f64,
         (from, at): (f64, f64),
@@ -80,7 +80,7 @@ impl<S: Scalar> Guide<'_, S> {
     /// Decides whether the sine really is zero at a place, up to rounding, given what it is a little before.
     fn decide(
         &mut self,
-        way: &Way,
+        way: &Segment,
         group: usize,
         mode: f64,
         (left, at, before): (f64, f64, f64),
@@ -101,7 +101,7 @@ impl<S: Scalar> Guide<'_, S> {
     /// Chooses the smooth continuation.
     pub(super) fn choose(
         &mut self,
-        way: &Way,
+        way: &Segment,
         group: usize,
         mode: f64,
         at: f64,

@@ -3,7 +3,7 @@
 //! Which branch that is depends on where the motion goes on, so that it is decided when the place is left: the slopes of
 //! the unknowns, kept from the way that led there, tell the branches apart.
 
-use super::continuation::{Way, scalars};
+use super::continuation::{Segment, scalars};
 use super::crossing::{Crossing, SINE};
 use super::meeting::{CLEAR, Meeting};
 use crate::closure::error::ClosureError;
@@ -27,12 +27,12 @@ pub(in crate::closure) struct Stand {
 
 impl Stand {
     /// A group at a change point of a way.
-    pub fn new(crossing: &Crossing, way: &Way) -> Self {
+    pub fn new(crossing: &Crossing, way: &Segment) -> Self {
         Self { group: crossing.group, heading: way.heading(), slopes: crossing.slopes() }
     }
 
     /// What the slopes let expect of the unknowns on another way.
-    fn slopes_on(&self, way: &Way) -> Vec<f64> {
+    fn slopes_on(&self, way: &Segment) -> Vec<f64> {
         let along: f64 = way.heading().iter().zip(&self.heading).map(|(a, b)| a * b).sum();
         let square: f64 = self.heading.iter().map(|part| part * part).sum();
         self.slopes.iter().map(|slope| slope * along / square).collect()
@@ -41,7 +41,7 @@ impl Stand {
 
 impl<S: Scalar> Guide<'_, S> {
     /// Prepares to leave the change points that are stood on along the smooth branches.
-    pub(super) fn leave_stands(&mut self, way: &mut Way) -> Result<(), ClosureError> {
+    pub(super) fn leave_stands(&mut self, way: &mut Segment) -> Result<(), ClosureError> {
         for stand in std::mem::take(self.stands) {
             let meeting = if self.entry.groups[stand.group].kind == GroupKind::General {
                 self.leave_iterated(way, &stand).map_or(Meeting::None, Meeting::Point)
@@ -57,7 +57,7 @@ impl<S: Scalar> Guide<'_, S> {
         Ok(())
     }
 
-    fn leave(&mut self, way: &Way, stand: &Stand) -> Meeting {
+    fn leave(&mut self, way: &Segment, stand: &Stand) -> Meeting {
         let group = stand.group;
         let rate = self.probe(way, TINY, group, 1.0).abs() / TINY;
         let before = -SINE / rate;
@@ -79,7 +79,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// The change point of a group that is iterated, from solutions where the slopes let expect them.
-    fn leave_iterated(&mut self, way: &Way, stand: &Stand) -> Option<Crossing> {
+    fn leave_iterated(&mut self, way: &Segment, stand: &Stand) -> Option<Crossing> {
         let slopes = stand.slopes_on(way);
         let rate = self.close_along(way, stand.group, &slopes, TINY)?.abs() / TINY;
         let unit = SINE / rate;
@@ -97,7 +97,7 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// Closes a group by iteration from where slopes let expect it, and gives its sine.
-    fn close_along(&mut self, way: &Way, group: usize, slopes: &[f64], t: f64) -> Option<f64> {
+    fn close_along(&mut self, way: &Segment, group: usize, slopes: &[f64], t: f64) -> Option<f64> {
         if group > 0 && self.probe(way, t, group - 1, self.mode(group - 1)).is_nan() {
             return None;
         }

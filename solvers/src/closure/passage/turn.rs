@@ -1,7 +1,7 @@
 //! Dead points of any group: where the curve of positions turns back on its way, and passing through.
 
 use super::arc::{Curve, Point};
-use super::continuation::{Way, scalars};
+use super::continuation::{Segment, scalars};
 use super::crossing::Crossing;
 use crate::closure::error::ClosureError;
 use crate::closure::extent::root::brent;
@@ -27,7 +27,7 @@ struct Turn {
 
 impl<S: Scalar> Guide<'_, S> {
     /// Where the curve of positions from `done` turns back before the end of the way.
-    pub(super) fn turn_ahead(&mut self, way: &Way, done: f64) -> Option<f64> {
+    pub(super) fn turn_ahead(&mut self, way: &Segment, done: f64) -> Option<f64> {
         let mut curve = self.curve(way);
         let begin = curve.begin(&self.coordinates(), done)?;
         let turn = find_turn(&mut curve, begin)?;
@@ -35,7 +35,12 @@ impl<S: Scalar> Guide<'_, S> {
     }
 
     /// The change point ahead of a group that is iterated, if the curve of positions goes smoothly through one.
-    pub(super) fn cross_ahead(&mut self, way: &Way, done: f64, group: usize) -> Option<Crossing> {
+    pub(super) fn cross_ahead(
+        &mut self,
+        way: &Segment,
+        done: f64,
+        group: usize,
+    ) -> Option<Crossing> {
         let at = self.zero_ahead(way, done, group)?;
         let rough = self.cross_near(way, done, group, (at, 0.25 * (at - done)))?;
         let fine = rough.place_and_unit();
@@ -45,7 +50,7 @@ impl<S: Scalar> Guide<'_, S> {
     /// The same from places about where it is expected, a unit apart.
     fn cross_near(
         &mut self,
-        way: &Way,
+        way: &Segment,
         done: f64,
         group: usize,
         (at, unit): (f64, f64),
@@ -78,7 +83,7 @@ impl<S: Scalar> Guide<'_, S> {
         &mut self,
         wanted: &[f64],
     ) -> Option<(Vec<f64>, Vec<f64>)> {
-        let way = Way::new(self.place(), wanted.to_vec());
+        let way = Segment::new(self.place(), wanted.to_vec());
         let mut curve = self.curve(&way);
         let begin = curve.begin(&self.coordinates(), 0.0)?;
         let dead = find_turn(&mut curve, begin)?.dead;
@@ -92,7 +97,7 @@ impl<S: Scalar> Guide<'_, S> {
     /// [`ClosureError::ModeLost`] if there is no dead point on this way, or the curve could not be followed.
     pub fn pass_dead_point(&mut self, wanted: &[f64]) -> Result<(), ClosureError> {
         let here = self.place();
-        let way = Way::new(here.clone(), wanted.to_vec());
+        let way = Segment::new(here.clone(), wanted.to_vec());
         let back = self.go_around(&way);
         let Some((coordinates, dead)) = back else {
             let (group, sine) = self.weakest();
@@ -113,7 +118,7 @@ impl<S: Scalar> Guide<'_, S> {
 
     /// Follows the curve around its turn. Gives the coordinates at the begin of the way on the other side, and where it
     /// turns.
-    fn go_around(&mut self, way: &Way) -> Option<(Vec<f64>, f64)> {
+    fn go_around(&mut self, way: &Segment) -> Option<(Vec<f64>, f64)> {
         let mut curve = self.curve(way);
         let begin = curve.begin(&self.coordinates(), 0.0)?;
         let Turn { after, dead } = find_turn(&mut curve, begin)?;
@@ -142,13 +147,13 @@ impl<S: Scalar> Guide<'_, S> {
         None
     }
 
-    fn curve<'a>(&self, way: &'a Way) -> Curve<'a> {
+    fn curve<'a>(&self, way: &'a Segment) -> Curve<'a> {
         Curve::new(self.linkage, way, self.units(way))
     }
 
     /// What counts as much as a radian: of the dependent coordinates, the size that displacements have; of the way, the
     /// part on which a driver makes 1/2π of its period or goes through its range.
-    fn units(&self, way: &Way) -> Vec<f64> {
+    fn units(&self, way: &Segment) -> Vec<f64> {
         let coordinates = self.coordinates();
         let sizes =
             coordinates.iter().zip(self.entry.angles).map(|(value, is_angle)| match value.abs() {

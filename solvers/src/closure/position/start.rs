@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 use crate::shape::GroupKind;
 use std::f64::consts::{PI, TAU};
 
-/// Modes that lie nearer to each other than this, in radians or lengths of a link, are not told apart.
+/// AssemblyModes that lie nearer to each other than this, in radians or lengths of a link, are not told apart.
 const COINCIDENT: f64 = 1e-6;
 /// A start value as far from one mode as from the other, but for this part of their distance, picks neither.
 const UNDECIDED: f64 = 1e-3;

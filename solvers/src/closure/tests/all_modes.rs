@@ -99,7 +99,7 @@ fn heald_linkage_has_all_modes_of_its_polynomial() {
 
 #[test]
 fn modes_in_closed_form_are_counted() {
-    let count = |list: crate::closure::Modes| (list.modes.len(), list.complete);
+    let count = |list: crate::closure::AssemblyModes| (list.modes.len(), list.complete);
     let search = Search::default();
     assert_eq!(count(modes(&FourBar::default(), &[1.0], &search).expect("a position")), (2, true));
     assert_eq!(

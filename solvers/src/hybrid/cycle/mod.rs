@@ -29,7 +29,7 @@ mod variation;
 pub use error::CycleError;
 pub use lyapunov::{Lyapunov, Periods, lyapunov};
 
-use super::run::march::Way;
+use super::run::march::Request;
 use super::{HybridError, Motion};
 use crate::floquet::Multiplier;
 use crate::model::{Bound, Flow, Model};
@@ -154,7 +154,7 @@ fn follow(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
-    let way = Way { mode, times, start, settings, is_checked: false };
+    let way = Request { mode, times, start, settings, is_checked: false };
     way.of(model)
 }
 

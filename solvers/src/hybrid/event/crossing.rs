@@ -1,6 +1,6 @@
 //! The first zero of a guard within a step.
 
-use super::cubic::{Sample, cubic, hull, is_far, is_resolved, range};
+use super::cubic::{Reading, cubic, hull, is_far, is_resolved, range};
 use super::narrow::Instants;
 use crate::shape::Direction;
 
@@ -26,7 +26,7 @@ const LEAN: f64 = 64.0 / 27.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Crossing {
     /// The guard at the first part of the step at which it has passed.
-    pub at: Sample,
+    pub at: Reading,
     /// The last part before, as far as parts can be told apart.
     pub before: f64,
     /// Whether it rises.
@@ -48,20 +48,20 @@ pub(super) struct Search<'a> {
     /// The times that can be told apart.
     pub instants: Instants,
     /// The guard at a part of the step.
-    pub sample: &'a mut dyn FnMut(f64) -> Sample,
+    pub sample: &'a mut dyn FnMut(f64) -> Reading,
     /// Whether what else an event asks for holds at a part of the step. A crossing at which it does not is passed over.
     pub permits: &'a dyn Fn(f64) -> bool,
 }
 
 impl Search<'_> {
     /// The first crossing in the direction that is looked for between two samples. Leaves the sign there, or at the end.
-    pub fn run(&mut self, from: Sample, to: Sample) -> Option<Crossing> {
+    pub fn run(&mut self, from: Reading, to: Reading) -> Option<Crossing> {
         self.between(from, to, 1.0, 0)
     }
 
     /// The same where nothing is known yet of the guard between samples so far from each other: it is looked at here and
     /// there first. Also gives whether it is the cubic that the samples say.
-    pub fn run_warily(&mut self, from: Sample, to: Sample) -> (Option<Crossing>, bool) {
+    pub fn run_warily(&mut self, from: Reading, to: Reading) -> (Option<Crossing>, bool) {
         let width = to.part - from.part;
         let hull = hull(&from, &to);
         let (low, high) = range(&hull);
@@ -92,7 +92,7 @@ impl Search<'_> {
     pub fn unless_taken_back(
         &mut self,
         crossing: Crossing,
-        to: Sample,
+        to: Reading,
         still: f64,
     ) -> Option<Crossing> {
         let sign = if crossing.rising { 1.0 } else { -1.0 };
@@ -114,7 +114,7 @@ impl Search<'_> {
     }
 
     /// Where it passes zero in a jump from one sample to another.
-    pub fn jump(&mut self, from: Sample, to: Sample) -> Option<Crossing> {
+    pub fn jump(&mut self, from: Reading, to: Reading) -> Option<Crossing> {
         match self.sign_of(to.value) == self.sign {
             true => None,
             false => self.take(from, to),
@@ -122,12 +122,12 @@ impl Search<'_> {
     }
 
     /// Whether both samples have the sign so far.
-    fn has_kept(&self, from: &Sample, to: &Sample) -> bool {
+    fn has_kept(&self, from: &Reading, to: &Reading) -> bool {
         let signs = [from, to].map(|sample| self.sign_of(sample.value));
         self.sign != 0.0 && signs == [self.sign; 2]
     }
 
-    fn between(&mut self, from: Sample, to: Sample, trust: f64, depth: u32) -> Option<Crossing> {
+    fn between(&mut self, from: Reading, to: Reading, trust: f64, depth: u32) -> Option<Crossing> {
         let resolved = is_resolved(&from, &to, trust * self.slope);
         if resolved && self.has_kept(&from, &to) && is_far(&from, &to) {
             return None;
@@ -175,8 +175,8 @@ impl Search<'_> {
 
     /// Whether a guard that deviates so much from a cubic does not pass zero. Beside one that stays away from zero that is
     /// one that begins or ends near it: the cubic less what it has there is `p` times a parabola, which stays away.
-    fn stays(&self, from: &Sample, to: &Sample, hull: &[f64; 4], deviation: f64) -> bool {
-        let kept = |sample: &Sample| self.sign_of(sample.value) == self.sign;
+    fn stays(&self, from: &Reading, to: &Reading, hull: &[f64; 4], deviation: f64) -> bool {
+        let kept = |sample: &Reading| self.sign_of(sample.value) == self.sign;
         if self.sign == 0.0 || !kept(to) {
             return false;
         }
@@ -194,7 +194,7 @@ impl Search<'_> {
     }
 
     /// What a stretch with at most one crossing comes to.
-    fn take(&mut self, from: Sample, to: Sample) -> Option<Crossing> {
+    fn take(&mut self, from: Reading, to: Reading) -> Option<Crossing> {
         let sign = self.sign_of(to.value);
         if sign == 0.0 || sign == self.sign {
             return None;

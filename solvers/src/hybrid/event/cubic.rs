@@ -12,7 +12,7 @@ const THIRD: f64 = 1.0 / 3.0;
 
 /// A guard at a part of the step, from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::hybrid) struct Sample {
+pub(in crate::hybrid) struct Reading {
     pub part: f64,
     pub value: f64,
     /// Derivative by the part.
@@ -20,7 +20,7 @@ pub(in crate::hybrid) struct Sample {
 }
 
 /// The coefficients of the cubic through two samples, between which it lies.
-pub(super) fn hull(from: &Sample, to: &Sample) -> [f64; 4] {
+pub(super) fn hull(from: &Reading, to: &Reading) -> [f64; 4] {
     let width = to.part - from.part;
     [
         from.value,
@@ -33,14 +33,14 @@ pub(super) fn hull(from: &Sample, to: &Sample) -> [f64; 4] {
 /// Whether a guard that changes at most so fast is a cubic between two samples, as far as these say: it is too slow to get
 /// to zero and back, or its values and slopes at both ends have much to do with its speed. Where they have not it may
 /// have swung meanwhile: methods step far over what the state does not feel.
-pub(super) fn is_resolved(from: &Sample, to: &Sample, slope: f64) -> bool {
+pub(super) fn is_resolved(from: &Reading, to: &Reading, slope: f64) -> bool {
     let reach = slope * (to.part - from.part);
     let (low, high) = range(&hull(from, to));
     from.value.abs() + to.value.abs() > SAFETY * reach || reach <= SWING * (high - low)
 }
 
 /// Whether a cubic through two samples stays away from zero by more than it changes.
-pub(super) fn is_far(from: &Sample, to: &Sample) -> bool {
+pub(super) fn is_far(from: &Reading, to: &Reading) -> bool {
     let (low, high) = range(&hull(from, to));
     f64::max(low, -high) > high - low
 }

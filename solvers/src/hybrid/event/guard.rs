@@ -1,6 +1,6 @@
 //! What is remembered of a guard from step to step.
 
-use super::cubic::{Sample, is_far};
+use super::cubic::{Reading, is_far};
 use crate::hybrid::NOISE;
 
 /// A step that is longer by this than any in which a guard has been looked at is looked into.
@@ -47,15 +47,15 @@ impl Guard {
     }
 
     /// Whether the guard stays away from zero between the ends of a step by more than it changes.
-    pub fn is_far(&self, from: &Sample, to: &Sample) -> bool {
-        let keeps = |sample: &Sample| sample.value * self.sign > self.noise();
+    pub fn is_far(&self, from: &Reading, to: &Reading) -> bool {
+        let keeps = |sample: &Reading| sample.value * self.sign > self.noise();
         self.sign != 0.0 && keeps(from) && keeps(to) && is_far(from, to)
     }
 }
 
 /// How far a part of a step goes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Way {
+pub(super) struct Portion {
     /// Length of the whole step, in seconds.
     pub length: f64,
     /// Where the part begins and ends.
@@ -66,7 +66,7 @@ pub(super) struct Way {
     pub is_measured: bool,
 }
 
-impl Way {
+impl Portion {
     /// Whether so large a part of the step is more than is known of a guard.
     #[inline(always)]
     pub fn is_unknown(&self, guard: &Guard, part: f64) -> bool {

@@ -1,6 +1,6 @@
 //! Where a guard whose ends of a stretch have different signs passes zero, to the last bits of the time.
 
-use super::cubic::{Sample, hull, root};
+use super::cubic::{Reading, hull, root};
 
 /// How many times what a zero of a cubic is probably wrong by it is pushed. A quartic that agrees with a cubic at both ends
 /// of a stretch, in values and slopes, differs from it by `c (p - a)² (p - b)²`. Where it was found to be wrong by `e` the
@@ -51,16 +51,16 @@ impl Instants {
     /// rate says that they are.
     pub fn narrow(
         &self,
-        look: &mut dyn FnMut(f64) -> Sample,
-        (mut low, mut high): (Sample, Sample),
+        look: &mut dyn FnMut(f64) -> Reading,
+        (mut low, mut high): (Reading, Reading),
         before: f64,
-    ) -> (f64, Sample) {
+    ) -> (f64, Reading) {
         // Zero on the way belongs to what was before.
-        let has_passed = |sample: &Sample| sample.value * before < 0.0;
+        let has_passed = |sample: &Reading| sample.value * before < 0.0;
         let blur = f64::EPSILON * self.time(1.0).abs() * self.parts;
         let (next, begin) = (NEXT * blur, low.part);
         // Where a kink is zero what bends there may be on its other side already.
-        let last = |low: &Sample, part: f64| match low.value * before > 0.0 {
+        let last = |low: &Reading, part: f64| match low.value * before > 0.0 {
             true => low.part.max(part),
             false => begin.max(part.min(low.part - 2.0 * next)),
         };
@@ -118,7 +118,7 @@ mod tests {
         let mut look = |part: f64| {
             looks += 1;
             let (value, rate) = guard(2.0 + part * length);
-            Sample { part, value, slope: rate * length }
+            Reading { part, value, slope: rate * length }
         };
         let ends = (look(0.0), look(1.0));
         assert!(ends.0.value < 0.0 && ends.1.value > 0.0);
@@ -168,7 +168,7 @@ mod tests {
         for number in 1..1000 {
             let zero = 2.0 + f64::from(number) / 16384.0;
             let instants = Instants::new(2.0, 0.1);
-            let mut look = |part: f64| Sample {
+            let mut look = |part: f64| Reading {
                 part,
                 value: instants.time(part) - zero,
                 slope: instants.length,

@@ -1,8 +1,8 @@
 //! Looks for events in every step.
 
 use super::crossing::Crossing;
-use super::cubic::{Sample, is_resolved, larger};
-use super::guard::{Guard, Way};
+use super::cubic::{Reading, is_resolved, larger};
+use super::guard::{Guard, Portion};
 use super::room::Room;
 use super::rounding::terms;
 use super::within::{at, between};
@@ -142,7 +142,7 @@ impl<'a> Watch<'a> {
     #[inline(never)]
     fn look_between(&mut self, step: &Step<'_>, part: (f64, f64)) {
         let length = step.to - step.from;
-        let mut way = Way {
+        let mut way = Portion {
             length,
             part,
             // Which is first of two that cannot be told apart is said by their order in the file.
@@ -181,7 +181,7 @@ impl<'a> Watch<'a> {
         };
         match first {
             Some(Found { event, crossing }) => {
-                let Sample { part, value, slope } = crossing.at;
+                let Reading { part, value, slope } = crossing.at;
                 let time = step.from + part * length;
                 between(step, part, self.state);
                 self.recorder.cut(time, self.state);
@@ -203,7 +203,7 @@ impl<'a> Watch<'a> {
     fn earliest(
         &mut self,
         step: &Step<'_>,
-        way: &mut Way,
+        way: &mut Portion,
         events: Range<usize>,
         limit: Option<f64>,
     ) -> (Option<Found>, Option<usize>) {

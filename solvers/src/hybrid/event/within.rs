@@ -1,8 +1,8 @@
 //! Guards within a step: where they bend, and where they pass zero.
 
 use super::crossing::{Crossing, Search};
-use super::cubic::Sample;
-use super::guard::Way;
+use super::cubic::Reading;
+use super::guard::Portion;
 use super::narrow::Instants;
 use super::room::{Guards, Room, Seen};
 use super::watch::Watch;
@@ -16,7 +16,7 @@ const BENDS: usize = 4;
 
 impl Watch<'_> {
     /// Notes where a kink lies in a step.
-    pub(super) fn bend(&mut self, step: &Step<'_>, way: &Way, kink: usize) {
+    pub(super) fn bend(&mut self, step: &Step<'_>, way: &Portion, kink: usize) {
         let length = step.to - step.from;
         let mut from = at(&self.room.begin, kink, way.part.0, length);
         let to = at(&self.room.end, kink, way.part.1, length);
@@ -38,9 +38,9 @@ impl Watch<'_> {
     pub(super) fn search(
         &mut self,
         step: &Step<'_>,
-        way: &Way,
+        way: &Portion,
         event: usize,
-        (from, to): (Sample, Sample),
+        (from, to): (Reading, Reading),
         rough: bool,
         until: Option<f64>,
     ) -> Option<Crossing> {
@@ -123,9 +123,9 @@ fn look_at(
     state: &mut [f64],
     (there, seen): (&mut Guards, &mut Seen),
     (guard, part): (usize, f64),
-) -> Sample {
+) -> Reading {
     let length = step.to - step.from;
-    let sample = |value: f64, rate: f64| Sample { part, value, slope: rate * length };
+    let sample = |value: f64, rate: f64| Reading { part, value, slope: rate * length };
     if let Some((value, rate)) = seen.find(part, guard) {
         return sample(value, rate);
     }
@@ -137,8 +137,8 @@ fn look_at(
 
 /// A guard at a part of a step of this length.
 #[inline(always)]
-pub(super) fn at(guards: &Guards, event: usize, part: f64, length: f64) -> Sample {
-    Sample { part, value: guards.values()[event], slope: guards.rates()[event] * length }
+pub(super) fn at(guards: &Guards, event: usize, part: f64, length: f64) -> Reading {
+    Reading { part, value: guards.values()[event], slope: guards.rates()[event] * length }
 }
 
 /// Whether what else an event asks for holds at a part of a step.

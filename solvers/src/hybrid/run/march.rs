@@ -35,12 +35,12 @@ pub fn march_in<C: Scene>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
-    let way = Way { mode, times, start, settings, is_checked: true };
+    let way = Request { mode, times, start, settings, is_checked: true };
     way.of(&Bound::new(scene))
 }
 
 /// What is asked for.
-pub(crate) struct Way<'a> {
+pub(crate) struct Request<'a> {
     pub mode: usize,
     pub times: (f64, f64),
     pub start: &'a [f64],
@@ -49,7 +49,7 @@ pub(crate) struct Way<'a> {
     pub is_checked: bool,
 }
 
-impl Way<'_> {
+impl Request<'_> {
     /// The motion of a model.
     pub fn of(&self, model: &dyn Model) -> Result<Motion, HybridError> {
         let (times, settings, shape) = (self.times, self.settings, model.shape());

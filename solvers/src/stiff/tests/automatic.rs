@@ -1,7 +1,7 @@
 //! The choice between explicit and stiff.
 
 use super::problems::VAN_DER_POL;
-use super::{Hand, Method, march, tolerances};
+use super::{Hand, Implicit, march, tolerances};
 
 const OSCILLATOR: Hand<2> =
     Hand::new(|_, [place, speed]| [speed, -place], |_, _| [[0.0, 1.0], [-1.0, 0.0]]);
@@ -11,7 +11,7 @@ fn an_oscillator_stays_explicit() {
     for rtol in [1e-2, 1e-4, 1e-7, 1e-10, 1e-13] {
         let options = tolerances(rtol, rtol);
         let motion =
-            march(&OSCILLATOR, Method::Automatic, (0.0, 300.0), [1.0, 0.0], &options).unwrap();
+            march(&OSCILLATOR, Implicit::Automatic, (0.0, 300.0), [1.0, 0.0], &options).unwrap();
         assert!(motion.switches.is_empty(), "{rtol:e} {:?}", motion.switches);
         // Its steps look like those beside a stiff part. Trials cost little, and become rare.
         let took = motion.statistics;
@@ -23,7 +23,8 @@ fn an_oscillator_stays_explicit() {
 #[test]
 fn van_der_pol_becomes_stiff_at_once() {
     let options = tolerances(1e-6, 1e-6);
-    let motion = march(&VAN_DER_POL, Method::Automatic, (0.0, 2.0), [2.0, 0.0], &options).unwrap();
+    let motion =
+        march(&VAN_DER_POL, Implicit::Automatic, (0.0, 2.0), [2.0, 0.0], &options).unwrap();
     let took = motion.statistics;
     println!("{took:?} {:?}", motion.switches);
     assert!(motion.switches[0].stiff && motion.switches[0].time < 1e-3);
@@ -48,10 +49,10 @@ const SOFTENING: Hand<2> = Hand::new(
 fn where_stiffness_ends_the_explicit_method_returns() {
     let options = tolerances(1e-8, 1e-8);
     let march = |method| march(&SOFTENING, method, (0.0, 20.0), [1.0, 0.0], &options).unwrap();
-    let (motion, reference) = (march(Method::Automatic), march(Method::Rosenbrock));
+    let (motion, reference) = (march(Implicit::Automatic), march(Implicit::Rosenbrock));
     println!("{:?} {:?}", motion.statistics, motion.switches);
     println!("{:?}", reference.statistics);
-    println!("{:?}", march(Method::Radau).statistics);
+    println!("{:?}", march(Implicit::Radau).statistics);
     let kinds: Vec<bool> = motion.switches.iter().map(|switch| switch.stiff).collect();
     assert_eq!(kinds, [true, false]);
     assert!(motion.switches[1].time > 1.0 && motion.switches[1].time < 4.0);
@@ -75,7 +76,7 @@ const RINGING: Hand<3> = Hand::new(
 fn a_fast_oscillation_that_has_died_is_stiffness() {
     let options = tolerances(1e-6, 1e-6);
     let motion =
-        march(&RINGING, Method::Automatic, (0.0, 10.0), [1.0, 1.0, -1.0], &options).unwrap();
+        march(&RINGING, Implicit::Automatic, (0.0, 10.0), [1.0, 1.0, -1.0], &options).unwrap();
     println!("{:?} {:?}", motion.statistics, motion.switches);
     assert!((motion.end()[1] / (-10.0_f64).exp() - 1.0).abs() < 1e-2);
     assert!(motion.statistics.evaluations < 20_000);

@@ -1,13 +1,13 @@
 //! What is reported where there is no solution.
 
-use super::{Hand, Method, STIFF, march, tolerances};
+use super::{Hand, Implicit, STIFF, march, tolerances};
 use crate::ode::OdeError;
 
 const BLOW_UP: Hand<1> = Hand::new(|_, [y]| [y * y], |_, [y]| [[2.0 * y]]);
 
 #[test]
 fn a_blow_up_is_reported_where_it_happens() {
-    for method in STIFF.into_iter().chain([Method::Automatic]) {
+    for method in STIFF.into_iter().chain([Implicit::Automatic]) {
         match march(&BLOW_UP, method, (0.0, 2.0), [1.0], &tolerances(1e-8, 1e-8)) {
             Err(OdeError::StepTooSmall { time, component: 0, .. }) => {
                 assert!((time - 1.0).abs() < 1e-5, "{method:?} {time}")
@@ -24,7 +24,7 @@ const ROOT: Hand<2> = Hand::new(
 
 #[test]
 fn a_rate_that_does_not_exist_is_reported() {
-    for method in STIFF.into_iter().chain([Method::Automatic]) {
+    for method in STIFF.into_iter().chain([Implicit::Automatic]) {
         let options = tolerances(1e-8, 1e-8);
         match march(&ROOT, method, (0.0, 2.0), [0.0, 0.0], &options) {
             Err(OdeError::NotFinite { time, component: 1 }) => {
@@ -56,7 +56,7 @@ const KINK: Hand<2> =
 #[test]
 fn without_a_jacobian_the_choice_is_the_explicit_method() {
     let options = tolerances(1e-6, 1e-6);
-    let motion = march(&KINK, Method::Automatic, (0.0, 3.0), [1.0, 0.0], &options).unwrap();
+    let motion = march(&KINK, Implicit::Automatic, (0.0, 3.0), [1.0, 0.0], &options).unwrap();
     assert!((motion.end()[0] - 3.0_f64.cos()).abs() < 1e-3);
     assert_eq!(motion.statistics.stiff_steps, 0);
 }
@@ -67,7 +67,7 @@ const FREE: Hand<2> =
 
 #[test]
 fn a_singular_jacobian_does_no_harm() {
-    for method in STIFF.into_iter().chain([Method::Automatic]) {
+    for method in STIFF.into_iter().chain([Implicit::Automatic]) {
         let motion = march(&FREE, method, (0.0, 3.0), [0.0, 0.0], &tolerances(1e-9, 1e-9)).unwrap();
         assert!((motion.end()[0] - 27.0).abs() < 1e-7, "{method:?} {motion:?}");
         let still = motion.at(0.0);
@@ -77,7 +77,7 @@ fn a_singular_jacobian_does_no_harm() {
 
 #[test]
 fn options_that_make_no_sense_are_refused() {
-    for method in STIFF.into_iter().chain([Method::Automatic]) {
+    for method in STIFF.into_iter().chain([Implicit::Automatic]) {
         let name = |times, start: f64, rtol| match march(
             &FREE,
             method,
@@ -123,11 +123,11 @@ const WHEELS: Hand<4> = Hand::new(
 
 #[test]
 fn where_the_state_has_no_room_for_the_tolerance_rounding_is_said_to_limit() {
-    check_rounding(Method::Radau);
-    check_rounding(Method::Rosenbrock);
+    check_rounding(Implicit::Radau);
+    check_rounding(Implicit::Rosenbrock);
 }
 
-fn check_rounding(method: Method) {
+fn check_rounding(method: Implicit) {
     let start = [2.5e5 + 0.01, 2.5e5, 300.0, 300.0];
     let run = |rtol: f64| {
         let options = tolerances(rtol, 1e-3 * rtol);

@@ -1,10 +1,10 @@
 //! Measured orders.
 
 use super::problems::{SMOOTH, smooth};
-use super::{Hand, Method, STIFF, fixed, march};
+use super::{Hand, Implicit, STIFF, fixed, march};
 
 /// Errors at the end, and between the steps, with these fixed steps.
-fn errors(method: Method, step: f64) -> (f64, f64) {
+fn errors(method: Implicit, step: f64) -> (f64, f64) {
     let motion = march(&SMOOTH, method, (0.0, 2.0), [1.0, 0.0, 1.0], &fixed(step)).unwrap();
     let error = |time: f64| {
         let found = motion.at(time);
@@ -16,7 +16,7 @@ fn errors(method: Method, step: f64) -> (f64, f64) {
 }
 
 #[track_caller]
-fn check_order(method: Method, order: f64, dense: f64) {
+fn check_order(method: Implicit, order: f64, dense: f64) {
     let (coarse, fine) = (errors(method, 0.1), errors(method, 0.05));
     let measured = (coarse.0 / fine.0).log2();
     assert!((measured - order).abs() < 0.3, "{measured} {fine:?}");
@@ -27,12 +27,12 @@ fn check_order(method: Method, order: f64, dense: f64) {
 
 #[test]
 fn radau_is_of_order_5_and_its_continuous_solution_of_order_3() {
-    check_order(Method::Radau, 5.0, 4.0);
+    check_order(Implicit::Radau, 5.0, 4.0);
 }
 
 #[test]
 fn rosenbrock_is_of_order_5_and_its_continuous_solution_of_order_4() {
-    check_order(Method::Rosenbrock, 5.0, 5.0);
+    check_order(Implicit::Rosenbrock, 5.0, 5.0);
 }
 
 /// Prothero and Robinson: `y' = λ (y - cos t) - sin t` with `λ = -1e6`, whose solution is `cos t`.
@@ -59,7 +59,7 @@ fn the_order_that_stiffness_leaves() {
 
 #[test]
 fn motions_can_be_followed_backwards() {
-    for method in STIFF.into_iter().chain([Method::Automatic]) {
+    for method in STIFF.into_iter().chain([Implicit::Automatic]) {
         let options = super::tolerances(1e-9, 1e-9);
         let back = march(&SMOOTH, method, (2.0, 0.5), smooth(2.0), &options).unwrap();
         for (found, expected) in back.end().iter().zip(smooth(0.5)) {

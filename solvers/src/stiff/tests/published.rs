@@ -1,7 +1,7 @@
 //! Published solutions: F. Mazzia, C. Magherini, *Test Set for Initial Value Problem Solvers*, release 2.4 (2008).
 
 use super::problems::{HIRES, ROBERTSON, VAN_DER_POL};
-use super::{Hand, Method, STIFF, march, relative_error, tolerances};
+use super::{Hand, Implicit, STIFF, march, relative_error, tolerances};
 
 #[track_caller]
 fn check<const N: usize>(
@@ -12,7 +12,7 @@ fn check<const N: usize>(
     permitted: f64,
     evaluations: usize,
 ) {
-    for method in STIFF.into_iter().chain([Method::Automatic]) {
+    for method in STIFF.into_iter().chain([Implicit::Automatic]) {
         let motion = march(&problem, method, (0.0, end), start, &tolerances(rtol, atol)).unwrap();
         let error = relative_error(motion.end(), &expected);
         println!("{method:?}: {error:e} {:?} {:?}", motion.statistics, motion.switches);

@@ -1,6 +1,6 @@
 //! Masses on springs that are ever stiffer, beside the explicit method.
 
-use super::{Hand, Method, STIFF, march, tolerances};
+use super::{Hand, Implicit, STIFF, march, tolerances};
 use crate::model::{Flow, Model};
 use crate::ode::{self, Explicit, Trajectory};
 
@@ -15,7 +15,7 @@ fn tied(c: f64) -> impl Model {
     Hand::new(rates, move |_, _| [[0.0, 1.0], [-c, -1e-3 * c]])
 }
 
-fn stiffly(c: f64, method: Method) -> Trajectory {
+fn stiffly(c: f64, method: Implicit) -> Trajectory {
     let options = tolerances(1e-6, 1e-6);
     march(&tied(c), method, (0.0, 10.0), [0.0, 1.0], &options).unwrap()
 }
@@ -34,7 +34,7 @@ fn explicitly(c: f64, max_steps: usize) -> Option<usize> {
 fn a_spring_may_be_as_stiff_as_it_likes() {
     for c in [1e3, 1e5, 1e7, 1e9] {
         let naive = explicitly(c, 20_000);
-        for method in STIFF.into_iter().chain([Method::Automatic]) {
+        for method in STIFF.into_iter().chain([Implicit::Automatic]) {
             let motion = stiffly(c, method);
             let took = motion.statistics;
             println!("c = {c:e}: explicit {naive:?}, {method:?} {took:?}");

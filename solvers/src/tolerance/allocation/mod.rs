@@ -3,11 +3,11 @@
 //! A tolerance `t` costs `a + b/t^k`. The band is kept at a few places by a conic programme ([`cone`]); then the greatest
 //! errors along the way are sought, between the places too ([`way`]), and are added until none exceeds the band.
 
+mod band;
 mod cone;
 mod error;
 #[cfg(test)]
 mod tests;
-mod way;
 
 pub use error::AllocationError;
 
@@ -15,7 +15,7 @@ use super::order::influence::influence_at;
 use super::source::{Study, check_variables};
 use crate::closure::{AnyLinkage, Linkage};
 use crate::shape::Distribution;
-use way::{Influence, Peak, Way};
+use band::{Band, Influence, Peak};
 
 /// Relative excess over the band that is taken off the tolerances afterwards.
 const EXCESS: f64 = 1e-7;
@@ -139,7 +139,7 @@ pub(crate) fn allocate_of(
         let weighed = candidates.iter().map(|one| rule.weigh(all[one.variable], one));
         Ok(weighed.collect())
     };
-    let way = Way::new(&mut influence, rule, places.len())?;
+    let way = Band::new(&mut influence, rule, places.len())?;
     choose(way, candidates, band, &|part| between(places, part))
 }
 
@@ -160,7 +160,7 @@ pub fn allocate_along(
         Ok(all.map(|(k, one)| rule.weigh(k, one)).collect())
     };
     let weighed: &mut Influence<'_> = &mut weighed;
-    choose(Way::new(weighed, rule, places)?, candidates, band, &|part| vec![part])
+    choose(Band::new(weighed, rule, places)?, candidates, band, &|part| vec![part])
 }
 
 fn check(candidates: &[Candidate], band: f64) -> Result<(), AllocationError> {
@@ -214,7 +214,7 @@ fn unsolved(
 
 /// Solves programmes until no place along the way leaves the band.
 fn choose(
-    mut way: Way<'_>,
+    mut way: Band<'_>,
     candidates: &[Candidate],
     band: f64,
     at: &dyn Fn(f64) -> Vec<f64>,
@@ -261,7 +261,7 @@ fn greatest(peaks: &[Peak]) -> &Peak {
 
 /// The errors grow with the tolerances: the band can be kept if it is kept with all of them at their lower limits.
 fn reachable(
-    way: &mut Way<'_>,
+    way: &mut Band<'_>,
     candidates: &[Candidate],
     band: f64,
     at: &dyn Fn(f64) -> Vec<f64>,
@@ -296,7 +296,7 @@ fn reachable(
 
 /// Takes the last excess off, and says what binds.
 fn finish(
-    way: &mut Way<'_>,
+    way: &mut Band<'_>,
     candidates: &[Candidate],
     optimum: &cone::Optimum,
     kept: &[Peak],

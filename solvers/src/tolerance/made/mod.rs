@@ -11,7 +11,7 @@ use super::source::Source;
 use crate::closure::{Closure, Linkage};
 use crate::scalar::Scalar;
 use nominal::Nominal;
-use place::Place;
+use place::Station;
 use varied::{Lanes, Varied};
 
 /// Makes linkages, `W` samples at a time; keeps the memory for it.
@@ -22,7 +22,7 @@ pub(super) struct Maker<L: Linkage, S: Scalar, const W: usize> {
     output: usize,
     outputs: Vec<S>,
     independents: Vec<S>,
-    places: Vec<Place<L, S, W>>,
+    places: Vec<Station<L, S, W>>,
 }
 
 impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
@@ -34,7 +34,7 @@ impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
             || L::prepare(&values).zeros(),
         );
         let variables = shape.loops().variables;
-        let place = |one: &Nominal| Place::new(one, &zeros, (variables, sources), output);
+        let place = |one: &Nominal| Station::new(one, &zeros, (variables, sources), output);
         Self {
             constants: Varied::constants(variables, sources, &values),
             values,

@@ -34,7 +34,7 @@ type Position<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Position;
 type Instant<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Instant;
 
 /// The nominal linkage at one place, ready for `W` samples of a type of number.
-pub(super) struct Place<L: Linkage, S: Scalar, const W: usize> {
+pub(super) struct Station<L: Linkage, S: Scalar, const W: usize> {
     independents: Vec<S>,
     motion: Vec<S>,
     /// The positions of the drivers that err.
@@ -54,7 +54,7 @@ pub(super) struct Place<L: Linkage, S: Scalar, const W: usize> {
     pub nominal: S,
 }
 
-impl<L: Linkage, S: Scalar, const W: usize> Place<L, S, W> {
+impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
     /// The nominal linkage with its position; `zeros` is one with nothing in it.
     pub fn new(
         nominal: &Nominal,

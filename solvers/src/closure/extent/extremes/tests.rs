@@ -6,7 +6,7 @@ use super::*;
 fn course(function: impl Fn(f64) -> (f64, f64), parts: u32) -> (Course, usize) {
     let sample = |at: f64| {
         let (value, rate) = function(at);
-        Sample { at, value, rate }
+        Node { at, value, rate }
     };
     let place = |k| -1.0 + 2.0 * f64::from(k) / f64::from(parts);
     let samples: Vec<_> = (0..=parts).map(|k| sample(place(k))).collect();

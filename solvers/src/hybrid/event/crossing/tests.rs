@@ -9,9 +9,9 @@ fn search<T>(
     (direction, sign, armed): (Direction, f64, bool),
     value: impl Fn(f64) -> f64,
     slope: impl Fn(f64) -> f64,
-    find: impl FnOnce(&mut Search<'_>, Sample, Sample) -> T,
+    find: impl FnOnce(&mut Search<'_>, Reading, Reading) -> T,
 ) -> T {
-    let mut sample = |part: f64| Sample { part, value: value(part), slope: slope(part) };
+    let mut sample = |part: f64| Reading { part, value: value(part), slope: slope(part) };
     let (from, to) = (sample(0.0), sample(1.0));
     let mut search = Search {
         direction,

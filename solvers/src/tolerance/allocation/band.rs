@@ -12,7 +12,7 @@ const STEPS: usize = 38;
 pub(super) type Influence<'a> = dyn FnMut(f64) -> Result<Vec<f64>, AllocationError> + 'a;
 
 /// What an error is made of.
-pub(super) struct Way<'a> {
+pub(super) struct Band<'a> {
     pub influence: &'a mut Influence<'a>,
     pub rule: Rule,
     /// Parts of the way that are looked at.
@@ -21,7 +21,7 @@ pub(super) struct Way<'a> {
     known: Vec<Vec<f64>>,
 }
 
-impl<'a> Way<'a> {
+impl<'a> Band<'a> {
     /// Looks along the way at this many places at least.
     pub fn new(
         influence: &'a mut Influence<'a>,
