@@ -56,7 +56,7 @@ impl<'a> Body<'a> {
         Self::with_given(layout, place, &all, named, BTreeMap::new())
     }
 
-    /// The same where some values are already there.
+    /// A body where some values are already there.
     pub fn with_given(
         layout: &'a Layout<'a>,
         place: Scope,

@@ -25,7 +25,7 @@ pub struct Parts {
     pub written: Vec<Equation>,
     /// Conditions on the values.
     pub conditions: Vec<Expression>,
-    /// The same as text, in the same order.
+    /// The conditions as text, in the order of the statements.
     pub requirements: Vec<RequirementInfo>,
     /// All equations as text.
     pub texts: Vec<EquationInfo>,

@@ -19,9 +19,9 @@ pub use interval::{Interval, Perhaps};
 
 /// A number that is an `f64` in memory, so that plain slices can be read as slices of it.
 pub(crate) trait Real: Scalar {
-    /// The same numbers.
+    /// A list of numbers as numbers of this type.
     fn of(numbers: &[f64]) -> &[Self];
-    /// The same, to be written.
+    /// A list of numbers as numbers of this type, to be written.
     fn of_mut(numbers: &mut [f64]) -> &mut [Self];
 }
 

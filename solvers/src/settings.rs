@@ -102,7 +102,7 @@ impl Settings {
         self
     }
 
-    /// The same with another relative tolerance; absolute tolerances that are given change by the same factor.
+    /// These settings with another relative tolerance; absolute tolerances that are given change by the same factor.
     pub fn at(&self, rtol: f64) -> Self {
         let factor = rtol / self.rtol;
         let atol = self.atol.iter().map(|atol| atol.map(|atol| atol * factor));

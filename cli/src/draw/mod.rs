@@ -36,7 +36,7 @@ use geometry::Geometry;
 
 /// Positions that are drawn unless others are asked for.
 const POSITIONS: usize = 5;
-/// The same for a motion that comes back to its beginning.
+/// Positions that are drawn of a motion that comes back to its beginning.
 const AROUND: usize = 6;
 /// Positions along the way, of which paths are made.
 const FINE: usize = 240;

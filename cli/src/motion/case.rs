@@ -58,7 +58,7 @@ impl Case {
         self.moved.model.as_ref()
     }
 
-    /// The same, to be asked.
+    /// The model, to be asked.
     pub fn model(&self) -> Arc<dyn Model> {
         self.moved.model.clone()
     }

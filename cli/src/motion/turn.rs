@@ -23,7 +23,7 @@ impl Turn {
         }
     }
 
-    /// The same behind `every`, where one is not counted.
+    /// So many of them as it stands behind `every`, where one is not counted.
     pub fn every(self, count: f64) -> String {
         let text = self.count(count);
         text.strip_prefix("1 ").map_or(text.clone(), str::to_owned)

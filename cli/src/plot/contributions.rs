@@ -79,7 +79,7 @@ pub fn contributions(chart: &Chart) -> String {
     svg.finish(&chart.title, &description)
 }
 
-/// The same with the smallest of many layers as one, so that each has a fill of its own.
+/// The chart with the smallest of many layers as one, so that each has a fill of its own.
 fn with_rest(chart: &Chart) -> Chart {
     let mut bands = chart.bands.clone();
     if bands.len() > FILLS {

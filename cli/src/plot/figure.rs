@@ -23,7 +23,7 @@ const WIDTH_ALONE: f64 = 620.0;
 const RIGHT: f64 = 24.0;
 /// Most panels in a single column.
 const ALONE: usize = 3;
-/// The same where some have a column of their own otherwise.
+/// Most panels in a single column where some would have a column of their own otherwise.
 const STACKED: usize = 7;
 
 /// What a figure shows.

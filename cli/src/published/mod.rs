@@ -63,7 +63,7 @@ pub trait Known: Sized {
     /// The values.
     fn constants(&self) -> &Constants;
 
-    /// The same found with other values.
+    /// What is found with other values.
     ///
     /// # Errors
     /// When the mechanism refuses them, or nothing is found.

@@ -88,7 +88,7 @@ impl Destination {
         Ok(Self { path })
     }
 
-    /// The same for a figure, whose name must not promise another format.
+    /// Looks whether a figure can be written there; its name must not promise another format.
     ///
     /// # Errors
     /// As [`Destination::check`]; or when the name ends as that of another format.

@@ -21,7 +21,7 @@ const COMPARED: u64 = 10_000;
 pub struct Answer {
     /// To first order, over the range.
     pub range: Vec<Linear>,
-    /// The same over the range of the first driver alone, where the range is a grid.
+    /// To first order over the range of the first driver alone, where the range is a grid.
     pub along: Option<Vec<Linear>>,
     /// The sources by what they contribute over the range.
     pub ranking: Vec<Rank>,

@@ -9,7 +9,7 @@ pub fn expand(graph: &mut Graph, roots: &[Expression]) -> Vec<Expression> {
     expand_where(graph, roots, &|symbol| matches!(symbol, Symbol::Dependent(_)))
 }
 
-/// The same for any kind of symbol.
+/// Writes out the symbols of any kind that a test admits.
 pub fn expand_where(
     graph: &mut Graph,
     roots: &[Expression],

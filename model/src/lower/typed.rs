@@ -52,7 +52,7 @@ impl Quantity {
         Self::of(&values, kind)
     }
 
-    /// The same, perhaps as a rate.
+    /// The value, marked as a rate or as none.
     pub fn rated(self, rate: bool) -> Typed {
         Typed::Quantity(Self { rate, ..self })
     }
@@ -95,7 +95,7 @@ impl From<Quantity> for Typed {
 pub(super) type Key = (u8, Option<[(i8, i8); 7]>, Vec<Expression>);
 
 impl Typed {
-    /// The same for equal meanings, and for no others. A value alone would not do: `2` and `2 m` have the same one.
+    /// A key that equal meanings share, and no others. A value alone would not do: `2` and `2 m` have the same one.
     pub(super) fn key(&self) -> Key {
         let dimension = |kind: &Kind| match kind {
             Kind::Any => None,

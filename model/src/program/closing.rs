@@ -36,7 +36,7 @@ pub struct ClosedForm<T> {
 }
 
 impl<T> Closing<T> {
-    /// The same with everything in it replaced, always in the same order.
+    /// The closed form with everything in it replaced, always in the same order.
     pub fn map<U>(&self, mut new: impl FnMut(&T) -> U) -> Closing<U> {
         let groups = self.groups.iter().map(|group| {
             group.as_ref().map(|closed| ClosedForm {

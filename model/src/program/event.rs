@@ -34,7 +34,7 @@ impl<T: Copy> Event<T> {
         list
     }
 
-    /// The same of other values.
+    /// The event with other values in the places of these.
     pub fn map<U>(&self, mut value: impl FnMut(T) -> U) -> Event<U> {
         let (guard, rate) = (value(self.guard), value(self.rate));
         let condition = self.condition.map(&mut value);

@@ -40,7 +40,7 @@ pub struct Results<T = Value> {
 }
 
 impl<T: Copy> Results<T> {
-    /// The same of other values, always in the same order.
+    /// The results with other values in the places of these, made always in the same order.
     pub fn map<U>(&self, mut new: impl FnMut(T) -> U) -> Results<U> {
         let derivative = self.derivative.iter().map(|one| new(*one)).collect();
         let slopes = self.jacobian.iter();
@@ -72,7 +72,7 @@ impl<T: Copy> Results<T> {
         list
     }
 
-    /// The same of the values of such a list.
+    /// The results with the values of a list as [`Self::all`] gives it.
     pub(super) fn with<U: Default>(&self, values: Vec<U>) -> Results<U> {
         let mut values = values.into_iter();
         self.map(|_| values.next().unwrap_or_default())

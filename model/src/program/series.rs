@@ -27,7 +27,7 @@ pub enum Step {
     Pair(Pair, bool),
     /// The next term of an operation.
     Term(Value),
-    /// The same of one that a single product with something steady reads: it may be left out where that is zero.
+    /// Of a factor that a single product with something steady reads: it may be left out where that is zero.
     Factor(Value),
 }
 

@@ -163,7 +163,7 @@ impl StatementKind {
         }
     }
 
-    /// The same, to be changed.
+    /// The blocks, to be changed.
     pub fn blocks_mut(&mut self) -> Vec<&mut Vec<Statement>> {
         match self {
             Self::Effect { body, otherwise, .. } | Self::If { then: body, otherwise, .. } => {

@@ -47,7 +47,7 @@ pub fn parse_unit_text(text: &str) -> Result<Unit, UnitError> {
     read_text(text, true)
 }
 
-/// The same; a product of angles, which has no unit either, is refused where it is not `wanted`.
+/// Reads a unit; a product of angles, which has no unit either, is refused where it is not `wanted`.
 fn read_text(text: &str, wanted: bool) -> Result<Unit, UnitError> {
     let error = |reason: String| UnitError { reason, hint: None };
     let lexed = lexer::lex_plain(text).map_err(|_| error(format!("`{text}` is not a unit")))?;

@@ -11,7 +11,7 @@ use assur_solvers::shape::LinkageEntry;
 const RESIDUAL: f64 = 1e-14;
 /// Largest deviation of a derivative, as a share of the largest by the same variable.
 const DEVIATION: f64 = 1e-10;
-/// The same of a second derivative.
+/// Largest deviation of a second derivative.
 const SECOND: f64 = 1e-8;
 /// What rounding leaves of a second derivative that is zero, as a part of the first one over the variable.
 const ROUNDING: f64 = 1e-12;

@@ -16,7 +16,7 @@ pub struct End {
     pub time: f64,
     /// The error of this time.
     pub blur: f64,
-    /// The same if all times count at which the value cannot be told from the extreme.
+    /// The error of the time if all times count at which the value cannot be told from the extreme.
     pub reach: f64,
 }
 

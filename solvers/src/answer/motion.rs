@@ -217,7 +217,7 @@ impl Motion {
         None
     }
 
-    /// The same at a time of the task, of which the end is not the begin.
+    /// The position at a time of the task, of which the end is not the begin.
     pub fn at_exactly(&self, time: f64) -> Position {
         let (mode, state) = self.place(time);
         let model = self.model();
@@ -308,7 +308,7 @@ impl Motion {
         times.copied().collect()
     }
 
-    /// The same task solved again with other tolerances, which says how accurate this motion is.
+    /// How accurate this motion is, by solving the same task again with other tolerances.
     ///
     /// # Errors
     /// When neither of the other tolerances comes out.

@@ -65,7 +65,7 @@ impl Sweep {
         Ok(self.values(subject))
     }
 
-    /// The same of a subject; nothing of what has no value in a position.
+    /// The values of a subject over the positions; nothing of what has no value in a position.
     pub fn values(&self, subject: Subject) -> Vec<(f64, f64)> {
         let value = |index: usize| match subject {
             Subject::Output(place) => self.positions.outputs(index).get(place).copied(),

@@ -117,7 +117,7 @@ impl dyn Model + '_ {
         self.follow_in(self.shape().first, times, start, settings)
     }
 
-    /// The same from a start in another mode than the first.
+    /// The motion through all its events, from a start in another mode than the first.
     ///
     /// # Errors
     /// See [`HybridError`].

@@ -120,7 +120,7 @@ unsafe fn attempt<C: Scene, T: Coefficients>(
     step::attempt::<Fused, T, _, true>(&Alone { equations, phase }, room);
 }
 
-/// The same of a motion with its variations.
+/// A step of a motion with its variations, all its stages.
 #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma"))]
 #[inline(never)]
 unsafe fn attempt_beside<C: Scene, T: Coefficients>(

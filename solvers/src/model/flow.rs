@@ -31,7 +31,7 @@ impl<'a> Flow<'a> {
         }
     }
 
-    /// The same on these sides.
+    /// The flow of a mode on these sides of its switching surfaces.
     pub(crate) fn on(model: &'a dyn Model, mode: usize, sides: &[f64]) -> Self {
         Self { sides: sides.to_vec(), ..Self::new(model, mode) }
     }

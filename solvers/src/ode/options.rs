@@ -7,7 +7,7 @@ use crate::settings::{Method, Settings};
 /// Error of a state that is permitted whatever the size of the state.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AbsoluteTolerance {
-    /// The same for all states.
+    /// One tolerance for all states.
     Same(f64),
     /// One for each state.
     Each(Vec<f64>),

@@ -49,12 +49,12 @@ impl Trajectory {
         state
     }
 
-    /// The same, written into `state`.
+    /// Writes the state at a time into `state`.
     pub fn at_into(&self, time: f64, state: &mut [f64]) {
         self.at_beside(&mut 0, time, state);
     }
 
-    /// The same, looked for at a step first, which is left where the time has been found.
+    /// Writes the state at a time, looked for at a step first, which is left where the time has been found.
     pub(crate) fn at_beside(&self, near: &mut usize, time: f64, state: &mut [f64]) {
         let Some((step, part)) = self.locate_beside(*near, time) else {
             state.copy_from_slice(self.end());
@@ -217,7 +217,8 @@ impl Recorder {
         self.trajectory
     }
 
-    /// The same; what records the next motion is left. A short motion is copied into room of its own size, so that many of
+    /// The trajectory that is recorded; what records the next motion is left. A short motion is copied into room of its
+    /// own size, so that many of
     /// them take no more memory than they need.
     pub(crate) fn take(&mut self, statistics: Statistics) -> Trajectory {
         let mut trajectory = match self.trajectory.coefficients.len() <= SHORT {

@@ -93,7 +93,7 @@ pub fn solve<C: Smooth>(
     of(&Bound::new(scene), &scene.start(), period, settings)
 }
 
-/// The same of any model that has no events.
+/// [`solve`] of a model behind a pointer that has no events.
 pub(crate) fn of(
     model: &dyn Model,
     start: &[f64],

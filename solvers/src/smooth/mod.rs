@@ -26,7 +26,7 @@ pub fn march<C: Smooth>(
     follow(&Bound::new(scene), times, start, settings)
 }
 
-/// The same of any model that has no events: those that it has are not seen.
+/// [`march`] of a model behind a pointer; events that it has are not seen.
 pub(crate) fn follow(
     model: &dyn Model,
     times: (f64, f64),

@@ -51,7 +51,7 @@ pub fn stretch<L: Linkage>(
     stretch_of(linkage, variable, bounds)
 }
 
-/// The same of any linkage.
+/// [`stretch()`] of a linkage behind a pointer.
 pub(crate) fn stretch_of(
     linkage: &dyn AnyLinkage,
     variable: usize,

@@ -50,7 +50,7 @@ pub fn strokes<L: Linkage>(linkage: &L, along: Along) -> Result<Vec<Stroke>, Clo
     strokes_of(linkage, along)
 }
 
-/// The same of any linkage.
+/// [`strokes()`] of a linkage behind a pointer.
 pub(crate) fn strokes_of(
     linkage: &dyn AnyLinkage,
     along: Along,

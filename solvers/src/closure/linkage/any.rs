@@ -45,11 +45,11 @@ pub trait AnyLinkage: Send + Sync {
     #[doc(hidden)]
     fn prepare(&self, values: &[f64]) -> Box<dyn Loops<f64>>;
 
-    /// The same with derivatives.
+    /// The loops with these values over numbers that carry derivatives.
     #[doc(hidden)]
     fn differentiate(&self, values: &[Dual]) -> Box<dyn Answers<Dual>>;
 
-    /// The same over intervals.
+    /// The loops with these values over intervals.
     #[doc(hidden)]
     fn enclose(&self, values: &[Interval]) -> Box<dyn Trials<Interval>>;
 

@@ -31,7 +31,7 @@ pub trait Closure<S: Scalar>: Send + Sync + 'static {
     /// Values that depend on the independent variables alone.
     fn instant(&self, independents: &[S]) -> Self::Instant;
 
-    /// The same with how the drivers move, which outputs may need; without it they are NaN. Length:
+    /// What depends on the drivers alone, with how they move, which outputs may need; without it they are NaN. Length:
     /// [`LinkageEntry::motion`](crate::shape::LinkageEntry::motion).
     #[inline(always)]
     fn moving(&self, independents: &[S], _motion: &[S]) -> Self::Instant {
@@ -141,7 +141,7 @@ pub trait Linkage: Clone + Send + Sync + 'static {
     /// All constants, SI units, in their order.
     fn values(&self) -> Vec<f64>;
 
-    /// The same linkage with other constants.
+    /// The linkage with other constants.
     fn with_values(values: &[f64]) -> Self;
 
     /// Computes what depends on the constants alone, from constants of any scalar type.

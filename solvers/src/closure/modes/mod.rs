@@ -69,7 +69,7 @@ pub fn modes<L: Linkage>(
     modes_of(linkage, at, search)
 }
 
-/// The same of any linkage.
+/// [`modes()`] of a linkage behind a pointer.
 pub(crate) fn modes_of(
     linkage: &dyn AnyLinkage,
     at: &[f64],

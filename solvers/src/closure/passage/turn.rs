@@ -47,7 +47,7 @@ impl<S: Scalar> Guide<'_, S> {
         self.cross_near(way, done, group, fine)
     }
 
-    /// The same from places about where it is expected, a unit apart.
+    /// The change point, looked for from places about where it is expected, a unit apart.
     fn cross_near(
         &mut self,
         way: &Segment,

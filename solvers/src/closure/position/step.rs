@@ -123,7 +123,7 @@ pub(super) fn ratio<S: Scalar>(independents: &[S], known: &[S], heading: &[S]) -
     ratio_of_many(independents, known, heading)
 }
 
-/// The same for several independent variables.
+/// The ratio for several independent variables.
 fn ratio_of_many<S: Scalar>(independents: &[S], known: &[S], heading: &[S]) -> S {
     let (mut square, mut along, mut size) = (0.0, 0.0, 0.0);
     for (k, to) in independents.iter().enumerate() {

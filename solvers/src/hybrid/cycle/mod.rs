@@ -92,7 +92,7 @@ pub fn cycle<C: Scene>(scene: &C, period: f64, settings: &Settings) -> Result<Cy
     cycle_from(scene, (C::shape().first, &scene.start()), period, settings)
 }
 
-/// The same from another mode and state at time 0.
+/// The motion that repeats, sought from another mode and state at time 0.
 ///
 /// # Errors
 /// As [`cycle`].
@@ -105,7 +105,7 @@ pub fn cycle_from<C: Scene>(
     cycle_of(&Bound::new(scene), start, period, settings)
 }
 
-/// The same of any model.
+/// [`cycle_from`] of a model behind a pointer.
 pub(crate) fn cycle_of(
     model: &dyn Model,
     start: (usize, &[f64]),
@@ -128,7 +128,7 @@ pub fn clock<C: Scene>(scene: &C, settings: &Settings) -> Result<Cycle, CycleErr
     clock_of(&Bound::new(scene), start, settings)
 }
 
-/// The same of any model.
+/// [`clock`] of a model behind a pointer.
 pub(crate) fn clock_of(
     model: &dyn Model,
     start: (usize, &[f64]),

@@ -166,7 +166,7 @@ impl Walk<'_> {
         self.close_from(multiple, self.mode, &self.state)
     }
 
-    /// The same near any state.
+    /// Closes a cycle of so many periods near any state.
     fn close_from(
         &self,
         multiple: usize,

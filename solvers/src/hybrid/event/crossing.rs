@@ -59,7 +59,8 @@ impl Search<'_> {
         self.between(from, to, 1.0, 0)
     }
 
-    /// The same where nothing is known yet of the guard between samples so far from each other: it is looked at here and
+    /// Looks for a zero where nothing is known yet of the guard between samples so far from each other: it is looked at
+    /// here and
     /// there first. Also gives whether it is the cubic that the samples say.
     pub fn run_warily(&mut self, from: Reading, to: Reading) -> (Option<Crossing>, bool) {
         let width = to.part - from.part;

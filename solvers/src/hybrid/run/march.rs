@@ -24,7 +24,7 @@ pub fn march<C: Scene>(
     march_in(scene, C::shape().first, times, start, settings)
 }
 
-/// The same from a start in any mode.
+/// The motion from event to event, from a start in any mode.
 ///
 /// # Errors
 /// [`HybridError`], with the motion so far.

@@ -117,7 +117,7 @@ pub fn allocate<L: Linkage>(
     allocate_of(linkage, study, candidates, rule, band)
 }
 
-/// The same of any linkage.
+/// [`allocate`] of a linkage behind a pointer.
 pub(crate) fn allocate_of(
     linkage: &dyn AnyLinkage,
     study: &Study,
@@ -143,7 +143,8 @@ pub(crate) fn allocate_of(
     choose(way, candidates, band, &|part| between(places, part))
 }
 
-/// The same where the influence of each candidate's variable along the way, from 0 to 1, is given by a function.
+/// Tolerances of least cost where the influence of each candidate's variable along the way, from 0 to 1, is given by a
+/// function.
 ///
 /// # Errors
 /// As [`allocate`].

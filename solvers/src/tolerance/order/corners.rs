@@ -79,7 +79,7 @@ pub fn corners<L: Linkage>(linkage: &L, study: &Study) -> Result<Vec<Extremes>, 
     corners_of(linkage, study)
 }
 
-/// The same of any linkage.
+/// [`corners`] of a linkage behind a pointer.
 pub(crate) fn corners_of(
     linkage: &dyn AnyLinkage,
     study: &Study,

@@ -57,7 +57,7 @@ pub fn differences<L: Linkage>(
     differences_of(linkage, study, samples, seed)
 }
 
-/// The same of any linkage.
+/// [`differences`] of a linkage behind a pointer.
 pub(crate) fn differences_of(
     linkage: &dyn AnyLinkage,
     study: &Study,

@@ -44,7 +44,7 @@ pub fn influences<L: Linkage>(
     influences_of(linkage, output, places)
 }
 
-/// The same of any linkage.
+/// [`influences`] of a linkage behind a pointer.
 pub(crate) fn influences_of(
     linkage: &dyn AnyLinkage,
     output: usize,

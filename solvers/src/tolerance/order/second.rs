@@ -97,7 +97,7 @@ pub fn quadratics<L: Linkage>(
     quadratics_of(linkage, study)
 }
 
-/// The same of any linkage.
+/// [`quadratics`] of a linkage behind a pointer.
 pub(crate) fn quadratics_of(
     linkage: &dyn AnyLinkage,
     study: &Study,
@@ -158,7 +158,7 @@ fn emitted(guide: &Guide<'_, f64>, stand: &Stand<'_>, output: usize) -> Vec<f64>
     (0..n * n).map(|k| entry(k / n, k % n)).collect()
 }
 
-/// The same by dual numbers, from the first derivatives.
+/// Second derivatives by dual numbers, from the first derivatives.
 fn varied(
     linkage: &dyn AnyLinkage,
     stand: &Stand<'_>,

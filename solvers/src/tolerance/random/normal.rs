@@ -75,7 +75,7 @@ pub fn quantile(p: f64) -> f64 {
     tail(if q < 0.0 { p } else { 1.0 - p }, q)
 }
 
-/// The same beyond the middle; `p` is the share of the tail.
+/// The quantile beyond the middle; `p` is the share of the tail.
 #[inline(never)]
 fn tail(p: f64, q: f64) -> f64 {
     let r = (-p.ln()).sqrt();

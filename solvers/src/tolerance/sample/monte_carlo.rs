@@ -79,7 +79,7 @@ pub fn monte_carlo<L: Linkage>(
     monte_carlo_of(linkage, study, sampling, progress)
 }
 
-/// The same of any linkage.
+/// [`monte_carlo`] of a linkage behind a pointer.
 pub(crate) fn monte_carlo_of(
     linkage: &dyn AnyLinkage,
     study: &Study,
