@@ -9,7 +9,7 @@ pub fn expand(graph: &mut Graph, roots: &[Expression]) -> Vec<Expression> {
     expand_where(graph, roots, &|symbol| matches!(symbol, Symbol::Dependent(_)))
 }
 
-/// Writes out the symbols of any kind that a test admits.
+/// The expressions with `sin(a ± b)` written out wherever `a` is a symbol that is `wanted`.
 pub fn expand_where(
     graph: &mut Graph,
     roots: &[Expression],
