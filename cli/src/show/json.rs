@@ -188,7 +188,7 @@ impl About {
 impl Settings {
     /// Settings for a scene.
     pub fn of(settings: &Given, scene: &SceneEntry) -> Self {
-        let atol = given_atol(settings, scene).into_iter();
+        let atol = given_atol(settings, scene);
         let atol = atol.map(|(state, value)| Amount::of(state, value));
         Self { method: settings.method.name(), rtol: settings.rtol, atol: atol.collect() }
     }

@@ -6,4 +6,4 @@ mod hard;
 pub(crate) mod linkages;
 mod nearest;
 mod published;
-mod speed;
+mod revolution;

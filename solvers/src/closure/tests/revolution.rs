@@ -1,25 +1,24 @@
-//! What keeping the modes costs, against the same closed form without a look at them.
+//! A revolution whose modes are kept, against the same closed form without a look at them.
 
 use super::linkages::SixBar;
 use crate::closure::{Assembly, AtDeadPoint, Axis, Closure, Linkage, sweep};
 use crate::dispatch::{Task, dispatch};
 use crate::scalar::Scalar;
 use std::f64::consts::TAU;
-use std::hint::black_box;
 
-/// Revolutions as one would write them by hand: the same closed form, modes fixed, nothing looked at.
-struct ByHand(usize);
+/// A revolution as one would write it by hand: the same closed form, modes fixed, nothing looked at.
+struct ByHand;
 
 impl Task for ByHand {
     type Output = f64;
     #[inline(always)]
     fn run<S: Scalar>(self) -> f64 {
-        let values = black_box(SixBar::default()).values().into_iter();
+        let values = SixBar::default().values().into_iter();
         let loops = SixBar::prepare::<S>(&values.map(S::from_f64).collect::<Vec<S>>());
-        let modes = black_box([-1.0, 1.0]).map(S::from_f64);
+        let modes = [-1.0, 1.0].map(S::from_f64);
         let mut sum = S::ZERO;
         let mut z = loops.zeros();
-        for k in 0..360 * self.0 {
+        for k in 0..360 {
             let at = S::from_f64(TAU * k as f64 / 360.0);
             let instant = loops.instant(&[at]);
             loops.close_all(&instant, &modes, &mut z, &mut [S::ZERO; 2]);
@@ -29,17 +28,17 @@ impl Task for ByHand {
     }
 }
 
-/// The same with modes that are kept.
-struct Kept(usize);
+/// A revolution whose modes are kept.
+struct Kept;
 
 impl Task for Kept {
     type Output = f64;
     #[inline(always)]
     fn run<S: Scalar>(self) -> f64 {
-        let mut assembly = Assembly::<SixBar, S>::new(&black_box(SixBar::default()));
+        let mut assembly = Assembly::<SixBar, S>::new(&SixBar::default());
         assembly.start().expect("the linkage assembles");
         let mut sum = S::ZERO;
-        for k in 0..360 * self.0 {
+        for k in 0..360 {
             let at = S::from_f64(TAU * k as f64 / 360.0);
             assembly.move_to(&[at]).expect("the crank turns");
             let z = assembly.position();
@@ -59,22 +58,5 @@ fn sweeps_over_a_revolution() {
         let (first, last) = (positions.coordinates(0)[j], positions.coordinates(360)[j]);
         assert!((first - last).abs() < 1e-12);
     }
-    assert!((dispatch(ByHand(1)) - dispatch(Kept(1))).abs() < 1e-9);
-}
-
-/// `ASSUR_SPEED=kept cargo test --release -p assur-solvers --lib -- --ignored --nocapture speed::measure`, or `hand`,
-/// `hand_plain`, `kept_plain`; for instructions the test program under `valgrind --tool=callgrind`.
-#[test]
-#[ignore = "a measurement that judges nothing; run it with --ignored and ASSUR_SPEED, see above"]
-fn measure() {
-    let turns = 2000;
-    let clock = std::time::Instant::now();
-    let sum = match std::env::var("ASSUR_SPEED").as_deref() {
-        Ok("hand") => dispatch(ByHand(turns)),
-        Ok("hand_plain") => ByHand(turns).run::<f64>(),
-        Ok("kept_plain") => Kept(turns).run::<f64>(),
-        _ => dispatch(Kept(turns)),
-    };
-    let elapsed = clock.elapsed().as_nanos() as f64;
-    eprintln!("{} ns a position, {sum}", elapsed / (360 * turns) as f64);
+    assert!((dispatch(ByHand) - dispatch(Kept)).abs() < 1e-9);
 }
