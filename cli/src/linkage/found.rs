@@ -31,14 +31,14 @@ impl Found {
     /// Moves a linkage.
     ///
     /// # Errors
-    /// Why it cannot be put together.
-    pub fn of(case: Case) -> Result<Self, (Case, ClosureError)> {
+    /// Why it cannot be put together, with what cannot.
+    pub fn of(case: Case) -> Result<Self, Box<(Case, ClosureError)>> {
         let clock = Instant::now();
         let lines = case.grid(&Grid::fine(&case));
         let seconds = clock.elapsed().as_secs_f64();
         match lines {
             Ok(lines) => Ok(Self { strokes: reach::strokes(&case), case, lines, seconds }),
-            Err(error) => Err((case, error)),
+            Err(error) => Err(Box::new((case, error))),
         }
     }
 
@@ -105,8 +105,10 @@ impl Known for Found {
 
     fn with(&self, constants: Constants) -> Result<Self, Failure> {
         // What does not close has no value, which the comparison shows.
-        let empty = |(case, _)| Self { case, lines: Vec::new(), strokes: None, seconds: 0.0 };
-        Ok(Self::of(Case::new(constants)?).unwrap_or_else(empty))
+        Ok(Self::of(Case::new(constants)?).unwrap_or_else(|apart| {
+            let (case, _) = *apart;
+            Self { case, lines: Vec::new(), strokes: None, seconds: 0.0 }
+        }))
     }
 
     fn compare(&self, fact: &'static Expectation) -> Option<Comparison> {

@@ -132,7 +132,7 @@ pub fn collect(case: Case, places: Vec<Place>, shown: Shown) -> Result<Report, F
     let apart = |case: &Case, error: &ClosureError| {
         case.tell(error).failure("the linkage cannot be put together")
     };
-    let found = Found::of(case).map_err(|(case, error)| apart(&case, &error))?;
+    let found = Found::of(case).map_err(|found| apart(&found.0, &found.1))?;
     let published = published::compare(&found)?;
     let Found { case, lines, strokes, seconds: closing } = found;
     let rows = case.grid(&Grid::coarse(&case)).map_err(|error| apart(&case, &error))?;
