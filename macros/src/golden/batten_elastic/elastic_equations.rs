@@ -109,6 +109,17 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
     fn instant(&self) -> usize {
         11
     }
+    /// - `instant[0]`: `sin(n*time)`
+    /// - `instant[1]`: `cos(n*time)`
+    /// - `instant[2]`: `1/(v12_*(sin(n*time)^2*(1 - v16_*cos(n*time))^2) + J2)`
+    /// - `instant[3]`: `R*((1 - v16_*cos(n*time))*sin(n*time))`
+    /// - `instant[4]`: `v27_*((1 - v16_*cos(n*time))*sin(n*time))`
+    /// - `instant[5]`: `v28_*((1 - v16_*cos(n*time))*sin(n*time))`
+    /// - `instant[6]`: `v32_*((1 - v16_*cos(n*time))*cos(n*time)) + v31_*sin(n*time)^2`
+    /// - `instant[7]`: `v32_*(sin(n*time)*(v33_*cos(n*time) + (-1)))`
+    /// - `instant[8]`: `2*(v36_*((1 - v16_*cos(n*time))*cos(n*time)) + v35_*sin(n*time)^2)`
+    /// - `instant[9]`: `-m3*(v32_*((1 - v16_*cos(n*time))*cos(n*time)) + v31_*sin(n*time)^2)`
+    /// - `instant[10]`: `-m4*(v32_*((1 - v16_*cos(n*time))*cos(n*time)) + v31_*sin(n*time)^2)`
     #[inline(always)]
     fn instants(
         &self,

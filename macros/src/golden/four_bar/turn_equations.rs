@@ -58,6 +58,14 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
     fn zeros(&self) -> Self::Position {
         [S::ZERO; 6]
     }
+    /// - `instant[0]`: `sin(phi)`
+    /// - `instant[1]`: `cos(phi)`
+    /// - `instant[2]`: `v15_ + a*cos(phi)`
+    /// - `instant[3]`: `a*sin(phi)`
+    /// - `instant[4]`: `-a*sin(phi)*(v13_*(1/(v16_*sin(phi)^2 + (v15_ + a*cos(phi))^2)) + 0.5)`
+    /// - `instant[6]`: `-(v15_ + a*cos(phi))*(v13_*(1/(v16_*sin(phi)^2 + (v15_ + a*cos(phi))^2)) + 0.5)`
+    /// - `instant[8]`: `a*sin(phi)*(0.5 - v13_*(1/(v16_*sin(phi)^2 + (v15_ + a*cos(phi))^2)))`
+    /// - `instant[9]`: `(v15_ + a*cos(phi))*(0.5 - v13_*(1/(v16_*sin(phi)^2 + (v15_ + a*cos(phi))^2)))`
     #[inline(always)]
     fn instant(&self, independents: &[S]) -> Self::Instant {
         let phi = independents[0];
