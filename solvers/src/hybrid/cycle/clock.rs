@@ -124,8 +124,7 @@ impl Walk<'_> {
 
     /// Follows the motion for a time.
     fn stretch(&mut self, length: f64) -> Result<Motion, CycleError> {
-        let motion = follow(self.model, self.mode, (0.0, length), &self.state, self.settings)
-            .map_err(|error| CycleError::Motion(Box::new(error)))?;
+        let motion = follow(self.model, self.mode, (0.0, length), &self.state, self.settings)?;
         self.steps += motion.statistics.steps + motion.statistics.rejected;
         self.time += length;
         self.mode = motion.mode;

@@ -61,6 +61,12 @@ pub enum CycleError {
     },
 }
 
+impl From<HybridError> for CycleError {
+    fn from(error: HybridError) -> Self {
+        Self::Motion(Box::new(error))
+    }
+}
+
 impl fmt::Display for CycleError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -9,7 +9,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::error::CycleError;
-use super::{follow, has_slopes, variation};
+use super::{check, follow, variation};
 use crate::model::{Bound, Model};
 use crate::problem::Scene;
 use crate::settings::Settings;
@@ -50,7 +50,7 @@ pub fn lyapunov<C: Scene>(
         return Err(CycleError::BadPeriod { period });
     }
     let model = &Bound::new(scene);
-    has_slopes(model)?;
+    check(model, (mode, start))?;
     let mut stretch = Stretch {
         model,
         period,
@@ -94,8 +94,7 @@ impl Stretch<'_> {
         let mut grown = DVector::zeros(self.sizes.len());
         for _ in 0..periods {
             let motion =
-                follow(self.model, self.mode, (0.0, self.period), &self.state, self.settings)
-                    .map_err(|error| CycleError::Motion(Box::new(error)))?;
+                follow(self.model, self.mode, (0.0, self.period), &self.state, self.settings)?;
             let matrix = variation::of(self.model, &motion, self.settings)?;
             let (sizes, states) = (self.sizes, self.sizes.len());
             let scaled =

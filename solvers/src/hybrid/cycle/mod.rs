@@ -30,6 +30,7 @@ pub use error::CycleError;
 pub use lyapunov::{Lyapunov, Periods, lyapunov};
 
 use super::run::march::Request;
+use super::run::start;
 use super::{HybridError, Motion};
 use crate::floquet::Multiplier;
 use crate::model::{Bound, Flow, Model};
@@ -112,7 +113,7 @@ pub(crate) fn cycle_of(
     period: f64,
     settings: &Settings,
 ) -> Result<Cycle, CycleError> {
-    has_slopes(model)?;
+    check(model, start)?;
     search::search(model, start, period, settings)
 }
 
@@ -134,15 +135,24 @@ pub(crate) fn clock_of(
     start: (usize, &[f64]),
     settings: &Settings,
 ) -> Result<Cycle, CycleError> {
-    has_slopes(model)?;
+    check(model, start)?;
     clock::find(model, start, settings)
 }
 
-/// Refuses a model of which it is not known how its events depend on the state.
-fn has_slopes(model: &dyn Model) -> Result<(), CycleError> {
-    match model.events().is_none_or(|events| events.has_slopes()) {
-        true => Ok(()),
-        false => Err(CycleError::NoTask),
+/// Refuses a model of which it is not known how its events depend on the state, and a start that no motion has: beyond the
+/// end of its mode, Newton's method would find motions that none comes to.
+fn check(model: &dyn Model, (mode, state): (usize, &[f64])) -> Result<(), CycleError> {
+    let Some(events) = model.events() else {
+        return Ok(());
+    };
+    if !events.has_slopes() {
+        return Err(CycleError::NoTask);
+    }
+    start::check_mode(model.shape(), mode)?;
+    // A start of another length is refused where it is followed.
+    match state.len() == model.shape().states.len() {
+        true => Ok(start::check(&Flow::new(model, mode), 0.0, state)?),
+        false => Ok(()),
     }
 }
 

@@ -49,8 +49,7 @@ impl Gap<'_> {
         start: &DVector<f64>,
         time: f64,
     ) -> Result<(Motion, DVector<f64>), CycleError> {
-        let motion = follow(self.model, self.mode, (0.0, time), start.as_slice(), self.settings)
-            .map_err(|error| CycleError::Motion(Box::new(error)))?;
+        let motion = follow(self.model, self.mode, (0.0, time), start.as_slice(), self.settings)?;
         let change = DVector::from_column_slice(&motion.end) - start;
         Ok((motion, change))
     }

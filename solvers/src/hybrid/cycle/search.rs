@@ -140,7 +140,7 @@ impl Walk<'_> {
             };
             let (mode, motion) = (motion.mode, Box::new(motion));
             let error = HybridError::Ode { error, mode, motion };
-            return Err(CycleError::Motion(Box::new(error)));
+            return Err(error.into());
         }
         self.events = passed(&motion);
         if motion.mode == self.mode {
@@ -157,8 +157,7 @@ impl Walk<'_> {
     }
 
     fn follow(&self, mode: usize, start: &[f64]) -> Result<super::Motion, CycleError> {
-        follow(self.model, mode, (0.0, self.period), start, self.settings)
-            .map_err(|error| CycleError::Motion(Box::new(error)))
+        Ok(follow(self.model, mode, (0.0, self.period), start, self.settings)?)
     }
 
     /// The motion that repeats after so many periods near here, or after fewer if that is one and the same.

@@ -8,7 +8,7 @@ use crate::model::Flow;
 use crate::shape::Shape;
 
 /// Whether there is such a mode.
-pub(super) fn check_mode(shape: &Shape, mode: usize) -> Result<(), HybridError> {
+pub(in crate::hybrid) fn check_mode(shape: &Shape, mode: usize) -> Result<(), HybridError> {
     let count = shape.modes.len();
     match mode < count {
         true => Ok(()),
@@ -17,7 +17,11 @@ pub(super) fn check_mode(shape: &Shape, mode: usize) -> Result<(), HybridError> 
 }
 
 /// Whether what the mode holds stands still, and no event that leads to another mode has happened already.
-pub(super) fn check(flow: &Flow<'_>, time: f64, state: &[f64]) -> Result<(), HybridError> {
+pub(in crate::hybrid) fn check(
+    flow: &Flow<'_>,
+    time: f64,
+    state: &[f64],
+) -> Result<(), HybridError> {
     let (shape, mode) = (flow.shape(), flow.mode());
     let held = shape.modes[mode].held.iter();
     for (name, value) in held.map(|place| (shape.states[*place].name, state[*place])) {
