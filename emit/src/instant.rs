@@ -1,6 +1,6 @@
 //! What depends on the time alone: of a motion rows of numbers for several times at once, of a linkage one row.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use assur_model::program::{Stage, Value};
 use proc_macro2::{Literal, TokenStream};
@@ -118,10 +118,31 @@ fn rows(layout: &Layout<'_>) -> TokenStream {
     // Whatever is prepared is there; the time stands in an array.
     let prepared = |value: Value| program.stage(value) < Stage::Instant;
     let needed = program.needed(&wanted, &prepared);
+    let (sines, given) = packed_sines(layout, &needed);
+    let body = Body::with_given(layout, Scope::Time, &wanted, &[], given);
+    let (statements, numbers) = (body.statements(&wanted), layout.row_of(&body));
+    let count = size(numbers.len());
+    quote! {
+        #(#idle)*
+        #(#sines)*
+        for (k_, row_) in rows.iter_mut().enumerate() {
+            let time = times[k_];
+            #statements
+            row_[..#count].copy_from_slice(&[#(#numbers),*]);
+        }
+    }
+}
+
+/// The sines and cosines of several instants, taken together level by level, and what stands for each of them.
+fn packed_sines(
+    layout: &Layout<'_>,
+    needed: &BTreeSet<Value>,
+) -> (Vec<TokenStream>, BTreeMap<Value, Expression>) {
+    let program = layout.program();
     let mut given: BTreeMap<Value, Expression> = BTreeMap::new();
     let mut sines = Vec::new();
     let packed = size(PACKED);
-    for level in program.levels(&needed) {
+    for level in program.levels(needed) {
         let pairs = program.pairs(&level.batch);
         if pairs.is_empty() {
             continue;
@@ -155,16 +176,5 @@ fn rows(layout: &Layout<'_>) -> TokenStream {
             sines.push(quote!(let (#sine, #cosine) = S::sin_cos_all(#array);));
         }
     }
-    let body = Body::with_given(layout, Scope::Time, &wanted, &[], given);
-    let (statements, numbers) = (body.statements(&wanted), layout.row_of(&body));
-    let count = size(numbers.len());
-    quote! {
-        #(#idle)*
-        #(#sines)*
-        for (k_, row_) in rows.iter_mut().enumerate() {
-            let time = times[k_];
-            #statements
-            row_[..#count].copy_from_slice(&[#(#numbers),*]);
-        }
-    }
+    (sines, given)
 }

@@ -51,6 +51,19 @@ fn written_unit(term: &Term, diagnostics: &mut Diagnostics) -> Option<Unit> {
     }
 }
 
+/// That a constant, or one made within its tolerance, lies outside its range.
+fn out_of_range(constant: &Constant, value: Span, info: &ConstantInfo) -> Option<Diagnostic> {
+    let (low, high) = info.range;
+    if !(low..=high).contains(&info.default) {
+        let report = Diagnostic::error(value, "the default lies outside the permitted range");
+        return Some(report.hint("change the default, or make the range wider"));
+    }
+    let tolerance = constant.tolerance.as_ref()?;
+    let is_within = low <= info.default - info.tolerance && info.default + info.tolerance <= high;
+    let message = "sizes within this tolerance leave the permitted range";
+    (!is_within).then(|| Diagnostic::error(tolerance.half_width.span, message))
+}
+
 /// The motion of a driver.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Drive {
@@ -157,42 +170,28 @@ impl Lowering<'_> {
         if let Some(tolerance) = &constant.tolerance {
             (info.tolerance, info.distribution) = self.tolerance(tolerance, kind)?;
         }
-        if let Some((low, high)) = &constant.range {
-            info.range = (
-                self.fixed_of(low, kind, "the bounded value")?,
-                self.fixed_of(high, kind, "the bounded value")?,
-            );
-            let (low_value, high_value) = info.range;
-            if low_value >= high_value {
-                self.diagnostics.push(Diagnostic::error(
-                    low.span.to(high.span),
-                    "the range is empty: its lower end is not below its upper end",
-                ));
-                return None;
-            }
-            if !(low_value..=high_value).contains(&default) {
-                self.diagnostics.push(
-                    Diagnostic::error(value.span, "the default lies outside the permitted range")
-                        .related(low.span.to(high.span), "the range")
-                        .hint("change the default, or make the range wider"),
-                );
-                return None;
-            }
-            let made = (default - info.tolerance, default + info.tolerance);
-            if let Some(tolerance) = &constant.tolerance
-                && !(low_value <= made.0 && made.1 <= high_value)
-            {
-                self.diagnostics.push(
-                    Diagnostic::error(
-                        tolerance.half_width.span,
-                        "sizes within this tolerance leave the permitted range",
-                    )
-                    .related(low.span.to(high.span), "the range"),
-                );
+        if let Some(range) = &constant.range {
+            info.range = self.permitted(range, kind)?;
+            if let Some(report) = out_of_range(constant, value.span, &info) {
+                self.diagnostics.push(report.related(range.0.span.to(range.1.span), "the range"));
                 return None;
             }
         }
         Some(info)
+    }
+
+    /// The range of a constant, SI units.
+    fn permitted(&mut self, (low, high): &(Term, Term), kind: Kind) -> Option<(f64, f64)> {
+        let low_value = self.fixed_of(low, kind, "the bounded value")?;
+        let high_value = self.fixed_of(high, kind, "the bounded value")?;
+        if low_value >= high_value {
+            self.diagnostics.push(Diagnostic::error(
+                low.span.to(high.span),
+                "the range is empty: its lower end is not below its upper end",
+            ));
+            return None;
+        }
+        Some((low_value, high_value))
     }
 
     /// Half-width and distribution of a permitted error.

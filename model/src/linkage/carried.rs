@@ -21,21 +21,7 @@ impl Linkage {
         constants: &[f64],
         request: &mut Request,
     ) -> Option<Vec<LoopInfo>> {
-        let mut given = Given {
-            constants: constants.to_vec(),
-            drivers: Vec::new(),
-            dependents: vec![f64::NAN; names.dependents.len()],
-        };
-        for (driver, drive) in names.drivers.iter().zip(drives) {
-            let start = match (&driver.what.start, drive.position) {
-                (Some(term), _) => low.fixed(term)?.0,
-                (None, Some(position)) => {
-                    low.graph.evaluate(&[position], &|symbol| given.of(symbol))[0]
-                }
-                (None, None) => f64::NAN,
-            };
-            given.drivers.push(start);
-        }
+        let mut given = Given::at_start(low, names, drives, constants)?;
         let mut carried = Vec::new();
         for (number, group) in self.groups.iter().enumerate() {
             let Some(closed) = &group.closed else {
@@ -182,6 +168,28 @@ struct Given {
 }
 
 impl Given {
+    /// Constants and drivers; no coordinate is known yet.
+    fn at_start(
+        low: &mut Lowering<'_>,
+        names: &Names,
+        drives: &[Drive],
+        constants: &[f64],
+    ) -> Option<Self> {
+        let dependents = vec![f64::NAN; names.dependents.len()];
+        let mut given = Self { constants: constants.to_vec(), drivers: Vec::new(), dependents };
+        for (driver, drive) in names.drivers.iter().zip(drives) {
+            let start = match (&driver.what.start, drive.position) {
+                (Some(term), _) => low.fixed(term)?.0,
+                (None, Some(position)) => {
+                    low.graph.evaluate(&[position], &|symbol| given.of(symbol))[0]
+                }
+                (None, None) => f64::NAN,
+            };
+            given.drivers.push(start);
+        }
+        Some(given)
+    }
+
     fn of(&self, symbol: Symbol) -> f64 {
         let at = |list: &[f64], index: u32| list.get(index as usize).copied().unwrap_or(f64::NAN);
         match symbol {

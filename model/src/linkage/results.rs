@@ -40,23 +40,8 @@ impl Linkage {
         });
         let groups = groups.collect();
         let residuals: Vec<_> = self.equations.iter().map(|one| one.residual).collect();
-        let count = cosines.len();
-        let mut slopes = Vec::new();
-        let mut coefficients = Vec::new();
-        let zero = graph.zero();
-        if let Some(known) = &mut low.slopes {
-            for row in 0..residuals.len() {
-                slopes.extend(
-                    (0..count).filter_map(|column| Some((row, column, known.entry(row, column)?))),
-                );
-            }
-            for driver in 0..drives.len() {
-                let by = known.by(graph, Symbol::Driver(driver as u32));
-                let nonzero = by.into_iter().enumerate().filter(|(_, value)| *value != zero);
-                coefficients.extend(nonzero.map(|(index, value)| (index, driver, value)));
-            }
-        }
-        for index in 0..count as u32 {
+        let (slopes, coefficients) = slopes(low, (residuals.len(), cosines.len()), drives.len());
+        for index in 0..cosines.len() as u32 {
             request.inputs.insert(Symbol::Dependent(index), Input::Position(index));
         }
         for group in 0..self.groups.len() as u32 {
@@ -268,3 +253,30 @@ fn columns(
     let column = |direction: &Direction| graph.tangent(outputs, direction);
     directions.iter().map(column).collect()
 }
+
+/// The entries that are not zero of the loops' Jacobian, of so many rows and columns, and of the rates of the dependent
+/// coordinates by each driver: row, column, value.
+fn slopes(
+    low: &mut Lowering<'_>,
+    (rows, columns): (usize, usize),
+    drivers: usize,
+) -> (Entries, Entries) {
+    let (mut slopes, mut coefficients) = (Vec::new(), Vec::new());
+    let zero = low.graph.zero();
+    let Some(known) = &mut low.slopes else {
+        return (slopes, coefficients);
+    };
+    for row in 0..rows {
+        let entry = |column| Some((row, column, known.entry(row, column)?));
+        slopes.extend((0..columns).filter_map(entry));
+    }
+    for driver in 0..drivers {
+        let by = known.by(&mut low.graph, Symbol::Driver(driver as u32));
+        let nonzero = by.into_iter().enumerate().filter(|(_, value)| *value != zero);
+        coefficients.extend(nonzero.map(|(index, value)| (index, driver, value)));
+    }
+    (slopes, coefficients)
+}
+
+/// Entries of a matrix.
+type Entries = Vec<(usize, usize, Expression)>;

@@ -54,6 +54,17 @@ const TABLE: &[(&str, Function, usize, Rule)] = &[
     ("min", Function::Min, 2, Rule::Same),
 ];
 
+/// That a quantity is called.
+fn not_a_function(name: &Name) -> Diagnostic {
+    let text = &name.text;
+    if !MEASURING.contains(&text.as_str()) {
+        let report = Diagnostic::error(name.span, format!("`{text}` is not a function"));
+        return report.hint("a product needs `*`");
+    }
+    let message = format!("`{text}` is a quantity here, which hides the function of measures");
+    Diagnostic::error(name.span, message).hint("give the quantity another name")
+}
+
 impl Lowering<'_> {
     pub(super) fn call(&mut self, name: &Name, arguments: &[Term], span: Span) -> Typed {
         match name.text.as_str() {
@@ -67,17 +78,7 @@ impl Lowering<'_> {
         if let Some(entry) = names.table.get(&name.text) {
             self.used.insert(name.text.clone());
             let Role::Function(parameters, body) = &entry.role else {
-                let text = &name.text;
-                let report = match MEASURING.contains(&text.as_str()) {
-                    true => {
-                        let message = format!(
-                            "`{text}` is a quantity here, which hides the function of measures"
-                        );
-                        Diagnostic::error(name.span, message).hint("give the quantity another name")
-                    }
-                    false => Diagnostic::error(name.span, format!("`{text}` is not a function"))
-                        .hint("a product needs `*`"),
-                };
+                let report = not_a_function(name);
                 return self.error(report.related(entry.span, "declared here"));
             };
             if !self.count(name, arguments.len(), parameters.len(), span) {
@@ -94,29 +95,32 @@ impl Lowering<'_> {
         }
         let Some((_, function, expected, rule)) = TABLE.iter().find(|row| row.0 == name.text)
         else {
-            if self.survey.is_unread(&name.text) {
-                return Typed::Wrong;
-            }
-            let report =
-                Diagnostic::error(name.span, format!("there is no function `{}`", name.text));
-            if self.diagnostics.is_crowded() {
-                return self.error(report);
-            }
-            let own =
-                names.table.iter().filter(|(_, entry)| matches!(entry.role, Role::Function(..)));
-            let known = own.map(|(one, _)| one.as_str()).chain(FUNCTIONS.iter().copied());
-            let report = match super::notation::elsewhere(&name.text) {
-                Some(hint) => return self.error(report.hint(hint)),
-                None => report,
-            };
-            let otherwise = "declare it with `let`, as in `let f(x) = …;`";
-            return self.error(report.meant(nearest(&name.text, known), otherwise));
+            return self.unknown_function(name);
         };
         let many = matches!(function, Function::Max | Function::Min) && arguments.len() > 2;
         if !many && !self.count(name, arguments.len(), *expected, span) {
             return Typed::Wrong;
         }
         self.function(*function, *rule, arguments)
+    }
+
+    /// That there is no such function, and which may be meant.
+    fn unknown_function(&mut self, name: &Name) -> Typed {
+        if self.survey.is_unread(&name.text) {
+            return Typed::Wrong;
+        }
+        let report = Diagnostic::error(name.span, format!("there is no function `{}`", name.text));
+        if self.diagnostics.is_crowded() {
+            return self.error(report);
+        }
+        if let Some(hint) = super::notation::elsewhere(&name.text) {
+            return self.error(report.hint(hint));
+        }
+        let declared = self.names.table.iter();
+        let own = declared.filter(|(_, entry)| matches!(entry.role, Role::Function(..)));
+        let known = own.map(|(one, _)| one.as_str()).chain(FUNCTIONS.iter().copied());
+        let otherwise = "declare it with `let`, as in `let f(x) = …;`";
+        self.error(report.meant(nearest(&name.text, known), otherwise))
     }
 
     pub(super) fn count(&mut self, name: &Name, found: usize, expected: usize, span: Span) -> bool {

@@ -1,5 +1,7 @@
 //! Numbers of a whole run: what a measure looks at, and what it is made of.
 
+use std::ops::RangeInclusive;
+
 use super::{Kind, Lowering, Typed};
 use crate::checked::{Moment, Primitive, PrimitiveKind};
 use crate::diagnostic::Diagnostic;
@@ -31,6 +33,17 @@ pub struct Measuring {
     pub primitives: Vec<Primitive>,
 }
 
+/// How many arguments a measure may have, and its form.
+fn form(word: &str) -> (RangeInclusive<usize>, &'static str) {
+    match word {
+        "duration" => (1..=1, "duration(x > y)"),
+        "count" => (1..=1, "count(event), or count(enter(mode))"),
+        "value" => (2..=2, "value(x, enter(mode))"),
+        "cosine" | "sine" | "amplitude" => (3..=3, "amplitude(x, angle, 1)"),
+        _ => (1..=2, "peak(x), or peak(x, y > z) where only a part of the run counts"),
+    }
+}
+
 impl Lowering<'_> {
     /// A function that only a measure knows; none if there is no such function, or a scene that has no run.
     pub(super) fn measuring(
@@ -59,20 +72,8 @@ impl Lowering<'_> {
     fn found(&mut self, name: &Name, arguments: &[Term], span: Span) -> Option<Typed> {
         use PrimitiveKind as Is;
         let word = name.text.as_str();
-        let counts: &[usize] = match word {
-            "duration" | "count" => &[1],
-            "value" => &[2],
-            "cosine" | "sine" | "amplitude" => &[3],
-            _ => &[1, 2],
-        };
+        let (counts, shape) = form(word);
         if !counts.contains(&arguments.len()) {
-            let shape = match word {
-                "duration" => "duration(x > y)",
-                "count" => "count(event), or count(enter(mode))",
-                "value" => "value(x, enter(mode))",
-                "cosine" | "sine" | "amplitude" => "amplitude(x, angle, 1)",
-                _ => "peak(x), or peak(x, y > z) where only a part of the run counts",
-            };
             let message = format!("`{word}` does not take {} arguments", arguments.len());
             let report = Diagnostic::error(span, message);
             self.error(report.hint(format!("its form is `{shape}`")));

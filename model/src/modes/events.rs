@@ -95,23 +95,7 @@ impl Reader<'_> {
             .chain((0..self.names.states.len() as u32).map(Symbol::State))
             .map(|symbol| low.graph.symbol(symbol))
             .collect();
-        let mut set = vec![None; after.len()];
-        for (term, value) in &event.resets {
-            let (slot, kind) = self.slot(term, low)?;
-            let (value, found) = low.scalar(value)?;
-            if agree(found, kind).is_none() {
-                let message = unlike(&format!("`{}`", print::term(term)), kind, found);
-                let report = Diagnostic::error(term.span, message);
-                low.diagnostics.push(report.hint(fitting_value(kind, &print::term(term))));
-                return None;
-            }
-            if set[slot].replace(term.span).is_some() {
-                let message = format!("`{}` is set twice", print::term(term));
-                low.diagnostics.push(Diagnostic::error(term.span, message));
-                return None;
-            }
-            after[slot] = value;
-        }
+        let set = self.set(event, &mut after, low)?;
         let next = &self.phases.all[target];
         for (index, name) in self.unknowns() {
             let speed = (index < coordinates).then_some(coordinates + index);
@@ -143,6 +127,33 @@ impl Reader<'_> {
         }
         self.check_held(event, next, &set, &mut after, low)?;
         Some(after)
+    }
+
+    /// What an event sets, in its place among the states after it. Gives where each state is set.
+    fn set(
+        &self,
+        event: &When,
+        after: &mut [Expression],
+        low: &mut Lowering<'_>,
+    ) -> Option<Vec<Option<Span>>> {
+        let mut set = vec![None; after.len()];
+        for (term, value) in &event.resets {
+            let (slot, kind) = self.slot(term, low)?;
+            let (value, found) = low.scalar(value)?;
+            if agree(found, kind).is_none() {
+                let message = unlike(&format!("`{}`", print::term(term)), kind, found);
+                let report = Diagnostic::error(term.span, message);
+                low.diagnostics.push(report.hint(fitting_value(kind, &print::term(term))));
+                return None;
+            }
+            if set[slot].replace(term.span).is_some() {
+                let message = format!("`{}` is set twice", print::term(term));
+                low.diagnostics.push(Diagnostic::error(term.span, message));
+                return None;
+            }
+            after[slot] = value;
+        }
+        Some(set)
     }
 
     /// What the mode that follows holds stands still: a speed that it has before is set to zero in so many words.

@@ -83,16 +83,16 @@ pub fn share(
         for term in terms {
             let negative = graph.split_coefficient(term).0 < 0.0;
             let positive = if negative { graph.neg(term) } else { term };
-            if is_rounded(graph, positive) {
-                let item = Item::Term(positive);
-                host.items.insert(item, negative);
-                let origin = origins.entry(item).or_insert((term, negative));
-                *origin = (term, negative).min(*origin);
-                let stage = || request.stage(graph, positive);
-                sharer.stages.entry(item).or_insert_with(stage);
-            } else {
+            if !is_rounded(graph, positive) {
                 host.rest.push(term);
+                continue;
             }
+            let item = Item::Term(positive);
+            host.items.insert(item, negative);
+            let origin = origins.entry(item).or_insert((term, negative));
+            *origin = (term, negative).min(*origin);
+            let stage = || request.stage(graph, positive);
+            sharer.stages.entry(item).or_insert_with(stage);
         }
         if host.items.len() > 1 && host.items.len() <= LONG {
             places.insert(*one, sharer.hosts.len());

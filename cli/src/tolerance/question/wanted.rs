@@ -1,5 +1,6 @@
 //! Tolerances that are to be chosen: the band, the costs and the limits.
 
+use assur::shape::Quantity;
 use assur::tolerance::{Candidate, Cost, Rule, Study};
 
 use super::Label;
@@ -28,19 +29,7 @@ impl Options {
         labels: &[Label],
     ) -> Result<Wanted, Failure> {
         let output = &self.scene.outputs[study.output];
-        let band = quantity(band, output).map_err(|_| {
-            let (unit, example) = match output.unit {
-                "deg" | "rad" => ("mrad".to_owned(), "1mrad".to_owned()),
-                unit if unit.chars().all(char::is_alphabetic) => {
-                    (unit.to_owned(), format!("0.1{unit}"))
-                }
-                unit => (unit.to_owned(), format!("'0.1 [{unit}]'")),
-            };
-            Failure::request(format!("`{band}` is no band of `{}`", output.name))
-                .place(format!("--allocate {band}"))
-                .reason(format!("expected a number with a unit like {unit}"))
-                .remedy(format!("for example: --allocate {example}"))
-        })?;
+        let band = quantity(band, output).map_err(|_| no_band(band, output))?;
         let mut weights = vec![1.0; self.linkage.variables.len()];
         let mut given = Vec::new();
         for text in &options.cost {
@@ -107,4 +96,17 @@ impl Options {
         let high = read(ends.1).map_err(place)?.unwrap_or(f64::INFINITY);
         Ok((index, (low, high)))
     }
+}
+
+/// That no band of an output is given.
+fn no_band(given: &str, output: &Quantity) -> Failure {
+    let (unit, example) = match output.unit {
+        "deg" | "rad" => ("mrad".to_owned(), "1mrad".to_owned()),
+        unit if unit.chars().all(char::is_alphabetic) => (unit.to_owned(), format!("0.1{unit}")),
+        unit => (unit.to_owned(), format!("'0.1 [{unit}]'")),
+    };
+    Failure::request(format!("`{given}` is no band of `{}`", output.name))
+        .place(format!("--allocate {given}"))
+        .reason(format!("expected a number with a unit like {unit}"))
+        .remedy(format!("for example: --allocate {example}"))
 }

@@ -59,17 +59,7 @@ impl Parser<'_> {
         )?;
         let items = match keyword.text.as_str() {
             "periodic" => {
-                let period = if self.take_word("over") {
-                    Some(self.term()?)
-                } else if self.is_operator(";") {
-                    None
-                } else {
-                    return self.wrong(
-                        format!("found {}, expected `over`", self.found()),
-                        Some("write `periodic over 2*pi/n;`, or `periodic;` where nothing states the period but the motion"),
-                    );
-                };
-                vec![SceneItem::Periodic { period }]
+                vec![SceneItem::Periodic { period: self.period()? }]
             }
             "run" => {
                 if !self.is_any_word() {
@@ -113,6 +103,20 @@ impl Parser<'_> {
         };
         self.operator(";")?;
         Ok(items)
+    }
+
+    /// `over 2*pi/n`, or nothing
+    fn period(&mut self) -> Read<Option<Term>> {
+        if self.take_word("over") {
+            return Ok(Some(self.term()?));
+        }
+        if self.is_operator(";") {
+            return Ok(None);
+        }
+        self.wrong(
+            format!("found {}, expected `over`", self.found()),
+            Some("write `periodic over 2*pi/n;`, or `periodic;` where nothing states the period but the motion"),
+        )
     }
 
     /// `phi4` or `phi4 60 deg .. 120 deg`
@@ -210,18 +214,7 @@ impl Parser<'_> {
                 Some("a fact holds somewhere: `expect at theta = 110 deg: x = 1 mm +- 0.1 mm;` or `expect at maximum: …`"),
             );
         }
-        let place = self.path("a driver, `time`, `maximum`, `minimum` or `amplitude`")?;
-        let at = if self.take_operator("=") {
-            let mut places = vec![(place, self.term()?)];
-            while self.take_operator(",") {
-                let place = self.path("a driver")?;
-                self.operator("=")?;
-                places.push((place, self.term()?));
-            }
-            ExpectAt::Value { places }
-        } else {
-            ExpectAt::Extreme(place)
-        };
+        let at = self.expect_at()?;
         if !self.take_operator(":") {
             return self.wrong(
                 format!("found {}, expected `:`", self.found()),
@@ -255,5 +248,20 @@ impl Parser<'_> {
             tolerance,
             remark: self.text(),
         })
+    }
+
+    /// Where a published fact holds: `theta = 110 deg, phi = 0`, or `maximum`.
+    fn expect_at(&mut self) -> Read<ExpectAt> {
+        let place = self.path("a driver, `time`, `maximum`, `minimum` or `amplitude`")?;
+        if !self.take_operator("=") {
+            return Ok(ExpectAt::Extreme(place));
+        }
+        let mut places = vec![(place, self.term()?)];
+        while self.take_operator(",") {
+            let place = self.path("a driver")?;
+            self.operator("=")?;
+            places.push((place, self.term()?));
+        }
+        Ok(ExpectAt::Value { places })
     }
 }

@@ -64,29 +64,9 @@ fn jump(
     let local = Flow::on(model, first.from, sides);
     local.guard_slopes(first.event, first.time, &first.before, slopes.as_mut_slice());
     let passing = local.guard(first.event, first.time, &first.before).1;
-    let mut rate = DVector::zeros(states);
-    local.rates(first.time, &first.before, rate.as_mut_slice());
-    let rate_before = rate.clone();
-    let mut jumps = DMatrix::identity(states, states);
-    for (index, event) in events.iter().enumerate() {
-        let local = Flow::on(model, event.from, if index == 0 { sides } else { &[] });
-        let mut columns = DMatrix::zeros(states, states);
-        let mut total = DVector::zeros(states);
-        let sets = local.jump_slopes(
-            event.event,
-            (event.time, &event.before),
-            columns.as_mut_slice(),
-            total.as_mut_slice(),
-        );
-        if !sets {
-            continue;
-        }
-        // `total` is along the motion of the mode that the event leaves, which is not that before all of them.
-        let mut own = DVector::zeros(states);
-        local.rates(event.time, &event.before, own.as_mut_slice());
-        rate = total + &columns * (rate - own);
-        jumps = columns * jumps;
-    }
+    let mut rate_before = DVector::zeros(states);
+    local.rates(first.time, &first.before, rate_before.as_mut_slice());
+    let (jumps, rate) = through(model, events, sides, rate_before.clone());
     let mut next = DVector::zeros(states);
     after.rates(last.time, &last.after, next.as_mut_slice());
     // A guard of the time alone is met by all motions together.
@@ -111,6 +91,32 @@ fn jump(
             Err(CycleError::Grazing { time: first.time, mode: first.from, event: first.event })
         }
     }
+}
+
+/// How a disturbance of the state, and its rate before them, pass through the settings of events at one instant.
+fn through(
+    model: &dyn Model,
+    events: &[Happened],
+    sides: &[f64],
+    mut rate: DVector<f64>,
+) -> (DMatrix<f64>, DVector<f64>) {
+    let states = rate.len();
+    let mut jumps = DMatrix::identity(states, states);
+    for (index, event) in events.iter().enumerate() {
+        let local = Flow::on(model, event.from, if index == 0 { sides } else { &[] });
+        let mut columns = DMatrix::zeros(states, states);
+        let mut total = DVector::zeros(states);
+        let at = (event.time, &event.before[..]);
+        if !local.jump_slopes(event.event, at, columns.as_mut_slice(), total.as_mut_slice()) {
+            continue;
+        }
+        // `total` is along the motion of the mode that the event leaves, which is not that before all of them.
+        let mut own = DVector::zeros(states);
+        local.rates(event.time, &event.before, own.as_mut_slice());
+        rate = total + &columns * (rate - own);
+        jumps = columns * jumps;
+    }
+    (jumps, rate)
 }
 
 /// An event whose instant is looked at.

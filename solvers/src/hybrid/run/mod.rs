@@ -13,8 +13,8 @@ use super::motion::{Happened, Motion, Piece};
 use super::numbers::Numbers;
 use super::{CHATTER, SOON, TURNS};
 use crate::model::Flow;
-use crate::ode::{Options, Recorder, Statistics};
-use crate::shape::Shape;
+use crate::ode::{Options, Recorder, Statistics, Trajectory};
+use crate::shape::{EventEntry, Shape};
 use carry::Carrier;
 use end::End;
 
@@ -115,18 +115,7 @@ impl<'a> Run<'a> {
             let statistics = *done.as_ref().unwrap_or(&Statistics::default());
             let mut trajectory = watch.recorder.take(statistics);
             trajectory.switches = carrier.switches().to_vec();
-            motion.time = trajectory.times()[trajectory.times().len() - 1];
-            motion.end.copy_from_slice(trajectory.end());
-            motion.statistics.add(&statistics);
-            let tried = statistics.steps + statistics.rejected;
-            self.options.max_steps = self.options.max_steps.saturating_sub(tried);
-            if motion.time > trajectory.times()[0] {
-                motion.pieces.push(Piece {
-                    mode: self.flow.mode(),
-                    sides: self.sides_here(events),
-                    trajectory,
-                });
-            }
+            self.keep(motion, events, trajectory);
             done.map_err(End::Ode)?;
             if let Some(event) = lost {
                 return Err(End::Guard(event));
@@ -144,6 +133,20 @@ impl<'a> Run<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Keeps a way without events, and counts its steps.
+    fn keep(&mut self, motion: &mut Motion, events: &[EventEntry], trajectory: Trajectory) {
+        let statistics = trajectory.statistics;
+        let tried = statistics.steps + statistics.rejected;
+        self.options.max_steps = self.options.max_steps.saturating_sub(tried);
+        motion.statistics.add(&statistics);
+        motion.time = trajectory.times()[trajectory.times().len() - 1];
+        motion.end.copy_from_slice(trajectory.end());
+        if motion.time > trajectory.times()[0] {
+            let (mode, sides) = (self.flow.mode(), self.sides_here(events));
+            motion.pieces.push(Piece { mode, sides, trajectory });
+        }
     }
 
     /// Carries out an event, whose guard has a value and a rate.
@@ -178,15 +181,7 @@ impl<'a> Run<'a> {
         let noise = self.guards[event].noise();
         let size = self.guards[event].size;
         if entry.target != from {
-            self.flow.enter(entry.target);
-            for (guard, looked) in self.guards.iter_mut().zip(&mut self.looked[from]) {
-                *looked = guard.looked;
-            }
-            let known = self.looked[entry.target].iter();
-            for (guard, looked) in self.guards.iter_mut().zip(known) {
-                *guard = Guard { looked: *looked, ..Guard::default() };
-            }
-            self.room.resize(self.shape.modes[entry.target].written());
+            self.enter(from, entry.target);
         }
         *last = Some(entry.line);
         self.count(motion, before)?;
@@ -220,6 +215,18 @@ impl<'a> Run<'a> {
             }
             None => Ok(()),
         }
+    }
+
+    /// Goes from one mode to another. How long the steps were in which a guard has been looked at is known there from before.
+    fn enter(&mut self, from: usize, to: usize) {
+        self.flow.enter(to);
+        for (guard, looked) in self.guards.iter().zip(&mut self.looked[from]) {
+            *looked = guard.looked;
+        }
+        for (guard, looked) in self.guards.iter_mut().zip(&self.looked[to]) {
+            *guard = Guard { looked: *looked, ..Guard::default() };
+        }
+        self.room.resize(self.shape.modes[to].written());
     }
 
     /// Counts events that follow each other without end, or ever more quickly.
