@@ -1,4 +1,4 @@
-//! How long the compiler takes for a large mechanism: a chain of pendulums.
+//! How long the compiler takes for large mechanisms: a chain of pendulums, and four-bars in a row.
 //!
 //! The text is derived to a program and printed as Rust, as the macro does it inside rustc. What rustc does with the
 //! printed code afterwards is not in these times.
@@ -15,11 +15,15 @@ use crate::table::{Table, number};
 const GOAL: f64 = 2.0;
 /// Links of the chains.
 const LINKS: [usize; 3] = [3, 10, 30];
+/// Seconds that the most loops may take.
+const LOOPS_GOAL: f64 = 0.06;
+/// Numbers of loops.
+const LOOPS: [usize; 3] = [4, 8, 15];
 /// Times that each chain is derived.
 const ROUNDS: usize = 5;
 
 /// A chain of links with their masses at their ends, by its energies.
-fn text(links: usize) -> String {
+fn chain(links: usize) -> String {
     format!(
         "assur::mechanism! {{
             Chain from \"the double pendulum, continued\";
@@ -38,6 +42,26 @@ fn text(links: usize) -> String {
     )
 }
 
+/// Four-bars in a row, the crank of each fixed to the rocker of the one before, and all their angles.
+fn loops(count: usize) -> String {
+    let angles = |name: &str| (1..=count).map(|k| format!("{name}[{k}]")).collect::<Vec<_>>();
+    let outputs = [angles("theta"), angles("psi")].concat().join(", ");
+    format!(
+        "assur::mechanism! {{
+            Loops from \"the four-bar, continued\";
+            driver turn ~ 60 deg in 0 deg .. 360 deg;
+            let psi[0] = turn;
+            for k in 1..{count} {{
+                dimension a[k] = 20 mm, b[k] = 70 mm, c[k] = 50 mm, x[k] = 60 mm, y[k] = 1 mm, beta[k] = 10 deg;
+                dependent theta[k] ~ 30 deg, psi[k] ~ 80 deg;
+                closure a[k]*dir(psi[k - 1] + beta[k]) + b[k]*dir(theta[k]) = [x[k], y[k]] + c[k]*dir(psi[k]);
+            }}
+            output {outputs};
+            scene turning {{ sweep turn; }}
+        }}"
+    )
+}
+
 /// The parts of the work, shortest times in seconds, and what came out.
 struct Derived {
     lexing: f64,
@@ -48,13 +72,30 @@ struct Derived {
     compiled: Compiled,
 }
 
-/// Derives and prints a chain several times.
-fn derive(links: usize) -> Derived {
-    let text = text(links);
+impl Derived {
+    /// Seconds from the text to Rust.
+    fn sum(&self) -> f64 {
+        self.lexing + self.compiling + self.emitting + self.printing
+    }
+
+    /// The cells of a table that say how long each part took.
+    fn times(&self) -> [String; 5] {
+        let cells = [self.lexing, self.compiling, self.emitting, self.printing, self.sum()];
+        cells.map(|seconds| format!("{seconds:.4}"))
+    }
+
+    /// The only scene.
+    fn scene(&self) -> &SceneModel {
+        &self.compiled.model.as_ref().expect("the text is right").scenes[0]
+    }
+}
+
+/// Derives and prints a text several times.
+fn derive(text: &str) -> Derived {
     let mut best: Option<Derived> = None;
     for _ in 0..ROUNDS {
         let start = Instant::now();
-        let lexed = lexer::lex_file(&text).expect("the text has tokens");
+        let lexed = lexer::lex_file(text).expect("the text has tokens");
         let lexing = start.elapsed().as_secs_f64();
 
         let start = Instant::now();
@@ -103,38 +144,37 @@ fn operations(scene: &SceneModel) -> (usize, usize) {
 
 /// Measures and prints.
 pub fn report() {
-    let columns = [
-        "links",
-        "tokens, s",
-        "derive, s",
-        "emit, s",
-        "to text, s",
-        "sum, s",
-        "derivative, operations",
-        "Jacobian, operations",
-        "text, bytes",
-    ];
-    let mut table = Table::new("Chains of pendulums, text to Rust", &columns);
+    const PARTS: [&str; 5] = ["tokens, s", "derive, s", "emit, s", "to text, s", "sum, s"];
+    let columns = |first, last: [&'static str; 3]| [&[first], &PARTS[..], &last].concat();
+    let last = ["derivative, operations", "Jacobian, operations", "text, bytes"];
+    let mut table = Table::new("Chains of pendulums, text to Rust", &columns("links", last));
     let mut longest = 0.0;
     for links in LINKS {
-        let derived = derive(links);
-        let model = derived.compiled.model.as_ref();
-        let (derivative, jacobian) = operations(&model.expect("the chain is right").scenes[0]);
-        let sum = derived.lexing + derived.compiling + derived.emitting + derived.printing;
-        longest = sum;
-        table.row([
-            links.to_string(),
-            format!("{:.4}", derived.lexing),
-            format!("{:.3}", derived.compiling),
-            format!("{:.3}", derived.emitting),
-            format!("{:.3}", derived.printing),
-            format!("{sum:.3}"),
-            number(Some(derivative as f64)),
-            number(Some(jacobian as f64)),
-            number(Some(derived.bytes as f64)),
-        ]);
+        let derived = derive(&chain(links));
+        let (derivative, jacobian) = operations(derived.scene());
+        let counts = [derivative, jacobian, derived.bytes].map(|count| number(Some(count as f64)));
+        table.row([&[links.to_string()], &derived.times()[..], &counts].concat());
+        longest = derived.sum();
     }
     table.print();
-    let word = if longest < GOAL { "pass" } else { "FAIL" };
-    println!("- the longest chain: {longest:.2} s (goal {GOAL} s) {word}");
+    verdict("the longest chain", longest, GOAL);
+
+    let last = ["unknowns", "coefficients", "text, bytes"];
+    let mut table = Table::new("Four-bars in a row, text to Rust", &columns("loops", last));
+    for count in LOOPS {
+        let derived = derive(&loops(count));
+        let linkage = derived.scene().linkage.as_ref().expect("it has loops");
+        let coefficients = 2 * count * linkage.variables.len();
+        let counts = [linkage.dependents.len(), coefficients, derived.bytes];
+        let counts = counts.map(|count| number(Some(count as f64)));
+        table.row([&[count.to_string()], &derived.times()[..], &counts].concat());
+        longest = derived.sum();
+    }
+    table.print();
+    verdict("the most loops", longest, LOOPS_GOAL);
+}
+
+fn verdict(what: &str, seconds: f64, goal: f64) {
+    let word = if seconds < goal { "pass" } else { "FAIL" };
+    println!("- {what}: {seconds:.3} s (goal {goal} s) {word}");
 }

@@ -59,8 +59,10 @@ impl Default for Foot {
     }
 }
 
+/// For the other libraries, which ask one by one.
+#[cfg(feature = "peers")]
 impl Foot {
-    /// `y'` for those who ask one by one.
+    /// `y'`
     #[inline]
     pub fn rate_in(&self, phase: u8, time: f64, y: &[f64; 2]) -> [f64; 2] {
         match phase {
@@ -110,7 +112,9 @@ impl Foot {
         let stiffness = self.c2 + 3.0 * self.c3 * delta * delta;
         [-self.c1 - stiffness, -self.mu1 - self.mu2]
     }
+}
 
+impl Foot {
     /// When the rack passes the plate, up and down in turn.
     #[inline(always)]
     pub fn pass(&self, number: u32) -> f64 {
