@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use assur_model::checked::SceneModel;
 use assur_model::program::{Counts, OperationKind, Program, Shape, Stage, Staging, Value};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use crate::body::Body;
@@ -41,6 +41,15 @@ pub struct Layout<'a> {
 /// instructions of its numbers. An attribute `#[inline(never)]` would leave these out.
 pub fn outlined(body: TokenStream) -> TokenStream {
     quote!(S::outline(#[inline(always)] || { #body }))
+}
+
+/// Whether a name stands in code.
+fn mentions(code: &TokenStream, name: &str) -> bool {
+    code.clone().into_iter().any(|token| match token {
+        TokenTree::Ident(ident) => ident == name,
+        TokenTree::Group(group) => mentions(&group.stream(), name),
+        _ => false,
+    })
 }
 
 impl<'a> Layout<'a> {
@@ -99,11 +108,19 @@ impl<'a> Layout<'a> {
         self.modes.is_empty().then(|| docs::operations(operations))
     }
 
-    /// What holds the prepared values where equations are evaluated.
+    /// What holds the prepared values where equations are evaluated; of a mode inside of [`Layout::owning`].
     pub fn owner(&self) -> TokenStream {
         match &self.field {
-            Some(field) => quote!(self.#field),
+            Some(_) => quote!(own_),
             None => quote!(self),
+        }
+    }
+
+    /// Code of a mode, to which its prepared values have a short name.
+    pub fn owning(&self, code: TokenStream) -> TokenStream {
+        match &self.field {
+            Some(field) if mentions(&code, "own_") => quote!(let own_ = &self.#field; #code),
+            _ => code,
         }
     }
 
@@ -130,7 +147,7 @@ impl<'a> Layout<'a> {
             return code(self);
         }
         let arms = self.modes.iter().enumerate().map(|(index, mode)| {
-            let (index, code) = (whole(index), code(mode));
+            let (index, code) = (whole(index), mode.owning(code(mode)));
             match code.is_empty() {
                 true => code,
                 false => quote!(#index => { #code }),

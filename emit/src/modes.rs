@@ -130,7 +130,7 @@ pub fn each<'a>(
     let arms = modes.flat_map(|(mode, own)| {
         let events = own.program().results.events.iter().enumerate();
         let arms = events.filter_map(move |(event, statement)| {
-            let code = outlined(arm(own, statement)?);
+            let code = own.owning(outlined(arm(own, statement)?));
             let (mode, event) = (size(mode), size(event));
             Some(quote!((#mode, #event) => { #code }))
         });

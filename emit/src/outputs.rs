@@ -45,7 +45,8 @@ fn outputs(layout: &Layout<'_>) -> Option<TokenStream> {
 /// A method for values that depend on the time alone, which the first mode computes; none where there are none.
 fn of_time(layout: &Layout<'_>, method: &str, wanted: &[Value]) -> Option<TokenStream> {
     let method = crate::names::identifier(method);
-    let body = outlined(writes(layout.first_mode(), wanted));
+    let first = layout.first_mode();
+    let body = first.owning(outlined(writes(first, wanted)));
     (!wanted.is_empty()).then(|| {
         quote! {
             fn #method(&self, time: S, values: &mut [S]) {
@@ -70,7 +71,7 @@ fn measures(layout: &Layout<'_>) -> Option<TokenStream> {
     let measured =
         layout.in_mode(&quote!({}), &|mode| of_state(mode, &mode.program().results.measured));
     let first = layout.first_mode();
-    let measures = outlined(writes(first, &first.program().results.measures));
+    let measures = first.owning(outlined(writes(first, &first.program().results.measures)));
     (!layout.scene.measures.is_empty()).then(|| {
         quote! {
             fn measured(&self, phase: ::assur::problem::Phase<'_, S>, time: S, state: &[S], values: &mut [S]) {

@@ -21,9 +21,10 @@ pub fn method(layout: &Layout<'_>) -> Option<TokenStream> {
     let body = match bodies.as_slice() {
         [Some(body)] if layout.modes.is_empty() => body.clone(),
         _ => {
-            let arms = bodies.iter().enumerate().filter_map(|(index, body)| {
-                let (index, body) = (size(index), outlined(body.clone()?));
-                Some(quote!(#index => #body,))
+            let modes = layout.modes.iter().zip(bodies).enumerate();
+            let arms = modes.filter_map(|(index, (mode, body))| {
+                let (index, body) = (size(index), mode.owning(outlined(body?)));
+                Some(quote!(#index => { #body }))
             });
             quote!(match phase.mode { #(#arms)* _ => false })
         }

@@ -21,17 +21,15 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for FallEquation
         ::assur::exact!(mut rates, 2);
         match phase.mode {
             0 => {
+                let own_ = &self.in_flight;
                 let dot_h = state[1];
-                *rates = [dot_h, self.in_flight.rate_1_];
+                *rates = [dot_h, own_.rate_1_];
             }
             1 => {
+                let own_ = &self.in_contact;
                 let h = state[0];
                 let dot_h = state[1];
-                *rates = [
-                    dot_h,
-                    self.in_contact.v4_
-                        * S::mul_add(-self.in_contact.k, h, self.in_contact.v7_),
-                ];
+                *rates = [dot_h, own_.v4_ * S::mul_add(-own_.k, h, own_.v7_)];
             }
             _ => {}
         }
@@ -54,24 +52,22 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for FallEquation
         );
         match phase.mode {
             0 => {
+                let own_ = &self.in_flight;
                 let dot_h = state[1];
-                *rates = [dot_h, self.in_flight.rate_1_];
+                *rates = [dot_h, own_.rate_1_];
                 for (column_, product_) in columns.iter().zip(&mut *products) {
                     product_[0] = column_[1];
                     product_[1] = S::ZERO;
                 }
             }
             1 => {
+                let own_ = &self.in_contact;
                 let h = state[0];
                 let dot_h = state[1];
-                *rates = [
-                    dot_h,
-                    self.in_contact.v4_
-                        * S::mul_add(-self.in_contact.k, h, self.in_contact.v7_),
-                ];
+                *rates = [dot_h, own_.v4_ * S::mul_add(-own_.k, h, own_.v7_)];
                 for (column_, product_) in columns.iter().zip(&mut *products) {
                     product_[0] = column_[1];
-                    product_[1] = self.in_contact.slope_1_0_ * column_[0];
+                    product_[1] = own_.slope_1_0_ * column_[0];
                 }
             }
             _ => {}
@@ -93,7 +89,8 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for FallEquation
                 columns[1] = [S::ONE, S::ZERO];
             }
             1 => {
-                columns[0] = [S::ZERO, self.in_contact.slope_1_0_];
+                let own_ = &self.in_contact;
+                columns[0] = [S::ZERO, own_.slope_1_0_];
                 columns[1] = [S::ONE, S::ZERO];
             }
             _ => {}
@@ -112,6 +109,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for FallEquation
         }
         match phase.mode {
             0 => {
+                let own_ = &self.in_flight;
                 S::outline(
                     #[inline(always)]
                     || {
@@ -125,7 +123,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for FallEquation
                             let one_: S = ::assur::series::one(k_);
                             let dot_h = state[1];
                             let step_ = length * ::assur::series::inverse(k_ + 1);
-                            let rates_ = [dot_h, one_ * self.in_flight.rate_1_];
+                            let rates_ = [dot_h, one_ * own_.rate_1_];
                             for (next_, rate_) in rows_[k_ + 1].iter_mut().zip(rates_) {
                                 *next_ = step_ * rate_;
                             }
@@ -135,6 +133,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for FallEquation
                 )
             }
             1 => {
+                let own_ = &self.in_contact;
                 S::outline(
                     #[inline(always)]
                     || {
@@ -148,9 +147,8 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for FallEquation
                             let one_: S = ::assur::series::one(k_);
                             let dot_h = state[1];
                             let h = state[0];
-                            let v13_ = one_ * self.in_contact.v7_
-                                - self.in_contact.k * h;
-                            let rate_1_ = self.in_contact.v4_ * v13_;
+                            let v13_ = one_ * own_.v7_ - own_.k * h;
+                            let rate_1_ = own_.v4_ * v13_;
                             let step_ = length * ::assur::series::inverse(k_ + 1);
                             let rates_ = [dot_h, rate_1_];
                             for (next_, rate_) in rows_[k_ + 1].iter_mut().zip(rates_) {

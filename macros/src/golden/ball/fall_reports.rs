@@ -18,16 +18,17 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for FallEquations<
                 )
             }
             1 => {
+                let own_ = &self.in_contact;
                 S::outline(
                     #[inline(always)]
                     || {
                         ::assur::exact!(mut values, 1);
                         let h = state[0];
-                        let force = self.in_contact.M
+                        let force = own_.M
                             * S::mul_add(
-                                self.in_contact.v4_,
-                                S::mul_add(-self.in_contact.k, h, self.in_contact.v7_),
-                                self.in_contact.g,
+                                own_.v4_,
+                                S::mul_add(-own_.k, h, own_.v7_),
+                                own_.g,
                             );
                         values[0] = force;
                     },
