@@ -27,13 +27,13 @@ pub(crate) struct Doubt {
 
 impl Doubt {
     /// Nothing yet.
-    #[inline(always)]
+    #[inline]
     pub fn new(permitted: usize) -> Self {
         Self { permitted, measured: 0, held: 0 }
     }
 
     /// Whether the step after so many is to be measured.
-    #[inline(always)]
+    #[inline]
     pub fn is_due(&self, steps: usize) -> bool {
         steps >= EVERY && steps % EVERY < MEASURED
     }

@@ -55,7 +55,7 @@ impl Default for Statistics {
 
 impl Statistics {
     /// Counts an accepted step, with its error in tolerances.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn count(&mut self, length: f64, error: f64, is_last: bool) {
         self.steps += 1;
         self.estimated_error += error;
@@ -99,7 +99,7 @@ impl Clock {
     }
 
     /// Where a step of this length leads, after a number of steps. The last step lands exactly on the end.
-    #[inline(always)]
+    #[inline]
     pub fn target(&self, step: f64, steps: usize) -> f64 {
         if let Some(count) = self.fixed {
             return self.even(count, steps);
@@ -122,7 +122,7 @@ impl Clock {
     }
 
     /// Whether a step is too short to advance the time.
-    #[inline(always)]
+    #[inline]
     pub fn is_lost(&self, step: f64) -> bool {
         let span = (self.times.1 - self.times.0).abs();
         step.abs() <= 10.0 * f64::EPSILON * self.now.abs() + 1e-30 * span

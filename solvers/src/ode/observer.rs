@@ -30,7 +30,7 @@ pub struct Step<'a> {
 /// Looks at the steps of an integration.
 pub trait Observer {
     /// Whether the continuous solution of this step is wanted.
-    #[inline(always)]
+    #[inline]
     fn wants_dense(&mut self, _from: f64, _to: f64) -> bool {
         false
     }
@@ -39,18 +39,18 @@ pub trait Observer {
     fn step(&mut self, step: &Step<'_>);
 
     /// Whether [`Observer::stiffness`] is wanted.
-    #[inline(always)]
+    #[inline]
     fn wants_stiffness(&self) -> bool {
         false
     }
 
     /// Looks at the length of the next step to be looked at, and at `|λ|`, the fastest rate of change that the equations
     /// show in it.
-    #[inline(always)]
+    #[inline]
     fn stiffness(&mut self, _length: f64, _rate: f64) {}
 
     /// Whether the integration is to end after the step that was looked at last.
-    #[inline(always)]
+    #[inline]
     fn has_enough(&self) -> bool {
         false
     }
@@ -58,6 +58,6 @@ pub trait Observer {
 
 /// Nobody looks.
 impl Observer for () {
-    #[inline(always)]
+    #[inline]
     fn step(&mut self, _step: &Step<'_>) {}
 }

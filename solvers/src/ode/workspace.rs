@@ -38,13 +38,13 @@ impl Workspace {
     }
 
     /// The coefficients of the method.
-    #[inline(always)]
+    #[inline]
     pub(super) fn tableau(&self) -> &'static Tableau {
         self.method.tableau()
     }
 
     /// One of the slopes.
-    #[inline(always)]
+    #[inline]
     pub(super) fn slope(&self, number: usize) -> &[f64] {
         let length = self.room.state.len();
         &self.room.slopes[number * length..][..length]
@@ -91,7 +91,7 @@ impl Workspace {
     }
 
     /// The error of the attempt in tolerances.
-    #[inline(always)]
+    #[inline]
     pub(super) fn estimate<Y: System + ?Sized>(&self, system: &Y, options: &Options) -> f64 {
         let room = &self.room;
         let second = match self.tableau().second_error {
@@ -102,7 +102,7 @@ impl Workspace {
     }
 
     /// Keeps the state of the last inner stage, which the stages of the dense output would overwrite.
-    #[inline(always)]
+    #[inline]
     pub(super) fn keep_last_stage(&mut self) {
         std::mem::swap(&mut self.room.stage, &mut self.room.second);
     }
