@@ -66,7 +66,7 @@ impl<'a> Flow<'a> {
         self.sides[surface] = side;
     }
 
-    #[inline(always)]
+    #[inline]
     fn phase(&self) -> Phase<'_, f64> {
         Phase { mode: self.mode, sides: &self.sides }
     }
@@ -74,7 +74,7 @@ impl<'a> Flow<'a> {
     /// Computes numbers; where they do not exist though they might, with the sides left to the values. A branch that is
     /// held beyond its surface, where the step that ends on the surface tries the equations, may not exist there, `sqrt(x)`
     /// of a negative number: they are those of the branch that does, then.
-    #[inline(always)]
+    #[inline]
     fn held<R: Copy>(
         &self,
         numbers: &mut [f64],
@@ -88,7 +88,7 @@ impl<'a> Flow<'a> {
     }
 
     /// Whether sides are held, and numbers do not exist.
-    #[inline(always)]
+    #[inline]
     fn is_lost(&self, numbers: &[f64]) -> bool {
         !self.sides.is_empty() && first_bad(numbers, 1).is_some()
     }

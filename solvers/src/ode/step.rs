@@ -210,16 +210,8 @@ pub(crate) fn finish<S: Real, C: Coefficients, E: Staged<S> + ?Sized>(
         polynomial[length + index] = begin;
         polynomial[2 * length + index] = end - begin;
     }
-    macro_rules! rows {
-        ($($number:literal)*) => {$(
-            if $number < C::TABLEAU.dense_rows.len() {
-                let target = &mut polynomial[(3 + $number) * length..][..length];
-                let row = const {
-                    if $number < C::TABLEAU.dense_rows.len() { C::TABLEAU.dense_rows[$number] } else { &[] }
-                };
-                combine(target, None, step, row, slopes);
-            }
-        )*};
+    for (number, row) in method.dense_rows.iter().enumerate() {
+        let target = &mut polynomial[(3 + number) * length..][..length];
+        combine(target, None, step, row, slopes);
     }
-    rows!(0 1 2 3);
 }

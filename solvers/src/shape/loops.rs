@@ -45,14 +45,14 @@ impl LinkageEntry {
     };
 
     /// Whether a group is iterated.
-    #[inline(always)]
+    #[inline]
     pub fn is_iterated(&self) -> bool {
         let mut groups = self.groups.iter();
         groups.any(|group| group.kind == GroupKind::General)
     }
 
     /// Number of equations of the largest group.
-    #[inline(always)]
+    #[inline]
     pub fn largest(&self) -> usize {
         let sizes = self.groups.iter().map(|group| group.unknowns.len());
         sizes.max().unwrap_or(0)

@@ -179,7 +179,7 @@ impl Shape {
     }
 
     /// The loops; none where the scene is no linkage.
-    #[inline(always)]
+    #[inline]
     pub fn loops(&self) -> &LinkageEntry {
         match &self.linkage {
             Some(loops) => loops,

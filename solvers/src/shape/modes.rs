@@ -64,7 +64,7 @@ pub enum Direction {
 
 impl Direction {
     /// Whether a guard that gets this sign passes zero in this direction.
-    #[inline(always)]
+    #[inline]
     pub fn allows(self, rising: bool) -> bool {
         match self {
             Self::Rises => rising,

@@ -37,16 +37,6 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// Closes all groups, and goes there if they have certainly kept their modes.
     #[inline(always)]
     pub(super) fn step(&mut self, independents: &[S]) -> bool {
-        /// Written out for the first groups, so that what is known of each is known to the compiler.
-        macro_rules! written_out {
-            ($groups:ident $sines:ident $position:ident $ratio:ident: $($index:literal)*) => {{
-                let mut certain = true;
-                $(if $groups > $index {
-                    certain &= self.keeps($index, $sines.as_ref()[$index], $ratio, &mut $position);
-                })*
-                certain
-            }};
-        }
         let loops = &self.closure.0;
         let entry = loops.shape().loops();
         let groups = entry.groups.len();
@@ -56,8 +46,8 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let modes = &self.groups.modes.as_ref()[..groups];
         let found = &mut sines.as_mut()[..groups];
         loops.close_all(&instant, modes, &mut position, found);
-        let mut certain = written_out!(groups sines position ratio: 0 1 2 3 4 5);
-        for index in 6..groups {
+        let mut certain = true;
+        for index in 0..groups {
             certain &= self.keeps(index, sines.as_ref()[index], ratio, &mut position);
         }
         if certain {

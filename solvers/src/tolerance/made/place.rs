@@ -132,18 +132,8 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
         sample: usize,
         position: &mut Position<L, S>,
     ) -> bool {
-        /// Written out for the first groups, so that what is known of each is known to the compiler.
-        macro_rules! written_out {
-            ($groups:ident: $($index:literal)*) => {{
-                $(if $groups > $index
-                    && !self.close_one($index, closure, instant, sample, position) {
-                    return false;
-                })*
-            }};
-        }
         let groups = closure.shape().loops().groups.len();
-        written_out!(groups: 0 1 2 3 4 5);
-        for index in 6..groups {
+        for index in 0..groups {
             if !self.close_one(index, closure, instant, sample, position) {
                 return false;
             }
