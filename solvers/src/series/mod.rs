@@ -32,13 +32,13 @@ const INVERSE: [f64; TERMS + 1] = {
 };
 
 /// `1/k`; 0 for 0.
-#[inline]
+#[inline(always)]
 pub fn inverse<S: Scalar>(k: usize) -> S {
     S::from_f64(INVERSE[k])
 }
 
 /// A term of the series of 1.
-#[inline]
+#[inline(always)]
 pub fn one<S: Scalar>(k: usize) -> S {
     match k {
         0 => S::ONE,
@@ -47,7 +47,7 @@ pub fn one<S: Scalar>(k: usize) -> S {
 }
 
 /// A term of the series of the time, which goes on by a length.
-#[inline]
+#[inline(always)]
 pub fn time<S: Scalar>(k: usize, time: S, length: S) -> S {
     match k {
         0 => time,
@@ -86,7 +86,7 @@ fn sum<S: Scalar>(left: &Terms<S>, right: &Terms<S>, (first, last): (usize, usiz
 }
 
 /// A quantity that a factor switches off where that is zero: its next term, or none.
-#[inline]
+#[inline(always)]
 pub fn unless_zero<S: Scalar>(factor: S, next: impl FnOnce() -> S) -> S {
     match factor.to_f64() == 0.0 {
         true => S::ZERO,

@@ -210,7 +210,7 @@ impl Taylor {
     }
 
     /// The length of a step that the last two terms permit, and a limit.
-    #[inline]
+    #[inline(always)]
     fn permitted(&self, unit: f64, limit: f64, options: &Options) -> f64 {
         let states = self.before.len();
         let mut sizes = [0.0f64; 2];
@@ -228,7 +228,7 @@ impl Taylor {
 
     /// The polynomial of a step that is so many times as long as what the terms are based on, the state and the slopes at
     /// its end.
-    #[inline]
+    #[inline(always)]
     fn cut_off(&mut self, part: f64) {
         // States of one to three coordinates stay in registers.
         match self.before.len() {
@@ -239,7 +239,7 @@ impl Taylor {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn cut_off_known<const N: usize>(&mut self, part: f64) {
         let (rows, _) = self.terms.as_chunks::<N>();
         let (polynomial, _) = self.polynomial.as_chunks_mut::<N>();
@@ -282,7 +282,7 @@ impl Taylor {
     }
 
     /// The error of the step in tolerances, and the state that has it.
-    #[inline]
+    #[inline(always)]
     fn error(&self, length: f64, options: &Options) -> (f64, usize) {
         let (mut error, mut component) = (0.0, 0);
         for (index, rate) in self.rate.iter().enumerate() {
@@ -326,7 +326,7 @@ impl Taylor {
 }
 
 /// `size^(-1/order)` within some percent, from the bits of the number, which are about its logarithm.
-#[inline]
+#[inline(always)]
 fn root(size: f64, order: usize) -> f64 {
     const ONE: i64 = f64::to_bits(1.0) as i64;
     let logarithm = size.to_bits() as i64 - ONE;

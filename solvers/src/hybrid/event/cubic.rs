@@ -85,20 +85,20 @@ pub(super) fn root(hull: &[f64; 4]) -> f64 {
 }
 
 /// The smallest and the largest of some values.
-#[inline]
+#[inline(always)]
 pub(super) fn range(&[a, b, c, d]: &[f64; 4]) -> (f64, f64) {
     let low = smaller(smaller(a, b), smaller(c, d));
     (low, larger(larger(a, b), larger(c, d)))
 }
 
 /// The smaller of two numbers by one instruction: `f64::min` also looks for what is not a number.
-#[inline]
+#[inline(always)]
 fn smaller(one: f64, other: f64) -> f64 {
     if one < other { one } else { other }
 }
 
 /// The larger of two numbers by one instruction.
-#[inline]
+#[inline(always)]
 pub(super) fn larger(one: f64, other: f64) -> f64 {
     if one > other { one } else { other }
 }

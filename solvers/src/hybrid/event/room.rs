@@ -21,19 +21,19 @@ impl Guards {
     }
 
     /// The values.
-    #[inline]
+    #[inline(always)]
     pub fn values(&self) -> &[f64] {
         &self.numbers[..self.count]
     }
 
     /// The rates.
-    #[inline]
+    #[inline(always)]
     pub fn rates(&self) -> &[f64] {
         &self.numbers[self.count..2 * self.count]
     }
 
     /// Values and rates.
-    #[inline]
+    #[inline(always)]
     pub fn both_mut(&mut self) -> (&mut [f64], &mut [f64]) {
         self.numbers[..2 * self.count].split_at_mut(self.count)
     }
@@ -44,7 +44,7 @@ impl Guards {
     }
 
     /// Computes the guards at a time and state.
-    #[inline]
+    #[inline(always)]
     pub fn look(&mut self, flow: &Flow<'_>, time: f64, state: &[f64]) {
         let (values, rates) = self.both_mut();
         flow.guards(time, state, values, rates);
@@ -81,7 +81,7 @@ impl Seen {
     }
 
     /// Value and rate of a guard at a part, if that has been looked at.
-    #[inline]
+    #[inline(always)]
     pub fn find(&self, part: f64, guard: usize) -> Option<(f64, f64)> {
         let mut parts = self.parts[..self.length].iter();
         let begin = 2 * self.count * parts.position(|one| *one == part)?;
@@ -90,7 +90,7 @@ impl Seen {
     }
 
     /// Room for the values and rates at another part, as long as there is some.
-    #[inline]
+    #[inline(always)]
     pub fn next(&mut self, part: f64) -> Option<(&mut [f64], &mut [f64])> {
         let place = self.length;
         *self.parts.get_mut(place)? = part;

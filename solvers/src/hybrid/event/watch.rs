@@ -101,7 +101,7 @@ impl<'a> Watch<'a> {
     }
 
     /// The earliest event of a step. One in which an angle turns far is looked at part by part.
-    #[inline]
+    #[inline(always)]
     fn look(&mut self, step: &Step<'_>) {
         let length = step.to - step.from;
         self.step = length;
@@ -192,7 +192,7 @@ impl<'a> Watch<'a> {
     }
 
     /// Nothing has happened in a step.
-    #[inline]
+    #[inline(always)]
     fn pass(&mut self, step: &Step<'_>) {
         self.state.copy_from_slice(step.after);
         std::mem::swap(&mut self.room.begin, &mut self.room.end);
@@ -269,18 +269,18 @@ impl<'a> Watch<'a> {
 }
 
 impl Observer for Watch<'_> {
-    #[inline]
+    #[inline(always)]
     fn wants_dense(&mut self, _from: f64, _to: f64) -> bool {
         true
     }
 
-    #[inline]
+    #[inline(always)]
     fn step(&mut self, step: &Step<'_>) {
         self.recorder.step(step);
         self.look(step);
     }
 
-    #[inline]
+    #[inline(always)]
     fn has_enough(&self) -> bool {
         self.due.is_some() || self.lost.is_some() || self.fast.is_some()
     }

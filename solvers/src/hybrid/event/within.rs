@@ -116,7 +116,7 @@ impl Watch<'_> {
 }
 
 /// A guard at a part of a step. What one guard is looked at for, the others are to be looked at for too.
-#[inline]
+#[inline(always)]
 fn look_at(
     flow: &Flow<'_>,
     step: &Step<'_>,
@@ -136,7 +136,7 @@ fn look_at(
 }
 
 /// A guard at a part of a step of this length.
-#[inline]
+#[inline(always)]
 pub(super) fn at(guards: &Guards, event: usize, part: f64, length: f64) -> Reading {
     Reading { part, value: guards.values()[event], slope: guards.rates()[event] * length }
 }
@@ -166,7 +166,7 @@ pub(super) fn between(step: &Step<'_>, part: f64, state: &mut [f64]) {
 }
 
 /// Writes a state that a step has changed by so much.
-#[inline]
+#[inline(always)]
 fn write<const N: usize>(change: [f64; N], step: &Step<'_>, state: &mut [f64]) {
     for (value, (change, before)) in state.iter_mut().zip(change.iter().zip(step.before)) {
         *value = change + before;
@@ -174,7 +174,7 @@ fn write<const N: usize>(change: [f64; N], step: &Step<'_>, state: &mut [f64]) {
 }
 
 /// What a step changes a state of this length by, at a part of it.
-#[inline]
+#[inline(always)]
 fn known<const N: usize>(step: &Step<'_>, part: f64) -> [f64; N] {
     let (rows, _) = step.polynomial.as_chunks::<N>();
     let (pairs, last) = rows.as_chunks::<2>();
