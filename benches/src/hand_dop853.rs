@@ -46,11 +46,12 @@ pub fn extra_times(t: f64, h: f64) -> [f64; 3] {
     EXTRA_NODES.map(|node| t + node * h)
 }
 
-/// A weighted sum of slopes in one component: `a·k + …`.
+/// A weighted sum of slopes in one component: `a·k + …`. `Scalar` is named, since a number's own `mul_add` would call a
+/// function where the processor was not asked for fused products.
 macro_rules! weighted {
     ($i:ident, ($a:literal, $k:ident) $(, ($b:literal, $l:ident))* $(,)?) => {{
         let sum = S::from_f64($a) * $k[$i];
-        $(let sum = S::from_f64($b).mul_add($l[$i], sum);)*
+        $(let sum = Scalar::mul_add(S::from_f64($b), $l[$i], sum);)*
         sum
     }};
 }
@@ -60,7 +61,7 @@ macro_rules! stage {
     ($y:ident, $h:ident, $($term:tt),* $(,)?) => {{
         let mut stage = *$y;
         for (i, stage) in stage.iter_mut().enumerate() {
-            *stage = weighted!(i, $($term),*).mul_add($h, *stage);
+            *stage = Scalar::mul_add(weighted!(i, $($term),*), $h, *stage);
         }
         stage
     }};

@@ -21,7 +21,7 @@ use super::run;
 type Question = Vec<String>;
 
 #[test]
-#[ignore = "many minutes; asks everything and keeps the answers where ASSUR_RECORD says"]
+#[ignore = "two minutes; ASSUR_RECORD=DIR cargo test --release -p assur-equations --test command record -- --ignored"]
 fn everything() {
     let Some(folder) = std::env::var_os("ASSUR_RECORD").map(PathBuf::from) else {
         panic!("say where to: ASSUR_RECORD=DIR");
