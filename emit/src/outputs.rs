@@ -15,9 +15,8 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
     let name = &layout.equations;
     let first = &layout.first_mode().program().results;
     let drivers = of_time(layout, "drivers", &first.drivers);
-    let margins = of_time(layout, "margins", &first.margins);
     let methods =
-        [outputs(layout), drivers, margins, energy(layout), mass(layout), measures(layout)];
+        [outputs(layout), drivers, margins(layout), energy(layout), mass(layout), measures(layout)];
     let methods = methods.iter().flatten();
     quote! {
         impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for #name<S> {
@@ -37,6 +36,20 @@ fn outputs(layout: &Layout<'_>) -> Option<TokenStream> {
             fn outputs(&self, phase: ::assur::problem::Phase<'_, S>, time: S, state: &[S], values: &mut [S]) {
                 ::assur::exact!(state, #states);
                 #outputs
+            }
+        }
+    })
+}
+
+fn margins(layout: &Layout<'_>) -> Option<TokenStream> {
+    let states = size(layout.states());
+    let margins =
+        layout.in_mode(&quote!({}), &|mode| of_state(mode, &mode.program().results.margins));
+    (!layout.scene.carried.is_empty()).then(|| {
+        quote! {
+            fn margins(&self, phase: ::assur::problem::Phase<'_, S>, time: S, state: &[S], values: &mut [S]) {
+                ::assur::exact!(state, #states);
+                #margins
             }
         }
     })

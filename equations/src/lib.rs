@@ -15,4 +15,8 @@ assur::equations! {
     "table_drive.eqn",
     "presser_foot.eqn",
     "needle_impact.eqn",
+    "engine.eqn",
+    "balanced_four_bar.eqn",
+    "shaper.eqn",
+    "andrews.eqn",
 }

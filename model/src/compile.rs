@@ -12,6 +12,7 @@ mod choose;
 mod close;
 mod declare;
 mod derive;
+mod forces;
 mod lower;
 mod quantities;
 mod report;
@@ -174,7 +175,8 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
     let solved = is_complete(low).then(|| {
         let given = quantities::state_symbols(&names);
         let (graph, place) = (&mut low.graph, here.place());
-        motion::solve(graph, &equations, &unknowns, &given, &place, low.diagnostics)
+        let given = (&given[..], low.slopes.as_mut());
+        motion::solve(graph, &equations, &unknowns, given, &place, low.diagnostics)
     });
     let asked = Asked::read(here, reported, &still, low);
     seen.take_up(low);

@@ -255,11 +255,17 @@ impl Lowering<'_> {
         let rate = self.graph.tangent(&[value], &direction)[0];
         let acceleration = self.graph.tangent(&[rate], &direction)[0];
         let varies = self.graph.depends_on(rate, |symbol| symbol == Symbol::Time);
+        let given = self.graph.symbol(Symbol::DriverRate(index));
         let speed = match moved {
-            Moved::InTime => Some(rate),
-            Moved::Given => Some(self.graph.symbol(Symbol::DriverRate(index))),
+            Moved::Given => Some(given),
             // Where the driver is swept, its speed is known if it is always the same.
-            Moved::Swept => (!varies).then_some(rate),
+            Moved::Swept if varies => None,
+            _ if self.has_mass => {
+                self.followed.insert(Symbol::DriverRate(index), rate);
+                self.followed.insert(Symbol::DriverAcceleration(index), acceleration);
+                Some(given)
+            }
+            _ => Some(rate),
         };
         self.driver_motions[index as usize] = speed.map(|speed| (value, speed));
         Some(Drive { position: Some(value), rate: Some(rate), acceleration: Some(acceleration) })

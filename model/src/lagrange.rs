@@ -25,16 +25,29 @@ pub struct Energies {
 }
 
 impl Energies {
-    /// The coordinates that occur in them, or whose speeds do.
-    pub fn concern(&self, graph: &Graph) -> BTreeSet<u32> {
+    /// The positions that occur in them, or whose rates do.
+    pub fn concern(&self, graph: &Graph) -> BTreeSet<Symbol> {
         let single = self.kinetic.iter().chain(&self.potential).chain(&self.dissipation);
         let forces = self.forces.iter().flat_map(|(force, on)| [force, on]);
         let all: Vec<Expression> = single.chain(forces).copied().collect();
-        let coordinate = |symbol| match symbol {
-            Symbol::Coordinate(index) | Symbol::Speed(index) => Some(index),
+        let position = |symbol| match symbol {
+            Symbol::Coordinate(_) | Symbol::Dependent(_) | Symbol::Driver(_) => Some(symbol),
+            Symbol::Speed(index) => Some(Symbol::Coordinate(index)),
+            Symbol::DependentRate(index) => Some(Symbol::Dependent(index)),
+            Symbol::DriverRate(index) => Some(Symbol::Driver(index)),
             _ => None,
         };
-        graph.symbols(&all).into_iter().filter_map(coordinate).collect()
+        graph.symbols(&all).into_iter().filter_map(position).collect()
+    }
+}
+
+/// The symbol of the time derivative of a position.
+fn rate_of(position: Symbol) -> Symbol {
+    match position {
+        Symbol::Coordinate(index) => Symbol::Speed(index),
+        Symbol::Dependent(index) => Symbol::DependentRate(index),
+        Symbol::Driver(index) => Symbol::DriverRate(index),
+        other => other,
     }
 }
 
@@ -44,19 +57,19 @@ struct Square {
     velocity: Expression,
 }
 
-/// The residuals of Lagrange's equations for the coordinates, `d/dt ∂T/∂u − ∂T/∂q + ∂V/∂q + ∂D/∂u − Q`, zero in motion.
+/// The residuals of Lagrange's equations for some positions as if nothing bound them,
+/// `d/dt ∂T/∂u − ∂T/∂q + ∂V/∂q + ∂D/∂u − Q`: the force that moves them as they move, zero for what moves freely.
 ///
 /// `direction` says how everything moves with time; `is_rate` whether an expression is certainly the time derivative
 /// of something that depends on positions and time alone.
 pub fn residuals(
     graph: &mut Graph,
     energies: &Energies,
-    coordinates: &[u32],
+    positions: &[Symbol],
     direction: &Map<Symbol, Expression>,
     is_rate: &dyn Fn(Expression) -> bool,
 ) -> Vec<Expression> {
-    let positions: Vec<_> = coordinates.iter().map(|k| Symbol::Coordinate(*k)).collect();
-    let speeds: Vec<_> = coordinates.iter().map(|k| Symbol::Speed(*k)).collect();
+    let speeds: Vec<_> = positions.iter().map(|position| rate_of(*position)).collect();
     let one = graph.one();
 
     // Weights of the two reverse sweeps: over ∂/∂u and over ∂/∂q.
@@ -70,8 +83,7 @@ pub fn residuals(
                 let inertia = graph.mul(coefficient, rates[0]);
                 let growth = graph.mul(rates[1], velocity);
                 by_speed.push((velocity, graph.add(inertia, growth)));
-                let varies =
-                    graph.depends_on(coefficient, |symbol| matches!(symbol, Symbol::Coordinate(_)));
+                let varies = graph.depends_on(coefficient, |symbol| positions.contains(&symbol));
                 if varies {
                     let (half, square) = (graph.number(-0.5), graph.powi(velocity, 2));
                     by_position.push((coefficient, graph.mul(half, square)));
@@ -87,14 +99,14 @@ pub fn residuals(
     }
 
     let from_speeds = graph.gradient(&by_speed, &speeds);
-    let from_positions = graph.gradient(&by_position, &positions);
+    let from_positions = graph.gradient(&by_position, positions);
     let mut residuals: Vec<_> =
         from_speeds.iter().zip(&from_positions).map(|(a, b)| graph.add(*a, *b)).collect();
     if !whole.is_empty() {
         let weighted: Vec<_> = whole.iter().map(|term| (*term, one)).collect();
         let momenta = graph.gradient(&weighted, &speeds);
         let rates = graph.tangent(&momenta, direction);
-        let slopes = graph.gradient(&weighted, &positions);
+        let slopes = graph.gradient(&weighted, positions);
         for (residual, (rate, slope)) in residuals.iter_mut().zip(rates.iter().zip(&slopes)) {
             let share = graph.sub(*rate, *slope);
             *residual = graph.add(*residual, share);
@@ -119,7 +131,8 @@ fn square(graph: &mut Graph, term: Expression) -> Option<Square> {
         _ => vec![term],
     };
     let moves = |graph: &Graph, e: Expression| {
-        graph.depends_on(e, |symbol| matches!(symbol, Symbol::Speed(_)))
+        use Symbol::{DependentRate, DriverRate, Speed};
+        graph.depends_on(e, |symbol| matches!(symbol, Speed(_) | DependentRate(_) | DriverRate(_)))
     };
     let at = factors.iter().position(|factor| match graph.node(*factor) {
         Node::Power(base, exponent) => {

@@ -11,6 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Graph, Map, Symbol};
+use crate::slopes::Slopes;
 use crate::structure::{Incidence, Matching, blocks};
 use crate::token::Span;
 
@@ -61,13 +62,13 @@ const HINTS: Hints = Hints {
     under: "add a `motion` equation or an energy with this unknown, or take the unknown away; a coordinate without mass is a `state`",
 };
 
-/// Solves the equations for the highest derivatives; `given` are the symbols of the state vector, `scene` says in
-/// messages where this is, `in the scene `elastic``.
+/// Solves the equations for the highest derivatives; `given` are the symbols of the state vector, which dependent
+/// coordinates follow as `slopes` say; `scene` says in messages where this is, `in the scene `elastic``.
 pub fn solve(
     graph: &mut Graph,
     equations: &[Equation],
     unknowns: &[UnknownName],
-    given: &[Symbol],
+    (given, slopes): (&[Symbol], Option<&mut Slopes>),
     scene: &str,
     diagnostics: &mut Diagnostics,
 ) -> Option<Solved> {
@@ -84,8 +85,12 @@ pub fn solve(
     let zero = graph.zero();
     let at_rest: Map<_, _> = symbols.iter().map(|symbol| (*symbol, zero)).collect();
     let constant_parts = graph.substitute(&residuals, &at_rest);
+    let entries = match slopes {
+        Some(slopes) => slopes.jacobian(graph, &residuals, given),
+        None => graph.jacobian(&residuals, given),
+    };
     let mut slopes: Vec<BTreeMap<usize, Expression>> = vec![BTreeMap::new(); equations.len()];
-    for (row, column, value) in graph.jacobian(&residuals, given) {
+    for (row, column, value) in entries {
         slopes[row].insert(column, value);
     }
     let mut elimination = Elimination {

@@ -23,7 +23,7 @@ mod staging;
 mod surfaces;
 
 pub use crate::expression::{Form, Function, Relation};
-pub use build::{Request, build};
+pub use build::{Request, bind, build};
 pub use closing::{ClosedForm, Closing};
 pub use counts::Counts;
 pub use evaluate::{Configuration, Values};

@@ -71,29 +71,8 @@ impl Slopes {
         }
         let direction = Map::from_iter([(symbol, graph.one())]);
         let direct = graph.tangent(&self.residuals, &direction);
-        let zero = graph.zero();
-        let mut values = vec![zero; self.unknowns];
-        for group in &self.groups {
-            let Inverse { equations, unknowns, rows: inverse } = group;
-            let right: Vec<_> = equations
-                .iter()
-                .map(|&row| {
-                    let mut terms = vec![direct[row]];
-                    for (column, slope) in &self.rows[row] {
-                        if !unknowns.contains(column) {
-                            terms.push(graph.mul(*slope, values[*column]));
-                        }
-                    }
-                    let sum = graph.sum(&terms);
-                    graph.neg(sum)
-                })
-                .collect();
-            for (unknown, row) in unknowns.iter().zip(inverse) {
-                let terms: Vec<_> =
-                    row.iter().zip(&right).map(|(a, b)| graph.mul(*a, *b)).collect();
-                values[*unknown] = graph.sum(&terms);
-            }
-        }
+        let right: Vec<_> = direct.iter().map(|one| graph.neg(*one)).collect();
+        let values = self.solve(graph, &right);
         self.by.insert(symbol, values.clone());
         values
     }
@@ -107,31 +86,100 @@ impl Slopes {
         quantity: Expression,
         given: &[Symbol],
     ) -> Vec<Expression> {
-        let (zero, one) = (graph.zero(), graph.one());
+        let one = graph.one();
         let symbols: Vec<_> = (0..self.unknowns as u32).map(Symbol::Dependent).collect();
-        let mut rest = graph.gradient(&[(quantity, one)], &symbols);
+        let along = graph.gradient(&[(quantity, one)], &symbols);
+        let right: Vec<_> = along.iter().map(|one| graph.neg(*one)).collect();
+        let multipliers = self.solve_transposed(graph, &right);
         let mut weighted = vec![(quantity, one)];
+        let zero = graph.zero();
+        let pairs = self.residuals.iter().copied().zip(multipliers);
+        weighted.extend(pairs.filter(|(_, multiplier)| *multiplier != zero));
+        graph.gradient(&weighted, given)
+    }
+
+    /// The `x` of `∂F/∂z·x = right`, one entry for each dependent coordinate, group after group.
+    pub fn solve(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
+        let zero = graph.zero();
+        let mut values = vec![zero; self.unknowns];
+        for group in &self.groups {
+            let own: Vec<_> = group
+                .equations
+                .iter()
+                .map(|&row| {
+                    let mut terms = vec![right[row]];
+                    for (column, slope) in &self.rows[row] {
+                        if !group.unknowns.contains(column) {
+                            let share = graph.mul(*slope, values[*column]);
+                            terms.push(graph.neg(share));
+                        }
+                    }
+                    graph.sum(&terms)
+                })
+                .collect();
+            for (unknown, row) in group.unknowns.iter().zip(&group.rows) {
+                let terms: Vec<_> = row.iter().zip(&own).map(|(a, b)| graph.mul(*a, *b)).collect();
+                values[*unknown] = graph.sum(&terms);
+            }
+        }
+        values
+    }
+
+    /// The `λ` of `(∂F/∂z)ᵀ·λ = right`, one entry for each equation, from the last group to the first.
+    pub fn solve_transposed(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
+        let zero = graph.zero();
+        let mut rest = right.to_vec();
+        let mut multipliers = vec![zero; self.residuals.len()];
         for group in self.groups.iter().rev() {
             for (index, &row) in group.equations.iter().enumerate() {
                 let unknowns = group.unknowns.iter().zip(&group.rows);
                 let terms: Vec<_> = unknowns
                     .map(|(unknown, inverse)| graph.mul(rest[*unknown], inverse[index]))
                     .collect();
-                let sum = graph.sum(&terms);
-                let multiplier = graph.neg(sum);
+                multipliers[row] = graph.sum(&terms);
+            }
+            for &row in &group.equations {
+                let multiplier = multipliers[row];
                 if multiplier == zero {
                     continue;
                 }
-                weighted.push((self.residuals[row], multiplier));
                 for (column, slope) in &self.rows[row] {
                     if !group.unknowns.contains(column) {
                         let share = graph.mul(multiplier, *slope);
-                        rest[*column] = graph.add(rest[*column], share);
+                        rest[*column] = graph.sub(rest[*column], share);
                     }
                 }
             }
         }
-        graph.gradient(&weighted, given)
+        multipliers
+    }
+
+    /// The residuals of the equations, in their order.
+    pub fn residuals(&self) -> &[Expression] {
+        &self.residuals
+    }
+
+    /// Nonzero derivatives of some expressions by some things given, the dependent coordinates following: row, column,
+    /// value.
+    pub fn jacobian(
+        &mut self,
+        graph: &mut Graph,
+        rows: &[Expression],
+        given: &[Symbol],
+    ) -> Vec<(usize, usize, Expression)> {
+        if self.unknowns == 0 {
+            return graph.jacobian(rows, given);
+        }
+        let zero = graph.zero();
+        let mut entries = Vec::new();
+        for (column, symbol) in given.iter().enumerate() {
+            let direction = self.direction(graph, *symbol);
+            let values = graph.tangent(rows, &direction).into_iter().enumerate();
+            let nonzero = values.filter(|(_, value)| *value != zero);
+            entries.extend(nonzero.map(|(row, value)| (row, column, value)));
+        }
+        entries.sort_by_key(|(row, column, _)| (*row, *column));
+        entries
     }
 
     /// A direction in which something given changes by one, and the dependent coordinates follow.

@@ -1,5 +1,7 @@
 //! What the statements of a scene say of its motion: energies, forces, written equations, conditions.
 
+use std::collections::BTreeMap;
+
 use crate::checked::{EquationInfo, RequirementInfo};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
@@ -21,6 +23,8 @@ pub struct Parts {
     pub energies: Energies,
     /// Where they stand.
     pub energy_places: Vec<Span>,
+    /// The force that moves each position as it moves, as if nothing bound it; without those of which none is stated.
+    pub forces: BTreeMap<Symbol, Expression>,
     /// Equations of motion that are written out.
     pub written: Vec<Equation>,
     /// Conditions on the values.
@@ -176,34 +180,58 @@ impl Parts {
         self.text(statement, force.kind);
     }
 
-    /// All equations: those written, and Lagrange's for the coordinates that occur in energies.
+    /// All equations: those written, and Lagrange's for the coordinates that occur in energies, or that move something that
+    /// does.
     pub fn equations(&mut self, low: &mut Lowering<'_>, names: &Names) -> Vec<Equation> {
         let mut equations = std::mem::take(&mut self.written);
+        for equation in &mut equations {
+            equation.residual = low.written_out(&[equation.residual])[0];
+        }
         let Some(place) = self.energy_places.first().copied() else {
             return equations;
         };
         let Some(direction) = low.direction() else {
             return equations;
         };
-        let concerned: Vec<u32> = self.energies.concern(&low.graph).into_iter().collect();
+        let positions: Vec<Symbol> = self.energies.concern(&low.graph).into_iter().collect();
         let rates = std::mem::take(&mut low.rates);
         let residuals =
-            lagrange::residuals(&mut low.graph, &self.energies, &concerned, &direction, &|e| {
+            lagrange::residuals(&mut low.graph, &self.energies, &positions, &direction, &|e| {
                 rates.contains(&e)
             });
         low.rates = rates;
-        for (coordinate, residual) in concerned.into_iter().zip(residuals) {
-            let name = format!(
-                "Lagrange's equation of {}",
-                names.coordinates[coordinate as usize].name.text
-            );
-            equations.push(Equation {
-                residual,
-                name,
-                span: place,
-                lagrange: Some(coordinate as usize),
-            });
+        self.forces = positions.into_iter().zip(residuals).collect();
+        for (coordinate, residual) in self.reduced(low) {
+            let name = format!("Lagrange's equation of {}", names.coordinates[coordinate].name.text);
+            let residual = low.written_out(&[residual])[0];
+            equations.push(Equation { residual, name, span: place, lagrange: Some(coordinate) });
         }
         equations
+    }
+
+    /// The equations of the coordinates that are concerned. What moves with a coordinate counts with its kinematic
+    /// coefficient: the forces of the closures do no work on what they let move.
+    fn reduced(&self, low: &mut Lowering<'_>) -> Vec<(usize, Expression)> {
+        let zero = low.graph.zero();
+        let mut reduced = Vec::new();
+        for index in 0..low.names.coordinates.len() {
+            let symbol = Symbol::Coordinate(index as u32);
+            let own = self.forces.get(&symbol).copied();
+            let mut terms: Vec<Expression> = own.into_iter().collect();
+            let coefficients = match &mut low.slopes {
+                Some(slopes) => slopes.by(&mut low.graph, symbol),
+                None => Vec::new(),
+            };
+            for (dependent, coefficient) in coefficients.into_iter().enumerate() {
+                let force = self.forces.get(&Symbol::Dependent(dependent as u32));
+                if let Some(force) = force.filter(|_| coefficient != zero) {
+                    terms.push(low.graph.mul(coefficient, *force));
+                }
+            }
+            if !terms.is_empty() {
+                reduced.push((index, low.graph.sum(&terms)));
+            }
+        }
+        reduced
     }
 }

@@ -107,9 +107,9 @@ pub trait Reports<S: Scalar>: Send + Sync {
     /// Writes the positions of the drivers at a time. Shape: [`Shape::drivers`].
     fn drivers(&self, _time: S, _values: &mut [S]) {}
 
-    /// Writes by how much the loops that the motion carries along close at a time, in SI units: less than zero where they
-    /// do not, not a number where one before does not. Shape: [`Shape::carried`].
-    fn margins(&self, _time: S, _values: &mut [S]) {}
+    /// Writes by how much the loops that the motion carries along close, in SI units: less than zero where they do not, not
+    /// a number where one before does not. Shape: [`Shape::carried`].
+    fn margins(&self, _phase: Phase<'_, S>, _time: S, _state: &[S], _values: &mut [S]) {}
 
     /// Kinetic and potential energy, in joules; none where the scene states forces instead.
     fn energy(&self, _phase: Phase<'_, S>, _time: S, _state: &[S]) -> Option<(S, S)> {

@@ -15,7 +15,8 @@ const HALVINGS: usize = 40;
 
 /// Which loop opens first in the task of a scene, when, and how large the gap becomes; nothing where all stay closed.
 pub fn tell(scene: &SceneEntry, run: &dyn Model) -> Option<Told> {
-    let margin = |index: usize, time: f64| run.margins(time)[index];
+    let start = run.start();
+    let margin = |index: usize, time: f64| run.margins_in(run.shape().first, time, &start)[index];
     let (from, to) = run.span().limits();
     let times = (0..=PARTS).map(|part| from + (to - from) * part as f64 / PARTS as f64);
     let times: Vec<f64> = times.collect();

@@ -70,7 +70,6 @@ impl SceneModel {
             // What is made of a whole run, or of the time alone, is no matter of modes: the first one computes it.
             if index != self.first {
                 program.results.measures.clear();
-                program.results.margins.clear();
                 program.results.drivers.clear();
             }
             let equations = mode.equations.clone();

@@ -37,9 +37,7 @@ pub fn constants(
     request: &mut Request,
     low: &Lowering<'_>,
 ) -> Vec<usize> {
-    let mut all = request.results.all();
-    all.extend(request.bindings.values());
-    let symbols = low.graph.symbols(&all);
+    let symbols = request.needed(&low.graph);
     let given = mode.here.constants;
     let depends = |index: &usize| {
         given.contains(index) || symbols.contains(&Symbol::Parameter(*index as u32))

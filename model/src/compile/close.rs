@@ -2,7 +2,7 @@
 
 use super::Here;
 use crate::checked::EquationInfo;
-use crate::linkage::{Linkage, Loops};
+use crate::linkage::{self, Linkage, Loops};
 use crate::lower::Lowering;
 
 /// Reads the loops, which give their texts, and orders them unless there is a mistake.
@@ -18,5 +18,6 @@ pub fn close(
         false => None,
     };
     low.loops_are_wrong = linkage.is_none();
+    linkage::follow(low);
     (texts, linkage)
 }

@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Symbol;
 use crate::lower::{Lowering, Moved};
 use crate::resolve::Names;
-use crate::syntax::tree::{Scene, SceneItem};
+use crate::syntax::tree::{EnergyKind, Scene, SceneItem, StatementKind};
 use crate::unit::Unit;
 
 /// The declared quantities.
@@ -66,6 +66,9 @@ pub fn quantities(here: Here<'_>, low: &mut Lowering<'_>) -> Declared {
     let dependents = dependents.map(|(index, one)| low.dependent(indexed(index), one));
     let dependent_units = dependents.collect();
     low.moved = moved(low, here.scene());
+    low.has_mass = here.phase().statements.iter().any(|one| {
+        matches!(one.kind, StatementKind::Energy { kind: EnergyKind::Kinetic, .. })
+    });
     Declared {
         constants,
         units,

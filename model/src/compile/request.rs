@@ -4,7 +4,7 @@ use super::Mode;
 use crate::checked::{LinkageInfo, LoopInfo, SpanKind};
 use crate::expression::{Expression, Symbol};
 use crate::lower::{Lowering, Moved};
-use crate::program::{Input, Request, Results};
+use crate::program::{self, Input, Request, Results};
 
 use super::quantities::state_symbols;
 
@@ -45,7 +45,22 @@ pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
     inputs.insert(Symbol::Time, Input::Time);
     let found = 0..asked.measures.primitives.len() as u32;
     inputs.extend(found.map(|index| (Symbol::Measured(index), Input::Measured(index))));
+    follow(mode, &mut request, low);
     request
+}
+
+/// Says what rates of dependent coordinates, forces and energies stand for; a linkage, of which derivatives by its
+/// dimensions are taken, has them written out.
+fn follow(mode: &Mode<'_>, request: &mut Request, low: &mut Lowering<'_>) {
+    let mut bindings = super::forces::bindings(mode, low);
+    bindings.extend(low.followed.iter().map(|(symbol, value)| (*symbol, *value)));
+    if mode.declared.is_linkage() {
+        let results = &request.results;
+        let written = program::bind(&mut low.graph, &results.all(), &bindings);
+        request.results = results.with(written);
+    } else {
+        request.bindings.extend(bindings);
+    }
 }
 
 /// Rates of the coordinates.
@@ -112,7 +127,11 @@ pub fn loops(
         let driver = Symbol::Driver(index as u32);
         request.bindings.extend(position.map(|value| (driver, value)));
     }
-    linkage.carry(low, low.names, drives, values, request)
+    let starts = low.graph.evaluate(&mode.asked.start, &|symbol| match symbol {
+        Symbol::Parameter(index) => values[index as usize],
+        _ => f64::NAN,
+    });
+    linkage.carry(low, (drives, &starts), values, request)
 }
 
 /// Positions of drivers, and their speeds and accelerations, come from outside.

@@ -34,6 +34,16 @@ pub enum Symbol {
     DriverAcceleration(u32),
     /// A dependent coordinate, which closures determine.
     Dependent(u32),
+    /// The time derivative of a dependent coordinate.
+    DependentRate(u32),
+    /// The second time derivative of a dependent coordinate.
+    DependentAcceleration(u32),
+    /// The force of a scalar closure, by the index of its equation.
+    Reaction(u32),
+    /// The force that the motion of a driver takes.
+    Effort(u32),
+    /// Kinetic energy, potential energy, dissipated power of the whole.
+    Energy(u32),
     /// The assembly mode of a group, 1 or −1.
     Mode(u32),
     /// On which side of a switching surface the motion is, 1 or −1; 0 where its values say it.

@@ -1,13 +1,13 @@
 //! A linkage that is carried along by a motion: its drivers move in time, and what it does acts on coordinates that move by
 //! themselves. Its dependent coordinates are then functions of the time, put in as closed forms.
 
-use super::{Closed, Group, Linkage, Slot};
+use super::{Closed, Group, Linkage, Slot, angles};
 use crate::checked::LoopInfo;
 use crate::declare::Drive;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::lower::Lowering;
-use crate::program::Request;
+use crate::program::{Function, Request};
 use crate::resolve::Names;
 
 impl Linkage {
@@ -16,12 +16,17 @@ impl Linkage {
     pub fn carry(
         &self,
         low: &mut Lowering<'_>,
-        names: &Names,
-        drives: &[Drive],
+        (drives, starts_of_state): (&[Drive], &[f64]),
         constants: &[f64],
         request: &mut Request,
     ) -> Option<Vec<LoopInfo>> {
+        if self.groups.is_empty() {
+            return Some(Vec::new());
+        }
+        let names = low.names;
         let mut given = Given::at_start(low, names, drives, constants)?;
+        given.coordinates = starts_of_state.to_vec();
+        let (mut values_of, mut around) = (Vec::new(), Vec::new());
         let mut carried = Vec::new();
         for (number, group) in self.groups.iter().enumerate() {
             let Some(closed) = &group.closed else {
@@ -46,18 +51,17 @@ impl Linkage {
                 given.dependents[index] = value;
             }
             let chosen = Map::from_iter([(mode, low.graph.number(sign))]);
+            let turns = |slot: Slot| closed.values.iter().any(|one| one.0 == slot);
+            around.extend(starts.iter().filter(|one| turns(Slot::Cosine(one.0))).copied());
             for (slot, value) in &closed.values {
-                if let Slot::Value(index) = slot {
-                    let fixed = low.graph.substitute(&[*value], &chosen)[0];
-                    let symbol = Symbol::Dependent(*index as u32);
-                    request.bindings.insert(symbol, fixed);
-                }
+                values_of.push((*slot, low.graph.substitute(&[*value], &chosen)[0]));
             }
             if low.graph.as_number(closed.margin).is_none() {
                 request.results.margins.push(closed.margin);
                 carried.push(self.carried_info(group));
             }
         }
+        put_in(low, &values_of, &around, request);
         Some(carried)
     }
 
@@ -120,6 +124,63 @@ impl Linkage {
     }
 }
 
+/// Puts closed forms in. Cosine and sine of an angle are those of its link, never those of the angle. `starts` says of the
+/// angles where they start.
+fn put_in(
+    low: &mut Lowering<'_>,
+    values: &[(Slot, Expression)],
+    starts: &[(usize, f64)],
+    request: &mut Request,
+) {
+    let graph = &mut low.graph;
+    let symbols: Vec<_> = (0..low.names.dependents.len() as u32).map(Symbol::Dependent).collect();
+    let apart = |graph: &mut Graph, list: &[Expression]| {
+        let expanded = angles::expand(graph, list);
+        angles::free_of(graph, &expanded, &symbols)
+    };
+    let results = apart(graph, &request.results.all());
+    request.results = request.results.with(results);
+    let (names, bound): (Vec<_>, Vec<_>) = std::mem::take(&mut request.bindings).into_iter().unzip();
+    request.bindings = names.into_iter().zip(apart(graph, &bound)).collect();
+    for (index, symbol) in symbols.iter().enumerate() {
+        let angle = graph.symbol(*symbol);
+        for (place, function) in [Function::Cos, Function::Sin].into_iter().enumerate() {
+            let value = graph.call(function, &[angle]);
+            request.bindings.insert(Symbol::Argument((2 * index + place) as u32), value);
+        }
+    }
+    let (slots, values): (Vec<_>, Vec<_>) = values.iter().copied().unzip();
+    for (slot, value) in slots.into_iter().zip(apart(graph, &values)) {
+        let symbol = match slot {
+            Slot::Value(index) => Symbol::Dependent(index as u32),
+            Slot::Cosine(index) => Symbol::Argument(2 * index as u32),
+            Slot::Sine(index) => Symbol::Argument(2 * index as u32 + 1),
+        };
+        request.bindings.insert(symbol, value);
+    }
+    for &(index, start) in starts {
+        let pair = [Symbol::Argument(2 * index as u32), Symbol::Argument(2 * index as u32 + 1)];
+        let angle = around(graph, pair, start);
+        request.bindings.insert(Symbol::Dependent(index as u32), angle);
+    }
+}
+
+/// The angle of a unit vector within half a turn of the right angle that is next to its start, so that what swings does
+/// not jump by a turn.
+fn around(graph: &mut Graph, unit: [Symbol; 2], start: f64) -> Expression {
+    let [cosine, sine] = unit.map(|symbol| graph.symbol(symbol));
+    let quarters = (start / std::f64::consts::FRAC_PI_2).round();
+    let (x, y) = match quarters.rem_euclid(4.0) as u8 {
+        0 => (cosine, sine),
+        1 => (sine, graph.neg(cosine)),
+        2 => (graph.neg(cosine), graph.neg(sine)),
+        _ => (graph.neg(sine), cosine),
+    };
+    let angle = graph.call(Function::Atan2, &[y, x]);
+    let from = graph.number(quarters * std::f64::consts::FRAC_PI_2);
+    graph.add(from, angle)
+}
+
 /// Where the dependent coordinates of a group are declared to start.
 fn starts(low: &mut Lowering<'_>, names: &Names, group: &Group) -> Option<Vec<(usize, f64)>> {
     let mut starts = Vec::new();
@@ -164,6 +225,7 @@ fn solved(
 struct Given {
     constants: Vec<f64>,
     drivers: Vec<f64>,
+    coordinates: Vec<f64>,
     dependents: Vec<f64>,
 }
 
@@ -176,7 +238,9 @@ impl Given {
         constants: &[f64],
     ) -> Option<Self> {
         let dependents = vec![f64::NAN; names.dependents.len()];
-        let mut given = Self { constants: constants.to_vec(), drivers: Vec::new(), dependents };
+        let constants = constants.to_vec();
+        let mut given =
+            Self { constants, drivers: Vec::new(), coordinates: Vec::new(), dependents };
         for (driver, drive) in names.drivers.iter().zip(drives) {
             let start = match (&driver.what.start, drive.position) {
                 (Some(term), _) => low.fixed(term)?.0,
@@ -195,6 +259,7 @@ impl Given {
         match symbol {
             Symbol::Parameter(index) => at(&self.constants, index),
             Symbol::Driver(index) => at(&self.drivers, index),
+            Symbol::Coordinate(index) => at(&self.coordinates, index),
             Symbol::Dependent(index) => at(&self.dependents, index),
             Symbol::Time => 0.0,
             _ => f64::NAN,

@@ -6,6 +6,7 @@
 //! `[[a, ∓b], [b, ±a]]`. Equations in the other order, or with another sign, turn in the other sense.
 
 use super::dyad;
+use super::relative::Relative;
 use super::{Closed, angles};
 use crate::checked::GroupKind;
 use crate::expression::{Expression, Graph, Map, Symbol};
@@ -44,7 +45,7 @@ pub struct Affine {
 }
 
 impl Group {
-    /// Recognises the group. `angle` says which dependent coordinates occur as angles; `mode` is the number of the group.
+    /// Recognises the group from the equations as they are written. `angle` says which dependent coordinates occur as angles; `mode` is the number of the group.
     pub fn of(
         graph: &mut Graph,
         residuals: &[Expression],
@@ -73,6 +74,11 @@ fn recognise(
     angle: &[bool],
     mode: u32,
 ) -> Option<(GroupKind, Closed)> {
+    if let Some((relative, absolute)) = Relative::of(graph, residuals, unknowns, angle) {
+        let (kind, closed) = recognise(graph, &absolute, unknowns, angle, mode)?;
+        return Some((kind, relative.back(graph, &closed, mode)?));
+    }
+    let residuals = &angles::expand(graph, residuals);
     let basics = Basics::of(graph, residuals, unknowns, angle);
     if let Some(affine) = basics.affine(graph) {
         return dyad::affine(graph, &affine, unknowns, mode);

@@ -3,7 +3,7 @@
 use crate::checked::EquationInfo;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
-use crate::lower::{Kind, Lowering};
+use crate::lower::{Closure, Kind, Lowering};
 use crate::motion::Equation;
 use crate::syntax::print;
 use crate::syntax::tree::{Statement, StatementKind, Term};
@@ -16,6 +16,8 @@ use crate::unroll::equation_name;
 pub struct Loops {
     /// Scalar equations, a vector's components one after the other.
     pub equations: Vec<Equation>,
+    /// What must vanish, as it is written: with sines of sums.
+    pub written: Vec<Expression>,
     /// Their kinds.
     pub kinds: Vec<Kind>,
     /// The closures as text.
@@ -51,7 +53,9 @@ impl Loops {
         };
         let expanded = super::expand(&mut low.graph, &residuals);
         let many = expanded.len() > 1;
-        for (residual, component) in expanded.into_iter().zip(["x", "y", "z"]) {
+        let first = self.equations.len();
+        let both = expanded.into_iter().zip(residuals);
+        for ((residual, written), component) in both.zip(["x", "y", "z"]) {
             if !self.is_usable(residual, left.span.to(right.span), low) {
                 continue;
             }
@@ -61,8 +65,14 @@ impl Loops {
                 span: statement.span,
                 lagrange: None,
             });
+            self.written.push(written);
             self.kinds.push(kind);
         }
+        low.closures.push(Closure {
+            name: name.to_string(),
+            equations: first..self.equations.len(),
+            kind,
+        });
         self.texts.push(EquationInfo {
             text: print::statement(statement),
             unit: Unit::for_dimension(&kind.dimension()).symbol,
@@ -80,24 +90,17 @@ impl Loops {
                 Diagnostic::error(span, "a closure cannot depend on the time by itself")
                     .hint("say with a `driver` what moves")
             }
+            () if depends(low, &|symbol| matches!(symbol, Symbol::State(_))) => Diagnostic::error(
+                span,
+                "a closure binds positions, and a `state` is no position",
+            )
+            .hint("a closure can hold drivers, coordinates and dependent coordinates"),
             () if depends(low, &|symbol| {
+                use Symbol::{Acceleration, DriverAcceleration, DriverRate, Speed};
                 matches!(
                     symbol,
-                    Symbol::Coordinate(_)
-                        | Symbol::State(_)
-                        | Symbol::Speed(_)
-                        | Symbol::Acceleration(_)
+                    DriverRate(_) | DriverAcceleration(_) | Speed(_) | Acceleration(_)
                 )
-            }) =>
-            {
-                Diagnostic::error(
-                    span,
-                    "closures that bind coordinates are not available in this version of Assur",
-                )
-                .hint("a closure can hold drivers and dependent coordinates")
-            }
-            () if depends(low, &|symbol| {
-                matches!(symbol, Symbol::DriverRate(_) | Symbol::DriverAcceleration(_))
             }) =>
             {
                 Diagnostic::error(

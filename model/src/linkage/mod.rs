@@ -8,13 +8,16 @@
 mod angles;
 mod carried;
 mod dyad;
+mod follow;
 mod geometry;
 mod group;
 mod loops;
 mod order;
+mod relative;
 mod results;
 
 pub use angles::expand;
+pub use follow::follow;
 pub use geometry::{Geometry, Ranges};
 pub use group::Group;
 pub use loops::Loops;

@@ -76,7 +76,7 @@ impl Linkage {
             let mode = groups.len() as u32;
             groups.push(Group::of(
                 &mut low.graph,
-                &residuals,
+                &loops.written,
                 block.equations.clone(),
                 block.unknowns.clone(),
                 &angles,

@@ -54,9 +54,11 @@ impl Lowering<'_> {
     }
 
     fn breaks(&mut self, values: &[Expression], moves: &dyn Fn(Symbol) -> bool) -> Breaks {
-        let (motions, written) = (&self.driver_motions, &self.written);
+        let (motions, written, followed) =
+            (&self.driver_motions, &self.written, &self.followed);
         let behind = |symbol| match symbol {
             Symbol::Driver(index) => motions[index as usize].map(|(position, _)| position),
+            Symbol::DriverRate(_) => followed.get(&symbol).copied(),
             _ => None,
         };
         let course = Course { moves, behind: &behind, is_step: &|one| written.is_step(one) };
@@ -77,8 +79,8 @@ impl Lowering<'_> {
             words: "the forces are derivatives of this energy",
             instead: "or state the forces themselves by `force` or `motion`: they may jump",
         };
-        let position = |symbol| matches!(symbol, Symbol::Coordinate(_));
-        let speed = |symbol| matches!(symbol, Symbol::Speed(_));
+        let position = |symbol| matches!(symbol, Symbol::Coordinate(_) | Symbol::Dependent(_));
+        let speed = |symbol| matches!(symbol, Symbol::Speed(_) | Symbol::DependentRate(_));
         match kind {
             EnergyKind::Potential => self.is_differentiable(&[energy], &position, &wanted),
             EnergyKind::Dissipation => self.is_differentiable(&[energy], &speed, &wanted),
@@ -111,7 +113,7 @@ impl Lowering<'_> {
             words: "a force acts along the derivatives of its position",
             ..Wanted::explicitly(term, place)
         };
-        let moves = |symbol| matches!(symbol, Symbol::Coordinate(_));
+        let moves = |symbol| matches!(symbol, Symbol::Coordinate(_) | Symbol::Dependent(_));
         self.is_differentiable(position, &moves, &wanted)
     }
 

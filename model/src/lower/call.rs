@@ -93,6 +93,9 @@ impl Lowering<'_> {
         if let Some(found) = self.measuring(name, arguments, span) {
             return found;
         }
+        if let Some(found) = self.of_motion(name, arguments, span) {
+            return found;
+        }
         let Some((_, function, expected, rule)) = TABLE.iter().find(|row| row.0 == name.text)
         else {
             return self.unknown_function(name);

@@ -48,10 +48,12 @@ impl Lowering<'_> {
         let Some(kind) = over(quantity.kind, Kind::Of(second())) else {
             return Typed::Wrong;
         };
-        let positions = |symbol: Symbol| {
-            matches!(symbol, Symbol::Speed(_) | Symbol::State(_) | Symbol::Acceleration(_))
+        let values = &self.without_highest(values);
+        let moving = |symbol: Symbol| {
+            use Symbol::{Acceleration, DependentRate, Speed, State};
+            matches!(symbol, Speed(_) | State(_) | Acceleration(_) | DependentRate(_))
         };
-        let rate = !values.iter().any(|value| self.graph.depends_on(*value, positions));
+        let rate = !values.iter().any(|value| self.graph.depends_on(*value, moving));
         if values.iter().any(|value| {
             self.graph.depends_on(*value, |symbol| matches!(symbol, Symbol::Acceleration(_)))
         }) {
@@ -76,18 +78,44 @@ impl Lowering<'_> {
         Quantity::of(&values, kind).rated(rate)
     }
 
-    /// Whether a number of the whole run is among some values; that is reported.
+    /// Whether a number of the whole run, or what follows from the motion as a whole, is among some values; that is
+    /// reported.
     fn is_found(&mut self, values: &[Expression], span: Span) -> bool {
-        let found = |symbol: Symbol| matches!(symbol, Symbol::Measured(_));
-        let any = values.iter().any(|one| self.graph.depends_on(*one, found));
-        if any {
-            let message = "a number of the whole run has no derivative: it does not change";
-            self.diagnostics.push(
+        let has = |wanted: fn(Symbol) -> bool| {
+            values.iter().any(|one| self.graph.depends_on(*one, wanted))
+        };
+        let report = match () {
+            () if has(|symbol| matches!(symbol, Symbol::Measured(_))) => {
+                let message = "a number of the whole run has no derivative: it does not change";
                 Diagnostic::error(span, message)
-                    .hint("differentiate what is looked at, as in `peak(dot(x))`"),
-            );
+                    .hint("differentiate what is looked at, as in `peak(dot(x))`")
+            }
+            () if has(is_of_motion) => Diagnostic::error(
+                span,
+                "forces of closures and drivers, and energies of the whole, have no derivative here",
+            )
+            .hint("report the quantity itself: its curve shows how it changes"),
+            () => return false,
+        };
+        self.diagnostics.push(report);
+        true
+    }
+
+    /// Values with the accelerations of dependent coordinates written out, if they hold any: what follows from the motion of
+    /// drivers alone can be differentiated again.
+    fn without_highest(&mut self, values: &[Expression]) -> Vec<Expression> {
+        let highest = |symbol: Symbol| matches!(symbol, Symbol::DependentAcceleration(_));
+        match values.iter().any(|one| self.graph.depends_on(*one, highest)) {
+            true => self.written_out(values),
+            false => values.to_vec(),
         }
-        any
+    }
+
+    /// Values with the time derivatives of dependent coordinates written out.
+    pub fn written_out(&mut self, values: &[Expression]) -> Vec<Expression> {
+        let once = self.graph.substitute(values, &self.followed);
+        // Accelerations are made of rates.
+        self.graph.substitute(&once, &self.followed)
     }
 
     /// How everything given moves with time: `dq/dt = u`, `du/dt = a`. None when the motion of a driver is wrong.
@@ -100,7 +128,8 @@ impl Lowering<'_> {
             .map(Symbol::Coordinate)
             .chain(coordinates.map(Symbol::Speed))
             .chain(index(names.states.len()).map(Symbol::State))
-            .chain(index(names.dependents.len()).map(Symbol::Dependent));
+            .chain(index(names.dependents.len()).map(Symbol::Dependent))
+            .chain(index(names.dependents.len()).map(Symbol::DependentRate));
         self.direction_of(all.collect())
     }
 
@@ -114,6 +143,8 @@ impl Lowering<'_> {
                 Symbol::Coordinate(index) => Symbol::Speed(index),
                 Symbol::Speed(index) => Symbol::Acceleration(index),
                 Symbol::State(index) => Symbol::Acceleration(coordinates + index),
+                Symbol::Dependent(index) => Symbol::DependentRate(index),
+                Symbol::DependentRate(index) => Symbol::DependentAcceleration(index),
                 _ => continue,
             };
             direction.insert(*symbol, self.graph.symbol(rate));
@@ -123,7 +154,7 @@ impl Lowering<'_> {
                 Some((_, rate)) => {
                     let driver = index as u32;
                     direction.insert(Symbol::Driver(driver), rate);
-                    if self.moved == Moved::Given {
+                    if self.given_symbol(rate) == Some(Symbol::DriverRate(driver)) {
                         let acceleration = self.graph.symbol(Symbol::DriverAcceleration(driver));
                         direction.insert(Symbol::DriverRate(driver), acceleration);
                     }
@@ -135,32 +166,7 @@ impl Lowering<'_> {
                 None => return None,
             }
         }
-        if given.iter().any(|symbol| matches!(symbol, Symbol::Dependent(_))) {
-            self.follow(&mut direction);
-        }
         Some(direction)
-    }
-
-    /// Lets the dependent coordinates follow the drivers.
-    fn follow(&mut self, direction: &mut Map<Symbol, Expression>) {
-        let Some(mut slopes) = self.slopes.take() else {
-            return;
-        };
-        let mut rates: Vec<Vec<Expression>> = vec![Vec::new(); self.names.dependents.len()];
-        for driver in 0..self.names.drivers.len() as u32 {
-            let Some(rate) = direction.get(&Symbol::Driver(driver)).copied() else {
-                continue;
-            };
-            let coefficients = slopes.by(&mut self.graph, Symbol::Driver(driver));
-            for (terms, coefficient) in rates.iter_mut().zip(coefficients) {
-                terms.push(self.graph.mul(coefficient, rate));
-            }
-        }
-        for (index, terms) in rates.iter().enumerate() {
-            let rate = self.graph.sum(terms);
-            direction.insert(Symbol::Dependent(index as u32), rate);
-        }
-        self.slopes = Some(slopes);
     }
 
     /// Reports a time derivative of what moves with a driver of which no speed is stated, or that is not there.
@@ -173,7 +179,9 @@ impl Lowering<'_> {
             self.error(Diagnostic::error(span, message));
             return true;
         }
-        let dependent = occurs(&self.graph, &|symbol| matches!(symbol, Symbol::Dependent(_)));
+        let dependent = occurs(&self.graph, &|symbol| {
+            matches!(symbol, Symbol::Dependent(_) | Symbol::DependentRate(_))
+        });
         if dependent && self.loops_are_wrong {
             return true;
         }
@@ -299,7 +307,8 @@ impl Lowering<'_> {
         match typed {
             Typed::Quantity(one) => match over(one.kind, kind) {
                 Some(kind) => {
-                    let values = self.graph.tangent(one.values(), &direction);
+                    let values = self.written_out(one.values());
+                    let values = self.graph.tangent(&values, &direction);
                     self.derived.extend(&values);
                     Quantity::of(&values, kind).into()
                 }
@@ -310,4 +319,9 @@ impl Lowering<'_> {
                 .error(Diagnostic::error(span, format!("{} has no derivative", other.describe()))),
         }
     }
+}
+
+/// Whether a symbol stands for what only the whole motion determines.
+pub fn is_of_motion(symbol: Symbol) -> bool {
+    matches!(symbol, Symbol::Reaction(_) | Symbol::Effort(_) | Symbol::Energy(_))
 }

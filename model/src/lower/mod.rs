@@ -9,6 +9,7 @@ mod condition;
 mod derivative;
 mod literal;
 mod measure;
+mod mechanics;
 mod notation;
 mod turns;
 mod typed;
@@ -19,6 +20,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
 pub use measure::Measuring;
+pub use mechanics::Closure;
 use typed::Key;
 pub use typed::{Quantity, Typed};
 use written::Written;
@@ -84,6 +86,12 @@ pub struct Lowering<'a> {
     pub derived: Set<Expression>,
     /// How the dependent coordinates change, once the closures are read.
     pub slopes: Option<Slopes>,
+    /// What the time derivatives of dependent coordinates, and of drivers where these are symbols, stand for.
+    pub followed: Map<Symbol, Expression>,
+    /// The closures by name, with the indices of their scalar equations and their kinds.
+    pub closures: Vec<Closure>,
+    /// Whether something has mass, so that speeds of drivers are symbols: their forces are derivatives by them.
+    pub has_mass: bool,
     /// Whether the loops cannot be closed, which has been reported.
     pub loops_are_wrong: bool,
     /// What moves the drivers.
@@ -126,6 +134,9 @@ impl<'a> Lowering<'a> {
             rates: Set::default(),
             derived: Set::default(),
             slopes: None,
+            followed: Map::default(),
+            closures: Vec::new(),
+            has_mass: false,
             loops_are_wrong: false,
             moved: Moved::InTime,
             literal: None,

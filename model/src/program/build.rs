@@ -1,6 +1,7 @@
 //! From the expressions of a scene to its program.
 
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 
 use super::emit::Emitter;
 use super::{
@@ -31,6 +32,18 @@ pub struct Request {
 }
 
 impl Request {
+    /// The symbols that the results need, those of what they are bound to among them.
+    pub fn needed(&self, graph: &Graph) -> BTreeSet<Symbol> {
+        let mut open: Vec<Symbol> = graph.symbols(&self.results.all()).into_iter().collect();
+        let mut needed = BTreeSet::new();
+        while let Some(symbol) = open.pop() {
+            if let (true, Some(value)) = (needed.insert(symbol), self.bindings.get(&symbol)) {
+                open.extend(graph.symbols(&[*value]));
+            }
+        }
+        needed
+    }
+
     /// How often a symbol changes.
     pub(super) fn stage_of(&self, symbol: Symbol) -> Stage {
         match self.inputs.get(&symbol) {
@@ -112,7 +125,7 @@ fn freeze(graph: &mut Graph, request: &mut Request, program: &mut Program) {
 }
 
 /// Expressions with every bound symbol replaced by what it stands for, which may contain others.
-fn bind(
+pub fn bind(
     graph: &mut Graph,
     roots: &[Expression],
     bindings: &Map<Symbol, Expression>,

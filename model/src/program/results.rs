@@ -73,7 +73,7 @@ impl<T: Copy> Results<T> {
     }
 
     /// The results with the values of a list as [`Self::all`] gives it.
-    pub(super) fn with<U: Default>(&self, values: Vec<U>) -> Results<U> {
+    pub fn with<U: Default>(&self, values: Vec<U>) -> Results<U> {
         let mut values = values.into_iter();
         self.map(|_| values.next().unwrap_or_default())
     }

@@ -17,11 +17,12 @@ impl dyn Model + '_ {
         values
     }
 
-    /// By how much the loops that the motion carries along close at a time, in SI units: less than zero where they do not,
-    /// not a number where one before does not. Shape: [`Shape::carried`](crate::shape::Shape::carried).
-    pub fn margins(&self, time: f64) -> Vec<f64> {
+    /// By how much the loops that the motion carries along close in a mode at a time and state, in SI units: less than zero
+    /// where they do not, not a number where one before does not. Shape:
+    /// [`Shape::carried`](crate::shape::Shape::carried).
+    pub fn margins_in(&self, mode: usize, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; self.shape().carried.len()];
-        self.reports().margins(time, &mut values);
+        self.reports().margins(Phase::of(mode), time, state, &mut values);
         values
     }
 

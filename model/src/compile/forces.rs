@@ -1,0 +1,62 @@
+//! What only the motion as a whole determines: the forces of closures and drivers, energies and lost power.
+//!
+//! Lagrange's equations as if nothing were bound say which force moves each position as it moves. On a dependent
+//! coordinate that force comes from the closures, `(∂F/∂z)ᵀ·λ`: their own rows give it, from the last group to the first.
+//! What is left on a driver is what its motion takes. `λ` acts on what stands on the left side of a closure, because it
+//! does the work `λ·δF` and `F` is the left side less the right one.
+
+use crate::expression::{Expression, Map, Symbol};
+use crate::lower::Lowering;
+
+use super::Mode;
+
+/// What the symbols of forces and energies stand for, if the mode needs any of them.
+pub fn bindings(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Map<Symbol, Expression> {
+    let mut bindings = Map::default();
+    energies(mode, low, &mut bindings);
+    let zero = low.graph.zero();
+    let force = |symbol: Symbol| mode.parts.forces.get(&symbol).copied().unwrap_or(zero);
+    let Some(slopes) = &low.slopes else {
+        return bindings;
+    };
+    let residuals = slopes.residuals().to_vec();
+    let dependents = 0..low.names.dependents.len() as u32;
+    let right: Vec<_> = dependents.map(|index| force(Symbol::Dependent(index))).collect();
+    let reactions = slopes.solve_transposed(&mut low.graph, &right);
+    let mut weighted = Vec::new();
+    for (index, (residual, reaction)) in residuals.into_iter().zip(reactions).enumerate() {
+        let symbol = Symbol::Reaction(index as u32);
+        weighted.push((residual, low.graph.symbol(symbol)));
+        bindings.insert(symbol, reaction);
+    }
+    let drivers: Vec<_> = (0..low.names.drivers.len() as u32).map(Symbol::Driver).collect();
+    let by_closures = low.graph.gradient(&weighted, &drivers);
+    for (index, (driver, share)) in drivers.iter().zip(by_closures).enumerate() {
+        let effort = low.graph.sub(force(*driver), share);
+        bindings.insert(Symbol::Effort(index as u32), effort);
+    }
+    bindings
+}
+
+/// Kinetic and potential energy, and the power that the dissipation function takes: its slope along the speeds.
+fn energies(mode: &Mode<'_>, low: &mut Lowering<'_>, bindings: &mut Map<Symbol, Expression>) {
+    let energies = &mode.parts.energies;
+    let graph = &mut low.graph;
+    let kinds = [&energies.kinetic, &energies.potential, &energies.dissipation];
+    let [kinetic, potential, dissipation] = kinds.map(|terms| graph.sum(terms));
+    let speed = |symbol: &Symbol| {
+        matches!(symbol, Symbol::Speed(_) | Symbol::DependentRate(_) | Symbol::DriverRate(_))
+    };
+    let speeds: Vec<_> = graph.symbols(&[dissipation]).into_iter().filter(speed).collect();
+    let one = graph.one();
+    let slopes = graph.gradient(&[(dissipation, one)], &speeds);
+    let products = speeds.iter().zip(slopes).map(|(speed, slope)| {
+        let speed = graph.symbol(*speed);
+        graph.mul(slope, speed)
+    });
+    let products: Vec<_> = products.collect();
+    let lost = graph.sum(&products);
+    for (index, value) in [kinetic, potential, lost].into_iter().enumerate() {
+        bindings.insert(Symbol::Energy(index as u32), value);
+    }
+}

@@ -1,0 +1,133 @@
+//! What only the motion as a whole determines: forces of closures and of drivers, energies.
+
+use std::ops::Range;
+
+use super::{Kind, Lowering, Moved, Quantity, Typed, second};
+use crate::diagnostic::Diagnostic;
+use crate::expression::Symbol;
+use crate::homogeneity::over;
+use crate::nearest::nearest;
+use crate::resolve::Role;
+use crate::syntax::print;
+use crate::syntax::tree::{Name, Term, TermKind};
+use crate::token::Span;
+
+/// A closure by its name.
+#[derive(Clone, Debug)]
+pub struct Closure {
+    /// Its name.
+    pub name: String,
+    /// Its scalar equations.
+    pub equations: Range<usize>,
+    /// Kind of its two sides.
+    pub kind: Kind,
+}
+
+/// What `energy(…)` may be asked for, in the order of [`Symbol::Energy`].
+const ENERGIES: [&str; 3] = ["kinetic", "potential", "dissipation"];
+
+impl Lowering<'_> {
+    /// `reaction(closure)`, `effort(driver)`, `energy(kinetic)`; none for any other function.
+    pub(super) fn of_motion(
+        &mut self,
+        name: &Name,
+        arguments: &[Term],
+        span: Span,
+    ) -> Option<Typed> {
+        let find = match name.text.as_str() {
+            "reaction" => Self::reaction,
+            "effort" => Self::effort,
+            "energy" => Self::energy,
+            _ => return None,
+        };
+        Some(match self.count(name, arguments.len(), 1, span) {
+            true => find(self, &arguments[0]),
+            false => Typed::Wrong,
+        })
+    }
+
+    /// The force of a closure on what stands on its left side, a vector where the closure is one.
+    fn reaction(&mut self, argument: &Term) -> Typed {
+        let wanted = print::term(argument);
+        if self.loops_are_wrong {
+            return Typed::Wrong;
+        }
+        let Some(closure) = self.closures.iter().find(|one| one.name == wanted).cloned() else {
+            let message = format!("there is no closure `{wanted}`, and only closures have reactions");
+            let known = self.closures.iter().map(|one| one.name.as_str());
+            let near = nearest(&wanted, known);
+            let otherwise = "give a closure a name: `closure pin: A = B;`";
+            return self.error(Diagnostic::error(argument.span, message).meant(near, otherwise));
+        };
+        let Some(kind) = self.energy_kind(0).and_then(|energy| over(energy, closure.kind)) else {
+            return Typed::Wrong;
+        };
+        let symbols = closure.equations.map(|index| Symbol::Reaction(index as u32));
+        let values: Vec<_> = symbols.map(|symbol| self.graph.symbol(symbol)).collect();
+        Quantity::of(&values, kind).into()
+    }
+
+    /// The force or torque by which a driver is moved as it is.
+    fn effort(&mut self, argument: &Term) -> Typed {
+        let TermKind::Name(name) = &argument.kind else {
+            return self.no_driver(&print::term(argument), argument.span);
+        };
+        let names = self.names;
+        let Some(Role::Driver(index)) = names.table.get(name).map(|entry| &entry.role) else {
+            return self.no_driver(name, argument.span);
+        };
+        self.used.insert(name.clone());
+        let symbol = Symbol::Driver(*index);
+        let moves = self.driver_motions[*index as usize].is_some() || self.moved == Moved::Given;
+        if !moves {
+            let message = format!("nothing says how fast the driver `{name}` moves, so what moves it is not known");
+            let hint = format!("state its motion, as in `driver {name} = n*time;`");
+            return self.error(Diagnostic::error(argument.span, message).hint(hint));
+        }
+        let position = self.kind_of(symbol);
+        match self.energy_kind(0).and_then(|energy| over(energy, position)) {
+            Some(kind) => Typed::scalar(self.graph.symbol(Symbol::Effort(*index)), kind),
+            None => Typed::Wrong,
+        }
+    }
+
+    fn no_driver(&mut self, name: &str, span: Span) -> Typed {
+        let role = self.names.table.get(name).map(|entry| &entry.role);
+        let (message, hint) = match role {
+            Some(Role::Coordinate(_) | Role::Dependent(_)) => (
+                format!("`{name}` moves freely: nothing but the forces in the file acts on it"),
+                "the force of a closure is `reaction(closure)`; only a `driver` takes an effort",
+            ),
+            _ => (
+                format!("`{name}` is no driver, and only drivers take an effort"),
+                "name a driver: `effort(phi)`",
+            ),
+        };
+        self.error(Diagnostic::error(span, message).hint(hint))
+    }
+
+    /// An energy of the whole, or the power that it loses.
+    fn energy(&mut self, argument: &Term) -> Typed {
+        let wanted = print::term(argument);
+        let Some(index) = ENERGIES.iter().position(|one| *one == wanted) else {
+            let message = format!("there is no energy `{wanted}`");
+            let report = Diagnostic::error(argument.span, message);
+            return self.error(report.hint(
+                "it is `energy(kinetic)`, `energy(potential)`, or the lost power `energy(dissipation)`",
+            ));
+        };
+        match self.energy_kind(index) {
+            Some(kind) => Typed::scalar(self.graph.symbol(Symbol::Energy(index as u32)), kind),
+            None => Typed::Wrong,
+        }
+    }
+
+    /// The kind of an energy, or of a power for the last of [`ENERGIES`].
+    fn energy_kind(&self, index: usize) -> Option<Kind> {
+        let joule = crate::unit::parse_unit_text("J").ok()?.dimension;
+        match index {
+            2 => Some(Kind::Of(joule.div(&second())?)),
+            _ => Some(Kind::Of(joule)),
+        }
+    }
+}
