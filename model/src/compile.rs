@@ -7,6 +7,7 @@
 //! Each phase takes what the ones before it have found, and none looks ahead.
 
 mod ask;
+mod begin;
 mod checks;
 mod choose;
 mod close;
@@ -21,12 +22,12 @@ mod request;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
-use crate::checked::{EventInfo, SceneModel};
+use crate::checked::{EventInfo, SceneModel, SpanKind};
 use crate::diagnostic::Diagnostics;
 use crate::expression::{Budget, STEPS, Symbol};
 use crate::linkage::Linkage;
 use crate::lower::{Kind, Lowering};
-use crate::modes::{Phase, Phases};
+use crate::modes::{self, Phase, Phases};
 use crate::motion::{self, Equation, Solved, UnknownName};
 use crate::program;
 use crate::resolve::Role;
@@ -141,6 +142,22 @@ struct Mode<'a> {
     asked: Asked,
 }
 
+impl Mode<'_> {
+    /// Where a motion is sought that repeats, coordinates that turn are set back.
+    fn turn(&mut self, low: &mut Lowering<'_>) {
+        let Some(scene) = self.here.scene().filter(|_| self.asked.span.kind == SpanKind::Periodic)
+        else {
+            return;
+        };
+        let loops = self.linkage.equations.iter().map(|one| one.residual);
+        let events = self.asked.events.iter().flat_map(|(event, _)| event.all());
+        let roots: Vec<_> =
+            self.solved.derivatives.iter().copied().chain(loops).chain(events).collect();
+        let (start, index) = (&self.asked.start, self.here.index);
+        self.asked.events.extend(modes::turning(low, &roots, start, index, scene.name.span));
+    }
+}
+
 /// A mode, compiled.
 pub struct Compiled {
     /// The scene as if it had no other mode.
@@ -162,14 +179,15 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
     // Equations of statements that could not be read are missing in the balance.
     let is_complete = |low: &Lowering<'_>| is_right(low) && here.task.file.unread.is_empty();
 
-    let (names, reported) = declare::names(here, diagnostics);
+    let (mut names, reported) = declare::names(here, diagnostics);
+    close::bind(here, &mut names, seen.budget.clone(), diagnostics);
     let (survey, selected) = (here.task.survey, here.task.selected);
     let budget = seen.budget.clone();
     let low = &mut Lowering::new(&names, survey, selected, diagnostics, budget);
     let declared = declare::quantities(here, low);
     let (texts, linkage) = close::close(here, low, is_complete);
     let mut parts = lower::parts(here, texts, low);
-    let still = crate::modes::still(&names, here.phase());
+    let still = modes::still(&names, here.phase());
     let equations = derive::equations(here, &mut parts, &still, low);
     let unknowns = quantities::unknown_names(&names);
     let solved = is_complete(low).then(|| {
@@ -198,8 +216,9 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
 }
 
 /// What a mode without mistakes computes.
-fn program_of(mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
+fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
     let before = low.diagnostics.error_count();
+    mode.turn(low);
     let (scene, documentation) = mode.here.task.scene?;
     let chosen = choose::values(&mode, scene, low);
     checks::masses(low, &mode, &chosen.values);

@@ -70,6 +70,8 @@ pub struct Names {
     pub coordinates: Vec<Declared<Unknown>>,
     /// First-order states.
     pub states: Vec<Declared<Unknown>>,
+    /// The coordinates among the dependent ones, by their place there: declared as such and determined by closures.
+    pub bound: BTreeMap<usize, Unknown>,
     /// Coordinates that only another mode has, with the name of that mode.
     pub absent: BTreeMap<String, String>,
     /// Reported quantities that stand outside a scene block, with their full name where they have one.
@@ -86,6 +88,30 @@ impl Names {
             names.declare(statement, diagnostics);
         }
         names
+    }
+
+    /// Makes dependent coordinates of those with these indices: closures determine them.
+    pub fn bind(&mut self, indices: &[usize]) {
+        let all = std::mem::take(&mut self.coordinates);
+        for (index, declared) in all.into_iter().enumerate() {
+            let role = if indices.contains(&index) {
+                let place = self.dependents.len();
+                let Unknown { target, unit, start, .. } = declared.what.clone();
+                self.bound.insert(place, declared.what.clone());
+                self.dependents.push(Declared {
+                    name: declared.name.clone(),
+                    summary: declared.summary,
+                    what: Dependent { target, unit: Some(unit), start },
+                });
+                Role::Dependent(place as u32)
+            } else {
+                self.coordinates.push(declared.clone());
+                Role::Coordinate(self.coordinates.len() as u32 - 1)
+            };
+            if let Some(entry) = self.table.get_mut(&declared.name.text) {
+                entry.role = role;
+            }
+        }
     }
 
     fn declare(&mut self, statement: &Statement, diagnostics: &mut Diagnostics) {

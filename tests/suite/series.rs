@@ -16,6 +16,7 @@ fn every_scene_moves_as_with_the_other_method() {
             let times = match run.span() {
                 assur::problem::Span::Run(from, to) => (from, to),
                 assur::problem::Span::Periodic(period) => (0.0, 0.1 * period),
+                assur::problem::Span::Autonomous => (0.0, 0.5),
                 other => panic!("{name}: {other:?}"),
             };
             let by = |method, rtol| {

@@ -48,14 +48,20 @@ pub struct EventInfo {
 impl EventInfo {
     /// Where a branch goes over to its other side.
     pub fn surface(index: usize, guard: &str, mode: usize, span: Span) -> Self {
+        let text = format!("{guard} passes zero");
+        Self { surface: Some(index), ..Self::turn(text, Direction::Crosses, mode, span) }
+    }
+
+    /// Where an angle is set back by a turn.
+    pub fn turn(text: String, direction: Direction, mode: usize, span: Span) -> Self {
         Self {
             label: None,
-            text: format!("{guard} passes zero"),
-            direction: Direction::Crosses,
+            text,
+            direction,
             unit: String::new(),
             factor: 1.0,
             target: mode,
-            surface: Some(index),
+            surface: None,
             span,
             is_idle: false,
         }

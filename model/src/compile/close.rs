@@ -1,9 +1,54 @@
-//! The second phase: the loops in the order in which they are closed.
+//! The second phase: which coordinates the loops determine, and in which order they are closed.
 
-use super::Here;
+use std::rc::Rc;
+
+use super::{Here, begin};
 use crate::checked::EquationInfo;
+use crate::diagnostic::Diagnostics;
+use crate::expression::{Budget, Graph};
 use crate::linkage::{self, Linkage, Loops};
 use crate::lower::Lowering;
+use crate::resolve::Names;
+use crate::syntax::tree::{Statement, StatementKind};
+
+/// Makes dependent coordinates of those that the closures determine, where there are more closures than coordinates that
+/// are declared so.
+pub fn bind(
+    here: Here<'_>,
+    names: &mut Names,
+    budget: Rc<Budget>,
+    diagnostics: &mut Diagnostics,
+) {
+    let statements = &here.phase().statements;
+    let closes = |one: &Statement| matches!(one.kind, StatementKind::Closure { .. });
+    if names.coordinates.is_empty() || !statements.iter().any(closes) {
+        return;
+    }
+    // What is wrong in what is read here is said when it is read for good.
+    let mut unsaid = Diagnostics::default();
+    let (survey, selected) = (here.task.survey, here.task.selected);
+    let low = &mut Lowering::new(names, survey, selected, &mut unsaid, budget);
+    let declared = super::declare::quantities(here, low);
+    let loops = Loops::read(statements, low);
+    if low.diagnostics.has_errors() {
+        return;
+    }
+    let (places, starts) = begin::places(here, &declared, low);
+    let at = |symbol| match places.of(symbol) {
+        value if value.is_finite() => value,
+        _ => Graph::somewhere(symbol, 1),
+    };
+    let (bound, wrong) = linkage::bound(&loops, &at, low);
+    diagnostics.extend(wrong);
+    for (index, is_rate, term) in starts {
+        let what = &mut names.coordinates[index].what;
+        let place = if is_rate { &mut what.start_rate } else { &mut what.start };
+        if bound.contains(&index) {
+            *place = Some(term);
+        }
+    }
+    names.bind(&bound);
+}
 
 /// Reads the loops, which give their texts, and orders them unless there is a mistake.
 pub fn close(

@@ -23,11 +23,13 @@ pub fn bindings(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Map<Symbol, Expressi
     let dependents = 0..low.names.dependents.len() as u32;
     let right: Vec<_> = dependents.map(|index| force(Symbol::Dependent(index))).collect();
     let reactions = slopes.solve_transposed(&mut low.graph, &right);
-    let mut weighted = Vec::new();
-    for (index, (residual, reaction)) in residuals.into_iter().zip(reactions).enumerate() {
-        let symbol = Symbol::Reaction(index as u32);
-        weighted.push((residual, low.graph.symbol(symbol)));
-        bindings.insert(symbol, reaction);
+    let weighted: Vec<_> = residuals.into_iter().zip(reactions.iter().copied()).collect();
+    let written = match &mode.linkage.combined {
+        Some(combined) => combined.back(&mut low.graph, &reactions),
+        None => reactions,
+    };
+    for (index, reaction) in written.into_iter().enumerate() {
+        bindings.insert(Symbol::Reaction(index as u32), reaction);
     }
     let drivers: Vec<_> = (0..low.names.drivers.len() as u32).map(Symbol::Driver).collect();
     let by_closures = low.graph.gradient(&weighted, &drivers);

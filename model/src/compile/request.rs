@@ -30,12 +30,13 @@ pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
     results.derivative.extend(rates);
     results.jacobian = jacobian(mode, low);
     let span = asked.span.kind;
+    let is_hybrid = phases.is_hybrid() || !asked.events.is_empty();
     let mut request = Request {
         states: results.start.len(),
         results,
         bindings: highest.zip(solved.derivatives.iter().copied()).collect(),
-        surfaces: span == SpanKind::Run || phases.is_hybrid(),
-        cycle: span == SpanKind::Periodic && phases.is_hybrid(),
+        surfaces: span == SpanKind::Run || is_hybrid,
+        cycle: span == SpanKind::Periodic && is_hybrid,
         ..Request::default()
     };
     let inputs = &mut request.inputs;

@@ -65,6 +65,12 @@ fn stated(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>) -> Vec<S
             Some(Symbol::Coordinate(index)) => index as usize,
             Some(Symbol::Speed(index)) => coordinates + index as usize,
             Some(Symbol::State(index)) => 2 * coordinates + index as usize,
+            // What closures determine is compared with them.
+            Some(Symbol::Dependent(index) | Symbol::DependentRate(index))
+                if names.bound.contains_key(&(index as usize)) =>
+            {
+                continue;
+            }
             _ => {
                 let message = "only a coordinate, its `dot`, or a state can be started";
                 let report = Diagnostic::error(target.span, message);

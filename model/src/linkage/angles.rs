@@ -111,3 +111,35 @@ pub fn free_of(graph: &mut Graph, roots: &[Expression], angles: &[Symbol]) -> Ve
     }
     replace(graph, roots, &map)
 }
+
+/// Most turns after which something may be the same again.
+const TURNS: u32 = 12;
+
+/// The period of an angle of which the expressions hold sines and cosines alone; none if they hold it otherwise, or not.
+pub fn period(graph: &mut Graph, roots: &[Expression], angle: Symbol) -> Option<f64> {
+    let mut map = Map::default();
+    let mut factors = Vec::new();
+    let gone = graph.zero();
+    for one in graph.reachable(roots) {
+        let Node::Call(Function::Sin | Function::Cos, arguments) = graph.node(one).clone() else {
+            continue;
+        };
+        if !graph.depends_on(arguments[0], |symbol| symbol == angle) {
+            continue;
+        }
+        let along = Map::from_iter([(angle, graph.one())]);
+        let slope = graph.tangent(&arguments, &along)[0];
+        if let Some(factor) = graph.as_number(slope) {
+            factors.push(factor);
+            map.insert(one, gone);
+        }
+    }
+    let left = replace(graph, roots, &map);
+    if factors.is_empty() || left.iter().any(|one| graph.depends_on(*one, |other| other == angle)) {
+        return None;
+    }
+    let is_whole = |number: f64| (number - number.round()).abs() < 1e-9;
+    let mut turns = (1..=TURNS).map(f64::from);
+    let turns = turns.find(|turns| factors.iter().all(|factor| is_whole(factor * turns)))?;
+    Some(turns * std::f64::consts::TAU)
+}

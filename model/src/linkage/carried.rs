@@ -1,14 +1,13 @@
 //! A linkage that is carried along by a motion: its drivers move in time, and what it does acts on coordinates that move by
 //! themselves. Its dependent coordinates are then functions of the time, put in as closed forms.
 
-use super::{Closed, Group, Linkage, Slot, angles};
+use super::{Closed, Group, Linkage, Places, Slot, angles};
 use crate::checked::LoopInfo;
 use crate::declare::Drive;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::lower::Lowering;
 use crate::program::{Function, Request};
-use crate::resolve::Names;
 
 impl Linkage {
     /// Binds the dependent coordinates to their closed forms, on the assembly modes that the declared start values pick
@@ -23,9 +22,7 @@ impl Linkage {
         if self.groups.is_empty() {
             return Some(Vec::new());
         }
-        let names = low.names;
-        let mut given = Given::at_start(low, names, drives, constants)?;
-        given.coordinates = starts_of_state.to_vec();
+        let mut given = Places::of_state(low, drives, (constants, starts_of_state))?;
         let (mut values_of, mut around) = (Vec::new(), Vec::new());
         let mut carried = Vec::new();
         for (number, group) in self.groups.iter().enumerate() {
@@ -35,7 +32,7 @@ impl Linkage {
                 }, "state the linkage by links of two, or run it in a scene of its own");
                 return None;
             };
-            let starts = starts(low, names, group)?;
+            let starts = starts(low, &given, group)?;
             let mode = Symbol::Mode(number as u32);
             let Some((sign, values)) = self.assembly(&low.graph, closed, &given, mode, &starts)
             else {
@@ -61,6 +58,7 @@ impl Linkage {
                 carried.push(self.carried_info(group));
             }
         }
+        given.check_starts(low)?;
         put_in(low, &values_of, &around, request);
         Some(carried)
     }
@@ -83,7 +81,7 @@ impl Linkage {
         &self,
         graph: &Graph,
         closed: &Closed,
-        given: &Given,
+        given: &Places,
         mode: Symbol,
         starts: &[(usize, f64)],
     ) -> Option<(f64, Vec<(usize, f64)>)> {
@@ -182,19 +180,28 @@ fn around(graph: &mut Graph, unit: [Symbol; 2], start: f64) -> Expression {
 }
 
 /// Where the dependent coordinates of a group are declared to start.
-fn starts(low: &mut Lowering<'_>, names: &Names, group: &Group) -> Option<Vec<(usize, f64)>> {
+fn starts(low: &mut Lowering<'_>, given: &Places, group: &Group) -> Option<Vec<(usize, f64)>> {
+    let names = low.names;
     let mut starts = Vec::new();
     for index in &group.unknowns {
         let declared = &names.dependents[*index];
         let Some(term) = &declared.what.start else {
             let message = format!("nothing says where `{}` starts", declared.name.text);
-            low.diagnostics.push(
-                Diagnostic::error(declared.name.span, message)
-                    .hint("write roughly where: `dependent psi ~ 30 deg;`"),
-            );
+            let hint = match names.bound.contains_key(index) {
+                true => "closures determine it, and its start value says how the links are put together",
+                false => "write roughly where: `dependent psi ~ 30 deg;`",
+            };
+            low.diagnostics.push(Diagnostic::error(declared.name.span, message).hint(hint));
             return None;
         };
-        starts.push((*index, low.fixed(term)?.0));
+        let start = match names.bound.contains_key(index) {
+            true => {
+                let (value, _) = low.scalar(term)?;
+                given.evaluate(low, value)
+            }
+            false => low.fixed(term)?.0,
+        };
+        starts.push((*index, start));
     }
     Some(starts)
 }
@@ -203,7 +210,7 @@ fn starts(low: &mut Lowering<'_>, names: &Names, group: &Group) -> Option<Vec<(u
 fn solved(
     graph: &Graph,
     closed: &Closed,
-    given: &Given,
+    given: &Places,
     (mode, sign): (Symbol, f64),
 ) -> Vec<(usize, f64)> {
     let of = |symbol: Symbol| match symbol == mode {
@@ -219,50 +226,4 @@ fn solved(
             _ => None,
         })
         .collect()
-}
-
-/// What is known where the drivers start.
-struct Given {
-    constants: Vec<f64>,
-    drivers: Vec<f64>,
-    coordinates: Vec<f64>,
-    dependents: Vec<f64>,
-}
-
-impl Given {
-    /// Constants and drivers; no coordinate is known yet.
-    fn at_start(
-        low: &mut Lowering<'_>,
-        names: &Names,
-        drives: &[Drive],
-        constants: &[f64],
-    ) -> Option<Self> {
-        let dependents = vec![f64::NAN; names.dependents.len()];
-        let constants = constants.to_vec();
-        let mut given =
-            Self { constants, drivers: Vec::new(), coordinates: Vec::new(), dependents };
-        for (driver, drive) in names.drivers.iter().zip(drives) {
-            let start = match (&driver.what.start, drive.position) {
-                (Some(term), _) => low.fixed(term)?.0,
-                (None, Some(position)) => {
-                    low.graph.evaluate(&[position], &|symbol| given.of(symbol))[0]
-                }
-                (None, None) => f64::NAN,
-            };
-            given.drivers.push(start);
-        }
-        Some(given)
-    }
-
-    fn of(&self, symbol: Symbol) -> f64 {
-        let at = |list: &[f64], index: u32| list.get(index as usize).copied().unwrap_or(f64::NAN);
-        match symbol {
-            Symbol::Parameter(index) => at(&self.constants, index),
-            Symbol::Driver(index) => at(&self.drivers, index),
-            Symbol::Coordinate(index) => at(&self.coordinates, index),
-            Symbol::Dependent(index) => at(&self.dependents, index),
-            Symbol::Time => 0.0,
-            _ => f64::NAN,
-        }
-    }
 }

@@ -108,7 +108,10 @@ impl Loops {
                     "a closure binds positions, and this holds a time derivative",
                 )
             }
-            () if !depends(low, &|symbol| matches!(symbol, Symbol::Dependent(_))) => {
+            () if !depends(low, &|symbol| {
+                matches!(symbol, Symbol::Dependent(_) | Symbol::Coordinate(_))
+            }) =>
+            {
                 let zero = low.graph.as_number(residual) == Some(0.0);
                 let report = Diagnostic::error(
                     span,

@@ -8,20 +8,25 @@
 mod angles;
 mod carried;
 mod dyad;
+mod eliminate;
 mod follow;
 mod geometry;
 mod group;
+mod independent;
 mod loops;
 mod order;
+mod places;
 mod relative;
 mod results;
 
-pub use angles::expand;
+pub use angles::{expand, period};
 pub use follow::follow;
 pub use geometry::{Geometry, Ranges};
 pub use group::Group;
+pub use independent::bound;
 pub use loops::Loops;
 pub use order::Linkage;
+pub use places::Places;
 
 use crate::expression::Expression;
 

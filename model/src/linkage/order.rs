@@ -1,5 +1,6 @@
 //! The order in which the loops are closed.
 
+use super::eliminate::Combined;
 use super::{Group, Loops, angles};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Graph, Symbol};
@@ -7,7 +8,7 @@ use crate::lower::{Kind, Lowering};
 use crate::motion::{Equation, Hints, UnknownName, report_imbalance};
 use crate::resolve::Names;
 use crate::slopes::Slopes;
-use crate::structure::{Incidence, Matching, blocks};
+use crate::structure::{Block, Incidence, Matching, blocks};
 
 /// Largest group whose matrix is inverted by its cofactors.
 const LARGEST: usize = 6;
@@ -28,12 +29,55 @@ pub struct Linkage {
     pub groups: Vec<Group>,
     /// Which dependent coordinates are angles, the same after a turn.
     pub angles: Vec<bool>,
+    /// How the equations are made of the written ones; none where they are these.
+    pub combined: Option<Combined>,
 }
 
 impl Linkage {
     /// Orders the loops and recognises their groups; the derivatives of the dependent coordinates become known to
     /// `low`. `place` says in messages where this is.
-    pub fn of(loops: Loops, names: &Names, place: &str, low: &mut Lowering<'_>) -> Option<Self> {
+    pub fn of(
+        mut loops: Loops,
+        names: &Names,
+        place: &str,
+        low: &mut Lowering<'_>,
+    ) -> Option<Self> {
+        let count = names.dependents.len();
+        let mut ordered = Ordered::of(&loops, names, place, low)?;
+        let is_iterated = |ordered: &Ordered| ordered.groups.iter().any(|one| one.closed.is_none());
+        let mut combined = None;
+        if is_iterated(&ordered) {
+            combined = Combined::of(&mut low.graph, &mut loops, count);
+            if combined.is_some() {
+                ordered = Ordered::of(&loops, names, place, low)?;
+            }
+        }
+        let Ordered { groups, blocks, angles } = ordered;
+        if let Some(large) = blocks.iter().find(|block| block.unknowns.len() > LARGEST) {
+            report_large(&large.equations, &loops.equations, low);
+            return None;
+        }
+        let residuals: Vec<_> = loops.equations.iter().map(|one| one.residual).collect();
+        let slopes = Slopes::new(&mut low.graph, &residuals, &blocks, count);
+        let dependent = groups.iter().find(|group| is_redundant(&low.graph, &slopes, group));
+        if let Some(group) = dependent {
+            report_redundant(group, &loops.equations, low);
+            return None;
+        }
+        low.slopes = Some(slopes);
+        Some(Self { equations: loops.equations, kinds: loops.kinds, groups, angles, combined })
+    }
+}
+
+/// Equations in the order in which they are closed.
+struct Ordered {
+    groups: Vec<Group>,
+    blocks: Vec<Block>,
+    angles: Vec<bool>,
+}
+
+impl Ordered {
+    fn of(loops: &Loops, names: &Names, place: &str, low: &mut Lowering<'_>) -> Option<Self> {
         let residuals: Vec<_> = loops.equations.iter().map(|one| one.residual).collect();
         let count = names.dependents.len();
         let incidence = incidence(&low.graph, &residuals, count);
@@ -65,32 +109,14 @@ impl Linkage {
                     && angles::is_turn(&mut low.graph, residuals, symbol)
             })
             .collect();
-        let mut groups = Vec::new();
         let mut blocks = blocks(&incidence, &matching);
-        for block in &mut blocks {
-            block.unknowns.sort_unstable();
-            if block.unknowns.len() > LARGEST {
-                report_large(&block.equations, &loops.equations, low);
-                return None;
-            }
-            let mode = groups.len() as u32;
-            groups.push(Group::of(
-                &mut low.graph,
-                &loops.written,
-                block.equations.clone(),
-                block.unknowns.clone(),
-                &angles,
-                mode,
-            ));
-        }
-        let slopes = Slopes::new(&mut low.graph, &residuals, &blocks, count);
-        let dependent = groups.iter().find(|group| is_redundant(&low.graph, &slopes, group));
-        if let Some(group) = dependent {
-            report_redundant(group, &loops.equations, low);
-            return None;
-        }
-        low.slopes = Some(slopes);
-        Some(Self { equations: loops.equations, kinds: loops.kinds, groups, angles })
+        blocks.iter_mut().for_each(|block| block.unknowns.sort_unstable());
+        let groups = blocks.iter().enumerate().map(|(mode, block)| {
+            let (equations, unknowns) = (block.equations.clone(), block.unknowns.clone());
+            Group::of(&mut low.graph, &loops.written, equations, unknowns, &angles, mode as u32)
+        });
+        let groups = groups.collect();
+        Some(Self { groups, blocks, angles })
     }
 }
 

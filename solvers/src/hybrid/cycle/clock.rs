@@ -5,6 +5,7 @@
 //! The time since then is a guess of the period, and Newton's method closes the motion from there.
 
 use super::super::Motion;
+use super::super::motion::Happened;
 use super::error::CycleError;
 use super::newton::Gap;
 use super::{Cycle, follow, phase};
@@ -272,10 +273,16 @@ impl Walk<'_> {
                 }
             }
         }
-        // What only rises between events is largest right before one of them, and begins after it.
+        // What only rises between events is largest right before one of them, and begins after it: one that sets something, so
+        // that nothing else changes at the begin.
         if tops.is_empty() {
-            let after = motion.events.iter();
-            tops.extend(after.map(|event| (event.to, event.after.to_vec())));
+            let sets = |event: &&Happened| event.before != event.after;
+            let all = motion.events.iter();
+            let chosen: Vec<&Happened> = match all.clone().any(|event| sets(&event)) {
+                true => all.filter(sets).collect(),
+                false => all.collect(),
+            };
+            tops.extend(chosen.into_iter().map(|event| (event.to, event.after.to_vec())));
         }
         tops
     }
