@@ -165,7 +165,9 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
     let linear = layout.program().linear.then(|| quote!(.linear()));
     let modes = modes(layout, origin);
     let linkage = scene.linkage.as_ref();
-    let linkage = linkage.map(|loops| linkage_entry(layout, loops, origin, shared));
+    let linkage = linkage.map(|loops| linkage_entry(layout, ("linkage", loops), origin, shared));
+    let reduced = scene.reduced.as_ref();
+    let reduced = reduced.map(|loops| linkage_entry(layout, ("reduced", loops), origin, shared));
     let carried = scene.carried.iter().map(|one| loop_entry(one, origin));
     let carried = list("carried", carried);
     // The loops of a linkage are unrolled by what its shape says: a constant is seen wherever they are compiled.
@@ -177,7 +179,7 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
         pub #kind #type_name: Shape = Shape::named(#name)
             #summary #effects #choices #preset #constants #drivers #states #linear #outputs #measures
             #equations .operations(Operations::of([#(#operations),*])) #marks #expectations
-            #modes #linkage #carried;
+            #modes #linkage #reduced #carried;
     }
 }
 
@@ -241,10 +243,10 @@ fn events<'a>(
     })
 }
 
-/// The loops of a linkage.
+/// The loops of a linkage, or of a motion.
 fn linkage_entry(
     layout: &Layout<'_>,
-    linkage: &LinkageInfo,
+    (setter, linkage): (&str, &LinkageInfo),
     origin: &Origin<'_>,
     shared: &mut Shared,
 ) -> TokenStream {
@@ -276,8 +278,9 @@ fn linkage_entry(
         let (points, text) = (link.points.iter().map(|one| size(*one)), &link.text);
         quote!(Link::new(&[#(#points),*], #text))
     });
+    let setter = format_ident!("{setter}");
     quote! {
-        .linkage(LinkageEntry {
+        .#setter(LinkageEntry {
             dependents: #dependents,
             loops: &[#(#loops),*],
             angles: &[#(#angles),*],
@@ -297,6 +300,7 @@ fn groups(linkage: &LinkageInfo) -> impl Iterator<Item = TokenStream> + '_ {
         let kind = match group.kind {
             GroupKind::Linear => quote!(Linear),
             GroupKind::Angle => quote!(Angle),
+            GroupKind::Distance => quote!(Distance),
             GroupKind::Rrr => quote!(Rrr),
             GroupKind::Rrp => quote!(Rrp),
             GroupKind::Rpr => quote!(Rpr),

@@ -141,6 +141,8 @@ pub struct SceneModel {
     pub expectations: Vec<ExpectInfo>,
     /// The loops, if the scene is a linkage.
     pub linkage: Option<LinkageInfo>,
+    /// The loops by which the motion is reduced to its independent coordinates, if it has any.
+    pub reduced: Option<LinkageInfo>,
     /// The loops that the motion carries along, one entry for each group that may fail to close.
     pub carried: Vec<LoopInfo>,
     /// The modes, if the motion has any, or events. Each has a program of its own.

@@ -189,6 +189,7 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
     let mut parts = lower::parts(here, texts, low);
     let still = modes::still(&names, here.phase());
     let equations = derive::equations(here, &mut parts, &still, low);
+    forces::check(low, &equations);
     let unknowns = quantities::unknown_names(&names);
     let solved = is_complete(low).then(|| {
         let given = quantities::state_symbols(&names);
@@ -196,7 +197,11 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
         let given = (&given[..], low.slopes.as_mut());
         motion::solve(graph, &equations, &unknowns, given, &place, low.diagnostics)
     });
+    if let (Some(Some(solved)), Some(linkage)) = (&solved, &linkage) {
+        low.bound = forces::bindings(&parts, linkage, solved, low);
+    }
     let asked = Asked::read(here, reported, &still, low);
+    forces::check_asked(low, &asked.all(), &equations);
     seen.take_up(low);
     if !is_right(low) {
         return None;
@@ -226,6 +231,9 @@ fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
     let mut model = report::scene(&mode, scene, documentation, low);
     let mut request = request::of(&mode, low);
     model.carried = request::loops(&mode, &chosen.values, &mut request, low)?;
+    if !mode.declared.is_linkage() && !low.names.dependents.is_empty() {
+        model.reduced = Some(request::reduced(&mode, low));
+    }
     let kept = choose::constants(&mode, &chosen, &mut model, &mut request, low);
     if mode.declared.is_linkage() {
         model.linkage = Some(request::influences(&mode, &kept, &mut request, low));

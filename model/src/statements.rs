@@ -202,7 +202,8 @@ impl Parts {
         low.rates = rates;
         self.forces = positions.into_iter().zip(residuals).collect();
         for (coordinate, residual) in self.reduced(low) {
-            let name = format!("Lagrange's equation of {}", names.coordinates[coordinate].name.text);
+            let name =
+                format!("Lagrange's equation of {}", names.coordinates[coordinate].name.text);
             let residual = low.written_out(&[residual])[0];
             equations.push(Equation { residual, name, span: place, lagrange: Some(coordinate) });
         }

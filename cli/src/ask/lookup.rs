@@ -23,7 +23,9 @@ impl Registry {
     ) -> Result<&'static Mechanism, Failure> {
         let Some(name) = name else {
             return Err(match scenes {
-                For::Linkages => name_one("linkage", command, self.linkages().collect()),
+                For::Linkages | For::Loops => {
+                    name_one("linkage", command, self.linkages().collect())
+                }
                 _ => name_one("mechanism", command, self.0.iter().collect()),
             });
         };

@@ -46,6 +46,8 @@ pub enum For {
     All,
     /// Linkages.
     Linkages,
+    /// Those that close loops: linkages, and motions that loops reduce.
+    Loops,
     /// Those that have measures.
     Measured,
 }
@@ -55,6 +57,7 @@ impl For {
         match self {
             Self::All => true,
             Self::Linkages => scene.linkage.is_some(),
+            Self::Loops => scene.linkage.is_some() || scene.reduced.is_some(),
             Self::Measured => !scene.measures.is_empty(),
         }
     }
@@ -73,7 +76,7 @@ impl For {
         };
         match self {
             _ if self.suits(scene) => Ok(scene),
-            Self::Linkages => Err(lookup::no_linkage(registry, mechanism, scene)),
+            Self::Linkages | Self::Loops => Err(lookup::no_linkage(registry, mechanism, scene)),
             _ => Err(lookup::no_measures(mechanism, scene)),
         }
     }

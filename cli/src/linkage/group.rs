@@ -28,6 +28,7 @@ pub fn kind(kind: GroupKind) -> &'static str {
     match kind {
         GroupKind::Linear => "linear",
         GroupKind::Angle => "one angle",
+        GroupKind::Distance => "one distance",
         GroupKind::Rrr => "RRR dyad",
         GroupKind::Rrp => "RRP dyad",
         GroupKind::Rpr => "RPR dyad",
@@ -40,6 +41,7 @@ pub fn links(kind: GroupKind) -> &'static str {
     match kind {
         GroupKind::Linear => "displacements that enter linearly",
         GroupKind::Angle => "a single equation A cos φ + B sin φ = C",
+        GroupKind::Distance => "a single equation with the square of a displacement",
         GroupKind::Rrr => "two links joined by a pivot",
         GroupKind::Rrp => "a link and a slide joined by a pivot",
         GroupKind::Rpr => "a slide that turns about a pivot",
@@ -59,7 +61,7 @@ pub fn solved(kind: GroupKind) -> &'static str {
 /// Whether the sine of a group says how well it transmits forces. A single equation, unless it is solved as that of an
 /// angle, has a Jacobian of one entry, which is square to nothing.
 pub fn transmits(group: &Group) -> bool {
-    group.kind == GroupKind::Angle || group.equations.len() > 1
+    matches!(group.kind, GroupKind::Angle | GroupKind::Distance) || group.equations.len() > 1
 }
 
 /// The transmission angle of a sine, in degrees from 0 to 90.

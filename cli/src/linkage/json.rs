@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use assur::closure;
-use assur::closure::Sample;
+use assur::closure::{Range, Sample};
 use assur::problem::Span;
+use assur::shape::Quantity;
 use serde::Serialize;
 
 use super::case::{Case, Task};
@@ -320,12 +321,15 @@ impl Driver {
     /// All drivers with their ranges.
     pub fn all(case: &Case) -> Vec<Self> {
         let starts = case.standing().into_iter().map(Some);
-        Self::starting(case, starts)
+        Self::starting((&case.drivers, &case.moved.ranges), starts)
     }
 
     /// All drivers with their ranges, each starting at a position, SI units.
-    pub fn starting(case: &Case, starts: impl Iterator<Item = Option<f64>>) -> Vec<Self> {
-        let drivers = case.drivers.iter().zip(&case.moved.ranges).zip(starts);
+    pub fn starting(
+        (drivers, ranges): (&[Quantity], &[Range]),
+        starts: impl Iterator<Item = Option<f64>>,
+    ) -> Vec<Self> {
+        let drivers = drivers.iter().zip(ranges).zip(starts);
         let one = drivers.map(|((driver, range), start)| {
             let stated = |value: f64| number(unit::stated(value, driver.factor));
             Self {

@@ -6,7 +6,7 @@ use crate::show::csv::{cell, line, quoted};
 
 /// The whole table.
 pub fn render(structure: &Structure) -> String {
-    let entry = structure.case.moved.entry;
+    let entry = &structure.entry;
     let heading = ["loops", "unknowns", "kind", "assembly mode", "transmission [deg]"];
     let mut text = line(heading.map(str::to_owned));
     for (index, of_group) in entry.groups.iter().enumerate() {

@@ -21,6 +21,8 @@ pub struct Structure {
     unknowns: Vec<Unknown>,
     /// They start where the linkage is put together; null if it cannot be.
     drivers: Vec<Driver>,
+    /// The coordinates that a motion with loops is reduced to; empty for a linkage.
+    independent: Vec<Coordinate>,
     /// In the order of solution.
     groups: Vec<Group>,
     status: Status,
@@ -55,6 +57,25 @@ struct Unknown {
     start: Number,
 }
 
+/// An independent coordinate.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Coordinate {
+    name: &'static str,
+    unit: &'static str,
+    start: Number,
+}
+
+impl Coordinate {
+    fn of((quantity, start): &(assur::shape::Quantity, f64)) -> Self {
+        Self {
+            name: quantity.name,
+            unit: quantity.unit,
+            start: number(unit::stated(*start, quantity.factor)),
+        }
+    }
+}
+
 /// Loops that are solved together.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -87,8 +108,8 @@ enum Status {
 impl Structure {
     /// The object.
     pub fn of(structure: &super::Structure) -> Self {
-        let (case, sample) = (&structure.case, structure.sample());
-        let entry = case.moved.entry;
+        let sample = structure.sample();
+        let entry = &structure.entry;
         let (equations, unknowns, drivers) = structure.counts();
         let loops = entry.loops.iter().zip(structure.texts()).map(|(one, text)| Loop {
             name: one.name,
@@ -106,16 +127,17 @@ impl Structure {
         let groups = entry.groups.iter().enumerate();
         Self {
             format: "assur-structure/1",
-            about: About::of(&case.constants),
-            degrees_of_freedom: drivers,
+            about: About::of(&structure.constants),
+            degrees_of_freedom: drivers + structure.coordinates.len(),
             counts: Counts { equations, unknowns, drivers },
             loops: loops.collect(),
             unknowns: dependents.collect(),
-            drivers: Driver::starting(case, starts),
+            drivers: Driver::starting((&structure.drivers, &structure.ranges), starts),
+            independent: structure.coordinates.iter().map(Coordinate::of).collect(),
             groups: groups.map(|(index, one)| Group::of(structure, index, one)).collect(),
-            status: match structure.start {
-                Ok(_) => Status::Complete,
-                Err(_) => Status::NotAssembled,
+            status: match structure.is_whole() {
+                true => Status::Complete,
+                false => Status::NotAssembled,
             },
         }
     }
@@ -123,7 +145,7 @@ impl Structure {
 
 impl Group {
     fn of(structure: &super::Structure, index: usize, of_group: &assur::closure::Group) -> Self {
-        let entry = structure.case.moved.entry;
+        let entry = &structure.entry;
         let found = structure.found(index, of_group);
         Self {
             loops: of_group.equations.iter().map(|&one| entry.loops[one].name).collect(),

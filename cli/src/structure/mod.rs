@@ -1,4 +1,4 @@
-//! `assur structure`: the loops of a linkage, and the order in which they are solved.
+//! `assur structure`: the loops of a linkage, or of a motion that they reduce, and the order in which they are solved.
 
 mod csv;
 mod json;
@@ -6,37 +6,54 @@ mod table;
 
 use std::path::Path;
 
-use assur::closure::{ClosureError, Group, Sample};
-use assur::shape::EquationText;
+use assur::closure::{ClosureError, Group, Range, Sample};
+use assur::shape::{EquationText, LinkageEntry, Loop, Quantity};
 use serde::Serialize;
 
 use crate::answer::{Answer, give};
 use crate::arguments::StructureArguments;
 use crate::ask::For;
+use crate::ask::constants::Constants;
 use crate::ask::lookup::Registry;
 use crate::error::Failure;
 use crate::linkage::case::Case;
 use crate::linkage::group;
+use crate::motion;
 use crate::show::page::Page;
 pub use json::Structure as Object;
 
-/// Gives the structure of a linkage.
+/// Gives the structure of a linkage, or of a motion with loops.
 ///
 /// # Errors
 /// A wrong request; or a linkage that cannot be put together, after its structure is printed.
 pub fn execute(options: &StructureArguments, registry: Registry) -> Result<(), Failure> {
     give(options.format, None, || {
-        let case = Case::new(options.asked.find(registry, "structure", For::Linkages)?)?;
-        Ok(Structure { start: start(&case), case })
+        let constants = options.asked.find(registry, "structure", For::Loops)?;
+        match constants.scene.reduced {
+            Some(entry) => Structure::of_motion(constants, entry),
+            None => Structure::of_linkage(constants),
+        }
     })
 }
 
-/// The structure of a linkage.
+/// The structure of a linkage, or of a motion with loops.
 pub struct Structure {
-    /// The linkage with its values.
-    pub case: Case,
-    /// The linkage where it starts, and the groups whose assembly mode had to be assumed.
-    pub start: Result<(Sample, Vec<usize>), ClosureError>,
+    /// The scene with its values.
+    pub constants: Constants,
+    /// The loops.
+    pub entry: LinkageEntry,
+    /// The drivers, in the units in which they are shown.
+    pub drivers: Vec<Quantity>,
+    /// Where each driver of a linkage moves.
+    pub ranges: Vec<Range>,
+    /// The independent coordinates of a motion, and where each starts, SI units.
+    pub coordinates: Vec<(Quantity, f64)>,
+    /// A linkage where it starts, and the groups whose assembly mode had to be assumed; nothing for a motion.
+    start: Option<(Sample, Vec<usize>)>,
+    /// Where the linkage starts, in words; empty for a motion.
+    pub place: String,
+    /// Why the linkage cannot be put together.
+    wrong: Option<Failure>,
 }
 
 impl Answer for Structure {
@@ -53,10 +70,7 @@ impl Answer for Structure {
     }
 
     fn outcome(&self) -> Result<(), Failure> {
-        let apart = |error: &ClosureError| {
-            self.case.tell(error).failure("the linkage cannot be put together")
-        };
-        self.start.as_ref().map(|_| ()).map_err(apart)
+        self.wrong.clone().map_or(Ok(()), Err)
     }
 }
 
@@ -88,9 +102,57 @@ pub struct Found {
 }
 
 impl Structure {
+    fn of_linkage(constants: Constants) -> Result<Self, Failure> {
+        let case = Case::new(constants)?;
+        let (start, wrong) = match start(&case) {
+            Ok(start) => (Some(start), None),
+            Err(error) => {
+                (None, Some(case.tell(&error).failure("the linkage cannot be put together")))
+            }
+        };
+        let place =
+            start.as_ref().map_or_else(String::new, |(sample, _)| case.label(&sample.independents));
+        Ok(Self {
+            entry: *case.moved.entry,
+            drivers: case.drivers,
+            ranges: case.moved.ranges,
+            constants: case.constants,
+            coordinates: Vec::new(),
+            start,
+            place,
+            wrong,
+        })
+    }
+
+    fn of_motion(constants: Constants, entry: LinkageEntry) -> Result<Self, Failure> {
+        let case = motion::case::Case::new(constants)?;
+        let start = case.run().start();
+        let second_order = |index: &usize| {
+            let rate = format!("dot({})", case.scene.states[*index].name);
+            case.scene.states.iter().any(|state| state.name == rate)
+        };
+        let coordinates = (0..case.scene.states.len()).filter(second_order);
+        let coordinates = coordinates.map(|index| (case.scene.states[index], start[index]));
+        Ok(Self {
+            coordinates: coordinates.collect(),
+            entry,
+            drivers: case.drivers,
+            ranges: Vec::new(),
+            constants: case.constants,
+            start: None,
+            place: String::new(),
+            wrong: None,
+        })
+    }
+
+    /// Whether it is put together, as far as is asked.
+    pub fn is_whole(&self) -> bool {
+        self.wrong.is_none()
+    }
+
     /// The linkage where it starts, if it gets there.
     pub fn sample(&self) -> Option<&Sample> {
-        self.start.as_ref().ok().map(|(sample, _)| sample)
+        self.start.as_ref().map(|(sample, _)| sample)
     }
 
     /// What is known of a group where the linkage starts.
@@ -100,31 +162,23 @@ impl Structure {
         Found {
             mode: mode.map(|sample| sample.modes[index]),
             angle: sine.map(|sample| group::transmission(sample.sines[index])),
-            assumed: self.start.as_ref().is_ok_and(|(_, assumed)| assumed.contains(&index)),
+            assumed: self.start.as_ref().is_some_and(|(_, assumed)| assumed.contains(&index)),
         }
     }
 
     /// Numbers of scalar loop equations, unknowns and drivers.
     pub fn counts(&self) -> (usize, usize, usize) {
-        let entry = self.case.moved.entry;
-        (entry.loops.len(), entry.dependents.len(), self.case.drivers.len())
+        let entry = &self.entry;
+        (entry.loops.len(), entry.dependents.len(), self.drivers.len())
     }
 
     /// The equation of the file that each loop belongs to: a vector equation is several loops.
     pub fn texts(&self) -> Vec<Option<&'static EquationText>> {
-        let base = |name: &'static str| {
-            let component = [".x", ".y", ".z"].into_iter().find_map(|end| name.strip_suffix(end));
-            component.unwrap_or(name)
+        let equations = self.constants.scene.equations;
+        let text = |one: &Loop| {
+            let mut closures = equations.iter().filter(|text| text.text.starts_with("closure"));
+            closures.find(|text| text.line == one.line)
         };
-        let mut next = 0;
-        let mut last = None;
-        let loops = self.case.moved.entry.loops.iter().map(|one| {
-            if last != Some((base(one.name), one.line)) {
-                last = Some((base(one.name), one.line));
-                next += 1;
-            }
-            self.case.scene.equations.get(next - 1)
-        });
-        loops.collect()
+        self.entry.loops.iter().map(text).collect()
     }
 }

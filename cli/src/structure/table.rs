@@ -9,7 +9,7 @@ use crate::show::unit;
 
 /// All tables.
 pub fn render(page: &mut Page, structure: &Structure) {
-    page.about(&structure.case.constants, "structure");
+    page.about(&structure.constants, "structure");
     page.line(&mobility(structure));
     page.line("");
     loops(page, structure);
@@ -20,6 +20,9 @@ pub fn render(page: &mut Page, structure: &Structure) {
 /// The degrees of freedom in words.
 fn mobility(structure: &Structure) -> String {
     let (equations, unknowns, drivers) = structure.counts();
+    if !structure.coordinates.is_empty() {
+        return reduction(structure);
+    }
     let many = |count: usize, what: &str| match count {
         1 => format!("1 {what}"),
         _ => format!("{count} {what}s"),
@@ -34,7 +37,7 @@ fn mobility(structure: &Structure) -> String {
             many(drivers, "driver")
         );
     }
-    let names: Vec<_> = structure.case.drivers.iter().map(|driver| driver.name).collect();
+    let names: Vec<_> = structure.drivers.iter().map(|driver| driver.name).collect();
     let (moves, rest) = match drivers {
         0 => ("nothing moves it".to_owned(), "everything"),
         1 => (format!("{} moves it", names[0]), "the rest"),
@@ -48,8 +51,23 @@ fn mobility(structure: &Structure) -> String {
     )
 }
 
+/// What is independent in a motion, in words.
+fn reduction(structure: &Structure) -> String {
+    let (equations, unknowns, _) = structure.counts();
+    let free = structure.coordinates.len();
+    let names: Vec<_> = structure.coordinates.iter().map(|(one, _)| one.name).collect();
+    let (freedom, is, follow) = match free {
+        1 => ("1 degree of freedom".to_owned(), "is", "its"),
+        _ => (format!("{free} degrees of freedom"), "are", "their"),
+    };
+    format!(
+        "{freedom} = {} coordinates - {equations} loop equations: {} {is} independent, the rest follows with {follow} kinematic coefficients.",
+        free + unknowns,
+        names.join(", "),
+    )
+}
+
 fn loops(page: &mut Page, structure: &Structure) {
-    let case = &structure.case;
     let mut table = Columns::new([
         ("", Align::Left),
         ("line", Align::Right),
@@ -57,7 +75,7 @@ fn loops(page: &mut Page, structure: &Structure) {
         ("", Align::Left),
     ]);
     let mut above = "";
-    for (one, text) in case.moved.entry.loops.iter().zip(structure.texts()) {
+    for (one, text) in structure.entry.loops.iter().zip(structure.texts()) {
         let text = text.map_or("", |text| plain(text.text));
         // The components of a vector equation share it.
         let shown = if text == above { "" } else { text };
@@ -69,7 +87,7 @@ fn loops(page: &mut Page, structure: &Structure) {
             shown.to_owned(),
         ]);
     }
-    if !case.moved.entry.loops.is_empty() {
+    if !structure.entry.loops.is_empty() {
         page.section("Loops", &table);
     }
 }
@@ -88,8 +106,9 @@ fn coordinates(page: &mut Page, structure: &Structure) {
         ("", Align::Left),
         ("", Align::Left),
     ]);
-    let (case, sample) = (&structure.case, structure.sample());
-    for (index, driver) in case.drivers.iter().enumerate() {
+    let sample = structure.sample();
+    let unknown = if structure.coordinates.is_empty() { "unknown" } else { "follows" };
+    for (index, driver) in structure.drivers.iter().enumerate() {
         let position = sample.and_then(|sample| sample.independents.get(index));
         let position =
             position.map(|position| number::short(unit::stated(*position, driver.factor)));
@@ -101,14 +120,23 @@ fn coordinates(page: &mut Page, structure: &Structure) {
             first_line(driver.summary).to_owned(),
         ]);
     }
-    for (index, dependent) in case.moved.entry.dependents.iter().enumerate() {
+    for (coordinate, start) in &structure.coordinates {
+        table.row([
+            coordinate.name.to_owned(),
+            settled(unit::stated(*start, coordinate.factor)),
+            coordinate.unit.to_owned(),
+            "independent".to_owned(),
+            first_line(coordinate.summary).to_owned(),
+        ]);
+    }
+    for (index, dependent) in structure.entry.dependents.iter().enumerate() {
         let value = sample.and_then(|sample| sample.dependents.get(index));
         let value = value.map(|value| settled(unit::stated(*value, dependent.factor)));
         table.row([
             dependent.name.to_owned(),
             value.unwrap_or_default(),
             dependent.unit.to_owned(),
-            "unknown".to_owned(),
+            unknown.to_owned(),
             first_line(dependent.summary).to_owned(),
         ]);
     }
@@ -124,23 +152,22 @@ fn settled(value: f64) -> String {
 }
 
 fn order(page: &mut Page, structure: &Structure) {
-    let case = &structure.case;
-    if case.moved.entry.groups.is_empty() {
+    if structure.entry.groups.is_empty() {
         return;
     }
-    let at = match structure.sample() {
-        Some(sample) => format!(", at {}", case.label(&sample.independents)),
-        None => String::new(),
+    let at = match structure.place.as_str() {
+        "" => String::new(),
+        place => format!(", at {place}"),
     };
     let heading = page.style.heading(&format!("Order of solution{at}"));
     page.line(&heading);
-    for (index, of_group) in case.moved.entry.groups.iter().enumerate() {
+    for (index, of_group) in structure.entry.groups.iter().enumerate() {
         let found = structure.found(index, of_group);
         page.line(&format!(
             "  {}  {} for {}",
             index + 1,
-            group::equations(case.moved.entry, of_group),
-            group::unknowns(case.moved.entry, of_group)
+            group::equations(&structure.entry, of_group),
+            group::unknowns(&structure.entry, of_group)
         ));
         page.line(&format!(
             "     {}: {}; {}",

@@ -99,6 +99,8 @@ pub enum GroupKind {
     Linear,
     /// One equation `A cos φ + B sin φ = C`.
     Angle,
+    /// One equation with the square of a displacement: a distance.
+    Distance,
     /// Two links joined by a pivot, each turning.
     Rrr,
     /// A link that turns and a slide.

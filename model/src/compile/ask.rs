@@ -66,6 +66,15 @@ impl Asked {
     }
 }
 
+impl Asked {
+    /// What is asked for of the motion.
+    pub fn all(&self) -> Vec<Expression> {
+        let events = self.events.iter().flat_map(|(event, _)| event.all());
+        let outputs = self.outputs.values.iter().chain(&self.measures.looked_at).copied();
+        outputs.chain(events).collect()
+    }
+}
+
 /// Whether the scene is a motion over a stretch of time, of which there are measures.
 fn runs(here: Here<'_>) -> bool {
     let mut items = here.scene().into_iter().flat_map(|scene| &scene.items);

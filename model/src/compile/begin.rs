@@ -54,13 +54,14 @@ pub fn places(here: Here<'_>, declared: &Declared, low: &mut Lowering<'_>) -> (P
             state[*index] = low.graph.evaluate(&[value], &of)[0];
         }
     }
-    let mut places = Places::of_state(low, &declared.drives, (&constants, &state)).unwrap_or(Places {
-        constants: constants.clone(),
-        drivers: Vec::new(),
-        state,
-        coordinates: names.coordinates.len(),
-        dependents: Vec::new(),
-    });
+    let mut places =
+        Places::of_state(low, &declared.drives, (&constants, &state)).unwrap_or(Places {
+            constants: constants.clone(),
+            drivers: Vec::new(),
+            state,
+            coordinates: names.coordinates.len(),
+            dependents: Vec::new(),
+        });
     for (place, dependent) in places.dependents.iter_mut().zip(&names.dependents) {
         if let Some((value, _)) = dependent.what.start.as_ref().and_then(|term| low.scalar(term)) {
             *place = low.graph.evaluate(&[value], &of)[0];

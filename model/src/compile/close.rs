@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::{Here, begin};
 use crate::checked::EquationInfo;
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Budget, Graph};
 use crate::linkage::{self, Linkage, Loops};
 use crate::lower::Lowering;
@@ -13,12 +13,7 @@ use crate::syntax::tree::{Statement, StatementKind};
 
 /// Makes dependent coordinates of those that the closures determine, where there are more closures than coordinates that
 /// are declared so.
-pub fn bind(
-    here: Here<'_>,
-    names: &mut Names,
-    budget: Rc<Budget>,
-    diagnostics: &mut Diagnostics,
-) {
+pub fn bind(here: Here<'_>, names: &mut Names, budget: Rc<Budget>, diagnostics: &mut Diagnostics) {
     let statements = &here.phase().statements;
     let closes = |one: &Statement| matches!(one.kind, StatementKind::Closure { .. });
     if names.coordinates.is_empty() || !statements.iter().any(closes) {
@@ -39,6 +34,16 @@ pub fn bind(
         _ => Graph::somewhere(symbol, 1),
     };
     let (bound, wrong) = linkage::bound(&loops, &at, low);
+    let left = names.coordinates.len() - bound.len();
+    if left == 0 && names.drivers.is_empty() && wrong.is_none() {
+        let place = names.coordinates[0].name.span;
+        let message = "no coordinate is left that can move: the closures determine all of them";
+        diagnostics.push_once(
+            "nothing moves".into(),
+            Diagnostic::error(place, message)
+                .hint("take a closure away, or prescribe a motion with `driver`"),
+        );
+    }
     diagnostics.extend(wrong);
     for (index, is_rate, term) in starts {
         let what = &mut names.coordinates[index].what;

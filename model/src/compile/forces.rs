@@ -5,17 +5,27 @@
 //! What is left on a driver is what its motion takes. `λ` acts on what stands on the left side of a closure, because it
 //! does the work `λ·δF` and `F` is the left side less the right one.
 
+use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Map, Symbol};
-use crate::lower::Lowering;
+use crate::lagrange::Energies;
+use crate::linkage::Linkage;
+use crate::lower::{Lowering, is_of_motion};
+use crate::motion::{Equation, Solved};
+use crate::statements::Parts;
 
-use super::Mode;
-
-/// What the symbols of forces and energies stand for, if the mode needs any of them.
-pub fn bindings(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Map<Symbol, Expression> {
-    let mut bindings = Map::default();
-    energies(mode, low, &mut bindings);
+/// What the highest derivatives, rates of dependent coordinates, forces and energies stand for.
+pub fn bindings(
+    parts: &Parts,
+    linkage: &Linkage,
+    solved: &Solved,
+    low: &mut Lowering<'_>,
+) -> Map<Symbol, Expression> {
+    let highest = (0..).map(Symbol::Acceleration).zip(solved.derivatives.iter().copied());
+    let mut bindings: Map<Symbol, Expression> = highest.collect();
+    bindings.extend(low.followed.iter().map(|(symbol, value)| (*symbol, *value)));
+    energies(&parts.energies, low, &mut bindings);
     let zero = low.graph.zero();
-    let force = |symbol: Symbol| mode.parts.forces.get(&symbol).copied().unwrap_or(zero);
+    let force = |symbol: Symbol| parts.forces.get(&symbol).copied().unwrap_or(zero);
     let Some(slopes) = &low.slopes else {
         return bindings;
     };
@@ -24,7 +34,7 @@ pub fn bindings(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Map<Symbol, Expressi
     let right: Vec<_> = dependents.map(|index| force(Symbol::Dependent(index))).collect();
     let reactions = slopes.solve_transposed(&mut low.graph, &right);
     let weighted: Vec<_> = residuals.into_iter().zip(reactions.iter().copied()).collect();
-    let written = match &mode.linkage.combined {
+    let written = match &linkage.combined {
         Some(combined) => combined.back(&mut low.graph, &reactions),
         None => reactions,
     };
@@ -40,9 +50,46 @@ pub fn bindings(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Map<Symbol, Expressi
     bindings
 }
 
+/// Reports an equation that holds what only its solution determines, and forces that are asked for where an equation of
+/// motion is written out: nothing says then which force moves what.
+pub fn check(low: &mut Lowering<'_>, equations: &[Equation]) {
+    let held = equations.iter().find(|one| low.graph.depends_on(one.residual, is_of_motion));
+    if let Some(equation) = held {
+        let message = "a force or an equation that depends on a `reaction`, an `effort` or an `energy` is not available in this version of Assur";
+        let report = Diagnostic::error(equation.span, message);
+        low.diagnostics.push_once(
+            "reaction in an equation".into(),
+            report.hint("what it is can be reported, measured and watched by events; a normal force that follows from the motion can be written out"),
+        );
+    }
+}
+
+/// Reports forces that are asked for where an equation of motion is written out: it does not say which force moves what.
+pub fn check_asked(low: &mut Lowering<'_>, asked: &[Expression], equations: &[Equation]) {
+    let coordinates = low.names.coordinates.len() as u32;
+    let moves =
+        |symbol: Symbol| matches!(symbol, Symbol::Acceleration(index) if index < coordinates);
+    let forces = |symbol: Symbol| matches!(symbol, Symbol::Reaction(_) | Symbol::Effort(_));
+    // What is held is no equation of its own.
+    let is_held = |one: &Equation| low.given_symbol(one.residual).is_some();
+    let mut written = equations.iter().filter(|one| one.lagrange.is_none() && !is_held(one));
+    let Some(equation) = written.find(|one| low.graph.depends_on(one.residual, moves)) else {
+        return;
+    };
+    if asked.iter().any(|one| low.graph.depends_on(*one, forces)) {
+        let message = format!(
+            "`{}` is an equation of motion that is written out, so that forces of closures and drivers are not known",
+            equation.name
+        );
+        low.diagnostics.push(
+            Diagnostic::error(equation.span, message)
+                .hint("state the inertia by `kinetic` and the forces by `potential`, `dissipation` and `force`"),
+        );
+    }
+}
+
 /// Kinetic and potential energy, and the power that the dissipation function takes: its slope along the speeds.
-fn energies(mode: &Mode<'_>, low: &mut Lowering<'_>, bindings: &mut Map<Symbol, Expression>) {
-    let energies = &mode.parts.energies;
+fn energies(energies: &Energies, low: &mut Lowering<'_>, bindings: &mut Map<Symbol, Expression>) {
     let graph = &mut low.graph;
     let kinds = [&energies.kinetic, &energies.potential, &energies.dissipation];
     let [kinetic, potential, dissipation] = kinds.map(|terms| graph.sum(terms));

@@ -3,6 +3,7 @@
 use super::Mode;
 use crate::checked::{LinkageInfo, LoopInfo, SpanKind};
 use crate::expression::{Expression, Symbol};
+use crate::linkage::Geometry;
 use crate::lower::{Lowering, Moved};
 use crate::program::{self, Input, Request, Results};
 
@@ -26,7 +27,7 @@ pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
         ..Results::default()
     };
     let highest = (0..solved.derivatives.len() as u32).map(Symbol::Acceleration);
-    let rates = highest.clone().map(|symbol| low.graph.symbol(symbol));
+    let rates = highest.map(|symbol| low.graph.symbol(symbol));
     results.derivative.extend(rates);
     results.jacobian = jacobian(mode, low);
     let span = asked.span.kind;
@@ -34,7 +35,6 @@ pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
     let mut request = Request {
         states: results.start.len(),
         results,
-        bindings: highest.zip(solved.derivatives.iter().copied()).collect(),
         surfaces: span == SpanKind::Run || is_hybrid,
         cycle: span == SpanKind::Periodic && is_hybrid,
         ..Request::default()
@@ -50,17 +50,16 @@ pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
     request
 }
 
-/// Says what rates of dependent coordinates, forces and energies stand for; a linkage, of which derivatives by its
+/// Says what symbols stand for that are not given; a linkage, of which derivatives by its
 /// dimensions are taken, has them written out.
 fn follow(mode: &Mode<'_>, request: &mut Request, low: &mut Lowering<'_>) {
-    let mut bindings = super::forces::bindings(mode, low);
-    bindings.extend(low.followed.iter().map(|(symbol, value)| (*symbol, *value)));
+    let bindings = std::mem::take(&mut low.bound);
     if mode.declared.is_linkage() {
         let results = &request.results;
         let written = program::bind(&mut low.graph, &results.all(), &bindings);
         request.results = results.with(written);
     } else {
-        request.bindings.extend(bindings);
+        request.bindings = bindings;
     }
 }
 
@@ -145,6 +144,14 @@ fn give_drivers(request: &mut Request, count: usize) {
             (Symbol::DriverAcceleration(index), Input::Driver(2 * count + index)),
         ]);
     }
+}
+
+/// The loops by which a motion is reduced to its independent coordinates.
+pub fn reduced(mode: &Mode<'_>, low: &mut Lowering<'_>) -> LinkageInfo {
+    let (declared, linkage) = (&mode.declared, &mode.linkage);
+    let (geometry, ranges) = (Geometry::default(), &mode.asked.ranges);
+    let units = &declared.dependent_units;
+    linkage.info(low, low.names, units, &geometry, ranges, Vec::new())
 }
 
 /// Adds the influence coefficients of a linkage, and says what it is.

@@ -28,7 +28,7 @@ impl Linkage {
         for (number, group) in self.groups.iter().enumerate() {
             let Some(closed) = &group.closed else {
                 self.report(low, group, |name| {
-                    format!("the loop `{name}` is closed by iteration, and beside coordinates that move by themselves only loops with a closed form can be")
+                    format!("the loop `{name}` is closed by iteration, and in a scene with coordinates only loops with a closed form can be in this version of Assur")
                 }, "state the linkage by links of two, or run it in a scene of its own");
                 return None;
             };
@@ -39,8 +39,8 @@ impl Linkage {
                 self.report(
                     low,
                     group,
-                    |name| format!("the loop `{name}` does not close where the drivers start"),
-                    "change the dimensions, or say with `~` where the drivers start",
+                    |name| format!("the loop `{name}` does not close where the motion begins"),
+                    "change the dimensions or the start values, or say with `~` where the drivers start",
                 );
                 return None;
             };
@@ -138,7 +138,8 @@ fn put_in(
     };
     let results = apart(graph, &request.results.all());
     request.results = request.results.with(results);
-    let (names, bound): (Vec<_>, Vec<_>) = std::mem::take(&mut request.bindings).into_iter().unzip();
+    let (names, bound): (Vec<_>, Vec<_>) =
+        std::mem::take(&mut request.bindings).into_iter().unzip();
     request.bindings = names.into_iter().zip(apart(graph, &bound)).collect();
     for (index, symbol) in symbols.iter().enumerate() {
         let angle = graph.symbol(*symbol);
@@ -188,7 +189,9 @@ fn starts(low: &mut Lowering<'_>, given: &Places, group: &Group) -> Option<Vec<(
         let Some(term) = &declared.what.start else {
             let message = format!("nothing says where `{}` starts", declared.name.text);
             let hint = match names.bound.contains_key(index) {
-                true => "closures determine it, and its start value says how the links are put together",
+                true => {
+                    "closures determine it, and its start value says how the links are put together"
+                }
                 false => "write roughly where: `dependent psi ~ 30 deg;`",
             };
             low.diagnostics.push(Diagnostic::error(declared.name.span, message).hint(hint));

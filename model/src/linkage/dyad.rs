@@ -6,7 +6,7 @@
 use super::group::{Affine, Complex, Share, TurningSlide, link};
 use super::{Closed, Slot};
 use crate::checked::GroupKind;
-use crate::expression::{Expression, Graph, Symbol};
+use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::program::Function;
 
 /// The group that affine equations are.
@@ -101,6 +101,56 @@ fn angle(
     };
     let unit = [graph.div(cosine, square), graph.div(sine, square)];
     Closed { values: turned(graph, unknown, unit, 1.0), sine: graph.div(signed, radius), margin }
+}
+
+/// `a s² + 2 b s + c = 0`, a distance for instance. With `h² = b² − a·c`: `s = (m·h − b)/a`, and the slope of the equation by
+/// `s` is `2 m·h`. The sine is that slope over the gradient by all positions of its kind: how square the distance stands to
+/// the displacement.
+pub fn distance(
+    graph: &mut Graph,
+    residual: Expression,
+    unknown: usize,
+    mode: u32,
+    alike: &[Symbol],
+) -> Option<(GroupKind, Closed)> {
+    let symbol = Symbol::Dependent(unknown as u32);
+    let (zero, one) = (graph.zero(), graph.one());
+    let along = Map::from_iter([(symbol, one)]);
+    let slope = graph.tangent(&[residual], &along)[0];
+    let twice = graph.tangent(&[slope], &along)[0];
+    if twice == zero || graph.depends_on(twice, |one| one == symbol) {
+        return None;
+    }
+    let at_zero = Map::from_iter([(symbol, zero)]);
+    let rest = graph.substitute(&[slope, residual], &at_zero);
+    let (a, b, c) = (graph.scale(0.5, twice), graph.scale(0.5, rest[0]), rest[1]);
+    let square = {
+        let terms = [graph.powi(b, 2), graph.mul(a, c)];
+        graph.sub(terms[0], terms[1])
+    };
+    let height = graph.sqrt(square);
+    let signed = with_mode(graph, mode, 1.0, height);
+    let value = {
+        let numerator = graph.sub(signed, b);
+        graph.div(numerator, a)
+    };
+    let gradient = graph.gradient(&[(residual, one)], alike);
+    let closed = Map::from_iter([(symbol, value)]);
+    let gradient = graph.substitute(&gradient, &closed);
+    let mut squares: Vec<_> = gradient.iter().map(|one| graph.powi(*one, 2)).collect();
+    let own = graph.scale(2.0, signed);
+    squares.push(graph.powi(own, 2));
+    let sum = graph.sum(&squares);
+    let size = graph.sqrt(sum);
+    let margin = {
+        let size = graph.call(Function::Abs, &[a]);
+        graph.div(square, size)
+    };
+    let sine = graph.div(own, size);
+    Some((
+        GroupKind::Distance,
+        Closed { values: vec![(Slot::Value(unknown), value)], sine, margin },
+    ))
 }
 
 /// `w₁·e^{±iφ₁} + w₂·e^{±iφ₂} = V`. The first link as a vector is `u = (q·V + σ·h·V⊥)/V²` with `q = (V² + a² − b²)/2`, the

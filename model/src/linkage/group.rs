@@ -45,19 +45,26 @@ pub struct Affine {
 }
 
 impl Group {
-    /// Recognises the group from the equations as they are written. `angle` says which dependent coordinates occur as angles; `mode` is the number of the group.
+    /// Recognises the group from the equations as they are written. `angle` says which dependent coordinates occur as
+    /// angles; `mode` is the number of the group, and `alike` are the positions of the kind of its first unknown.
     pub fn of(
         graph: &mut Graph,
         residuals: &[Expression],
         equations: Vec<usize>,
         unknowns: Vec<usize>,
         angle: &[bool],
-        mode: u32,
+        (mode, alike): (u32, &[Symbol]),
     ) -> Self {
         let own: Vec<Expression> = equations.iter().map(|row| residuals[*row]).collect();
         let found = match own.len() {
             1 | 2 => recognise(graph, &own, &unknowns, angle, mode),
             _ => None,
+        };
+        let found = match (found, own.as_slice(), unknowns.as_slice()) {
+            (None, &[residual], &[unknown]) => {
+                dyad::distance(graph, residual, unknown, mode, alike)
+            }
+            (found, ..) => found,
         };
         let (kind, closed) = match found {
             Some((kind, closed)) => (kind, Some(closed)),

@@ -137,7 +137,7 @@ fn redundant(equations: &[Equation], chosen: &[(Symbol, usize)]) -> Option<Diagn
     let rest: Vec<&Equation> = rest.map(|row| &equations[row]).collect();
     let names: Vec<_> = rest.iter().map(|one| format!("`{}`", one.name)).collect();
     let message = format!(
-        "where the motion begins the closures determine {} coordinates, and they are {} equations: {} says what the others say, or contradicts them",
+        "where the motion begins only {} of the {} scalar closures are independent: {} says what the others say, or contradicts them",
         chosen.len(),
         equations.len(),
         names.join(", "),

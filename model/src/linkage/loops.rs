@@ -90,17 +90,13 @@ impl Loops {
                 Diagnostic::error(span, "a closure cannot depend on the time by itself")
                     .hint("say with a `driver` what moves")
             }
-            () if depends(low, &|symbol| matches!(symbol, Symbol::State(_))) => Diagnostic::error(
-                span,
-                "a closure binds positions, and a `state` is no position",
-            )
-            .hint("a closure can hold drivers, coordinates and dependent coordinates"),
+            () if depends(low, &|symbol| matches!(symbol, Symbol::State(_))) => {
+                Diagnostic::error(span, "a closure binds positions, and a `state` is no position")
+                    .hint("a closure can hold drivers, coordinates and dependent coordinates")
+            }
             () if depends(low, &|symbol| {
                 use Symbol::{Acceleration, DriverAcceleration, DriverRate, Speed};
-                matches!(
-                    symbol,
-                    DriverRate(_) | DriverAcceleration(_) | Speed(_) | Acceleration(_)
-                )
+                matches!(symbol, DriverRate(_) | DriverAcceleration(_) | Speed(_) | Acceleration(_))
             }) =>
             {
                 Diagnostic::error(

@@ -113,11 +113,31 @@ impl Ordered {
         blocks.iter_mut().for_each(|block| block.unknowns.sort_unstable());
         let groups = blocks.iter().enumerate().map(|(mode, block)| {
             let (equations, unknowns) = (block.equations.clone(), block.unknowns.clone());
-            Group::of(&mut low.graph, &loops.written, equations, unknowns, &angles, mode as u32)
+            let alike = alike(low, &loops.written, &equations, &unknowns);
+            let mode = (mode as u32, &alike[..]);
+            Group::of(&mut low.graph, &loops.written, equations, unknowns, &angles, mode)
         });
         let groups = groups.collect();
         Some(Self { groups, blocks, angles })
     }
+}
+
+/// The positions in the equations of a group that are of the kind of its first unknown, but for that.
+fn alike(
+    low: &Lowering<'_>,
+    residuals: &[Expression],
+    equations: &[usize],
+    unknowns: &[usize],
+) -> Vec<Symbol> {
+    let own = Symbol::Dependent(unknowns[0] as u32);
+    let residuals: Vec<_> = equations.iter().map(|row| residuals[*row]).collect();
+    let symbols = low.graph.symbols(&residuals).into_iter();
+    let is_alike = |symbol: &Symbol| {
+        use Symbol::{Coordinate, Dependent, Driver};
+        let moves = matches!(symbol, Coordinate(_) | Dependent(_) | Driver(_));
+        moves && *symbol != own && low.kind_of(*symbol) == low.kind_of(own)
+    };
+    symbols.filter(is_alike).collect()
 }
 
 fn incidence(graph: &Graph, residuals: &[Expression], columns: usize) -> Incidence {

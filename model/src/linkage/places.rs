@@ -1,9 +1,9 @@
 //! Values of everything given where a motion begins.
 
 use crate::declare::Drive;
+use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
 use crate::lower::Lowering;
-use crate::diagnostic::Diagnostic;
 use crate::token::Span;
 
 /// Part of a start value that its rounding may change; less is not worth a word.

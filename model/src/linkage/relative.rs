@@ -65,7 +65,8 @@ impl Relative {
             let signed = graph.scale(sign, symbol);
             let value = graph.sum(&[signed, rest]);
             for function in [Function::Sin, Function::Cos] {
-                let (old, new) = (graph.call(function, &[argument]), graph.call(function, &[value]));
+                let (old, new) =
+                    (graph.call(function, &[argument]), graph.call(function, &[value]));
                 map.insert(old, new);
             }
         }

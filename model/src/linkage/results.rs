@@ -189,9 +189,13 @@ impl Linkage {
                 range.period = std::f64::consts::TAU;
             }
         }
-        let starts = names.dependents.iter().map(|declared| match &declared.what.start {
-            Some(term) => low.fixed(term).map_or(f64::NAN, |(value, _)| value),
-            None => f64::NAN,
+        // The start of a coordinate may depend on constants, and is compared with the closures where the motion begins.
+        let dependents = names.dependents.iter().enumerate();
+        let starts = dependents.map(|(index, declared)| match &declared.what.start {
+            Some(term) if !names.bound.contains_key(&index) => {
+                low.fixed(term).map_or(f64::NAN, |(value, _)| value)
+            }
+            _ => f64::NAN,
         });
         let starts: Vec<f64> = starts.collect();
         let dependents = names.dependents.iter().zip(units).enumerate().filter_map(

@@ -54,8 +54,7 @@ impl Lowering<'_> {
     }
 
     fn breaks(&mut self, values: &[Expression], moves: &dyn Fn(Symbol) -> bool) -> Breaks {
-        let (motions, written, followed) =
-            (&self.driver_motions, &self.written, &self.followed);
+        let (motions, written, followed) = (&self.driver_motions, &self.written, &self.followed);
         let behind = |symbol| match symbol {
             Symbol::Driver(index) => motions[index as usize].map(|(position, _)| position),
             Symbol::DriverRate(_) => followed.get(&symbol).copied(),

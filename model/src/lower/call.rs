@@ -76,11 +76,16 @@ impl Lowering<'_> {
         }
         let names = self.names;
         if let Some(entry) = names.table.get(&name.text) {
-            self.used.insert(name.text.clone());
             let Role::Function(parameters, body) = &entry.role else {
+                // A quantity may be called after what it is: `output energy = energy(kinetic);`.
+                if let Some(found) = self.of_motion(name, arguments, span) {
+                    return found;
+                }
+                self.used.insert(name.text.clone());
                 let report = not_a_function(name);
                 return self.error(report.related(entry.span, "declared here"));
             };
+            self.used.insert(name.text.clone());
             if !self.count(name, arguments.len(), parameters.len(), span) {
                 return Typed::Wrong;
             }

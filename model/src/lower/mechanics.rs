@@ -53,7 +53,8 @@ impl Lowering<'_> {
             return Typed::Wrong;
         }
         let Some(closure) = self.closures.iter().find(|one| one.name == wanted).cloned() else {
-            let message = format!("there is no closure `{wanted}`, and only closures have reactions");
+            let message =
+                format!("there is no closure `{wanted}`, and only closures have reactions");
             let known = self.closures.iter().map(|one| one.name.as_str());
             let near = nearest(&wanted, known);
             let otherwise = "give a closure a name: `closure pin: A = B;`";
@@ -80,7 +81,9 @@ impl Lowering<'_> {
         let symbol = Symbol::Driver(*index);
         let moves = self.driver_motions[*index as usize].is_some() || self.moved == Moved::Given;
         if !moves {
-            let message = format!("nothing says how fast the driver `{name}` moves, so what moves it is not known");
+            let message = format!(
+                "nothing says how fast the driver `{name}` moves, so what moves it is not known"
+            );
             let hint = format!("state its motion, as in `driver {name} = n*time;`");
             return self.error(Diagnostic::error(argument.span, message).hint(hint));
         }

@@ -19,6 +19,7 @@ mod written;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
+pub use derivative::is_of_motion;
 pub use measure::Measuring;
 pub use mechanics::Closure;
 use typed::Key;
@@ -88,6 +89,8 @@ pub struct Lowering<'a> {
     pub slopes: Option<Slopes>,
     /// What the time derivatives of dependent coordinates, and of drivers where these are symbols, stand for.
     pub followed: Map<Symbol, Expression>,
+    /// What everything stands for that is not given, once the equations are solved.
+    pub bound: Map<Symbol, Expression>,
     /// The closures by name, with the indices of their scalar equations and their kinds.
     pub closures: Vec<Closure>,
     /// Whether something has mass, so that speeds of drivers are symbols: their forces are derivatives by them.
@@ -135,6 +138,7 @@ impl<'a> Lowering<'a> {
             derived: Set::default(),
             slopes: None,
             followed: Map::default(),
+            bound: Map::default(),
             closures: Vec::new(),
             has_mass: false,
             loops_are_wrong: false,

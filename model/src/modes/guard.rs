@@ -2,8 +2,8 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Node, Symbol};
-use crate::lower::Lowering;
-use crate::program::Function;
+use crate::lower::{Lowering, is_of_motion};
+use crate::program::{self, Function};
 use crate::syntax::print;
 use crate::syntax::tree::{BinaryOperator, Direction, Term, TermKind};
 
@@ -22,12 +22,6 @@ pub fn rate(
         );
         return None;
     }
-    if has(low, |symbol| matches!(symbol, Symbol::Acceleration(_))) {
-        let message = "an event cannot watch an acceleration in this version of Assur";
-        let report = Diagnostic::error(term.span, message);
-        low.diagnostics.push(report.hint("watch the force that causes it"));
-        return None;
-    }
     if let Some(inner) = touched(low, guard) {
         let message = format!(
             "`{}` has the same sign on both sides of its zeros: it touches zero and does not pass it",
@@ -41,7 +35,12 @@ pub fn rate(
         return None;
     }
     let rates = low.direction()?;
-    let rate = low.graph.tangent(&[guard], &rates)[0];
+    // Of a force and an acceleration it is known only in the motion as it is.
+    let moving = match has(low, is_highest) {
+        true => program::bind(&mut low.graph, &[guard], &low.bound)[0],
+        false => guard,
+    };
+    let rate = low.graph.tangent(&[moving], &rates)[0];
     if low.graph.as_number(rate) == Some(0.0) || is_remainder(term) {
         let message = format!(
             "`{}` jumps, and an event is where a quantity passes zero without a jump",
@@ -52,6 +51,12 @@ pub fn rate(
         return None;
     }
     Some(rate)
+}
+
+/// Whether a symbol stands for what the equations of motion determine.
+fn is_highest(symbol: Symbol) -> bool {
+    let highest = matches!(symbol, Symbol::Acceleration(_) | Symbol::DependentAcceleration(_));
+    highest || is_of_motion(symbol)
 }
 
 /// What has to be zero where this is, if it is of one sign everywhere else: `x` of `abs(x)` and of `-c*x^2`.

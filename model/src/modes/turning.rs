@@ -36,7 +36,8 @@ pub fn events(
         };
         let sides = [(1.0, Direction::Rises, declared.name.span), (-1.0, Direction::Falls, scene)];
         for (sign, direction, span) in sides {
-            let (way, half) = (low.graph.number(sign * period), low.graph.number(sign * period / 2.0));
+            let (way, half) =
+                (low.graph.number(sign * period), low.graph.number(sign * period / 2.0));
             let end = low.graph.add(start[index], half);
             let mut after = states.clone();
             after[index] = low.graph.sub(states[index], way);

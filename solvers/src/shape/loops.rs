@@ -66,6 +66,8 @@ pub enum GroupKind {
     Linear,
     /// One equation `A cos φ + B sin φ = C`: two solutions.
     Angle,
+    /// One equation with the square of a displacement, `a s² + 2 b s + c = 0`, as of a distance: two solutions.
+    Distance,
     /// Two links joined by a pivot, each turning: two circles meet.
     Rrr,
     /// A link that turns and a slide: a circle meets a line.

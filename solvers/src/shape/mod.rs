@@ -75,6 +75,8 @@ pub struct Shape {
     pub first: usize,
     /// The loops, if the scene is a linkage.
     pub linkage: Option<LinkageEntry>,
+    /// The loops by which a motion is reduced to its independent coordinates, if it has any.
+    pub reduced: Option<LinkageEntry>,
     /// The loops that the motion carries along, one entry for each group that may fail to close, named by its equations.
     pub carried: List<Loop>,
 }
@@ -117,6 +119,7 @@ impl Shape {
             modes: &[],
             first: 0,
             linkage: None,
+            reduced: None,
             carried: &[],
         }
     }
@@ -175,6 +178,13 @@ impl Shape {
     #[doc(hidden)]
     pub const fn linkage(mut self, linkage: LinkageEntry) -> Self {
         self.linkage = Some(linkage);
+        self
+    }
+
+    /// The loops by which a motion is reduced.
+    #[doc(hidden)]
+    pub const fn reduced(mut self, reduced: LinkageEntry) -> Self {
+        self.reduced = Some(reduced);
         self
     }
 

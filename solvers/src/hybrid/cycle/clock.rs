@@ -5,7 +5,6 @@
 //! The time since then is a guess of the period, and Newton's method closes the motion from there.
 
 use super::super::Motion;
-use super::super::motion::Happened;
 use super::error::CycleError;
 use super::newton::Gap;
 use super::{Cycle, follow, phase};
@@ -242,50 +241,52 @@ impl Walk<'_> {
         Ok(Some(moved.unwrap_or(cycle)))
     }
 
-    /// Modes and states where the first state that moves is largest for a while.
+    /// Modes and states where the first state that moves is largest for a while; of one that only rises between events where
+    /// it passes the middle of its range.
     fn tops(&self, motion: &Motion) -> Vec<(usize, Vec<f64>)> {
-        let moves = |state: &usize| {
+        let range = |state: usize| {
             let values = motion.pieces.iter().flat_map(|piece| {
                 let times = piece.trajectory.times().iter();
-                times.map(|time| piece.trajectory.at(*time)[*state])
+                times.map(move |time| piece.trajectory.at(*time)[state])
             });
-            let (low, high) = values
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), one| {
-                    (one.min(low), one.max(high))
-                });
+            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), one| {
+                (one.min(low), one.max(high))
+            })
+        };
+        let moves = |state: &usize| {
+            let (low, high) = range(*state);
             high - low > REST * self.sizes[*state]
         };
         let Some(state) = (0..self.sizes.len()).find(moves) else {
             return Vec::new();
         };
-        let mut tops = Vec::new();
-        for piece in &motion.pieces {
-            let times = piece.trajectory.times();
-            let rises = |time: f64| self.rate(piece.mode, &piece.trajectory.at(time))[state] > 0.0;
-            for ends in times.windows(2) {
-                for part in 0..PARTS {
-                    let time =
-                        |part: usize| ends[0] + (ends[1] - ends[0]) * part as f64 / PARTS as f64;
-                    if rises(time(part)) && !rises(time(part + 1)) {
-                        let top = passed(rises, time(part), time(part + 1));
-                        tops.push((piece.mode, piece.trajectory.at(top)));
-                    }
+        let rises = |mode: usize, at: &[f64]| self.rate(mode, at)[state] > 0.0;
+        let tops = places(motion, &rises);
+        if !tops.is_empty() {
+            return tops;
+        }
+        let (low, high) = range(state);
+        places(motion, &|_, at| at[state] < 0.5 * (low + high))
+    }
+}
+
+/// Modes and states of a motion where something that holds ceases to.
+fn places(motion: &Motion, holds: &dyn Fn(usize, &[f64]) -> bool) -> Vec<(usize, Vec<f64>)> {
+    let mut places = Vec::new();
+    for piece in &motion.pieces {
+        let times = piece.trajectory.times();
+        let at = |time: f64| holds(piece.mode, &piece.trajectory.at(time));
+        for ends in times.windows(2) {
+            for part in 0..PARTS {
+                let time = |part: usize| ends[0] + (ends[1] - ends[0]) * part as f64 / PARTS as f64;
+                if at(time(part)) && !at(time(part + 1)) {
+                    let place = passed(at, time(part), time(part + 1));
+                    places.push((piece.mode, piece.trajectory.at(place)));
                 }
             }
         }
-        // What only rises between events is largest right before one of them, and begins after it: one that sets something, so
-        // that nothing else changes at the begin.
-        if tops.is_empty() {
-            let sets = |event: &&Happened| event.before != event.after;
-            let all = motion.events.iter();
-            let chosen: Vec<&Happened> = match all.clone().any(|event| sets(&event)) {
-                true => all.filter(sets).collect(),
-                false => all.collect(),
-            };
-            tops.extend(chosen.into_iter().map(|event| (event.to, event.after.to_vec())));
-        }
-        tops
     }
+    places
 }
 
 /// When something that holds at the first of two times ceases to.

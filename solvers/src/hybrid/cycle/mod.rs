@@ -118,7 +118,7 @@ pub(crate) fn cycle_of(
 }
 
 /// The motion of a scene that nothing drives and that repeats, such as that of a clock. Its period is a result,
-/// [`Cycle::period`]. It begins where the first state is largest, and its multipliers are those beside the one of the
+/// [`Cycle::period`]. It begins where the first state is largest, or, where that only rises between events, passes the middle of its range. Its multipliers are those beside the one of the
 /// phase, which is 1.
 ///
 /// # Errors
