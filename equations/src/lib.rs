@@ -19,4 +19,6 @@ assur::equations! {
     "balanced_four_bar.eqn",
     "shaper.eqn",
     "andrews.eqn",
+    "feed_dynamics.eqn",
+    "car_axis.eqn",
 }

@@ -11,7 +11,7 @@ use crate::error::Told;
 
 /// Of a motion that could not be followed to its end.
 pub fn tell(scene: &SceneEntry, run: &dyn Model, error: &HybridError) -> Told {
-    unclosed::tell(scene, run).unwrap_or_else(|| of_motion(scene, error))
+    unclosed::tell(scene, run, error.motion()).unwrap_or_else(|| of_motion(scene, error))
 }
 
 fn of_motion(scene: &SceneEntry, error: &HybridError) -> Told {
@@ -61,13 +61,17 @@ fn of_motion(scene: &SceneEntry, error: &HybridError) -> Told {
 
 /// Of a motion that was to repeat.
 pub fn tell_cycle(scene: &SceneEntry, run: &dyn Model, error: &CycleError) -> Told {
-    unclosed::tell(scene, run).unwrap_or_else(|| of_cycle(scene, error))
+    let motion = match error {
+        CycleError::Motion(inner) => inner.motion(),
+        _ => None,
+    };
+    unclosed::tell(scene, run, motion).unwrap_or_else(|| of_cycle(scene, error))
 }
 
 /// Of a motion without events that was to repeat.
 pub fn tell_periodic(scene: &SceneEntry, run: &dyn Model, error: &PeriodicError) -> Told {
     const AWAY: &str = "near a resonance move the speed a little, or choose a scene with damping; else try a smaller --rtol";
-    unclosed::tell(scene, run).unwrap_or_else(|| Told::new(error.to_string(), AWAY))
+    unclosed::tell(scene, run, None).unwrap_or_else(|| Told::new(error.to_string(), AWAY))
 }
 
 fn of_cycle(scene: &SceneEntry, error: &CycleError) -> Told {

@@ -1,8 +1,7 @@
 //! A motion through several modes.
 
-use super::HybridError;
 use super::numbers::Numbers;
-use crate::ode::{Basis, Observer, OdeError, Recorder, Statistics, Step, Trajectory};
+use crate::ode::{Basis, Observer, Recorder, Statistics, Step, Trajectory};
 use crate::stiff::Switch;
 
 /// Steps of what has no state.
@@ -79,22 +78,6 @@ impl Motion {
             statistics: trajectory.statistics,
             pieces: vec![Piece { mode: 0, trajectory, sides: Numbers::default() }],
         }
-    }
-
-    /// A motion without events, if it was integrated to its end.
-    ///
-    /// # Errors
-    /// [`HybridError::Ode`] with a motion that has not begun.
-    pub(crate) fn smooth(
-        integrated: Result<Trajectory, OdeError>,
-        time: f64,
-        start: &[f64],
-    ) -> Result<Self, HybridError> {
-        integrated.map(Self::of).map_err(|error| HybridError::Ode {
-            error,
-            mode: 0,
-            motion: Box::new(Self::at_rest(time, start)),
-        })
     }
 
     /// What moves with the time alone: nothing has a state. It is as if it had been integrated in even steps.

@@ -58,6 +58,20 @@ pub enum OdeError {
     },
 }
 
+impl OdeError {
+    /// The time that was reached; none where nothing was begun.
+    pub fn time(&self) -> Option<f64> {
+        match self {
+            Self::NotFinite { time, .. }
+            | Self::NotDifferentiable { time, .. }
+            | Self::StepTooSmall { time, .. }
+            | Self::TooManySteps { time, .. }
+            | Self::Stiff { time, .. } => Some(*time),
+            Self::BadOption { .. } => None,
+        }
+    }
+}
+
 impl fmt::Display for OdeError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -54,8 +54,7 @@ impl Request<'_> {
     pub fn of(&self, model: &dyn Model) -> Result<Motion, HybridError> {
         let (times, settings, shape) = (self.times, self.settings, model.shape());
         if model.events().is_none() {
-            let integrated = smooth::follow(model, times, self.start, settings);
-            return Motion::smooth(integrated, times.0, self.start);
+            return self.smooth(model);
         }
         start::check_mode(shape, self.mode)?;
         let flow = Flow::new(model, self.mode);
@@ -73,6 +72,19 @@ impl Request<'_> {
             Ok(()) => Ok(motion),
             Err(end) => Err(end.with(motion)),
         }
+    }
+
+    /// The motion of a model without events. One that ends early is followed once more, as far as it came.
+    fn smooth(&self, model: &dyn Model) -> Result<Motion, HybridError> {
+        let follow = |until: f64| {
+            smooth::follow(model, (self.times.0, until), self.start, self.settings).map(Motion::of)
+        };
+        follow(self.times.1).map_err(|error| {
+            let reached = error.time().filter(|time| *time != self.times.0 && time.is_finite());
+            let motion = reached.and_then(|time| follow(time).ok());
+            let motion = motion.unwrap_or_else(|| Motion::at_rest(self.times.0, self.start));
+            HybridError::Ode { error, mode: 0, motion: Box::new(motion) }
+        })
     }
 
     /// Whether what is asked for makes sense.
