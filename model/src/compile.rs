@@ -189,7 +189,6 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
     let mut parts = lower::parts(here, texts, low);
     let still = modes::still(&names, here.phase());
     let equations = derive::equations(here, &mut parts, &still, low);
-    forces::check(low, &equations);
     let unknowns = quantities::unknown_names(&names);
     let solved = is_complete(low).then(|| {
         let given = quantities::state_symbols(&names);

@@ -46,7 +46,9 @@ impl Parts {
             StatementKind::Force { value, on } => self.force(value, on, statement, low),
             StatementKind::Motion { label, left, right } => {
                 let name = equation_name(label, (left, right), low.diagnostics);
-                if let Some((residuals, kind)) = low.balance(left, right) {
+                if let Some((residuals, kind)) = low.balance(left, right)
+                    && low.is_given(&residuals, span)
+                {
                     for residual in residuals {
                         self.written.push(Equation {
                             residual,
@@ -128,7 +130,7 @@ impl Parts {
             low.diagnostics.push(Diagnostic::error(value.span, message).hint(hint));
             return;
         }
-        if !low.has_forces(kind, expression, value, span) {
+        if !low.is_given(&[expression], span) || !low.has_forces(kind, expression, value, span) {
             return;
         }
         let list = match kind {
@@ -168,6 +170,10 @@ impl Parts {
                 Diagnostic::error(statement.span, message)
                     .hint("a force in N works on a position in m, a moment in N m on an angle"),
             );
+            return;
+        }
+        let all = [force.values(), position.values()].concat();
+        if !low.is_given(&all, statement.span) {
             return;
         }
         if !low.has_directions(position.values(), on, statement.span) {

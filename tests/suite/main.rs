@@ -6,6 +6,7 @@
 //! | [`answers`] | the front door: what a scene is asked |
 //! | [`batten`] | a mechanism against an independent computation, closed forms, limits, energy |
 //! | [`linkages`] | loops against an independent computation, and the misprints of a paper |
+//! | [`dynamics`] | linkages that have mass: two ways to write one, forces against work, drift |
 //! | [`hybrid`] | modes and events against closed forms |
 //! | [`series`] | Taylor series against the other method |
 //! | [`hard`] | cases in which the naive way fails, beside ours |
@@ -13,6 +14,7 @@
 mod answers;
 mod batten;
 mod boundaries;
+mod dynamics;
 mod hard;
 mod hybrid;
 mod linkages;

@@ -78,7 +78,8 @@ fn comes_to_rest(scene: &SceneEntry, run: &dyn Model, motion: &Motion) -> Option
         }
     }
     // A margin that is no number is beyond its end.
-    let index = (0..last.len()).find(|index| !(last[*index] > DEAD * most[*index]))?;
+    let is_dead = |index: &usize| last[*index].is_nan() || last[*index] <= DEAD * most[*index];
+    let index = (0..last.len()).find(is_dead)?;
     let Loop { name, unit, factor, .. } = scene.carried[index];
     let reason = format!(
         "at time = {} s {name} comes to a dead point: it closes by {} there, by up to {} before",

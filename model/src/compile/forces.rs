@@ -9,7 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Map, Symbol};
 use crate::lagrange::Energies;
 use crate::linkage::Linkage;
-use crate::lower::{Lowering, is_of_motion};
+use crate::lower::Lowering;
 use crate::motion::{Equation, Solved};
 use crate::statements::Parts;
 
@@ -48,20 +48,6 @@ pub fn bindings(
         bindings.insert(Symbol::Effort(index as u32), effort);
     }
     bindings
-}
-
-/// Reports an equation that holds what only its solution determines, and forces that are asked for where an equation of
-/// motion is written out: nothing says then which force moves what.
-pub fn check(low: &mut Lowering<'_>, equations: &[Equation]) {
-    let held = equations.iter().find(|one| low.graph.depends_on(one.residual, is_of_motion));
-    if let Some(equation) = held {
-        let message = "a force or an equation that depends on a `reaction`, an `effort` or an `energy` is not available in this version of Assur";
-        let report = Diagnostic::error(equation.span, message);
-        low.diagnostics.push_once(
-            "reaction in an equation".into(),
-            report.hint("what it is can be reported, measured and watched by events; a normal force that follows from the motion can be written out"),
-        );
-    }
 }
 
 /// Reports forces that are asked for where an equation of motion is written out: it does not say which force moves what.

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use super::{Kind, Lowering, Moved, Quantity, Typed, second};
+use super::{Kind, Lowering, Moved, Quantity, Typed, is_of_motion, second};
 use crate::diagnostic::Diagnostic;
-use crate::expression::Symbol;
+use crate::expression::{Expression, Symbol};
 use crate::homogeneity::over;
 use crate::nearest::nearest;
 use crate::resolve::Role;
@@ -123,6 +123,18 @@ impl Lowering<'_> {
             Some(kind) => Typed::scalar(self.graph.symbol(Symbol::Energy(index as u32)), kind),
             None => Typed::Wrong,
         }
+    }
+
+    /// Whether what the motion is made of is free of what only its solution determines; else that is reported.
+    pub fn is_given(&mut self, values: &[Expression], span: Span) -> bool {
+        let held = values.iter().any(|one| self.graph.depends_on(*one, is_of_motion));
+        if held {
+            let message = "what makes the motion cannot depend on a `reaction`, an `effort` or an `energy` in this version of Assur";
+            self.diagnostics.push(Diagnostic::error(span, message).hint(
+                "they can be reported, measured and watched by events; write a normal force out where friction needs it",
+            ));
+        }
+        !held
     }
 
     /// The kind of an energy, or of a power for the last of [`ENERGIES`].

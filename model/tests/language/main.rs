@@ -11,6 +11,7 @@ mod growth;
 mod labels;
 mod literals;
 mod measures;
+mod mechanics;
 mod modes;
 mod parts;
 mod programs;
