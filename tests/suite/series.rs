@@ -2,7 +2,8 @@
 
 use crate::solved::bind;
 use assur::answer::{Method, Settings};
-use assur::{hybrid, ode};
+use assur::hybrid::{self, HybridError};
+use assur::ode::{self, OdeError};
 use assur_equations::REGISTRY;
 
 /// Every scene that moves ends where the other method ends, with the same events on the way.
@@ -26,6 +27,13 @@ fn every_scene_moves_as_with_the_other_method() {
             // At 1e-12 the other method is itself off by 4e-8 where a foot without damping bounces.
             let (one, other) = match (by(Method::Dop853, 1e-14), by(Method::Taylor, 1e-12)) {
                 (Ok(one), Ok(other)) => (one, other),
+                // What closes several loops is too long for a series, and says so.
+                (
+                    Ok(_),
+                    Err(HybridError::Ode { error: OdeError::BadOption { reason, .. }, .. }),
+                ) if reason.contains("too long") => {
+                    continue;
+                }
                 (one, other) => panic!("{name}: {:?} {:?}", one.err(), other.err()),
             };
             compared += 1;
