@@ -16,6 +16,7 @@ mod hand_linkage;
 mod hand_loop;
 mod hand_modes;
 mod hand_run_up;
+mod hand_squeezer;
 mod hand_system;
 mod hand_walk;
 mod linkage;
@@ -23,6 +24,7 @@ mod linkage;
 mod peers;
 mod revolutions;
 mod run_ups;
+mod squeezer;
 mod table;
 mod tolerance;
 
@@ -38,6 +40,7 @@ usage: assur-benches [COMMAND]
   foot          a turn of the presser foot, with its events
   foot-peers    other libraries on it; needs `--features peers`, and SciPy for its part
   run-ups       a thousand run-ups of a table on one thread and on two
+  squeezer      Andrews' squeezing mechanism, three loops with masses
   linkage       positions and influence coefficients of a six-bar
   tolerance     a million heald linkages made at random
   chain         how long a chain of 30 pendulums takes to derive
@@ -52,6 +55,7 @@ fn main() -> ExitCode {
         ["revolutions"] => with_counts(&[revolutions::report]),
         ["foot"] => with_counts(&[foot::report]),
         ["run-ups"] => with_counts(&[run_ups::report]),
+        ["squeezer"] => with_counts(&[squeezer::report]),
         ["peers"] => return run_peers(Peers::Batten),
         ["foot-peers"] => return run_peers(Peers::Foot),
         ["chain"] => chain::report(),
@@ -65,6 +69,7 @@ fn main() -> ExitCode {
                 foot::report,
                 linkage::report,
                 run_ups::report,
+                squeezer::report,
             ]);
             tolerance::report();
             chain::report();
@@ -98,6 +103,7 @@ fn run_counted(group: &str, name: &str) -> ExitCode {
         "foot" => foot::cases(),
         "linkage" => linkage::cases(),
         "run-ups" => run_ups::cases(),
+        "squeezer" => squeezer::cases(),
         _ => Vec::new(),
     };
     if count::run_counted(&mut cases, name) {
