@@ -21,4 +21,6 @@ assur::equations! {
     "andrews.eqn",
     "feed_dynamics.eqn",
     "car_axis.eqn",
+    "governor.eqn",
+    "elastic_crank.eqn",
 }
