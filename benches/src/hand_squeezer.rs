@@ -189,8 +189,7 @@ impl Task for Squeeze {
     #[inline(always)]
     fn run<S: Scalar>(self) -> Run {
         let Self { end, rtol, scale } = self;
-        let rates = #[inline(always)]
-        |_: &f64, y: &[S; 2]| [y[1], acceleration(y[0], y[1])];
+        let rates = |_: &f64, y: &[S; 2]| [y[1], acceleration(y[0], y[1])];
         let mut y = START.map(S::from_f64);
         let (mut t, mut h) = (0.0, 1e-4);
         let mut k1 = rates(&0.0, &y);

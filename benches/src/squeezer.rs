@@ -6,6 +6,7 @@ use assur::answer::{Method, Settings};
 use assur::model::{Bound, Flow};
 use assur::ode::{Explicit, Options, Workspace, integrate};
 use assur::problem::Scene;
+use assur::shape::Subject;
 use assur_equations::andrews::Squeeze;
 
 use crate::count::{Case, measure};
@@ -47,7 +48,7 @@ fn error(run: &Run) -> f64 {
 fn asked() -> f64 {
     let settings = Settings::new(Method::Dop853).rtol(RTOL);
     let motion = assur::answer::Solve::solve(&Squeeze::default(), &settings);
-    motion.map_or(f64::NAN, |motion| motion.at(END)[0])
+    motion.map_or(f64::NAN, |motion| motion.at(END)[Subject::State(0)])
 }
 
 /// A code with its name.

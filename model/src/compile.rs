@@ -143,6 +143,15 @@ struct Mode<'a> {
 }
 
 impl Mode<'_> {
+    /// A motion ends where loops that move with it come to a dead point.
+    fn end(&mut self, low: &mut Lowering<'_>) {
+        if !self.declared.is_linkage() {
+            let states = self.asked.start.len();
+            let events = self.linkage.dead_points(low, states, self.here.index);
+            self.asked.events.extend(events);
+        }
+    }
+
     /// Where a motion is sought that repeats, coordinates that turn are set back.
     fn turn(&mut self, low: &mut Lowering<'_>) {
         let Some(scene) = self.here.scene().filter(|_| self.asked.span.kind == SpanKind::Periodic)
@@ -223,6 +232,7 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
 fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
     let before = low.diagnostics.error_count();
     mode.turn(low);
+    mode.end(low);
     let (scene, documentation) = mode.here.task.scene?;
     let chosen = choose::values(&mode, scene, low);
     checks::masses(low, &mode, &chosen.values);

@@ -117,6 +117,7 @@ fn unite(all: &mut [Compiled]) {
 fn only(compiled: Compiled) -> SceneModel {
     let mut model = compiled.scene;
     if !compiled.events.is_empty() {
+        model.conservative = false;
         model.modes.push(ModeModel {
             name: String::new(),
             summary: String::new(),

@@ -1,6 +1,8 @@
 //! Linkages that have mass: two ways to write one mechanism, forces against work, periodic motions that turn, pins that
 //! lift off.
 
+use assur::model::{Bound, Flow, Model};
+use assur::ode::{Explicit, Options, Workspace, integrate};
 use assur::prelude::*;
 
 /// A slider-crank with few coordinates.
@@ -213,4 +215,78 @@ fn a_pin_lifts_off_where_its_force_passes_zero() {
     let off = fast.measure("off").unwrap();
     let expected = (9.81_f64 / (0.5 * 36.0)).asin();
     assert!((off - expected).abs() < 1e-6, "{off} {expected}");
+}
+
+/// A hundred thousand turns: the loops close to rounding at the end, and the energy is off by no more than the steps may
+/// err, 1e-13 each.
+#[test]
+fn a_hundred_thousand_turns_do_not_drift() {
+    let scene = chain::Run::default();
+    let bound = Bound::new(&scene);
+    let flow = Flow::new(&bound, 0);
+    let options = Options::scaled(1e-13, chain::Run::shape().scales);
+    let mut workspace = Workspace::new(Explicit::Dop853, &flow);
+    let (start, end) = (scene.start(), 100_000.0 * 0.231_93);
+    let options = Options { max_steps: 100_000_000, ..options };
+    let done = integrate(&flow, (0.0, end), &start, &options, &mut workspace, &mut ());
+    let steps = done.expect("it goes on").steps;
+    let state = workspace.state();
+    assert!(state[0] > 99_000.0 * std::f64::consts::TAU, "{}", state[0]);
+    let equations = scene.prepare::<f64>();
+    let energy = |at: &[f64]| {
+        let (kinetic, potential) = equations.energy(Phase::of(0), 0.0, at).expect("energies");
+        kinetic + potential
+    };
+    let drift = (energy(state) / energy(&start) - 1.0).abs();
+    assert!(drift < 1e-13 * steps as f64, "{drift:e} in {steps} steps");
+    let mut outputs = [0.0; 9];
+    equations.outputs(Phase::of(0), end, state, &mut outputs);
+    let open = 0.04 * state[0].cos() + 0.14 * outputs[2].cos() - outputs[3];
+    assert!(open.abs() < 1e-15, "{open:e}");
+}
+
+/// Both ways to write the mechanism agree where masses are fifteen orders of magnitude apart.
+#[test]
+fn masses_may_be_far_apart() {
+    for (m_r, m_p) in [(1e-9, 1e6), (1e6, 1e-9), (1e-9, 1e-9)] {
+        let one = chain::Run { m_r, m_p, ..Default::default() }.ask().until(0.3).solve(&FINE);
+        let other = bodies::Run { m_r, m_p, ..Default::default() }.ask().until(0.3).solve(&FINE);
+        let (one, other) = (one.expect("a motion"), other.expect("a motion"));
+        for name in ["a1", "w", "pin.x", "pin.y"] {
+            let (a, b) = (one.value(name, 0.3).unwrap(), other.value(name, 0.3).unwrap());
+            let size = a.abs() + 1e-6 * (1.0 + m_p + m_r);
+            assert!((a - b).abs() < 1e-7 * size, "{name} with {m_r:e} and {m_p:e}: {a} {b}");
+        }
+    }
+}
+
+/// A crank that cannot turn all round, and is driven against its end.
+mod locking {
+    assur::mechanism! {
+        Locking from "made up";
+        parameter a = 100 mm, b = 150 mm, c = 80 mm, d = 200 mm, J = 1e-3 [kg m^2], M = 0.1 [N m];
+        coordinate phi: rad = 40 deg;
+        dependent theta ~ 10 deg, psi ~ 80 deg;
+        closure joint: a*dir(phi) + b*dir(theta) = [d, 0] + c*dir(psi);
+        kinetic J*dot(phi)^2/2 + J*dot(psi)^2/2;
+        force M on phi;
+        output phi, psi;
+        scene run { run time 0 s .. 3 s; }
+    }
+}
+
+/// The crank alone would go on; the loop does not let it, and the motion ends with what was reached.
+#[test]
+fn a_mechanism_that_locks_ends_its_motion() {
+    let error = locking::Run::default().run().expect_err("it cannot turn round");
+    let assur::answer::Error::Stopped(stopped) = &error else { panic!("{error}") };
+    let reached = stopped.motion().expect("the motion so far");
+    // There the coupler and the rocker are in one line: `d² + a² - 2 a d cos(phi) = (b + c)²`.
+    let end = ((0.2_f64.powi(2) + 0.1_f64.powi(2) - 0.23_f64.powi(2)) / (2.0 * 0.1 * 0.2)).acos();
+    assert!(reached.time > 0.01, "{}", reached.time);
+    assert!((reached.end[0] - end).abs() < 1e-5, "{} {end}", reached.end[0]);
+    assert!(matches!(stopped, assur::hybrid::HybridError::Lost { .. }), "{stopped}");
+    let model = Bound::new(&locking::Run::default());
+    let margin = (&model as &dyn Model).margins_in(0, reached.time, &reached.end)[0];
+    assert!(margin.abs() < 1e-6, "{margin:e}");
 }

@@ -67,7 +67,8 @@ fn opens(scene: &SceneEntry, run: &dyn Model) -> Option<Told> {
 
 /// Which loop comes to a dead point where a motion ended.
 fn comes_to_rest(scene: &SceneEntry, run: &dyn Model, motion: &Motion) -> Option<Told> {
-    let last = run.margins_in(motion.mode, motion.time, &motion.end);
+    let piece = motion.pieces.last()?;
+    let last = run.margins_in(piece.mode, motion.time, piece.trajectory.end());
     let mut most = vec![0.0_f64; last.len()];
     for piece in &motion.pieces {
         for time in piece.trajectory.times() {

@@ -46,6 +46,14 @@ fn of_motion(scene: &SceneEntry, error: &HybridError) -> Told {
             ),
             "check the values given with --set; else keep what the event watches defined, with `max` for instance",
         ),
+        HybridError::Lost { time, mode, event, .. } => Told::new(
+            format!(
+                "at time = {time} s {}{}, and nothing says how the motion goes on",
+                event_text(scene, *mode, *event).unwrap_or("an event ends the motion"),
+                within(scene, *mode)
+            ),
+            "end the run before; of a loop choose another coordinate as the independent one; of an event of the file check what it sets",
+        ),
         HybridError::Turns { time, mode, turned, .. } => Told::new(
             format!(
                 "after time = {time} s an angle that events depend on turns by {turned:.3e} rad within one step{}, too often to look \

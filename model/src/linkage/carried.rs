@@ -99,9 +99,14 @@ impl Linkage {
 
     /// What a group says of itself: the names of all its equations.
     fn carried_info(&self, group: &Group) -> LoopInfo {
+        LoopInfo { name: self.names(group), ..self.loop_info(group.equations[0]) }
+    }
+
+    /// The names of the equations of a group.
+    pub fn names(&self, group: &Group) -> String {
         let names = group.equations.iter();
         let names: Vec<&str> = names.map(|index| self.equations[*index].name.as_str()).collect();
-        LoopInfo { name: names.join(", "), ..self.loop_info(group.equations[0]) }
+        names.join(", ")
     }
 
     /// How far values are from the declared ones; angles are the same after a turn.

@@ -7,6 +7,7 @@
 
 mod angles;
 mod carried;
+mod dead;
 mod dyad;
 mod eliminate;
 mod follow;

@@ -8,6 +8,18 @@ use assur_solvers::closure::{AnyLinkage, Variable, instant_at};
 /// derivative by the same variable.
 const DIFFERENCE: f64 = 1e-6;
 
+/// The largest constant of the dimension of one of them; where all are zero 1 in SI units.
+fn size(linkage: &dyn AnyLinkage, index: usize) -> f64 {
+    let constants = linkage.shape().constants;
+    let own = constants[index].quantity.dimension;
+    let values = linkage.values();
+    let alike = constants.iter().zip(&values).filter(|one| one.0.quantity.dimension == own);
+    match alike.fold(0.0_f64, |most, one| most.max(one.1.abs())) {
+        0.0 => 1.0,
+        size => size,
+    }
+}
+
 /// Checks the influence coefficients against the outputs of the linkage made anew with each constant a little larger and
 /// smaller, in the same modes.
 pub(super) fn resolved(linkage: &dyn AnyLinkage, here: &Position<'_>) -> Result<(), Failed> {
@@ -29,9 +41,7 @@ pub(super) fn resolved(linkage: &dyn AnyLinkage, here: &Position<'_>) -> Result<
         let Variable::Constant(index) = variable else {
             continue;
         };
-        let size = linkage.values().iter().fold(0.0_f64, |most, one| most.max(one.abs()));
-        let value = linkage.values()[*index].abs();
-        // What is zero may be an angle among lengths: a step as small as the others would drown in rounding.
+        let (size, value) = (size(linkage, *index), linkage.values()[*index].abs());
         let step = 1e-5 * if value == 0.0 { size } else { value.max(1e-3 * size) };
         let moved = |change: f64| {
             let mut values = linkage.values();

@@ -63,6 +63,18 @@ pub enum HybridError {
         /// The motion so far.
         motion: Box<Motion>,
     },
+    /// Nothing says how the motion goes on after an event: what it sets is not a number. A dead point of a loop is such a
+    /// one.
+    Lost {
+        /// When, in seconds.
+        time: f64,
+        /// The mode.
+        mode: usize,
+        /// The event.
+        event: usize,
+        /// The motion so far.
+        motion: Box<Motion>,
+    },
     /// An angle that guards depend on turns so far in one step that the guards cannot be looked at so often.
     Turns {
         /// When, in seconds.
@@ -89,6 +101,7 @@ impl HybridError {
             | Self::Loop { motion, .. }
             | Self::Held { motion, .. }
             | Self::Guard { motion, .. }
+            | Self::Lost { motion, .. }
             | Self::Turns { motion, .. }
             | Self::Chatter { motion, .. } => Some(motion),
             Self::Start { .. } => None,
@@ -125,6 +138,11 @@ impl fmt::Display for HybridError {
                 formatter,
                 "in mode {mode} after t = {time} s what event {event} watches is not a number: a root of something negative, \
                  or a division by zero"
+            ),
+            Self::Lost { time, mode, event, .. } => write!(
+                formatter,
+                "in mode {mode} at t = {time} s event {event} ends the motion: what it sets is not a number, as at a dead point of \
+                 a loop"
             ),
             Self::Turns { time, mode, turned, .. } => write!(
                 formatter,

@@ -33,6 +33,10 @@ const STEPS: usize = 400_000;
 const LONG: f64 = 100.0;
 /// Parts of a step in which a passage is looked for.
 const PARTS: usize = 4;
+/// Parts of the range of a state that only rises at which its motion may begin, and how far from events, in parts of the
+/// period.
+const BEGINS: [f64; 5] = [0.5, 0.4, 0.6, 0.3, 0.7];
+const APART: f64 = 1e-3;
 /// Halvings of the time of a passage.
 const HALVINGS: usize = 40;
 
@@ -263,15 +267,40 @@ impl Walk<'_> {
         let rises = |mode: usize, at: &[f64]| self.rate(mode, at)[state] > 0.0;
         let tops = places(motion, &rises);
         if !tops.is_empty() {
-            return tops;
+            return tops.into_iter().map(Place::without_time).collect();
         }
+        // Not where something else changes: a jump at the begin would be now before it and now behind it.
         let (low, high) = range(state);
-        places(motion, &|_, at| at[state] < 0.5 * (low + high))
+        let at_part = |part: f64| places(motion, &|_, at| at[state] < low + part * (high - low));
+        let mut all = BEGINS.into_iter().map(at_part);
+        let is_apart = |found: &Vec<Place>| {
+            let near = |place: &Place| {
+                let times = motion.events.iter().map(|event| (event.time - place.time).abs());
+                times.fold(f64::INFINITY, f64::min) < APART * motion.time
+            };
+            !found.is_empty() && !found.iter().any(near)
+        };
+        let found = all.find(is_apart).unwrap_or_else(|| at_part(BEGINS[0]));
+        found.into_iter().map(Place::without_time).collect()
     }
 }
 
-/// Modes and states of a motion where something that holds ceases to.
-fn places(motion: &Motion, holds: &dyn Fn(usize, &[f64]) -> bool) -> Vec<(usize, Vec<f64>)> {
+/// A place of a motion.
+struct Place {
+    time: f64,
+    mode: usize,
+    state: Vec<f64>,
+}
+
+impl Place {
+    /// Mode and state.
+    fn without_time(self) -> (usize, Vec<f64>) {
+        (self.mode, self.state)
+    }
+}
+
+/// Places of a motion where something that holds ceases to.
+fn places(motion: &Motion, holds: &dyn Fn(usize, &[f64]) -> bool) -> Vec<Place> {
     let mut places = Vec::new();
     for piece in &motion.pieces {
         let times = piece.trajectory.times();
@@ -280,8 +309,9 @@ fn places(motion: &Motion, holds: &dyn Fn(usize, &[f64]) -> bool) -> Vec<(usize,
             for part in 0..PARTS {
                 let time = |part: usize| ends[0] + (ends[1] - ends[0]) * part as f64 / PARTS as f64;
                 if at(time(part)) && !at(time(part + 1)) {
-                    let place = passed(at, time(part), time(part + 1));
-                    places.push((piece.mode, piece.trajectory.at(place)));
+                    let time = passed(at, time(part), time(part + 1));
+                    let state = piece.trajectory.at(time);
+                    places.push(Place { time, mode: piece.mode, state });
                 }
             }
         }

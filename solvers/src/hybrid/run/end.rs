@@ -12,6 +12,7 @@ pub(in crate::hybrid) enum End {
     Chatter { since: f64, events: usize },
     Held(usize),
     Guard(usize),
+    Lost(usize),
     Turns(f64),
 }
 
@@ -25,6 +26,7 @@ impl End {
             Self::Held(event) => HybridError::Held { time, mode, event, motion },
             Self::Turns(turned) => HybridError::Turns { time, mode, turned, motion },
             Self::Guard(event) => HybridError::Guard { time, mode, event, motion },
+            Self::Lost(event) => HybridError::Lost { time, mode, event, motion },
             Self::Loop(modes) => HybridError::Loop { time, modes, turns: TURNS, motion },
             Self::Chatter { since, events } => {
                 let last = motion.events.iter().rev().take(8);

@@ -162,6 +162,9 @@ impl<'a> Run<'a> {
         self.next.copy_from_slice(&self.state);
         if entry.sets {
             self.flow.jump(event, motion.time, &self.state, &mut self.next);
+            if self.next.iter().any(|value| value.is_nan()) {
+                return Err(End::Lost(event));
+            }
         }
         let before = motion.events.last().map(|one| one.time);
         let happened = Happened {
