@@ -189,22 +189,28 @@ impl Task for Squeeze {
     #[inline(always)]
     fn run<S: Scalar>(self) -> Run {
         let Self { end, rtol, scale } = self;
-        let rates = |_: &f64, y: &[S; 2]| [y[1], acceleration(y[0], y[1])];
         let mut y = START.map(S::from_f64);
         let (mut t, mut h) = (0.0, 1e-4);
-        let mut k1 = rates(&0.0, &y);
+        let mut k1 = [y[1], acceleration(y[0], y[1])];
         let mut evaluations = 1;
         while t < end {
             if t + 1.01 * h >= end {
                 h = end - t;
             }
             let at = hand_dop853::times(t, h);
-            let Attempt { end: next, error, .. } = attempt(rates, &at, (&y, &k1), h, (rtol, scale));
+            let Attempt { end: next, error, .. } = attempt(
+                #[inline(always)]
+                |_: &f64, y: &[S; 2]| [y[1], acceleration(y[0], y[1])],
+                &at,
+                (&y, &k1),
+                h,
+                (rtol, scale),
+            );
             evaluations += 11;
             let factor = (0.9 * error.powf(-1.0 / 8.0)).clamp(1.0 / 3.0, 6.0);
             if error <= 1.0 {
                 t = if t + h >= end { end } else { t + h };
-                k1 = rates(&t, &next);
+                k1 = [next[1], acceleration(next[0], next[1])];
                 evaluations += 1;
                 y = next;
                 h *= factor;

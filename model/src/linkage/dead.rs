@@ -5,7 +5,7 @@
 //! with numbers that look well. So it is an event that the sine of a group falls below a limit, above which speeds are still
 //! known to ten digits and more.
 
-use super::Linkage;
+use super::{Group, Linkage};
 use crate::checked::EventInfo;
 use crate::expression::{Expression, Map, Symbol};
 use crate::lower::Lowering;
@@ -30,6 +30,9 @@ impl Linkage {
         let mut events = Vec::new();
         for (number, group) in self.groups.iter().enumerate() {
             let Some(closed) = &group.closed else { continue };
+            if low.graph.as_number(closed.margin).is_some() || !moves_with_coordinates(group, low) {
+                continue;
+            }
             let graph = &mut low.graph;
             let sign = Map::from_iter([(Symbol::Mode(number as u32), graph.one())]);
             let sine = graph.substitute(&[closed.sine], &sign)[0];
@@ -37,10 +40,6 @@ impl Linkage {
             let limit = graph.number(DEAD * DEAD);
             let guard = graph.sub(square, limit);
             let rate = graph.tangent(&[guard], &direction)[0];
-            let follows = |symbol| matches!(symbol, Symbol::Speed(_) | Symbol::DependentRate(_));
-            if !graph.depends_on(rate, follows) {
-                continue;
-            }
             // The root of something negative: what does not exist is no number.
             let lost = {
                 let size = graph.powi(guard, 2);
@@ -63,4 +62,16 @@ impl Linkage {
         }
         events
     }
+}
+
+/// Whether coordinates move what a group closes: what drivers alone move is looked at as they move.
+fn moves_with_coordinates(group: &Group, low: &mut Lowering<'_>) -> bool {
+    let zero = low.graph.zero();
+    let Some(slopes) = &mut low.slopes else {
+        return false;
+    };
+    (0..low.names.coordinates.len() as u32).any(|index| {
+        let coefficients = slopes.by(&mut low.graph, Symbol::Coordinate(index));
+        group.unknowns.iter().any(|unknown| coefficients[*unknown] != zero)
+    })
 }
