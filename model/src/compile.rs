@@ -209,7 +209,8 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
         low.bound = forces::bindings(&parts, linkage, solved, low);
     }
     let asked = Asked::read(here, reported, &still, low);
-    forces::check_asked(low, &asked.all(), &equations);
+    let place = here.task.scene.map_or(here.task.file.name.span, |(scene, _)| scene.name.span);
+    forces::check_asked(low, (&asked.all(), place), (&parts, &equations));
     seen.take_up(low);
     if !is_right(low) {
         return None;

@@ -260,7 +260,7 @@ impl Lowering<'_> {
             Moved::Given => Some(given),
             // Where the driver is swept, its speed is known if it is always the same.
             Moved::Swept if varies => None,
-            _ if self.has_mass => {
+            _ if self.has_speeds => {
                 self.followed.insert(Symbol::DriverRate(index), rate);
                 self.followed.insert(Symbol::DriverAcceleration(index), acceleration);
                 Some(given)

@@ -151,6 +151,33 @@ fn the_effort_of_a_driver_is_what_energies_and_losses_ask_for() {
     }
 }
 
+/// A damper on the driver alone, without any mass.
+mod damped {
+    assur::mechanism! {
+        Damped from "made up";
+        dimension r = 40 mm, l = 140 mm;
+        parameter n = 20 [rad/s], d = 0.3 [N m s], b = 5 [N s/m];
+        driver phi = n*time ~ 90 deg in 0 deg .. 360 deg;
+        dependent psi ~ -15 deg, x ~ 135 mm;
+        closure pin: r*dir(phi) + l*dir(psi) = [x, 0];
+        dissipation d*dot(phi)^2/2 + b*dot(x)^2/2;
+        output M = effort(phi), v = dot(x), lost = energy(dissipation);
+        scene turn { sweep phi; }
+    }
+}
+
+#[test]
+fn a_damper_on_a_driver_takes_effort() {
+    let path = damped::Turn::default().sweep(0.0..=std::f64::consts::TAU, 13).expect("it turns");
+    let column = |name: &str| path.output(name).expect("an output");
+    let pairs = column("M").into_iter().zip(column("v")).zip(column("lost"));
+    for (((phi, torque), (_, speed)), (_, lost)) in pairs {
+        let expected = 0.3 * 20.0 + 5.0 * speed * speed / 20.0;
+        assert!((torque - expected).abs() < 1e-12 * expected, "{phi}: {torque} {expected}");
+        assert!((lost - 20.0 * expected).abs() < 1e-12 * lost, "{phi}: {lost}");
+    }
+}
+
 /// A rotor with an unbalanced load under a motor: the motion repeats though its angle does not come back.
 mod rotor {
     assur::mechanism! {

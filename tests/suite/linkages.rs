@@ -2,5 +2,6 @@
 
 mod carried;
 mod extremes;
+mod groups;
 mod misprints;
 mod reference;

@@ -49,11 +49,11 @@ impl EventInfo {
     /// Where a branch goes over to its other side.
     pub fn surface(index: usize, guard: &str, mode: usize, span: Span) -> Self {
         let text = format!("{guard} passes zero");
-        Self { surface: Some(index), ..Self::turn(text, Direction::Crosses, mode, span) }
+        Self { surface: Some(index), ..Self::implied(text, Direction::Crosses, mode, span) }
     }
 
-    /// Where an angle is set back by a turn.
-    pub fn turn(text: String, direction: Direction, mode: usize, span: Span) -> Self {
+    /// An event that no statement of the file says.
+    pub fn implied(text: String, direction: Direction, mode: usize, span: Span) -> Self {
         Self {
             label: None,
             text,

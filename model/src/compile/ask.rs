@@ -64,9 +64,7 @@ impl Asked {
             start: facts::start(low, names, scene, needed, held),
         }
     }
-}
 
-impl Asked {
     /// What is asked for of the motion.
     pub fn all(&self) -> Vec<Expression> {
         let events = self.events.iter().flat_map(|(event, _)| event.all());

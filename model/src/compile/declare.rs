@@ -66,11 +66,11 @@ pub fn quantities(here: Here<'_>, low: &mut Lowering<'_>) -> Declared {
     let dependents = dependents.map(|(index, one)| low.dependent(indexed(index), one));
     let dependent_units = dependents.collect();
     low.moved = moved(low, here.scene());
-    low.has_mass = here
+    low.has_speeds = here
         .phase()
         .statements
         .iter()
-        .any(|one| matches!(one.kind, StatementKind::Energy { kind: EnergyKind::Kinetic, .. }));
+        .any(|one| matches!(&one.kind, StatementKind::Energy { kind, .. } if *kind != EnergyKind::Potential));
     Declared {
         constants,
         units,

@@ -12,6 +12,7 @@ use crate::linkage::Linkage;
 use crate::lower::Lowering;
 use crate::motion::{Equation, Solved};
 use crate::statements::Parts;
+use crate::token::Span;
 
 /// What the highest derivatives, rates of dependent coordinates, forces and energies stand for.
 pub fn bindings(
@@ -50,28 +51,45 @@ pub fn bindings(
     bindings
 }
 
-/// Reports forces that are asked for where an equation of motion is written out: it does not say which force moves what.
-pub fn check_asked(low: &mut Lowering<'_>, asked: &[Expression], equations: &[Equation]) {
+/// Reports forces that are asked for where an equation of motion is written out, which does not say which force moves what,
+/// and where nothing makes any.
+pub fn check_asked(
+    low: &mut Lowering<'_>,
+    (asked, place): (&[Expression], Span),
+    (parts, equations): (&Parts, &[Equation]),
+) {
+    let forces = |symbol: Symbol| matches!(symbol, Symbol::Reaction(_) | Symbol::Effort(_));
+    if !asked.iter().any(|one| low.graph.depends_on(*one, forces)) {
+        return;
+    }
     let coordinates = low.names.coordinates.len() as u32;
     let moves =
         |symbol: Symbol| matches!(symbol, Symbol::Acceleration(index) if index < coordinates);
-    let forces = |symbol: Symbol| matches!(symbol, Symbol::Reaction(_) | Symbol::Effort(_));
     // What is held is no equation of its own.
     let is_held = |one: &Equation| low.given_symbol(one.residual).is_some();
     let mut written = equations.iter().filter(|one| one.lagrange.is_none() && !is_held(one));
-    let Some(equation) = written.find(|one| low.graph.depends_on(one.residual, moves)) else {
-        return;
+    let (message, place) = match written.find(|one| low.graph.depends_on(one.residual, moves)) {
+        Some(equation) => {
+            let name = &equation.name;
+            (
+                format!(
+                    "`{name}` is an equation of motion that is written out, so that forces of closures and drivers are not known"
+                ),
+                equation.span,
+            )
+        }
+        None if parts.energy_places.is_empty() => {
+            let message =
+                "a force of a closure or a driver is asked for, and nothing has mass or force";
+            (message.to_string(), place)
+        }
+        None => return,
     };
-    if asked.iter().any(|one| low.graph.depends_on(*one, forces)) {
-        let message = format!(
-            "`{}` is an equation of motion that is written out, so that forces of closures and drivers are not known",
-            equation.name
-        );
-        low.diagnostics.push(
-            Diagnostic::error(equation.span, message)
-                .hint("state the inertia by `kinetic` and the forces by `potential`, `dissipation` and `force`"),
-        );
-    }
+    low.diagnostics.push_once(
+        message.clone(),
+        Diagnostic::error(place, message)
+            .hint("state the inertia by `kinetic` and the forces by `potential`, `dissipation` and `force`"),
+    );
 }
 
 /// Kinetic and potential energy, and the power that the dissipation function takes: its slope along the speeds.

@@ -58,7 +58,7 @@ impl Linkage {
             let name = self.names(group);
             let text = format!("{name} comes to a dead point");
             let span = self.equations[group.equations[0]].span;
-            events.push((event, EventInfo::turn(text, Direction::Falls, mode, span)));
+            events.push((event, EventInfo::implied(text, Direction::Falls, mode, span)));
         }
         events
     }

@@ -93,8 +93,8 @@ pub struct Lowering<'a> {
     pub bound: Map<Symbol, Expression>,
     /// The closures by name, with the indices of their scalar equations and their kinds.
     pub closures: Vec<Closure>,
-    /// Whether something has mass, so that speeds of drivers are symbols: their forces are derivatives by them.
-    pub has_mass: bool,
+    /// Whether energies depend on speeds, so that those of drivers are symbols: their forces are derivatives by them.
+    pub has_speeds: bool,
     /// Whether the loops cannot be closed, which has been reported.
     pub loops_are_wrong: bool,
     /// What moves the drivers.
@@ -140,7 +140,7 @@ impl<'a> Lowering<'a> {
             followed: Map::default(),
             bound: Map::default(),
             closures: Vec::new(),
-            has_mass: false,
+            has_speeds: false,
             loops_are_wrong: false,
             moved: Moved::InTime,
             literal: None,

@@ -49,7 +49,7 @@ pub fn events(
                 slopes: Slopes::default(),
             };
             let text = format!("`{}` is set back by a turn", declared.name.text);
-            events.push((event, EventInfo::turn(text, direction, mode, span)));
+            events.push((event, EventInfo::implied(text, direction, mode, span)));
         }
     }
     events

@@ -70,6 +70,15 @@ fn forces_that_are_none() {
 }
 
 #[test]
+fn forces_of_what_has_none() {
+    check(
+        "Sample; parameter r = 1 m; driver a in 0 deg .. 90 deg; dependent x ~ 1 m; \
+         closure l: r*cos(a) = x; output f = reaction(l); scene s { sweep a; }",
+        &[("nothing has mass or force", "s", "state the inertia by `kinetic`")],
+    );
+}
+
+#[test]
 fn forces_of_an_equation_that_is_written_out() {
     check_wrong(
         "coordinate a: rad = 0.5; dependent x ~ 1 m; closure l: r*cos(a) = x; \

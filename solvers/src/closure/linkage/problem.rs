@@ -40,6 +40,7 @@ pub trait Closure<S: Scalar>: Send + Sync + 'static {
 
     /// Closes a group in closed form: writes its unknowns (angles within `±π`) and returns the sine of its transmission
     /// angle: the determinant of its Jacobian over the product of the lengths of its columns, with the sign of `mode`.
+    /// Of angles that count from each other the columns are those of the directions of the links.
     /// Zero is a dead point; NaN says that the group does not assemble. Groups it depends on must be closed.
     ///
     /// For [`GroupKind::Linear`](crate::shape::GroupKind::Linear) `mode` is without effect, and the sine is that between the
