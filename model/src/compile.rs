@@ -235,7 +235,7 @@ fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
     mode.turn(low);
     mode.end(low);
     let (scene, documentation) = mode.here.task.scene?;
-    let chosen = choose::values(&mode, scene, low);
+    let chosen = choose::values(mode.here, &mode.declared, low);
     checks::masses(low, &mode, &chosen.values);
     let stretch = checks::stretch(low, &mode.asked.span, &chosen.values);
     let mut model = report::scene(&mode, scene, documentation, low);

@@ -56,12 +56,19 @@ fn reduction(structure: &Structure) -> String {
     let (equations, unknowns, _) = structure.counts();
     let free = structure.coordinates.len();
     let names: Vec<_> = structure.coordinates.iter().map(|(one, _)| one.name).collect();
-    let (freedom, is, follow) = match free {
-        1 => ("1 degree of freedom".to_owned(), "is", "its"),
-        _ => (format!("{free} degrees of freedom"), "are", "their"),
+    let (freedom, is) = match free {
+        1 => ("1 degree of freedom".to_owned(), "is"),
+        _ => (format!("{free} degrees of freedom"), "are"),
+    };
+    let driven = match structure.drivers.is_empty() {
+        true => String::new(),
+        false => {
+            let names: Vec<_> = structure.drivers.iter().map(|driver| driver.name).collect();
+            format!(", {} prescribed", names.join(", "))
+        }
     };
     format!(
-        "{freedom} = {} coordinates - {equations} loop equations: {} {is} independent, the rest follows with {follow} kinematic coefficients.",
+        "{freedom} = {} coordinates - {equations} loop equations: {} {is} independent{driven}; the rest follows by kinematic coefficients.",
         free + unknowns,
         names.join(", "),
     )

@@ -1,9 +1,8 @@
 //! Where the motion of a mode begins, as far as it is known before the closures are ordered.
 
-use super::Here;
 use super::declare::Declared;
+use super::{Here, choose};
 use crate::expression::Symbol;
-use crate::facts;
 use crate::linkage::Places;
 use crate::lower::Lowering;
 use crate::syntax::tree::{SceneItem, Term};
@@ -14,16 +13,7 @@ pub type Start = (usize, bool, Term);
 /// The declared places, with the start values that the scene states for coordinates.
 pub fn places(here: Here<'_>, declared: &Declared, low: &mut Lowering<'_>) -> (Places, Vec<Start>) {
     let names = low.names;
-    let preset = here.scene().and_then(|scene| facts::preset(low, here.task.file, scene));
-    let given = preset.map_or_else(Vec::new, |(_, given)| given);
-    let pairs = names.constants.iter().zip(&declared.constants);
-    let constants: Vec<f64> = pairs
-        .map(|(constant, info)| {
-            let own = given.iter().find(|(name, _)| *name == constant.name.text);
-            let default = info.as_ref().map_or(f64::NAN, |info| info.default);
-            own.map_or(default, |one| one.1)
-        })
-        .collect();
+    let constants = choose::values(here, declared, low).values;
     let mut starts: Vec<Start> = Vec::new();
     for (index, coordinate) in names.coordinates.iter().enumerate() {
         starts.extend(coordinate.what.start.clone().map(|term| (index, false, term)));

@@ -1,12 +1,12 @@
 //! Which constants a mode has, and their values.
 
-use super::Mode;
+use super::declare::Declared;
+use super::{Here, Mode};
 use crate::checked::SceneModel;
 use crate::expression::Symbol;
 use crate::facts;
 use crate::lower::Lowering;
 use crate::program::{Input, Request};
-use crate::syntax::tree::Scene;
 
 /// The values that a scene starts from.
 pub struct Chosen {
@@ -17,10 +17,10 @@ pub struct Chosen {
 }
 
 /// Values of all constants: those of the scene's preset, else the declared ones.
-pub fn values(mode: &Mode<'_>, scene: &Scene, low: &mut Lowering<'_>) -> Chosen {
-    let preset = facts::preset(low, mode.here.task.file, scene);
+pub fn values(here: Here<'_>, declared: &Declared, low: &mut Lowering<'_>) -> Chosen {
+    let preset = here.scene().and_then(|scene| facts::preset(low, here.task.file, scene));
     let (preset, given) = preset.unwrap_or_default();
-    let constants = low.names.constants.iter().zip(&mode.declared.constants);
+    let constants = low.names.constants.iter().zip(&declared.constants);
     let value = |name: &str| given.iter().find(|(own, _)| own == name).map(|one| one.1);
     let values = constants.map(|(declared, info)| {
         let default = info.as_ref().map_or(f64::NAN, |info| info.default);
