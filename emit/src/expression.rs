@@ -208,21 +208,44 @@ fn fused(adds: bool, all: &[Expression]) -> TokenStream {
 
 /// The factors of a matrix.
 fn factor(form: Form, rows: usize, entries: &[&TokenStream]) -> TokenStream {
+    let (count, factoring) = (size(rows), factoring(form, rows));
+    if let Form::Bound { .. } = form {
+        // Most of it is zero.
+        let writes = (0..rows).flat_map(|i| (0..=i).map(move |j| (i, j))).filter_map(|(i, j)| {
+            let entry = entries[form.place(rows, i, j)];
+            let (i, j) = (size(i), size(j));
+            (!is_zero(entry)).then(|| quote!(matrix_[#i][#j] = #entry;))
+        });
+        return quote!({
+            let mut matrix_ = [[S::ZERO; #count]; #count];
+            #(#writes)*
+            #factoring(matrix_)
+        });
+    }
     let row = |i: usize| {
         let entry = |j: usize| entries[form.place(rows, i, j)];
         let row = (0..rows).map(entry);
         quote!([#(#row),*])
     };
-    let (count, matrix) = (size(rows), (0..rows).map(row));
-    let factor = factoring(form);
-    quote!(::assur::dense::#factor::<S, #count>([#(#matrix),*]))
+    let matrix = (0..rows).map(row);
+    quote!(#factoring([#(#matrix),*]))
 }
 
-/// The function that factors a matrix.
-pub fn factoring(form: Form) -> TokenStream {
+/// Whether a text is that of the number zero.
+fn is_zero(text: &TokenStream) -> bool {
+    text.to_string() == scalar(0.0).tokens.to_string()
+}
+
+/// The function that factors a matrix with so many rows.
+pub fn factoring(form: Form, rows: usize) -> TokenStream {
+    let rows = size(rows);
     match form {
-        Form::Symmetric => quote!(factor),
-        Form::General => quote!(factor_pivoted),
+        Form::Symmetric => quote!(::assur::dense::factor::<S, #rows>),
+        Form::General => quote!(::assur::dense::factor_pivoted::<S, #rows>),
+        Form::Bound { unknowns, rank } => {
+            let (unknowns, rank) = (size(unknowns as usize), size(rank as usize));
+            quote!(::assur::dense::factor_bound::<S, #rows, #unknowns, #rank>)
+        }
     }
 }
 
@@ -232,6 +255,10 @@ pub fn factors(form: Form, rows: usize) -> TokenStream {
     match form {
         Form::Symmetric => quote!(::assur::dense::Factor<S, #rows>),
         Form::General => quote!(::assur::dense::Pivoted<S, #rows>),
+        Form::Bound { unknowns, rank } => {
+            let (unknowns, rank) = (size(unknowns as usize), size(rank as usize));
+            quote!(::assur::dense::Bound<S, #rows, #unknowns, #rank>)
+        }
     }
 }
 

@@ -203,13 +203,12 @@ impl<'a> Layout<'a> {
                 quote!(S::less(S::ZERO, instant[#at]))
             }
             Shape::Factor(form, size) => {
-                let (factor, rows) = (expression::factoring(form), 0..size);
+                let (factor, rows) = (expression::factoring(form, size), 0..size);
                 let rows = rows.map(|row| {
                     let entries = (0..size).map(|column| at(row * size + column));
                     quote!([#(instant[#entries]),*])
                 });
-                let size = whole(size);
-                quote!(::assur::dense::#factor::<S, #size>([#(#rows),*]))
+                quote!(#factor([#(#rows),*]))
             }
             Shape::Vector(size) => {
                 let entries = (0..size).map(at);
@@ -323,8 +322,8 @@ impl<'a> Layout<'a> {
             Shape::Number => quote!(S::ZERO),
             Shape::Mask => quote!(S::less(S::ZERO, S::ZERO)),
             Shape::Factor(form, size) => {
-                let (factor, size) = (expression::factoring(form), whole(size));
-                quote!(::assur::dense::#factor::<S, #size>([[S::ONE; #size]; #size]))
+                let (factor, size) = (expression::factoring(form, size), whole(size));
+                quote!(#factor([[S::ONE; #size]; #size]))
             }
             Shape::Vector(size) => {
                 let size = whole(size);

@@ -89,7 +89,7 @@ fn drive(layout: &Layout<'_>) -> TokenStream {
 /// The method that computes it: positions, speeds, accelerations, and the time itself.
 pub fn motion(layout: &Layout<'_>) -> TokenStream {
     let results = &layout.program().results;
-    if results.closing.rates.is_empty() {
+    if layout.scene.linkage.is_none() || results.closing.rates.is_empty() {
         return TokenStream::new();
     }
     let drivers = results.drivers.iter();

@@ -18,9 +18,11 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
     let methods =
         [outputs(layout), drivers, margins(layout), energy(layout), mass(layout), measures(layout)];
     let methods = methods.iter().flatten();
+    let closures = closures(layout);
     quote! {
         impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for #name<S> {
             #(#methods)*
+            #closures
         }
     }
 }
@@ -51,6 +53,36 @@ fn margins(layout: &Layout<'_>) -> Option<TokenStream> {
                 ::assur::exact!(state, #states);
                 #margins
             }
+        }
+    })
+}
+
+/// The closures that hold the coordinates.
+fn closures(layout: &Layout<'_>) -> Option<TokenStream> {
+    let augmented = layout.scene.augmented.as_ref()?;
+    let (n, m) = (layout.scene.coordinates, augmented.loops.len());
+    let body = layout.in_mode(&quote!({}), &|mode| {
+        let closing = &mode.program().results.closing;
+        let values = closing.residuals.iter().chain(&closing.rates).copied().enumerate();
+        let slopes =
+            closing.slopes.iter().map(|(row, column, value)| (2 * m + row * n + column, *value));
+        let entries: Vec<(usize, Value)> = values.chain(slopes).collect();
+        let wanted: Vec<Value> = entries.iter().map(|entry| entry.1).collect();
+        let body = Body::new(mode, Scope::Time, &wanted, &[]);
+        let (statements, exact) =
+            (body.statements(&wanted), exact(&[(quote!(mut values), m * (2 + n))]));
+        let writes = entries.iter().map(|(place, value)| {
+            let (place, value) = (size(*place), body.value(*value));
+            quote!(values[#place] = #value;)
+        });
+        let writes = blocks(&writes.collect::<Vec<_>>());
+        outlined(quote!(#exact #statements values.fill(S::ZERO); #writes))
+    });
+    let states = size(layout.states());
+    Some(quote! {
+        fn closures(&self, phase: ::assur::problem::Phase<'_, S>, time: S, state: &[S], values: &mut [S]) {
+            ::assur::exact!(state, #states);
+            #body
         }
     })
 }

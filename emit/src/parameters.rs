@@ -201,6 +201,9 @@ pub fn span(layout: &Layout<'_>) -> TokenStream {
 fn start(layout: &Layout<'_>) -> TokenStream {
     let body = match layout.program().results.start.is_empty() {
         true => quote!(::std::vec::Vec::new()),
+        false if layout.scene.augmented.is_some() => {
+            quote!(::assur::model::begin(self, self.start_::<f64>().to_vec()))
+        }
         false => quote!(self.start_::<f64>().to_vec()),
     };
     quote!(fn start(&self) -> ::std::vec::Vec<f64> { #body })

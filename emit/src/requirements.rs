@@ -15,6 +15,11 @@ pub fn check(layout: &Layout<'_>) -> TokenStream {
         let names = names.clone();
         quote!(let [#(#names),*] = self.requirements_::<f64>();)
     });
+    let assembled = layout
+        .scene
+        .augmented
+        .as_ref()
+        .map(|_| quote!(::assur::model::assemble(self, self.start_::<f64>().to_vec())?;));
     let each = requirements.iter().zip(names).map(|(requirement, held)| {
         let refused = refused(layout, requirement);
         quote!(if !<f64 as ::assur::scalar::Scalar>::holds(#held) { return #refused; })
@@ -24,6 +29,7 @@ pub fn check(layout: &Layout<'_>) -> TokenStream {
             ::assur::registry::check_values(shapes_::#name.constants, &self.values())?;
             #compute
             #(#each)*
+            #assembled
             ::core::result::Result::Ok(())
         }
     }

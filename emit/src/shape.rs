@@ -168,6 +168,19 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
     let linkage = linkage.map(|loops| linkage_entry(layout, ("linkage", loops), origin, shared));
     let reduced = scene.reduced.as_ref();
     let reduced = reduced.map(|loops| linkage_entry(layout, ("reduced", loops), origin, shared));
+    let augmented = scene.augmented.as_ref().map(|one| {
+        let loops = one.loops.iter().map(|one| loop_entry(one, origin));
+        let [kept, redundant] = [&one.kept, &one.redundant]
+            .map(|list| list.iter().map(|one| size(*one)).collect::<Vec<_>>());
+        let (coordinates, rank) = (size(scene.coordinates), size(one.rank));
+        quote!(.augmented(Augmented {
+            coordinates: #coordinates,
+            loops: &[#(#loops),*],
+            rank: #rank,
+            kept: &[#(#kept),*],
+            redundant: &[#(#redundant),*],
+        }))
+    });
     let carried = scene.carried.iter().map(|one| loop_entry(one, origin));
     let carried = list("carried", carried);
     // The loops of a linkage are unrolled by what its shape says: a constant is seen wherever they are compiled.
@@ -179,7 +192,7 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
         pub #kind #type_name: Shape = Shape::named(#name)
             #summary #effects #choices #preset #constants #drivers #states #linear #outputs #measures
             #equations .operations(Operations::of([#(#operations),*])) #marks #expectations
-            #modes #linkage #reduced #carried;
+            #modes #linkage #reduced #augmented #carried;
     }
 }
 

@@ -7,7 +7,8 @@ mod measure;
 mod mode;
 
 pub use linkage::{
-    DependentInfo, GroupInfo, GroupKind, LinkInfo, LinkageInfo, LoopInfo, RangeInfo, VariableInfo,
+    AugmentedInfo, DependentInfo, GroupInfo, GroupKind, LinkInfo, LinkageInfo, LoopInfo, RangeInfo,
+    VariableInfo,
 };
 pub use measure::{MeasureInfo, Moment, Primitive, PrimitiveKind};
 pub use mode::{EventInfo, ModeModel};
@@ -143,6 +144,8 @@ pub struct SceneModel {
     pub linkage: Option<LinkageInfo>,
     /// The loops by which the motion is reduced to its independent coordinates, if it has any.
     pub reduced: Option<LinkageInfo>,
+    /// The closures that hold the coordinates of a motion and are not solved for, if it has any.
+    pub augmented: Option<AugmentedInfo>,
     /// The loops that the motion carries along, one entry for each group that may fail to close.
     pub carried: Vec<LoopInfo>,
     /// The modes, if the motion has any, or events. Each has a program of its own.

@@ -25,7 +25,7 @@ use std::rc::Rc;
 use crate::checked::{EventInfo, SceneModel, SpanKind};
 use crate::diagnostic::Diagnostics;
 use crate::expression::{Budget, STEPS, Symbol};
-use crate::linkage::Linkage;
+use crate::linkage::{Augmented, Linkage};
 use crate::lower::{Kind, Lowering};
 use crate::modes::{self, Phase, Phases};
 use crate::motion::{self, Equation, Solved, UnknownName};
@@ -133,6 +133,8 @@ struct Mode<'a> {
     here: Here<'a>,
     declared: Declared,
     linkage: Linkage,
+    /// How the closures hold the coordinates, where they are not solved for.
+    augmented: Option<Augmented>,
     parts: Parts,
     equations: Vec<Equation>,
     unknowns: Vec<UnknownName>,
@@ -189,21 +191,25 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
     let is_complete = |low: &Lowering<'_>| is_right(low) && here.task.file.unread.is_empty();
 
     let (mut names, reported) = declare::names(here, diagnostics);
-    close::bind(here, &mut names, seen.budget.clone(), diagnostics);
+    let augmented = close::bind(here, &mut names, seen.budget.clone(), diagnostics);
     let (survey, selected) = (here.task.survey, here.task.selected);
     let budget = seen.budget.clone();
     let low = &mut Lowering::new(&names, survey, selected, diagnostics, budget);
     let declared = declare::quantities(here, low);
-    let (texts, linkage) = close::close(here, low, is_complete);
+    let (texts, linkage) = close::close(here, low, augmented.is_some(), is_complete);
     let mut parts = lower::parts(here, texts, low);
     let still = modes::still(&names, here.phase());
-    let equations = derive::equations(here, &mut parts, &still, low);
+    let mut equations = derive::equations(here, &mut parts, &still, low);
+    if let (Some(_), Some(linkage)) = (&augmented, &linkage) {
+        derive::hold(&mut equations, linkage, &still, low);
+    }
     let unknowns = quantities::unknown_names(&names);
     let solved = is_complete(low).then(|| {
         let given = quantities::state_symbols(&names);
         let (graph, place) = (&mut low.graph, here.place());
         let given = (&given[..], low.slopes.as_mut());
-        motion::solve(graph, &equations, &unknowns, given, &place, low.diagnostics)
+        let unknowns = (&unknowns[..], augmented.as_ref().map_or(0, |one| one.rank));
+        motion::solve(graph, &equations, unknowns, given, &place, low.diagnostics)
     });
     if let (Some(Some(solved)), Some(linkage)) = (&solved, &linkage) {
         low.bound = forces::bindings(&parts, linkage, solved, low);
@@ -211,6 +217,9 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
     let asked = Asked::read(here, reported, &still, low);
     let place = here.task.scene.map_or(here.task.file.name.span, |(scene, _)| scene.name.span);
     forces::check_asked(low, (&asked.all(), place), (&parts, &equations));
+    if let (Some(augmented), Some(linkage)) = (&augmented, &linkage) {
+        forces::check_determined(low, (&asked.all(), place), augmented, linkage);
+    }
     seen.take_up(low);
     if !is_right(low) {
         return None;
@@ -219,6 +228,7 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
         here,
         declared,
         linkage: linkage?,
+        augmented,
         parts,
         equations,
         unknowns,
@@ -237,6 +247,7 @@ fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
     let (scene, documentation) = mode.here.task.scene?;
     let chosen = choose::values(mode.here, &mode.declared, low);
     checks::masses(low, &mode, &chosen.values);
+    checks::freedoms(low, &mode, &chosen.values);
     let stretch = checks::stretch(low, &mode.asked.span, &chosen.values);
     let mut model = report::scene(&mode, scene, documentation, low);
     let mut request = request::of(&mode, low);
@@ -244,6 +255,7 @@ fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
     if !mode.declared.is_linkage() && !low.names.dependents.is_empty() {
         model.reduced = Some(request::reduced(&mode, low));
     }
+    model.augmented = request::augmented(&mode);
     let kept = choose::constants(&mode, &chosen, &mut model, &mut request, low);
     if mode.declared.is_linkage() {
         model.linkage = Some(request::influences(&mode, &kept, &mut request, low));

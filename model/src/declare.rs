@@ -8,7 +8,7 @@ use crate::lower::{Kind, Lowering, Moved, Typed, second};
 use crate::resolve::{Declared, Names};
 use crate::syntax::print;
 use crate::syntax::tree::{
-    Constant, Dependent, Distribution, Driver, Term, TermKind, Tolerance, Unknown,
+    Constant, Dependent, Distribution, Driver, Name, Term, TermKind, Tolerance, UnitTerm, Unknown,
 };
 use crate::token::Span;
 use crate::unit::{self, Dimension, Unit};
@@ -209,9 +209,8 @@ impl Lowering<'_> {
 
     /// Kind and unit of a coordinate or state.
     pub fn unknown(&mut self, symbol: Symbol, declared: &Declared<Unknown>) -> Option<Unit> {
-        let unit = unit::resolve(&declared.what.unit, self.diagnostics)?;
-        self.declare_kind(symbol, Kind::Of(unit.dimension), &unit);
-        Some(unit)
+        let Unknown { unit, start, .. } = &declared.what;
+        self.position(symbol, &declared.name, (unit.as_ref(), start.as_ref()))
     }
 
     /// Lowers the motions of all drivers and takes their rates.
@@ -308,7 +307,19 @@ impl Lowering<'_> {
 
     /// Kind and unit of a dependent coordinate: those that it states, else those of its start value.
     pub fn dependent(&mut self, index: u32, declared: &Declared<Dependent>) -> Option<Unit> {
-        let unit = match (&declared.what.unit, &declared.what.start) {
+        let Dependent { unit, start, .. } = &declared.what;
+        let symbol = Symbol::Dependent(index);
+        self.position(symbol, &declared.name, (unit.as_ref(), start.as_ref()))
+    }
+
+    /// The unit of a position, which is stated or that of its start value.
+    fn position(
+        &mut self,
+        symbol: Symbol,
+        name: &Name,
+        (unit, start): (Option<&UnitTerm>, Option<&Term>),
+    ) -> Option<Unit> {
+        let unit = match (unit, start) {
             (Some(unit), _) => unit::resolve(unit, self.diagnostics)?,
             (None, Some(start)) => {
                 let (_, kind) = self.fixed(start)?;
@@ -319,16 +330,16 @@ impl Lowering<'_> {
                     .unwrap_or_else(|| Unit::for_dimension(&dimension))
             }
             (None, None) => {
-                let name = &declared.name.text;
+                let (name, span) = (&name.text, name.span);
                 let message = format!("`{name}` has no unit");
                 self.diagnostics.push(
-                    Diagnostic::error(declared.name.span, message)
+                    Diagnostic::error(span, message)
                         .hint(format!("say roughly where it starts, `dependent {name} ~ 10 deg;`, or only its unit, `{name}: rad`")),
                 );
                 return None;
             }
         };
-        self.declare_kind(Symbol::Dependent(index), Kind::Of(unit.dimension), &unit);
+        self.declare_kind(symbol, Kind::Of(unit.dimension), &unit);
         Some(unit)
     }
 

@@ -5,6 +5,7 @@
 //! nothing is ever differentiated through a solution.
 
 mod balance;
+mod held;
 mod system;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,6 +17,7 @@ use crate::structure::{Incidence, Matching, blocks};
 use crate::token::Span;
 
 pub use balance::{Hints, report_imbalance};
+use held::Held;
 use system::System;
 
 /// One scalar equation, `residual = 0`.
@@ -45,6 +47,8 @@ pub struct UnknownName {
 pub struct Solved {
     /// The highest derivatives.
     pub derivatives: Vec<Expression>,
+    /// The forces of the closures that are not solved for.
+    pub reactions: Vec<Expression>,
     /// Their nonzero partial derivatives with respect to the given symbols: row, column, value.
     pub partials: Vec<(usize, usize, Expression)>,
     /// Lower triangle of the mass matrix over the coordinates, where every equation is Lagrange's.
@@ -64,19 +68,26 @@ const HINTS: Hints = Hints {
 
 /// Solves the equations for the highest derivatives; `given` are the symbols of the state vector, which dependent
 /// coordinates follow as `slopes` say; `scene` says in messages where this is, `in the scene `elastic``.
+///
+/// Where there are more equations than unknowns and a rank, the last ones are closures that are not solved for, of which so
+/// many are independent; their forces are unknown as well.
 pub fn solve(
     graph: &mut Graph,
     equations: &[Equation],
-    unknowns: &[UnknownName],
+    (unknowns, rank): (&[UnknownName], usize),
     (given, slopes): (&[Symbol], Option<&mut Slopes>),
     scene: &str,
     diagnostics: &mut Diagnostics,
 ) -> Option<Solved> {
     let residuals: Vec<_> = equations.iter().map(|equation| equation.residual).collect();
-    let symbols = (0..unknowns.len() as u32).map(Symbol::Acceleration);
-    let symbols: Vec<_> = symbols.collect();
+    let held = Held::of(equations, unknowns.len(), rank);
+    let highest = unknowns.len();
+    let symbols = (0..highest as u32).map(Symbol::Acceleration);
+    let symbols: Vec<_> = symbols.chain(held.forces()).collect();
+    let unknowns = &[unknowns, &held.names(equations)].concat()[..];
     let matrix = matrix(graph, equations, unknowns, &symbols, diagnostics)?;
-    let incidence = incidence(&matrix, equations.len(), unknowns.len());
+    let mut incidence = incidence(&matrix, equations.len(), unknowns.len());
+    held.join(&mut incidence);
     let matching = Matching::of(&incidence);
     let place = (scene, &HINTS);
     if !report_imbalance(&incidence, &matching, equations, unknowns, place, diagnostics) {
@@ -104,25 +115,28 @@ pub fn solve(
     };
     let mut pivots = Vec::new();
     for block in blocks(&elimination.incidence, &matching) {
-        let system = System::of(&block, &elimination.matrix, equations);
+        let system = System::of(&block, &elimination.matrix, equations, &held);
         pivots.extend(system.pivots());
         elimination.derive(graph, &system);
         for column in elimination.columns(&system) {
             elimination.differentiate(graph, &system, column);
         }
     }
-    let all_derived = equations.iter().all(|equation| equation.lagrange.is_some());
-    let mass = match all_derived && !equations.is_empty() {
-        true => mass_matrix(graph, equations, &elimination.matrix),
+    let own = &equations[..equations.len() - held.closures.len()];
+    let all_derived = own.iter().all(|equation| equation.lagrange.is_some());
+    let mass = match all_derived && !own.is_empty() {
+        true => mass_matrix(graph, own, &elimination.matrix),
         false => Vec::new(),
     };
-    let partials = elimination.partials.into_iter().enumerate();
+    let reactions = elimination.derivatives.split_off(highest);
+    let partials = elimination.partials.into_iter().take(highest).enumerate();
     let partials = partials.flat_map(|(row, columns)| {
         let columns = columns.into_iter();
         columns.map(move |(column, value)| (row, column, value))
     });
     Some(Solved {
         derivatives: elimination.derivatives,
+        reactions,
         partials: partials.filter(|one| one.2 != zero).collect(),
         mass,
         pivots,
@@ -140,7 +154,8 @@ fn matrix(
     let residuals: Vec<_> = equations.iter().map(|equation| equation.residual).collect();
     let mut matrix = Matrix::default();
     for (row, column, value) in graph.jacobian(&residuals, symbols) {
-        if graph.depends_on(value, |symbol| matches!(symbol, Symbol::Acceleration(_))) {
+        let is_unknown = |symbol| matches!(symbol, Symbol::Acceleration(_) | Symbol::Reaction(_));
+        if graph.depends_on(value, is_unknown) {
             let unknown = &unknowns[column];
             let message = format!("this is not linear in `{}`", unknown.name);
             diagnostics.push(

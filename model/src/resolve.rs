@@ -101,7 +101,7 @@ impl Names {
                 self.dependents.push(Declared {
                     name: declared.name.clone(),
                     summary: declared.summary,
-                    what: Dependent { target, unit: Some(unit), start },
+                    what: Dependent { target, unit, start },
                 });
                 Role::Dependent(place as u32)
             } else {
@@ -111,6 +111,19 @@ impl Names {
             if let Some(entry) = self.table.get_mut(&declared.name.text) {
                 entry.role = role;
             }
+        }
+    }
+
+    /// Makes coordinates of all dependent ones, behind the others: closures hold them, and are not solved for them.
+    pub fn release(&mut self) {
+        for declared in std::mem::take(&mut self.dependents) {
+            let Dependent { target, unit, start } = declared.what;
+            if let Some(entry) = self.table.get_mut(&declared.name.text) {
+                entry.role = Role::Coordinate(self.coordinates.len() as u32);
+            }
+            let what = Unknown { target, unit, start, start_rate: None };
+            let Declared { name, summary, .. } = declared;
+            self.coordinates.push(Declared { name, summary, what });
         }
     }
 

@@ -1,11 +1,14 @@
 //! Linear systems: those of fixed size inside equations, symmetric ones and any others, and those of run-time size in
 //! solvers.
 
+mod bound;
 mod complex;
 mod lu;
 mod pivoted;
 
 use crate::scalar::Scalar;
+pub(crate) use bound::Parts;
+pub use bound::{Bound, factor_bound};
 pub use complex::{Complex, factor_complex, substitute_complex};
 pub use lu::{Lu, Singular};
 pub use pivoted::{Pivoted, factor_pivoted};

@@ -4,6 +4,7 @@
 //! numbers where the processor has them. Everything else asks for one evaluation at a time ([`Flow`]).
 
 mod bound;
+mod correction;
 mod flow;
 #[cfg(test)]
 pub(crate) mod hand;
@@ -11,6 +12,8 @@ mod staged;
 mod varied;
 
 pub use bound::Bound;
+use correction::Correction;
+pub use correction::{assemble, begin};
 pub use flow::Flow;
 pub use varied::Varied;
 

@@ -111,6 +111,10 @@ pub trait Reports<S: Scalar>: Send + Sync {
     /// a number where one before does not. Shape: [`Shape::carried`].
     fn margins(&self, _phase: Phase<'_, S>, _time: S, _state: &[S], _values: &mut [S]) {}
 
+    /// Writes the closures that hold the coordinates of a motion: their residuals, the time derivatives of these, and row by
+    /// row their slopes by the coordinates, SI units. Shape: [`Shape::augmented`]. Nothing is written where there are none.
+    fn closures(&self, _phase: Phase<'_, S>, _time: S, _state: &[S], _values: &mut [S]) {}
+
     /// Kinetic and potential energy, in joules; none where the scene states forces instead.
     fn energy(&self, _phase: Phase<'_, S>, _time: S, _state: &[S]) -> Option<(S, S)> {
         None

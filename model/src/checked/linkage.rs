@@ -134,3 +134,16 @@ impl<T: Copy> Closing<T> {
         wanted
     }
 }
+
+/// The closures of a motion that are not solved for: all positions are coordinates, which they hold.
+#[derive(Clone, Debug)]
+pub struct AugmentedInfo {
+    /// The scalar equations.
+    pub loops: Vec<LoopInfo>,
+    /// How many of them are independent in general.
+    pub rank: usize,
+    /// The coordinates whose start values are kept; the closures determine the others.
+    pub kept: Vec<usize>,
+    /// Equations that follow from the others.
+    pub redundant: Vec<usize>,
+}

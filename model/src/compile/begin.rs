@@ -2,8 +2,9 @@
 
 use super::declare::Declared;
 use super::{Here, choose};
+use crate::diagnostic::Diagnostic;
 use crate::expression::Symbol;
-use crate::linkage::Places;
+use crate::linkage::{Augmented, Places, compare};
 use crate::lower::Lowering;
 use crate::syntax::tree::{SceneItem, Term};
 
@@ -16,7 +17,9 @@ pub fn places(here: Here<'_>, declared: &Declared, low: &mut Lowering<'_>) -> (P
     let constants = choose::values(here, declared, low).values;
     let mut starts: Vec<Start> = Vec::new();
     for (index, coordinate) in names.coordinates.iter().enumerate() {
-        starts.extend(coordinate.what.start.clone().map(|term| (index, false, term)));
+        let what = &coordinate.what;
+        starts.extend(what.start.clone().map(|term| (index, false, term)));
+        starts.extend(what.start_rate.clone().map(|term| (index, true, term)));
     }
     let items = here.scene().into_iter().flat_map(|scene| &scene.items);
     let mut stated: Vec<Start> = Vec::new();
@@ -33,15 +36,15 @@ pub fn places(here: Here<'_>, declared: &Declared, low: &mut Lowering<'_>) -> (P
             }
         }
     }
-    let mut state = vec![f64::NAN; names.coordinates.len()];
+    let mut state = vec![f64::NAN; 2 * names.coordinates.len()];
     let of = |symbol| match symbol {
         Symbol::Parameter(index) => constants.get(index as usize).copied().unwrap_or(f64::NAN),
         _ => f64::NAN,
     };
-    let placed = starts.iter().chain(&stated).filter(|one| !one.1);
-    for (index, _, term) in placed {
+    for (index, is_rate, term) in starts.iter().chain(&stated) {
         if let Some((value, _)) = low.scalar(term) {
-            state[*index] = low.graph.evaluate(&[value], &of)[0];
+            let slot = if *is_rate { names.coordinates.len() + index } else { *index };
+            state[slot] = low.graph.evaluate(&[value], &of)[0];
         }
     }
     let mut places =
@@ -58,4 +61,52 @@ pub fn places(here: Here<'_>, declared: &Declared, low: &mut Lowering<'_>) -> (P
         }
     }
     (places, stated)
+}
+
+/// Compares the stated start values of the first coordinates with what the closures make of them. Where freedoms appear for
+/// an instant, the motion does not begin without a speed of each.
+pub fn compare_starts(
+    low: &mut Lowering<'_>,
+    found: &Augmented,
+    places: &Places,
+    (count, stated): (usize, &[Start]),
+) {
+    let names = low.names;
+    let at_change = found.rank_at_start < found.rank;
+    for (index, declared) in names.coordinates.iter().enumerate().take(count) {
+        let of = |is_rate: bool| {
+            let mut own = stated.iter().rev().filter(|one| one.0 == index && one.1 == is_rate);
+            let what = &declared.what;
+            let term = if is_rate { &what.start_rate } else { &what.start };
+            own.next().map(|one| one.2.clone()).or(term.clone())
+        };
+        let name = &declared.name;
+        let is_kept = found.kept.contains(&index);
+        if is_kept && at_change && of(true).is_none() {
+            let message = format!(
+                "the motion begins where freedoms appear for an instant: {} of {} closures are independent there, and nothing says how fast `{}` moves",
+                found.rank_at_start, found.rank, name.text
+            );
+            let hint = format!("state its speed, `start dot({}) = …;`, or begin beside", name.text);
+            low.diagnostics
+                .push_once(message.clone(), Diagnostic::error(name.span, message).hint(hint));
+        }
+        if is_kept {
+            continue;
+        }
+        let unit = low.unit_of(Symbol::Coordinate(index as u32));
+        let (unit, factor) =
+            unit.map_or((String::new(), 1.0), |one| (one.symbol.clone(), one.scale()));
+        let closed = [found.start[index], found.speeds[index]];
+        for (is_rate, closed) in [false, true].into_iter().zip(closed) {
+            let Some(term) = of(is_rate) else { continue };
+            let Some((value, _)) = low.scalar(&term) else { continue };
+            let value = places.evaluate(low, value);
+            let (name, unit) = match is_rate {
+                false => (name.text.clone(), unit.clone()),
+                true => (format!("dot({})", name.text), format!("{unit}/s")),
+            };
+            compare(low, (&name, &unit), (value / factor, closed / factor), term.span);
+        }
+    }
 }

@@ -52,6 +52,69 @@ pub fn masses(low: &mut Lowering<'_>, mode: &Mode<'_>, values: &[f64]) {
     }
 }
 
+/// Reports what neither mass nor closures determine, where closures hold the coordinates.
+pub fn freedoms(low: &mut Lowering<'_>, mode: &Mode<'_>, values: &[f64]) {
+    let Some(augmented) = &mode.augmented else { return };
+    let count = low.names.coordinates.len() as u32;
+    let place = |symbol| match symbol {
+        Symbol::Parameter(index) => values[index as usize],
+        Symbol::Coordinate(index) => augmented.start[index as usize],
+        Symbol::Speed(index) => augmented.speeds[index as usize],
+        _ => 0.0,
+    };
+    let rows: Vec<_> = mode.equations.iter().map(|one| one.residual).collect();
+    let unknowns: Vec<_> = (0..count)
+        .map(Symbol::Acceleration)
+        .chain((0..augmented.closures as u32).map(Symbol::Reaction))
+        .collect();
+    let entries = low.graph.jacobian(&rows, &unknowns);
+    let slopes: Vec<_> = entries.iter().map(|one| one.2).collect();
+    let numbers = low.graph.evaluate(&slopes, &place);
+    let mut matrix = vec![vec![0.0; unknowns.len()]; rows.len()];
+    for ((row, column, _), number) in entries.iter().zip(numbers) {
+        matrix[*row][*column] = number;
+    }
+    for index in undetermined(&mut matrix, count as usize) {
+        let name = &low.names.coordinates[index].name;
+        let message = format!(
+            "`{}` can move without moving any mass, so nothing determines how it is accelerated",
+            name.text
+        );
+        low.diagnostics.push(
+            Diagnostic::error(name.span, message)
+                .hint("give what it moves a mass, or take the coordinate away"),
+        );
+    }
+}
+
+/// The first columns that have no pivot of their own in an elimination with row exchanges, each row over its size.
+fn undetermined(matrix: &mut [Vec<f64>], first: usize) -> Vec<usize> {
+    for row in matrix.iter_mut() {
+        let size = row.iter().fold(0.0_f64, |most, one| most.max(one.abs()));
+        row.iter_mut().for_each(|one| *one /= size.max(f64::MIN_POSITIVE));
+    }
+    let (mut at, mut left) = (0, Vec::new());
+    let columns = matrix.first().map_or(0, Vec::len);
+    // The forces come first: what is left of the rows then are the free motions.
+    for column in (first..columns).chain(0..first) {
+        let larger =
+            |a: &usize, b: &usize| matrix[*a][column].abs().total_cmp(&matrix[*b][column].abs());
+        let best = (at..matrix.len()).max_by(larger);
+        let Some(best) = best.filter(|row| matrix[*row][column].abs() > 1e-14) else {
+            left.extend((column < first).then_some(column));
+            continue;
+        };
+        matrix.swap(at, best);
+        let (above, below) = matrix.split_at_mut(at + 1);
+        for other in below {
+            let multiple = other[column] / above[at][column];
+            other.iter_mut().zip(&above[at]).for_each(|(a, b)| *a -= multiple * b);
+        }
+        at += 1;
+    }
+    left
+}
+
 /// A constant that is zero or negative.
 fn suspect(low: &Lowering<'_>, factor: Expression, values: &[f64]) -> Option<usize> {
     let mut symbols = low.graph.symbols(&[factor]).into_iter();

@@ -1,7 +1,9 @@
 //! The fourth phase: the equations of motion, written, derived from energies, or said by what stands still.
 
 use super::Here;
+use crate::diagnostic::Diagnostic;
 use crate::expression::Symbol;
+use crate::linkage::Linkage;
 use crate::lower::Lowering;
 use crate::modes;
 use crate::motion::Equation;
@@ -58,4 +60,59 @@ fn stand_still(
             lagrange: None,
         });
     }
+}
+
+/// Adds the forces of closures that are not solved for to Lagrange's equations, and the second time derivatives of these
+/// closures to all. What has neither mass nor force moves as the closures say.
+pub fn hold(
+    equations: &mut Vec<Equation>,
+    linkage: &Linkage,
+    still: &[usize],
+    low: &mut Lowering<'_>,
+) {
+    let names = low.names;
+    let residuals: Vec<_> = linkage.equations.iter().map(|one| one.residual).collect();
+    let bound = low.graph.symbols(&residuals);
+    let is_bound = |index: u32| bound.contains(&Symbol::Coordinate(index));
+    let moves = |symbol| matches!(symbol, Symbol::Acceleration(index) if is_bound(index));
+    let is_written = |one: &&Equation| {
+        one.lagrange.is_none()
+            && low.given_symbol(one.residual).is_none()
+            && low.graph.depends_on(one.residual, moves)
+    };
+    if let Some(written) = equations.iter().find(is_written) {
+        let message = format!(
+            "`{}` is an equation of motion that is written out, and the closures here have no closed form: their forces belong into it",
+            written.name
+        );
+        let report = Diagnostic::error(written.span, message);
+        let hint = "state the inertia by `kinetic` and the forces by `potential`, `dissipation` and `force`";
+        low.diagnostics.push(report.hint(hint));
+        return;
+    }
+    let Some(direction) = low.direction() else { return };
+    let graph = &mut low.graph;
+    let forces = (0..residuals.len() as u32).map(Symbol::Reaction);
+    let forces: Vec<_> = forces.map(|symbol| graph.symbol(symbol)).collect();
+    let weighted: Vec<_> = residuals.iter().copied().zip(forces).collect();
+    let moves = |index: &u32| is_bound(*index) && !still.contains(&(*index as usize));
+    let moving: Vec<u32> = (0..names.coordinates.len() as u32).filter(moves).collect();
+    let positions: Vec<_> = moving.iter().map(|index| Symbol::Coordinate(*index)).collect();
+    let held = graph.gradient(&weighted, &positions);
+    for (index, force) in moving.into_iter().map(|index| index as usize).zip(held) {
+        let opposite = graph.neg(force);
+        match equations.iter_mut().find(|one| one.lagrange == Some(index)) {
+            Some(equation) => equation.residual = graph.add(equation.residual, opposite),
+            None => equations.push(Equation {
+                residual: opposite,
+                name: format!("Lagrange's equation of {}", names.coordinates[index].name.text),
+                span: names.coordinates[index].name.span,
+                lagrange: Some(index),
+            }),
+        }
+    }
+    let once = graph.tangent(&residuals, &direction);
+    let twice = graph.tangent(&once, &direction);
+    let accelerated = linkage.equations.iter().zip(twice);
+    equations.extend(accelerated.map(|(own, residual)| Equation { residual, ..own.clone() }));
 }

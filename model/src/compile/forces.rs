@@ -8,7 +8,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Map, Symbol};
 use crate::lagrange::Energies;
-use crate::linkage::Linkage;
+use crate::linkage::{Augmented, Linkage, named};
 use crate::lower::Lowering;
 use crate::motion::{Equation, Solved};
 use crate::statements::Parts;
@@ -27,21 +27,23 @@ pub fn bindings(
     energies(&parts.energies, low, &mut bindings);
     let zero = low.graph.zero();
     let force = |symbol: Symbol| parts.forces.get(&symbol).copied().unwrap_or(zero);
-    let Some(slopes) = &low.slopes else {
-        return bindings;
-    };
-    let residuals = slopes.residuals().to_vec();
-    let dependents = 0..low.names.dependents.len() as u32;
-    let right: Vec<_> = dependents.map(|index| force(Symbol::Dependent(index))).collect();
-    let reactions = slopes.solve_transposed(&mut low.graph, &right);
-    let weighted: Vec<_> = residuals.into_iter().zip(reactions.iter().copied()).collect();
-    let written = match &linkage.combined {
-        Some(combined) => combined.back(&mut low.graph, &reactions),
-        None => reactions,
+    let residuals: Vec<_> = linkage.equations.iter().map(|one| one.residual).collect();
+    let (reactions, written) = match &low.slopes {
+        Some(slopes) => {
+            let dependents = 0..low.names.dependents.len() as u32;
+            let right: Vec<_> = dependents.map(|index| force(Symbol::Dependent(index))).collect();
+            let reactions = slopes.solve_transposed(&mut low.graph, &right);
+            match &linkage.combined {
+                Some(combined) => (reactions.clone(), combined.back(&mut low.graph, &reactions)),
+                None => (reactions.clone(), reactions),
+            }
+        }
+        None => (solved.reactions.clone(), solved.reactions.clone()),
     };
     for (index, reaction) in written.into_iter().enumerate() {
         bindings.insert(Symbol::Reaction(index as u32), reaction);
     }
+    let weighted: Vec<_> = residuals.into_iter().zip(reactions).collect();
     let drivers: Vec<_> = (0..low.names.drivers.len() as u32).map(Symbol::Driver).collect();
     let by_closures = low.graph.gradient(&weighted, &drivers);
     for (index, (driver, share)) in drivers.iter().zip(by_closures).enumerate() {
@@ -49,6 +51,35 @@ pub fn bindings(
         bindings.insert(Symbol::Effort(index as u32), effort);
     }
     bindings
+}
+
+/// Reports forces that are asked for of closures that share them with others.
+pub fn check_determined(
+    low: &mut Lowering<'_>,
+    (asked, place): (&[Expression], Span),
+    augmented: &Augmented,
+    linkage: &Linkage,
+) {
+    let shared = |symbol: Symbol| matches!(symbol, Symbol::Reaction(index) if augmented.undetermined.contains(&(index as usize)));
+    if !asked.iter().any(|one| low.graph.depends_on(*one, shared)) {
+        return;
+    }
+    let is_determined = |index: &usize| !augmented.undetermined.contains(index);
+    let determined: Vec<usize> = (0..augmented.closures).filter(is_determined).collect();
+    let message = format!(
+        "a reaction is asked for that is not determined: only {} of the {} scalar closures are independent, and {} share their forces",
+        augmented.rank,
+        augmented.closures,
+        named(&linkage.equations, &augmented.undetermined),
+    );
+    let hint = match determined.is_empty() {
+        true => {
+            "leave a closure out that follows from the others: what it holds is elastic in truth"
+                .to_string()
+        }
+        false => format!("determined are those of {}", named(&linkage.equations, &determined)),
+    };
+    low.diagnostics.push_once(message.clone(), Diagnostic::error(place, message).hint(hint));
 }
 
 /// Reports forces that are asked for where an equation of motion is written out, which does not say which force moves what,

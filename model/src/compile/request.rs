@@ -1,7 +1,7 @@
 //! What the program of a mode is asked for.
 
 use super::Mode;
-use crate::checked::{LinkageInfo, LoopInfo, SpanKind};
+use crate::checked::{AugmentedInfo, LinkageInfo, LoopInfo, SpanKind};
 use crate::expression::{Expression, Symbol};
 use crate::linkage::Geometry;
 use crate::lower::{Lowering, Moved};
@@ -127,6 +127,10 @@ pub fn loops(
         let driver = Symbol::Driver(index as u32);
         request.bindings.extend(position.map(|value| (driver, value)));
     }
+    if mode.augmented.is_some() {
+        request.results.closing = linkage.closures(low);
+        return Some(Vec::new());
+    }
     let starts = low.graph.evaluate(&mode.asked.start, &|symbol| match symbol {
         Symbol::Parameter(index) => values[index as usize],
         _ => f64::NAN,
@@ -144,6 +148,18 @@ fn give_drivers(request: &mut Request, count: usize) {
             (Symbol::DriverAcceleration(index), Input::Driver(2 * count + index)),
         ]);
     }
+}
+
+/// The closures that hold the coordinates of a motion, unless they are solved for.
+pub fn augmented(mode: &Mode<'_>) -> Option<AugmentedInfo> {
+    let augmented = mode.augmented.as_ref()?;
+    let loops = (0..augmented.closures).map(|index| mode.linkage.loop_info(index));
+    Some(AugmentedInfo {
+        loops: loops.collect(),
+        rank: augmented.rank,
+        kept: augmented.kept.clone(),
+        redundant: augmented.redundant.clone(),
+    })
 }
 
 /// The loops by which a motion is reduced to its independent coordinates.

@@ -7,13 +7,21 @@ pub enum Form {
     Symmetric,
     /// Any with an inverse: all entries, row by row. It is factored with pivoting.
     General,
+    /// `[A Jᵀ; J 0]`, symmetric: the lower triangle, row by row. So many unknowns have masses `A` and are bound by closures
+    /// `J`, of which at most a number are independent.
+    Bound {
+        /// Rows of `A`.
+        unknowns: u32,
+        /// Most independent rows of `J`.
+        rank: u32,
+    },
 }
 
 impl Form {
     /// Where an entry of a matrix with so many rows stands among those given.
     pub fn place(self, size: usize, row: usize, column: usize) -> usize {
         match self {
-            Self::Symmetric => {
+            Self::Symmetric | Self::Bound { .. } => {
                 let (row, column) = (row.max(column), row.min(column));
                 row * (row + 1) / 2 + column
             }
@@ -24,40 +32,48 @@ impl Form {
 
 /// Solves a linear system.
 pub fn solve(form: Form, entries: &[f64], right: &[f64]) -> Vec<f64> {
+    let size = right.len();
     match form {
-        Form::Symmetric => solve_symmetric(right.len(), entries, right),
-        Form::General => solve_general(entries, right),
+        Form::Symmetric => solve_symmetric(size, entries, right),
+        Form::General => solve_pivoted(form, entries, right, size),
+        Form::Bound { unknowns, rank } => {
+            solve_pivoted(form, entries, right, (unknowns + rank) as usize)
+        }
     }
 }
 
-/// Solves a system with all entries given row by row, by elimination with partial pivoting.
-fn solve_general(entries: &[f64], right: &[f64]) -> Vec<f64> {
+/// Solves a system by elimination with complete pivoting, up to a rank: what is left of the unknowns is zero.
+fn solve_pivoted(form: Form, entries: &[f64], right: &[f64], rank: usize) -> Vec<f64> {
     let size = right.len();
-    let mut rows: Vec<Vec<f64>> = entries.chunks(size).map(<[f64]>::to_vec).collect();
-    let mut solution = right.to_vec();
-    for column in 0..size {
-        let larger = |a: &usize, b: &usize| rows[*a][column].abs() < rows[*b][column].abs();
-        let best = (column..size).fold(column, |best, row| match larger(&best, &row) {
-            true => row,
-            false => best,
-        });
-        rows.swap(column, best);
-        solution.swap(column, best);
-        let (above, below) = rows.split_at_mut(column + 1);
-        let pivot = &above[column];
+    let row = |row: usize| (0..size).map(|column| entries[form.place(size, row, column)]).collect();
+    let mut rows: Vec<Vec<f64>> = (0..size).map(row).collect();
+    let mut rest = right.to_vec();
+    let mut columns: Vec<usize> = (0..size).collect();
+    for at in 0..rank {
+        let places = (at..size).flat_map(|row| (at..size).map(move |column| (row, column)));
+        let larger =
+            |a: &(usize, usize), b: &(usize, usize)| rows[a.0][a.1].abs() < rows[b.0][b.1].abs();
+        let best =
+            places.fold((at, at), |best, place| if larger(&best, &place) { place } else { best });
+        rows.swap(at, best.0);
+        rest.swap(at, best.0);
+        columns.swap(at, best.1);
+        rows.iter_mut().for_each(|row| row.swap(at, best.1));
+        let (above, below) = rows.split_at_mut(at + 1);
+        let pivot = &above[at];
         for (row, other) in below.iter_mut().enumerate() {
-            let multiple = other[column] / pivot[column];
+            let multiple = other[at] / pivot[at];
             for (entry, above) in other.iter_mut().zip(pivot) {
                 *entry -= multiple * above;
             }
-            solution[column + 1 + row] -= multiple * solution[column];
+            rest[at + 1 + row] -= multiple * rest[at];
         }
     }
-    for row in (0..size).rev() {
-        for column in row + 1..size {
-            solution[row] -= rows[row][column] * solution[column];
-        }
-        solution[row] /= rows[row][row];
+    let mut solution = vec![0.0; size];
+    for row in (0..rank).rev() {
+        let known = row + 1..rank;
+        let sum: f64 = known.map(|column| rows[row][column] * solution[columns[column]]).sum();
+        solution[columns[row]] = (rest[row] - sum) / rows[row][row];
     }
     solution
 }

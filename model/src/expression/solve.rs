@@ -32,6 +32,19 @@ impl Graph {
         self.solve_factored(factor, right)
     }
 
+    /// Solves for unknowns that closures bind, and for the forces of these: the lower triangle of `[A Jᵀ; J 0]`, row by row,
+    /// with so many unknowns and at most so many independent closures.
+    pub fn solve_bound(
+        &mut self,
+        (unknowns, rank): (usize, usize),
+        lower: &[Expression],
+        right: &[Expression],
+    ) -> Vec<Expression> {
+        let form = Form::Bound { unknowns: unknowns as u32, rank: rank as u32 };
+        let factor = self.intern(Node::Factor(form, right.len() as u32, lower.into()));
+        self.solve_factored(factor, right)
+    }
+
     /// Solves a system whose matrix is factored.
     pub(super) fn solve_factored(
         &mut self,

@@ -18,10 +18,10 @@ const LEFT: [f64; 3] = [0.3, 1e-2, 1e-7];
 const NOTHING: f64 = 1e-9;
 
 /// A coordinate that may be determined, with its column of the Jacobian.
-struct Column {
-    symbol: Symbol,
-    entries: Vec<f64>,
-    size: f64,
+pub(super) struct Column {
+    pub symbol: Symbol,
+    pub entries: Vec<f64>,
+    pub size: f64,
 }
 
 /// The coordinates that the closures determine, rising; none where the declared dependent ones are as many as the
@@ -42,10 +42,7 @@ pub fn bound(
         return (Vec::new(), None);
     }
     let mut symbols: Vec<Symbol> = (0..dependents as u32).map(Symbol::Dependent).collect();
-    let mut free: Vec<Symbol> =
-        candidates.iter().rev().map(|index| Symbol::Coordinate(*index as u32)).collect();
-    free.sort_by_key(|symbol| !is_linear(&mut low.graph, &residuals, *symbol));
-    symbols.extend(free);
+    symbols.extend(order(&mut low.graph, &residuals, &candidates));
     let columns = columns(&mut low.graph, &residuals, &symbols, at);
     let chosen = choose(columns, residuals.len());
     let redundant = match chosen.len() < residuals.len() {
@@ -61,6 +58,18 @@ pub fn bound(
         .collect();
     bound.sort_unstable();
     (bound, redundant)
+}
+
+/// Some coordinates in the order in which closures determine them.
+pub(super) fn order(
+    graph: &mut Graph,
+    residuals: &[Expression],
+    coordinates: &[usize],
+) -> Vec<Symbol> {
+    let symbols = coordinates.iter().rev().map(|index| Symbol::Coordinate(*index as u32));
+    let mut symbols: Vec<Symbol> = symbols.collect();
+    symbols.sort_by_key(|symbol| !is_linear(graph, residuals, *symbol));
+    symbols
 }
 
 /// Whether a symbol enters all equations linearly with numbers.
@@ -85,20 +94,25 @@ fn columns(
     for ((row, column, _), value) in slopes.iter().zip(graph.evaluate(&values, at)) {
         columns[*column].entries[*row] = value;
     }
-    for row in 0..residuals.len() {
+    scale(&mut columns, residuals.len());
+    columns
+}
+
+/// Divides each row by its largest entry, and finds how large the columns are then.
+pub(super) fn scale(columns: &mut [Column], rows: usize) {
+    for row in 0..rows {
         let largest = columns.iter().fold(0.0_f64, |most, one| most.max(one.entries[row].abs()));
         if largest > 0.0 {
             columns.iter_mut().for_each(|one| one.entries[row] /= largest);
         }
     }
-    for column in &mut columns {
+    for column in columns {
         column.size = column.entries.iter().map(|one| one * one).sum::<f64>().sqrt();
     }
-    columns
 }
 
 /// Eliminates column by column in their order, as long as enough is left of one. Gives the columns with their rows.
-fn choose(mut columns: Vec<Column>, rows: usize) -> Vec<(Symbol, usize)> {
+pub(super) fn choose(mut columns: Vec<Column>, rows: usize) -> Vec<(Symbol, usize)> {
     let mut chosen: Vec<(Symbol, usize)> = Vec::new();
     let mut used: BTreeSet<usize> = BTreeSet::new();
     for left in LEFT {

@@ -6,6 +6,7 @@
 //! whichever way the loops are closed.
 
 mod angles;
+mod augmented;
 mod carried;
 mod dead;
 mod dyad;
@@ -21,13 +22,14 @@ mod relative;
 mod results;
 
 pub use angles::{expand, period};
+pub use augmented::{Augmented, named};
 pub use follow::follow;
 pub use geometry::{Geometry, Ranges};
 pub use group::Group;
 pub use independent::bound;
 pub use loops::Loops;
 pub use order::Linkage;
-pub use places::Places;
+pub use places::{Places, compare};
 
 use crate::expression::Expression;
 

@@ -69,6 +69,18 @@ impl Linkage {
     }
 }
 
+impl Linkage {
+    /// Loops that are not solved for: they hold coordinates.
+    pub fn held(loops: Loops) -> Self {
+        Self { equations: loops.equations, kinds: loops.kinds, ..Self::default() }
+    }
+
+    /// Whether all groups have a closed form.
+    pub fn is_closed_form(&self) -> bool {
+        self.groups.iter().all(|group| group.closed.is_some())
+    }
+}
+
 /// Equations in the order in which they are closed.
 struct Ordered {
     groups: Vec<Group>,

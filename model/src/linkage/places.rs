@@ -101,7 +101,7 @@ impl Places {
 }
 
 /// Notes that a start value is corrected, or refuses it.
-fn compare(
+pub fn compare(
     low: &mut Lowering<'_>,
     (name, unit): (&str, &str),
     (stated, closed): (f64, f64),

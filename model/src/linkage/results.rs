@@ -67,6 +67,17 @@ impl Linkage {
         }
     }
 
+    /// Closures that are not solved for, their time derivatives, and their slopes by the coordinates.
+    pub fn closures(&self, low: &mut Lowering<'_>) -> Closing<Expression> {
+        let residuals: Vec<_> = self.equations.iter().map(|one| one.residual).collect();
+        let coordinates = 0..low.names.coordinates.len() as u32;
+        let symbols: Vec<_> = coordinates.map(Symbol::Coordinate).collect();
+        let direction = low.direction().unwrap_or_default();
+        let rates = low.graph.tangent(&residuals, &direction);
+        let slopes = low.graph.jacobian(&residuals, &symbols);
+        Closing { residuals, slopes, rates, ..Closing::default() }
+    }
+
     /// Places of the cosines in a position.
     fn cosines(&self) -> Vec<Option<usize>> {
         let mut next = self.angles.len();

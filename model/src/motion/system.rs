@@ -1,5 +1,6 @@
 //! A block of equations that are solved together.
 
+use super::held::Held;
 use super::{Equation, Matrix};
 use crate::expression::{Expression, Graph};
 use crate::structure::Block;
@@ -15,16 +16,30 @@ pub struct System {
     pub unknowns: Vec<usize>,
     /// Row by row.
     entries: Vec<Vec<Option<Expression>>>,
-    symmetric: bool,
+    form: Form,
+}
+
+/// What kind of system it is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Form {
+    General,
+    /// Lagrange's equations of some coordinates in the accelerations of the same coordinates.
+    Symmetric,
+    /// So many of these, and closures that hold the coordinates, of which a number is independent; the last unknowns are
+    /// their forces.
+    Held(usize, usize),
 }
 
 impl System {
     /// The equations of a block, which may be symmetric.
-    pub fn of(block: &Block, matrix: &Matrix, equations: &[Equation]) -> Self {
+    pub fn of(block: &Block, matrix: &Matrix, equations: &[Equation], held: &Held) -> Self {
+        if let Some((rows, unknowns)) = held.order(&block.equations) {
+            let form = Form::Held(held.moved.len(), held.rank);
+            return Self::with(rows, unknowns, matrix, form);
+        }
         let mut unknowns = block.unknowns.clone();
         let owners: Option<Vec<_>> =
             block.equations.iter().map(|&row| equations[row].lagrange).collect();
-        // Lagrange's equations of some coordinates in the accelerations of the same coordinates are symmetric.
         let symmetric = owners.is_some_and(|owners| {
             let mut sorted = unknowns.clone();
             sorted.sort_unstable();
@@ -36,20 +51,24 @@ impl System {
             }
             same
         });
-        let entries = block
-            .equations
-            .iter()
-            .map(|&row| {
-                unknowns.iter().map(|&column| matrix.get(&(row, column)).copied()).collect()
-            })
-            .collect();
-        Self { equations: block.equations.clone(), unknowns, entries, symmetric }
+        let form = if symmetric { Form::Symmetric } else { Form::General };
+        Self::with(block.equations.clone(), unknowns, matrix, form)
+    }
+
+    fn with(equations: Vec<usize>, unknowns: Vec<usize>, matrix: &Matrix, form: Form) -> Self {
+        let entry = |row: usize, column: &usize| matrix.get(&(row, *column)).copied();
+        let row = |row: &usize| unknowns.iter().map(|column| entry(*row, column)).collect();
+        let entries = equations.iter().map(row).collect();
+        Self { equations, unknowns, entries, form }
     }
 
     /// Equations and unknowns with what multiplies the one in the other, where that must not be zero.
     pub fn pivots(&self) -> impl Iterator<Item = (usize, usize, Expression)> {
-        let size =
-            if self.symmetric || self.equations.len() == 1 { self.equations.len() } else { 0 };
+        let size = match self.form {
+            Form::Symmetric => self.equations.len(),
+            Form::General if self.equations.len() == 1 => 1,
+            Form::General | Form::Held(..) => 0,
+        };
         (0..size).filter_map(|index| {
             let entry = self.entries[index][index]?;
             Some((self.equations[index], self.unknowns[index], entry))
@@ -67,10 +86,20 @@ impl System {
         if let ([row], [value]) = (rows.as_slice(), right) {
             return vec![graph.div(*value, row[0])];
         }
-        if self.symmetric {
-            let lower: Vec<_> =
-                rows.iter().enumerate().flat_map(|(i, row)| row[..=i].to_vec()).collect();
-            return graph.solve_symmetric(&lower, right);
+        let lower = || -> Vec<_> {
+            rows.iter().enumerate().flat_map(|(i, row)| row[..=i].to_vec()).collect()
+        };
+        match self.form {
+            Form::Symmetric => return graph.solve_symmetric(&lower(), right),
+            Form::Held(unknowns, rank) => {
+                // The forces stand on the other side of Lagrange's equations.
+                let mut values = graph.solve_bound((unknowns, rank), &lower(), right);
+                for force in &mut values[unknowns..] {
+                    *force = graph.neg(*force);
+                }
+                return values;
+            }
+            Form::General => {}
         }
         if rows.len() > WRITTEN_OUT {
             return graph.solve_general(&rows, right);

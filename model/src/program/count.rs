@@ -15,7 +15,7 @@ impl OperationKind {
                 let symmetric = size * (size * size + 3 * size + 2) / 3;
                 match form {
                     Form::Symmetric => symmetric,
-                    Form::General => 2 * symmetric,
+                    Form::General | Form::Bound { .. } => 2 * symmetric,
                 }
             }
             Self::Solve { right, .. } => 2 * right.len() * right.len(),

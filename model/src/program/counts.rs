@@ -53,7 +53,7 @@ impl Program {
                 let symmetric = size * (size + 1) * (2 * size + 1) / 6;
                 match form {
                     Form::Symmetric => symmetric,
-                    Form::General => 2 * symmetric,
+                    Form::General | Form::Bound { .. } => 2 * symmetric,
                 }
             }
             kind => kind.weight(),

@@ -299,8 +299,8 @@ pub enum Distribution {
 pub struct Unknown {
     /// Its name.
     pub target: Target,
-    /// Its unit.
-    pub unit: UnitTerm,
+    /// Its unit; that of the start value unless stated.
+    pub unit: Option<UnitTerm>,
     /// Its start value.
     pub start: Option<Term>,
     /// Start value of its first derivative, `coordinate x: m = 0, rate = 1 [m/s];` written after a second `,` as `rate`.

@@ -1,7 +1,7 @@
 //! The equations of a model in one phase.
 
-use super::{Model, Steps};
-use crate::ode::{Explicit, Room, System, first_bad, system};
+use super::{Correction, Model, Steps};
+use crate::ode::{Explicit, OdeError, Room, System, first_bad, system};
 use crate::problem::{Equations, Events, Phase};
 use crate::shape::Shape;
 use std::cell::RefCell;
@@ -15,6 +15,8 @@ pub struct Flow<'a> {
     sides: Vec<f64>,
     /// Room for what depends on the time alone.
     instant: RefCell<Vec<f64>>,
+    /// Room for what keeps closures closed.
+    correction: RefCell<Option<Correction>>,
 }
 
 impl<'a> Flow<'a> {
@@ -28,6 +30,7 @@ impl<'a> Flow<'a> {
             mode,
             sides: Vec::new(),
             instant: RefCell::new(vec![0.0; equations.instant()]),
+            correction: RefCell::new(Correction::of(model.shape())),
         }
     }
 
@@ -127,6 +130,17 @@ impl<'a> Flow<'a> {
         self.held(rows, |phase, rows| self.equations.series(phase, time, length, rows))
     }
 
+    /// Brings a state back onto the closures that hold it.
+    ///
+    /// # Errors
+    /// [`OdeError::Open`] where that is not possible.
+    pub fn correct(&self, time: f64, state: &mut [f64]) -> Result<(), OdeError> {
+        match self.correction.borrow_mut().as_mut() {
+            Some(correction) => correction.correct(self.model, self.phase(), time, state),
+            None => Ok(()),
+        }
+    }
+
     /// Writes the guards of the mode and their rates; none where there are no events.
     pub fn guards(&self, time: f64, state: &[f64], values: &mut [f64], rates: &mut [f64]) {
         let Some(events) = self.events else { return };
@@ -198,6 +212,10 @@ impl System for Flow<'_> {
 
     fn rates(&self, time: f64, state: &[f64], rates: &mut [f64]) {
         Flow::rates(self, time, state, rates);
+    }
+
+    fn correct(&self, time: f64, state: &mut [f64]) -> Result<(), OdeError> {
+        Flow::correct(self, time, state)
     }
 
     fn attempt(&self, method: Explicit, room: &mut Room) {

@@ -49,6 +49,15 @@ pub enum OdeError {
         /// Steps that it would take to the end.
         steps: f64,
     },
+    /// A closure that holds coordinates does not stay closed.
+    Open {
+        /// Time that was reached, in seconds.
+        time: f64,
+        /// Index of the closure.
+        closure: usize,
+        /// By how much it is open, in SI units.
+        by: f64,
+    },
     /// An option or argument has a value that makes no sense.
     BadOption {
         /// The option.
@@ -66,6 +75,7 @@ impl OdeError {
             | Self::NotDifferentiable { time, .. }
             | Self::StepTooSmall { time, .. }
             | Self::TooManySteps { time, .. }
+            | Self::Open { time, .. }
             | Self::Stiff { time, .. } => Some(*time),
             Self::BadOption { .. } => None,
         }
@@ -100,6 +110,11 @@ impl fmt::Display for OdeError {
                 "the equations are stiff: at t = {time} s they know changes as fast as {rate:.1e}/s, which hold the steps of \
                  an explicit method at {step:.1e} s, and {steps:.0e} steps would be left; take the method radau, rosenbrock \
                  or auto"
+            ),
+            Self::Open { time, closure, by } => write!(
+                formatter,
+                "at t = {time} s closure {closure} is open by {by:.3e} (SI units) and cannot be closed: the mechanism locks \
+                 there, or closures that have to agree contradict each other"
             ),
             Self::BadOption { name, reason } => write!(formatter, "{name}: {reason}"),
         }

@@ -187,6 +187,7 @@ pub fn integrate<Y: System + ?Sized, O: Observer + ?Sized>(
             }
             continue;
         }
+        system.correct(to, &mut workspace.room.trial)?;
         let dense = observe.wants_dense(clock.now, to);
         let is_doubted = doubt.is_due(statistics.steps);
         let gauged = is_doubted || observe.wants_stiffness();

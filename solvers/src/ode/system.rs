@@ -1,5 +1,6 @@
 //! What the explicit methods integrate.
 
+use super::error::OdeError;
 use super::step::{self, Dop853, Room, Staged, Tsit5};
 use super::tableau::Explicit;
 
@@ -22,6 +23,14 @@ pub trait System {
     /// Factor from the absolute tolerances of the state to those of a part.
     fn part_scale(&self, _part: usize) -> f64 {
         1.0
+    }
+
+    /// Corrects a state that a step has reached, where closures hold it.
+    ///
+    /// # Errors
+    /// [`OdeError::Open`]
+    fn correct(&self, _time: f64, _state: &mut [f64]) -> Result<(), OdeError> {
+        Ok(())
     }
 
     /// Evaluates the stages of a step, the state at its end and its errors.

@@ -59,6 +59,21 @@ impl LinkageEntry {
     }
 }
 
+/// The closures of a motion that are not solved for: all positions are coordinates, which they hold.
+#[derive(Clone, Copy, Debug)]
+pub struct Augmented {
+    /// Number of coordinates.
+    pub coordinates: usize,
+    /// The scalar closures.
+    pub loops: List<Loop>,
+    /// How many of them are independent in general.
+    pub rank: usize,
+    /// The coordinates whose start values are kept; the closures determine the others.
+    pub kept: List<usize>,
+    /// Closures that follow from the others.
+    pub redundant: List<usize>,
+}
+
 /// How the unknowns of a group are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GroupKind {

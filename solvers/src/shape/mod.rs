@@ -12,7 +12,7 @@ mod quantity;
 pub use facts::{At, EquationText, Expectation, Mark, Operations, Subject};
 #[cfg(test)]
 pub(crate) use loops::by_hand;
-pub use loops::{Group, GroupKind, Link, LinkageEntry, Loop, Variable};
+pub use loops::{Augmented, Group, GroupKind, Link, LinkageEntry, Loop, Variable};
 pub use measured::{Kind, Moment, NamedEvent, Primitive};
 pub use modes::{Direction, EventEntry, ModeEntry};
 pub use quantity::{Constant, Distribution, Quantity, Unit};
@@ -77,6 +77,8 @@ pub struct Shape {
     pub linkage: Option<LinkageEntry>,
     /// The loops by which a motion is reduced to its independent coordinates, if it has any.
     pub reduced: Option<LinkageEntry>,
+    /// The closures of a motion that are not solved for, if it has any.
+    pub augmented: Option<Augmented>,
     /// The loops that the motion carries along, one entry for each group that may fail to close, named by its equations.
     pub carried: List<Loop>,
 }
@@ -120,6 +122,7 @@ impl Shape {
             first: 0,
             linkage: None,
             reduced: None,
+            augmented: None,
             carried: &[],
         }
     }
@@ -185,6 +188,13 @@ impl Shape {
     #[doc(hidden)]
     pub const fn reduced(mut self, reduced: LinkageEntry) -> Self {
         self.reduced = Some(reduced);
+        self
+    }
+
+    /// The closures that hold the coordinates of a motion.
+    #[doc(hidden)]
+    pub const fn augmented(mut self, augmented: Augmented) -> Self {
+        self.augmented = Some(augmented);
         self
     }
 

@@ -76,7 +76,7 @@ pub(super) fn drive<M: Stepper>(
         let to = clock.target(step, here.statistics.steps);
         let length = to - clock.now;
         let error = match method.attempt(flow, here, options, length)? {
-            Attempt::Done(error) => match has_rate(flow, here, to, error) {
+            Attempt::Done(error) => match has_rate(flow, here, to, error)? {
                 true => Ok(error),
                 false => Err(method.reject(length, error)),
             },
@@ -121,16 +121,17 @@ pub(super) fn drive<M: Stepper>(
     Ok(())
 }
 
-/// Whether a step is accurate enough and its end has a rate, which is evaluated.
-fn has_rate(flow: &Flow<'_>, here: &mut Here, to: f64, error: f64) -> bool {
+/// Whether a step is accurate enough and its end, corrected, has a rate, which is evaluated.
+fn has_rate(flow: &Flow<'_>, here: &mut Here, to: f64, error: f64) -> Result<bool, OdeError> {
     here.bad = first_bad(&here.trial, here.trial.len());
     if here.bad.is_some() || error.is_nan() || error > 1.0 {
-        return false;
+        return Ok(false);
     }
+    flow.correct(to, &mut here.trial)?;
     flow.rates(to, &here.trial, &mut here.next);
     here.statistics.evaluations += 1;
     here.bad = first_bad(&here.next, here.next.len());
-    here.bad.is_none()
+    Ok(here.bad.is_none())
 }
 
 /// The rate at the start, and the length of a first step (Hairer, Nørsett, Wanner, *Solving Ordinary Differential

@@ -250,6 +250,6 @@ impl Parser<'_> {
         } else {
             None
         };
-        Ok(Unknown { target, unit, start, start_rate })
+        Ok(Unknown { target, unit: Some(unit), start, start_rate })
     }
 }

@@ -1,0 +1,76 @@
+//! Coordinates that closures hold: the last equations are the second time derivatives of the closures, and their forces are
+//! unknown beside the accelerations.
+
+use std::ops::Range;
+
+use super::{Equation, UnknownName};
+use crate::expression::Symbol;
+use crate::structure::Incidence;
+
+/// The equations that belong together because closures hold their coordinates.
+pub struct Held {
+    /// Lagrange's equations, each with its coordinate.
+    pub moved: Vec<(usize, usize)>,
+    /// The closures.
+    pub closures: Range<usize>,
+    /// How many of them are independent.
+    pub rank: usize,
+    /// Number of the highest derivatives, behind which the forces are counted.
+    highest: usize,
+}
+
+impl Held {
+    /// Of equations for so many highest derivatives; those that are too many are closures, of which a number is independent.
+    pub fn of(equations: &[Equation], highest: usize, rank: usize) -> Self {
+        let closures = match rank {
+            0 => equations.len()..equations.len(),
+            _ => highest.min(equations.len())..equations.len(),
+        };
+        let derived = equations.iter().enumerate();
+        let moved = derived.filter_map(|(row, equation)| Some((row, equation.lagrange?))).collect();
+        Self { moved, closures, rank, highest }
+    }
+
+    /// The forces of the closures.
+    pub fn forces(&self) -> impl Iterator<Item = Symbol> {
+        (0..self.closures.len() as u32).map(Symbol::Reaction)
+    }
+
+    /// What the forces are called.
+    pub fn names(&self, equations: &[Equation]) -> Vec<UnknownName> {
+        let closures = equations[self.closures.clone()].iter();
+        let name = |one: &Equation| UnknownName {
+            name: format!("reaction({})", one.name),
+            span: one.span,
+        };
+        closures.map(name).collect()
+    }
+
+    /// Lets every equation of these be solved together with the others.
+    pub fn join(&self, incidence: &mut Incidence) {
+        if self.closures.is_empty() {
+            return;
+        }
+        let forces = self.highest..self.highest + self.closures.len();
+        let unknowns: Vec<usize> = self.moved.iter().map(|one| one.1).chain(forces).collect();
+        let rows = self.moved.iter().map(|one| one.0).chain(self.closures.clone());
+        for row in rows {
+            let own = &mut incidence.rows[row];
+            own.extend(&unknowns);
+            own.sort_unstable();
+            own.dedup();
+        }
+    }
+
+    /// The unknowns of some equations if they are these and no others: the coordinates, then the forces; with the equations in
+    /// that order.
+    pub fn order(&self, equations: &[usize]) -> Option<(Vec<usize>, Vec<usize>)> {
+        let rows: Vec<usize> =
+            self.moved.iter().map(|one| one.0).chain(self.closures.clone()).collect();
+        let is_all =
+            rows.len() == equations.len() && rows.iter().all(|row| equations.contains(row));
+        let forces = self.highest..self.highest + self.closures.len();
+        let unknowns = self.moved.iter().map(|one| one.1).chain(forces).collect();
+        (is_all && !self.closures.is_empty()).then_some((rows, unknowns))
+    }
+}
