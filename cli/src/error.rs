@@ -39,6 +39,8 @@ pub struct Failure {
     kind: Kind,
     what: String,
     facts: Vec<(&'static str, String)>,
+    /// The motion comes to a place where its equations do not say how it goes on.
+    is_lost: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,7 +54,7 @@ enum Kind {
 impl Failure {
     /// The request itself is wrong: exit code 2.
     pub fn request(what: impl Into<String>) -> Self {
-        Self { kind: Kind::Request, what: what.into(), facts: Vec::new() }
+        Self { kind: Kind::Request, what: what.into(), facts: Vec::new(), is_lost: false }
     }
 
     /// The request is right but the numbers did not come out: exit code 1.
@@ -89,6 +91,23 @@ impl Failure {
         self.facts.retain(|(other, known)| *other != label || !text.starts_with(known.as_str()));
         self.facts.push((label, text));
         self
+    }
+
+    /// Adds whether the motion comes to a place where its equations do not say how it goes on.
+    #[must_use]
+    pub fn lost(self, is_lost: bool) -> Self {
+        Self { is_lost, ..self }
+    }
+
+    /// Whether it does.
+    pub fn is_lost(&self) -> bool {
+        self.is_lost
+    }
+
+    /// Why, if that is known.
+    pub fn why(&self) -> Option<&str> {
+        let mut facts = self.facts.iter();
+        facts.find(|(label, _)| *label == ORDER[1]).map(|(_, text)| text.as_str())
     }
 
     /// What was not done, without the facts about it.

@@ -82,7 +82,28 @@ pub fn execute(options: &RunArguments, registry: Registry) -> Result<(), Failure
     }
 }
 
+/// A motion; with all positions as coordinates where it comes to a dead point otherwise.
 fn of_motion(
+    options: &RunArguments,
+    constants: Constants,
+    shown: Shown,
+) -> Result<motion::report::Report, Failure> {
+    let Some(unreduced) = constants.scene.unreduced else {
+        return followed(options, constants, shown);
+    };
+    let curves = Selection::read(unreduced, options.curves.as_deref())?;
+    let again = Shown { curves, rows: options.rows };
+    followed(options, constants.clone(), shown).or_else(|failure| {
+        if !failure.is_lost() {
+            return Err(failure);
+        }
+        let why = failure.why().unwrap_or_default();
+        eprintln!("note: {why}; from its start on the motion is followed with all positions as coordinates");
+        followed(options, constants.in_scene(unreduced), again)
+    })
+}
+
+fn followed(
     options: &RunArguments,
     constants: Constants,
     shown: Shown,

@@ -35,6 +35,8 @@ pub struct Layout<'a> {
     pub modes: Vec<Layout<'a>>,
     /// Of a mode the field that holds its prepared values.
     pub field: Option<Ident>,
+    /// Whether it is another scene with all positions as coordinates.
+    pub is_unreduced: bool,
 }
 
 /// The body of a function that is not inlined: what stands in it is, into a function that is compiled for the
@@ -68,6 +70,7 @@ impl<'a> Layout<'a> {
             staging,
             modes: Vec::new(),
             field: None,
+            is_unreduced: false,
         }
     }
 

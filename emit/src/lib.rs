@@ -58,13 +58,20 @@ pub struct Origin<'a> {
 /// a quantity of the equations.
 pub fn mechanism(model: &Model, origin: &Origin<'_>) -> TokenStream {
     let types = scene::type_names(model);
-    let modes: Vec<_> = model.scenes.iter().map(SceneModel::split).collect();
-    let layouts: Vec<Layout<'_>> = model
-        .scenes
+    let named = model.scenes.iter().zip(&types).map(|(scene, name)| (scene, name.clone(), false));
+    let unreduced = model.scenes.iter().zip(&types).filter_map(|(scene, name)| {
+        let name = scene::unreduced(&names::identifier(name)).to_string();
+        Some((scene.unreduced.as_deref()?, name, true))
+    });
+    let named: Vec<(&SceneModel, String, bool)> = named.chain(unreduced).collect();
+    let modes: Vec<_> = named.iter().map(|(scene, ..)| scene.split()).collect();
+    let layouts: Vec<Layout<'_>> = named
         .iter()
         .zip(&modes)
-        .zip(&types)
-        .map(|((scene, modes), name)| Layout::with_modes(scene, modes, name))
+        .map(|((scene, name, is_unreduced), modes)| Layout {
+            is_unreduced: *is_unreduced,
+            ..Layout::with_modes(scene, modes, name)
+        })
         .collect();
     let scenes = layouts.iter().map(|layout| scene::items(layout, model, origin));
     let alias = scene::alias(model, &types);

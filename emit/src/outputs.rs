@@ -59,9 +59,14 @@ fn margins(layout: &Layout<'_>) -> Option<TokenStream> {
 
 /// The closures that hold the coordinates.
 fn closures(layout: &Layout<'_>) -> Option<TokenStream> {
-    let augmented = layout.scene.augmented.as_ref()?;
-    let (n, m) = (layout.scene.coordinates, augmented.loops.len());
+    let n = layout.scene.coordinates;
+    let mut modes = layout.each_mode().iter();
+    modes.find(|mode| mode.scene.augmented.is_some())?;
     let body = layout.in_mode(&quote!({}), &|mode| {
+        let Some(augmented) = &mode.scene.augmented else {
+            return TokenStream::new();
+        };
+        let m = augmented.loops.len();
         let closing = &mode.program().results.closing;
         let values = closing.residuals.iter().chain(&closing.rates).copied().enumerate();
         let slopes =

@@ -8,7 +8,7 @@ use quote::quote;
 use crate::body::{Body, Scope};
 use crate::expression::size;
 use crate::layout::Layout;
-use crate::{Origin, docs, linkage, requirements, subjects, values};
+use crate::{Origin, docs, linkage, requirements, scene, subjects, values};
 
 /// The parameter struct of a scene with its methods.
 pub fn items(layout: &Layout<'_>, model: &Model, origin: &Origin<'_>) -> TokenStream {
@@ -130,6 +130,7 @@ fn implementation(layout: &Layout<'_>) -> TokenStream {
     let smooth = is_smooth.then(|| quote!(impl ::assur::problem::Smooth for #name {}));
     let prepare = prepare(layout);
     let (check, span, start) = (requirements::check(layout), span(layout), start(layout));
+    let unreduced = unreduced(layout);
     quote! {
         impl ::assur::problem::Scene for #name {
             type Equations<S: ::assur::scalar::Scalar> = #equations<S>;
@@ -144,6 +145,7 @@ fn implementation(layout: &Layout<'_>) -> TokenStream {
             #check
             #span
             #start
+            #unreduced
         }
 
         #smooth
@@ -207,4 +209,27 @@ fn start(layout: &Layout<'_>) -> TokenStream {
         false => quote!(self.start_::<f64>().to_vec()),
     };
     quote!(fn start(&self) -> ::std::vec::Vec<f64> { #body })
+}
+
+/// The same motion with all positions as coordinates, where this one may come to a dead point.
+fn unreduced(layout: &Layout<'_>) -> Option<TokenStream> {
+    let other = layout.scene.unreduced.as_ref()?;
+    let name = scene::unreduced(&layout.parameters);
+    let own = &layout.scene.constants;
+    let places = other
+        .constants
+        .iter()
+        .map(|constant| own.iter().position(|one| one.quantity.name == constant.quantity.name));
+    let names =
+        crate::names::distinct(other.constants.iter().map(|one| one.quantity.name.as_str()));
+    let fields = names.into_iter().zip(places).filter_map(|(field, place)| {
+        let value = &layout.constants[place?];
+        Some(quote!(#field: self.#value,))
+    });
+    Some(quote! {
+        fn unreduced(&self) -> ::core::option::Option<::std::boxed::Box<dyn ::assur::model::Model>> {
+            let scene = #name { #(#fields)* ..#name::default() };
+            ::core::option::Option::Some(::std::boxed::Box::new(::assur::model::Bound::new(&scene)))
+        }
+    })
 }

@@ -6,7 +6,7 @@ use quote::quote;
 
 use crate::expression::number;
 use crate::layout::Layout;
-use crate::{Origin, docs, names};
+use crate::{Origin, docs, names, scene};
 
 /// The static `MECHANISM` and the functions that its entries point to.
 pub fn table(model: &Model, layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
@@ -32,7 +32,10 @@ pub fn table(model: &Model, layouts: &[Layout<'_>], origin: &Origin<'_>) -> Toke
         });
         quote!(::assur::registry::Preset { name: #name, summary: #summary, values: &[#(#values),*] })
     });
-    let entries = layouts.iter().map(entry);
+    let entries = layouts.iter().filter(|layout| !layout.is_unreduced).map(|layout| {
+        let name = scene::unreduced(&layout.parameters);
+        entry(layout, layouts.iter().find(|other| other.parameters == name))
+    });
     let lines = docs::lines(&format!("The mechanism `{title}` as data."));
     quote! {
         #lines
@@ -52,11 +55,16 @@ pub fn table(model: &Model, layouts: &[Layout<'_>], origin: &Origin<'_>) -> Toke
     }
 }
 
-fn entry(layout: &Layout<'_>) -> TokenStream {
+/// A scene, and what goes on where it comes to a dead point.
+fn entry(layout: &Layout<'_>, unreduced: Option<&Layout<'_>>) -> TokenStream {
     let type_name = &layout.parameters;
     let (kind, bind) = match &layout.scene.linkage {
         Some(_) => (quote!(Linkage), quote!(bind_linkage)),
         None => (quote!(Motion), quote!(bind)),
+    };
+    let unreduced = match unreduced.map(|layout| entry(layout, None)) {
+        Some(entry) => quote!(::core::option::Option::Some(&#entry)),
+        None => quote!(::core::option::Option::None),
     };
     quote! {
         ::assur::registry::SceneEntry {
@@ -64,6 +72,7 @@ fn entry(layout: &Layout<'_>) -> TokenStream {
             bind: ::assur::registry::Bind::#kind(|values| {
                 ::assur::registry::#bind(::assur::registry::with(values, #type_name::from_values)?)
             }),
+            unreduced: #unreduced,
         }
     }
 }

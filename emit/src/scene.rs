@@ -2,7 +2,7 @@
 
 use assur_model::checked::Model;
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use crate::layout::Layout;
 use crate::{Origin, closure, equations, modes, names, outputs, parameters};
@@ -25,9 +25,14 @@ pub fn alias(model: &Model, types: &[String]) -> Option<(Ident, Ident)> {
     (!types.contains(&name)).then(|| (names::identifier(&name), names::identifier(first)))
 }
 
+/// The name of the type of a scene with all positions as coordinates.
+pub fn unreduced(name: &Ident) -> Ident {
+    format_ident!("{name}Unreduced")
+}
+
 /// Locals of the public types of all scenes.
 pub fn exported<'a>(layouts: &'a [Layout<'_>]) -> impl Iterator<Item = TokenStream> + use<'a> {
-    layouts.iter().map(|layout| {
+    layouts.iter().filter(|layout| !layout.is_unreduced).map(|layout| {
         let (parameters, equations) = (&layout.parameters, &layout.equations);
         quote!(#parameters, #equations)
     })

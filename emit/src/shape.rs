@@ -168,19 +168,7 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
     let linkage = linkage.map(|loops| linkage_entry(layout, ("linkage", loops), origin, shared));
     let reduced = scene.reduced.as_ref();
     let reduced = reduced.map(|loops| linkage_entry(layout, ("reduced", loops), origin, shared));
-    let augmented = scene.augmented.as_ref().map(|one| {
-        let loops = one.loops.iter().map(|one| loop_entry(one, origin));
-        let [kept, redundant] = [&one.kept, &one.redundant]
-            .map(|list| list.iter().map(|one| size(*one)).collect::<Vec<_>>());
-        let (coordinates, rank) = (size(scene.coordinates), size(one.rank));
-        quote!(.augmented(Augmented {
-            coordinates: #coordinates,
-            loops: &[#(#loops),*],
-            rank: #rank,
-            kept: &[#(#kept),*],
-            redundant: &[#(#redundant),*],
-        }))
-    });
+    let augmented = augmented(scene, origin);
     let carried = scene.carried.iter().map(|one| loop_entry(one, origin));
     let carried = list("carried", carried);
     // The loops of a linkage are unrolled by what its shape says: a constant is seen wherever they are compiled.
@@ -194,6 +182,24 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
             #equations .operations(Operations::of([#(#operations),*])) #marks #expectations
             #modes #linkage #reduced #augmented #carried;
     }
+}
+
+/// The closures that hold the coordinates of a scene, or of a mode.
+fn augmented(scene: &SceneModel, origin: &Origin<'_>) -> Option<TokenStream> {
+    let one = scene.augmented.as_ref()?;
+    let loops = one.loops.iter().map(|one| loop_entry(one, origin));
+    let [kept, redundant] = [&one.kept, &one.redundant]
+        .map(|list| list.iter().map(|one| size(*one)).collect::<Vec<_>>());
+    let (coordinates, rank) = (size(scene.coordinates), size(one.rank));
+    let sizes = one.sizes.iter().map(|size| number(*size));
+    Some(quote!(.augmented(Augmented {
+        coordinates: #coordinates,
+        loops: &[#(#loops),*],
+        rank: #rank,
+        sizes: &[#(#sizes),*],
+        kept: &[#(#kept),*],
+        redundant: &[#(#redundant),*],
+    })))
 }
 
 /// Those of the mechanism that the scene depends on, with its defaults.
@@ -219,7 +225,8 @@ fn modes(layout: &Layout<'_>, origin: &Origin<'_>) -> Option<TokenStream> {
             let (kinks, turns) = (size(kinks), size(turns));
             quote!(.bends(#kinks, #turns))
         });
-        quote!(ModeEntry::new(#name, #summary, &[#(#events),*]) #held #bends)
+        let augmented = augmented(own.scene, origin);
+        quote!(ModeEntry::new(#name, #summary, &[#(#events),*]) #held #bends #augmented)
     });
     let first = size(layout.scene.first);
     (!layout.modes.is_empty()).then(|| quote!(.modes(&[#(#modes),*], #first)))

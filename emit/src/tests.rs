@@ -10,9 +10,10 @@ use crate::{Origin, names};
 
 /// The module of the tests; nothing when there is nothing to test.
 pub fn module(layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
-    let modules = names::distinct(layouts.iter().map(|layout| layout.scene.name.as_str()));
+    let own = || layouts.iter().filter(|layout| !layout.is_unreduced);
+    let modules = names::distinct(own().map(|layout| layout.scene.name.as_str()));
     let scenes: TokenStream =
-        layouts.iter().zip(&modules).map(|(layout, name)| scene(layout, name, origin)).collect();
+        own().zip(&modules).map(|(layout, name)| scene(layout, name, origin)).collect();
     if scenes.is_empty() {
         return scenes;
     }

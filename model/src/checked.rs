@@ -146,6 +146,10 @@ pub struct SceneModel {
     pub reduced: Option<LinkageInfo>,
     /// The closures that hold the coordinates of a motion and are not solved for, if it has any.
     pub augmented: Option<AugmentedInfo>,
+    /// Whether loops that move with coordinates may come to a dead point, where the motion would end.
+    pub may_stop: bool,
+    /// The same motion with all positions as coordinates, which goes on beyond dead points; where it may come to one.
+    pub unreduced: Option<Box<SceneModel>>,
     /// The loops that the motion carries along, one entry for each group that may fail to close.
     pub carried: Vec<LoopInfo>,
     /// The modes, if the motion has any, or events. Each has a program of its own.

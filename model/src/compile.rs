@@ -51,6 +51,8 @@ pub struct Task<'a> {
     pub scene: Option<(&'a Scene, &'a [String])>,
     /// Whether it is the first scene, to which facts without a scene belong.
     pub is_first: bool,
+    /// Whether closures that bind coordinates are not solved for, though they can be.
+    pub is_unreduced: bool,
 }
 
 /// What compiling a scene tells about the file.
@@ -208,7 +210,8 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
         let given = quantities::state_symbols(&names);
         let (graph, place) = (&mut low.graph, here.place());
         let given = (&given[..], low.slopes.as_mut());
-        let unknowns = (&unknowns[..], augmented.as_ref().map_or(0, |one| one.rank));
+        let held = augmented.as_ref().map_or((0, &[][..]), |one| (one.rank, &one.sizes[..]));
+        let unknowns = (&unknowns[..], held);
         motion::solve(graph, &equations, unknowns, given, &place, low.diagnostics)
     });
     if let (Some(Some(solved)), Some(linkage)) = (&solved, &linkage) {
@@ -216,7 +219,9 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
     }
     let asked = Asked::read(here, reported, &still, low);
     let place = here.task.scene.map_or(here.task.file.name.span, |(scene, _)| scene.name.span);
-    forces::check_asked(low, (&asked.all(), place), (&parts, &equations));
+    let closures = augmented.as_ref().map_or(0, |one| one.closures);
+    let own = &equations[..equations.len().saturating_sub(closures)];
+    forces::check_asked(low, (&asked.all(), place), (&parts, own));
     if let (Some(augmented), Some(linkage)) = (&augmented, &linkage) {
         forces::check_determined(low, (&asked.all(), place), augmented, linkage);
     }
@@ -251,7 +256,7 @@ fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
     let stretch = checks::stretch(low, &mode.asked.span, &chosen.values);
     let mut model = report::scene(&mode, scene, documentation, low);
     let mut request = request::of(&mode, low);
-    model.carried = request::loops(&mode, &chosen.values, &mut request, low)?;
+    (model.carried, model.may_stop) = request::loops(&mode, &chosen.values, &mut request, low)?;
     if !mode.declared.is_linkage() && !low.names.dependents.is_empty() {
         model.reduced = Some(request::reduced(&mode, low));
     }

@@ -81,6 +81,7 @@ fn compile_scenes(
             selected: &selected,
             scene: Some((scene, documentation)),
             is_first: index == 0,
+            is_unreduced: false,
         };
         models.extend(scene_within(&task, seen, diagnostics));
         shown.insert(selected);
@@ -99,11 +100,26 @@ fn scene_within(
         return None;
     }
     let budget = seen.budget.clone();
-    let result = expression::within(|| joined::scene(task, seen, diagnostics));
+    let result = expression::within(|| {
+        let mut model = joined::scene(task, seen, diagnostics)?;
+        if model.may_stop {
+            model.unreduced = unreduced(task).map(Box::new);
+        }
+        Some(model)
+    });
     result.unwrap_or_else(|| {
         diagnostics.push(too_large(&budget, task));
         None
     })
+}
+
+/// A motion that may come to a dead point once more, with all positions as coordinates; none where that grows too large. What
+/// is wrong in the file has been said.
+fn unreduced(task: &Task<'_>) -> Option<SceneModel> {
+    let task = Task { is_unreduced: true, ..*task };
+    let compile = || joined::scene(&task, &mut Seen::new(), &mut Diagnostics::default());
+    let model = expression::within(compile).flatten()?;
+    model.augmented.is_some().then_some(model)
 }
 
 /// Says which statement takes the most steps, or that a whole scene is too much.
@@ -140,7 +156,14 @@ fn check_unshown(
 ) {
     let mut check = |selected: Selected, diagnostics: &mut Diagnostics| {
         if !shown.contains(&selected) {
-            let task = Task { file, survey, selected: &selected, scene: None, is_first: false };
+            let task = Task {
+                file,
+                survey,
+                selected: &selected,
+                scene: None,
+                is_first: false,
+                is_unreduced: false,
+            };
             scene_within(&task, seen, diagnostics);
         }
     };

@@ -52,6 +52,13 @@ fn join(
     diagnostics: &mut Diagnostics,
 ) -> Option<SceneModel> {
     let mut all = modes(task, phases, &[], seen, diagnostics)?;
+    if let Some(phase) = unlike(phases, &all) {
+        if !task.is_unreduced {
+            return join(&Task { is_unreduced: true, ..*task }, phases, seen, diagnostics);
+        }
+        report_unlike(phase, diagnostics);
+        return None;
+    }
     let union: BTreeSet<usize> = all.iter().flat_map(|mode| mode.kept.clone()).collect();
     let union: Vec<usize> = union.into_iter().collect();
     // Influence coefficients are taken by the same constants in every mode.
@@ -62,6 +69,7 @@ fn join(
     report_unconnected(phases, &all, diagnostics);
     let mut model = all.get(phases.first)?.scene.clone();
     model.conservative = false;
+    model.may_stop = all.iter().any(|mode| mode.scene.may_stop);
     model.program.linear = false;
     model.first = phases.first;
     take_kinds(&mut model, &all);
@@ -73,10 +81,29 @@ fn join(
             equations: compiled.scene.equations,
             events: compiled.events,
             held: compiled.held,
+            augmented: compiled.scene.augmented,
             program: compiled.scene.program,
         });
     }
     Some(model)
+}
+
+/// A mode that has other coordinates than the first: what closures determine in one may be free in another.
+fn unlike<'a>(phases: &'a Phases, all: &[Compiled]) -> Option<&'a Phase> {
+    let names = |mode: &Compiled| -> Vec<String> {
+        mode.scene.states.iter().map(|state| state.name.clone()).collect()
+    };
+    let first = names(all.first()?);
+    let mut modes = phases.all.iter().zip(all);
+    modes.find(|(_, mode)| names(mode) != first).map(|(phase, _)| phase)
+}
+
+fn report_unlike(phase: &Phase, diagnostics: &mut Diagnostics) {
+    let message = format!("the mode `{}` has other coordinates than the first one", phase.name);
+    diagnostics.push(
+        Diagnostic::error(phase.span, message)
+            .hint("state all of them by `coordinate`, and what binds them in a mode by `closure`"),
+    );
 }
 
 /// Compiles every mode, for its mistakes even if another one has some; each with these constants in any case.
@@ -124,6 +151,7 @@ fn only(compiled: Compiled) -> SceneModel {
             equations: model.equations.clone(),
             events: compiled.events,
             held: Vec::new(),
+            augmented: model.augmented.clone(),
             program: model.program.clone(),
         });
     }

@@ -70,17 +70,17 @@ const HINTS: Hints = Hints {
 /// coordinates follow as `slopes` say; `scene` says in messages where this is, `in the scene `elastic``.
 ///
 /// Where there are more equations than unknowns and a rank, the last ones are closures that are not solved for, of which so
-/// many are independent; their forces are unknown as well.
+/// many are independent, with slopes of these sizes; their forces are unknown as well.
 pub fn solve(
     graph: &mut Graph,
     equations: &[Equation],
-    (unknowns, rank): (&[UnknownName], usize),
+    (unknowns, (rank, sizes)): (&[UnknownName], (usize, &[f64])),
     (given, slopes): (&[Symbol], Option<&mut Slopes>),
     scene: &str,
     diagnostics: &mut Diagnostics,
 ) -> Option<Solved> {
     let residuals: Vec<_> = equations.iter().map(|equation| equation.residual).collect();
-    let held = Held::of(equations, unknowns.len(), rank);
+    let held = Held::of(equations, unknowns.len(), (rank, sizes));
     let highest = unknowns.len();
     let symbols = (0..highest as u32).map(Symbol::Acceleration);
     let symbols: Vec<_> = symbols.chain(held.forces()).collect();

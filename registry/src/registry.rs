@@ -119,6 +119,8 @@ pub struct SceneEntry {
     pub shape: &'static Shape,
     /// Fixes its values.
     pub bind: Bind,
+    /// The same motion with all positions as coordinates, where this one may come to a dead point.
+    pub unreduced: Option<&'static SceneEntry>,
 }
 
 impl std::ops::Deref for SceneEntry {

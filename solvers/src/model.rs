@@ -13,6 +13,7 @@ mod varied;
 
 pub use bound::Bound;
 use correction::Correction;
+pub(crate) use correction::assemble_beside;
 pub use correction::{assemble, begin};
 pub use flow::Flow;
 pub use varied::Varied;
@@ -52,6 +53,12 @@ pub trait Model: Send + Sync {
 
     /// The declared start values of the state, SI units.
     fn start(&self) -> Vec<f64>;
+
+    /// The same motion with all positions as coordinates, which goes on where loops of this one come to a dead point; none
+    /// where that does not happen.
+    fn unreduced(&self) -> Option<Box<dyn Model>> {
+        None
+    }
 
     /// Evaluates all stages of a step, the state at its end and its errors.
     fn attempt(&self, steps: Steps, phase: Phase<'_, f64>, room: &mut Room) {

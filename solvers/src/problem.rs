@@ -13,6 +13,7 @@ mod span;
 
 pub use span::Span;
 
+use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::shape::Shape;
 
@@ -212,6 +213,11 @@ pub trait Scene: Clone + Send + Sync + 'static {
 
     /// The declared start values of the state, SI units. Shape: [`Shape::states`].
     fn start(&self) -> Vec<f64>;
+
+    /// See [`Model::unreduced`].
+    fn unreduced(&self) -> Option<Box<dyn Model>> {
+        None
+    }
 }
 
 /// A scene without modes or events. Whatever would not see these asks for such a one.

@@ -1,5 +1,6 @@
 //! Which method integrates, and how accurately.
 
+use crate::shape::{Shape, find};
 use std::fmt;
 use std::str::FromStr;
 
@@ -100,6 +101,17 @@ impl Settings {
     pub const fn rtol(mut self, rtol: f64) -> Self {
         self.rtol = rtol;
         self
+    }
+
+    /// These settings for a scene whose states stand in another order, or are more.
+    pub(crate) fn of_states(&self, from: &Shape, to: &Shape) -> Self {
+        let mut atol = vec![None; if self.atol.is_empty() { 0 } else { to.states.len() }];
+        for (state, value) in from.states.iter().zip(&self.atol) {
+            if let (Some(place), false) = (find(to.states, state.name), atol.is_empty()) {
+                atol[place] = *value;
+            }
+        }
+        Self { atol, ..self.clone() }
     }
 
     /// These settings with another relative tolerance; absolute tolerances that are given change by the same factor.

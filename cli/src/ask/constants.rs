@@ -54,6 +54,17 @@ impl Constants {
         Ok(constants)
     }
 
+    /// The same values in another form of the scene.
+    pub fn in_scene(&self, scene: &'static SceneEntry) -> Self {
+        let mut other = Self { preset: self.preset, ..Self::declared(self.mechanism, scene) };
+        for (index, constant) in scene.constants.iter().enumerate() {
+            if let Some(place) = self.position(constant.quantity.name) {
+                (other.values[index], other.given[index]) = (self.values[place], self.given[place]);
+            }
+        }
+        other
+    }
+
     /// The values of the file, with a preset put over them unless its name is empty.
     ///
     /// # Errors

@@ -16,7 +16,7 @@ impl Case {
     /// # Errors
     /// When the solver does not succeed, with the facts that it gives.
     pub fn solve(&self, settings: &Settings) -> Result<Motion, Failure> {
-        let motion = Question::of(self.model()).solve(settings);
+        let motion = Question::of(self.model()).attempt(settings);
         motion.map_err(|error| self.unanswered(&error))
     }
 
@@ -28,7 +28,7 @@ impl Case {
             Error::NotSteady(_) => "no steady state was found",
             _ => "the motion could not be followed to its end",
         };
-        told.failure(what)
+        told.failure(what).lost(error.is_lost())
     }
 
     /// Seconds that following the motion over one cycle takes, or over the run.

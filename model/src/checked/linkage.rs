@@ -142,6 +142,8 @@ pub struct AugmentedInfo {
     pub loops: Vec<LoopInfo>,
     /// How many of them are independent in general.
     pub rank: usize,
+    /// How large the slopes of each are by the coordinates.
+    pub sizes: Vec<f64>,
     /// The coordinates whose start values are kept; the closures determine the others.
     pub kept: Vec<usize>,
     /// Equations that follow from the others.

@@ -1,6 +1,6 @@
 //! Modes of a motion and the events between them.
 
-use super::{EquationInfo, SceneModel};
+use super::{AugmentedInfo, EquationInfo, SceneModel};
 use crate::program::Program;
 use crate::syntax::tree::Direction;
 use crate::token::Span;
@@ -18,6 +18,8 @@ pub struct ModeModel {
     pub events: Vec<EventInfo>,
     /// Speeds that are zero in it, by their places in the state vector: those of coordinates that it holds or lacks.
     pub held: Vec<usize>,
+    /// The closures that hold the coordinates in it and are not solved for.
+    pub augmented: Option<AugmentedInfo>,
     /// The operations.
     pub program: Program,
 }
@@ -79,7 +81,8 @@ impl SceneModel {
                 program.results.drivers.clear();
             }
             let equations = mode.equations.clone();
-            SceneModel { program, equations, modes: Vec::new(), ..self.clone() }
+            let augmented = mode.augmented.clone();
+            SceneModel { program, equations, augmented, modes: Vec::new(), ..self.clone() }
         };
         self.modes.iter().enumerate().map(mode).collect()
     }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use super::{Here, begin};
 use crate::checked::EquationInfo;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expression::{Budget, Graph, Symbol};
+use crate::expression::{Budget, Graph, STEPS, Symbol};
 use crate::linkage::{self, Augmented, Linkage, Loops, Places};
 use crate::lower::Lowering;
 use crate::resolve::Names;
@@ -36,7 +36,7 @@ pub fn bind(
     let (places, starts) = begin::places(here, &declared, low);
     let at = |symbol| known(&places, symbol);
     let (bound, wrong) = linkage::bound(&loops, &at, low);
-    if (wrong.is_some() || !reduces(here, names, &bound, budget.clone()))
+    if (here.task.is_unreduced || wrong.is_some() || !reduces(here, names, &bound))
         && let Some(augmented) = augmented(here, names, budget, diagnostics)
     {
         names.release();
@@ -73,11 +73,13 @@ fn known(places: &Places, symbol: Symbol) -> f64 {
 }
 
 /// Whether the closures can be solved for these coordinates, and the dependent ones, in closed form.
-fn reduces(here: Here<'_>, names: &Names, bound: &[usize], budget: Rc<Budget>) -> bool {
+fn reduces(here: Here<'_>, names: &Names, bound: &[usize]) -> bool {
     let mut names = names.clone();
     names.bind(bound);
     let mut unsaid = Diagnostics::default();
     let (survey, selected) = (here.task.survey, here.task.selected);
+    // What is only tried is no part of what the file may take.
+    let budget = Rc::new(Budget::new(STEPS));
     let low = &mut Lowering::new(&names, survey, selected, &mut unsaid, budget);
     super::declare::quantities(here, low);
     let loops = Loops::read(&here.phase().statements, low);
@@ -113,7 +115,7 @@ fn augmented(
     let direction = low.direction()?;
     let rates = low.graph.tangent(&residuals, &direction);
     let closures = (&residuals[..], &rates[..]);
-    let found = Augmented::of(&mut low.graph, closures, &given, (&start, &speeds))?;
+    let found = Augmented::of(&mut low.graph, closures, &given, (&start, &speeds), most)?;
     let freedoms = count - found.rank;
     if freedoms == 0 || freedoms > most {
         return None;

@@ -114,13 +114,13 @@ pub fn loops(
     values: &[f64],
     request: &mut Request,
     low: &mut Lowering<'_>,
-) -> Option<Vec<LoopInfo>> {
+) -> Option<(Vec<LoopInfo>, bool)> {
     let (declared, linkage) = (&mode.declared, &mode.linkage);
     let drives = &declared.drives;
     if declared.is_linkage() {
         give_drivers(request, drives.len());
         request.results.closing = linkage.closing(low, request, &mode.asked.geometry, drives);
-        return Some(Vec::new());
+        return Some((Vec::new(), false));
     }
     for (index, drive) in drives.iter().enumerate() {
         let position = drive.position;
@@ -129,7 +129,7 @@ pub fn loops(
     }
     if mode.augmented.is_some() {
         request.results.closing = linkage.closures(low);
-        return Some(Vec::new());
+        return Some((Vec::new(), false));
     }
     let starts = low.graph.evaluate(&mode.asked.start, &|symbol| match symbol {
         Symbol::Parameter(index) => values[index as usize],
@@ -157,6 +157,7 @@ pub fn augmented(mode: &Mode<'_>) -> Option<AugmentedInfo> {
     Some(AugmentedInfo {
         loops: loops.collect(),
         rank: augmented.rank,
+        sizes: augmented.sizes.clone(),
         kept: augmented.kept.clone(),
         redundant: augmented.redundant.clone(),
     })

@@ -5,7 +5,7 @@
 //! Where the motion begins, how many closures are independent in general, and whose forces are determined is found here with
 //! the declared values of all constants.
 
-use super::independent::{Column, choose, order, scale};
+use super::independent::{Column, choose, order};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Form, Graph, Symbol, solve};
 use crate::motion::Equation;
@@ -16,6 +16,8 @@ const STEPS: usize = 60;
 const OPEN: f64 = 1e-9;
 /// How far the places lie from the start where the closures are looked at beside it, over the size of a position.
 const ASIDE: f64 = 0.03;
+/// How far they lie where it is looked how large slopes are.
+const FAR: f64 = 0.5;
 
 /// Closures that hold coordinates.
 #[derive(Clone, Debug)]
@@ -28,6 +30,8 @@ pub struct Augmented {
     pub rank_at_start: usize,
     /// The coordinates whose start values are kept; the closures determine the others.
     pub kept: Vec<usize>,
+    /// How large the slopes of each closure are.
+    pub sizes: Vec<f64>,
     /// Where the coordinates start.
     pub start: Vec<f64>,
     /// Their speeds there.
@@ -45,38 +49,42 @@ struct Closed<'a> {
     slopes: Vec<(usize, usize, Expression)>,
     given: &'a dyn Fn(Symbol) -> f64,
     order: Vec<Symbol>,
+    /// How many of these come first.
+    first: usize,
+    /// How large the slopes of each closure are.
+    sizes: Vec<f64>,
 }
 
 /// A row and a column of a matrix.
 type Pivot = (usize, usize);
 
 impl Augmented {
-    /// Closes closures, of which the time derivatives are given too, near some places of all coordinates with their speeds.
-    /// None where they do not close.
+    /// Closes closures, of which the time derivatives are given too, near some places of all coordinates with their speeds, of
+    /// which the first are declared as such, the others as dependent. None where they do not close.
     pub fn of(
         graph: &mut Graph,
         (residuals, rates): (&[Expression], &[Expression]),
         given: &dyn Fn(Symbol) -> f64,
         (places, speeds): (&[f64], &[f64]),
+        declared: usize,
     ) -> Option<Self> {
         let all: Vec<usize> = (0..places.len()).collect();
         let symbols: Vec<_> = all.iter().map(|index| Symbol::Coordinate(*index as u32)).collect();
-        let order = order(graph, residuals, &all);
+        // Those of which the file says that closures determine them come first.
+        let (own, dependent) = all.split_at(declared);
+        let mut order = order(graph, residuals, dependent);
+        order.extend(super::independent::order(graph, residuals, own));
         let slopes = graph.jacobian(residuals, &symbols);
-        let closed = Closed { graph, residuals, slopes, given, order };
+        let first = dependent.len();
+        let sizes = vec![1.0; residuals.len()];
+        let mut closed = Closed { graph, residuals, slopes, given, order, first, sizes };
+        closed.measure(places);
         let start = closed.near(places)?;
         let pivots = closed.pivots(&start);
         let kept = all.iter().copied().filter(|index| pivots.iter().all(|one| one.1 != *index));
         let speeds = closed.speeds(rates, (&start, speeds), &pivots);
-        let size = start.iter().fold(0.0_f64, |most, one| most.max(one.abs()));
         // On places beside the start nothing falls together by chance.
-        let beside = (1..=4_u32).filter_map(|place| {
-            let symbols = symbols.iter().zip(&start);
-            let moved = symbols.map(|(symbol, start)| {
-                start + ASIDE * size * (Graph::somewhere(*symbol, place) - 1.1)
-            });
-            closed.near(&moved.collect::<Vec<f64>>())
-        });
+        let beside = (1..=4_u32).filter_map(|place| closed.near(&aside(&start, ASIDE, place)));
         let found = beside.map(|place| (closed.pivots(&place), place));
         let general = found.max_by_key(|(pivots, _)| pivots.len());
         let (general, place) = match general {
@@ -89,6 +97,7 @@ impl Augmented {
             rank: general.len(),
             rank_at_start: pivots.len(),
             kept: kept.collect(),
+            sizes: closed.sizes,
             start,
             speeds,
             redundant,
@@ -110,6 +119,16 @@ impl Augmented {
     }
 }
 
+/// Places that no formula singles out, by a part of their size away from some.
+fn aside(places: &[f64], part: f64, number: u32) -> Vec<f64> {
+    let size = places.iter().fold(0.0_f64, |most, one| most.max(one.abs()));
+    let size = if size > 0.0 { size } else { 1.0 };
+    let moved = (0..).map(Symbol::Coordinate).zip(places);
+    moved
+        .map(|(symbol, place)| place + part * size * (Graph::somewhere(symbol, number) - 1.1))
+        .collect()
+}
+
 /// The names of some equations.
 pub fn named(equations: &[Equation], indices: &[usize]) -> String {
     let names = indices.iter().map(|index| format!("`{}`", equations[*index].name));
@@ -122,6 +141,20 @@ impl Closed<'_> {
             Symbol::Coordinate(index) => places[index as usize],
             _ => (self.given)(symbol),
         }
+    }
+
+    /// Finds how large the slopes of each closure are, near some places and not only there.
+    fn measure(&mut self, places: &[f64]) {
+        let mut sizes = vec![0.0_f64; self.residuals.len()];
+        for number in 1..=4 {
+            let rows = self.rows(&aside(places, FAR, number));
+            for (size, row) in sizes.iter_mut().zip(rows) {
+                *size = row.iter().fold(*size, |most, one| most.max(one.abs()));
+            }
+        }
+        let is_size = |size: &f64| *size > 0.0 && size.is_finite();
+        self.sizes =
+            sizes.into_iter().map(|size| if is_size(&size) { size } else { 1.0 }).collect();
     }
 
     /// The slopes of the closures, row by row.
@@ -143,12 +176,13 @@ impl Closed<'_> {
                 Symbol::Coordinate(index) => *index as usize,
                 _ => 0,
             };
-            let entries = rows.iter().map(|row| row[index]).collect();
+            let entries = rows.iter().zip(&self.sizes).map(|(row, size)| row[index] / size);
+            let entries = entries.collect();
             Column { symbol: *symbol, entries, size: 0.0 }
         };
         let mut columns: Vec<Column> = self.order.iter().map(column).collect();
-        scale(&mut columns, rows.len());
-        let chosen = choose(columns, rows.len()).into_iter();
+        columns.iter_mut().for_each(Column::measure);
+        let chosen = choose(columns, rows.len(), self.first).into_iter();
         chosen
             .map(|(symbol, row)| match symbol {
                 Symbol::Coordinate(index) => (row, index as usize),

@@ -11,20 +11,21 @@ use crate::program::{Function, Request};
 
 impl Linkage {
     /// Binds the dependent coordinates to their closed forms, on the assembly modes that the declared start values pick
-    /// with these values of the constants. Asks for the margins of the groups that may fail to close, and names these.
+    /// with these values of the constants. Asks for the margins of the groups that may fail to close, and names these; says
+    /// whether the motion may come to a dead point of one.
     pub fn carry(
         &self,
         low: &mut Lowering<'_>,
         (drives, starts_of_state): (&[Drive], &[f64]),
         constants: &[f64],
         request: &mut Request,
-    ) -> Option<Vec<LoopInfo>> {
+    ) -> Option<(Vec<LoopInfo>, bool)> {
         if self.groups.is_empty() {
-            return Some(Vec::new());
+            return Some((Vec::new(), false));
         }
         let mut given = Places::of_state(low, drives, (constants, starts_of_state))?;
         let (mut values_of, mut around) = (Vec::new(), Vec::new());
-        let mut carried = Vec::new();
+        let (mut carried, mut signs) = (Vec::new(), Vec::new());
         for (number, group) in self.groups.iter().enumerate() {
             let Some(closed) = &group.closed else {
                 self.report(low, group, |name| {
@@ -44,6 +45,7 @@ impl Linkage {
                 );
                 return None;
             };
+            signs.push(sign);
             for (index, value) in values {
                 given.dependents[index] = value;
             }
@@ -59,8 +61,9 @@ impl Linkage {
             }
         }
         given.check_starts(low)?;
+        let may_stop = !carried.is_empty() && self.may_stop(low, given, &signs);
         put_in(low, &values_of, &around, request);
-        Some(carried)
+        Some((carried, may_stop))
     }
 
     /// Reports a group at the first of its equations.
@@ -215,7 +218,7 @@ fn starts(low: &mut Lowering<'_>, given: &Places, group: &Group) -> Option<Vec<(
 }
 
 /// The dependent coordinates that a group closes, on one assembly mode.
-fn solved(
+pub(super) fn solved(
     graph: &Graph,
     closed: &Closed,
     given: &Places,

@@ -5,7 +5,8 @@
 //! with numbers that look well. So it is an event that the sine of a group falls below a limit, above which speeds are still
 //! known to ten digits and more.
 
-use super::{Group, Linkage};
+use super::carried::solved;
+use super::{Group, Linkage, Places, angles};
 use crate::checked::EventInfo;
 use crate::expression::{Expression, Map, Symbol};
 use crate::lower::Lowering;
@@ -64,14 +65,76 @@ impl Linkage {
     }
 }
 
+/// Parts of a turn at which a linkage is looked at.
+const PARTS: u32 = 720;
+
+impl Linkage {
+    /// Whether the groups that move with coordinates may come to a dead point, closed on these assembly modes. They do not
+    /// where a crank moves them that can turn all the way, with the values of the file.
+    pub fn may_stop(&self, low: &mut Lowering<'_>, given: Places, signs: &[f64]) -> bool {
+        let moving: Vec<usize> = (0..self.groups.len())
+            .filter(|number| {
+                let group = &self.groups[*number];
+                let closed = group.closed.as_ref();
+                closed.is_some_and(|one| low.graph.as_number(one.margin).is_none())
+                    && moves_with_coordinates(group, low)
+            })
+            .collect();
+        let mut movers = Vec::new();
+        for index in 0..low.names.coordinates.len() as u32 {
+            let moves = |group: &Group, low: &mut Lowering<'_>| moves_with(group, index, low);
+            if moving.iter().any(|number| moves(&self.groups[*number], low)) {
+                movers.push(index);
+            }
+        }
+        let [crank] = movers[..] else {
+            return !moving.is_empty();
+        };
+        let residuals: Vec<_> = self.equations.iter().map(|one| one.residual).collect();
+        let is_driven =
+            low.graph.symbols(&residuals).iter().any(|one| matches!(one, Symbol::Driver(_)));
+        let turns = !is_driven
+            && angles::is_turn(&mut low.graph, &residuals, Symbol::Coordinate(crank))
+            && (0..PARTS).all(|part| self.closes_at(low, &given, signs, (crank, part)));
+        !turns
+    }
+
+    /// Whether all groups close, far from dead points, with a crank at a part of its turn.
+    fn closes_at(
+        &self,
+        low: &Lowering<'_>,
+        given: &Places,
+        signs: &[f64],
+        (crank, part): (u32, u32),
+    ) -> bool {
+        let mut here = given.clone();
+        here.state[crank as usize] = std::f64::consts::TAU * f64::from(part) / f64::from(PARTS);
+        let numbered = self.groups.iter().zip(signs).enumerate();
+        numbered.into_iter().all(|(number, (group, sign))| {
+            let Some(closed) = &group.closed else { return false };
+            let mode = Symbol::Mode(number as u32);
+            let at = |symbol: Symbol| if symbol == mode { *sign } else { here.of(symbol) };
+            let numbers = low.graph.evaluate(&[closed.margin, closed.sine], &at);
+            let values = solved(&low.graph, closed, &here, (mode, *sign));
+            for (index, value) in values {
+                here.dependents[index] = value;
+            }
+            numbers[0] > 0.0 && numbers[1].abs() > 10.0 * DEAD
+        })
+    }
+}
+
 /// Whether coordinates move what a group closes: what drivers alone move is looked at as they move.
 fn moves_with_coordinates(group: &Group, low: &mut Lowering<'_>) -> bool {
+    (0..low.names.coordinates.len() as u32).any(|index| moves_with(group, index, low))
+}
+
+/// Whether a coordinate moves what a group closes.
+fn moves_with(group: &Group, index: u32, low: &mut Lowering<'_>) -> bool {
     let zero = low.graph.zero();
     let Some(slopes) = &mut low.slopes else {
         return false;
     };
-    (0..low.names.coordinates.len() as u32).any(|index| {
-        let coefficients = slopes.by(&mut low.graph, Symbol::Coordinate(index));
-        group.unknowns.iter().any(|unknown| coefficients[*unknown] != zero)
-    })
+    let coefficients = slopes.by(&mut low.graph, Symbol::Coordinate(index));
+    group.unknowns.iter().any(|unknown| coefficients[*unknown] != zero)
 }

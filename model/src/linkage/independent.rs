@@ -44,7 +44,7 @@ pub fn bound(
     let mut symbols: Vec<Symbol> = (0..dependents as u32).map(Symbol::Dependent).collect();
     symbols.extend(order(&mut low.graph, &residuals, &candidates));
     let columns = columns(&mut low.graph, &residuals, &symbols, at);
-    let chosen = choose(columns, residuals.len());
+    let chosen = choose(columns, residuals.len(), dependents);
     let redundant = match chosen.len() < residuals.len() {
         true => redundant(&loops.equations, &chosen),
         false => None,
@@ -94,30 +94,33 @@ fn columns(
     for ((row, column, _), value) in slopes.iter().zip(graph.evaluate(&values, at)) {
         columns[*column].entries[*row] = value;
     }
-    scale(&mut columns, residuals.len());
-    columns
-}
-
-/// Divides each row by its largest entry, and finds how large the columns are then.
-pub(super) fn scale(columns: &mut [Column], rows: usize) {
-    for row in 0..rows {
+    for row in 0..residuals.len() {
         let largest = columns.iter().fold(0.0_f64, |most, one| most.max(one.entries[row].abs()));
         if largest > 0.0 {
             columns.iter_mut().for_each(|one| one.entries[row] /= largest);
         }
     }
-    for column in columns {
-        column.size = column.entries.iter().map(|one| one * one).sum::<f64>().sqrt();
+    columns.iter_mut().for_each(Column::measure);
+    columns
+}
+
+impl Column {
+    /// Finds how large it is.
+    pub fn measure(&mut self) {
+        self.size = self.entries.iter().map(|one| one * one).sum::<f64>().sqrt();
     }
 }
 
-/// Eliminates column by column in their order, as long as enough is left of one. Gives the columns with their rows.
-pub(super) fn choose(mut columns: Vec<Column>, rows: usize) -> Vec<(Symbol, usize)> {
+/// Eliminates column by column in their order, as long as enough is left of one; none but the first ones before all of these
+/// have been tried. Gives the columns with their rows.
+pub(super) fn choose(mut columns: Vec<Column>, rows: usize, first: usize) -> Vec<(Symbol, usize)> {
     let mut chosen: Vec<(Symbol, usize)> = Vec::new();
     let mut used: BTreeSet<usize> = BTreeSet::new();
-    for left in LEFT {
+    let mut left_of_first = first.min(columns.len());
+    let levels = LEFT.map(|left| (left, true)).into_iter().chain(LEFT.map(|left| (left, false)));
+    for (left, is_first) in levels {
         let mut index = 0;
-        while index < columns.len() && chosen.len() < rows {
+        while index < if is_first { left_of_first } else { columns.len() } && chosen.len() < rows {
             let free = (0..rows).filter(|row| !used.contains(row));
             let size = |row: &usize| columns[index].entries[*row].abs();
             let best = free.max_by(|a, b| size(a).total_cmp(&size(b)));
@@ -131,6 +134,7 @@ pub(super) fn choose(mut columns: Vec<Column>, rows: usize) -> Vec<(Symbol, usiz
                 continue;
             };
             let column = columns.remove(index);
+            left_of_first -= usize::from(is_first);
             for other in &mut columns {
                 let factor = other.entries[row] / column.entries[row];
                 for (entry, own) in other.entries.iter_mut().zip(&column.entries) {

@@ -11,6 +11,7 @@ const ROUNDED: f64 = 1e-4;
 const EXACT: f64 = 1e-14;
 
 /// Values of everything given where a motion begins; what is not known is no number.
+#[derive(Clone)]
 pub struct Places {
     /// Constants.
     pub constants: Vec<f64>,

@@ -8,27 +8,30 @@ use crate::expression::Symbol;
 use crate::structure::Incidence;
 
 /// The equations that belong together because closures hold their coordinates.
-pub struct Held {
+pub struct Held<'a> {
     /// Lagrange's equations, each with its coordinate.
     pub moved: Vec<(usize, usize)>,
     /// The closures.
     pub closures: Range<usize>,
     /// How many of them are independent.
     pub rank: usize,
+    /// How large their slopes are.
+    pub sizes: &'a [f64],
     /// Number of the highest derivatives, behind which the forces are counted.
     highest: usize,
 }
 
-impl Held {
-    /// Of equations for so many highest derivatives; those that are too many are closures, of which a number is independent.
-    pub fn of(equations: &[Equation], highest: usize, rank: usize) -> Self {
+impl<'a> Held<'a> {
+    /// Of equations for so many highest derivatives; those that are too many are closures, of which a number is
+    /// independent, with the sizes of their slopes.
+    pub fn of(equations: &[Equation], highest: usize, (rank, sizes): (usize, &'a [f64])) -> Self {
         let closures = match rank {
             0 => equations.len()..equations.len(),
             _ => highest.min(equations.len())..equations.len(),
         };
         let derived = equations.iter().enumerate();
         let moved = derived.filter_map(|(row, equation)| Some((row, equation.lagrange?))).collect();
-        Self { moved, closures, rank, highest }
+        Self { moved, closures, rank, sizes, highest }
     }
 
     /// The forces of the closures.

@@ -17,6 +17,8 @@ pub struct System {
     /// Row by row.
     entries: Vec<Vec<Option<Expression>>>,
     form: Form,
+    /// How large the slopes of closures are, behind the other equations.
+    sizes: Vec<f64>,
 }
 
 /// What kind of system it is.
@@ -32,10 +34,11 @@ enum Form {
 
 impl System {
     /// The equations of a block, which may be symmetric.
-    pub fn of(block: &Block, matrix: &Matrix, equations: &[Equation], held: &Held) -> Self {
+    pub fn of(block: &Block, matrix: &Matrix, equations: &[Equation], held: &Held<'_>) -> Self {
         if let Some((rows, unknowns)) = held.order(&block.equations) {
             let form = Form::Held(held.moved.len(), held.rank);
-            return Self::with(rows, unknowns, matrix, form);
+            let sizes = held.sizes.to_vec();
+            return Self { sizes, ..Self::with(rows, unknowns, matrix, form) };
         }
         let mut unknowns = block.unknowns.clone();
         let owners: Option<Vec<_>> =
@@ -59,7 +62,7 @@ impl System {
         let entry = |row: usize, column: &usize| matrix.get(&(row, *column)).copied();
         let row = |row: &usize| unknowns.iter().map(|column| entry(*row, column)).collect();
         let entries = equations.iter().map(row).collect();
-        Self { equations, unknowns, entries, form }
+        Self { equations, unknowns, entries, form, sizes: Vec::new() }
     }
 
     /// Equations and unknowns with what multiplies the one in the other, where that must not be zero.
@@ -92,10 +95,22 @@ impl System {
         match self.form {
             Form::Symmetric => return graph.solve_symmetric(&lower(), right),
             Form::Held(unknowns, rank) => {
-                // The forces stand on the other side of Lagrange's equations.
-                let mut values = graph.solve_bound((unknowns, rank), &lower(), right);
-                for force in &mut values[unknowns..] {
-                    *force = graph.neg(*force);
+                // Closures over their sizes; their forces stand on the other side of Lagrange's equations.
+                let over: Vec<_> = self.sizes.iter().map(|size| graph.number(1.0 / size)).collect();
+                let mut scaled = lower();
+                let mut right = right.to_vec();
+                for (index, over) in over.iter().enumerate() {
+                    let row = unknowns + index;
+                    let begin = row * (row + 1) / 2;
+                    for entry in &mut scaled[begin..begin + unknowns] {
+                        *entry = graph.mul(*entry, *over);
+                    }
+                    right[row] = graph.mul(right[row], *over);
+                }
+                let mut values = graph.solve_bound((unknowns, rank), &scaled, &right);
+                for (force, over) in values[unknowns..].iter_mut().zip(&over) {
+                    let force_over = graph.mul(*force, *over);
+                    *force = graph.neg(force_over);
                 }
                 return values;
             }

@@ -5,7 +5,7 @@ use crate::registry::{Bind, Mechanism, SceneEntry};
 use assur_solvers::answer::{Method, Motion, Question, Settings};
 use assur_solvers::measure;
 use assur_solvers::problem::Refused;
-use assur_solvers::shape::{At, Constant, Expectation, Quantity, Subject};
+use assur_solvers::shape::{At, Constant, Expectation, Quantity, Subject, find};
 
 /// How the motion is found: far more accurately than anything is published.
 const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-11);
@@ -29,6 +29,7 @@ pub fn fact(mechanism: &Mechanism, scene: &str, index: usize) -> Result<(), Fail
             let question = Question::of(bind(&values).map_err(refused)?.into());
             let motion = question.solve(&SETTINGS);
             let motion = motion.map_err(|error| Failed(format!("no motion: {error}")))?;
+            let fact = &in_motion(&motion, scene, fact);
             value(&motion, fact)
                 .ok_or_else(|| Failed(format!("the motion does not get to {:?}", fact.at)))?
         }
@@ -39,6 +40,19 @@ pub fn fact(mechanism: &Mechanism, scene: &str, index: usize) -> Result<(), Fail
         return Ok(());
     }
     Err(Failed(text(mechanism, fact, quantity, computed)))
+}
+
+/// A fact in a motion whose states may stand in another order than in the scene.
+fn in_motion(motion: &Motion, scene: &SceneEntry, fact: &Expectation) -> Expectation {
+    let states = motion.shape().states;
+    let subject = match fact.subject {
+        Subject::State(index) => {
+            let place = scene.states.get(index).and_then(|state| find(states, state.name));
+            Subject::State(place.unwrap_or(index))
+        }
+        other => other,
+    };
+    Expectation { subject, ..*fact }
 }
 
 /// The values of the scene's constants with which a fact is compared.

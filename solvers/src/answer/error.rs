@@ -41,6 +41,22 @@ pub enum Error {
     },
 }
 
+impl Error {
+    /// Whether the motion comes to a place where nothing says how it goes on, such as a dead point.
+    pub fn is_lost(&self) -> bool {
+        let cycle = |error: &CycleError| match error {
+            CycleError::Motion(error) => matches!(**error, HybridError::Lost { .. }),
+            _ => false,
+        };
+        match self {
+            Self::Stopped(error) => matches!(error, HybridError::Lost { .. }),
+            Self::NoCycle(error) => cycle(error),
+            Self::NotSteady(PeriodicError::NotSettled(error)) => cycle(error),
+            _ => false,
+        }
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -3,10 +3,11 @@
 use super::error::Error;
 use super::motion::{Motion, Repeats};
 use crate::hybrid::{self, HybridError, Request};
-use crate::model::{Bound, Model};
+use crate::model::{Bound, Model, assemble_beside};
 use crate::periodic;
 use crate::problem::{Refused, Scene, Span};
 use crate::settings::Settings;
+use crate::shape::find;
 use std::sync::Arc;
 
 /// What is asked of a scene: its motion over its task, from its start, unless another one is given.
@@ -67,11 +68,48 @@ impl Question {
         self.solve(&Settings::default())
     }
 
-    /// The answer by a method, to an accuracy.
+    /// The answer by a method, to an accuracy. Where loops come to a dead point it is that of the same motion with all
+    /// positions as coordinates; the shape of the answer says that.
     ///
     /// # Errors
     /// [`Error`], with the figures.
     pub fn solve(&self, settings: &Settings) -> Result<Motion, Error> {
+        let answer = self.attempt(settings);
+        match answer {
+            Err(error) if error.is_lost() => match self.model.unreduced() {
+                Some(model) => {
+                    let other = self.unreduced(model.into())?;
+                    other.attempt(&settings.of_states(self.model.shape(), other.model.shape()))
+                }
+                None => Err(error),
+            },
+            _ => answer,
+        }
+    }
+
+    /// The question to the same motion with all positions as coordinates.
+    fn unreduced(&self, model: Arc<dyn Model>) -> Result<Self, Error> {
+        let Some(own) = &self.start else {
+            return Ok(Self { model, ..self.clone() });
+        };
+        let (from, to) = (self.model.shape(), model.shape());
+        let (mut start, mut kept) = (model.start(), Vec::new());
+        for (state, value) in from.states.iter().zip(own) {
+            if let Some(place) = find(to.states, state.name) {
+                start[place] = *value;
+                kept.push(place);
+            }
+        }
+        let here = (self.mode, self.span.limits().0);
+        let start = assemble_beside(model.as_ref(), here, start, &kept);
+        Ok(Self { start: Some(start.map_err(Error::Refused)?), model, ..self.clone() })
+    }
+
+    /// [`Question::solve`] by the equations of the scene as they are: dead points are errors.
+    ///
+    /// # Errors
+    /// [`Error`], with the figures.
+    pub fn attempt(&self, settings: &Settings) -> Result<Motion, Error> {
         if let Some(refused) = &self.refused {
             return Err(Error::Refused(refused.clone()));
         }

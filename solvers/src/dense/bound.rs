@@ -11,8 +11,10 @@
 use super::Factored;
 use crate::scalar::Scalar;
 
-/// Part of the largest entry of its row below which a pivot is none: the closure follows from the others.
-pub const NOTHING: f64 = 1e-10;
+/// Below this a pivot is none, the rows of closures being of size one: the closure follows from the others. What a motion
+/// passes through with less than that it passes through freely, for so short that nothing of it is left: a smaller limit
+/// would divide rounding by next to nothing.
+const NOTHING: f64 = 1e-5;
 
 /// The matrix of a bound system, factored: of so many unknowns, bound by closures of which at most a number is independent.
 #[derive(Clone, Copy, Debug)]
@@ -108,21 +110,14 @@ impl Parts {
         let (n, m, k) = (self.unknowns, self.closures, self.size());
         rows.iter_mut().enumerate().for_each(|(index, row)| *row = index);
         columns.iter_mut().enumerate().for_each(|(index, column)| *column = index);
-        // The sizes of the rows stand where nothing else does.
-        for row in n..k {
-            let entries = matrix[row * k..][..n].iter();
-            let size = entries.fold(0.0_f64, |most, one| most.max(one.to_f64().abs()));
-            reduced[row - n] = S::from_f64(if size > 0.0 { 1.0 / size } else { 0.0 });
-        }
         let most = self.rank.min(m).min(n);
         self.rank = 0;
         while self.rank < most {
             let at = self.rank;
             let (mut best, mut size) = ((at, at), 0.0);
             for row in at..m {
-                let scale = reduced[row].to_f64();
                 for column in at..n {
-                    let entry = matrix[(n + row) * k + column].to_f64().abs() * scale;
+                    let entry = matrix[(n + row) * k + column].to_f64().abs();
                     // What is no number is found here, and makes everything no number.
                     if entry > size || entry.is_nan() {
                         (best, size) = ((row, column), entry);
@@ -135,7 +130,6 @@ impl Parts {
             let (row, column) = best;
             rows.swap(at, row);
             columns.swap(at, column);
-            reduced.swap(at, row);
             for other in 0..m {
                 matrix.swap((n + other) * k + at, (n + other) * k + column);
             }

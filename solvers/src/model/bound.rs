@@ -60,6 +60,10 @@ impl<C: Scene> Model for Bound<C> {
         self.scene.start()
     }
 
+    fn unreduced(&self) -> Option<Box<dyn Model>> {
+        self.scene.unreduced()
+    }
+
     fn attempt(&self, steps: Steps, phase: Phase<'_, f64>, room: &mut Room) {
         let Some(equations) = &self.fused else {
             return attempt_each(&self.plain, steps, phase, room);

@@ -10,10 +10,10 @@ use crate::ode::OdeError;
 use crate::problem::{Phase, Refused, Reports, Scene, Span};
 use crate::shape::{Augmented, Loop, Shape};
 
-/// Part of its size by which a closure may stay open.
+/// Over the size of its slopes, how far a closure may stay open.
 const OPEN: f64 = 1e-6;
 /// Pivots below this are left out where a step is corrected, and where the motion begins.
-const NOTHING: [f64; 2] = [1e-4, 1e-9];
+const NOTHING: [f64; 2] = [3e-5, 1e-9];
 /// Most corrections of a step, and of a start.
 const MOST: [usize; 2] = [4, 60];
 /// What is left then, in roundings.
@@ -31,14 +31,20 @@ pub(super) struct Correction {
     room: Vec<f64>,
     /// Coordinates that do not move.
     held: Vec<bool>,
+    /// The masses by which a change is measured; none where all coordinates count alike.
+    masses: Vec<f64>,
 }
 
 impl Correction {
-    /// For a scene whose closures are not solved for.
-    pub fn of(shape: &Shape) -> Option<Self> {
-        let closures = shape.augmented?;
+    /// For a mode whose closures are not solved for.
+    pub fn of(shape: &Shape, mode: usize) -> Option<Self> {
+        let closures = match shape.modes.get(mode) {
+            Some(mode) => mode.augmented?,
+            None => shape.augmented?,
+        };
         let (n, m) = (closures.coordinates, closures.loops.len());
         let size = n + m;
+        let held = shape.modes.get(mode).map_or(&[][..], |mode| mode.held);
         Some(Self {
             closures,
             values: vec![0.0; m * (2 + n)],
@@ -48,27 +54,96 @@ impl Correction {
             columns: vec![0; size],
             right: vec![0.0; size],
             room: vec![0.0; size],
-            held: vec![false; n],
+            held: (0..n).map(|index| held.contains(&(n + index))).collect(),
+            masses: Vec::new(),
         })
     }
 
     /// Corrects what a step has reached.
     pub fn correct(
         &mut self,
-        model: &dyn Model,
+        reports: &dyn Reports<f64>,
         phase: Phase<'_, f64>,
         time: f64,
         state: &mut [f64],
     ) -> Result<(), OdeError> {
-        self.held.fill(false);
-        if let Some(mode) = model.shape().modes.get(phase.mode) {
-            mode.held.iter().for_each(|place| self.held[*place - self.closures.coordinates] = true);
-        }
-        self.close(model.reports(), phase, time, state, 0).map_err(|(closure, by)| OdeError::Open {
+        self.close(reports, phase, time, state, 0).map_err(|(closure, by)| OdeError::Open {
             time,
             closure,
             by,
         })
+    }
+
+    /// Lets the closures of a mode take hold of a state that has jumped: what an event has set stays if it can, and the
+    /// impulses of the closures change the other speeds, the masses being what they are.
+    pub fn jump(
+        &mut self,
+        reports: &dyn Reports<f64>,
+        phase: Phase<'_, f64>,
+        time: f64,
+        (before, state): (&[f64], &mut [f64]),
+    ) -> Result<(), OdeError> {
+        let n = self.closures.coordinates;
+        self.masses.resize(n * n, 0.0);
+        if !reports.mass(phase, time, state, &mut self.masses) {
+            self.masses.clear();
+        }
+        let (held, kept) = (self.held.clone(), state.to_vec());
+        for (index, held) in self.held.iter_mut().enumerate() {
+            *held |= before[n + index] != state[n + index];
+        }
+        let is_done = self.close(reports, phase, time, state, 0).is_ok()
+            && !self.slips(reports, phase, time, state);
+        self.held = held;
+        let done = match is_done {
+            true => Ok(()),
+            false => {
+                state.copy_from_slice(&kept);
+                self.close(reports, phase, time, state, 0)
+            }
+        };
+        self.masses.clear();
+        done.map_err(|(closure, by)| OdeError::Open { time, closure, by })
+    }
+
+    /// Whether speeds contradict a closure.
+    fn slips(
+        &mut self,
+        reports: &dyn Reports<f64>,
+        phase: Phase<'_, f64>,
+        time: f64,
+        state: &[f64],
+    ) -> bool {
+        let (n, m) = (self.closures.coordinates, self.closures.loops.len());
+        reports.closures(phase, time, state, &mut self.values);
+        let fastest = state[n..2 * n].iter().fold(0.0_f64, |most, one| most.max(one.abs()));
+        let rates = self.values[m..2 * m].iter().zip(self.closures.sizes);
+        rates.into_iter().any(|(rate, size)| rate.abs() > OPEN * size * fastest)
+    }
+
+    /// Closes the closures where a motion begins, some coordinates being kept.
+    fn assemble(
+        mut self,
+        reports: &dyn Reports<f64>,
+        (mode, time): (usize, f64),
+        mut start: Vec<f64>,
+        kept: &[usize],
+    ) -> Result<Vec<f64>, Refused> {
+        let coordinates = self.held.iter_mut().enumerate();
+        coordinates.for_each(|(index, held)| *held |= kept.contains(&index));
+        match self.close(reports, Phase::of(mode), time, &mut start, 1) {
+            Ok(()) => Ok(start),
+            Err((closure, by)) => {
+                let Loop { name, unit, factor, .. } = self.closures.loops[closure];
+                let by = by / factor;
+                Err(Refused {
+                    name: name.to_string(),
+                    reason: format!(
+                        "does not close where the motion begins: it stays open by {by:.3e} {unit}; change the dimensions or the start values"
+                    ),
+                })
+            }
+        }
     }
 
     /// Closes all closures by positions that are not held, then their rates by speeds. Fails with the closure that stays open
@@ -103,14 +178,8 @@ impl Correction {
         for (speed, change) in state[n..2 * n].iter_mut().zip(&self.right) {
             *speed += change;
         }
-        let slopes = &self.values[2 * m..];
-        let worst = (0..m).map(|row| {
-            let slopes = slopes[row * n..][..n].iter().zip(&state[..n]);
-            let size = slopes.fold(0.0_f64, |most, (slope, place)| {
-                most.max(slope.abs()).max((slope * place).abs())
-            });
-            (row, self.values[row].abs(), self.values[row].abs() / size.max(f64::MIN_POSITIVE))
-        });
+        let worst = self.values[..m].iter().zip(self.closures.sizes).enumerate();
+        let worst = worst.map(|(row, (by, size))| (row, by.abs(), by.abs() / size));
         match worst.max_by(|a, b| a.2.total_cmp(&b.2)) {
             Some((row, by, part)) if !(part <= OPEN) => Err((row, by)),
             _ => Ok(()),
@@ -126,28 +195,44 @@ impl Correction {
     /// The shortest change that takes residuals away, which stand from a place on. Gives its largest component.
     fn solve(&mut self, from: usize, nothing: f64) -> f64 {
         let (n, m) = (self.closures.coordinates, self.closures.loops.len());
+        let parts = self.factor(nothing);
+        for row in 0..m {
+            self.right[n + row] = -self.values[from + row] / self.closures.sizes[row];
+        }
+        self.right[..n].fill(0.0);
+        let order = (&self.rows[..], &self.columns[..]);
+        let both = (&mut self.right[..], &mut self.room[..]);
+        parts.solve(&self.matrix, &self.reduced, order, both);
+        let changes = self.right[..n].iter();
+        changes.fold(0.0, |most, one| if one.abs() <= most { most } else { one.abs() })
+    }
+
+    /// Factors masses, or ones, with the closures.
+    fn factor(&mut self, nothing: f64) -> Parts {
+        let (n, m) = (self.closures.coordinates, self.closures.loops.len());
         let size = n + m;
         self.matrix.fill(0.0);
         for column in 0..n {
-            self.matrix[column * size + column] = 1.0;
+            let own = &mut self.matrix[column * size..][..n];
+            match self.masses.get(column * n..(column + 1) * n) {
+                Some(masses) if !self.held[column] => {
+                    for (index, mass) in masses.iter().enumerate().filter(|one| !self.held[one.0]) {
+                        own[index] = *mass;
+                    }
+                }
+                _ => own[column] = 1.0,
+            }
         }
         for row in 0..m {
             let slopes = &self.values[2 * m + row * n..][..n];
             for (column, slope) in slopes.iter().enumerate().filter(|one| !self.held[one.0]) {
-                self.matrix[(n + row) * size + column] = *slope;
+                self.matrix[(n + row) * size + column] = *slope / self.closures.sizes[row];
             }
-            self.right[n + row] = -self.values[from + row];
         }
-        self.right[..n].fill(0.0);
         let mut parts = Parts { unknowns: n, closures: m, rank: self.closures.rank };
         let order = (&mut self.rows[..], &mut self.columns[..]);
         parts.factor(&mut self.matrix, &mut self.reduced, order, nothing);
-        let order = (&self.rows[..], &self.columns[..]);
-        let both = (&mut self.right[..], &mut self.room[..]);
-        parts.solve(&self.matrix, &self.reduced, order, both);
-        self.right[..n]
-            .iter()
-            .fold(0.0, |most, one| if one.abs() <= most { most } else { one.abs() })
+        parts
     }
 }
 
@@ -155,31 +240,29 @@ impl Correction {
 ///
 /// # Errors
 /// The closure that does not close, and by how much.
-pub fn assemble<C: Scene>(scene: &C, mut start: Vec<f64>) -> Result<Vec<f64>, Refused> {
+pub fn assemble<C: Scene>(scene: &C, start: Vec<f64>) -> Result<Vec<f64>, Refused> {
     let shape = C::shape();
-    let Some(mut correction) = Correction::of(shape) else {
+    let Some(correction) = Correction::of(shape, shape.first) else {
         return Ok(start);
     };
-    for kept in correction.closures.kept {
-        correction.held[*kept] = true;
-    }
     let time = match scene.span() {
         Span::Run(from, _) => from,
         _ => 0.0,
     };
-    let equations = scene.prepare::<f64>();
-    match correction.close(&equations, Phase::of(shape.first), time, &mut start, 1) {
-        Ok(()) => Ok(start),
-        Err((closure, by)) => {
-            let Loop { name, unit, factor, .. } = correction.closures.loops[closure];
-            Err(Refused {
-                name: name.to_string(),
-                reason: format!(
-                    "does not close where the motion begins: it stays open by {:.3e} {unit}; change the dimensions or the start values",
-                    by / factor
-                ),
-            })
-        }
+    let (equations, kept) = (scene.prepare::<f64>(), correction.closures.kept);
+    correction.assemble(&equations, (shape.first, time), start, kept)
+}
+
+/// [`assemble`] of a model in a mode at a time, from a start of which other coordinates are kept.
+pub(crate) fn assemble_beside(
+    model: &dyn Model,
+    (mode, time): (usize, f64),
+    start: Vec<f64>,
+    kept: &[usize],
+) -> Result<Vec<f64>, Refused> {
+    match Correction::of(model.shape(), mode) {
+        Some(correction) => correction.assemble(model.reports(), (mode, time), start, kept),
+        None => Ok(start),
     }
 }
 

@@ -30,7 +30,7 @@ impl<'a> Flow<'a> {
             mode,
             sides: Vec::new(),
             instant: RefCell::new(vec![0.0; equations.instant()]),
-            correction: RefCell::new(Correction::of(model.shape())),
+            correction: RefCell::new(Correction::of(model.shape(), mode)),
         }
     }
 
@@ -59,6 +59,7 @@ impl<'a> Flow<'a> {
     pub(crate) fn enter(&mut self, mode: usize) {
         self.mode = mode;
         self.sides.clear();
+        self.correction = RefCell::new(Correction::of(self.shape(), mode));
     }
 
     /// Puts the motion on a side of a switching surface, 1 or −1; 0 leaves it to the values.
@@ -136,7 +137,7 @@ impl<'a> Flow<'a> {
     /// [`OdeError::Open`] where that is not possible.
     pub fn correct(&self, time: f64, state: &mut [f64]) -> Result<(), OdeError> {
         match self.correction.borrow_mut().as_mut() {
-            Some(correction) => correction.correct(self.model, self.phase(), time, state),
+            Some(correction) => correction.correct(self.model.reports(), self.phase(), time, state),
             None => Ok(()),
         }
     }
@@ -160,6 +161,24 @@ impl<'a> Flow<'a> {
         match self.events {
             Some(events) => events.jump(self.phase(), event, time, state, after),
             None => after.copy_from_slice(state),
+        }
+    }
+
+    /// Lets the closures of the mode take hold of a state that has jumped, or that comes from another mode.
+    ///
+    /// # Errors
+    /// [`OdeError::Open`] where that is not possible.
+    pub(crate) fn seize(
+        &self,
+        time: f64,
+        before: &[f64],
+        state: &mut [f64],
+    ) -> Result<(), OdeError> {
+        match self.correction.borrow_mut().as_mut() {
+            Some(correction) => {
+                correction.jump(self.model.reports(), self.phase(), time, (before, state))
+            }
+            None => Ok(()),
         }
     }
 

@@ -68,6 +68,8 @@ pub struct Augmented {
     pub loops: List<Loop>,
     /// How many of them are independent in general.
     pub rank: usize,
+    /// How large the slopes of each are by the coordinates.
+    pub sizes: List<f64>,
     /// The coordinates whose start values are kept; the closures determine the others.
     pub kept: List<usize>,
     /// Closures that follow from the others.

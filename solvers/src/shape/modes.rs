@@ -1,6 +1,6 @@
 //! The modes of a motion and their events.
 
-use super::{List, Text};
+use super::{Augmented, List, Text};
 
 /// A mode as data.
 #[derive(Clone, Copy, Debug)]
@@ -17,13 +17,15 @@ pub struct ModeEntry {
     pub kinks: usize,
     /// Number of angles of which its guards have the sine or cosine.
     pub turns: usize,
+    /// The closures that hold the coordinates in it and are not solved for.
+    pub augmented: Option<Augmented>,
 }
 
 impl ModeEntry {
     /// A mode with its events.
     #[doc(hidden)]
     pub const fn new(name: Text, summary: Text, events: List<EventEntry>) -> Self {
-        Self { name, summary, events, held: &[], kinks: 0, turns: 0 }
+        Self { name, summary, events, held: &[], kinks: 0, turns: 0, augmented: None }
     }
 
     /// With speeds that are zero.
@@ -37,6 +39,13 @@ impl ModeEntry {
     #[doc(hidden)]
     pub const fn bends(mut self, kinks: usize, turns: usize) -> Self {
         (self.kinks, self.turns) = (kinks, turns);
+        self
+    }
+
+    /// With closures that hold the coordinates.
+    #[doc(hidden)]
+    pub const fn augmented(mut self, augmented: Augmented) -> Self {
+        self.augmented = Some(augmented);
         self
     }
 

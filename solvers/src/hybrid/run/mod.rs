@@ -166,6 +166,15 @@ impl<'a> Run<'a> {
                 return Err(End::Lost(event));
             }
         }
+        let noise = self.guards[event].noise();
+        let size = self.guards[event].size;
+        if entry.target != from {
+            self.enter(from, entry.target);
+        }
+        if entry.sets || entry.target != from {
+            let held = self.flow.seize(motion.time, &self.state, &mut self.next);
+            held.map_err(End::Ode)?;
+        }
         let before = motion.events.last().map(|one| one.time);
         let happened = Happened {
             time: motion.time,
@@ -181,11 +190,6 @@ impl<'a> Run<'a> {
         motion.events.push(happened);
         self.state.copy_from_slice(&self.next);
         self.is_known = false;
-        let noise = self.guards[event].noise();
-        let size = self.guards[event].size;
-        if entry.target != from {
-            self.enter(from, entry.target);
-        }
         *last = Some(entry.line);
         self.count(motion, before)?;
         // Between this event and the last of the same kind the guard rose above zero by less than it can be told from.
