@@ -219,7 +219,7 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
     }
     let asked = Asked::read(here, reported, &still, low);
     let place = here.task.scene.map_or(here.task.file.name.span, |(scene, _)| scene.name.span);
-    let closures = augmented.as_ref().map_or(0, |one| one.closures);
+    let closures = augmented.as_ref().map_or(0, |one| 2 * one.closures);
     let own = &equations[..equations.len().saturating_sub(closures)];
     forces::check_asked(low, (&asked.all(), place), (&parts, own));
     if let (Some(augmented), Some(linkage)) = (&augmented, &linkage) {

@@ -70,7 +70,8 @@ const HINTS: Hints = Hints {
 /// coordinates follow as `slopes` say; `scene` says in messages where this is, `in the scene `elastic``.
 ///
 /// Where there are more equations than unknowns and a rank, the last ones are closures that are not solved for, of which so
-/// many are independent, with slopes of these sizes; their forces are unknown as well.
+/// many are independent, with slopes of these sizes: their second time derivatives, then the third ones. Their forces are
+/// unknown as well.
 pub fn solve(
     graph: &mut Graph,
     equations: &[Equation],
@@ -88,6 +89,8 @@ pub fn solve(
     let matrix = matrix(graph, equations, unknowns, &symbols, diagnostics)?;
     let mut incidence = incidence(&matrix, equations.len(), unknowns.len());
     held.join(&mut incidence);
+    // The third derivatives of closures determine nothing beside the second ones.
+    let thirds = incidence.rows.split_off(held.thirds().start);
     let matching = Matching::of(&incidence);
     let place = (scene, &HINTS);
     if !report_imbalance(&incidence, &matching, equations, unknowns, place, diagnostics) {
@@ -96,14 +99,18 @@ pub fn solve(
     let zero = graph.zero();
     let at_rest: Map<_, _> = symbols.iter().map(|symbol| (*symbol, zero)).collect();
     let constant_parts = graph.substitute(&residuals, &at_rest);
+    // What holds for an instant alone has no slopes.
+    let lasting = &residuals[..held.thirds().start];
     let entries = match slopes {
-        Some(slopes) => slopes.jacobian(graph, &residuals, given),
-        None => graph.jacobian(&residuals, given),
+        Some(slopes) => slopes.jacobian(graph, lasting, given),
+        None => graph.jacobian(lasting, given),
     };
     let mut slopes: Vec<BTreeMap<usize, Expression>> = vec![BTreeMap::new(); equations.len()];
     for (row, column, value) in entries {
         slopes[row].insert(column, value);
     }
+    let blocks = blocks(&incidence, &matching);
+    incidence.rows.extend(thirds);
     let mut elimination = Elimination {
         matrix,
         incidence,
@@ -114,7 +121,7 @@ pub fn solve(
         partials: vec![BTreeMap::new(); unknowns.len()],
     };
     let mut pivots = Vec::new();
-    for block in blocks(&elimination.incidence, &matching) {
+    for block in blocks {
         let system = System::of(&block, &elimination.matrix, equations, &held);
         pivots.extend(system.pivots());
         elimination.derive(graph, &system);
@@ -122,7 +129,7 @@ pub fn solve(
             elimination.differentiate(graph, &system, column);
         }
     }
-    let own = &equations[..equations.len() - held.closures.len()];
+    let own = &equations[..held.closures.start];
     let all_derived = own.iter().all(|equation| equation.lagrange.is_some());
     let mass = match all_derived && !own.is_empty() {
         true => mass_matrix(graph, own, &elimination.matrix),

@@ -62,7 +62,8 @@ pub fn freedoms(low: &mut Lowering<'_>, mode: &Mode<'_>, values: &[f64]) {
         Symbol::Speed(index) => augmented.speeds[index as usize],
         _ => 0.0,
     };
-    let rows: Vec<_> = mode.equations.iter().map(|one| one.residual).collect();
+    let own = mode.equations.len() - augmented.closures;
+    let rows: Vec<_> = mode.equations[..own].iter().map(|one| one.residual).collect();
     let unknowns: Vec<_> = (0..count)
         .map(Symbol::Acceleration)
         .chain((0..augmented.closures as u32).map(Symbol::Reaction))

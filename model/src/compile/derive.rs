@@ -62,8 +62,8 @@ fn stand_still(
     }
 }
 
-/// Adds the forces of closures that are not solved for to Lagrange's equations, and the second time derivatives of these
-/// closures to all. What has neither mass nor force moves as the closures say.
+/// Adds the forces of closures that are not solved for to Lagrange's equations, and the second and the third time derivatives
+/// of these closures to all. What has neither mass nor force moves as the closures say.
 pub fn hold(
     equations: &mut Vec<Equation>,
     linkage: &Linkage,
@@ -113,6 +113,8 @@ pub fn hold(
     }
     let once = graph.tangent(&residuals, &direction);
     let twice = graph.tangent(&once, &direction);
-    let accelerated = linkage.equations.iter().zip(twice);
-    equations.extend(accelerated.map(|(own, residual)| Equation { residual, ..own.clone() }));
+    let thrice = graph.tangent(&twice, &direction);
+    let own = || linkage.equations.iter();
+    let derived = own().zip(twice).chain(own().zip(thrice));
+    equations.extend(derived.map(|(own, residual)| Equation { residual, ..own.clone() }));
 }

@@ -58,7 +58,7 @@ fn is_conservative(mode: &Mode<'_>, low: &Lowering<'_>) -> bool {
     let stated = !energies.kinetic.is_empty()
         && energies.dissipation.is_empty()
         && energies.forces.is_empty();
-    let closures = mode.augmented.as_ref().map_or(0, |one| one.closures);
+    let closures = mode.augmented.as_ref().map_or(0, |one| 2 * one.closures);
     let mut equations = mode.equations[..mode.equations.len() - closures].iter();
     let derived = equations.all(|equation| equation.lagrange.is_some());
     let driven = |symbol| matches!(symbol, Symbol::Time | Symbol::Driver(_));

@@ -8,7 +8,8 @@ pub enum Form {
     /// Any with an inverse: all entries, row by row. It is factored with pivoting.
     General,
     /// `[A Jᵀ; J 0]`, symmetric: the lower triangle, row by row. So many unknowns have masses `A` and are bound by closures
-    /// `J`, of which at most a number are independent.
+    /// `J`, of which at most a number are independent. Behind them stand as many rows that say what the closures do not where
+    /// these depend on each other for an instant; they count only then.
     Bound {
         /// Rows of `A`.
         unknowns: u32,
@@ -37,7 +38,11 @@ pub fn solve(form: Form, entries: &[f64], right: &[f64]) -> Vec<f64> {
         Form::Symmetric => solve_symmetric(size, entries, right),
         Form::General => solve_pivoted(form, entries, right, size),
         Form::Bound { unknowns, rank } => {
-            solve_pivoted(form, entries, right, (unknowns + rank) as usize)
+            let (n, rank) = (unknowns as usize, rank as usize);
+            let lasting = n + (size - n) / 2;
+            let mut solution = solve_pivoted(form, entries, &right[..lasting], n + rank);
+            solution.resize(size, 0.0);
+            solution
         }
     }
 }

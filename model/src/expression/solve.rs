@@ -32,8 +32,8 @@ impl Graph {
         self.solve_factored(factor, right)
     }
 
-    /// Solves for unknowns that closures bind, and for the forces of these: the lower triangle of `[A Jᵀ; J 0]`, row by row,
-    /// with so many unknowns and at most so many independent closures.
+    /// Solves for unknowns that closures bind, and for the forces of these: the lower triangle of [`Form::Bound`], row by row,
+    /// with so many unknowns and at most so many independent closures. As many zeros follow as there are closures.
     pub fn solve_bound(
         &mut self,
         (unknowns, rank): (usize, usize),

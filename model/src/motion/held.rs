@@ -1,5 +1,6 @@
-//! Coordinates that closures hold: the last equations are the second time derivatives of the closures, and their forces are
-//! unknown beside the accelerations.
+//! Coordinates that closures hold: the last equations are the second time derivatives of the closures, and behind them the
+//! third ones, which say what the second do not where closures depend on each other for an instant. The forces of the
+//! closures are unknown beside the accelerations.
 
 use std::ops::Range;
 
@@ -11,7 +12,7 @@ use crate::structure::Incidence;
 pub struct Held<'a> {
     /// Lagrange's equations, each with its coordinate.
     pub moved: Vec<(usize, usize)>,
-    /// The closures.
+    /// The second time derivatives of the closures; as many third ones follow.
     pub closures: Range<usize>,
     /// How many of them are independent.
     pub rank: usize,
@@ -25,9 +26,10 @@ impl<'a> Held<'a> {
     /// Of equations for so many highest derivatives; those that are too many are closures, of which a number is
     /// independent, with the sizes of their slopes.
     pub fn of(equations: &[Equation], highest: usize, (rank, sizes): (usize, &'a [f64])) -> Self {
+        let count = equations.len();
         let closures = match rank {
-            0 => equations.len()..equations.len(),
-            _ => highest.min(equations.len())..equations.len(),
+            0 => count..count,
+            _ => highest.min(count)..highest.min(count) + count.saturating_sub(highest) / 2,
         };
         let derived = equations.iter().enumerate();
         let moved = derived.filter_map(|(row, equation)| Some((row, equation.lagrange?))).collect();
@@ -65,8 +67,13 @@ impl<'a> Held<'a> {
         }
     }
 
+    /// The third time derivatives of the closures.
+    pub fn thirds(&self) -> Range<usize> {
+        self.closures.end..self.closures.end + self.closures.len()
+    }
+
     /// The unknowns of some equations if they are these and no others: the coordinates, then the forces; with the equations in
-    /// that order.
+    /// that order, the third derivatives of the closures behind them.
     pub fn order(&self, equations: &[usize]) -> Option<(Vec<usize>, Vec<usize>)> {
         let rows: Vec<usize> =
             self.moved.iter().map(|one| one.0).chain(self.closures.clone()).collect();
@@ -74,6 +81,7 @@ impl<'a> Held<'a> {
             rows.len() == equations.len() && rows.iter().all(|row| equations.contains(row));
         let forces = self.highest..self.highest + self.closures.len();
         let unknowns = self.moved.iter().map(|one| one.1).chain(forces).collect();
+        let rows = rows.into_iter().chain(self.thirds()).collect();
         (is_all && !self.closures.is_empty()).then_some((rows, unknowns))
     }
 }

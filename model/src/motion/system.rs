@@ -17,7 +17,7 @@ pub struct System {
     /// Row by row.
     entries: Vec<Vec<Option<Expression>>>,
     form: Form,
-    /// How large the slopes of closures are, behind the other equations.
+    /// How large the slopes of closures are; their equations stand behind the others, and the third derivatives last.
     sizes: Vec<f64>,
 }
 
@@ -90,7 +90,12 @@ impl System {
             return vec![graph.div(*value, row[0])];
         }
         let lower = || -> Vec<_> {
-            rows.iter().enumerate().flat_map(|(i, row)| row[..=i].to_vec()).collect()
+            let row = |(index, row): (usize, &Vec<Expression>)| {
+                let mut row = row.clone();
+                row.resize(index + 1, zero);
+                row
+            };
+            rows.iter().enumerate().flat_map(row).collect()
         };
         match self.form {
             Form::Symmetric => return graph.solve_symmetric(&lower(), right),
@@ -99,7 +104,7 @@ impl System {
                 let over: Vec<_> = self.sizes.iter().map(|size| graph.number(1.0 / size)).collect();
                 let mut scaled = lower();
                 let mut right = right.to_vec();
-                for (index, over) in over.iter().enumerate() {
+                for (index, over) in over.iter().chain(&over).enumerate() {
                     let row = unknowns + index;
                     let begin = row * (row + 1) / 2;
                     for entry in &mut scaled[begin..begin + unknowns] {
@@ -112,6 +117,7 @@ impl System {
                     let force_over = graph.mul(*force, *over);
                     *force = graph.neg(force_over);
                 }
+                values.truncate(self.unknowns.len());
                 return values;
             }
             Form::General => {}

@@ -5,16 +5,21 @@
 //! equations of the free motion, `Zᵀ A Z a = Zᵀ (b - A w₀)`, and the forces `Jᵀ μ = b - A w`. A closure that follows from
 //! others is left out, and its force is zero.
 //!
+//! Where closures become dependent for an instant, `uᵀ J = 0`, they say nothing over nothing of the accelerations in that
+//! direction. What they say is then their next time derivative, `uᵀ (K w - d) = 0`, `K = 3 J'`: the motion goes on along
+//! the branch on which it is.
+//!
 //! This is the null space method by LU factors: M. Benzi, G. H. Golub, J. Liesen: *Numerical solution of saddle point
 //! problems*, Acta Numerica 14 (2005), section 6.
 
 use super::Factored;
 use crate::scalar::Scalar;
 
-/// Below this a pivot is none, the rows of closures being of size one: the closure follows from the others. What a motion
-/// passes through with less than that it passes through freely, for so short that nothing of it is left: a smaller limit
-/// would divide rounding by next to nothing.
-const NOTHING: f64 = 1e-5;
+/// Below this a pivot of closures is none, their rows being of size one: they follow from the others, for an instant at
+/// least. A smaller limit would divide rounding by next to nothing, a larger one take what holds for an instant for longer.
+const NOTHING: f64 = 1e-4;
+/// The same of what holds then, over the largest entry.
+const LESS: f64 = 1e-3;
 
 /// The matrix of a bound system, factored: of so many unknowns, bound by closures of which at most a number is independent.
 #[derive(Clone, Copy, Debug)]
@@ -35,9 +40,13 @@ pub struct Parts {
     pub closures: usize,
     /// Most closures that are independent; found to be fewer when it is factored.
     pub rank: usize,
+    /// How many of these are closures themselves; the others are what closures say next, which stands behind them if this is
+    /// not none.
+    pub lasting: Option<usize>,
 }
 
-/// Factors a bound system of so many unknowns, of which the lower triangle is read; at most `RANK` closures are independent.
+/// Factors a bound system of so many unknowns: masses, closures, and behind these what they say next, of which the lower
+/// triangle is read. At most `RANK` closures are independent.
 ///
 /// Unknowns that nothing determines, such as those without mass, give infinite or NaN solutions, never a panic.
 #[inline(always)]
@@ -52,7 +61,7 @@ pub fn factor_bound<S: Scalar, const N: usize, const UNKNOWNS: usize, const RANK
         }
     }
     let mut bound = Bound {
-        parts: Parts { unknowns, closures: N - unknowns, rank },
+        parts: Parts { unknowns, closures: (N - unknowns) / 2, rank, lasting: Some(0) },
         factors,
         reduced: [[S::ZERO; N]; N],
         rows: [0; N],
@@ -80,7 +89,7 @@ impl<S: Scalar, const N: usize, const UNKNOWNS: usize, const RANK: usize> Factor
 impl<S: Scalar, const N: usize, const UNKNOWNS: usize, const RANK: usize>
     Bound<S, N, UNKNOWNS, RANK>
 {
-    /// Solves for `w` and `μ`, one behind the other.
+    /// Solves for `w` and `μ`, one behind the other, and forces of what closures say next.
     #[inline(always)]
     pub fn solve(&self, right: [S; N]) -> [S; N] {
         let (mut solution, mut room) = (right, [S::ZERO; N]);
@@ -94,7 +103,7 @@ impl<S: Scalar, const N: usize, const UNKNOWNS: usize, const RANK: usize>
 impl Parts {
     /// Rows and columns of the whole.
     fn size(&self) -> usize {
-        self.unknowns + self.closures
+        self.unknowns + self.closures * if self.lasting.is_some() { 2 } else { 1 }
     }
 
     /// Factors in place. `matrix` has all its entries, row by row; what stands beside the masses is overwritten. `reduced`
@@ -107,11 +116,31 @@ impl Parts {
         (rows, columns): (&mut [usize], &mut [usize]),
         nothing: f64,
     ) {
-        let (n, m, k) = (self.unknowns, self.closures, self.size());
         rows.iter_mut().enumerate().for_each(|(index, row)| *row = index);
         columns.iter_mut().enumerate().for_each(|(index, column)| *column = index);
-        let most = self.rank.min(m).min(n);
+        let most = self.rank.min(self.closures).min(self.unknowns);
         self.rank = 0;
+        self.eliminate(matrix, (rows, columns), most, nothing);
+        if self.lasting.is_some() {
+            self.lasting = Some(self.rank);
+            if self.rank < most {
+                let size = self.go_on(matrix);
+                self.eliminate(matrix, (rows, columns), most, LESS * size);
+            }
+        }
+        self.span(matrix);
+        self.reduce(matrix, reduced, columns);
+    }
+
+    /// Eliminates closures from those that are done on, up to a number of them, as long as pivots are more than nothing.
+    fn eliminate<S: Scalar>(
+        &mut self,
+        matrix: &mut [S],
+        (rows, columns): (&mut [usize], &mut [usize]),
+        most: usize,
+        nothing: f64,
+    ) {
+        let (n, m, k) = (self.unknowns, self.closures, self.size());
         while self.rank < most {
             let at = self.rank;
             let (mut best, mut size) = ((at, at), 0.0);
@@ -130,17 +159,18 @@ impl Parts {
             let (row, column) = best;
             rows.swap(at, row);
             columns.swap(at, column);
-            for other in 0..m {
-                matrix.swap((n + other) * k + at, (n + other) * k + column);
+            for other in n..k {
+                matrix.swap(other * k + at, other * k + column);
             }
-            if row != at {
-                let (above, below) = matrix.split_at_mut((n + row) * k);
-                above[(n + at) * k..][..n].swap_with_slice(&mut below[..n]);
+            // What closures say next goes with them.
+            for block in (n..k).step_by(m).filter(|_| row != at) {
+                let (above, below) = matrix.split_at_mut((block + row) * k);
+                above[(block + at) * k..][..n].swap_with_slice(&mut below[..n]);
             }
             let (above, below) = matrix.split_at_mut((n + at + 1) * k);
             let pivot = &above[(n + at) * k..][..n];
             let reciprocal = S::ONE / pivot[at];
-            for other in below.chunks_exact_mut(k) {
+            for other in below[..(m - at - 1) * k].chunks_exact_mut(k) {
                 if other[at].to_f64() == 0.0 {
                     continue;
                 }
@@ -152,8 +182,41 @@ impl Parts {
             }
             self.rank += 1;
         }
-        self.span(matrix);
-        self.reduce(matrix, reduced, columns);
+    }
+
+    /// Puts what closures say next in the place of those that are not independent now: the same combinations of it. The
+    /// multiples by which these were made stand in its place then. Gives the largest entry that is left.
+    fn go_on<S: Scalar>(&self, matrix: &mut [S]) -> f64 {
+        let (n, m, k, r) = (self.unknowns, self.closures, self.size(), self.rank);
+        let mut largest = 0.0_f64;
+        for i in 0..m {
+            let (own, next) = ((n + i) * k, (n + m + i) * k);
+            for j in 0..i.min(r) {
+                let (multiple, other) = (matrix[own + j], (n + m + j) * k);
+                for column in 0..n {
+                    matrix[next + column] =
+                        matrix[other + column].mul_add(-multiple, matrix[next + column]);
+                }
+            }
+            if i < r {
+                continue;
+            }
+            for column in 0..n {
+                matrix.swap(own + column, next + column);
+            }
+            for j in 0..r {
+                let pivot = (n + j) * k;
+                let multiple = matrix[own + j] / matrix[pivot + j];
+                matrix[own + j] = multiple;
+                for column in j + 1..n {
+                    matrix[own + column] =
+                        matrix[pivot + column].mul_add(-multiple, matrix[own + column]);
+                }
+            }
+            let left = matrix[own + r..own + n].iter();
+            largest = left.fold(largest, |most, one| most.max(one.to_f64().abs()));
+        }
+        largest
     }
 
     /// Writes `Z`: entry `(i, j)` of what the freedom `j` moves of the determined unknown `i` stands in row `j`, behind the
@@ -227,8 +290,18 @@ impl Parts {
         let (w, forces) = room.split_at_mut(n);
         w.fill(S::ZERO);
         // `w₀`, in the order of the columns.
+        let (m, lasting) = (self.closures, self.lasting.unwrap_or(r).min(r));
+        for i in 0..if lasting < r { r } else { 0 } {
+            // The right-hand sides of what closures say next, combined as these are.
+            let multiples = if i < lasting { (n + i) * k } else { (n + m + i) * k };
+            let mut sum = right[n + m + rows[i]];
+            for j in 0..i.min(lasting) {
+                sum = matrix[multiples + j].mul_add(-forces[j], sum);
+            }
+            forces[i] = sum;
+        }
         for i in 0..r {
-            let mut sum = right[n + rows[i]];
+            let mut sum = if i < lasting { right[n + rows[i]] } else { forces[i] };
             for j in 0..i {
                 sum = matrix[(n + i) * k + j].mul_add(-w[j], sum);
             }
@@ -293,8 +366,8 @@ impl Parts {
         for (column, w) in columns[..n].iter().zip(&*w) {
             right[*column] = *w;
         }
-        for (row, force) in rows[..r].iter().zip(&*forces) {
-            right[n + row] = *force;
+        for (i, (row, force)) in rows[..r].iter().zip(&*forces).enumerate() {
+            right[if i < lasting { n } else { n + m } + row] = *force;
         }
     }
 
@@ -320,13 +393,13 @@ mod tests {
     use super::*;
 
     /// Masses of three points on a line, one of them none, with closures of which the last is the sum of the others.
-    fn chain<const RANK: usize>() -> Bound<f64, 6, 3, RANK> {
-        let mut matrix = [[0.0; 6]; 6];
+    fn chain<const RANK: usize>() -> Bound<f64, 9, 3, RANK> {
+        let mut matrix = [[0.0; 9]; 9];
         [matrix[0][0], matrix[1][0], matrix[2][2]] = [2.0, 0.5, 3.0];
         matrix[3][..3].copy_from_slice(&[1.0, -2.0, 0.0]);
         matrix[4][..3].copy_from_slice(&[0.0, 1.0, 1.0]);
         matrix[5][..3].copy_from_slice(&[1.0, -1.0, 1.0]);
-        factor_bound::<f64, 6, 3, RANK>(matrix)
+        factor_bound::<f64, 9, 3, RANK>(matrix)
     }
 
     #[test]
@@ -334,7 +407,7 @@ mod tests {
         let bound = chain::<3>();
         assert_eq!(bound.parts.rank, 2);
         // w = (2 s + 1, s, 2 - s): along (2, 1, -1) the mass is 8 + 2 + 3.
-        let found = bound.solve([1.0, 2.0, 3.0, 1.0, 2.0, 3.0]);
+        let found = bound.solve([1.0, 2.0, 3.0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0]);
         let [x, y, z] = [found[0], found[1], found[2]];
         assert!((x - 2.0 * y - 1.0).abs() < 1e-15 && (y + z - 2.0).abs() < 1e-15);
         let rest = [1.0 - 2.0 * x - 0.5 * y, 2.0 - 0.5 * x, 3.0 - 3.0 * z];
@@ -357,8 +430,28 @@ mod tests {
 
     #[test]
     fn a_freedom_without_mass_has_no_solution() {
-        let matrix = [[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
-        let bound = factor_bound::<f64, 3, 2, 1>(matrix);
-        assert!(!bound.solve([1.0, 1.0, 0.0])[1].is_finite());
+        let mut matrix = [[0.0; 4]; 4];
+        (matrix[0][0], matrix[2][0]) = (1.0, 1.0);
+        let bound = factor_bound::<f64, 4, 2, 1>(matrix);
+        assert!(!bound.solve([1.0, 1.0, 0.0, 0.0])[1].is_finite());
+    }
+
+    /// Two unknowns of unit mass on the crossing lines `y (y - 2 x) = 0`, bound besides by `x + z = 0`: near the crossing, on
+    /// the line `y = 0`, the acceleration across it is zero whatever the forces.
+    #[test]
+    fn what_closures_say_next_counts_where_they_say_nothing() {
+        for distance in [1e-2, 1e-6, 0.0] {
+            let (x, speed) = (distance, 3.0);
+            let mut matrix = [[0.0; 7]; 7];
+            (matrix[0][0], matrix[1][1], matrix[2][2]) = (1.0, 1.0, 1.0);
+            matrix[3][..3].copy_from_slice(&[0.0, -2.0 * x, 0.0]);
+            matrix[4][..3].copy_from_slice(&[1.0, 0.0, 1.0]);
+            matrix[5][..3].copy_from_slice(&[0.0, -6.0 * speed, 0.0]);
+            let bound = factor_bound::<f64, 7, 3, 2>(matrix);
+            let found = bound.solve([1.0, 5.0, 3.0, 0.0, 0.5, 0.0, 0.0]);
+            assert!(found[1].abs() < 1e-15, "{found:?}");
+            assert!((found[0] + found[2] - 0.5).abs() < 1e-15);
+            assert!((found[0] - 1.0 - (found[2] - 3.0)).abs() < 1e-15, "{found:?}");
+        }
     }
 }

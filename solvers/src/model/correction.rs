@@ -13,7 +13,7 @@ use crate::shape::{Augmented, Loop, Shape};
 /// Over the size of its slopes, how far a closure may stay open.
 const OPEN: f64 = 1e-6;
 /// Pivots below this are left out where a step is corrected, and where the motion begins.
-const NOTHING: [f64; 2] = [3e-5, 1e-9];
+const NOTHING: [f64; 2] = [3e-4, 1e-9];
 /// Most corrections of a step, and of a start.
 const MOST: [usize; 2] = [4, 60];
 /// What is left then, in roundings.
@@ -229,7 +229,7 @@ impl Correction {
                 self.matrix[(n + row) * size + column] = *slope / self.closures.sizes[row];
             }
         }
-        let mut parts = Parts { unknowns: n, closures: m, rank: self.closures.rank };
+        let mut parts = Parts { unknowns: n, closures: m, rank: self.closures.rank, lasting: None };
         let order = (&mut self.rows[..], &mut self.columns[..]);
         parts.factor(&mut self.matrix, &mut self.reduced, order, nothing);
         parts
