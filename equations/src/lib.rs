@@ -23,4 +23,7 @@ assur::equations! {
     "car_axis.eqn",
     "governor.eqn",
     "elastic_crank.eqn",
+    "pendulum.eqn",
+    "windows.eqn",
+    "bricard.eqn",
 }

@@ -35,6 +35,10 @@ pub fn scene(
     let statements = specialise(task.file, task.survey, task.selected, diagnostics);
     seen.budget.spend(least(&statements, task));
     let phases = Phases::of(statements, task.scene.map(|(scene, _)| scene), diagnostics);
+    // What is bound in some modes only is a coordinate in all.
+    let binds = phases.is_hybrid() && phases.all.iter().any(binds);
+    let is_unreduced = task.is_unreduced || binds;
+    let task = &Task { is_unreduced, ..*task };
     match phases.is_hybrid() {
         true => join(task, &phases, seen, diagnostics),
         false => {
@@ -42,6 +46,12 @@ pub fn scene(
             all.pop().map(only)
         }
     }
+}
+
+/// Whether closures hold in a mode that do not hold in others.
+fn binds(phase: &Phase) -> bool {
+    let own = phase.statements.iter().skip(phase.common);
+    own.into_iter().any(|one| matches!(one.kind, StatementKind::Closure { .. }))
 }
 
 /// Compiles all modes of a scene, and joins them: they have one state vector, the same constants, and the same outputs.

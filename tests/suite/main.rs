@@ -6,6 +6,7 @@
 //! | [`answers`] | the front door: what a scene is asked |
 //! | [`batten`] | a mechanism against an independent computation, closed forms, limits, energy |
 //! | [`linkages`] | loops against an independent computation, and the misprints of a paper |
+//! | [`closures`] | linkages that have mass and are not reduced: dead points, change points, space, pins that come and go |
 //! | [`dynamics`] | linkages that have mass: two ways to write one, forces against work, drift |
 //! | [`hybrid`] | modes and events against closed forms |
 //! | [`series`] | Taylor series against the other method |
@@ -14,6 +15,7 @@
 mod answers;
 mod batten;
 mod boundaries;
+mod closures;
 mod dynamics;
 mod hard;
 mod hybrid;

@@ -120,7 +120,9 @@ fn augmented(
     if freedoms == 0 || freedoms > most {
         return None;
     }
-    begin::compare_starts(low, &found, &places, (most, &stated));
+    if here.index == here.phases.first {
+        begin::compare_starts(low, &found, &places, (most, &stated));
+    }
     low.diagnostics.extend(found.redundancy(&loops.equations));
     diagnostics.extend(said.into_sorted());
     Some(found)

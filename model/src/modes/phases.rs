@@ -198,7 +198,7 @@ fn report_misplaced(statement: &Statement, diagnostics: &mut Diagnostics) {
         StatementKind::Measure { .. } => "a measure",
         StatementKind::Mark { .. } => "a mark",
         StatementKind::Part { .. } => "a part",
-        StatementKind::Dependent(_) | StatementKind::Closure { .. } => "a loop",
+        StatementKind::Dependent(_) => "a dependent coordinate",
         StatementKind::Point { .. } | StatementKind::Link { .. } => "what is drawn",
         _ => return,
     };

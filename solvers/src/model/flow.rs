@@ -164,6 +164,11 @@ impl<'a> Flow<'a> {
         }
     }
 
+    /// Whether closures hold the states.
+    pub(crate) fn is_held(&self) -> bool {
+        self.correction.borrow().is_some()
+    }
+
     /// Lets the closures of the mode take hold of a state that has jumped, or that comes from another mode.
     ///
     /// # Errors

@@ -50,8 +50,17 @@ pub(crate) struct Request<'a> {
 }
 
 impl Request<'_> {
-    /// The motion of a model.
+    /// The motion of a model. A start that closures contradict is corrected if it is off by rounding.
     pub fn of(&self, model: &dyn Model) -> Result<Motion, HybridError> {
+        let flow = Flow::new(model, self.mode.min(model.shape().modes.len().saturating_sub(1)));
+        match start::closed(&flow, self.times.0, self.start)? {
+            Some(start) => Request { start: &start, ..*self }.closed(model),
+            None => self.closed(model),
+        }
+    }
+
+    /// The motion from a start at which closures are closed.
+    fn closed(&self, model: &dyn Model) -> Result<Motion, HybridError> {
         let (times, settings, shape) = (self.times, self.settings, model.shape());
         if model.events().is_none() {
             return self.smooth(model);

@@ -7,6 +7,9 @@ use crate::hybrid::{Direction, NOISE};
 use crate::model::Flow;
 use crate::shape::Shape;
 
+/// Part of a start value that its rounding may change.
+const ROUNDED: f64 = 1e-4;
+
 /// Whether there is such a mode.
 pub(in crate::hybrid) fn check_mode(shape: &Shape, mode: usize) -> Result<(), HybridError> {
     let count = shape.modes.len();
@@ -59,6 +62,32 @@ pub(in crate::hybrid) fn check(
         }
     }
     Ok(())
+}
+
+/// The start on the closures that hold it, if there are any; refused where it is farther from them than rounding.
+pub(in crate::hybrid) fn closed(
+    flow: &Flow<'_>,
+    time: f64,
+    state: &[f64],
+) -> Result<Option<Vec<f64>>, HybridError> {
+    if state.len() != flow.states() || !flow.is_held() {
+        return Ok(None);
+    }
+    let mut closed = state.to_vec();
+    let done = flow.correct(time, &mut closed);
+    let names = flow.shape().states.iter().map(|state| state.name);
+    let moved = state.iter().zip(&closed).zip(names).find(|((stated, closed), _)| {
+        let off = (**stated - **closed).abs();
+        !(off <= ROUNDED * stated.abs().max(1.0))
+    });
+    let reason = match (done, moved) {
+        (Err(error), _) => error.to_string(),
+        (Ok(()), Some(((stated, closed), name))) => format!(
+            "{name} is {stated} in SI units, and the closures next to that ask for {closed}; begin where they close"
+        ),
+        (Ok(()), None) => return Ok(Some(closed)),
+    };
+    Err(HybridError::Start { reason })
 }
 
 fn refused(reason: String) -> Result<(), HybridError> {

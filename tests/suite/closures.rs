@@ -1,0 +1,249 @@
+//! Motions whose closures are not solved for: beyond dead points, through change points, in space, where closures depend on
+//! each other, and where pins come and go. The naive way fails beside each.
+
+use assur::answer::{Error, Motion, Question};
+use assur::prelude::*;
+
+/// A slider-crank with the slider as the coordinate.
+mod slider {
+    assur::mechanism! {
+        Slider from "made up";
+        parameter r = 40 mm, l = 140 mm in 1 mm .. 1 m, J = 2e-3 [kg m^2], m = 0.5 kg in 0 kg .. 1 t, J_r = 0 [kg m^2] in 0 [kg m^2] .. 1 [kg m^2];
+        coordinate x: m = 150 mm, rate = -1 [m/s];
+        dependent theta ~ 60 deg, psi ~ -14 deg;
+        closure pin: r*dir(theta) + l*dir(psi) = [x, 0];
+        kinetic J*dot(theta)^2/2 + m*dot(x)^2/2 + J_r*dot(psi)^2/2;
+        output x, theta, w = dot(theta), pin = reaction(pin) [N], E = energy(kinetic);
+        scene run { run time 0 s .. 1 s; }
+    }
+}
+
+/// The same with the crank as the coordinate, which has no dead point.
+mod crank {
+    assur::mechanism! {
+        Crank from "made up";
+        parameter r = 40 mm, l = 140 mm, J = 2e-3 [kg m^2], m = 0.5 kg;
+        coordinate theta: rad = acos((r^2 + (150 mm)^2 - l^2)/(2*r*(150 mm))), rate = 1 [m/s]/(r*sin(theta_0 - psi_0)/cos(psi_0));
+        let theta_0 = acos((r^2 + (150 mm)^2 - l^2)/(2*r*(150 mm)));
+        let psi_0 = -asin(r/l*sin(theta_0));
+        dependent psi ~ -14 deg, x ~ 150 mm;
+        closure pin: r*dir(theta) + l*dir(psi) = [x, 0];
+        kinetic J*dot(theta)^2/2 + m*dot(x)^2/2;
+        output x, theta, w = dot(theta), pin = reaction(pin) [N], E = energy(kinetic);
+        scene run { run time 0 s .. 1 s; }
+    }
+}
+
+const FINE: Settings = Settings::new(Method::Dop853).rtol(1e-12);
+
+/// By the reduced equations, as they are.
+fn reduced(scene: &impl Solve) -> Result<Motion, Error> {
+    scene.ask().attempt(&FINE)
+}
+
+#[track_caller]
+fn check(motion: &Motion, name: &str, time: f64, expected: f64, tolerance: f64) {
+    let found = motion.value(name, time).expect("a quantity");
+    let off = (found - expected).abs();
+    assert!(off <= tolerance, "{name} at {time} s: {found}, expected {expected}, off by {off:e}");
+}
+
+#[test]
+fn a_slider_goes_through_both_dead_centres() {
+    let slider = slider::Run::default();
+    assert!(reduced(&slider).is_err_and(|error| error.is_lost()));
+    let one = slider.solve(&FINE).expect("a motion");
+    let other = crank::Run::default().solve(&FINE).expect("a motion");
+    assert!(one.shape().augmented.is_some() && other.shape().augmented.is_none());
+    for time in [0.05, 0.0740132328, 0.19, 0.5, 1.0] {
+        for (name, tolerance) in [
+            ("theta", 1e-9),
+            ("x", 1e-10),
+            ("w", 1e-8),
+            ("E", 1e-10),
+            ("pin.x", 1e-8),
+            ("pin.y", 1e-8),
+        ] {
+            check(&one, name, time, other.value(name, time).expect("a quantity"), tolerance);
+        }
+    }
+    // A start of one's own in the coordinates of the scene is kept.
+    let from = slider.from([0.16, 0.5]).solve(&FINE).expect("a motion");
+    check(&from, "x", 0.0, 0.16, 1e-15);
+    check(&from, "dot(x)", 0.0, 0.5, 1e-14);
+}
+
+#[test]
+fn with_equal_crank_and_rod_the_piston_rests_or_runs_through() {
+    // At x = 0 crank and rod lie on each other: the piston may rest there, or run through by its momentum.
+    let equal = slider::Run { l: 0.04, J_r: 1e-4, ..slider::Run::default() };
+    let start = [0.06, -1.0];
+    assert!(equal.from(start).attempt(&FINE).is_err_and(|error| error.is_lost()));
+    let motion = equal.from(start).solve(&Settings::default()).expect("a motion");
+    let lowest = (0..400).map(|k| motion.value("x", k as f64 * 2.5e-3).expect("x"));
+    let lowest = lowest.fold(f64::INFINITY, f64::min);
+    assert!((lowest + 0.08).abs() < 1e-3, "{lowest}");
+    let energy = motion.value("E", 0.0).expect("E");
+    check(&motion, "E", 1.0, energy, 1e-8 * energy);
+}
+
+#[test]
+fn a_pendulum_swings_in_cartesian_coordinates() {
+    let scene = assur_equations::pendulum::Swing::default();
+    assert!(reduced(&scene).is_err_and(|error| error.is_lost()));
+    let motion = scene.solve(&FINE).expect("a motion");
+    let period = 2.3678419475762;
+    check(&motion, "x", 0.5 * period, 1.0, 1e-10);
+    check(&motion, "x", 4.0 * period, -1.0, 1e-10);
+    check(&motion, "tension", 2.25 * period, 29.43, 1e-8);
+    // The naive second derivative of the closure drifts; here it stays closed, position and speed.
+    for time in [1.0, 5.0, 10.0] {
+        let (_, state) = motion.place(time);
+        let (open, slips) = (
+            state[0] * state[0] + state[1] * state[1] - 1.0,
+            state[0] * state[2] + state[1] * state[3],
+        );
+        assert!(open.abs() < 1e-11 && slips.abs() < 1e-9, "{time}: {open:e} {slips:e}");
+    }
+}
+
+#[test]
+fn all_methods_agree_on_what_is_held() {
+    let scene = assur_equations::bricard::Fall::default();
+    let exact = scene.solve(&FINE).expect("a motion").value("a[1]", 3.0).expect("an angle");
+    for (method, tolerance) in [
+        (Method::Tsit5, 1e-6),
+        (Method::Radau, 1e-5),
+        (Method::Rosenbrock, 1e-6),
+        (Method::Auto, 1e-6),
+    ] {
+        let motion =
+            scene.ask().until(3.0).solve(&Settings::new(method).rtol(1e-8)).expect("a motion");
+        check(&motion, "a[1]", 3.0, exact, tolerance);
+    }
+}
+
+#[test]
+fn windows_lie_flat_and_go_on() {
+    use assur_equations::windows::{One, Two};
+    assert!(reduced(&One::default()).is_err_and(|error| error.is_lost()));
+    // ((N + 1)/3 + N) th'' = -((N + 1)/2 + N) g/L cos th from 90 deg and -1/s, by a Taylor series with 20 digits.
+    let one = One::default().solve(&FINE).expect("a motion");
+    check(&one, "th[0]", 5.0, -15.374480941420129, 1e-8);
+    check(&one, "dot(th[0])", 5.0, -5.6789776074880015, 1e-8);
+    let two = Two::default().solve(&FINE).expect("a motion");
+    for (time, angle) in
+        [(2.0, -4.770237034517435), (5.0, -15.083557159858586), (10.0, -30.179800860191205)]
+    {
+        check(&two, "th[0]", time, angle, 1e-8);
+        check(&two, "E", time, 35.835, 1e-8);
+        check(&two, "ph[2]", time, 0.0, 1e-10);
+    }
+}
+
+/// A pendulum of which the rod breaks where its tension comes to a limit.
+mod broken {
+    assur::mechanism! {
+        Broken from "made up";
+        parameter m = 1 kg, L = 1 m, g = 9.81 [m/s^2], limit = 20 N;
+        coordinate x: m = -1 m, y: m = 0;
+        kinetic m*(dot(x)^2 + dot(y)^2)/2;
+        potential m*g*y;
+        output x, y, E = energy(kinetic) + energy(potential);
+        mode held {
+            closure rod: x^2 + y^2 = L^2;
+            when breaks: -2*L*reaction(rod) - limit rises -> free;
+        }
+        mode free { }
+        scene swing { run time 0 s .. 1 s; start held; }
+    }
+}
+
+#[test]
+fn a_rod_that_breaks_lets_go() {
+    let motion = broken::Swing::default().solve(&FINE).expect("a motion");
+    let [event] = motion.events() else { panic!("{:?}", motion.events()) };
+    // The tension is -3 m g y.
+    let (_, state) = motion.place(event.time);
+    assert!((state[1] + 20.0 / (3.0 * 9.81)).abs() < 1e-9, "{state:?}");
+    let speed = (2.0 * 9.81 * -state[1]).sqrt();
+    let (x, vx) = (-(1.0 - state[1] * state[1]).sqrt(), speed * -state[1]);
+    let left = 1.0 - event.time;
+    check(&motion, "x", 1.0, x + vx * left, 1e-8);
+    check(&motion, "E", 1.0, 0.0, 1e-9);
+}
+
+/// A mass on a plane that a rod catches: it goes on around the pivot with what is left of its speed.
+mod caught {
+    assur::mechanism! {
+        Caught from "made up";
+        parameter m = 2 kg, L = 1 m;
+        coordinate x: m = 0.6 m, y: m = 0, rate = 1 [m/s];
+        kinetic m*(dot(x)^2 + dot(y)^2)/2;
+        output x, y, E = energy(kinetic);
+        mode free { when taut: x^2 + y^2 - L^2 rises -> held; }
+        mode held { closure rod: x^2 + y^2 = L^2; }
+        scene run { run time 0 s .. 3 s; start free; }
+    }
+}
+
+#[test]
+fn a_rod_that_catches_takes_the_speed_along_it() {
+    let motion = caught::Run::default().solve(&FINE).expect("a motion");
+    // It is caught at (0.6, 0.8): 0.6 of the speed is left, across the rod.
+    check(&motion, "E", 0.5, 1.0, 1e-12);
+    check(&motion, "E", 2.0, 0.36, 1e-9);
+    let angle = f64::atan2(0.8, 0.6) + 0.6 * (3.0 - 0.8);
+    check(&motion, "x", 3.0, angle.cos(), 1e-9);
+    check(&motion, "y", 3.0, angle.sin(), 1e-9);
+}
+
+/// A crank about z moves a rocker about x by a rod with ball joints, in space.
+mod rssr {
+    assur::mechanism! {
+        Rssr from "any textbook";
+        parameter r = 50 mm, L = 270 mm, q = 120 mm, a = 200 mm, b = 100 mm, c = 80 mm, J = 1e-3 [kg m^2], K = 2e-3 [kg m^2];
+        coordinate phi: rad = 30 deg, rate = 20 [rad/s];
+        dependent psi ~ 60 deg;
+        let A = rotz(phi)*[r, 0 m, 0 m];
+        let B = [a, b, c] + rotx(psi)*[0 m, q, 0 m];
+        closure rod: inner(B - A, B - A) = L^2;
+        kinetic J*dot(phi)^2/2 + K*dot(psi)^2/2;
+        output psi, w = dot(phi), E = energy(kinetic), rod = reaction(rod);
+        scene run { run time 0 s .. 2 s; }
+    }
+}
+
+#[test]
+fn a_spatial_loop_keeps_its_energy() {
+    let motion = rssr::Run::default().solve(&FINE).expect("a motion");
+    let energy = motion.value("E", 0.0).expect("E");
+    for time in [0.3, 1.0, 2.0] {
+        check(&motion, "E", time, energy, 1e-10 * energy);
+        let (phi, psi) = (motion.value("phi", time), motion.value("psi", time));
+        let (phi, psi) = (phi.expect("an angle"), psi.expect("an angle"));
+        let a = [0.05 * phi.cos(), 0.05 * phi.sin(), 0.0];
+        let b = [0.2, 0.1 + 0.12 * psi.cos(), 0.08 + 0.12 * psi.sin()];
+        let length = a.iter().zip(b).map(|(a, b)| (b - a) * (b - a)).sum::<f64>().sqrt();
+        assert!((length - 0.27).abs() < 1e-12, "{length}");
+    }
+}
+
+#[test]
+fn a_start_that_does_not_close_is_refused() {
+    let scene = assur_equations::bricard::Fall::default();
+    assert!(scene.check().is_ok());
+    let start = scene.start();
+    let from = |off: f64| {
+        let mut start = start.clone();
+        start[1] += off;
+        scene.from(start).run()
+    };
+    let motion = from(1e-9).expect("a motion");
+    check(&motion, "E", 10.0, -29.43, 1e-7);
+    let error = from(1e-3).map(|_| ()).expect_err("it does not close");
+    assert!(error.to_string().contains("the closures next to that ask for"), "{error}");
+    let long = slider::Run { r: 0.3, ..slider::Run::default() };
+    let model = long.unreduced().expect("a model");
+    assert!(Question::of(model.into()).run().is_err());
+}
