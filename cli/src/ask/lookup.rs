@@ -103,9 +103,9 @@ pub fn no_linkage(registry: Registry, mechanism: &Mechanism, found: &SceneEntry)
     let others: Vec<_> = others.map(|scene| scene.name).collect();
     let everywhere: Vec<_> = registry.linkages().map(|one| one.name).collect();
     Failure::request(format!("scene `{}` of `{}` is no linkage", found.name, mechanism.name))
-        .reason(match found.reduced {
-            Some(_) => "it moves by its equations of motion, which its loops reduce; a linkage is moved by drivers alone",
-            None => "it moves by its equations of motion, and closes no loops",
+        .reason(match found.reduced.is_some() || found.augmented.is_some() {
+            true => "it moves by its equations of motion, whose coordinates its loops bind; a linkage is moved by drivers alone",
+            false => "it moves by its equations of motion, and closes no loops",
         })
         .remedy(match (others.as_slice(), everywhere.as_slice()) {
             ([], []) => "no mechanism has a linkage yet".to_owned(),

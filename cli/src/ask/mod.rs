@@ -57,7 +57,9 @@ impl For {
         match self {
             Self::All => true,
             Self::Linkages => scene.linkage.is_some(),
-            Self::Loops => scene.linkage.is_some() || scene.reduced.is_some(),
+            Self::Loops => {
+                scene.linkage.is_some() || scene.reduced.is_some() || scene.augmented.is_some()
+            }
             Self::Measured => !scene.measures.is_empty(),
         }
     }

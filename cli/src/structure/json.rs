@@ -23,6 +23,10 @@ pub struct Structure {
     drivers: Vec<Driver>,
     /// The coordinates that a motion with loops is reduced to; empty for a linkage.
     independent: Vec<Coordinate>,
+    /// The coordinates that closures hold without being solved for: those whose start follows from the independent ones.
+    held: Vec<Coordinate>,
+    /// Loops that follow from others.
+    redundant: Vec<&'static str>,
     /// In the order of solution.
     groups: Vec<Group>,
     status: Status,
@@ -134,6 +138,8 @@ impl Structure {
             unknowns: dependents.collect(),
             drivers: Driver::starting((&structure.drivers, &structure.ranges), starts),
             independent: structure.coordinates.iter().map(Coordinate::of).collect(),
+            held: structure.held.iter().map(Coordinate::of).collect(),
+            redundant: structure.redundant.clone(),
             groups: groups.map(|(index, one)| Group::of(structure, index, one)).collect(),
             status: match structure.is_whole() {
                 true => Status::Complete,

@@ -29,9 +29,13 @@ pub use json::Structure as Object;
 pub fn execute(options: &StructureArguments, registry: Registry) -> Result<(), Failure> {
     give(options.format, None, || {
         let constants = options.asked.find(registry, "structure", For::Loops)?;
-        match constants.scene.reduced {
-            Some(entry) => Structure::of_motion(constants, entry),
-            None => Structure::of_linkage(constants),
+        match (constants.scene.augmented, constants.scene.reduced) {
+            (Some(held), _) => {
+                let entry = LinkageEntry { loops: held.loops, ..LinkageEntry::NONE };
+                Structure::of_motion(constants, entry)
+            }
+            (None, Some(entry)) => Structure::of_motion(constants, entry),
+            (None, None) => Structure::of_linkage(constants),
         }
     })
 }
@@ -48,6 +52,12 @@ pub struct Structure {
     pub ranges: Vec<Range>,
     /// The independent coordinates of a motion, and where each starts, SI units.
     pub coordinates: Vec<(Quantity, f64)>,
+    /// The coordinates of a motion that closures hold without being solved for, and where each starts, SI units.
+    pub held: Vec<(Quantity, f64)>,
+    /// How many scalar closures are independent; all where they are solved for.
+    pub independent: usize,
+    /// The closures that follow from others.
+    pub redundant: Vec<&'static str>,
     /// A linkage where it starts, and the groups whose assembly mode had to be assumed; nothing for a motion.
     start: Option<(Sample, Vec<usize>)>,
     /// Where the linkage starts, in words; empty for a motion.
@@ -118,6 +128,9 @@ impl Structure {
             ranges: case.moved.ranges,
             constants: case.constants,
             coordinates: Vec::new(),
+            held: Vec::new(),
+            independent: case.moved.entry.loops.len(),
+            redundant: Vec::new(),
             start,
             place,
             wrong,
@@ -132,9 +145,16 @@ impl Structure {
             case.scene.states.iter().any(|state| state.name == rate)
         };
         let coordinates = (0..case.scene.states.len()).filter(second_order);
-        let coordinates = coordinates.map(|index| (case.scene.states[index], start[index]));
+        let held = case.scene.augmented;
+        let is_free = |index: &usize| held.is_none_or(|held| held.kept.contains(index));
+        let (free, bound): (Vec<usize>, Vec<usize>) = coordinates.partition(is_free);
+        let begun = |index: usize| (case.scene.states[index], start[index]);
+        let redundant = held.map_or(&[][..], |held| held.redundant);
         Ok(Self {
-            coordinates: coordinates.collect(),
+            coordinates: free.into_iter().map(begun).collect(),
+            held: bound.into_iter().map(begun).collect(),
+            independent: held.map_or(entry.loops.len(), |held| held.rank),
+            redundant: redundant.iter().map(|index| entry.loops[*index].name).collect(),
             entry,
             drivers: case.drivers,
             ranges: Vec::new(),

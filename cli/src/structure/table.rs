@@ -11,6 +11,15 @@ use crate::show::unit;
 pub fn render(page: &mut Page, structure: &Structure) {
     page.about(&structure.constants, "structure");
     page.line(&mobility(structure));
+    if let Some(scene) = structure.constants.scene.unreduced
+        && let Some(held) = scene.augmented
+    {
+        page.line(&format!(
+            "Where a loop comes to a dead point the motion goes on with {} coordinates, held by {} closures.",
+            held.coordinates,
+            held.loops.len(),
+        ));
+    }
     page.line("");
     loops(page, structure);
     coordinates(page, structure);
@@ -60,6 +69,19 @@ fn reduction(structure: &Structure) -> String {
         1 => ("1 degree of freedom".to_owned(), "is"),
         _ => (format!("{free} degrees of freedom"), "are"),
     };
+    if !structure.held.is_empty() {
+        let more = match structure.redundant.as_slice() {
+            [] => String::new(),
+            names => {
+                format!(" ({} of {equations}: not {})", structure.independent, names.join(", "))
+            }
+        };
+        return format!(
+            "{freedom} = {} coordinates - {} independent loop equations{more}. They have no closed form: all positions are coordinates, which the loops hold by their forces.",
+            free + structure.held.len(),
+            structure.independent,
+        );
+    }
     let driven = match structure.drivers.is_empty() {
         true => String::new(),
         false => {
@@ -132,7 +154,16 @@ fn coordinates(page: &mut Page, structure: &Structure) {
             coordinate.name.to_owned(),
             settled(unit::stated(*start, coordinate.factor)),
             coordinate.unit.to_owned(),
-            "independent".to_owned(),
+            if structure.held.is_empty() { "independent" } else { "kept at the start" }.to_owned(),
+            first_line(coordinate.summary).to_owned(),
+        ]);
+    }
+    for (coordinate, start) in &structure.held {
+        table.row([
+            coordinate.name.to_owned(),
+            settled(unit::stated(*start, coordinate.factor)),
+            coordinate.unit.to_owned(),
+            "held".to_owned(),
             first_line(coordinate.summary).to_owned(),
         ]);
     }

@@ -31,7 +31,7 @@ pub struct LinkageEntry {
 
 impl LinkageEntry {
     /// Nothing that closes.
-    pub(crate) const NONE: Self = Self {
+    pub const NONE: Self = Self {
         dependents: &[],
         loops: &[],
         angles: &[],
