@@ -386,6 +386,7 @@ mod pendulum_ {
                         ::assur::registry::with(values, Swing::from_values)?,
                     )
                 }),
+                unreduced: ::core::option::Option::None,
             },
         ],
     };

@@ -105,8 +105,11 @@ const SPEED: Quantity = Quantity { name: "dot(x)", ..LENGTH };
 const FREE_SHAPE: Shape =
     Shape::named("free").drivers(&[LENGTH]).states(&[LENGTH, SPEED], &[1.0, 1.0]);
 
-const FREE: SceneEntry =
-    SceneEntry { shape: &FREE_SHAPE, bind: Bind::Motion(|_| bind(Oscillator::<RIGHT>)) };
+const FREE: SceneEntry = SceneEntry {
+    shape: &FREE_SHAPE,
+    bind: Bind::Motion(|_| bind(Oscillator::<RIGHT>)),
+    unreduced: None,
+};
 
 const OSCILLATOR: Mechanism = Mechanism {
     name: "oscillator",

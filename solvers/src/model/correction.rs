@@ -181,7 +181,7 @@ impl Correction {
         let worst = self.values[..m].iter().zip(self.closures.sizes).enumerate();
         let worst = worst.map(|(row, (by, size))| (row, by.abs(), by.abs() / size));
         match worst.max_by(|a, b| a.2.total_cmp(&b.2)) {
-            Some((row, by, part)) if !(part <= OPEN) => Err((row, by)),
+            Some((row, by, part)) if part > OPEN || part.is_nan() => Err((row, by)),
             _ => Ok(()),
         }
     }

@@ -78,7 +78,7 @@ pub(in crate::hybrid) fn closed(
     let names = flow.shape().states.iter().map(|state| state.name);
     let moved = state.iter().zip(&closed).zip(names).find(|((stated, closed), _)| {
         let off = (**stated - **closed).abs();
-        !(off <= ROUNDED * stated.abs().max(1.0))
+        off > ROUNDED * stated.abs().max(1.0) || off.is_nan()
     });
     let reason = match (done, moved) {
         (Err(error), _) => error.to_string(),
