@@ -247,3 +247,41 @@ fn a_start_that_does_not_close_is_refused() {
     let model = long.unreduced().expect("a model");
     assert!(Question::of(model.into()).run().is_err());
 }
+
+/// A four-bar under its motor, and the same with a closure that says once more how long the coupler is.
+mod motor {
+    assur::mechanism! {
+        Motor from "made up";
+        parameter a = 50 mm, b = 150 mm, c = 120 mm, d = 160 mm;
+        parameter J = 1e-3 [kg m^2], K = 2e-3 [kg m^2], w = 40 [rad/s], k = 0.02 [N m s], l = 0.01 [N m s];
+        coordinate phi: rad = 0, rate = 30 [rad/s];
+        dependent psi ~ 80 deg, theta ~ 50 deg;
+        let A = a*dir(phi);
+        let B = [d, 0] + c*dir(psi);
+        closure coupler: A + b*dir(theta) = B;
+        effect twice { closure length: inner(B - A, B - A) = b^2; }
+        kinetic J*dot(phi)^2/2 + K*dot(psi)^2/2;
+        dissipation l*dot(psi)^2/2;
+        force k*(w - dot(phi)) on phi;
+        output speed = dot(phi);
+        scene once { periodic; }
+        scene over = twice { periodic; }
+    }
+}
+
+#[test]
+fn a_motion_repeats_with_the_same_multipliers_where_closures_hold_it() {
+    let settings = Settings::new(Method::Dop853).rtol(1e-11);
+    let once = motor::Once::default().solve(&settings).expect("a motion");
+    let over = motor::Over::default().solve(&settings).expect("a motion");
+    assert!(once.shape().augmented.is_none());
+    let held = over.shape().augmented.expect("closures");
+    assert_eq!((held.loops.len(), held.rank, held.redundant.len()), (3, 2, 1));
+    let lengths = [&once, &over].map(|motion| motion.length().expect("a period"));
+    assert!((lengths[0] - lengths[1]).abs() < 1e-9 * lengths[0], "{lengths:?}");
+    let moduli = [&once, &over].map(|motion| -> Vec<f64> {
+        motion.multipliers().iter().map(|multiplier| multiplier.modulus()).collect()
+    });
+    assert_eq!((moduli[0].len(), moduli[1].len()), (1, 1), "{moduli:?}");
+    assert!((moduli[0][0] - moduli[1][0]).abs() < 1e-7, "{moduli:?}");
+}

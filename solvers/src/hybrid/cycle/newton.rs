@@ -83,7 +83,11 @@ impl Gap<'_> {
             let last = residual <= tolerance;
             let mut part = 1.0;
             let better = loop {
-                let tried = &start + &step * part;
+                let mut tried = &start + &step * part;
+                let local = Flow::on(self.model, self.mode, &[]);
+                if local.correct(0.0, tried.as_mut_slice()).is_err() {
+                    return Ok(None);
+                }
                 let until = (time + longer * part).clamp(time / LONGER, time * LONGER);
                 match self.follow(&tried, until) {
                     Ok((next, gap)) if next.mode == self.mode && (self.size(&gap) < residual) => {
@@ -164,6 +168,10 @@ impl Gap<'_> {
     fn multipliers(&self, matrix: &DMatrix<f64>) -> Vec<Multiplier> {
         let error = UNCERTAINTY * self.settings.rtol;
         let mut all = multipliers(&self.scaled(matrix), None, error);
+        // What closures do not allow dies out at once, and is no motion.
+        let modes = self.model.shape().modes;
+        let held = modes.get(self.mode).and_then(|mode| mode.augmented);
+        all.truncate(all.len() - held.map_or(0, |held| 2 * held.rank).min(all.len()));
         let distances = all.iter().map(Multiplier::distance).enumerate();
         let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((place, _)) = nearest.filter(|_| self.is_free) {

@@ -20,7 +20,10 @@ use crate::model::{Flow, Model};
 use crate::ode::{AbsoluteTolerance, Explicit, OdeError, Options, System, Workspace, integrate};
 use crate::settings::Settings;
 
-/// The matrix of derivatives of the end of a motion by its begin, SI units.
+/// Change of a state by which it is found what closures leave of it, over its size.
+const ASIDE: f64 = 1e-5;
+
+/// The matrix of derivatives of the end of a motion by its begin, SI units. What closures do not allow counts as nothing.
 pub(super) fn of(
     model: &dyn Model,
     motion: &Motion,
@@ -28,6 +31,12 @@ pub(super) fn of(
 ) -> Result<DMatrix<f64>, CycleError> {
     let states = model.shape().scales.len();
     let mut matrix = DMatrix::identity(states, states);
+    if let Some(first) = motion.pieces.first() {
+        let (time, local) =
+            (first.trajectory.times()[0], Flow::on(model, first.mode, &first.sides));
+        matrix =
+            tangent(&local, time, &first.trajectory.at(time)).map_err(CycleError::Variation)?;
+    }
     let mut events = motion.events.as_slice();
     let mut before: &[f64] = &[];
     for piece in &motion.pieces {
@@ -36,6 +45,8 @@ pub(super) fn of(
         if due > 0 {
             let after = Flow::on(model, piece.mode, &piece.sides);
             matrix = jump(model, &events[..due], motion.time, before, &after)? * matrix;
+            let held = tangent(&after, begin, &piece.trajectory.at(begin));
+            matrix = held.map_err(CycleError::Variation)? * matrix;
             events = &events[due..];
         }
         let local = Flow::on(model, piece.mode, &piece.sides);
@@ -46,6 +57,24 @@ pub(super) fn of(
     if !events.is_empty() {
         let after = Flow::on(model, motion.mode, &[]);
         matrix = jump(model, events, motion.time, before, &after)? * matrix;
+    }
+    Ok(matrix)
+}
+
+/// What is left of a change of a state where closures hold it, by differences; the identity where none do.
+fn tangent(flow: &Flow<'_>, time: f64, state: &[f64]) -> Result<DMatrix<f64>, OdeError> {
+    let mut matrix = DMatrix::identity(state.len(), state.len());
+    if !flow.is_held() {
+        return Ok(matrix);
+    }
+    for (column, value) in state.iter().enumerate() {
+        let step = ASIDE * value.abs().max(1.0);
+        let beside = |step: f64| {
+            let mut moved = state.to_vec();
+            moved[column] += step;
+            flow.correct(time, &mut moved).map(|()| DVector::from_vec(moved))
+        };
+        matrix.set_column(column, &((beside(step)? - beside(-step)?) / (2.0 * step)));
     }
     Ok(matrix)
 }
