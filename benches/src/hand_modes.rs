@@ -208,6 +208,7 @@ impl<S: Scalar> Events<S> for Moving<S> {
 impl Scene for HandFoot {
     type Equations<S: Scalar> = Moving<S>;
 
+    type Unreduced = Self;
     const SMOOTH: bool = false;
 
     fn shape() -> &'static Shape {

@@ -83,6 +83,7 @@ impl<S: Scalar> Reports<S> for Batten {}
 impl Scene for HandBatten {
     type Equations<S: Scalar> = Batten;
 
+    type Unreduced = Self;
     const SMOOTH: bool = true;
 
     fn shape() -> &'static Shape {

@@ -131,9 +131,14 @@ fn implementation(layout: &Layout<'_>) -> TokenStream {
     let prepare = prepare(layout);
     let (check, span, start) = (requirements::check(layout), span(layout), start(layout));
     let unreduced = unreduced(layout);
+    let unreduced_type = match &unreduced {
+        Some(_) => scene::unreduced(name),
+        None => name.clone(),
+    };
     quote! {
         impl ::assur::problem::Scene for #name {
             type Equations<S: ::assur::scalar::Scalar> = #equations<S>;
+            type Unreduced = #unreduced_type;
             const SMOOTH: bool = #is_smooth;
 
             fn shape() -> &'static ::assur::shape::Shape {
@@ -227,9 +232,8 @@ fn unreduced(layout: &Layout<'_>) -> Option<TokenStream> {
         Some(quote!(#field: self.#value,))
     });
     Some(quote! {
-        fn unreduced(&self) -> ::core::option::Option<::std::boxed::Box<dyn ::assur::model::Model>> {
-            let scene = #name { #(#fields)* ..#name::default() };
-            ::core::option::Option::Some(::std::boxed::Box::new(::assur::model::Bound::new(&scene)))
+        fn unreduced(&self) -> ::core::option::Option<Self::Unreduced> {
+            ::core::option::Option::Some(#name { #(#fields)* ..#name::default() })
         }
     })
 }

@@ -23,7 +23,7 @@ assur::equations! {
     "car_axis.eqn",
     "governor.eqn",
     "elastic_crank.eqn",
-    "pendulum.eqn",
-    "windows.eqn",
+    "simple_pendulum.eqn",
+    "four_bar_chain.eqn",
     "bricard.eqn",
 }

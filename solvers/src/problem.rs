@@ -13,7 +13,6 @@ mod span;
 
 pub use span::Span;
 
-use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::shape::Shape;
 
@@ -188,6 +187,9 @@ pub trait Scene: Clone + Send + Sync + 'static {
     /// The equations, prepared for a scalar type.
     type Equations<S: Scalar>: Equations<S> + Reports<S>;
 
+    /// The same motion with all positions as coordinates; the scene itself where there is no such form.
+    type Unreduced: Scene;
+
     /// Whether nothing changes the equations on the way, so that the scene is [`Smooth`].
     const SMOOTH: bool;
 
@@ -214,8 +216,9 @@ pub trait Scene: Clone + Send + Sync + 'static {
     /// The declared start values of the state, SI units. Shape: [`Shape::states`].
     fn start(&self) -> Vec<f64>;
 
-    /// See [`Model::unreduced`].
-    fn unreduced(&self) -> Option<Box<dyn Model>> {
+    /// The same motion with all positions as coordinates, which goes on where loops of this one come to a dead point; none
+    /// where that does not happen.
+    fn unreduced(&self) -> Option<Self::Unreduced> {
         None
     }
 }

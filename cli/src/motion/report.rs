@@ -28,6 +28,9 @@ use crate::show::page::Page;
 const INACCURATE: f64 = 1e-2;
 /// What is less than this share of its unit, or of variables of the same dimension, is zero.
 const ZERO: f64 = 1e-9;
+/// The same where closures hold the coordinates: what vanishes is known to rounding over how near they come to depend on each
+/// other.
+const HELD: f64 = 1e-6;
 
 /// All results of a run.
 pub struct Report {
@@ -241,5 +244,6 @@ fn size(case: &Case, extremes: &[Ends], index: usize) -> Option<f64> {
     let largest = alike.map(|(_, extremes)| extremes.furthest().value.abs());
     let largest = largest.fold(own.factor, f64::max);
     let amplitude = extremes.get(index)?.furthest().value.abs();
-    (amplitude > ZERO * largest).then_some(amplitude)
+    let zero = if case.scene.augmented.is_some() { HELD } else { ZERO };
+    (amplitude > zero * largest).then_some(amplitude)
 }

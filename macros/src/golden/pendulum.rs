@@ -97,6 +97,7 @@ mod pendulum_ {
     }
     impl ::assur::problem::Scene for Swing {
         type Equations<S: ::assur::scalar::Scalar> = SwingEquations<S>;
+        type Unreduced = Swing;
         const SMOOTH: bool = true;
         fn shape() -> &'static ::assur::shape::Shape {
             &shapes_::Swing

@@ -77,6 +77,7 @@ impl<const MISTAKE: u8> Smooth for Oscillator<MISTAKE> {}
 impl<const MISTAKE: u8> Scene for Oscillator<MISTAKE> {
     type Equations<S: Scalar> = Prepared<MISTAKE>;
 
+    type Unreduced = Self;
     const SMOOTH: bool = true;
 
     fn shape() -> &'static Shape {

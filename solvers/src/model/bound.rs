@@ -61,7 +61,8 @@ impl<C: Scene> Model for Bound<C> {
     }
 
     fn unreduced(&self) -> Option<Box<dyn Model>> {
-        self.scene.unreduced()
+        let other = self.scene.unreduced()?;
+        Some(Box::new(Bound::new(&other)))
     }
 
     fn attempt(&self, steps: Steps, phase: Phase<'_, f64>, room: &mut Room) {

@@ -28,6 +28,7 @@ impl<const LINEAR: bool> Oscillator<LINEAR> {
 impl<const LINEAR: bool> Scene for Oscillator<LINEAR> {
     type Equations<S: Scalar> = Self;
 
+    type Unreduced = Self;
     const SMOOTH: bool = true;
 
     fn shape() -> &'static Shape {

@@ -128,6 +128,7 @@ impl Taylor {
                 }
                 continue;
             }
+            flow.correct(to, &mut self.after)?;
             observe.step(&Step {
                 from: clock.now,
                 to,

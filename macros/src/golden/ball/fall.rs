@@ -72,6 +72,7 @@ impl Fall {
 }
 impl ::assur::problem::Scene for Fall {
     type Equations<S: ::assur::scalar::Scalar> = FallEquations<S>;
+    type Unreduced = Fall;
     const SMOOTH: bool = false;
     fn shape() -> &'static ::assur::shape::Shape {
         &shapes_::Fall

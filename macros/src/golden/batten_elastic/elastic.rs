@@ -241,6 +241,7 @@ impl Elastic {
 }
 impl ::assur::problem::Scene for Elastic {
     type Equations<S: ::assur::scalar::Scalar> = ElasticEquations<S>;
+    type Unreduced = Elastic;
     const SMOOTH: bool = true;
     fn shape() -> &'static ::assur::shape::Shape {
         &shapes_::Elastic

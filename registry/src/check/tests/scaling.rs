@@ -64,6 +64,7 @@ impl<S: Scalar, const HIDDEN: u8> Reports<S> for Prepared<S, HIDDEN> {
 impl<const HIDDEN: u8> Scene for Spring<HIDDEN> {
     type Equations<S: Scalar> = Prepared<S, HIDDEN>;
 
+    type Unreduced = Self;
     const SMOOTH: bool = true;
 
     fn shape() -> &'static Shape {
