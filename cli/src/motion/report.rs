@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use assur::answer::{Ends, Motion, Settings};
 use assur::problem::Span;
+use assur::shape::Subject;
 use serde::Serialize;
 
 use super::case::Case;
@@ -28,9 +29,9 @@ use crate::show::page::Page;
 const INACCURATE: f64 = 1e-2;
 /// What is less than this share of its unit, or of variables of the same dimension, is zero.
 const ZERO: f64 = 1e-9;
-/// The same where closures hold the coordinates: what vanishes is known to rounding over how near they come to depend on each
-/// other.
-const HELD: f64 = 1e-6;
+/// The same where closures hold the coordinates, of positions and speeds and of accelerations: what vanishes is known to
+/// rounding over how near they come to depend on each other.
+const HELD: [f64; 2] = [1e-6, 1e-3];
 
 /// All results of a run.
 pub struct Report {
@@ -244,6 +245,10 @@ fn size(case: &Case, extremes: &[Ends], index: usize) -> Option<f64> {
     let largest = alike.map(|(_, extremes)| extremes.furthest().value.abs());
     let largest = largest.fold(own.factor, f64::max);
     let amplitude = extremes.get(index)?.furthest().value.abs();
-    let zero = if case.scene.augmented.is_some() { HELD } else { ZERO };
+    let is_rate = matches!(own.origin, Subject::Rate(_));
+    let zero = match case.scene.augmented {
+        Some(_) => HELD[usize::from(is_rate)],
+        None => ZERO,
+    };
     (amplitude > zero * largest).then_some(amplitude)
 }
