@@ -31,6 +31,16 @@ const REPEATS: usize = 5;
 /// Seconds after which a measurement is not repeated.
 const LONG: f64 = 0.1;
 
+/// The scene, or where it comes to a dead point the same with all positions as coordinates.
+fn going_on(case: Case, settings: &Settings) -> Result<Case, Failure> {
+    match case.scene.unreduced {
+        Some(scene) if case.solve(settings).is_err_and(|failure| failure.is_lost()) => {
+            Case::new(case.constants.in_scene(scene))
+        }
+        _ => Ok(case),
+    }
+}
+
 /// Compares the scenes of a mechanism.
 ///
 /// # Errors
@@ -43,7 +53,7 @@ pub fn execute(options: &ScenesArguments, registry: Registry) -> Result<(), Fail
         scenes.filter(move |scene| scene.linkage.is_some() == linkages)
     };
     let cases = of_kind(false)
-        .map(|scene| Case::new(constants(mechanism, scene, options)?))
+        .map(|scene| going_on(Case::new(constants(mechanism, scene, options)?)?, &settings))
         .collect::<Result<Vec<_>, _>>()?;
     let linkages = of_kind(true)
         .map(|scene| linkage::case::Case::new(constants(mechanism, scene, options)?))
