@@ -14,8 +14,8 @@ pub use assur_registry::{check, registry, study};
 #[doc(hidden)]
 pub use assur_solvers::exact;
 pub use assur_solvers::{
-    answer, closure, dense, dispatch, hybrid, measure, model, periodic, problem, scalar, series,
-    shape, stiff, tolerance,
+    answer, closure, dense, dispatch, hybrid, measure, model, periodic, problem, rest, scalar,
+    series, shape, stiff, tolerance,
 };
 
 /// The motion of a scene without events, and the explicit methods that it is found by.

@@ -110,6 +110,9 @@ fn followed(
 ) -> Result<motion::report::Report, Failure> {
     let settings = options.accuracy.settings(constants.scene)?;
     let case = motion::case::Case::new(constants)?;
+    if case.moved.task == Span::Rest {
+        check_resting(options)?;
+    }
     let places = options.at.iter().map(|text| Place::read(&case, text, true));
     let places = places.collect::<Result<Vec<_>, _>>()?;
     if case.moved.task == Span::Open && places.is_empty() {
@@ -117,6 +120,18 @@ fn followed(
     }
     let _progress = progress(&case.constants);
     motion::report::collect(case, &settings, &places, shown)
+}
+
+/// What a position of rest has no use for.
+fn check_resting(options: &RunArguments) -> Result<(), Failure> {
+    let at = options.at.first().map(|text| ("--at", text.clone()));
+    let Some((option, text)) = options.accuracy.given().next().or(at) else {
+        return Ok(());
+    };
+    Err(Failure::request(format!("a position of rest takes no {option}"))
+        .place(format!("{option} {text}"))
+        .reason("it is one place, found to rounding; nothing is integrated")
+        .remedy("leave it out"))
 }
 
 fn of_linkage(

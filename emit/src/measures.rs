@@ -55,6 +55,14 @@ fn primitive(primitive: &Primitive, modes: &[ModeModel]) -> TokenStream {
             let fields = harmonic(*angle, *rate, *order);
             quote!(Sine #fields)
         }
+        PrimitiveKind::Frequency(number) => {
+            let number = size(*number as usize);
+            quote!(Frequency(#number))
+        }
+        PrimitiveKind::Damping(number) => {
+            let number = size(*number as usize);
+            quote!(Damping(#number))
+        }
     };
     quote!(Primitive::of(Kind::#kind, #argument) #window)
 }

@@ -196,6 +196,7 @@ pub fn span(layout: &Layout<'_>) -> TokenStream {
             ::assur::problem::Span::Periodic(period)
         },
         (SpanKind::Periodic, 0) => quote!(::assur::problem::Span::Autonomous),
+        (SpanKind::Rest, _) => quote!(::assur::problem::Span::Rest),
         (SpanKind::Run, 2) => quote! {
             let [from, to] = self.span_::<f64>();
             ::assur::problem::Span::Run(from, to)

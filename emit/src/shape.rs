@@ -145,7 +145,11 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
     let states = (!scene.states.is_empty()).then(|| {
         let states = shared.quantities(scene.states.iter());
         let scales = scene.scales.iter().map(|value| number(*value));
-        quote!(.states(#states, &[#(#scales),*]))
+        let coordinates = (scene.coordinates > 0).then(|| {
+            let count = size(scene.coordinates);
+            quote!(.coordinates(#count))
+        });
+        quote!(.states(#states, &[#(#scales),*]) #coordinates)
     });
     let measured = shared.quantities(scene.measures.iter().map(|one| &one.quantity));
     let measures = measures::call(scene, &measured);

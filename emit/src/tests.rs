@@ -1,6 +1,7 @@
 //! The generated unit tests: a module for each scene, a test for its derivatives, for its energy, for its units, and
 //! for each published fact. The checks themselves are `assur::check`.
 
+use assur_model::checked::SpanKind;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -62,7 +63,8 @@ fn closure(layout: &Layout<'_>) -> Option<TokenStream> {
 fn energy(layout: &Layout<'_>) -> Option<TokenStream> {
     let name = &layout.parameters;
     let has_energy = layout.program().results.energy.len() == 2;
-    (layout.scene.conservative && has_energy && layout.states() > 0).then(|| {
+    let moves = layout.states() > 0 && layout.scene.span != SpanKind::Rest;
+    (layout.scene.conservative && has_energy && moves).then(|| {
         quote! {
             #[test]
             fn energy_() -> ::core::result::Result<(), ::assur::check::Failed> {

@@ -26,4 +26,5 @@ assur::equations! {
     "simple_pendulum.eqn",
     "four_bar_chain.eqn",
     "bricard.eqn",
+    "lamp_arm.eqn",
 }

@@ -58,7 +58,7 @@ impl Case {
         let (from, to) = span.limits();
         let time = |random: &mut Random| from + (to - from) * random.uniform();
         let times = match span {
-            Span::Open => Vec::new(),
+            Span::Open | Span::Rest => Vec::new(),
             _ => (0..TIMES).map(|_| format!("time={:e}[s]", time(&mut random))).collect(),
         };
         Self {

@@ -109,7 +109,7 @@ fn compare_at<C: Scene>(model: &SceneModel, scene: &C, values: &[f64], time: f64
     let span = match scene.span() {
         Span::Periodic(period) => vec![period],
         Span::Run(from, to) => vec![from, to],
-        Span::Open | Span::Autonomous => Vec::new(),
+        Span::Open | Span::Rest | Span::Autonomous => Vec::new(),
     };
     check(&span, &expected.all(&results.span), "time of the task");
 }

@@ -249,6 +249,8 @@ pub enum SpanKind {
     Periodic,
     /// A motion from a time to a time.
     Run,
+    /// A position of rest, with the vibrations about it.
+    Rest,
     /// Positions of the drivers over their ranges.
     Sweep,
     /// None stated.

@@ -253,6 +253,7 @@ fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
     let chosen = choose::values(mode.here, &mode.declared, low);
     checks::masses(low, &mode, &chosen.values);
     checks::freedoms(low, &mode, &chosen.values);
+    checks::rest(low, &mode);
     let stretch = checks::stretch(low, &mode.asked.span, &chosen.values);
     let mut model = report::scene(&mode, scene, documentation, low);
     let mut request = request::of(&mode, low);

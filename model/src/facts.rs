@@ -127,11 +127,15 @@ pub fn task(low: &mut Lowering<'_>, scene: Option<&Scene>) -> TaskValues {
                 }
                 (SpanKind::Run, vec![from, to])
             }
+            SceneItem::Rest { .. } => (SpanKind::Rest, Vec::new()),
             SceneItem::Sweep { .. } => (SpanKind::Sweep, Vec::new()),
             _ => continue,
         };
         if task.kind != SpanKind::Open {
-            let place = terms.first().map(|term| term.span).unwrap_or_default();
+            let place = match (item, terms.first()) {
+                (SceneItem::Rest { place }, _) => *place,
+                (_, first) => first.map(|term| term.span).unwrap_or_default(),
+            };
             low.diagnostics
                 .push(Diagnostic::error(place, "a scene has one task, and this is its second"));
             continue;

@@ -1,6 +1,8 @@
 //! Published facts and marked places: where in a motion they hold, and what they speak of.
 
-use crate::checked::{ExpectInfo, ExpectPlace, MarkInfo, SceneModel, Subject, VariableInfo};
+use crate::checked::{
+    ExpectInfo, ExpectPlace, MarkInfo, SceneModel, SpanKind, Subject, VariableInfo,
+};
 use crate::diagnostic::Diagnostic;
 use crate::expression::Symbol;
 use crate::lower::{Kind, Lowering, Moved, second};
@@ -75,7 +77,12 @@ fn expectation(
         low.diagnostics.push(report);
         return None;
     }
-    let (at, place) = low.place_of(expect, model.linkage.is_some())?;
+    let rests = model.span == SpanKind::Rest;
+    let (at, place) = low.place_of(expect, model.linkage.is_some(), rests)?;
+    let at = match (quantity, rests) {
+        (Subject::Measure(_), true) => ExpectPlace::Run,
+        _ => at,
+    };
     if matches!(quantity, Subject::Measure(_)) != (at == ExpectPlace::Run) {
         let report = wrong_place(expect, &wanted, &at);
         low.diagnostics.push(report);
@@ -196,8 +203,21 @@ pub fn marks(low: &mut Lowering<'_>, statements: &[Statement]) -> Vec<MarkInfo> 
 
 impl Lowering<'_> {
     /// Where a fact holds, and the same in words.
-    fn place_of(&mut self, expect: &Expect, linkage: bool) -> Option<(ExpectPlace, String)> {
+    fn place_of(
+        &mut self,
+        expect: &Expect,
+        linkage: bool,
+        rests: bool,
+    ) -> Option<(ExpectPlace, String)> {
         let word = match &expect.at {
+            ExpectAt::Value { places } if rests => {
+                let report = Diagnostic::error(
+                    places[0].0.span,
+                    "the scene rests, and is at one place only",
+                );
+                self.diagnostics.push(report.hint("write `at rest`"));
+                return None;
+            }
             ExpectAt::Value { places } => {
                 let text = places.iter();
                 let text =
@@ -212,15 +232,23 @@ impl Lowering<'_> {
             "minimum" => ExpectPlace::Minimum,
             "amplitude" => ExpectPlace::Amplitude,
             "run" => ExpectPlace::Run,
+            "rest" if rests => ExpectPlace::Time(0.0),
+            "rest" => {
+                let report = Diagnostic::error(word.span, "the scene does not rest");
+                self.diagnostics.push(report.hint("its task is to be `rest;`"));
+                return None;
+            }
             other => {
                 let message = format!("`{other}` is no place in a motion");
                 self.diagnostics.push(Diagnostic::error(word.span, message).hint(
-                    "write `maximum`, `minimum`, `amplitude`, `theta = …`, or `run` for a measure",
+                    "write `maximum`, `minimum`, `amplitude`, `theta = …`, `rest` for a position of rest, or `run` for a measure",
                 ));
                 return None;
             }
         };
-        Some((place, format!(", {}", word.text)))
+        let label =
+            if word.text == "rest" { " at rest".to_owned() } else { format!(", {}", word.text) };
+        Some((place, label))
     }
 
     /// Where a fact holds. A linkage may be asked for positions of several drivers.

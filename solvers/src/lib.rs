@@ -31,6 +31,7 @@ pub mod model;
 pub mod ode;
 pub mod periodic;
 pub mod problem;
+pub mod rest;
 pub mod scalar;
 pub mod series;
 mod settings;

@@ -21,5 +21,6 @@ mod hard;
 mod hybrid;
 mod linkages;
 mod measures;
+mod rest;
 mod series;
 mod solved;

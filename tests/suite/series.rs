@@ -23,6 +23,7 @@ fn every_scene_moves_as_with_the_other_method() {
                 assur::problem::Span::Run(from, to) => (from, to),
                 assur::problem::Span::Periodic(period) => (0.0, 0.1 * period),
                 assur::problem::Span::Autonomous => (0.0, 0.5),
+                assur::problem::Span::Rest => continue,
                 other => panic!("{name}: {other:?}"),
             };
             let by = |method, rtol| {

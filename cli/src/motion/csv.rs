@@ -27,7 +27,8 @@ pub fn render(report: &Report) -> String {
     let samples = curves.times.iter().zip(&curves.drivers).zip(&curves.values);
     text.extend(samples.map(|((time, drivers), values)| row(*time, drivers, values)));
     if curves.times.is_empty() {
-        let places = report.places.iter();
+        let rest = report.motion.rest().map(|_| &report.start);
+        let places = rest.into_iter().chain(&report.places);
         text.extend(places.map(|place| row(place.time, &place.drivers, &place.values)));
     }
     text

@@ -33,7 +33,7 @@ impl Curves {
 /// all extremes; and right before and after each event, so that a jump is one.
 pub fn sample(case: &Case, motion: &Motion, extremes: &[Extremes]) -> Curves {
     let (from, to) = case.moved.task.limits();
-    if case.moved.task == Span::Open {
+    if matches!(case.moved.task, Span::Open | Span::Rest) {
         return Curves::default();
     }
     let count =

@@ -95,6 +95,7 @@ impl Known for Found {
         let named = |one: &Variable| measure.is_none() && one.name == quantity.name;
         let variable = case.variables.iter().position(named);
         let (place, time) = match fact.at {
+            _ if self.motion.rest().is_some() => ("rest".to_owned(), Some(0.0)),
             _ if measure.is_some() => ("whole run".to_owned(), None),
             At::Time(time) => (amount_of(&TIME, time), case.moved.task.reduce(time)),
             At::Driver(driver, position) => {

@@ -5,11 +5,11 @@ use std::path::Path;
 use assur::answer::End;
 use assur::hybrid::Happened;
 use assur::problem::Span;
-use assur::shape::EventEntry;
+use assur::shape::{EventEntry, Quantity};
 use serde::Serialize;
 
-use super::events;
 use super::report::{Report, Snapshot};
+use super::{events, rest};
 use crate::run::{Found, Run};
 use crate::show::json::{About, Amount, Number, Published, Reading, Settings, number, path, text};
 use crate::show::unit;
@@ -35,7 +35,9 @@ pub struct Motion {
     measures: Vec<Measure>,
     /// Floquet multipliers over all periods of the task; none unless it is periodic.
     multipliers: Vec<Multiplier>,
-    /// What the multipliers say, a sentence each.
+    /// How small disturbances of a position of rest move, those that vibrate first; none of what moves.
+    vibrations: Vec<Vibration>,
+    /// What multipliers or vibrations say, a sentence each.
     conclusions: Vec<String>,
     statistics: Statistics,
 }
@@ -62,6 +64,8 @@ enum TaskKind {
     Periodic,
     /// From one time to another.
     Run,
+    /// A position of rest.
+    Rest,
     /// No motion: places alone.
     Open,
 }
@@ -85,6 +89,8 @@ enum Status {
     /// Free motions repeat after the same period and nothing drives them, so that any amount could be added.
     #[serde(rename = "not unique")]
     NotUnique,
+    /// A position of rest about which small disturbances grow: it does not stay there.
+    Unstable,
     /// Solutions with other tolerances differ by more than a hundredth of the amplitude, as where errors grow without
     /// bound; the exit code is 1.
     Inaccurate,
@@ -226,6 +232,36 @@ struct Switch {
     to: &'static str,
 }
 
+/// How a small disturbance of a position of rest moves: as `e^(rate t) cos(angular t)`, in a shape.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Vibration {
+    /// Zero where it does not vibrate.
+    frequency: Number,
+    frequency_unit: &'static str,
+    /// Share of critical damping, less than zero where the disturbance grows.
+    damping: Number,
+    rate: Number,
+    angular: Number,
+    rate_unit: &'static str,
+    /// Of `rate` and `angular`.
+    estimated_error: Number,
+    meaning: String,
+    /// The amplitudes, the largest first, which is one of its unit.
+    shape: Vec<Amplitude>,
+}
+
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Amplitude {
+    name: String,
+    unit: String,
+    value: Number,
+    /// By how much it leads.
+    angle: Number,
+    angle_unit: &'static str,
+}
+
 #[derive(Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 struct Worst {
@@ -257,6 +293,9 @@ impl Motion {
             (false, _) => Status::Incomplete,
             (true, 1..) => Status::NotUnique,
             _ if report.is_inaccurate() => Status::Inaccurate,
+            _ if report.motion.rest().is_some_and(|rest| rest.growing().is_some()) => {
+                Status::Unstable
+            }
             _ => Status::Complete,
         };
         let modes = case.scene.modes.iter();
@@ -271,6 +310,7 @@ impl Motion {
             events: events::happened(report).map(|event| Event::of(report, event)).collect(),
             measures,
             multipliers: multipliers(report),
+            vibrations: Vibration::all(report),
             conclusions: report.conclusions(),
             statistics: Statistics::of(report),
         }
@@ -283,6 +323,7 @@ impl Task {
         let (kind, (from, to)) = match task {
             Span::Periodic(_) => (TaskKind::Periodic, task.limits()),
             Span::Run(..) => (TaskKind::Run, task.limits()),
+            Span::Rest => (TaskKind::Rest, (0.0, 0.0)),
             // They last no time; the limits of such a span are those of a search.
             Span::Open | Span::Autonomous => (TaskKind::Open, (0.0, 0.0)),
         };
@@ -382,6 +423,37 @@ fn multipliers(report: &Report) -> Vec<Multiplier> {
         })
     });
     one.collect()
+}
+
+impl Vibration {
+    fn all(report: &Report) -> Vec<Self> {
+        let shape = report.motion.shape();
+        let vibrations = report.motion.rest().into_iter().flat_map(|rest| &rest.vibrations);
+        let vibration = |one: &assur::rest::Vibration| Self {
+            frequency: number(one.frequency()),
+            frequency_unit: "Hz",
+            damping: number(one.damping()),
+            rate: number(one.rate),
+            angular: number(one.angular),
+            rate_unit: "1/s",
+            estimated_error: number(one.error),
+            meaning: rest::meaning(one),
+            shape: rest::amplitudes(shape, one).into_iter().map(Amplitude::of).collect(),
+        };
+        vibrations.map(vibration).collect()
+    }
+}
+
+impl Amplitude {
+    fn of((quantity, size, lead): (&Quantity, f64, f64)) -> Self {
+        Self {
+            name: quantity.name.to_owned(),
+            unit: quantity.unit.to_owned(),
+            value: number(size),
+            angle: number(lead),
+            angle_unit: "deg",
+        }
+    }
 }
 
 impl Statistics {

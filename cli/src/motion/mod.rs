@@ -3,7 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `case`, `solve` | a motion with its values, and how it is found |
-//! | `found`, `curves`, `events`, `measures`, `multipliers` | what is said of it |
+//! | `found`, `curves`, `events`, `measures`, `multipliers`, `rest` | what is said of it |
 //! | `report` | all of that together |
 //! | `table`, `json`, `csv` | how it is shown |
 //! | `turn`, `unclosed`, `unfollowed` | periods and errors in words |
@@ -17,6 +17,7 @@ pub mod json;
 pub mod measures;
 pub mod multipliers;
 pub mod report;
+pub mod rest;
 pub mod solve;
 pub mod table;
 pub mod turn;

@@ -13,7 +13,7 @@ use super::curves::Curves;
 use super::found::Found;
 use super::measures::Measured;
 use super::multipliers::{self, Multiplier};
-use super::{csv, json, table};
+use super::{csv, json, rest, table};
 use crate::answer::Answer;
 use crate::arguments::Rows;
 use crate::ask::case::amount_of;
@@ -71,8 +71,11 @@ impl Report {
         self.motion.repeats().map_or(0, |repeats| repeats.free)
     }
 
-    /// What the multipliers say, a sentence each.
+    /// What multipliers or vibrations say, a sentence each.
     pub fn conclusions(&self) -> Vec<String> {
+        if let Some(rest) = self.motion.rest() {
+            return rest::conclusions(self.motion.shape(), rest);
+        }
         let turn = self.case.turn();
         let followed = self.motion.repeats().and_then(|repeats| repeats.followed);
         multipliers::conclusions(&self.multipliers, turn, self.free(), followed)

@@ -25,6 +25,7 @@ impl Case {
         let told = told(self.scene, self.run(), error);
         let what = match error {
             Error::NoCycle(_) => "no motion that repeats was found",
+            Error::NotAtRest(_) => "no position of rest was found",
             Error::NotSteady(_) => "no steady state was found",
             _ => "the motion could not be followed to its end",
         };
@@ -57,6 +58,7 @@ fn told(scene: &SceneEntry, run: &dyn Model, error: &Error) -> Told {
         Error::Stopped(error) => unfollowed::tell(scene, run, error),
         Error::NoCycle(error) => unfollowed::tell_cycle(scene, run, error),
         Error::NotSteady(error) => unfollowed::tell_periodic(scene, run, error),
+        Error::NotAtRest(error) => unfollowed::tell_rest(scene, run, error),
         other => Told::new(other.to_string(), "check what is asked for"),
     }
 }

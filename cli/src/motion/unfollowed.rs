@@ -5,6 +5,7 @@ use assur::model::Model;
 use assur::ode::OdeError;
 use assur::periodic::PeriodicError;
 use assur::registry::SceneEntry;
+use assur::rest::RestError;
 
 use super::unclosed;
 use crate::error::Told;
@@ -80,6 +81,24 @@ pub fn tell_cycle(scene: &SceneEntry, run: &dyn Model, error: &CycleError) -> To
 pub fn tell_periodic(scene: &SceneEntry, run: &dyn Model, error: &PeriodicError) -> Told {
     const AWAY: &str = "near a resonance move the speed a little, or choose a scene with damping; else try a smaller --rtol";
     unclosed::tell(scene, run, None).unwrap_or_else(|| Told::new(error.to_string(), AWAY))
+}
+
+/// Of what was to rest.
+pub fn tell_rest(scene: &SceneEntry, run: &dyn Model, error: &RestError) -> Told {
+    let remedy = match error {
+        RestError::Unbalanced { .. } => {
+            "give it a spring, a stop, or a weight that pulls back; or let the scene `run`"
+        }
+        RestError::Beyond { is_lost: false, .. } => {
+            "begin in the mode that follows, or with other start values"
+        }
+        RestError::Sticks { .. } => {
+            "give what sticks a mode in which it stands still, or a law that is smooth about zero"
+        }
+        _ => "let the scene `start` nearer to where it may rest, or change a value with --set",
+    };
+    let open = if error.is_lost() { unclosed::tell(scene, run, None) } else { None };
+    open.unwrap_or_else(|| Told::new(error.to_string(), remedy))
 }
 
 fn of_cycle(scene: &SceneEntry, error: &CycleError) -> Told {

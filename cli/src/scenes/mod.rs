@@ -126,7 +126,8 @@ impl<'a> Measured<'a> {
             (0..REPEATS).map(|_| case.run().time_evaluation(CALLS)).fold(f64::INFINITY, f64::min);
         let mut measured = Self { evaluation, seconds: None, cycle: None, failure: None };
         let outcome = case.solve(&settings).and_then(|motion| {
-            if !case.scene.states.is_empty() && case.moved.task != Span::Open {
+            let moves = !matches!(case.moved.task, Span::Open | Span::Rest);
+            if !case.scene.states.is_empty() && moves {
                 let mut best = f64::INFINITY;
                 for _ in 0..REPEATS {
                     let seconds = case.time_cycle(&motion)?;
@@ -172,6 +173,7 @@ fn sizes(cases: &[Case], measured: &[Measured<'_>], style: Style) -> String {
             time(measured.seconds),
             match case.moved.task {
                 Span::Open => "no task".to_owned(),
+                Span::Rest => "position of rest".to_owned(),
                 Span::Autonomous => "own period".to_owned(),
                 Span::Periodic(period) => format!("{} s", number::short(period)),
                 Span::Run(from, to) => format!("{} s, whole run", number::short(to - from)),

@@ -346,6 +346,7 @@ mod pendulum_ {
             .summary("two swings or so")
             .constants(&Constant::some(&constants_, [0, 1, 2], [1.0, 2.0, 9.81]))
             .states(list_1_, &[0.001, 0.001])
+            .coordinates(1)
             .outputs(list_0_)
             .equations(
                 &[

@@ -45,6 +45,10 @@ pub enum PrimitiveKind {
     Cosine(usize, usize, u32),
     /// The coefficient of `sin kα`.
     Sine(usize, usize, u32),
+    /// The frequency of a vibration about a position of rest, from 1.
+    Frequency(u32),
+    /// Its share of critical damping.
+    Damping(u32),
 }
 
 /// A moment of a run.

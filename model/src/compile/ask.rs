@@ -10,7 +10,7 @@ use crate::lower::{Lowering, Moved};
 use crate::measures::{self, Measures};
 use crate::modes;
 use crate::program::Event;
-use crate::syntax::tree::SceneItem;
+use crate::syntax::tree::{Scene, SceneItem};
 
 /// What is asked for.
 pub struct Asked {
@@ -43,7 +43,9 @@ impl Asked {
             true => {
                 let modes = here.phases.all.iter().map(|phase| phase.name.clone());
                 let moments = (modes.collect(), here.phases.event_names());
-                measures::read(low, names, moments)
+                let mut scenes = here.task.survey.scenes.iter().map(|(scene, _)| *scene);
+                let resting = (scene.is_some_and(rests), scenes.any(rests));
+                measures::read(low, names, moments, resting)
             }
             false => Measures::default(),
         };
@@ -51,7 +53,8 @@ impl Asked {
         let geometry = Geometry::read(&here.phase().statements, names, low);
         let ranges = Ranges::read(names, scene, low);
         let begins = here.index == here.phases.first;
-        let needed = begins && (span.kind == SpanKind::Run || span.is_clock());
+        let goes = matches!(span.kind, SpanKind::Run | SpanKind::Rest) || span.is_clock();
+        let needed = begins && goes;
         let held = if begins { still } else { &[] };
         Self {
             events,
@@ -73,10 +76,17 @@ impl Asked {
     }
 }
 
-/// Whether the scene is a motion over a stretch of time, of which there are measures.
+/// Whether the scene has a motion or a position of rest, of which there are measures.
 fn runs(here: Here<'_>) -> bool {
     let mut items = here.scene().into_iter().flat_map(|scene| &scene.items);
-    items.any(|item| matches!(item, SceneItem::Run { .. } | SceneItem::Periodic { .. }))
+    items.any(|item| {
+        matches!(item, SceneItem::Run { .. } | SceneItem::Periodic { .. } | SceneItem::Rest { .. })
+    })
+}
+
+/// Whether the task of a scene is a position of rest.
+fn rests(scene: &Scene) -> bool {
+    scene.items.iter().any(|item| matches!(item, SceneItem::Rest { .. }))
 }
 
 fn task(here: Here<'_>, low: &mut Lowering<'_>) -> TaskValues {
@@ -85,11 +95,18 @@ fn task(here: Here<'_>, low: &mut Lowering<'_>) -> TaskValues {
         span.kind = SpanKind::Sweep;
     }
     let is_still = low.names.coordinates.is_empty() && low.names.states.is_empty();
-    if let Some(scene) = here.scene().filter(|_| span.is_clock() && is_still) {
-        low.diagnostics.push(
-            Diagnostic::error(scene.name.span, "nothing in this scene moves by itself")
-                .hint("state the period: `periodic over 2*pi/n;`"),
-        );
+    let rests = span.kind == SpanKind::Rest;
+    let is_read = here.task.file.unread.is_empty();
+    let asks = is_still && is_read && (span.is_clock() || rests);
+    if let Some(scene) = here.scene().filter(|_| asks) {
+        let hint = match rests {
+            true => {
+                "state the position: `sweep phi 0 deg .. 10 deg;`, or what moves by `coordinate`"
+            }
+            false => "state the period: `periodic over 2*pi/n;`",
+        };
+        let report = Diagnostic::error(scene.name.span, "nothing in this scene moves by itself");
+        low.diagnostics.push(report.hint(hint));
     }
     span
 }

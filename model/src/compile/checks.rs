@@ -88,6 +88,32 @@ pub fn freedoms(low: &mut Lowering<'_>, mode: &Mode<'_>, values: &[f64]) {
     }
 }
 
+/// Reports what moves with the time where a position of rest is sought.
+pub fn rest(low: &mut Lowering<'_>, mode: &Mode<'_>) {
+    let Some(scene) = mode.here.scene().filter(|_| mode.asked.span.kind == SpanKind::Rest) else {
+        return;
+    };
+    let (graph, drives) = (&low.graph, &mode.declared.drives);
+    let varies = |position: Expression| graph.depends_on(position, |one| one == Symbol::Time);
+    let moves = |symbol: Symbol| match symbol {
+        Symbol::Driver(index) => drives[index as usize].position.is_some_and(varies),
+        other => other == Symbol::Time,
+    };
+    let equations = mode.equations.iter().map(|one| (one.residual, one.span));
+    let closures = mode.linkage.equations.iter().map(|one| (one.residual, one.span));
+    let mut all = equations.chain(closures);
+    let Some((_, place)) = all.find(|(residual, _)| graph.depends_on(*residual, moves)) else {
+        return;
+    };
+    let report =
+        Diagnostic::error(scene.name.span, "this scene moves with the time and never rests");
+    low.diagnostics.push(
+        report
+            .related(place, "this depends on the time")
+            .hint("leave out what drives it, by an effect for instance, or let the scene `run`"),
+    );
+}
+
 /// The first columns that have no pivot of their own in an elimination with row exchanges, each row over its size.
 fn undetermined(matrix: &mut [Vec<f64>], first: usize) -> Vec<usize> {
     for row in matrix.iter_mut() {

@@ -85,8 +85,9 @@ fn moved(low: &mut Lowering<'_>, scene: Option<&Scene>) -> Moved {
     let names = low.names;
     let items = || scene.iter().flat_map(|scene| &scene.items);
     let sweeps = items().any(|item| matches!(item, SceneItem::Sweep { .. }));
-    let timed =
-        items().any(|item| matches!(item, SceneItem::Run { .. } | SceneItem::Periodic { .. }));
+    let timed = items().any(|item| {
+        matches!(item, SceneItem::Run { .. } | SceneItem::Periodic { .. } | SceneItem::Rest { .. })
+    });
     let state = names.coordinates.iter().chain(&names.states).next();
     match (state, names.dependents.first()) {
         (Some(_), _) if !sweeps => Moved::InTime,

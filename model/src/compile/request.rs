@@ -35,7 +35,7 @@ pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
     let mut request = Request {
         states: results.start.len(),
         results,
-        surfaces: span == SpanKind::Run || is_hybrid,
+        surfaces: matches!(span, SpanKind::Run | SpanKind::Rest) || is_hybrid,
         cycle: span == SpanKind::Periodic && is_hybrid,
         ..Request::default()
     };

@@ -201,8 +201,10 @@ impl Starts<'_> {
         for (declared, given) in positions.chain(names.states.iter().zip(states)) {
             let name = &declared.name;
             if !given && !names.absent.contains_key(&name.text) {
-                let message =
-                    format!("`{}` has no start value, and a scene runs from the start", name.text);
+                let message = format!(
+                    "`{}` has no start value, from which a scene runs, or a position of rest is sought",
+                    name.text
+                );
                 low.diagnostics.push(
                     Diagnostic::error(name.span, message)
                         .hint("write it after the unit, as in `coordinate x: m = 0;`"),

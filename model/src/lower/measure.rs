@@ -6,7 +6,7 @@ use super::{Kind, Lowering, Typed};
 use crate::checked::{Moment, Primitive, PrimitiveKind};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Node, Symbol};
-use crate::homogeneity::{agree, describe, times};
+use crate::homogeneity::{agree, describe, over, times};
 use crate::lower::second;
 use crate::nearest::nearest;
 use crate::program::Relation;
@@ -23,6 +23,8 @@ const HARMONICS: u32 = 1000;
 pub struct Measuring {
     /// Whether a measure is being read.
     pub is_open: bool,
+    /// Whether some scene of the file is a position of rest.
+    pub some_rests: bool,
     /// Names of the modes.
     pub modes: Vec<String>,
     /// Names of the events.
@@ -40,6 +42,9 @@ fn form(word: &str) -> (RangeInclusive<usize>, &'static str) {
         "count" => (1..=1, "count(event), or count(enter(mode))"),
         "value" => (2..=2, "value(x, enter(mode))"),
         "cosine" | "sine" | "amplitude" => (3..=3, "amplitude(x, angle, 1)"),
+        "frequency" | "damping" => {
+            (1..=1, "frequency(1), the slowest vibration about the position of rest")
+        }
         _ => (1..=2, "peak(x), or peak(x, y > z) where only a part of the run counts"),
     }
 }
@@ -94,6 +99,7 @@ impl Lowering<'_> {
                 let value = self.primitive(Is::Count(moment), 0, None);
                 return Some(Typed::number(value));
             }
+            "frequency" | "damping" => return self.vibration(word, first),
             _ => {}
         }
         let (quantity, kind) = self.scalar(first)?;
@@ -124,6 +130,36 @@ impl Lowering<'_> {
         };
         let value = self.primitive(simple, place, window);
         Some(Typed::scalar(value, kind))
+    }
+
+    /// A number of a vibration about a position of rest.
+    fn vibration(&mut self, word: &str, number: &Term) -> Option<Typed> {
+        let index = match number.kind {
+            TermKind::Number { value, unit: None }
+                if value.fract() == 0.0 && (1.0..=f64::from(HARMONICS)).contains(&value) =>
+            {
+                value as u32
+            }
+            _ => {
+                let message = format!("a vibration has a whole number from 1 to {HARMONICS}");
+                let report = Diagnostic::error(number.span, message);
+                self.diagnostics.push(report.hint("number 1 is the slowest"));
+                return None;
+            }
+        };
+        if !self.measured.some_rests {
+            let message = format!(
+                "`{word}` is a number of a position of rest, and no scene of the file is one"
+            );
+            let report = Diagnostic::error(number.span, message);
+            self.diagnostics.push(report.hint("write a scene with the task `rest;`"));
+            return None;
+        }
+        if word == "damping" {
+            return Some(Typed::number(self.primitive(PrimitiveKind::Damping(index), 0, None)));
+        }
+        let value = self.primitive(PrimitiveKind::Frequency(index), 0, None);
+        Some(Typed::scalar(value, over(Kind::NUMBER, Kind::Of(second()))?))
     }
 
     /// A quantity that measures look at, by its place. Each has a place of its own: two that are the same in one mode

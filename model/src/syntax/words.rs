@@ -55,6 +55,8 @@ pub const MEASURING: &[&str] = &[
     "cosine",
     "sine",
     "amplitude",
+    "frequency",
+    "damping",
 ];
 
 /// Names of the components of a vector.

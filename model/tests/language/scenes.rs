@@ -20,6 +20,14 @@ fn scenes_select_what_there_is() {
         ("scene s { run time 1 s .. 1 s; }", &[("the run ends where it begins", "1 s .. 1 s", "")]),
         ("scene s { periodic over 0 s; }", &[("a period is longer than nothing", "0 s", "`2*pi/n`")]),
         ("scene s { periodic over 2*pi*(-1 s); }", &[("a period is longer than nothing", "2*pi*(-1 s)", "")]),
+        ("scene s { rest; run time 0 s .. 1 s; }", &[("a scene has one task, and this is its second", "0 s", "")]),
+        ("scene s { run time 0 s .. 1 s; start x = 0 m; rest; }", &[("a scene has one task, and this is its second", "rest", "")]),
+        ("force 1 N*sin(2 [1/s]*time) on x; scene s { rest; start x = 0 m; }", &[("this scene moves with the time and never rests", "s", "leave out what drives it")]),
+        ("scene s { rest; start x = 0 m; } expect at time = 0 s: x = 0 m +- 1 m;", &[("the scene rests, and is at one place only", "time", "write `at rest`")]),
+        ("scene s { run time 0 s .. 1 s; start x = 0 m; } expect at rest: x = 0 m +- 1 m;", &[("the scene does not rest", "rest", "its task is to be `rest;`")]),
+        ("measure f = frequency(1); scene s { run time 0 s .. 1 s; start x = 0 m; }", &[("`frequency` is a number of a position of rest, and no scene of the file is one", "1", "write a scene with the task `rest;`")]),
+        ("measure f = damping(x); scene s { rest; start x = 0 m; }", &[("a vibration has a whole number from 1 to 1000", "x", "number 1 is the slowest")]),
+        ("measure f = frequency(1)*duration(x > 0 m); scene s { rest; start x = 0 m; }", &[("this is a number of a run and of a position of rest", "frequency(1)*duration(x > 0 m)", "make two measures of it")]),
         ("scene s { start x = 1 s; }", &[("the start value of a length (m) is a time (s)", "1 s", "give `x` a value in m")]),
         ("scene s { start x = 1 m; start x = 2 m; }", &[("`x` is started twice", "x", "take one of the two away")]),
         ("scene s { start 2*x = 1 m; }", &[("only a coordinate, its `dot`, or a state can be started", "2*x", "")]),
@@ -100,17 +108,14 @@ fn a_run_needs_start_values() {
     check(
         &file("", "run time 0 .. 1 s;"),
         &[
-            (
-                "`x` has no start value, and a scene runs from the start",
-                "x",
-                "coordinate x: m = 0;",
-            ),
+            ("`x` has no start value, from which a scene runs", "x", "coordinate x: m = 0;"),
             ("`i` has no start value", "i", ""),
         ],
     );
     check(&file(" = 0", "run time 0 .. 1 s;"), &[("`i` has no start value", "i", "")]);
     check(&file("", "run time 0 .. 1 s; start x = 0, i = 1 A;"), &[]);
     check(&file("", "periodic over 1 s;"), &[]);
+    check(&file(" = 0", "rest;"), &[("`i` has no start value", "i", "")]);
 }
 
 #[test]

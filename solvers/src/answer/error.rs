@@ -4,6 +4,7 @@ use crate::closure::ClosureError;
 use crate::hybrid::{CycleError, HybridError};
 use crate::periodic::PeriodicError;
 use crate::problem::Refused;
+use crate::rest::RestError;
 use crate::tolerance::ToleranceError;
 use std::fmt;
 
@@ -21,6 +22,8 @@ pub enum Error {
     NoCycle(Box<CycleError>),
     /// No steady state was found.
     NotSteady(PeriodicError),
+    /// No position of rest was found.
+    NotAtRest(RestError),
     /// The scene has nothing of this name.
     Unknown {
         /// What was asked for.
@@ -52,6 +55,7 @@ impl Error {
             Self::Stopped(error) => matches!(error, HybridError::Lost { .. }),
             Self::NoCycle(error) => cycle(error),
             Self::NotSteady(PeriodicError::NotSettled(error)) => cycle(error),
+            Self::NotAtRest(error) => error.is_lost(),
             _ => false,
         }
     }
@@ -67,6 +71,7 @@ impl fmt::Display for Error {
             Self::Stopped(error) => write!(formatter, "{error}"),
             Self::NoCycle(error) => write!(formatter, "{error}"),
             Self::NotSteady(error) => write!(formatter, "{error}"),
+            Self::NotAtRest(error) => write!(formatter, "{error}"),
             Self::Unknown { name, known } => {
                 write!(formatter, "there is no `{name}`; there are {}", known.join(", "))
             }
@@ -97,6 +102,12 @@ impl From<CycleError> for Error {
             CycleError::Motion(inner) => Self::Stopped(*inner),
             other => Self::NoCycle(Box::new(other)),
         }
+    }
+}
+
+impl From<RestError> for Error {
+    fn from(error: RestError) -> Self {
+        Self::NotAtRest(error)
     }
 }
 

@@ -7,8 +7,10 @@
 
 use super::error::Error;
 use super::motion::Motion;
+use crate::hybrid;
 use crate::measure::Missing;
 use crate::problem::Span;
+use crate::rest::Rest;
 use crate::settings::Settings;
 use crate::shape::Subject;
 
@@ -51,6 +53,9 @@ impl Estimate {
     pub(super) fn of(motion: &Motion) -> Result<Self, Error> {
         if motion.shape().states.is_empty() || motion.task() == Span::Open {
             return Ok(Self { others: Vec::new(), tenfold: None, is_cut_off: false });
+        }
+        if let Some(rest) = motion.rest() {
+            return Ok(Self { others: aside(motion, rest), tenfold: None, is_cut_off: false });
         }
         let (question, settings) = (&motion.question, &motion.settings);
         let rtol = settings.rtol;
@@ -191,6 +196,17 @@ impl Estimate {
         });
         errors.collect()
     }
+}
+
+/// A position of rest with each of its numbers as far off as that may be; all of them together count.
+fn aside(motion: &Motion, rest: &Rest) -> Vec<Other> {
+    let disturbed = rest.disturbed();
+    let share = 1.0 + rest.state.len() as f64;
+    let other = |rest: Rest| {
+        let path = hybrid::Motion::resting(motion.path.mode, rest);
+        Other { motion: Motion { path, ..motion.clone() }, share }
+    };
+    disturbed.into_iter().map(other).collect()
 }
 
 /// The settings for a tenth of the tolerance: so much work at most, and of a run a first step of its own.

@@ -11,6 +11,7 @@ use crate::model::Model;
 use crate::ode::Statistics;
 use crate::periodic::{Multiplier, Orbit};
 use crate::problem::Span;
+use crate::rest::Rest;
 use crate::settings::Settings;
 use crate::shape::{Shape, Subject, find};
 use crate::stiff::Switch;
@@ -25,7 +26,7 @@ const BLUR: f64 = 64.0;
 #[derive(Clone)]
 pub struct Motion {
     pub(super) question: Question,
-    /// At rest where there is no task, without states where the scene has none.
+    /// Unbegun where there is no task, without states where the scene has none.
     pub(super) path: hybrid::Motion,
     pub(super) repeats: Option<Repeats>,
     /// How it was found.
@@ -97,6 +98,11 @@ impl Motion {
     /// What is known of a motion that repeats; none of a run.
     pub fn repeats(&self) -> Option<&Repeats> {
         self.repeats.as_ref()
+    }
+
+    /// What is known of a position of rest; none of what moves.
+    pub fn rest(&self) -> Option<&Rest> {
+        self.path.rest.as_ref()
     }
 
     /// Floquet multipliers, the largest modulus first; none of a run.

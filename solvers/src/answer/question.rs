@@ -55,6 +55,12 @@ impl Question {
         Self { span: Span::Periodic(period), ..self }
     }
 
+    /// The position at which it rests, found from the start, with the vibrations about it.
+    #[must_use]
+    pub fn resting(self) -> Self {
+        Self { span: Span::Rest, ..self }
+    }
+
     /// The scene with its values.
     pub fn model(&self) -> &dyn Model {
         self.model.as_ref()
@@ -135,13 +141,14 @@ impl Question {
         let place = (self.mode, &start[..]);
         match self.span {
             Span::Open => {
-                let rest = hybrid::Motion::at_rest(0.0, &start);
+                let here = hybrid::Motion::unbegun(0.0, &start);
                 let mode = self.mode;
-                Ok((hybrid::Motion { mode, ..rest }, None))
+                Ok((hybrid::Motion { mode, ..here }, None))
             }
             span if model.shape().states.is_empty() => {
                 Ok((hybrid::Motion::without_states(self.mode, span.limits()), None))
             }
+            Span::Rest => Ok((hybrid::rest_of(model, self.mode, &start)?, None)),
             Span::Periodic(period) if model.events().is_some() => {
                 let cycle = hybrid::cycle_of(model, place, period, settings)?;
                 Ok(Repeats::of_cycle(cycle))

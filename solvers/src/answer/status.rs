@@ -1,6 +1,7 @@
 //! How far an answer is one.
 
 use super::motion::Motion;
+use crate::rest::Rest;
 use std::fmt;
 
 /// How far an answer is one. A motion that could not be followed is an [`Error`](super::Error) instead.
@@ -19,6 +20,16 @@ pub enum Status {
         /// The largest modulus of a Floquet multiplier.
         modulus: f64,
     },
+    /// It rests, and small disturbances grow: it will not stay there.
+    Falls {
+        /// How fast the fastest of them grows, 1/s.
+        rate: f64,
+    },
+    /// It rests, and would rest as well a little aside: where, the start says.
+    Indifferent {
+        /// In how many directions.
+        directions: usize,
+    },
     /// It repeats, and any amount of free motions could be added: the smallest is given.
     Free {
         /// How many.
@@ -34,9 +45,14 @@ impl Status {
         let largest = motion.multipliers().first();
         let modulus = largest.map_or(0.0, |multiplier| multiplier.modulus());
         let free = motion.repeats().map_or(0, |repeats| repeats.free);
+        let rest = motion.rest();
+        let growing = rest.and_then(Rest::growing).map(|one| one.rate);
+        let directions = rest.map_or(0, |rest| rest.free);
         let steps = motion.statistics().rounded_steps;
         match () {
             () if modulus > 1.0 + NEUTRAL => Self::Unstable { modulus },
+            () if let Some(rate) = growing => Self::Falls { rate },
+            () if directions > 0 => Self::Indifferent { directions },
             () if free > 0 => Self::Free { motions: free },
             () if steps > 0 => Self::Rounded { steps },
             () => Self::Complete,
@@ -55,6 +71,15 @@ impl fmt::Display for Status {
             Self::Unstable { modulus } => write!(
                 formatter,
                 "it repeats, but a disturbance grows {modulus:.3} times in each cycle"
+            ),
+            Self::Falls { rate } => write!(
+                formatter,
+                "it rests, but not for long: a disturbance grows e-fold in {:.3e} s",
+                1.0 / rate
+            ),
+            Self::Indifferent { directions } => write!(
+                formatter,
+                "it rests, and would as well a little aside, in {directions} directions that nothing holds"
             ),
             Self::Free { motions } => {
                 write!(formatter, "it repeats, and so do {motions} free motions that may be added")

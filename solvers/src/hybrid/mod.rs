@@ -8,6 +8,7 @@
 //! | `event` | events within the steps of a mode |
 //! | `run` | the motion that is asked for, from event to event |
 //! | `cycle` | motions that repeat: [`cycle()`]; growth of disturbances: [`lyapunov`] |
+//! | `rest` | rest that no event keeps a motion from |
 //! | `motion` | the result: pieces between events, and a record of each event |
 //! | `numbers` | a few numbers without an allocation |
 //!
@@ -39,6 +40,7 @@ mod error;
 mod event;
 mod motion;
 mod numbers;
+mod rest;
 mod run;
 
 pub use crate::shape::{Direction, EventEntry};
@@ -47,6 +49,7 @@ pub(crate) use cycle::{clock_of, cycle_of, variations};
 pub use error::HybridError;
 pub use motion::{Happened, Motion, Piece};
 pub use numbers::Numbers;
+pub(crate) use rest::rest_of;
 pub(crate) use run::march::Request;
 pub use run::march::{march, march_in};
 

@@ -2,6 +2,7 @@
 
 use super::numbers::Numbers;
 use crate::ode::{Basis, Observer, Recorder, Statistics, Step, Trajectory};
+use crate::rest::Rest;
 use crate::stiff::Switch;
 
 /// Steps of what has no state.
@@ -52,11 +53,13 @@ pub struct Motion {
     pub time: f64,
     /// What the integrations took together.
     pub statistics: Statistics,
+    /// What is known of a position of rest; none of what moves.
+    pub rest: Option<Rest>,
 }
 
 impl Motion {
     /// A motion that has not begun.
-    pub fn at_rest(time: f64, start: &[f64]) -> Self {
+    pub fn unbegun(time: f64, start: &[f64]) -> Self {
         Self {
             pieces: Vec::new(),
             events: Vec::new(),
@@ -64,7 +67,16 @@ impl Motion {
             end: start.to_vec(),
             time,
             statistics: Statistics::default(),
+            rest: None,
         }
+    }
+
+    /// A position of rest in a mode.
+    pub fn resting(mode: usize, rest: Rest) -> Self {
+        let motion = Self { mode, ..Self::unbegun(0.0, &rest.state) };
+        let evaluations = rest.iterations + 1;
+        let statistics = Statistics { evaluations, jacobians: evaluations, ..motion.statistics };
+        Self { rest: Some(rest), statistics, ..motion }
     }
 
     /// A motion in one mode.
@@ -77,6 +89,7 @@ impl Motion {
             time: times[times.len() - 1],
             statistics: trajectory.statistics,
             pieces: vec![Piece { mode: 0, trajectory, sides: Numbers::default() }],
+            rest: None,
         }
     }
 

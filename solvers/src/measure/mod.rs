@@ -28,6 +28,7 @@ pub use primitive::Missing;
 use crate::hybrid::Motion;
 use crate::model::{Bound, Model};
 use crate::problem::Scene;
+use crate::rest::Vibration;
 use crate::shape::Shape;
 use extreme::{Hunt, Sense};
 use grid::Sampler;
@@ -61,6 +62,8 @@ pub fn find(
             let value = match primitive.kind {
                 Kind::Value(moment) => moment::value(moment, primitive.argument, &mut sampler)?,
                 Kind::Count(moment) => moment::count(moment, motion),
+                Kind::Frequency(number) => vibration(motion, number)?.frequency(),
+                Kind::Damping(number) => vibration(motion, number)?.damping(),
                 _ => tally.result(primitive, &mut sampler)?,
             };
             match value.is_finite() {
@@ -69,6 +72,15 @@ pub fn find(
             }
         })
         .collect()
+}
+
+/// A vibration about a position of rest.
+fn vibration(motion: &Motion, number: u32) -> Result<&Vibration, Missing> {
+    let rest = motion.rest.as_ref().ok_or(Missing::Moves)?;
+    rest.vibration(number as usize).ok_or_else(|| {
+        let vibrations = rest.vibrations.iter().filter(|one| one.vibrates());
+        Missing::NoVibration { number, count: vibrations.count() }
+    })
 }
 
 /// Smallest and largest value between two times of a run, of each quantity that `sample` gives, `count` of them; SI units. None

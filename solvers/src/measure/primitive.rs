@@ -22,6 +22,15 @@ pub enum Missing {
     Empty,
     /// The angle makes so many turns, which is not a whole number of them.
     NotWhole(f64),
+    /// It is a number of a position of rest, and this moves.
+    Moves,
+    /// There are fewer vibrations.
+    NoVibration {
+        /// The one that is asked for.
+        number: u32,
+        /// How many there are.
+        count: usize,
+    },
     /// The quantity is not a finite number somewhere.
     NotFinite,
 }
@@ -38,6 +47,10 @@ impl Missing {
             Self::Empty => "the run has no length".to_string(),
             Self::NotWhole(turns) => format!(
                 "the angle makes {turns:.6} turns, and harmonics need a whole number of them"
+            ),
+            Self::Moves => "it is a number of a position of rest, and this moves".to_string(),
+            Self::NoVibration { number, count } => format!(
+                "there is no vibration number {number}: {count} disturbances vibrate, the others die out or grow without"
             ),
             Self::NotFinite => "it is not a finite number".to_string(),
         }
@@ -78,7 +91,7 @@ impl Tally {
     ) {
         let index = primitive.argument;
         let window = match primitive.kind {
-            Kind::Value(_) | Kind::Count(_) => return,
+            Kind::Value(_) | Kind::Count(_) | Kind::Frequency(_) | Kind::Damping(_) => return,
             Kind::Duration => Some(index),
             _ => primitive.window,
         };

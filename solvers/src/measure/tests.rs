@@ -254,6 +254,7 @@ fn through_an_event() -> Motion {
         end: vec![7.0],
         time: 3.0,
         statistics: Default::default(),
+        rest: None,
     }
 }
 

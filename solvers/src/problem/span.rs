@@ -14,16 +14,19 @@ pub enum Span {
     Autonomous,
     /// A motion from the first time to the second, in seconds.
     Run(f64, f64),
+    /// A position of rest, with the vibrations about it.
+    Rest,
     /// Nothing is stated: positions are evaluated where they are asked for.
     Open,
 }
 
 impl Span {
-    /// First and last time. Where nothing is stated, or not known yet, the first second, because a search needs an interval to search.
+    /// First and last time, the same at rest. Where nothing is stated, or not known yet, the first second, because a search needs an interval to search.
     pub fn limits(self) -> (f64, f64) {
         match self {
             Self::Periodic(period) => (0.0, period),
             Self::Run(from, to) => (from, to),
+            Self::Rest => (0.0, 0.0),
             Self::Autonomous | Self::Open => (0.0, 1.0),
         }
     }
@@ -34,6 +37,7 @@ impl Span {
         match self {
             Self::Periodic(period) if period > 0.0 => Some(time.rem_euclid(period)),
             Self::Run(from, to) => (from..=to).contains(&time).then_some(time),
+            Self::Rest => Some(0.0),
             _ => Some(time),
         }
     }

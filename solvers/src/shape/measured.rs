@@ -59,6 +59,10 @@ pub enum Kind {
         /// The number of the harmonic.
         order: u32,
     },
+    /// The frequency of a vibration about a position of rest, 1/s, the slowest being number 1.
+    Frequency(u32),
+    /// Its share of critical damping.
+    Damping(u32),
 }
 
 /// A moment of a run.

@@ -45,8 +45,10 @@ pub struct Shape {
     pub constants: List<Constant>,
     /// Prescribed coordinates.
     pub drivers: List<Quantity>,
-    /// The state vector.
+    /// The state vector: coordinates, their speeds, first-order states.
     pub states: List<Quantity>,
+    /// Number of coordinates.
+    pub coordinates: usize,
     /// Absolute tolerance of each state per unit of `rtol`, from the state's unit.
     pub scales: List<f64>,
     /// What the scene reports.
@@ -107,6 +109,7 @@ impl Shape {
             constants: &[],
             drivers: &[],
             states: &[],
+            coordinates: 0,
             scales: &[],
             outputs: &[],
             measures: &[],
@@ -134,6 +137,7 @@ impl Shape {
         preset: Text;
         constants: List<Constant>;
         drivers: List<Quantity>;
+        coordinates: usize;
         outputs: List<Quantity>;
         equations: List<EquationText>;
         operations: Operations;

@@ -8,7 +8,7 @@ use assur::answer::Method;
 use assur::problem::Span;
 
 use super::report::Report;
-use super::{events, measures};
+use super::{events, measures, rest};
 use crate::ask::settings::given_atol;
 use crate::published;
 use crate::show::number;
@@ -27,6 +27,11 @@ pub fn render(page: &mut Page, report: &Report, figure: Option<&Path>) {
         variables::extremes(page, report);
         events::section(page, report);
         measures::section(page, report);
+    }
+    if let Some(rest) = report.motion.rest() {
+        variables::snapshot(page, report, &report.start, "At rest");
+        measures::section(page, report);
+        rest::section(page, report, rest);
     }
     for place in &report.places {
         let time = if place.label.starts_with("time") {
@@ -62,6 +67,7 @@ fn task(report: &Report) -> String {
         Span::Run(from, to) => {
             format!("motion from {} s to {} s", number::short(from), number::short(to))
         }
+        Span::Rest => "position of rest".to_owned(),
         Span::Open | Span::Autonomous => "positions".to_owned(),
     }
 }
@@ -97,6 +103,13 @@ fn multipliers(page: &mut Page, report: &Report) {
 /// The price: estimated global error of what is printed, time spent, and what ten times more accuracy would cost.
 fn last_line(report: &Report) -> String {
     let cost = &report.cost;
+    if let Some(rest) = report.motion.rest() {
+        return format!(
+            "Errors are those of rounding. Found in {} by {} steps of Newton's method.",
+            number::duration(cost.solve),
+            number::count(rest.iterations)
+        );
+    }
     let error = match cost.worst {
         Some((index, share)) => {
             format!(

@@ -1,6 +1,7 @@
 //! All variables at one place, and their extremes over the task.
 
 use crate::motion::report::{Report, Snapshot};
+use crate::motion::rest;
 use crate::show::number;
 use crate::show::page::Page;
 use crate::show::text::{Align, Columns};
@@ -17,7 +18,10 @@ pub fn snapshot(page: &mut Page, report: &Report, snapshot: &Snapshot, heading: 
         ("", Align::Left),
     ]);
     let rows = report.case.variables.iter().zip(&snapshot.values).zip(&snapshot.errors);
-    for ((variable, value), error) in rows {
+    let rests = report.motion.rest().is_some();
+    let shown = rows
+        .filter(|((variable, _), _)| !rests || rest::says(report.motion.shape(), variable.origin));
+    for ((variable, value), error) in shown {
         table.row([
             variable.name.clone(),
             number::with_error(variable.in_unit(*value), variable.in_unit(*error)),

@@ -31,6 +31,7 @@ mod shapes_ {
     pub static Fall: Shape = Shape::named("fall")
         .constants(&Constant::some(&constants_, [0, 1, 2], [1.0, 9.81, 10000.0]))
         .states(list_1_, &[0.001, 0.001])
+        .coordinates(1)
         .outputs(list_0_)
         .equations(&[EquationText::new(11, "motion M*ddot(h) = -M*g", "N")])
         .operations(Operations::of([1, 0, 0, 0, 0]))

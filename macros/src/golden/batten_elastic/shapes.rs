@@ -184,6 +184,7 @@ mod shapes_ {
         )
         .drivers(list_0_)
         .states(list_2_, &[0.001, 0.001, 0.001, 0.001, 0.001, 0.001])
+        .coordinates(3)
         .linear()
         .outputs(list_1_)
         .equations(

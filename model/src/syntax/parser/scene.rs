@@ -55,7 +55,7 @@ impl Parser<'_> {
     fn item(&mut self) -> Read<Vec<SceneItem>> {
         let _ = self.documentation();
         let keyword = self.name(
-            "what the scene does: `periodic`, `run`, `sweep`, `preset`, `output` or `start`",
+            "what the scene does: `periodic`, `run`, `rest`, `sweep`, `preset`, `output` or `start`",
         )?;
         let items = match keyword.text.as_str() {
             "periodic" => {
@@ -72,6 +72,7 @@ impl Parser<'_> {
                 let (from, to) = self.range()?;
                 vec![SceneItem::Run { variable, from, to }]
             }
+            "rest" => vec![SceneItem::Rest { place: keyword.span }],
             "preset" => vec![SceneItem::Preset { name: self.name("the name of a preset")? }],
             "output" => self.commas(|parser| Ok(SceneItem::Output(parser.output()?)))?,
             "start" if self.is_any_word() && self.is_operator_ahead(1, ";") => {
@@ -98,7 +99,7 @@ impl Parser<'_> {
             }
             other => {
                 let message = format!("`{other}` is nothing that a scene does");
-                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `sweep`, `preset`, `output` or `start`"));
+                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `rest`, `sweep`, `preset`, `output` or `start`"));
             }
         };
         self.operator(";")?;

@@ -33,6 +33,8 @@ pub enum SceneItem {
     Periodic { period: Option<Term> },
     /// `run time a .. b;`
     Run { variable: Name, from: Term, to: Term },
+    /// `rest;`
+    Rest { place: Span },
     /// `sweep phi4;`, `sweep alpha 60 deg .. 120 deg, beta;`: a grid when several.
     Sweep { drivers: Vec<SweepRange> },
     /// `preset table;`

@@ -67,7 +67,7 @@ impl Request<'_> {
         }
         start::check_mode(shape, self.mode)?;
         let flow = Flow::new(model, self.mode);
-        let mut motion = Motion { mode: self.mode, ..Motion::at_rest(times.0, self.start) };
+        let mut motion = Motion { mode: self.mode, ..Motion::unbegun(times.0, self.start) };
         let options = Options::of(settings, shape.scales);
         if let Err(error) = self.check(&options, flow.states()) {
             return Err(HybridError::Ode { error, mode: self.mode, motion: Box::new(motion) });
@@ -91,7 +91,7 @@ impl Request<'_> {
         follow(self.times.1).map_err(|error| {
             let reached = error.time().filter(|time| *time != self.times.0 && time.is_finite());
             let motion = reached.and_then(|time| follow(time).ok());
-            let motion = motion.unwrap_or_else(|| Motion::at_rest(self.times.0, self.start));
+            let motion = motion.unwrap_or_else(|| Motion::unbegun(self.times.0, self.start));
             HybridError::Ode { error, mode: 0, motion: Box::new(motion) }
         })
     }

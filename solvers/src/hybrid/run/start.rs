@@ -34,34 +34,46 @@ pub(in crate::hybrid) fn check(
             ));
         }
     }
-    let events = shape.modes[mode].events;
+    let leads_away = |(index, value): &(usize, f64)| {
+        let entry = &shape.modes[mode].events[*index];
+        (entry.target != mode).then_some((entry, *value))
+    };
+    let Some((entry, value)) = passed(flow, time, state).iter().find_map(leads_away) else {
+        return Ok(());
+    };
+    let unit = if entry.unit.is_empty() { "" } else { " " };
+    refused(format!(
+        "it is to begin in the mode `{}`, where `{}` has happened already: what that watches is {}{unit}{}; begin in the \
+         mode that follows, with `start {}` in the scene, or with other values",
+        shape.modes[mode].name,
+        entry.text,
+        value / entry.factor,
+        entry.unit,
+        shape.modes[entry.target].name,
+    ))
+}
+
+/// The events of the mode that have happened already at a state, as what they watch and permit says, with the values of
+/// their guards.
+pub(in crate::hybrid) fn passed(flow: &Flow<'_>, time: f64, state: &[f64]) -> Vec<(usize, f64)> {
+    let mode = &flow.shape().modes[flow.mode()];
     let mut room = Room::default();
-    room.resize(shape.modes[mode].written());
+    room.resize(mode.written());
     room.begin.look(flow, time, state);
     let Room { begin, there, terms: sizes, .. } = &mut room;
     terms(flow, time, state, begin, there, sizes);
-    for (index, entry) in events.iter().enumerate() {
+    let events = mode.events.iter().enumerate().filter(|(_, entry)| entry.surface.is_none());
+    let passed = events.filter_map(|(index, entry)| {
         let (value, noise) = (begin.values()[index], NOISE * f64::EPSILON * sizes.values()[index]);
         let has_passed = match entry.direction {
             Direction::Rises => value > noise,
             Direction::Falls => value < -noise,
             Direction::Crosses => false,
         };
-        let leads_away = entry.surface.is_none() && entry.target != mode;
-        if has_passed && leads_away && (!entry.conditional || flow.permits(index, time, state)) {
-            let unit = if entry.unit.is_empty() { "" } else { " " };
-            return refused(format!(
-                "it is to begin in the mode `{}`, where `{}` has happened already: what that watches is {}{unit}{}; begin \
-                 in the mode that follows, with `start {}` in the scene, or with other values",
-                shape.modes[mode].name,
-                entry.text,
-                value / entry.factor,
-                entry.unit,
-                shape.modes[entry.target].name,
-            ));
-        }
-    }
-    Ok(())
+        let holds = has_passed && (!entry.conditional || flow.permits(index, time, state));
+        holds.then_some((index, value))
+    });
+    passed.collect()
 }
 
 /// The start on the closures that hold it, if there are any; refused where it is farther from them than rounding.
