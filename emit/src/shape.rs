@@ -173,6 +173,7 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
     let reduced = scene.reduced.as_ref();
     let reduced = reduced.map(|loops| linkage_entry(layout, ("reduced", loops), origin, shared));
     let augmented = augmented(scene, origin);
+    let felt = list("felt", scene.felt.iter().map(|one| quote!(#one)));
     let carried = scene.carried.iter().map(|one| loop_entry(one, origin));
     let carried = list("carried", carried);
     // The loops of a linkage are unrolled by what its shape says: a constant is seen wherever they are compiled.
@@ -184,7 +185,7 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
         pub #kind #type_name: Shape = Shape::named(#name)
             #summary #effects #choices #preset #constants #drivers #states #linear #outputs #measures
             #equations .operations(Operations::of([#(#operations),*])) #marks #expectations
-            #modes #linkage #reduced #augmented #carried;
+            #modes #linkage #reduced #augmented #felt #carried;
     }
 }
 

@@ -146,6 +146,8 @@ pub struct SceneModel {
     pub reduced: Option<LinkageInfo>,
     /// The closures that hold the coordinates of a motion and are not solved for, if it has any.
     pub augmented: Option<AugmentedInfo>,
+    /// The scalar closures whose forces others depend on, as friction does.
+    pub felt: Vec<String>,
     /// Whether loops that move with coordinates may come to a dead point, where the motion would end.
     pub may_stop: bool,
     /// The same motion with all positions as coordinates, which goes on beyond dead points; where it may come to one.

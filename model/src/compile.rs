@@ -13,6 +13,7 @@ mod choose;
 mod close;
 mod declare;
 mod derive;
+mod felt;
 mod forces;
 mod lower;
 mod quantities;
@@ -206,24 +207,30 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
         derive::hold(&mut equations, linkage, &still, low);
     }
     let unknowns = quantities::unknown_names(&names);
-    let solved = is_complete(low).then(|| {
-        let given = quantities::state_symbols(&names);
+    let mut solved = is_complete(low).then(|| {
+        let felt = felt::of(&parts, low).into_iter().map(Symbol::Felt);
+        let given: Vec<_> = quantities::state_symbols(&names).into_iter().chain(felt).collect();
         let (graph, place) = (&mut low.graph, here.place());
         let given = (&given[..], low.slopes.as_mut());
         let held = augmented.as_ref().map_or((0, &[][..]), |one| (one.rank, &one.sizes[..]));
         let unknowns = (&unknowns[..], held);
         motion::solve(graph, &equations, unknowns, given, &place, low.diagnostics)
     });
-    if let (Some(Some(solved)), Some(linkage)) = (&solved, &linkage) {
-        low.bound = forces::bindings(&parts, linkage, solved, low);
+    if let (Some(Some(solved)), Some(linkage)) = (&mut solved, &linkage) {
+        let mut bound = forces::bindings(&parts, linkage, solved, low);
+        felt::settle(&felt::of(&parts, low), solved, &mut bound, low);
+        low.bound = bound;
     }
     let asked = Asked::read(here, reported, &still, low);
     let place = here.task.scene.map_or(here.task.file.name.span, |(scene, _)| scene.name.span);
     let closures = augmented.as_ref().map_or(0, |one| 2 * one.closures);
     let own = &equations[..equations.len().saturating_sub(closures)];
-    forces::check_asked(low, (&asked.all(), place), (&parts, own));
+    let felt = felt::of(&parts, low).into_iter().map(Symbol::Reaction);
+    let felt: Vec<_> = felt.map(|symbol| low.graph.symbol(symbol)).collect();
+    let forces = [asked.all(), felt].concat();
+    forces::check_asked(low, (&forces, place), (&parts, own));
     if let (Some(augmented), Some(linkage)) = (&augmented, &linkage) {
-        forces::check_determined(low, (&asked.all(), place), augmented, linkage);
+        forces::check_determined(low, (&forces, place), augmented, linkage);
     }
     seen.take_up(low);
     if !is_right(low) {

@@ -51,6 +51,8 @@ pub struct Solved {
     pub reactions: Vec<Expression>,
     /// Their nonzero partial derivatives with respect to the given symbols: row, column, value.
     pub partials: Vec<(usize, usize, Expression)>,
+    /// The same of the forces of the closures.
+    pub reaction_partials: Vec<(usize, usize, Expression)>,
     /// Lower triangle of the mass matrix over the coordinates, where every equation is Lagrange's.
     pub mass: Vec<Expression>,
     /// What must not be zero: equation, unknown, and what multiplies the unknown in it, of single equations and on the
@@ -136,15 +138,19 @@ pub fn solve(
         false => Vec::new(),
     };
     let reactions = elimination.derivatives.split_off(highest);
-    let partials = elimination.partials.into_iter().take(highest).enumerate();
-    let partials = partials.flat_map(|(row, columns)| {
-        let columns = columns.into_iter();
-        columns.map(move |(column, value)| (row, column, value))
-    });
+    let of_forces = elimination.partials.split_off(highest);
+    let entries = |rows: Vec<BTreeMap<usize, Expression>>| {
+        let rows = rows.into_iter().enumerate();
+        let all = rows.flat_map(|(row, columns)| {
+            columns.into_iter().map(move |(column, value)| (row, column, value))
+        });
+        all.filter(|one| one.2 != zero).collect()
+    };
     Some(Solved {
         derivatives: elimination.derivatives,
         reactions,
-        partials: partials.filter(|one| one.2 != zero).collect(),
+        partials: entries(elimination.partials),
+        reaction_partials: entries(of_forces),
         mass,
         pivots,
     })

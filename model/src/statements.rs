@@ -172,14 +172,16 @@ impl Parts {
             );
             return;
         }
-        let all = [force.values(), position.values()].concat();
+        let felt = force.values().iter().map(|one| low.feel(*one, value.span));
+        let Some(forces) = felt.collect::<Option<Vec<_>>>() else { return };
+        let all = [&forces, position.values()].concat();
         if !low.is_given(&all, statement.span) {
             return;
         }
         if !low.has_directions(position.values(), on, statement.span) {
             return;
         }
-        let pairs = force.values().iter().zip(position.values());
+        let pairs = forces.iter().zip(position.values());
         let pairs = pairs.map(|(force, position)| (*force, *position));
         self.energies.forces.extend(pairs);
         self.energy_places.push(statement.span);

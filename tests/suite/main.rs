@@ -17,6 +17,7 @@ mod batten;
 mod boundaries;
 mod closures;
 mod dynamics;
+mod friction;
 mod hard;
 mod hybrid;
 mod linkages;

@@ -25,6 +25,8 @@ pub struct Structure {
     independent: Vec<Coordinate>,
     /// The coordinates that closures hold without being solved for: those whose start follows from the independent ones.
     held: Vec<Coordinate>,
+    /// Scalar closures whose forces others depend on, as friction does: they are found together.
+    felt: &'static [&'static str],
     /// Loops that follow from others.
     redundant: Vec<&'static str>,
     /// In the order of solution.
@@ -139,6 +141,7 @@ impl Structure {
             drivers: Driver::starting((&structure.drivers, &structure.ranges), starts),
             independent: structure.coordinates.iter().map(Coordinate::of).collect(),
             held: structure.held.iter().map(Coordinate::of).collect(),
+            felt: structure.constants.scene.felt,
             redundant: structure.redundant.clone(),
             groups: groups.map(|(index, one)| Group::of(structure, index, one)).collect(),
             status: match structure.is_whole() {

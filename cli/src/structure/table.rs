@@ -20,6 +20,12 @@ pub fn render(page: &mut Page, structure: &Structure) {
             held.loops.len(),
         ));
     }
+    if !structure.constants.scene.felt.is_empty() {
+        page.line(&format!(
+            "Friction depends on the forces of {}: they are found together.",
+            structure.constants.scene.felt.join(", ")
+        ));
+    }
     page.line("");
     loops(page, structure);
     coordinates(page, structure);

@@ -91,6 +91,7 @@ fn json_has_its_documented_fields() {
         "events",
         "measures",
         "multipliers",
+        "vibrations",
         "conclusions",
         "statistics",
         "published",

@@ -1,7 +1,7 @@
 //! What a mode says of itself: names, units and texts beside its program.
 
 use super::quantities::{driver_quantities, state_quantities};
-use super::{Compiled, Mode};
+use super::{Compiled, Mode, felt};
 use crate::checked::{EventInfo, SceneModel};
 use crate::expression::Symbol;
 use crate::lower::Lowering;
@@ -38,9 +38,16 @@ pub fn scene(
         span: asked.span.kind,
         conservative: is_conservative(mode, low),
         literal: asked.literal.clone(),
+        felt: felt(mode, low),
         marks: published::marks(low, &mode.here.phase().statements),
         ..SceneModel::default()
     }
+}
+
+/// The names of the closures whose forces others depend on.
+fn felt(mode: &Mode<'_>, low: &Lowering<'_>) -> Vec<String> {
+    let felt = felt::of(&mode.parts, low).into_iter();
+    felt.map(|index| mode.linkage.equations[index as usize].name.clone()).collect()
 }
 
 fn summary(text: Option<&str>, documentation: &[String]) -> String {

@@ -127,6 +127,7 @@ fn plain(symbol: Symbol) -> String {
         Symbol::DependentRate(index) => format!("dot(dependent{index})"),
         Symbol::DependentAcceleration(index) => format!("ddot(dependent{index})"),
         Symbol::Reaction(index) => format!("reaction{index}"),
+        Symbol::Felt(index) => format!("felt{index}"),
         Symbol::Effort(index) => format!("effort{index}"),
         Symbol::Energy(index) => format!("energy{index}"),
         Symbol::Mode(index) => format!("mode{index}"),

@@ -40,6 +40,8 @@ pub enum Symbol {
     DependentAcceleration(u32),
     /// The force of a scalar closure, by the index of its equation.
     Reaction(u32),
+    /// The same as other forces depend on it.
+    Felt(u32),
     /// The force that the motion of a driver takes.
     Effort(u32),
     /// Kinetic energy, potential energy, dissipated power of the whole.

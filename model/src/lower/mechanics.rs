@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::{Kind, Lowering, Moved, Quantity, Typed, is_of_motion, second};
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Expression, Symbol};
+use crate::expression::{Expression, Function, Graph, Map, Node, Symbol};
 use crate::homogeneity::over;
 use crate::nearest::nearest;
 use crate::resolve::Role;
@@ -25,6 +25,9 @@ pub struct Closure {
 
 /// What `energy(…)` may be asked for, in the order of [`Symbol::Energy`].
 const ENERGIES: [&str; 3] = ["kinetic", "potential", "dissipation"];
+
+/// What a length is never less than, so that it has a slope: beside it rounding is large, in SI units.
+const NOTHING: f64 = 1e-30;
 
 impl Lowering<'_> {
     /// `reaction(closure)`, `effort(driver)`, `energy(kinetic)`; none for any other function.
@@ -129,9 +132,9 @@ impl Lowering<'_> {
     pub fn is_given(&mut self, values: &[Expression], span: Span) -> bool {
         let held = values.iter().any(|one| self.graph.depends_on(*one, is_of_motion));
         if held {
-            let message = "what makes the motion cannot depend on a `reaction`, an `effort` or an `energy` in this version of Assur";
+            let message = "what makes the motion cannot depend on an `effort` or an `energy`, and on a `reaction` only as a `force`";
             self.diagnostics.push(Diagnostic::error(span, message).hint(
-                "they can be reported, measured and watched by events; write a normal force out where friction needs it",
+                "they can be reported, measured and watched by events; friction is a `force` that depends on a `reaction`",
             ));
         }
         !held
@@ -145,4 +148,48 @@ impl Lowering<'_> {
             _ => Some(Kind::Of(joule)),
         }
     }
+
+    /// A force that depends on those of closures, with these as what is felt. None, which is reported, where it jumps or bends
+    /// with them.
+    pub fn feel(&mut self, force: Expression, span: Span) -> Option<Expression> {
+        let felt = |symbol: Symbol| matches!(symbol, Symbol::Reaction(_));
+        if !self.graph.depends_on(force, felt) {
+            return Some(force);
+        }
+        let mut new: Map<Expression, Expression> = Map::default();
+        for old in self.graph.reachable(&[force]) {
+            if !self.graph.depends_on(old, felt) {
+                continue;
+            }
+            let node = self.graph.node(old).clone();
+            let value = match &node {
+                Node::Symbol(Symbol::Reaction(index)) => self.graph.symbol(Symbol::Felt(*index)),
+                // Its slope jumps where it is zero; as a length it is followed through that place.
+                Node::Call(Function::Abs, arguments) => {
+                    let inner = new[&arguments[0]];
+                    length(&mut self.graph, inner)
+                }
+                Node::Call(Function::Sign | Function::Max | Function::Min | Function::Floor, _)
+                | Node::Select(..)
+                | Node::Compare(..) => {
+                    let message = "a force jumps or bends where that of a closure changes its sign";
+                    self.diagnostics.push(Diagnostic::error(span, message).hint(
+                        "take `abs` or `norm` of it; what holds for one sign alone belongs in a `mode`",
+                    ));
+                    return None;
+                }
+                _ => self.graph.rebuild_with(&node, &new),
+            };
+            new.insert(old, value);
+        }
+        Some(new[&force])
+    }
+}
+
+/// `|x|`, as `sqrt(x^2)` that is never exactly zero.
+fn length(graph: &mut Graph, value: Expression) -> Expression {
+    let square = graph.powi(value, 2);
+    let least = graph.number(NOTHING * NOTHING);
+    let sum = graph.add(square, least);
+    graph.call(Function::Sqrt, &[sum])
 }

@@ -66,7 +66,8 @@ fn forces_that_are_none() {
     wrong("output f = effort(zz);", "`zz` is no driver", "zz", "`effort(phi)`");
     wrong("output f = energy(heat);", "there is no energy `heat`", "heat", "`energy(kinetic)`");
     wrong("output f = dot(reaction(l));", "have no derivative here", "dot(reaction(l))", "report the quantity itself");
-    wrong("force -0.1*reaction(l) on x;", "cannot depend on a `reaction`", "force -0.1*reaction(l) on x;", "write a normal force out");
+    wrong("force 1 [N]*sign(reaction(l)) on x;", "a force jumps or bends where that of a closure changes its sign", "1 [N]*sign(reaction(l))", "take `abs` or `norm` of it");
+    wrong("potential reaction(l)*x;", "cannot depend on an `effort` or an `energy`", "potential reaction(l)*x;", "friction is a `force` that depends on a `reaction`");
 }
 
 #[test]

@@ -81,6 +81,8 @@ pub struct Shape {
     pub reduced: Option<LinkageEntry>,
     /// The closures of a motion that are not solved for, if it has any.
     pub augmented: Option<Augmented>,
+    /// The scalar closures whose forces others depend on, as friction does: they are solved for together.
+    pub felt: List<Text>,
     /// The loops that the motion carries along, one entry for each group that may fail to close, named by its equations.
     pub carried: List<Loop>,
 }
@@ -126,6 +128,7 @@ impl Shape {
             linkage: None,
             reduced: None,
             augmented: None,
+            felt: &[],
             carried: &[],
         }
     }
@@ -143,6 +146,7 @@ impl Shape {
         operations: Operations;
         marks: List<Mark>;
         expectations: List<Expectation>;
+        felt: List<Text>;
         carried: List<Loop>;
     }
 
