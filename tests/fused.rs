@@ -86,7 +86,7 @@ impl<L: Linkage + Default> Task for Loops<L> {
             outputs * variables,
             outputs * variables * (variables + 1) / 2,
             entry.dependents.len(),
-            2 * entry.points.len(),
+            shape.places(),
         ];
         let mut values = vec![S::ZERO; lists.into_iter().max().unwrap_or(0)];
         let mut columns = vec![assembly.closure().zeros(); shape.drivers.len()];

@@ -136,9 +136,13 @@ pub enum Rows {
 pub struct DrawArguments {
     #[command(flatten)]
     pub asked: Asked,
-    /// A position of the drivers to draw, `phi4=90deg`; may be repeated. Some over the range unless given.
+    /// A position of the drivers or a time to draw, `phi4=90deg`, `time=0.1s`; may be repeated. Some over the range unless
+    /// given.
     #[arg(long, value_name = "NAME=VALUE")]
     pub at: Vec<String>,
+    /// Forces of closures that the scene reports, as arrows.
+    #[arg(long)]
+    pub forces: bool,
     /// Directory for the pictures, created if it is missing.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -15,8 +15,15 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
     let name = &layout.equations;
     let first = &layout.first_mode().program().results;
     let drivers = of_time(layout, "drivers", &first.drivers);
-    let methods =
-        [outputs(layout), drivers, margins(layout), energy(layout), mass(layout), measures(layout)];
+    let methods = [
+        outputs(layout),
+        drivers,
+        margins(layout),
+        points(layout),
+        energy(layout),
+        mass(layout),
+        measures(layout),
+    ];
     let methods = methods.iter().flatten();
     let closures = closures(layout);
     quote! {
@@ -52,6 +59,22 @@ fn margins(layout: &Layout<'_>) -> Option<TokenStream> {
             fn margins(&self, phase: ::assur::problem::Phase<'_, S>, time: S, state: &[S], values: &mut [S]) {
                 ::assur::exact!(state, #states);
                 #margins
+            }
+        }
+    })
+}
+
+/// The places of points and forces.
+fn points(layout: &Layout<'_>) -> Option<TokenStream> {
+    let states = size(layout.states());
+    let points =
+        layout.in_mode(&quote!({}), &|mode| of_state(mode, &mode.program().results.points));
+    let is_linkage = layout.scene.linkage.is_some();
+    (!layout.scene.points.is_empty() && !is_linkage).then(|| {
+        quote! {
+            fn points(&self, phase: ::assur::problem::Phase<'_, S>, time: S, state: &[S], values: &mut [S]) {
+                ::assur::exact!(state, #states);
+                #points
             }
         }
     })

@@ -173,6 +173,19 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
     let reduced = scene.reduced.as_ref();
     let reduced = reduced.map(|loops| linkage_entry(layout, ("reduced", loops), origin, shared));
     let augmented = augmented(scene, origin);
+    let points = list("points", scene.points.iter().map(|one| quote!(#one)));
+    let links = scene.links.iter().map(|link| {
+        let (points, text) = (link.points.iter().map(|one| size(*one)), &link.text);
+        quote!(Link::new(&[#(#points),*], #text))
+    });
+    let links = list("links", links);
+    let arrows = list(
+        "arrows",
+        scene.arrows.iter().map(|one| {
+            let first = size(*one);
+            quote!(#first)
+        }),
+    );
     let felt = list("felt", scene.felt.iter().map(|one| quote!(#one)));
     let carried = scene.carried.iter().map(|one| loop_entry(one, origin));
     let carried = list("carried", carried);
@@ -185,7 +198,7 @@ fn shape(layout: &Layout<'_>, origin: &Origin<'_>, shared: &mut Shared) -> Token
         pub #kind #type_name: Shape = Shape::named(#name)
             #summary #effects #choices #preset #constants #drivers #states #linear #outputs #measures
             #equations .operations(Operations::of([#(#operations),*])) #marks #expectations
-            #modes #linkage #reduced #augmented #felt #carried;
+            #modes #linkage #reduced #augmented #felt #carried #points #links #arrows;
     }
 }
 
@@ -298,11 +311,6 @@ fn linkage_entry(
         let (half_width, kind) = (number(range.tolerance.0), distribution(range.tolerance.1));
         quote!((#half_width, #kind))
     });
-    let points = &linkage.points;
-    let links = linkage.links.iter().map(|link| {
-        let (points, text) = (link.points.iter().map(|one| size(*one)), &link.text);
-        quote!(Link::new(&[#(#points),*], #text))
-    });
     let setter = format_ident!("{setter}");
     quote! {
         .#setter(LinkageEntry {
@@ -314,8 +322,6 @@ fn linkage_entry(
             motion: #motion,
             second: #second,
             tolerances: &[#(#tolerances),*],
-            points: &[#(#points),*],
-            links: &[#(#links),*],
         })
     }
 }

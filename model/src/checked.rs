@@ -146,6 +146,13 @@ pub struct SceneModel {
     pub reduced: Option<LinkageInfo>,
     /// The closures that hold the coordinates of a motion and are not solved for, if it has any.
     pub augmented: Option<AugmentedInfo>,
+    /// Names of the points.
+    pub points: Vec<String>,
+    /// Lines between them.
+    pub links: Vec<LinkInfo>,
+    /// Forces of closures that are reported, by the first of the two outputs that each is. The places at which they act
+    /// stand behind those of the points.
+    pub arrows: Vec<usize>,
     /// The scalar closures whose forces others depend on, as friction does.
     pub felt: Vec<String>,
     /// Whether loops that move with coordinates may come to a dead point, where the motion would end.

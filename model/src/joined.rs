@@ -77,6 +77,7 @@ fn join(
     }
     unite(&mut all);
     report_unconnected(phases, &all, diagnostics);
+    draw_alike(&mut all);
     let mut model = all.get(phases.first)?.scene.clone();
     model.conservative = false;
     model.may_stop = all.iter().any(|mode| mode.scene.may_stop);
@@ -96,6 +97,28 @@ fn join(
         });
     }
     Some(model)
+}
+
+/// Leaves of what is drawn that which all modes have: points, if they have the same, and of forces those of closures that
+/// hold in all.
+fn draw_alike(all: &mut [Compiled]) {
+    let points: Vec<_> = all.iter().map(|mode| mode.scene.points.clone()).collect();
+    let same = points.windows(2).all(|pair| pair[0] == pair[1]);
+    let arrows: Vec<_> = all.iter().map(|mode| mode.scene.arrows.clone()).collect();
+    for mode in all {
+        let scene = &mut mode.scene;
+        let places = std::mem::take(&mut scene.program.results.points);
+        if !same {
+            (scene.points, scene.links, scene.arrows) = (Vec::new(), Vec::new(), Vec::new());
+            continue;
+        }
+        let (points, forces) = places.split_at((2 * scene.points.len()).min(places.len()));
+        let own = scene.arrows.clone().into_iter().zip(forces.chunks(2));
+        let kept = own.filter(|(arrow, _)| arrows.iter().all(|other| other.contains(arrow)));
+        let (arrows, forces): (Vec<usize>, Vec<_>) = kept.unzip();
+        scene.program.results.points = [points, &forces.concat()].concat();
+        scene.arrows = arrows;
+    }
 }
 
 /// A mode that has other coordinates than the first: what closures determine in one may be free in another.

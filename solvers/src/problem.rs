@@ -115,6 +115,9 @@ pub trait Reports<S: Scalar>: Send + Sync {
     /// row their slopes by the coordinates, SI units. Shape: [`Shape::augmented`]. Nothing is written where there are none.
     fn closures(&self, _phase: Phase<'_, S>, _time: S, _state: &[S], _values: &mut [S]) {}
 
+    /// Writes the places of points, and behind them of forces, x and y of each. Length: [`Shape::places`].
+    fn points(&self, _phase: Phase<'_, S>, _time: S, _state: &[S], _values: &mut [S]) {}
+
     /// Kinetic and potential energy, in joules; none where the scene states forces instead.
     fn energy(&self, _phase: Phase<'_, S>, _time: S, _state: &[S]) -> Option<(S, S)> {
         None

@@ -26,6 +26,7 @@ impl Registry {
                 For::Linkages | For::Loops => {
                     name_one("linkage", command, self.linkages().collect())
                 }
+                For::Drawn => name_one("mechanism", command, self.drawn().collect()),
                 _ => name_one("mechanism", command, self.0.iter().collect()),
             });
         };
@@ -41,6 +42,12 @@ impl Registry {
             "{}\n`assur list` shows them with their scenes",
             suggestion(name, &names)
         )))
+    }
+
+    /// The mechanisms with at least one scene that has points.
+    fn drawn(self) -> impl Iterator<Item = &'static Mechanism> {
+        let has_points = |one: &&Mechanism| one.scenes.iter().any(|one| !one.points.is_empty());
+        self.0.iter().filter(has_points)
     }
 
     /// The mechanisms with at least one scene that is a linkage.

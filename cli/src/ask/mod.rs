@@ -50,6 +50,8 @@ pub enum For {
     Loops,
     /// Those that have measures.
     Measured,
+    /// Those that have points.
+    Drawn,
 }
 
 impl For {
@@ -61,6 +63,7 @@ impl For {
                 scene.linkage.is_some() || scene.reduced.is_some() || scene.augmented.is_some()
             }
             Self::Measured => !scene.measures.is_empty(),
+            Self::Drawn => !scene.points.is_empty(),
         }
     }
 
@@ -79,6 +82,10 @@ impl For {
         match self {
             _ if self.suits(scene) => Ok(scene),
             Self::Linkages | Self::Loops => Err(lookup::no_linkage(registry, mechanism, scene)),
+            Self::Drawn => Err(Failure::request(format!("scene `{}` has no points", scene.name))
+                .remedy(
+                    "state them in the equation file: point A = [0, 0]; link A - B \"crank\";",
+                )),
             _ => Err(lookup::no_measures(mechanism, scene)),
         }
     }

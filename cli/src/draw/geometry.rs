@@ -1,9 +1,7 @@
 //! The points of a linkage along its way: which stand, which move, which move straight.
 
-use assur::closure::Sample;
-use assur::shape::LinkageEntry;
-
-use crate::linkage::case::Case;
+use assur::registry::SceneEntry;
+use assur::shape::Link;
 
 /// A place on the drawing board, metres.
 pub type Point = (f64, f64);
@@ -34,24 +32,46 @@ pub enum Moves {
     Free,
 }
 
+/// Where everything is at one position.
+#[derive(Clone, Debug, Default)]
+pub struct Frame {
+    /// The points, metres.
+    pub points: Vec<Point>,
+    /// Forces: where each acts, metres, and how large it is, newtons.
+    pub forces: Vec<(Point, Point)>,
+}
+
+impl Frame {
+    /// Of what a scene says of a position: places of points and forces, and its outputs.
+    pub fn of(scene: &SceneEntry, places: &[f64], outputs: &[f64]) -> Self {
+        let mut places = places.chunks_exact(2).map(|place| (place[0], place[1]));
+        let points = places.by_ref().take(scene.points.len()).collect();
+        let force = |first: &usize| (outputs[*first], outputs[*first + 1]);
+        Self { points, forces: places.zip(scene.arrows.iter().map(force)).collect() }
+    }
+
+    fn point(&self, index: usize) -> Point {
+        self.points.get(index).copied().unwrap_or((f64::NAN, f64::NAN))
+    }
+}
+
 impl Geometry {
-    /// The geometry of a linkage with these positions along its ways, and others that are drawn as well.
+    /// The geometry of so many points with these positions along their ways, and others that are drawn as well.
     pub fn new<'a>(
-        case: &Case,
-        ways: &[Vec<Sample>],
-        others: impl Iterator<Item = &'a Sample>,
+        count: usize,
+        ways: &[Vec<Frame>],
+        others: impl Iterator<Item = &'a Frame>,
     ) -> Self {
         let others: Vec<_> = others.collect();
-        let count = case.moved.entry.points.len();
-        let along = |way: &Vec<Sample>, index: usize| -> Vec<Point> {
-            way.iter().map(|sample| point(sample, index)).collect()
+        let along = |way: &Vec<Frame>, index: usize| -> Vec<Point> {
+            way.iter().map(|frame| frame.point(index)).collect()
         };
         let of_point = |index: usize| -> Vec<Vec<Point>> {
             ways.iter().map(|way| along(way, index)).collect()
         };
         let paths: Vec<_> = (0..count).map(of_point).collect();
         let all = |index: usize| {
-            let shown = others.iter().map(|sample| point(sample, index));
+            let shown = others.iter().map(|frame| frame.point(index));
             paths[index].iter().flatten().copied().chain(shown).collect::<Vec<_>>()
         };
         let places = (0..count).flat_map(all);
@@ -79,15 +99,9 @@ impl Geometry {
     }
 }
 
-/// A point of a position.
-pub fn point(sample: &Sample, index: usize) -> Point {
-    let value = |index: usize| sample.points.get(index).copied().unwrap_or(f64::NAN);
-    (value(2 * index), value(2 * index + 1))
-}
-
 /// Points that a link is drawn through.
-pub fn neighbours(entry: &LinkageEntry, index: usize) -> Vec<usize> {
-    let pairs = entry.links.iter().flat_map(|link| link.points.windows(2));
+pub fn neighbours(links: &[Link], index: usize) -> Vec<usize> {
+    let pairs = links.iter().flat_map(|link| link.points.windows(2));
     let other = pairs.filter_map(|pair| match pair {
         [a, b] if *a == index => Some(*b),
         [a, b] if *b == index => Some(*a),

@@ -34,7 +34,7 @@ pub fn slides(picture: &Picture<'_>, index: usize) -> Option<Point> {
     let Moves::Straight(along) = picture.geometry.moves[index] else {
         return None;
     };
-    let linked = neighbours(picture.case.moved.entry, index);
+    let linked = neighbours(picture.scene().links, index);
     let mut others = linked.iter().map(|&other| picture.geometry.moves[other]);
     let alike = others.any(|other| matches!(other, Moves::Straight(_)));
     (!linked.is_empty() && !alike).then_some(along)

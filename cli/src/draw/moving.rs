@@ -1,31 +1,31 @@
 //! The linkage in motion, by the animation elements of SVG: any browser plays it.
 
-use assur::closure::Sample;
-
-use super::geometry::{Moves, Point};
+use super::Picture;
+use super::forces;
+use super::geometry::{Frame, Moves, Point};
 use super::joints::{self, PIVOT};
 use super::names;
 use super::sheet::{Sheet, colour};
 use super::still::{frame, paths, pixels};
-use super::{FRAMES, Picture};
 use crate::plot::svg::{Svg, short};
 
-/// Seconds of one way.
-const WAY: f64 = 4.0;
-
-/// Draws it; the frames are evenly apart in time.
-pub fn draw(picture: &Picture<'_>, frames: &[Sample]) -> String {
-    let title = format!("{}: motion", picture.case.constants.mechanism.title);
-    let sheet = Sheet::new(picture, "");
+/// Draws it; the frames are evenly apart in time, and take so many seconds.
+pub fn draw(picture: &Picture<'_>, frames: &[Frame], seconds: f64) -> String {
+    let title = format!("{}: motion", picture.constants.mechanism.title);
+    let sheet = Sheet::new(picture, &picture.pace);
     let mut svg = sheet.begin(&title);
-    let frames: Vec<_> = frames.iter().map(|frame| pixels(picture, &sheet, frame)).collect();
-    let clock = Clock { seconds: WAY * frames.len() as f64 / FRAMES as f64 };
+    let arrows = forces::arrows(picture, &sheet, frames);
+    let frames: Vec<_> = frames.iter().map(|frame| pixels(&sheet, frame)).collect();
+    let clock = Clock { seconds };
     paths(&mut svg, picture, &sheet);
     if let Some(first) = frames.first() {
         svg.begin("the linkage");
         frame(&mut svg, picture, first);
         links(&mut svg, picture, &frames, &clock);
         pivots(&mut svg, picture, &frames, &clock);
+        for shapes in &arrows {
+            shape(&mut svg, "polygon", "force", shapes, &clock);
+        }
         svg.end();
     }
     sheet.finish(svg, &title)
@@ -64,7 +64,7 @@ fn shape(svg: &mut Svg, element: &str, class: &str, shapes: &[Vec<Point>], clock
 }
 
 fn links(svg: &mut Svg, picture: &Picture<'_>, frames: &[Vec<Point>], clock: &Clock) {
-    for (index, link) in picture.case.moved.entry.links.iter().enumerate() {
+    for (index, link) in picture.scene().links.iter().enumerate() {
         if picture.geometry.is_frame(link.points) {
             continue;
         }
@@ -81,7 +81,7 @@ fn links(svg: &mut Svg, picture: &Picture<'_>, frames: &[Vec<Point>], clock: &Cl
 
 fn pivots(svg: &mut Svg, picture: &Picture<'_>, frames: &[Vec<Point>], clock: &Clock) {
     let named = names::names(picture, &frames[0]);
-    for index in 0..picture.case.moved.entry.points.len() {
+    for index in 0..picture.scene().points.len() {
         let at = |frame: &Vec<Point>| frame[index];
         if let Some(along) = joints::slides(picture, index) {
             let shapes = frames.iter().map(|frame| joints::slide(at(frame), along).to_vec());

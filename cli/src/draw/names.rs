@@ -72,7 +72,7 @@ pub fn names(picture: &Picture<'_>, at: &[Point]) -> Vec<Name> {
 
 /// What a point is called: without the part that it belongs to, unless another point elsewhere is called so too.
 fn called(picture: &Picture<'_>, at: &[Point], index: usize) -> String {
-    let points = picture.case.moved.entry.points;
+    let points = picture.scene().points;
     let last = |index: usize| points[index].rsplit('.').next().unwrap_or(points[index]);
     let elsewhere =
         |&other: &usize| last(other) == last(index) && !Sheet::touch(at[other], at[index]);
@@ -116,7 +116,7 @@ struct Drawn {
 
 impl Drawn {
     fn new(picture: &Picture<'_>, at: &[Point]) -> Self {
-        let links = picture.case.moved.entry.links.iter();
+        let links = picture.scene().links.iter();
         let pairs = links.flat_map(|link| link.points.windows(2));
         let stands = |index: &usize| picture.geometry.moves[*index] == Moves::Stands;
         let standing = (0..at.len()).filter(stands);

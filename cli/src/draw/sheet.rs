@@ -1,6 +1,7 @@
 //! The paper of a drawing: scale, title, legend, scale bar.
 
 use super::Picture;
+use super::forces;
 use super::geometry::{Point, distance};
 use crate::plot::figure::lead;
 use crate::plot::legend::text_width;
@@ -51,7 +52,7 @@ impl Sheet {
         let scale = fit(LARGEST.0, size.0).min(fit(LARGEST.1, size.1));
         let scale = if scale.is_finite() { scale } else { 1e3 };
         let width = (size.0 * scale + 2.0 * MARGIN).max(NARROWEST);
-        let said = format!("{} {sentence}", lead(&picture.case.constants));
+        let said = format!("{} {sentence}{}", lead(picture.constants), forces::legend(picture));
         let lead = wrap(&said, ((width - 60.0) / 7.2) as usize);
         let top = 56.0 + 18.0 * lead.len() as f64;
         let legend = legend(picture, width, top + 2.0);
@@ -123,7 +124,7 @@ impl Sheet {
 
 /// The class of the colour of a link; links of the frame are grey.
 pub fn colour(picture: &Picture<'_>, link: usize) -> String {
-    let links = picture.case.moved.entry.links;
+    let links = picture.scene().links;
     if picture.geometry.is_frame(links[link].points) {
         return "k".to_owned();
     }
@@ -136,7 +137,7 @@ fn legend(picture: &Picture<'_>, width: f64, top: f64) -> Vec<Entry> {
     let mut at = (30.0, top);
     let mut entries: Vec<Entry> = Vec::new();
     let mut before = None;
-    for (index, link) in picture.case.moved.entry.links.iter().enumerate() {
+    for (index, link) in picture.scene().links.iter().enumerate() {
         if link.text.is_empty() {
             continue;
         }
@@ -160,7 +161,7 @@ fn legend(picture: &Picture<'_>, width: f64, top: f64) -> Vec<Entry> {
 
 /// The part of the mechanism that a link belongs to, as its points are named; empty if to none.
 fn part(picture: &Picture<'_>, points: &[usize]) -> &'static str {
-    let name = points.first().map(|&index| picture.case.moved.entry.points[index]);
+    let name = points.first().map(|&index| picture.scene().points[index]);
     let part = name.and_then(|name| name.rsplit_once('.'));
     part.map_or("", |(part, _)| part)
 }

@@ -1,9 +1,8 @@
 //! The linkage at some positions: the first one strong, the others pale, with the path of each moving point.
 
-use assur::closure::Sample;
-
 use super::Picture;
-use super::geometry::{Moves, Point, point};
+use super::forces;
+use super::geometry::{Frame, Moves, Point};
 use super::joints::{self, PIVOT};
 use super::names;
 use super::sheet::{Sheet, colour};
@@ -11,8 +10,8 @@ use crate::plot::curve::simplify;
 use crate::plot::svg::Svg;
 
 /// Draws it.
-pub fn draw(picture: &Picture<'_>, positions: &[&Sample]) -> String {
-    let title = format!("{}: positions", picture.case.constants.mechanism.title);
+pub fn draw(picture: &Picture<'_>, positions: &[&Frame]) -> String {
+    let title = format!("{}: positions", picture.constants.mechanism.title);
     let strong = match positions.len() {
         0 | 1 => "",
         _ => " (the first one strong)",
@@ -22,17 +21,17 @@ pub fn draw(picture: &Picture<'_>, positions: &[&Sample]) -> String {
     paths(&mut svg, picture, &sheet);
     if let Some((first, others)) = positions.split_first() {
         for other in others {
-            pale(&mut svg, picture, &pixels(picture, &sheet, other));
+            pale(&mut svg, picture, &pixels(&sheet, other));
         }
-        strong_position(&mut svg, picture, &pixels(picture, &sheet, first));
+        strong_position(&mut svg, picture, &pixels(&sheet, first));
+        forces::still(&mut svg, picture, &sheet, first);
     }
     sheet.finish(svg, &title)
 }
 
 /// The pixels of the points at a position.
-pub fn pixels(picture: &Picture<'_>, sheet: &Sheet, sample: &Sample) -> Vec<Point> {
-    let points = 0..picture.case.moved.entry.points.len();
-    points.map(|index| sheet.pixel(point(sample, index))).collect()
+pub fn pixels(sheet: &Sheet, frame: &Frame) -> Vec<Point> {
+    frame.points.iter().map(|point| sheet.pixel(*point)).collect()
 }
 
 /// The path of each moving point over the way, and the line of each slide.
@@ -61,7 +60,7 @@ pub fn paths(svg: &mut Svg, picture: &Picture<'_>, sheet: &Sheet) {
 /// A position as a background.
 fn pale(svg: &mut Svg, picture: &Picture<'_>, at: &[Point]) {
     svg.begin("another position");
-    for (index, link) in picture.case.moved.entry.links.iter().enumerate() {
+    for (index, link) in picture.scene().links.iter().enumerate() {
         if !picture.geometry.is_frame(link.points) {
             let points: Vec<_> = link.points.iter().map(|&point| at[point]).collect();
             svg.path(&format!("pale {}", colour(picture, index)), &points);
@@ -79,7 +78,7 @@ fn pale(svg: &mut Svg, picture: &Picture<'_>, at: &[Point]) {
 fn strong_position(svg: &mut Svg, picture: &Picture<'_>, at: &[Point]) {
     svg.begin("the first position");
     frame(svg, picture, at);
-    for (index, link) in picture.case.moved.entry.links.iter().enumerate() {
+    for (index, link) in picture.scene().links.iter().enumerate() {
         if picture.geometry.is_frame(link.points) {
             continue;
         }
@@ -104,7 +103,7 @@ fn strong_position(svg: &mut Svg, picture: &Picture<'_>, at: &[Point]) {
 
 /// What stands: the points of the frame and lines between them.
 pub fn frame(svg: &mut Svg, picture: &Picture<'_>, at: &[Point]) {
-    for link in picture.case.moved.entry.links {
+    for link in picture.scene().links {
         if picture.geometry.is_frame(link.points) {
             let points: Vec<_> = link.points.iter().map(|&point| at[point]).collect();
             svg.path("symbol", &points);

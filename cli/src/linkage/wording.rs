@@ -236,8 +236,6 @@ mod tests {
         motion: 0,
         second: false,
         tolerances: &[],
-        points: &[],
-        links: &[],
     };
 
     #[track_caller]

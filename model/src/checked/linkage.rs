@@ -18,10 +18,6 @@ pub struct LinkageInfo {
     pub groups: Vec<GroupInfo>,
     /// What influence coefficients are taken by.
     pub variables: Vec<VariableInfo>,
-    /// Names of the points.
-    pub points: Vec<String>,
-    /// Links, by the indices of their points.
-    pub links: Vec<LinkInfo>,
 }
 
 /// Where a driver moves, SI units.

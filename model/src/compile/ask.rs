@@ -50,7 +50,7 @@ impl Asked {
             false => Measures::default(),
         };
         let span = task(here, low);
-        let geometry = Geometry::read(&here.phase().statements, names, low);
+        let geometry = Geometry::read(&here.phase().statements, names, &outputs.values, low);
         let ranges = Ranges::read(names, scene, low);
         let begins = here.index == here.phases.first;
         let goes = matches!(span.kind, SpanKind::Run | SpanKind::Rest) || span.is_clock();

@@ -39,6 +39,9 @@ pub fn scene(
         conservative: is_conservative(mode, low),
         literal: asked.literal.clone(),
         felt: felt(mode, low),
+        points: asked.geometry.names.clone(),
+        links: asked.geometry.links.clone(),
+        arrows: asked.geometry.arrows.clone(),
         marks: published::marks(low, &mode.here.phase().statements),
         ..SceneModel::default()
     }

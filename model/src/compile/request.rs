@@ -3,7 +3,6 @@
 use super::Mode;
 use crate::checked::{AugmentedInfo, LinkageInfo, LoopInfo, SpanKind};
 use crate::expression::{Expression, Symbol};
-use crate::linkage::Geometry;
 use crate::lower::{Lowering, Moved};
 use crate::program::{self, Input, Request, Results};
 
@@ -12,7 +11,12 @@ use super::quantities::state_symbols;
 /// Everything but what the loops compute.
 pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
     let (asked, solved, phases) = (&mode.asked, &mode.solved, mode.here.phases);
+    let points = match mode.declared.is_linkage() {
+        true => Vec::new(),
+        false => asked.geometry.points.clone(),
+    };
     let mut results = Results {
+        points,
         derivative: speeds(mode, low),
         outputs: asked.outputs.values.clone(),
         measured: asked.measures.looked_at.clone(),
@@ -166,9 +170,7 @@ pub fn augmented(mode: &Mode<'_>) -> Option<AugmentedInfo> {
 /// The loops by which a motion is reduced to its independent coordinates.
 pub fn reduced(mode: &Mode<'_>, low: &mut Lowering<'_>) -> LinkageInfo {
     let (declared, linkage) = (&mode.declared, &mode.linkage);
-    let (geometry, ranges) = (Geometry::default(), &mode.asked.ranges);
-    let units = &declared.dependent_units;
-    linkage.info(low, low.names, units, &geometry, ranges, Vec::new())
+    linkage.info(low, low.names, &declared.dependent_units, &mode.asked.ranges, Vec::new())
 }
 
 /// Adds the influence coefficients of a linkage, and says what it is.
@@ -180,7 +182,7 @@ pub fn influences(
 ) -> LinkageInfo {
     let (declared, linkage) = (&mode.declared, &mode.linkage);
     let variables = linkage.variables(low.names, &declared.constants, kept);
-    let (geometry, ranges) = (&mode.asked.geometry, &mode.asked.ranges);
+    let ranges = &mode.asked.ranges;
     linkage.influence(low, request, &variables, kept);
     let constants = kept.iter().filter_map(|old| declared.constants[*old].as_ref());
     let mut constants = constants.map(|constant| constant.tolerance);
@@ -188,5 +190,5 @@ pub fn influences(
     if constants.any(|tolerance| tolerance > 0.0) || ranges.have_tolerances() {
         linkage.curve(low, request, &variables, kept);
     }
-    linkage.info(low, low.names, &declared.dependent_units, geometry, ranges, variables)
+    linkage.info(low, low.names, &declared.dependent_units, ranges, variables)
 }

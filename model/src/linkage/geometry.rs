@@ -13,17 +13,24 @@ use crate::syntax::tree::{Driver, Scene, SceneItem, Statement, StatementKind, Sw
 /// What is drawn.
 #[derive(Default)]
 pub struct Geometry {
-    /// Positions of the points, x and y of each.
+    /// Positions of the points, x and y of each; behind them those at which forces act.
     pub points: Vec<Expression>,
     /// Their names.
     pub names: Vec<String>,
     /// Lines between them.
     pub links: Vec<LinkInfo>,
+    /// For each of the forces the first of the two outputs that it is.
+    pub arrows: Vec<usize>,
 }
 
 impl Geometry {
-    /// Reads points and links.
-    pub fn read(statements: &[Statement], names: &Names, low: &mut Lowering<'_>) -> Self {
+    /// Reads points and links, and which outputs are the force of a closure.
+    pub fn read(
+        statements: &[Statement],
+        names: &Names,
+        outputs: &[Expression],
+        low: &mut Lowering<'_>,
+    ) -> Self {
         let mut geometry = Self::default();
         for point in &names.points {
             geometry.point(point, low);
@@ -42,7 +49,28 @@ impl Geometry {
                 }));
             }
         }
+        if !geometry.names.is_empty() {
+            geometry.forces(outputs, low);
+        }
         geometry
+    }
+
+    /// Outputs that are the force of a closure, on what stands on its left side or on the right one.
+    fn forces(&mut self, outputs: &[Expression], low: &mut Lowering<'_>) {
+        for closure in low.closures.clone() {
+            let Some(place) = closure.place.filter(|_| closure.equations.len() == 2) else {
+                continue;
+            };
+            let force =
+                closure.equations.map(|index| low.graph.symbol(Symbol::Reaction(index as u32)));
+            let force: Vec<_> = force.collect();
+            let opposite: Vec<_> = force.iter().map(|one| low.graph.neg(*one)).collect();
+            let mut pairs = outputs.windows(2);
+            if let Some(first) = pairs.position(|pair| pair == force || pair == opposite) {
+                self.points.extend(place);
+                self.arrows.push(first);
+            }
+        }
     }
 
     fn point(&mut self, point: &Declared<Term>, low: &mut Lowering<'_>) {

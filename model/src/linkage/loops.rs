@@ -3,12 +3,13 @@
 use crate::checked::EquationInfo;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
-use crate::lower::{Closure, Kind, Lowering};
+use crate::homogeneity::agree;
+use crate::lower::{Closure, Kind, Lowering, Typed};
 use crate::motion::Equation;
 use crate::syntax::print;
 use crate::syntax::tree::{Statement, StatementKind, Term};
 use crate::token::Span;
-use crate::unit::Unit;
+use crate::unit::{Dimension, Unit};
 use crate::unroll::equation_name;
 
 /// The loop equations of a scene.
@@ -68,10 +69,17 @@ impl Loops {
             self.written.push(written);
             self.kinds.push(kind);
         }
+        let place = match low.aside(|low| low.term(left)) {
+            Typed::Quantity(place) if agree(kind, Kind::Of(Dimension::base(0))).is_some() => {
+                <[Expression; 2]>::try_from(place.values()).ok()
+            }
+            _ => None,
+        };
         low.closures.push(Closure {
             name: name.to_string(),
             equations: first..self.equations.len(),
             kind,
+            place,
         });
         self.texts.push(EquationInfo {
             text: print::statement(statement),

@@ -189,7 +189,6 @@ impl Linkage {
         low: &mut Lowering<'_>,
         names: &Names,
         units: &[Option<Unit>],
-        geometry: &Geometry,
         ranges: &Ranges,
         variables: Vec<VariableInfo>,
     ) -> LinkageInfo {
@@ -236,8 +235,6 @@ impl Linkage {
             loops: loops.collect(),
             groups: groups.collect(),
             variables,
-            points: geometry.names.clone(),
-            links: geometry.links.clone(),
         }
     }
 }

@@ -21,6 +21,8 @@ pub struct Closure {
     pub equations: Range<usize>,
     /// Kind of its two sides.
     pub kind: Kind,
+    /// Where it is, if it joins two places in the plane: what stands on its left side.
+    pub place: Option<[Expression; 2]>,
 }
 
 /// What `energy(…)` may be asked for, in the order of [`Symbol::Energy`].

@@ -3,7 +3,7 @@
 use super::{Closing, Event, Value};
 
 /// The functions that compute events, by number.
-const EVENTS: usize = 12;
+const EVENTS: usize = 13;
 
 /// The functions of a program: which values each returns.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,6 +28,8 @@ pub struct Results<T = Value> {
     pub start: Vec<T>,
     /// What a linkage computes.
     pub closing: Closing<T>,
+    /// Of a motion the places of points, and behind them of forces, x and y of each.
+    pub points: Vec<T>,
     /// What measures look at.
     pub measured: Vec<T>,
     /// The measures, from what has been found of a run.
@@ -60,6 +62,7 @@ impl<T: Copy> Results<T> {
             measured: each(&self.measured),
             measures: each(&self.measures),
             margins: each(&self.margins),
+            points: each(&self.points),
             closing: self.closing.map(|one| new(*one)),
             events: self.events.iter().map(|event| event.map(&mut new)).collect(),
         }
@@ -98,6 +101,7 @@ impl<T: Copy> Results<T> {
             self.measured.len(),
             self.measures.len(),
             self.margins.len(),
+            self.points.len(),
         ];
         let lists = lists.into_iter().enumerate();
         let repeated = lists.flat_map(|(function, count)| std::iter::repeat_n(function, count));

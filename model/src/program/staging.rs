@@ -40,6 +40,7 @@ impl Program {
             &results.measured,
             &results.measures,
             &results.margins,
+            &results.points,
         ];
         let evaluated = results.derivative.iter().copied().chain(slopes);
         let asked = evaluated

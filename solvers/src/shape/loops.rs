@@ -23,10 +23,6 @@ pub struct LinkageEntry {
     pub second: bool,
     /// Permitted error of each driver, SI units (zero if none is stated), with its distribution.
     pub tolerances: List<(f64, Distribution)>,
-    /// Names of the points.
-    pub points: List<Text>,
-    /// Lines between them.
-    pub links: List<Link>,
 }
 
 impl LinkageEntry {
@@ -40,8 +36,6 @@ impl LinkageEntry {
         motion: 0,
         second: false,
         tolerances: &[],
-        points: &[],
-        links: &[],
     };
 
     /// Whether a group is iterated.

@@ -83,6 +83,13 @@ pub struct Shape {
     pub augmented: Option<Augmented>,
     /// The scalar closures whose forces others depend on, as friction does: they are solved for together.
     pub felt: List<Text>,
+    /// Names of the points.
+    pub points: List<Text>,
+    /// Lines between them.
+    pub links: List<Link>,
+    /// Forces of closures that are reported, by the first of the two outputs that each is. The places at which they act
+    /// stand behind those of the points.
+    pub arrows: List<usize>,
     /// The loops that the motion carries along, one entry for each group that may fail to close, named by its equations.
     pub carried: List<Loop>,
 }
@@ -129,6 +136,9 @@ impl Shape {
             reduced: None,
             augmented: None,
             felt: &[],
+            points: &[],
+            links: &[],
+            arrows: &[],
             carried: &[],
         }
     }
@@ -147,6 +157,9 @@ impl Shape {
         marks: List<Mark>;
         expectations: List<Expectation>;
         felt: List<Text>;
+        points: List<Text>;
+        links: List<Link>;
+        arrows: List<usize>;
         carried: List<Loop>;
     }
 
@@ -219,6 +232,11 @@ impl Shape {
     #[doc(hidden)]
     pub fn defaults<const N: usize>(&self) -> [f64; N] {
         std::array::from_fn(|index| self.constants[index].default)
+    }
+
+    /// The number of values that points and places of forces have.
+    pub fn places(&self) -> usize {
+        2 * (self.points.len() + self.arrows.len())
     }
 
     /// The largest number of guards of a mode.

@@ -86,7 +86,5 @@ mod shapes_ {
             motion: 0,
             second: true,
             tolerances: &[(0.0, Distribution::Normal)],
-            points: &[],
-            links: &[],
         });
 }

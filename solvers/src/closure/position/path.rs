@@ -84,7 +84,7 @@ impl dyn AnyLinkage + '_ {
         let mut outputs = vec![0.0; shape.outputs.len()];
         loops.outputs(&instant, guide.position, &mut outputs);
         guide.strike_undetermined(&instant, &mut outputs);
-        let mut points = vec![0.0; 2 * entry.points.len()];
+        let mut points = vec![0.0; shape.places()];
         loops.points(&instant, guide.position, &mut points);
         let dependents = entry.dependents.len();
         let mut columns = vec![0.0; dependents * drivers.len()];
