@@ -12,6 +12,7 @@
 //! It does not matter to them whether a scene has modes, repeats, or stands still: there is one [`Question`] and one
 //! [`Motion`].
 
+mod changes;
 mod error;
 mod estimate;
 mod extremes;

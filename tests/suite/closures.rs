@@ -34,6 +34,23 @@ mod crank {
     }
 }
 
+/// A pendulum in Cartesian coordinates that is pushed to and fro in a fluid.
+mod pushed {
+    assur::mechanism! {
+        Pushed from "made up";
+        parameter L = 1 m, m = 1 kg, g = 9.81 [m/s^2], F = 2 N, d = 0.8 [N*s/m], w = 2.5 [rad/s];
+        coordinate x: m = 0.05 m;
+        dependent y ~ -1 m;
+        closure rod: x^2 + y^2 = L^2;
+        kinetic m*(dot(x)^2 + dot(y)^2)/2;
+        potential m*g*y;
+        dissipation d*(dot(x)^2 + dot(y)^2)/2;
+        force F*cos(w*time) on x;
+        output x, y, v = dot(x);
+        scene steady { periodic over 2*pi/w; }
+    }
+}
+
 const FINE: Settings = Settings::new(Method::Dop853).rtol(1e-12);
 
 /// By the reduced equations, as they are.
@@ -139,6 +156,13 @@ fn windows_lie_flat_and_go_on() {
         check(&two, "E", time, 35.835, 1e-8);
         check(&two, "ph[2]", time, 0.0, 1e-10);
     }
+    // From upright through nine flat positions to 30.2 rad further back: each is reported, and nothing else.
+    let changes = two.change_points();
+    for (index, time) in changes.iter().enumerate() {
+        let flat = -(index as f64) * std::f64::consts::PI;
+        check(&two, "th[0]", *time, flat, 1e-6);
+    }
+    assert_eq!(changes.len(), 10, "{changes:?}");
 }
 
 /// A pendulum of which the rod breaks where its tension comes to a limit.
@@ -284,4 +308,25 @@ fn a_motion_repeats_with_the_same_multipliers_where_closures_hold_it() {
     });
     assert_eq!((moduli[0].len(), moduli[1].len()), (1, 1), "{moduli:?}");
     assert!((moduli[0][0] - moduli[1][0]).abs() < 1e-7, "{moduli:?}");
+}
+
+/// Multipliers are those of what the closure leaves.
+#[test]
+fn a_steady_state_that_closures_hold_is_that_of_the_reduced_motion() {
+    let scene = pushed::Steady::default();
+    let held = scene.unreduced().expect("either coordinate may come to a dead point");
+    let (reduced, held) =
+        (scene.solve(&FINE).expect("it repeats"), held.solve(&FINE).expect("it repeats"));
+    for time in [0.0, 0.4, 1.1, 2.0] {
+        for name in ["x", "y", "v"] {
+            let [a, b] =
+                [&reduced, &held].map(|motion| motion.value(name, time).expect("reported"));
+            assert!((a - b).abs() < 1e-8, "{name} at {time}: {a} {b}");
+        }
+    }
+    let moduli =
+        |motion: &Motion| motion.multipliers().iter().map(|one| one.modulus()).collect::<Vec<_>>();
+    let (a, b) = (moduli(&reduced), moduli(&held));
+    assert_eq!((a.len(), b.len()), (2, 2), "{a:?} {b:?}");
+    assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-6), "{a:?} {b:?}");
 }

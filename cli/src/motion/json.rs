@@ -31,6 +31,9 @@ pub struct Motion {
     first_mode: Option<&'static str>,
     /// What happened, in order.
     events: Vec<Event>,
+    /// Times in seconds at which closures that hold the coordinates depend on each other for an instant: the motion goes on
+    /// by its momentum.
+    change_points: Vec<f64>,
     /// Numbers of the whole task.
     measures: Vec<Measure>,
     /// Floquet multipliers over all periods of the task; none unless it is periodic.
@@ -308,6 +311,7 @@ impl Motion {
             modes: modes.map(|mode| Mode { name: mode.name, summary: mode.summary }).collect(),
             first_mode: text(events::first_mode(report)),
             events: events::happened(report).map(|event| Event::of(report, event)).collect(),
+            change_points: report.changes.clone(),
             measures,
             multipliers: multipliers(report),
             vibrations: Vibration::all(report),

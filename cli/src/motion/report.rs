@@ -47,6 +47,8 @@ pub struct Report {
     pub start: Snapshot,
     /// Smallest and largest value of each variable over the task; none where it has no length.
     pub extremes: Vec<Ends>,
+    /// When the motion passes a change point, in seconds.
+    pub changes: Vec<f64>,
     /// Errors of the times of all events.
     pub events: Vec<f64>,
     /// Numbers of the whole task.
@@ -222,6 +224,7 @@ pub fn collect(
         is_cut_off: estimate.is_cut_off,
     };
     Ok(Report {
+        changes: motion.change_points(),
         events: estimate.events(&motion),
         multipliers: multipliers::read(motion.multipliers()),
         period_error: estimate.period(&motion),

@@ -89,6 +89,7 @@ fn json_has_its_documented_fields() {
         "modes",
         "first_mode",
         "events",
+        "change_points",
         "measures",
         "multipliers",
         "vibrations",

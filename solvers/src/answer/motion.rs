@@ -1,5 +1,6 @@
 //! The motion of a scene: of a run, of a steady state, through events or without.
 
+use super::changes;
 use super::error::{Error, unknown};
 use super::estimate::Estimate;
 use super::position::Position;
@@ -294,6 +295,12 @@ impl Motion {
     /// Number of events up to a time.
     pub fn passed(&self, time: f64) -> usize {
         self.events().partition_point(|event| event.time <= time)
+    }
+
+    /// The times at which closures that hold the coordinates depend on each other for an instant: there the motion might go
+    /// on in several ways, and goes on by its momentum. None where loops are closed in closed form.
+    pub fn change_points(&self) -> Vec<f64> {
+        changes::times(self)
     }
 
     /// Whether a time cannot be told from that of an event.

@@ -149,7 +149,10 @@ impl Question {
                 Ok((hybrid::Motion::without_states(self.mode, span.limits()), None))
             }
             Span::Rest => Ok((hybrid::rest_of(model, self.mode, &start)?, None)),
-            Span::Periodic(period) if model.events().is_some() => {
+            // Closures that hold the coordinates leave them fewer directions than there are states, which shooting does not know.
+            Span::Periodic(period)
+                if model.events().is_some() || model.shape().augmented.is_some() =>
+            {
                 let cycle = hybrid::cycle_of(model, place, period, settings)?;
                 Ok(Repeats::of_cycle(cycle))
             }

@@ -38,10 +38,7 @@ pub(super) struct Correction {
 impl Correction {
     /// For a mode whose closures are not solved for.
     pub fn of(shape: &Shape, mode: usize) -> Option<Self> {
-        let closures = match shape.modes.get(mode) {
-            Some(mode) => mode.augmented?,
-            None => shape.augmented?,
-        };
+        let closures = shape.held_in(mode)?;
         let (n, m) = (closures.coordinates, closures.loops.len());
         let size = n + m;
         let held = shape.modes.get(mode).map_or(&[][..], |mode| mode.held);

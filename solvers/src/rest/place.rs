@@ -37,7 +37,7 @@ impl<'a> Place<'a> {
         if entry.is_none() && mode > 0 {
             return refused(format!("there are {} modes, and no number {mode}", shape.modes.len()));
         }
-        let closures = entry.map_or(shape.augmented, |entry| entry.augmented);
+        let closures = shape.held_in(mode);
         let n = shape.coordinates;
         let held = entry.map_or(&[][..], |entry| entry.held);
         let moves = |index: &usize| !held.contains(&(n + index));

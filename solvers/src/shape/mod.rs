@@ -234,6 +234,14 @@ impl Shape {
         std::array::from_fn(|index| self.constants[index].default)
     }
 
+    /// The closures that hold the coordinates in a mode and are not solved for, if there are any.
+    pub fn held_in(&self, mode: usize) -> Option<Augmented> {
+        match self.modes.get(mode) {
+            Some(mode) => mode.augmented,
+            None => self.augmented,
+        }
+    }
+
     /// The number of values that points and places of forces have.
     pub fn places(&self) -> usize {
         2 * (self.points.len() + self.arrows.len())

@@ -16,6 +16,9 @@ use crate::show::page::{Page, WIDTH};
 use crate::show::text::{Align, Columns, wrap};
 use crate::show::unit;
 
+/// Change points that are named, at most.
+const CHANGES: usize = 12;
+
 /// All tables.
 pub fn render(page: &mut Page, report: &Report, figure: Option<&Path>) {
     let constants = &report.case.constants;
@@ -26,6 +29,7 @@ pub fn render(page: &mut Page, report: &Report, figure: Option<&Path>) {
         variables::snapshot(page, report, &report.start, &heading);
         variables::extremes(page, report);
         events::section(page, report);
+        changes(page, report);
         measures::section(page, report);
     }
     if let Some(rest) = report.motion.rest() {
@@ -70,6 +74,24 @@ fn task(report: &Report) -> String {
         Span::Rest => "position of rest".to_owned(),
         Span::Open | Span::Autonomous => "positions".to_owned(),
     }
+}
+
+/// Where the motion might have gone on in several ways.
+fn changes(page: &mut Page, report: &Report) {
+    let shown = report.changes.iter().take(CHANGES);
+    let shown: Vec<_> = shown.map(|time| number::short(number::rounded(*time, 7))).collect();
+    if shown.is_empty() {
+        return;
+    }
+    let more = if report.changes.len() > CHANGES { ", …" } else { "" };
+    let line = format!(
+        "change points at time = {}{more} s: closures depend on each other there for an instant, and the motion goes on by its momentum",
+        shown.join(", ")
+    );
+    for (index, part) in wrap(&line, WIDTH - 4).iter().enumerate() {
+        page.line(&format!("  {}{part}", if index == 0 { "" } else { "  " }));
+    }
+    page.line("");
 }
 
 fn multipliers(page: &mut Page, report: &Report) {

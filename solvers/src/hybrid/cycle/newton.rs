@@ -169,8 +169,7 @@ impl Gap<'_> {
         let error = UNCERTAINTY * self.settings.rtol;
         let mut all = multipliers(&self.scaled(matrix), None, error);
         // What closures do not allow dies out at once, and is no motion.
-        let modes = self.model.shape().modes;
-        let held = modes.get(self.mode).and_then(|mode| mode.augmented);
+        let held = self.model.shape().held_in(self.mode);
         all.truncate(all.len() - held.map_or(0, |held| 2 * held.rank).min(all.len()));
         let distances = all.iter().map(Multiplier::distance).enumerate();
         let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1));

@@ -1,0 +1,83 @@
+//! Change points: where closures that hold the coordinates depend on each other for an instant, as where all links of a
+//! parallelogram lie flat. The motion might go on in several ways there, and goes on by its momentum.
+
+use super::motion::Motion;
+use crate::problem::Phase;
+use nalgebra::DMatrix;
+
+/// Below this the part of a closure that the others do not say is none, over the largest. A motion misses the point by its
+/// errors.
+const NOTHING: f64 = 1e-5;
+/// Only what falls below this is looked at closely.
+const NEAR: f64 = 0.5;
+/// Parts of a step at whose ends it is looked at, and steps of the golden section that find where it is least.
+const PARTS: usize = 4;
+const SECTIONS: usize = 60;
+/// The golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// The times at which a motion passes a change point; none where its closures are solved for.
+pub(super) fn times(motion: &Motion) -> Vec<f64> {
+    let model = motion.model();
+    if (0..model.shape().modes.len().max(1)).all(|mode| model.shape().held_in(mode).is_none()) {
+        return Vec::new();
+    }
+    let steps = motion.steps();
+    let parts = steps.windows(2).flat_map(|step| {
+        let part = (step[1] - step[0]) / PARTS as f64;
+        (0..PARTS).map(move |index| step[0] + index as f64 * part)
+    });
+    let times: Vec<f64> = parts.chain(steps.last().copied()).collect();
+    let sizes: Vec<f64> = times.iter().map(|time| independent(motion, *time)).collect();
+    let mut found: Vec<f64> = Vec::new();
+    for (index, own) in sizes.iter().enumerate() {
+        let before = index.checked_sub(1).map_or(f64::INFINITY, |index| sizes[index]);
+        let after = sizes.get(index + 1).copied().unwrap_or(f64::INFINITY);
+        if *own >= NEAR || *own > before || *own > after {
+            continue;
+        }
+        let ends = (times[index.saturating_sub(1)], times[(index + 1).min(times.len() - 1)]);
+        let (time, least) = lowest(|time| independent(motion, time), ends);
+        if least < NOTHING
+            && found.last().is_none_or(|last| (time - last).abs() > 1e-9 * time.abs())
+        {
+            found.push(time);
+        }
+    }
+    found
+}
+
+/// How much of the closures at a time is independent: the smallest part of one that the others do not say, over the largest.
+fn independent(motion: &Motion, time: f64) -> f64 {
+    let (mode, state) = motion.place(time);
+    let model = motion.model();
+    let Some(held) = model.shape().held_in(mode) else {
+        return f64::INFINITY;
+    };
+    let (n, m) = (held.coordinates, held.loops.len());
+    let mut values = vec![0.0; m * (2 + n)];
+    model.reports().closures(Phase::of(mode), time, &state, &mut values);
+    let entry = |row: usize, column: usize| values[2 * m + column * n + row] / held.sizes[column];
+    let parts = DMatrix::from_fn(n, m, entry).col_piv_qr();
+    let sizes = parts.unpack_r().diagonal().abs();
+    sizes[held.rank.clamp(1, sizes.len()) - 1] / sizes[0].max(f64::MIN_POSITIVE)
+}
+
+/// Where a function is least between two times, and how much it is there.
+fn lowest(function: impl Fn(f64) -> f64, (mut from, mut to): (f64, f64)) -> (f64, f64) {
+    let inner = |from: f64, to: f64| (to - GOLDEN * (to - from), from + GOLDEN * (to - from));
+    let (mut a, mut b) = inner(from, to);
+    let (mut at_a, mut at_b) = (function(a), function(b));
+    for _ in 0..SECTIONS {
+        if at_a < at_b {
+            (to, b, at_b) = (b, a, at_a);
+            a = inner(from, to).0;
+            at_a = function(a);
+        } else {
+            (from, a, at_a) = (a, b, at_b);
+            b = inner(from, to).1;
+            at_b = function(b);
+        }
+    }
+    if at_a < at_b { (a, at_a) } else { (b, at_b) }
+}
