@@ -6,60 +6,51 @@
 use assur::dispatch::{Task, dispatch};
 use assur::scalar::Scalar;
 
-use crate::hand_dop853::{self, Attempt, attempt};
+use crate::hand_freedom::{Run, follow};
 
 /// Start of the crank.
 pub const START: [f64; 2] = [-0.0617138900142764, 0.0];
 
-/// What a run gives.
-#[derive(Clone, Copy, Debug)]
-pub struct Run {
-    /// Angle and speed of the crank at the end.
-    pub end: [f64; 2],
-    /// Evaluations of the derivative.
-    pub evaluations: usize,
-}
-
 /// A vector with its first and second derivative by the angle of the crank.
 #[derive(Clone, Copy)]
-struct Moving<S>([S; 2], [S; 2], [S; 2]);
+pub struct Moving<S>(pub [S; 2], pub [S; 2], pub [S; 2]);
 
 /// An angle's first and second derivative.
 #[derive(Clone, Copy)]
-struct Turn<S>(S, S);
+pub struct Turn<S>(pub S, pub S);
 
 /// A quarter turn.
 #[inline(always)]
-fn across<S: Scalar>([x, y]: [S; 2]) -> [S; 2] {
+pub fn across<S: Scalar>([x, y]: [S; 2]) -> [S; 2] {
     [-y, x]
 }
 
 #[inline(always)]
-fn cross<S: Scalar>(a: [S; 2], b: [S; 2]) -> S {
+pub fn cross<S: Scalar>(a: [S; 2], b: [S; 2]) -> S {
     Scalar::mul_add(a[0], b[1], -(a[1] * b[0]))
 }
 
 #[inline(always)]
-fn inner<S: Scalar>(a: [S; 2], b: [S; 2]) -> S {
+pub fn inner<S: Scalar>(a: [S; 2], b: [S; 2]) -> S {
     Scalar::mul_add(a[0], b[0], a[1] * b[1])
 }
 
 /// `a + k b`
 #[inline(always)]
-fn plus<S: Scalar>(a: [S; 2], k: S, b: [S; 2]) -> [S; 2] {
+pub fn plus<S: Scalar>(a: [S; 2], k: S, b: [S; 2]) -> [S; 2] {
     [Scalar::mul_add(k, b[0], a[0]), Scalar::mul_add(k, b[1], a[1])]
 }
 
-/// Two links from a point to another: the vector of the first, the turns of both.
-struct Dyad<S> {
-    first: [S; 2],
-    second: [S; 2],
-    turns: [Turn<S>; 2],
+/// Two links from a point to another: the vectors, and the turns of both.
+pub struct Dyad<S> {
+    pub first: [S; 2],
+    pub second: [S; 2],
+    pub turns: [Turn<S>; 2],
 }
 
 /// Closes two links of lengths `a` and `b` over a moving distance.
 #[inline(always)]
-fn dyad<S: Scalar>(a: f64, b: f64, sign: f64, over: &Moving<S>) -> Dyad<S> {
+pub fn dyad<S: Scalar>(a: f64, b: f64, sign: f64, over: &Moving<S>) -> Dyad<S> {
     let number = S::from_f64;
     let Moving(v, dv, ddv) = *over;
     let square = inner(v, v);
@@ -82,7 +73,7 @@ fn dyad<S: Scalar>(a: f64, b: f64, sign: f64, over: &Moving<S>) -> Dyad<S> {
 
 /// Adds the inertia of a moving point to `M` and `M'/2`.
 #[inline(always)]
-fn point<S: Scalar>((m, g): (&mut S, &mut S), mass: f64, d: [S; 2], dd: [S; 2]) {
+pub fn point<S: Scalar>((m, g): (&mut S, &mut S), mass: f64, d: [S; 2], dd: [S; 2]) {
     let mass = S::from_f64(mass);
     *m = Scalar::mul_add(mass, inner(d, d), *m);
     *g = Scalar::mul_add(mass, inner(d, dd), *g);
@@ -90,7 +81,7 @@ fn point<S: Scalar>((m, g): (&mut S, &mut S), mass: f64, d: [S; 2], dd: [S; 2]) 
 
 /// Adds that of a turning body.
 #[inline(always)]
-fn turning<S: Scalar>((m, g): (&mut S, &mut S), inertia: f64, Turn(d, dd): Turn<S>) {
+pub fn turning<S: Scalar>((m, g): (&mut S, &mut S), inertia: f64, Turn(d, dd): Turn<S>) {
     let inertia = S::from_f64(inertia);
     *m = Scalar::mul_add(inertia, d * d, *m);
     *g = Scalar::mul_add(inertia, d * dd, *g);
@@ -189,35 +180,12 @@ impl Task for Squeeze {
     #[inline(always)]
     fn run<S: Scalar>(self) -> Run {
         let Self { end, rtol, scale } = self;
-        let mut y = START.map(S::from_f64);
-        let (mut t, mut h) = (0.0, 1e-4);
-        let mut k1 = [y[1], acceleration(y[0], y[1])];
-        let mut evaluations = 1;
-        while t < end {
-            if t + 1.01 * h >= end {
-                h = end - t;
-            }
-            let at = hand_dop853::times(t, h);
-            let Attempt { end: next, error, .. } = attempt(
-                #[inline(always)]
-                |_: &f64, y: &[S; 2]| [y[1], acceleration(y[0], y[1])],
-                &at,
-                (&y, &k1),
-                h,
-                (rtol, scale),
-            );
-            evaluations += 11;
-            let factor = (0.9 * error.powf(-1.0 / 8.0)).clamp(1.0 / 3.0, 6.0);
-            if error <= 1.0 {
-                t = if t + h >= end { end } else { t + h };
-                k1 = [next[1], acceleration(next[0], next[1])];
-                evaluations += 1;
-                y = next;
-                h *= factor;
-            } else {
-                h *= factor.min(1.0);
-            }
-        }
-        Run { end: y.map(S::to_f64), evaluations }
+        follow(
+            #[inline(always)]
+            |angle, speed| acceleration::<S>(angle, speed),
+            START,
+            (end, 1e-4),
+            (rtol, scale),
+        )
     }
 }

@@ -2,16 +2,19 @@
 //!
 //! See `README.md` for what is fair and what is not.
 
+mod bars;
 mod chain;
 mod count;
 mod evaluate;
 mod foot;
 mod hand;
+mod hand_bars;
 mod hand_best;
 mod hand_dop853;
 mod hand_ends;
 mod hand_event;
 mod hand_foot;
+mod hand_freedom;
 mod hand_linkage;
 mod hand_loop;
 mod hand_modes;
@@ -41,6 +44,7 @@ usage: assur-benches [COMMAND]
   foot-peers    other libraries on it; needs `--features peers`, and SciPy for its part
   run-ups       a thousand run-ups of a table on one thread and on two
   squeezer      Andrews' squeezing mechanism, three loops with masses
+  bars          a slider-crank and a four-bar with masses
   linkage       positions and influence coefficients of a six-bar
   tolerance     a million heald linkages made at random
   chain         how long a chain of 30 pendulums takes to derive
@@ -56,6 +60,7 @@ fn main() -> ExitCode {
         ["foot"] => with_counts(&[foot::report]),
         ["run-ups"] => with_counts(&[run_ups::report]),
         ["squeezer"] => with_counts(&[squeezer::report]),
+        ["bars"] => with_counts(&[bars::report]),
         ["peers"] => return run_peers(Peers::Batten),
         ["foot-peers"] => return run_peers(Peers::Foot),
         ["chain"] => chain::report(),
@@ -70,6 +75,7 @@ fn main() -> ExitCode {
                 linkage::report,
                 run_ups::report,
                 squeezer::report,
+                bars::report,
             ]);
             tolerance::report();
             chain::report();
@@ -104,6 +110,7 @@ fn run_counted(group: &str, name: &str) -> ExitCode {
         "linkage" => linkage::cases(),
         "run-ups" => run_ups::cases(),
         "squeezer" => squeezer::cases(),
+        "bars" => bars::cases(),
         _ => Vec::new(),
     };
     if count::run_counted(&mut cases, name) {

@@ -10,7 +10,8 @@ use assur::shape::Subject;
 use assur_equations::andrews::Squeeze;
 
 use crate::count::{Case, measure};
-use crate::hand_squeezer::{self, Run};
+use crate::hand_freedom::Run;
+use crate::hand_squeezer;
 use crate::table::{Table, number, power, ratio, verdict};
 
 /// End, in seconds.

@@ -184,10 +184,21 @@ fn wrong_requests_are_refused() {
     for (option, value, words) in cases {
         check_refused(&["run", NAME, option, value], words, &directory);
     }
+    check_refused(&["structure", "batten"], &["is no linkage", NAME], &directory);
+    check_refused(&["structure"], &["needs a linkage"], &directory);
+    check_refused(&["draw", "batten"], &["has no points", "link A - B"], &directory);
+    check_refused(&["draw"], &["needs a mechanism", NAME], &directory);
+    check_refused(
+        &["draw", "governor", "--forces"],
+        &["no forces to draw", "reaction(pin)"],
+        &directory,
+    );
+    check_refused(
+        &["run", "lamp_arm", "--scene", "still", "--rtol", "1e-9"],
+        &["a position of rest takes no --rtol"],
+        &directory,
+    );
     for command in ["structure", "draw"] {
-        let words = ["is no linkage", NAME];
-        check_refused(&[command, "batten"], &words, &directory);
-        check_refused(&[command], &["needs a linkage"], &directory);
         check_refused(&[command, "heald"], &["no mechanism"], &directory);
     }
     check_refused(&["draw", NAME, "--at", "phi4=1kg"], &["wrong unit"], &directory);
