@@ -4,13 +4,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::{answer, entries, folder};
-
-fn json(arguments: &[&str], directory: &Path) -> Value {
-    let text = answer(&[arguments, &["--format", "json"]].concat(), directory);
-    serde_json::from_str(&text).expect("one JSON object")
-}
-
+use super::{answer, entries, folder, json};
 /// The result of this name.
 #[track_caller]
 fn result<'a>(list: &'a Value, name: &str) -> &'a Value {

@@ -4,15 +4,9 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::{answer, check_refused, entries, folder, run};
+use super::{answer, check_refused, entries, folder, json, run};
 
 const NAME: &str = "heald_linkage";
-
-fn json(arguments: &[&str], directory: &Path) -> Value {
-    let text = answer(&[arguments, &["--format", "json"]].concat(), directory);
-    serde_json::from_str(&text).expect("one JSON object")
-}
-
 #[track_caller]
 fn named<'a>(list: &'a Value, name: &str) -> &'a Value {
     let mut list = list.as_array().expect("a list").iter();
@@ -189,7 +183,7 @@ fn wrong_requests_are_refused() {
     check_refused(&["draw", "batten"], &["has no points", "link A - B"], &directory);
     check_refused(&["draw"], &["needs a mechanism", NAME], &directory);
     check_refused(
-        &["draw", "governor", "--forces"],
+        &["draw", "simple_pendulum", "--forces"],
         &["no forces to draw", "reaction(pin)"],
         &directory,
     );

@@ -7,6 +7,7 @@ mod linkages;
 mod modes;
 mod record;
 mod refusals;
+mod rests;
 mod schema;
 mod shipped;
 #[cfg(unix)]
@@ -16,6 +17,8 @@ mod tolerances;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+
+use serde_json::Value;
 
 /// An empty directory of a test's own.
 fn folder(name: &str) -> PathBuf {
@@ -43,6 +46,13 @@ fn answer(arguments: &[&str], directory: &Path) -> String {
     let complaint = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {complaint}");
     String::from_utf8(output.stdout).expect("text")
+}
+
+/// The answer of a command as an object.
+#[track_caller]
+fn json(arguments: &[&str], directory: &Path) -> Value {
+    let text = answer(&[arguments, &["--format", "json"]].concat(), directory);
+    serde_json::from_str(&text).expect("one JSON object")
 }
 
 /// Runs a command that has to be refused with exit code 2 and these words, and to write nothing.

@@ -1,16 +1,8 @@
 //! `assur modes`, and how far drivers go.
 
-use std::path::Path;
-
 use serde_json::Value;
 
-use super::{answer, check_refused, folder};
-
-fn json(arguments: &[&str], directory: &Path) -> Value {
-    let text = answer(&[arguments, &["--format", "json"]].concat(), directory);
-    serde_json::from_str(&text).expect("one JSON object")
-}
-
+use super::{answer, check_refused, folder, json};
 /// A quantity of a list of results.
 #[track_caller]
 fn value(list: &Value, name: &str) -> f64 {

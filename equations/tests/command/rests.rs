@@ -1,0 +1,41 @@
+//! Positions of rest and motions as the command tells and draws them.
+
+use super::{answer, folder, json};
+
+#[test]
+fn a_position_of_rest_has_its_vibrations() {
+    let directory = folder("rest");
+    let text = answer(&["run", "lamp_arm", "--scene", "damped"], &directory);
+    for word in ["position of rest", "0.6897623934", "0.05374", "falls to 1/e in 4.3 s", "stable"] {
+        assert!(text.contains(word), "{word} is missing in\n{text}");
+    }
+    let object = json(&["run", "lamp_arm", "--scene", "damped"], &directory);
+    assert_eq!(object["task"]["kind"], "rest");
+    assert_eq!(object["status"], "complete");
+    let vibrations = object["vibrations"].as_array().expect("a list");
+    assert_eq!(vibrations.len(), 1);
+    assert_eq!(vibrations[0]["shape"][0]["name"], "phi");
+    let csv = ["run", "lamp_arm", "--scene", "still", "--format", "csv"];
+    assert_eq!(answer(&csv, &directory).lines().count(), 2);
+    let any = json(&["run", "lamp_arm", "--scene", "any"], &directory);
+    let conclusions = any["conclusions"].to_string();
+    assert!(conclusions.contains("indifferent in 1 direction"), "{conclusions}");
+}
+
+#[test]
+fn motions_are_drawn_in_time_with_forces_if_wished() {
+    let directory = folder("draw_motion");
+    let read = |name: &str| std::fs::read_to_string(directory.join(name)).expect(name);
+    let text = answer(&["draw", "shaper", "--scene", "steady", "--forces"], &directory);
+    assert!(text.contains("shaper-steady-moving.svg"), "{text}");
+    let moving = read("shaper-steady-moving.svg");
+    assert!(moving.contains("times slower than it is"), "its pace is told");
+    assert_eq!(moving.matches("class=\"force\"").count(), 1, "the force in the slot");
+    answer(&["draw", "shaper", "--scene", "steady"], &directory);
+    assert!(!read("shaper-steady-moving.svg").contains("class=\"force\""));
+    // What comes to a dead point is drawn on its way beyond.
+    let text = answer(&["draw", "four_bar_chain", "--at", "time=2s"], &directory);
+    assert!(text.contains("time = 2 s"), "{text}");
+    let text = answer(&["draw", "lamp_arm", "--scene", "still", "--forces"], &directory);
+    assert!(text.contains("at rest") && !text.contains("Moving"), "{text}");
+}
