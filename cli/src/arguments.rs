@@ -113,8 +113,8 @@ pub struct RunArguments {
     /// Directory for the figure, created if it is missing.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Curves of the figure, `phi2,dot(phi2)`, of a linkage `diff(phi7, l5)` too, or `all`; those that matter most
-    /// unless given.
+    /// Curves of the figure, `phi2,dot(phi2)`, of a linkage `diff(phi7, l5)` too, of a motion with energies
+    /// `energy,energy(kinetic),energy(potential)`, or `all`; those that matter most unless given.
     #[arg(long, value_name = "NAMES")]
     pub curves: Option<String>,
 }

@@ -109,7 +109,8 @@ fn followed(
     shown: Shown,
 ) -> Result<motion::report::Report, Failure> {
     let settings = options.accuracy.settings(constants.scene)?;
-    let case = motion::case::Case::new(constants)?;
+    let mut case = motion::case::Case::new(constants)?;
+    case.add_energies(&shown.curves)?;
     if case.moved.task == Span::Rest {
         check_resting(options)?;
     }

@@ -1,6 +1,7 @@
 //! Linkages that have mass: two ways to write one mechanism, forces against work, periodic motions that turn, pins that
 //! lift off.
 
+use assur::answer::Error;
 use assur::model::{Bound, Flow, Model};
 use assur::ode::{Explicit, Options, Workspace, integrate};
 use assur::prelude::*;
@@ -315,7 +316,7 @@ fn a_crank_that_cannot_turn_round_comes_back() {
         assert!((energy - work).abs() < 1e-9, "{time}: {energy} {work}");
     }
     let error = scene.ask().attempt(&Settings::default()).expect_err("a dead point");
-    let assur::answer::Error::Stopped(stopped) = &error else { panic!("{error}") };
+    let Error::Stopped(stopped) = &error else { panic!("{error}") };
     let reached = stopped.motion().expect("the motion so far");
     // There the coupler and the rocker are in one line: `d² + a² - 2 a d cos(phi) = (b + c)²`.
     let end = ((0.2_f64.powi(2) + 0.1_f64.powi(2) - 0.23_f64.powi(2)) / (2.0 * 0.1 * 0.2)).acos();
@@ -325,4 +326,32 @@ fn a_crank_that_cannot_turn_round_comes_back() {
     let model = Bound::new(&locking::Run::default());
     let margin = (&model as &dyn Model).margins_in(0, reached.time, &reached.end)[0];
     assert!(margin.abs() < 1e-6, "{margin:e}");
+}
+
+/// A drive turns a four-bar farther than its links reach, while a mass hangs on it by a spring.
+mod locks {
+    assur::mechanism! {
+        Locks from "made up";
+        parameter a = 80 mm, b = 100 mm, c = 90 mm, d = 160 mm, w = 2 [rad/s], m = 1 kg, k = 100 [N/m];
+        driver phi = 0.8 rad + w*time;
+        dependent psi ~ -10 deg, chi ~ 100 deg;
+        coordinate x: m = 0;
+        closure pin: a*dir(phi) + b*dir(psi) = [d, 0] + c*dir(chi);
+        kinetic m*dot(x)^2/2;
+        potential k*(x - c*cos(chi))^2/2;
+        output M = effort(phi) [N m];
+        scene runs { run time 0 s .. 2 s; }
+    }
+}
+
+#[test]
+fn a_linkage_that_locks_on_the_way_ends_the_motion_there() {
+    let error = locks::Runs::default().run().expect_err("the links do not reach");
+    let Error::Stopped(stopped) = &error else { panic!("{error}") };
+    let motion = stopped.motion().expect("it moved so far");
+    // Coupler and rocker stretched, in mm: cos φ = (a² + d² - (b + c)²)/(2 a d).
+    let reach: f64 = (80.0 * 80.0 + 160.0 * 160.0 - 190.0 * 190.0) / (2.0 * 80.0 * 160.0);
+    let end = (reach.acos() - 0.8) / 2.0;
+    assert!((motion.time - end).abs() < 1e-9, "{} {end}", motion.time);
+    assert!(error.to_string().contains("0.4658"), "{error}");
 }

@@ -2,7 +2,7 @@
 
 use crate::show::unit;
 use assur::registry::SceneEntry;
-use assur::shape::{LinkageEntry, Quantity, Subject};
+use assur::shape::{Energy, LinkageEntry, Quantity, Subject};
 
 /// Exponents of m, kg, s, A, K, mol, cd as numerator and denominator.
 pub type Dimension = [(i8, i8); 7];
@@ -68,6 +68,24 @@ fn per_second(unit: &str) -> String {
         "rpm" => "rpm/s".to_owned(),
         _ => format!("{unit}/s"),
     }
+}
+
+/// The energies of a motion that states energies, which are asked for by name.
+pub fn energies() -> [Variable; 3] {
+    let joule = [(2, 1), (1, 1), (-2, 1), (0, 1), (0, 1), (0, 1), (0, 1)];
+    let energy = |name: &str, summary: &str, which: Energy| Variable {
+        name: name.to_owned(),
+        summary: summary.to_owned(),
+        unit: "J".to_owned(),
+        factor: 1.0,
+        dimension: joule,
+        origin: Subject::Energy(which),
+    };
+    [
+        energy("energy(kinetic)", "of the masses that move", Energy::Kinetic),
+        energy("energy(potential)", "of springs and weights", Energy::Potential),
+        energy("energy", "both together: constant but for what is gained and lost", Energy::Both),
+    ]
 }
 
 /// All variables of a scene: coordinates and speeds, accelerations, outputs. An output that repeats the name of another

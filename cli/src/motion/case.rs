@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use assur::answer::Motion;
 use assur::model::Model;
-use assur::problem::Span;
+use assur::problem::{Phase, Span};
 use assur::shape::{Quantity, Subject};
 
 use super::turn::Turn;
@@ -13,6 +13,7 @@ use crate::ask::constants::Constants;
 use crate::ask::values::TIME;
 use crate::ask::variables;
 use crate::error::Failure;
+use crate::plot::Selection;
 
 /// What moves it.
 pub struct Course {
@@ -51,6 +52,29 @@ impl Case {
             drivers: scene.drivers.to_vec(),
             moved: Course { task, repeats: 1, model: model.into() },
         })
+    }
+
+    /// Adds the energies that are asked for by name.
+    ///
+    /// # Errors
+    /// When the scene states no energies.
+    pub fn add_energies(&mut self, curves: &Selection) -> Result<(), Failure> {
+        let known = |name: &str| self.variables.iter().any(|one| one.name == name);
+        let asked: Vec<_> = variables::energies()
+            .into_iter()
+            .filter(|one| curves.names(&one.name) && !known(&one.name))
+            .collect();
+        let (model, time) = (self.run(), self.moved.task.limits().0);
+        let phase = Phase::of(model.shape().first);
+        if let Some(first) = asked.first()
+            && model.reports().energy(phase, time, &model.start()).is_none()
+        {
+            return Err(Failure::request(format!("scene `{}` states no energies", self.scene.name))
+                .place(format!("--curves {}", first.name))
+                .remedy("state `kinetic` and `potential` in the equation file instead of equations of motion"));
+        }
+        self.variables.extend(asked);
+        Ok(())
     }
 
     /// The scene as the solvers see it.

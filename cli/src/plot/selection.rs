@@ -34,7 +34,7 @@ impl Selection {
         }
         let variables = match &scene.linkage {
             Some(entry) => variables::of_linkage(scene, entry),
-            None => variables::of_scene(scene),
+            None => [variables::of_scene(scene), variables::energies().to_vec()].concat(),
         };
         let known: Vec<_> = variables.iter().map(|variable| variable.name.as_str()).collect();
         let coefficients = coefficients(scene);
@@ -50,6 +50,11 @@ impl Selection {
             .remedy(format!("{}\n--curves all draws all of them", suggestion(unknown, &known))));
         }
         Ok(Self::Named(named))
+    }
+
+    /// Whether a variable is asked for by its name.
+    pub fn names(&self, name: &str) -> bool {
+        matches!(self, Self::Named(_)) && self.admits(name)
     }
 
     /// Whether a variable is wanted, as far as its name decides.

@@ -1,6 +1,6 @@
 //! Positions of rest and motions as the command tells and draws them.
 
-use super::{answer, folder, json};
+use super::{answer, check_refused, folder, json};
 
 #[test]
 fn a_position_of_rest_has_its_vibrations() {
@@ -38,4 +38,17 @@ fn motions_are_drawn_in_time_with_forces_if_wished() {
     assert!(text.contains("time = 2 s"), "{text}");
     let text = answer(&["draw", "lamp_arm", "--scene", "still", "--forces"], &directory);
     assert!(text.contains("at rest") && !text.contains("Moving"), "{text}");
+}
+
+#[test]
+fn energies_are_curves_on_request() {
+    let directory = folder("energies");
+    let curves = ["--curves", "energy,energy(kinetic),energy(potential)"];
+    let text =
+        answer(&[&["run", "lamp_arm", "--scene", "swing"], &curves[..]].concat(), &directory);
+    assert!(text.contains("constant but for what is gained and lost"), "{text}");
+    let figure = std::fs::read_to_string(directory.join("lamp_arm-swing.svg")).expect("a figure");
+    assert!(figure.contains("Energy, J") && figure.contains("energy(kinetic)"));
+    let words = ["states no energies", "--curves energy"];
+    check_refused(&["run", "batten_table", "--curves", "energy"], &words, &directory);
 }

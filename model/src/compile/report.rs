@@ -71,7 +71,13 @@ fn is_conservative(mode: &Mode<'_>, low: &Lowering<'_>) -> bool {
     let closures = mode.augmented.as_ref().map_or(0, |one| 2 * one.closures);
     let mut equations = mode.equations[..mode.equations.len() - closures].iter();
     let derived = equations.all(|equation| equation.lagrange.is_some());
-    let driven = |symbol| matches!(symbol, Symbol::Time | Symbol::Driver(_));
+    // What loops determine may move with a driver.
+    let follows = !low.names.drivers.is_empty();
+    let driven = |symbol| match symbol {
+        Symbol::Time | Symbol::Driver(_) => true,
+        Symbol::Dependent(_) | Symbol::DependentRate(_) => follows,
+        _ => false,
+    };
     let mut terms = energies.kinetic.iter().chain(&energies.potential);
     stated && derived && terms.all(|term| !low.graph.depends_on(*term, driven))
 }

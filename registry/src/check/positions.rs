@@ -71,7 +71,7 @@ fn along(
     let value = |sample: &Sample| match fact.subject {
         Subject::Output(index) => sample.outputs.get(index).copied(),
         Subject::State(index) => sample.dependents.get(index).copied(),
-        Subject::Rate(_) | Subject::Influence(..) | Subject::Measure(_) => None,
+        _ => None,
     };
     let values: Option<Vec<f64>> = path.samples.iter().map(value).collect();
     values.ok_or_else(|| nowhere(fact))
@@ -91,9 +91,7 @@ fn stroke(scene: &SceneEntry, run: &dyn AnyLinkage, fact: &Expectation) -> Resul
     let index = match fact.subject {
         Subject::Output(index) => index,
         Subject::State(index) => scene.outputs.len() + index,
-        Subject::Rate(_) | Subject::Influence(..) | Subject::Measure(_) => {
-            return Err(nowhere(fact));
-        }
+        _ => return Err(nowhere(fact)),
     };
     let strokes = run.strokes(task).map_err(|error| failed(&error))?;
     strokes.into_iter().nth(index).ok_or_else(|| nowhere(fact))

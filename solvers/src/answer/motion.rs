@@ -11,10 +11,10 @@ use crate::measure::Missing;
 use crate::model::Model;
 use crate::ode::Statistics;
 use crate::periodic::{Multiplier, Orbit};
-use crate::problem::Span;
+use crate::problem::{Phase, Span};
 use crate::rest::Rest;
 use crate::settings::Settings;
-use crate::shape::{Shape, Subject, find};
+use crate::shape::{Energy, Shape, Subject, find};
 use crate::stiff::Switch;
 
 /// Parts of a step in which a value is looked for, and halvings that bring one down to neighbouring numbers.
@@ -262,7 +262,18 @@ impl Motion {
             false => Vec::new(),
         };
         let position = Position { time, mode, state: state.to_vec(), rates, outputs };
-        let values = subjects.iter().map(|subject| position.get(*subject));
+        let energy = |which: Energy| {
+            let (kinetic, potential) = model.reports().energy(Phase::of(mode), time, state)?;
+            Some(match which {
+                Energy::Kinetic => kinetic,
+                Energy::Potential => potential,
+                Energy::Both => kinetic + potential,
+            })
+        };
+        let values = subjects.iter().map(|subject| match subject {
+            Subject::Energy(which) => energy(*which),
+            other => position.get(*other),
+        });
         values.map(|value| value.unwrap_or(f64::NAN)).collect()
     }
 

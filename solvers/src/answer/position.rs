@@ -25,7 +25,7 @@ impl Position {
             Subject::State(index) => self.state.get(index).copied(),
             Subject::Rate(index) => self.rates.get(index).copied(),
             Subject::Output(index) => self.outputs.get(index).copied(),
-            Subject::Influence(..) | Subject::Measure(_) => None,
+            Subject::Influence(..) | Subject::Measure(_) | Subject::Energy(_) => None,
         }
     }
 }
@@ -42,6 +42,9 @@ impl Index<Subject> for Position {
             Subject::Output(index) => &self.outputs[index],
             Subject::Influence(..) | Subject::Measure(_) => {
                 panic!("{subject:?} has no value at one time: ask `Motion::measure`")
+            }
+            Subject::Energy(_) => {
+                panic!("{subject:?} is no part of a position: ask `Motion::values`")
             }
         }
     }

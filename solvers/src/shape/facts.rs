@@ -88,6 +88,19 @@ pub enum Subject {
     Influence(usize, usize),
     /// A measure of the whole run.
     Measure(usize),
+    /// An energy of the whole.
+    Energy(Energy),
+}
+
+/// An energy of the whole, of a scene that states energies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Energy {
+    /// That of the masses that move.
+    Kinetic,
+    /// That of springs and weights.
+    Potential,
+    /// Both together: what is not gained and lost stays.
+    Both,
 }
 
 impl EquationText {

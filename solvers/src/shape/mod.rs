@@ -9,7 +9,7 @@ mod measured;
 mod modes;
 mod quantity;
 
-pub use facts::{At, EquationText, Expectation, Mark, Operations, Subject};
+pub use facts::{At, Energy, EquationText, Expectation, Mark, Operations, Subject};
 #[cfg(test)]
 pub(crate) use loops::by_hand;
 pub use loops::{Augmented, Group, GroupKind, Link, LinkageEntry, Loop, Variable};
@@ -261,7 +261,7 @@ impl Shape {
     pub fn quantity(&self, subject: Subject) -> Option<&'static Quantity> {
         match (subject, &self.linkage) {
             (Subject::Output(index) | Subject::Influence(index, _), _) => self.outputs.get(index),
-            (Subject::Rate(_), _) => None,
+            (Subject::Rate(_) | Subject::Energy(_), _) => None,
             (Subject::State(index), Some(linkage)) => linkage.dependents.get(index),
             (Subject::State(index), None) => self.states.get(index),
             (Subject::Measure(index), _) => self.measures.get(index),
