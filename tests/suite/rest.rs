@@ -53,6 +53,39 @@ mod block {
     }
 }
 
+/// Its force exists on one side only; what it crosses on the way ends its mode; or a drive shakes it.
+mod root {
+    assur::mechanism! {
+        Root from "made up";
+        parameter m = 1 kg, w = 3 [1/s];
+        coordinate x: m = 9 m, y: m = 0 m;
+        kinetic m*(dot(x)^2 + dot(y)^2)/2;
+        potential 2 [N/m]*y^2;
+        force 1 N - 1 [N]*sqrt(x/(1 m)) on x;
+        effect gate { mode far { when x - 4 m crosses -> near; } mode near { } }
+        effect shaken { force 1 N*sin(w*time) on y; }
+        scene still { rest; }
+        scene through = gate { rest; start far; }
+        scene shakes = shaken { run time 0 s .. 1 s; }
+    }
+}
+
+/// A pendulum in Cartesian coordinates: reduced, and held by its closure.
+mod cartesian {
+    assur::mechanism! {
+        Cartesian from "made up";
+        parameter L = 0.7 m, m = 2 kg, g = 9.81 [m/s^2], d = 0.6 [N*s/m];
+        coordinate x: m = 0.3 m;
+        dependent y ~ -0.6 m;
+        closure rod: x^2 + y^2 = L^2;
+        kinetic m*(dot(x)^2 + dot(y)^2)/2;
+        potential m*g*y;
+        dissipation d*(dot(x)^2 + dot(y)^2)/2;
+        output y;
+        scene hangs { rest; }
+    }
+}
+
 /// An arm that stands on its head, or hangs.
 mod arm {
     assur::mechanism! {
@@ -150,6 +183,63 @@ fn what_goes_wrong_is_told() {
     let wheel = block::Wheel::default().run().expect("it rests where it is");
     assert_eq!(wheel.status(), Status::Indifferent { directions: 1 });
     assert_eq!(wheel.at(0.0).state, [0.02, 0.0]);
+}
+
+#[test]
+fn where_the_equations_end_a_step_is_shortened() {
+    // A whole step of Newton's method leads from 9 m to -3 m, where there is no root.
+    let rest = resting(&root::Still::default());
+    assert!((rest.state[0] - 1.0).abs() < 1e-14 && rest.errors[0] < 1e-12, "{rest:?}");
+    assert!(rest.iterations > 3 && rest.evaluations.0 > rest.iterations, "{rest:?}");
+    let through = why(&root::Through::default());
+    assert!(matches!(through, RestError::Beyond { next: "near", .. }), "{through}");
+    let error = root::Shakes::default().ask().resting().run().expect_err("it never rests");
+    assert!(matches!(error, Error::NotAtRest(RestError::Driven { name: "dot(y)", .. })), "{error}");
+}
+
+#[test]
+fn what_closures_hold_rests_where_the_reduced_one_does() {
+    let scene = cartesian::Hangs::default();
+    let held = scene.unreduced().expect("either coordinate may come to a dead point");
+    for rest in [resting(&scene), resting(&held)] {
+        let [one] = &rest.vibrations[..] else { panic!("{rest:?}") };
+        let decay = 0.6 / (2.0 * 2.0);
+        let angular = (9.81 / 0.7 - decay * decay).sqrt();
+        assert!((one.rate + decay).abs() < 1e-12, "{one:?}");
+        assert!((one.angular - angular).abs() < 1e-12, "{one:?}");
+        assert!(rest.state[0].abs() < 1e-14, "{rest:?}");
+    }
+    let motion = held.run().expect("it rests");
+    assert!((motion.value("y", 0.0).expect("a coordinate") + 0.7).abs() < 1e-14);
+}
+
+/// Five hinges of which one follows from the others: the rest that its specification derives, and half a small swing about it.
+#[test]
+fn a_spatial_loop_rests_and_vibrates() {
+    let question = assur_equations::bricard::Fall::default().ask().resting();
+    let motion = question.run().expect("it rests");
+    for (name, expected) in [("P[3].x", 0.0), ("P[3].y", -0.75_f64.sqrt()), ("P[3].z", -0.5)] {
+        let found = motion.value(name, 0.0).expect("it is reported");
+        assert!((found - expected).abs() < 1e-12, "{name}: {found}");
+    }
+    let rest = motion.rest().expect("a position of rest");
+    let [one] = &rest.vibrations[..] else { panic!("{rest:?}") };
+    let n = motion.shape().coordinates;
+    let mut start = rest.state.clone();
+    for index in 0..n {
+        start[n + index] = 1e-4 * one.shape[index].0;
+    }
+    let half = 0.5 / one.frequency();
+    let fine = Settings::new(Method::Dop853).rtol(1e-12);
+    let fall = assur_equations::bricard::Fall::default();
+    let swing = fall.from(start).until(1.1 * half).solve(&fine).expect("it swings");
+    let aside = |time: f64| swing.at(time).state[0] - rest.state[0];
+    let (mut from, mut to) = (0.9 * half, 1.1 * half);
+    for _ in 0..50 {
+        let middle = 0.5 * (from + to);
+        if aside(middle) * aside(0.9 * half) > 0.0 { from = middle } else { to = middle }
+    }
+    assert!((from / half - 1.0).abs() < 1e-5, "{from} {half}");
 }
 
 #[test]

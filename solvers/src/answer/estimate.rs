@@ -9,6 +9,7 @@ use super::error::Error;
 use super::motion::Motion;
 use crate::hybrid;
 use crate::measure::Missing;
+use crate::ode::larger;
 use crate::problem::Span;
 use crate::rest::Rest;
 use crate::settings::Settings;
@@ -81,7 +82,7 @@ impl Estimate {
     pub(super) fn differ(&self, value: f64, others: &[f64]) -> f64 {
         let pairs = self.others.iter().zip(others);
         let most = pairs.map(|(other, theirs)| (value - theirs).abs() * other.share);
-        f64::max(SAFETY * most.fold(0.0, larger), ROUNDINGS * value.abs())
+        larger(SAFETY * most.fold(0.0, larger), ROUNDINGS * value.abs())
     }
 
     /// The errors of all variables at one time, but for times at which the solutions differ by an event.
@@ -235,14 +236,6 @@ fn is_between(a: &Motion, b: &Motion, time: f64) -> bool {
         _ if passed.0 == passed.1 => false,
         (Some(a), Some(b)) => (a.time - b.time).abs() < LATE * (to - from),
         _ => false,
-    }
-}
-
-/// The larger of two errors. No number is larger than one that is not known.
-pub(super) fn larger(a: f64, b: f64) -> f64 {
-    match a.is_nan() || b.is_nan() {
-        true => f64::NAN,
-        false => a.max(b),
     }
 }
 

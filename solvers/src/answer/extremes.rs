@@ -1,8 +1,9 @@
 //! The extremes of a motion with their errors.
 
-use super::estimate::{Estimate, ROUNDINGS, larger, near};
+use super::estimate::{Estimate, ROUNDINGS, near};
 use super::motion::Motion;
 use crate::measure::{self, Extreme, Extremes};
+use crate::ode::larger;
 use crate::shape::Subject;
 
 /// An extreme with its errors.

@@ -74,8 +74,8 @@ impl Motion {
     /// A position of rest in a mode.
     pub fn resting(mode: usize, rest: Rest) -> Self {
         let motion = Self { mode, ..Self::unbegun(0.0, &rest.state) };
-        let evaluations = rest.iterations + 1;
-        let statistics = Statistics { evaluations, jacobians: evaluations, ..motion.statistics };
+        let (evaluations, jacobians) = rest.evaluations;
+        let statistics = Statistics { evaluations, jacobians, ..motion.statistics };
         Self { rest: Some(rest), statistics, ..motion }
     }
 

@@ -1,5 +1,6 @@
 //! Rest that no event keeps a motion from.
 
+use super::Direction;
 use super::motion::Motion;
 use super::run::start::passed;
 use crate::model::{Flow, Model};
@@ -15,6 +16,15 @@ pub(crate) fn rest_of(model: &dyn Model, mode: usize, start: &[f64]) -> Result<M
     Ok(Motion::resting(mode, rest))
 }
 
+/// Whether what is watched in both directions has changed its sign.
+fn crosses(flow: &Flow<'_>, index: usize, start: &[f64], state: &[f64]) -> bool {
+    let event = &flow.shape().modes[flow.mode()].events[index];
+    let is_watched = event.surface.is_none() && event.direction == Direction::Crosses;
+    is_watched
+        && flow.guard(index, 0.0, start).0 * flow.guard(index, 0.0, state).0 < 0.0
+        && (!event.conditional || flow.permits(index, 0.0, state))
+}
+
 /// Whether an event happens between the start and where the mechanism would rest.
 fn check(flow: &Flow<'_>, start: &[f64], state: &[f64]) -> Result<(), RestError> {
     let (shape, mode) = (flow.shape(), flow.mode());
@@ -25,8 +35,9 @@ fn check(flow: &Flow<'_>, start: &[f64], state: &[f64]) -> Result<(), RestError>
     let happens = |index: &usize| {
         entry.events[*index].target != mode || before.iter().all(|(other, _)| other != index)
     };
-    let mut there = passed(flow, 0.0, state).into_iter().map(|(index, _)| index);
-    let Some(index) = there.find(happens) else {
+    let there = passed(flow, 0.0, state).into_iter().map(|(index, _)| index).filter(happens);
+    let crossed = (0..entry.events.len()).filter(|index| crosses(flow, *index, start, state));
+    let Some(index) = there.chain(crossed).next() else {
         return Ok(());
     };
     let event = &entry.events[index];

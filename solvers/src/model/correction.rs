@@ -6,7 +6,7 @@
 
 use super::Model;
 use crate::dense::Parts;
-use crate::ode::OdeError;
+use crate::ode::{OdeError, larger};
 use crate::problem::{Phase, Refused, Reports, Scene, Span};
 use crate::shape::{Augmented, Loop, Shape};
 
@@ -186,7 +186,7 @@ impl Correction {
     /// How far the closures are open.
     fn open(&self) -> f64 {
         let open = self.values[..self.closures.loops.len()].iter();
-        open.fold(0.0, |most, one| if one.abs() <= most { most } else { one.abs() })
+        open.map(|one| one.abs()).fold(0.0, larger)
     }
 
     /// The shortest change that takes residuals away, which stand from a place on. Gives its largest component.
@@ -201,7 +201,7 @@ impl Correction {
         let both = (&mut self.right[..], &mut self.room[..]);
         parts.solve(&self.matrix, &self.reduced, order, both);
         let changes = self.right[..n].iter();
-        changes.fold(0.0, |most, one| if one.abs() <= most { most } else { one.abs() })
+        changes.map(|one| one.abs()).fold(0.0, larger)
     }
 
     /// Factors masses, or ones, with the closures.

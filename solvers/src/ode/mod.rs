@@ -29,7 +29,7 @@ pub(crate) use doubt::Doubt;
 pub use error::OdeError;
 pub(crate) use explicit::Clock;
 pub use explicit::{Statistics, integrate};
-pub(crate) use norm::first_bad;
+pub(crate) use norm::{first_bad, larger};
 pub use observer::{Basis, Observer, Step};
 pub use options::{AbsoluteTolerance, Options};
 pub(crate) use options::{bad, bad_start};

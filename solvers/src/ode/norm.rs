@@ -3,6 +3,14 @@
 use super::options::Options;
 use super::system::System;
 
+/// The larger of two sizes. No number is larger than one that is not known.
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    match a.is_nan() || b.is_nan() {
+        true => f64::NAN,
+        false => a.max(b),
+    }
+}
+
 /// The largest part's root mean square of `values` over the tolerances at `before` and `after`; with a `second` vector
 /// the value is damped as in DOP853: `e₅² / √(e₅² + 0.01 e₃²)`. NaN as soon as one value is NaN.
 #[inline]

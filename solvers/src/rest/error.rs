@@ -11,6 +11,13 @@ pub enum RestError {
         /// Why not.
         reason: String,
     },
+    /// It moves with the time.
+    Driven {
+        /// The speed or state that is pushed in another way later.
+        name: &'static str,
+        /// When, in seconds.
+        time: f64,
+    },
     /// Nothing balances what moves it.
     Unbalanced {
         /// The speed or state concerned.
@@ -58,6 +65,10 @@ impl fmt::Display for RestError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Start { reason } => write!(formatter, "the search cannot begin there: {reason}"),
+            Self::Driven { name, time } => write!(
+                formatter,
+                "it moves with the time and never rests: {name} is pushed in another way at {time} s than at 0 s"
+            ),
             Self::Unbalanced { name, rate } => write!(
                 formatter,
                 "nothing balances {name}: it changes by {rate:e} per second, in SI units, wherever the mechanism is"

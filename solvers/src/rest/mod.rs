@@ -19,6 +19,7 @@ pub use error::RestError;
 pub use vibration::Vibration;
 
 use crate::model::Model;
+use crate::ode::larger;
 use place::Place;
 
 /// Most steps.
@@ -42,6 +43,8 @@ pub struct Rest {
     pub vibrations: Vec<Vibration>,
     /// Newton steps.
     pub iterations: usize,
+    /// Evaluations of the rates and of their slopes, those that show what rounding does among them.
+    pub evaluations: (usize, usize),
     /// Directions in which it would rest as well a little aside.
     pub free: usize,
     /// A switching surface of the mode on which it rests, by the event that it is: the vibrations are those of one of its
@@ -87,6 +90,7 @@ impl Rest {
 /// See [`RestError`].
 pub(crate) fn of(model: &dyn Model, mode: usize, start: &[f64]) -> Result<Rest, RestError> {
     let place = Place::new(model, mode, start)?;
+    place.check_time(start)?;
     let mut state = place.still(start);
     let mut slopes = place.slopes(&state);
     let mut change = slopes.solve(&place.residual(&state));
@@ -119,7 +123,8 @@ pub(crate) fn of(model: &dyn Model, mode: usize, start: &[f64]) -> Result<Rest, 
     }
     let kink = kinks::at(&place, &state, &errors)?;
     let vibrations = vibration::all(&place, &state, &errors);
-    Ok(Rest { vibrations, free: slopes.free(), state, errors, iterations, kink })
+    let (free, evaluations) = (slopes.free(), place.evaluations());
+    Ok(Rest { vibrations, free, state, errors, iterations, evaluations, kink })
 }
 
 /// How far off each component may be: steps from a few roundings beside the position.
@@ -128,7 +133,7 @@ fn errors(place: &Place<'_>, state: &[f64], change: &[f64]) -> Vec<f64> {
     for aside in Place::around(state) {
         let change = place.slopes(&aside).solve(&place.residual(&aside));
         for (error, change) in errors.iter_mut().zip(change) {
-            *error = if change.abs() <= *error { *error } else { change.abs() };
+            *error = larger(*error, change.abs());
         }
     }
     errors.iter().map(|error| SAFETY * error).collect()

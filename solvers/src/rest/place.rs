@@ -3,12 +3,17 @@
 use super::error::RestError;
 use super::slopes::{Noise, Slopes};
 use crate::model::{Flow, Model};
+use crate::ode::larger;
 use crate::problem::Phase;
 use crate::shape::{Augmented, Quantity, Shape};
 use nalgebra::{DMatrix, DVector};
+use std::cell::Cell;
 
 /// Places beside a state at which it is seen what rounding does.
 const PROBES: usize = 8;
+
+/// Times at which the same has to hold as at time 0, in seconds.
+const TIMES: [f64; 3] = [0.137, 2.3, 71.9];
 
 /// The equations of rest of a mode: no acceleration, no rate of a state, and closed closures.
 pub struct Place<'a> {
@@ -19,6 +24,8 @@ pub struct Place<'a> {
     /// Coordinates that can move, and states, by their places in the state vector.
     pub unknowns: Vec<usize>,
     closures: Option<Augmented>,
+    /// Evaluations of the rates and of their slopes.
+    evaluations: Cell<(usize, usize)>,
 }
 
 impl<'a> Place<'a> {
@@ -42,8 +49,8 @@ impl<'a> Place<'a> {
         let held = entry.map_or(&[][..], |entry| entry.held);
         let moves = |index: &usize| !held.contains(&(n + index));
         let unknowns = (0..n).filter(moves).chain(2 * n..state.len()).collect();
-        let place =
-            Self { model, flow: Flow::new(model, mode), coordinates: n, unknowns, closures };
+        let (flow, evaluations) = (Flow::new(model, mode), Cell::default());
+        let place = Self { model, flow, coordinates: n, unknowns, closures, evaluations };
         let state = place.still(state);
         let rates = place.rates(&state);
         match rates.iter().chain(&state).position(|value| !value.is_finite()) {
@@ -69,15 +76,42 @@ impl<'a> Place<'a> {
 
     /// The time derivative of the state.
     pub fn rates(&self, state: &[f64]) -> Vec<f64> {
+        self.rates_at(0.0, state)
+    }
+
+    fn rates_at(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut rates = vec![0.0; state.len()];
-        self.flow.rates(0.0, state, &mut rates);
+        self.flow.rates(time, state, &mut rates);
+        let (count, slopes) = self.evaluations.get();
+        self.evaluations.set((count + 1, slopes));
         rates
+    }
+
+    /// How often rates and slopes have been evaluated.
+    pub fn evaluations(&self) -> (usize, usize) {
+        self.evaluations.get()
+    }
+
+    /// Refuses what moves with the time: at the start it is pushed in another way later.
+    pub fn check_time(&self, start: &[f64]) -> Result<(), RestError> {
+        let start = self.still(start);
+        let rates = self.rates(&start);
+        for time in TIMES {
+            let later = self.rates_at(time, &start);
+            let differs = rates.iter().zip(&later).position(|(a, b)| a != b);
+            if let Some(index) = differs {
+                return Err(RestError::Driven { name: self.shape().states[index].name, time });
+            }
+        }
+        Ok(())
     }
 
     /// `∂f/∂y`.
     pub fn jacobian(&self, state: &[f64]) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(state.len(), state.len());
         self.flow.jacobian(0.0, state, matrix.as_mut_slice());
+        let (rates, count) = self.evaluations.get();
+        self.evaluations.set((rates, count + 1));
         matrix
     }
 
@@ -202,7 +236,7 @@ impl<'a> Place<'a> {
     pub fn length(&self, change: &[f64]) -> f64 {
         let parts =
             change.iter().zip(self.shape().scales).map(|(change, scale)| change.abs() / scale);
-        parts.fold(0.0, |most, one| if one <= most { most } else { one })
+        parts.fold(0.0, larger)
     }
 
     /// That Newton's method has not come to an end.
@@ -222,6 +256,7 @@ impl<'a> Place<'a> {
     pub fn beside(&self, surface: usize, side: f64) -> Self {
         let mut flow = Flow::new(self.model, self.flow.mode());
         flow.put(surface, side);
-        Self { model: self.model, flow, unknowns: self.unknowns.clone(), ..*self }
+        let (unknowns, evaluations) = (self.unknowns.clone(), Cell::default());
+        Self { model: self.model, flow, unknowns, evaluations, ..*self }
     }
 }
