@@ -3,14 +3,12 @@
 
 use std::hint::black_box;
 
-use assur::model::{Bound, Flow};
-use assur::ode::{Explicit, Options, Workspace, integrate};
-use assur::problem::Scene;
+use assur::ode::Explicit::Dop853;
 
 use crate::count::{Case, measure};
+use crate::freedom::{self, Kind, emitted};
 use crate::hand_bars::{self, Bars};
 use crate::hand_freedom::Run;
-use crate::table::{Table, number, power, ratio, verdict};
 
 mod slider_crank {
     assur::mechanism! {
@@ -40,8 +38,9 @@ mod four_bar {
     }
 }
 
-/// Relative tolerance of the comparison, and the one of what counts as exact.
-const RTOL: [f64; 2] = [1e-6, 1e-13];
+/// Relative tolerance of the comparison, at which both codes are as accurate, and the one of what counts as exact.
+const RTOL: f64 = 1e-9;
+const EXACT: f64 = 1e-13;
 /// Absolute tolerance per unit of the relative one.
 const SCALE: f64 = 1e-3;
 /// End, in seconds.
@@ -49,84 +48,44 @@ const END: f64 = 1.0;
 /// Largest ratio of the emitted code to the hand-written one.
 const GOAL: f64 = 1.1;
 
-/// The emitted code by DOP853.
-#[inline(never)]
-fn emitted<C: Scene>(scene: &C, rtol: f64) -> Run {
-    let bound = Bound::new(scene);
-    let flow = Flow::new(&bound, 0);
-    let options = Options::scaled(rtol, C::shape().scales);
-    let mut workspace = Workspace::new(Explicit::Dop853, &flow);
-    let done = integrate(&flow, (0.0, END), &scene.start(), &options, &mut workspace, &mut ());
-    let mut end = [f64::NAN; 2];
-    end.copy_from_slice(workspace.state());
-    Run { end, evaluations: done.map_or(0, |statistics| statistics.evaluations) }
+/// A mechanism by hand.
+fn by_hand(which: Bars, rtol: f64) -> Run {
+    let speed = if which == Bars::Slider { 10.0 } else { 20.0 };
+    hand_bars::run(which, [0.3, speed], END, (rtol, SCALE))
 }
 
-/// A code with its name.
-type Kind = (&'static str, fn(f64) -> Run);
-
-/// In pairs.
-const KINDS: [Kind; 4] = [
-    ("slider-crank by hand, fused", |rtol| {
-        hand_bars::run(Bars::Slider, [0.3, 10.0], END, (rtol, SCALE))
-    }),
-    ("slider-crank, emitted", |rtol| emitted(&slider_crank::Turns::default(), rtol)),
-    ("four-bar by hand, fused", |rtol| {
-        hand_bars::run(Bars::FourBar, [0.3, 20.0], END, (rtol, SCALE))
-    }),
-    ("four-bar, emitted", |rtol| emitted(&four_bar::Turns::default(), rtol)),
+/// Each by hand and emitted.
+const SLIDER: [Kind; 2] = [
+    ("slider-crank by hand, fused", || by_hand(Bars::Slider, RTOL)),
+    ("slider-crank, emitted", || emitted(&slider_crank::Turns::default(), Dop853, (END, RTOL))),
+];
+const FOUR_BAR: [Kind; 2] = [
+    ("four-bar by hand, fused", || by_hand(Bars::FourBar, RTOL)),
+    ("four-bar, emitted", || emitted(&four_bar::Turns::default(), Dop853, (END, RTOL))),
 ];
 
 /// Everything that is measured.
 pub fn cases() -> Vec<Case<'static>> {
     let names = ["slider-hand", "slider", "four-bar-hand", "four-bar"];
-    let all = names.into_iter().zip(KINDS).map(|(name, (_, code))| {
+    let all = names.into_iter().zip([SLIDER, FOUR_BAR].concat()).map(|(name, (_, code))| {
         Case::new(name, 1, move || {
-            black_box(code(RTOL[0]));
+            black_box(code());
         })
     });
     all.collect()
 }
 
-/// Relative error of the angle and the speed at the end.
-fn error(run: &Run, exact: &Run) -> f64 {
-    let pairs = run.end.iter().zip(exact.end);
-    pairs.map(|(one, exact)| (one / exact - 1.0).abs()).fold(0.0, f64::max)
-}
-
 /// Measures and prints.
 pub fn report() {
     let measures = measure("bars", &mut cases(), 300);
-    let columns = [
-        "code",
-        "evaluations",
-        "error",
-        "instructions",
-        "ratio",
-        "per evaluation",
-        "time, us",
-        "ratio",
-    ];
-    let mut table = Table::new("Linkages with masses over 1 s, DOP853 with rtol 1e-6", &columns);
-    for (index, ((kind, code), one)) in KINDS.into_iter().zip(&measures).enumerate() {
-        let (run, hand) = (code(RTOL[0]), &measures[index - index % 2]);
-        table.row([
-            kind.to_owned(),
-            run.evaluations.to_string(),
-            power(error(&run, &KINDS[index - index % 2].1(RTOL[1]))),
-            number(one.instructions),
-            ratio(one.instructions, hand.instructions),
-            number(one.instructions.map(|all| all / run.evaluations as f64)),
-            number(one.microseconds()),
-            ratio(one.microseconds(), hand.microseconds()),
-        ]);
-    }
-    table.print();
-    for (index, what) in [(0, "slider-crank"), (2, "four-bar")] {
-        let (hand, ours) = (&measures[index], &measures[index + 1]);
-        let title = |unit| format!("{what}, emitted / reduced by hand, {unit}");
-        verdict(&title("instructions"), ours.instructions, hand.instructions, GOAL);
-        verdict(&title("time"), ours.microseconds(), hand.microseconds(), GOAL);
+    let (slider, four_bar) = measures.split_at(2);
+    for (what, which, kinds, measures) in [
+        ("slider-crank", Bars::Slider, SLIDER, slider),
+        ("four-bar", Bars::FourBar, FOUR_BAR, four_bar),
+    ] {
+        let title = format!("A {what} with masses over 1 s, DOP853 with rtol 1e-9");
+        freedom::print(&title, by_hand(which, EXACT).end, &kinds, measures);
+        freedom::judge(what, measures, GOAL);
     }
 }
 
@@ -136,9 +95,13 @@ mod tests {
 
     #[test]
     fn both_give_the_same_end() {
-        for pair in KINDS.chunks(2) {
-            let [hand, ours] = [&pair[0], &pair[1]].map(|(_, code)| code(RTOL[1]));
-            assert!(error(&ours, &hand) < 1e-9, "{hand:?} {ours:?}");
+        let ours = [
+            emitted(&slider_crank::Turns::default(), Dop853, (END, EXACT)),
+            emitted(&four_bar::Turns::default(), Dop853, (END, EXACT)),
+        ];
+        for (which, ours) in [Bars::Slider, Bars::FourBar].into_iter().zip(ours) {
+            let hand = by_hand(which, EXACT);
+            assert!(freedom::error(&ours, hand.end) < 1e-9, "{hand:?} {ours:?}");
         }
     }
 }

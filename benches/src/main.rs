@@ -7,6 +7,7 @@ mod chain;
 mod count;
 mod evaluate;
 mod foot;
+mod freedom;
 mod hand;
 mod hand_bars;
 mod hand_best;
