@@ -106,6 +106,13 @@ fn no_subject(low: &Lowering<'_>, expect: &Expect, wanted: &str, model: &SceneMo
     let measures = || model.measures.iter().map(|one| &one.quantity);
     if matches!(&expect.at, ExpectAt::Extreme(word) if word.text == "run") {
         let names = measures().map(|one| one.name.as_str());
+        let is_declared = low.names.measures.iter().any(|one| one.name.text == wanted);
+        if is_declared && model.linkage.is_some() {
+            let message = format!("the scene `{}` has positions only, and no measures", model.name);
+            let hint =
+                "measures look at a motion: let the scene run, as in `periodic over 2*pi/w;`";
+            return Diagnostic::error(expect.quantity.span, message).hint(hint);
+        }
         return no_measure(expect, wanted, nearest(wanted, names));
     }
     let message = format!("the scene `{}` does not report `{wanted}`", model.name);

@@ -102,6 +102,34 @@ fn a_grid_has_a_run_for_each_pair_of_values_whatever_the_number_of_threads() {
 }
 
 #[test]
+fn counterweights_are_chosen_by_a_study() {
+    let study = object(&[
+        "study",
+        "balanced_four_bar",
+        "--scene",
+        "balanced_cycle",
+        "--over",
+        "m_1=0.4..1.6kg:7",
+        "--over",
+        "m_3=0.6..2.4kg:7",
+        "--format",
+        "json",
+    ]);
+    let values = |name: &str| {
+        let values = named(&study["measures"], name)["values"].as_array().unwrap();
+        values.iter().map(|one| one.as_f64().unwrap()).collect::<Vec<_>>()
+    };
+    let (force, moment) = (values("force"), values("moment"));
+    // Balance of Berkof and Lowen: 1 kg and 1.5 kg, in the middle of the grid.
+    let least = force.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1)).unwrap();
+    assert_eq!(least.0, 24);
+    assert!(*least.1 < 1e-9 && force.iter().filter(|one| **one < 50.0).count() == 1);
+    // What it costs: the moment grows with the weight on the rocker, and does not feel the one on the crank.
+    assert!(moment.chunks(7).is_sorted_by(|a, b| a[0] < b[0]));
+    assert!(moment.chunks(7).all(|row| row.iter().all(|one| (one - row[0]).abs() < 1e-9 * row[0])));
+}
+
+#[test]
 fn values_made_at_random_are_the_same_for_the_same_seed() {
     let runs = [
         "study",

@@ -85,14 +85,16 @@ fn moved(low: &mut Lowering<'_>, scene: Option<&Scene>) -> Moved {
     let names = low.names;
     let items = || scene.iter().flat_map(|scene| &scene.items);
     let sweeps = items().any(|item| matches!(item, SceneItem::Sweep { .. }));
-    let timed = items().any(|item| {
-        matches!(item, SceneItem::Run { .. } | SceneItem::Periodic { .. } | SceneItem::Rest { .. })
-    });
+    let rests = items().any(|item| matches!(item, SceneItem::Rest { .. }));
+    let timed = rests
+        || items().any(|item| matches!(item, SceneItem::Run { .. } | SceneItem::Periodic { .. }));
     let state = names.coordinates.iter().chain(&names.states).next();
     match (state, names.dependents.first()) {
         (Some(_), _) if !sweeps => Moved::InTime,
         (None, None) if !sweeps => Moved::InTime,
         (None, _) if sweeps || !timed => Moved::Swept,
+        // Measures look at a motion from its begin to its end.
+        (None, _) if !names.measures.is_empty() && !rests => Moved::InTime,
         (None, _) => Moved::Given,
         (Some(state), _) => {
             let message =

@@ -100,3 +100,21 @@ fn wrong_measures() {
         check(&format!("{MASS}{text}"), expected);
     }
 }
+
+/// A crank that turns evenly.
+const CRANK: &str = "Crank; dimension r = 1 m; parameter w = 2 [rad/s]; driver phi = w*time ~ 0 deg in 0 deg .. 360 deg; \
+                     dependent x ~ 1 m, y ~ 0 m; closure pin: r*dir(phi) = [x, y]; output x; ";
+
+#[test]
+fn what_drivers_move_in_time_has_measures_and_positions_have_none() {
+    let turning =
+        first_scene(&format!("{CRANK} measure far = rms(x); scene s {{ periodic over 2*pi/w; }}"));
+    assert!(turning.linkage.is_none() && turning.measures.len() == 1);
+    let shown = first_scene(&format!("{CRANK} scene s {{ periodic over 2*pi/w; }}"));
+    assert!(shown.linkage.is_some());
+    let swept = "measure far = rms(x); scene s { sweep phi; } expect at run: far = 1 m +- 1 m;";
+    check(
+        &format!("{CRANK}{swept}"),
+        &[("the scene `s` has positions only, and no measures", "far", "let the scene run")],
+    );
+}

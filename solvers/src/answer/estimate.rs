@@ -30,6 +30,8 @@ const FIRST: f64 = 0.4;
 const NEAR: usize = 2;
 /// How much earlier or later an event may happen in another solution of the same motion, over the length of the task.
 const LATE: f64 = 1e-3;
+/// Steps in which a motion without states is looked at once more.
+const OTHER: usize = 110;
 /// Places in each of them.
 const PARTS: usize = 4;
 
@@ -52,8 +54,15 @@ pub(super) struct Other {
 impl Estimate {
     /// Solves the task again.
     pub(super) fn of(motion: &Motion) -> Result<Self, Error> {
-        if motion.shape().states.is_empty() || motion.task() == Span::Open {
+        if motion.task() == Span::Open {
             return Ok(Self { others: Vec::new(), tenfold: None, is_cut_off: false });
+        }
+        if motion.shape().states.is_empty() {
+            return Ok(Self {
+                others: vec![in_other_steps(motion)],
+                tenfold: None,
+                is_cut_off: false,
+            });
         }
         if let Some(rest) = motion.rest() {
             return Ok(Self { others: aside(motion, rest), tenfold: None, is_cut_off: false });
@@ -197,6 +206,12 @@ impl Estimate {
         });
         errors.collect()
     }
+}
+
+/// What moves with the time alone, looked at in other steps: nothing is integrated, but sums round.
+fn in_other_steps(motion: &Motion) -> Other {
+    let path = hybrid::Motion::without_states(motion.path.mode, motion.task().limits(), OTHER);
+    Other { motion: Motion { path, ..motion.clone() }, share: 1.0 }
 }
 
 /// A position of rest with each of its numbers as far off as that may be; all of them together count.

@@ -146,7 +146,7 @@ impl Question {
                 Ok((hybrid::Motion { mode, ..here }, None))
             }
             span if model.shape().states.is_empty() => {
-                Ok((hybrid::Motion::without_states(self.mode, span.limits()), None))
+                Ok((hybrid::Motion::without_states(self.mode, span.limits(), hybrid::STILL), None))
             }
             Span::Rest => Ok((hybrid::rest_of(model, self.mode, &start)?, None)),
             // Closures that hold the coordinates leave them fewer directions than there are states, which shooting does not know.

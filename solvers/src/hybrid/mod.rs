@@ -47,7 +47,7 @@ pub use crate::shape::{Direction, EventEntry};
 pub use cycle::{Cycle, CycleError, Lyapunov, Periods, clock, cycle, cycle_from, lyapunov};
 pub(crate) use cycle::{clock_of, cycle_of, variations};
 pub use error::HybridError;
-pub use motion::{Happened, Motion, Piece};
+pub use motion::{Happened, Motion, Piece, STILL};
 pub use numbers::Numbers;
 pub(crate) use rest::rest_of;
 pub(crate) use run::march::Request;

@@ -6,7 +6,7 @@ use crate::rest::Rest;
 use crate::stiff::Switch;
 
 /// Steps of what has no state.
-const PARTS: usize = 180;
+pub const STILL: usize = 180;
 
 /// A stretch of the motion in one mode.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,11 +93,11 @@ impl Motion {
         }
     }
 
-    /// What moves with the time alone: nothing has a state. It is as if it had been integrated in even steps.
-    pub fn without_states(mode: usize, (from, to): (f64, f64)) -> Self {
+    /// What moves with the time alone: nothing has a state. It is as if it had been integrated in so many even steps.
+    pub fn without_states(mode: usize, (from, to): (f64, f64), steps: usize) -> Self {
         let mut recorder = Recorder::new(from, &[]);
-        let time = |index: usize| from + (to - from) * (index as f64 / PARTS as f64);
-        for index in 0..PARTS {
+        let time = |index: usize| from + (to - from) * (index as f64 / steps as f64);
+        for index in 0..steps {
             recorder.step(&Step {
                 from: time(index),
                 to: time(index + 1),

@@ -8,6 +8,9 @@ const DEEPEST: usize = 10;
 /// Halvings of the steps that are looked at: so many, and as many for each step, but no more in all than the last. What is
 /// nothing but rounding takes all.
 const HALVINGS: (f64, f64, f64) = (128.0, 8.0, 50_000.0);
+/// Halvings of integrals that are saved up at most, and how many more there are for each part of a step. A kink takes two
+/// dozen; what is nothing but rounding, which no halving makes smooth, takes all.
+const SPLITS: (usize, usize) = (2048, 8);
 /// How far quantities may be from the quartic through every second point, over what they span. A step in which they are
 /// farther is halved.
 const DEVIATION: f64 = 0.05;
@@ -55,6 +58,8 @@ pub(super) struct Sampler<'a> {
     values: Vec<f64>,
     /// Halvings that are left, and how many more there are for each step.
     halvings: (f64, f64),
+    /// Halvings of integrals that are left.
+    splits: usize,
     /// The step in which was looked last.
     step: usize,
 }
@@ -69,6 +74,7 @@ impl<'a> Sampler<'a> {
             state: motion.end.clone(),
             values: vec![0.0; count],
             halvings: (HALVINGS.0, HALVINGS.1.min(HALVINGS.2 / steps.max(1) as f64)),
+            splits: SPLITS.0,
             step: 0,
         }
     }
@@ -84,6 +90,13 @@ impl<'a> Sampler<'a> {
     pub(super) fn of(&mut self, mode: usize, time: f64, state: &[f64]) -> &[f64] {
         (self.sample)(mode, time, state, &mut self.values);
         &self.values
+    }
+
+    /// Whether a part of an integral may be halved, which is counted.
+    pub(super) fn may_split(&mut self) -> bool {
+        let may = self.splits > 0;
+        self.splits = self.splits.saturating_sub(1);
+        may
     }
 
     /// Goes through the run between two times, step by step. One in which quantities are more than smooth is gone through
@@ -126,6 +139,7 @@ impl<'a> Sampler<'a> {
             self.walk_step(piece, (from, middle), depth + 1, visit);
             self.walk_step(piece, (middle, to), depth + 1, visit);
         } else {
+            self.splits = SPLITS.0.min(self.splits + SPLITS.1);
             visit(&grid, self);
         }
     }

@@ -78,7 +78,8 @@ fn halved(
         true => size * (200.0 * error / size).powf(1.5).min(1.0),
         false => 0.0,
     };
-    if estimate <= RELATIVE * (before + size) || depth >= DEEPEST || !sum.is_finite() {
+    let is_known = estimate <= RELATIVE * (before + size) || !sum.is_finite();
+    if is_known || depth >= DEEPEST || !sampler.may_split() {
         return (sum, size);
     }
     let left = halved((from, middle), grid, sampler, before, of, depth + 1);

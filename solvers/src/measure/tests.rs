@@ -314,3 +314,22 @@ fn a_value_that_is_no_number_is_missing_and_not_zero() {
     let nothing = Motion { pieces: Vec::new(), ..run(0.0, 1.0, 1) };
     assert_eq!(found(&nothing, of(Kind::Mean), &[&root]), Err(Missing::Empty));
 }
+
+#[test]
+fn what_is_nothing_but_rounding_is_looked_at_within_bounds() {
+    let looked = std::cell::Cell::new(0);
+    let noise = |time: f64| {
+        looked.set(looked.get() + 1);
+        1e-13
+            * ((time.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40) as f64 / 16_777_216.0
+                - 0.5)
+    };
+    let rms = found(&run(0.0, 1.0, 180), of(Kind::Rms), &[&noise]);
+    is(rms, 1e-13 / 12.0_f64.sqrt(), 1e-14);
+    // Halved to the end everywhere this takes 180 * 8 * 2^24 * 15 looks.
+    assert!(looked.get() < 2_000_000, "{}", looked.get());
+    // A run of kinks is still found to rounding.
+    let kinks = |time: f64| (time * 40.0).sin().abs();
+    let expected = (25.0 - (40.0 - 12.0 * PI).cos()) / 40.0;
+    is(found(&run(0.0, 1.0, 180), of(Kind::Integral), &[&kinks]), expected, 12.0 * 1e-13);
+}
