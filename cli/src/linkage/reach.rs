@@ -62,20 +62,21 @@ impl Gap {
     }
 }
 
-/// How far each driver goes that has a start position.
+/// How far each driver goes that has a start position, and that turns or goes anywhere in this task.
 pub fn of(case: &Case) -> Vec<Reach> {
     if case.standing().iter().any(|start| !start.is_finite()) || case.moved.task == Task::Open {
         return Vec::new();
     }
     let drivers = 0..case.drivers.len();
-    drivers.map(|driver| of_driver(case, driver)).collect()
+    drivers.filter_map(|driver| of_driver(case, driver)).collect()
 }
 
-fn of_driver(case: &Case, driver: usize) -> Reach {
+fn of_driver(case: &Case, driver: usize) -> Option<Reach> {
     let range = &case.moved.ranges[driver];
     let is_angle = case.drivers[driver].unit == "deg";
     let (low, high) = (range.from.min(range.to), range.from.max(range.to));
     let bounds = match is_angle {
+        false if low == high => return None,
         true => (range.start - TAU, range.start + TAU),
         false => {
             let beyond = BEYOND * (high - low);
@@ -85,11 +86,11 @@ fn of_driver(case: &Case, driver: usize) -> Reach {
     let stretch = case.run().stretch(driver, bounds);
     let is_free =
         |found: &Stretch| is_angle && found.low.dead.is_none() && found.high.dead.is_none();
-    Reach {
+    Some(Reach {
         driver,
         turns: stretch.as_ref().is_ok_and(is_free),
         stretch: stretch.map_err(|error| case.tell(&error)),
-    }
+    })
 }
 
 /// The strokes over a task with one axis, of the outputs and behind them of the dependent coordinates. None over a grid, and
