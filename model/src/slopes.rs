@@ -20,8 +20,10 @@ pub struct Slopes {
 struct Inverse {
     equations: Vec<usize>,
     unknowns: Vec<usize>,
-    /// One row for each unknown.
+    /// The cofactors, one row for each unknown.
     rows: Vec<Vec<Expression>>,
+    /// One over the determinant.
+    scale: Expression,
 }
 
 impl Slopes {
@@ -48,12 +50,9 @@ impl Slopes {
                     .iter()
                     .map(|row| group.unknowns.iter().map(|column| entry(row, column)).collect())
                     .collect();
-                let inverse = inverse(graph, &matrix);
-                Inverse {
-                    equations: group.equations.clone(),
-                    unknowns: group.unknowns.clone(),
-                    rows: inverse,
-                }
+                let (rows, scale) = inverse(graph, &matrix);
+                let (equations, unknowns) = (group.equations.clone(), group.unknowns.clone());
+                Inverse { equations, unknowns, rows, scale }
             })
             .collect();
         Self { residuals: residuals.to_vec(), rows, groups, by: Map::default(), unknowns }
@@ -119,7 +118,9 @@ impl Slopes {
                 .collect();
             for (unknown, row) in group.unknowns.iter().zip(&group.rows) {
                 let terms: Vec<_> = row.iter().zip(&own).map(|(a, b)| graph.mul(*a, *b)).collect();
-                values[*unknown] = graph.sum(&terms);
+                let sum = graph.sum(&terms);
+                let value = graph.mul(group.scale, sum);
+                values[*unknown] = graph.whole(value);
             }
         }
         values
@@ -136,7 +137,9 @@ impl Slopes {
                 let terms: Vec<_> = unknowns
                     .map(|(unknown, inverse)| graph.mul(rest[*unknown], inverse[index]))
                     .collect();
-                multipliers[row] = graph.sum(&terms);
+                let sum = graph.sum(&terms);
+                let value = graph.mul(group.scale, sum);
+                multipliers[row] = graph.whole(value);
             }
             for &row in &group.equations {
                 let multiplier = multipliers[row];
@@ -196,13 +199,13 @@ impl Slopes {
     }
 }
 
-/// The inverse by cofactors, which share their minors.
-fn inverse(graph: &mut Graph, matrix: &[Vec<Expression>]) -> Vec<Vec<Expression>> {
+/// The inverse by cofactors, which share their minors, and one over the determinant.
+fn inverse(graph: &mut Graph, matrix: &[Vec<Expression>]) -> (Vec<Vec<Expression>>, Expression) {
     let size = matrix.len();
     let one = graph.one();
     let all: Vec<usize> = (0..size).collect();
     let determinant = minor(graph, matrix, &all, &all);
-    (0..size)
+    let rows = (0..size)
         .map(|unknown| {
             (0..size)
                 .map(|equation| {
@@ -214,12 +217,13 @@ fn inverse(graph: &mut Graph, matrix: &[Vec<Expression>]) -> Vec<Vec<Expression>
                         _ => minor(graph, matrix, &without(equation), &without(unknown)),
                     };
                     let sign = if (unknown + equation) % 2 == 0 { 1.0 } else { -1.0 };
-                    let cofactor = graph.scale(sign, rest);
-                    graph.div(cofactor, determinant)
+                    graph.scale(sign, rest)
                 })
                 .collect()
         })
-        .collect()
+        .collect();
+    let scale = graph.powi(determinant, -1);
+    (rows, graph.whole(scale))
 }
 
 /// The determinant of some rows and columns, by expansion along the first of the rows.

@@ -318,6 +318,16 @@ impl Graph {
         }
     }
 
+    /// A value that stays as it is in whatever contains it, but for its number.
+    pub fn whole(&mut self, value: Expression) -> Expression {
+        let (coefficient, rest) = self.split_coefficient(value);
+        let whole = match self.node(rest) {
+            Node::Sum(_) | Node::Product(_) | Node::Power(..) => self.intern(Node::Whole(rest)),
+            _ => rest,
+        };
+        self.scale(coefficient, whole)
+    }
+
     /// A condition; between numbers it becomes `0 < 1` or `1 < 0`.
     pub fn compare(&mut self, relation: Relation, a: Expression, b: Expression) -> Expression {
         if let (Some(x), Some(y)) = (self.as_number(a), self.as_number(b)) {

@@ -233,6 +233,14 @@ impl Graph {
                 list
             }
             Node::Call(function, arguments) => self.slopes_of_call(one, function, &arguments),
+            Node::Whole(inner) => match *self.node(inner) {
+                // The slope of an inverse is made of it, and divides nothing once more.
+                Node::Power(base, exponent) if self.as_number(exponent) == Some(-1.0) => {
+                    let square = self.powi(one, 2);
+                    vec![(base, self.neg(square))]
+                }
+                _ => vec![(inner, self.one())],
+            },
             _ => Vec::new(),
         }
     }

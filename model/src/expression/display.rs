@@ -63,6 +63,7 @@ impl Writer<'_> {
             ),
             Node::And(a, b) => (format!("and({})", list(&[*a, *b])), 9),
             Node::Or(a, b) => (format!("or({})", list(&[*a, *b])), 9),
+            Node::Whole(a) => (format!("({})", list(&[*a])), 9),
             Node::Not(a) => (format!("not({})", list(&[*a])), 9),
             Node::Select(c, a, b) => (format!("select({})", list(&[*c, *a, *b])), 9),
             Node::Factor(_, size, entries) => (format!("factor{size}({})", list(entries)), 9),

@@ -24,6 +24,7 @@ impl Graph {
                 Node::Compare(relation, a, b) => truth(relation.holds(at(a), at(b))),
                 Node::And(a, b) => truth(at(a) != 0.0 && at(b) != 0.0),
                 Node::Or(a, b) => truth(at(a) != 0.0 || at(b) != 0.0),
+                Node::Whole(a) => at(a),
                 Node::Not(a) => truth(at(a) == 0.0),
                 Node::Select(c, a, b) => {
                     if at(c) != 0.0 {

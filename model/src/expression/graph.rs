@@ -95,6 +95,8 @@ pub enum Node {
     Power(Expression, Expression),
     /// A function.
     Call(Function, Box<[Expression]>),
+    /// A value that many others contain: it is computed once, and never taken apart into them.
+    Whole(Expression),
     /// A condition.
     Compare(Relation, Expression, Expression),
     /// Both conditions.
@@ -123,7 +125,7 @@ impl Node {
             | Node::Call(_, list)
             | Node::Factor(_, _, list) => ([None; 3], list),
             Node::Solve(factor, right) => ([Some(*factor), None, None], right),
-            Node::Not(a) | Node::Element(a, _) => ([Some(*a), None, None], &[]),
+            Node::Not(a) | Node::Element(a, _) | Node::Whole(a) => ([Some(*a), None, None], &[]),
             Node::Power(a, b) | Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
                 ([Some(*a), Some(*b), None], &[])
             }
@@ -319,6 +321,7 @@ impl Graph {
             Node::Compare(relation, a, b) => self.compare(*relation, operand(*a), operand(*b)),
             Node::And(a, b) => self.and(operand(*a), operand(*b)),
             Node::Or(a, b) => self.or(operand(*a), operand(*b)),
+            Node::Whole(a) => self.whole(operand(*a)),
             Node::Not(a) => self.not(operand(*a)),
             Node::Select(c, a, b) => self.select(operand(*c), operand(*a), operand(*b)),
             Node::Factor(form, size, entries) => {

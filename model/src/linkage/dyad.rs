@@ -52,7 +52,8 @@ fn target(graph: &mut Graph, rest: &[Expression]) -> Complex {
 fn one_slide(graph: &mut Graph, slope: Expression, rest: Expression, unknown: usize) -> Closed {
     let negated = graph.neg(rest);
     let value = graph.div(negated, slope);
-    Closed { values: vec![(Slot::Value(unknown), value)], sine: graph.one(), margin: graph.one() }
+    let (sine, margin) = (graph.one(), graph.one());
+    Closed { values: vec![(Slot::Value(unknown), value)], links: None, sine, margin }
 }
 
 /// Two displacements along `a` and `b`.
@@ -69,7 +70,8 @@ fn two_slides(
     let values = [0, 1].map(|k| (Slot::Value(unknowns[k]), graph.div(numerators[k], determinant)));
     let lengths = [length(graph, a), length(graph, b)];
     let product = graph.mul(lengths[0], lengths[1]);
-    Closed { values: values.to_vec(), sine: graph.div(determinant, product), margin: graph.one() }
+    let (sine, margin) = (graph.div(determinant, product), graph.one());
+    Closed { values: values.to_vec(), links: None, sine, margin }
 }
 
 /// `A cos φ + B sin φ + rest = 0`. With `R² = A² + B²` and `h² = (R − rest)(R + rest)`:
@@ -100,7 +102,8 @@ fn angle(
         graph.sub(radius, size)
     };
     let unit = [graph.div(cosine, square), graph.div(sine, square)];
-    Closed { values: turned(graph, unknown, unit, 1.0), sine: graph.div(signed, radius), margin }
+    let (values, sine) = (turned(graph, unknown, unit, 1.0), graph.div(signed, radius));
+    Closed { values, links: None, sine, margin }
 }
 
 /// `a s² + 2 b s + c = 0`, a distance for instance. With `h² = b² − a·c`: `s = (m·h − b)/a`, and the slope of the equation by
@@ -149,7 +152,7 @@ pub fn distance(
     let sine = graph.div(own, size);
     Some((
         GroupKind::Distance,
-        Closed { values: vec![(Slot::Value(unknown), value)], sine, margin },
+        Closed { values: vec![(Slot::Value(unknown), value)], links: None, sine, margin },
     ))
 }
 
@@ -209,7 +212,7 @@ fn rrr(
         let quotient = graph.div(signed, product);
         graph.scale(order, quotient)
     };
-    Closed { values, sine, margin }
+    Closed { values, links: None, sine, margin }
 }
 
 /// `w·e^{±iφ} + s·U = V`. With `k = U × V` and `h² = (a·U − k)(a·U + k)`: `s = (V·U + σ·h)/U²`.
@@ -248,7 +251,7 @@ fn rrp(
         let quotient = graph.div(signed, reach);
         graph.scale(order, quotient)
     };
-    Closed { values, sine, margin }
+    Closed { values, links: None, sine, margin }
 }
 
 /// `(m·s + n)·e^{±iφ} = V`. With `x = m × n` and `h² = (|m|·|V| − x)(|m|·|V| + x)`: `s = (σ·h − m·n)/m²`, and
@@ -289,7 +292,7 @@ pub fn rpr(
         let quotient = graph.div(signed, reach);
         graph.scale(order, quotient)
     };
-    Some((GroupKind::Rpr, Closed { values, sine, margin }))
+    Some((GroupKind::Rpr, Closed { values, links: None, sine, margin }))
 }
 
 /// The entries of an angle whose unit vector is this one, turning in a sense.

@@ -4,7 +4,7 @@ use crate::checked::EquationInfo;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
 use crate::homogeneity::agree;
-use crate::lower::{Closure, Kind, Lowering, Typed};
+use crate::lower::{Closure, Kind, Lowering, Moved, Typed};
 use crate::motion::Equation;
 use crate::syntax::print;
 use crate::syntax::tree::{Statement, StatementKind, Term};
@@ -52,7 +52,11 @@ impl Loops {
         let Some((residuals, kind)) = low.balance(left, right) else {
             return;
         };
-        let expanded = super::expand(&mut low.graph, &residuals);
+        // Positions keep cosine and sine of each coordinate, what moves in time those of each link.
+        let expanded = match low.moved {
+            Moved::InTime => residuals.clone(),
+            Moved::Swept | Moved::Given => super::expand(&mut low.graph, &residuals),
+        };
         let many = expanded.len() > 1;
         let first = self.equations.len();
         let both = expanded.into_iter().zip(residuals);

@@ -32,6 +32,7 @@ pub use order::Linkage;
 pub use places::{Places, compare};
 
 use crate::expression::Expression;
+use relative::Links;
 
 /// An entry of a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -49,6 +50,8 @@ pub enum Slot {
 pub struct Closed {
     /// What its unknowns become.
     pub values: Vec<(Slot, Expression)>,
+    /// The directions of the links, where they are sums of angles.
+    pub links: Option<Links>,
     /// Sine of the transmission angle, with the sign of the mode.
     pub sine: Expression,
     /// By how much it assembles, in the unit of its equations.

@@ -1,4 +1,4 @@
-//! Groups whose angles count from each other: the direction of a link is then a sum of coordinates, `φ₁ + φ₂`.
+//! Groups whose angles count from each other or from what is given: the direction of a link is then a sum, `φ₁ + φ₂`.
 //!
 //! The group is solved for the directions, which are as many as the coordinates; these are their differences.
 
@@ -6,10 +6,32 @@ use super::{Closed, Slot, angles};
 use crate::expression::{Expression, Graph, Map, Node, Symbol};
 use crate::program::Function;
 
-/// Directions as sums of two angles: row by row the coefficients of the angles in a direction, 0, 1 or −1.
+/// Directions as sums of two angles and what else is given.
 pub struct Relative {
     unknowns: [usize; 2],
-    directions: [[i8; 2]; 2],
+    directions: [Direction; 2],
+}
+
+/// Two links with the coordinates that count from them.
+#[derive(Clone, Debug)]
+pub struct Links {
+    /// Their directions.
+    pub directions: [Direction; 2],
+    /// Cosine and sine of each.
+    pub units: [[Expression; 2]; 2],
+    /// For each coordinate how it follows from the directions without their rests, 0, 1 or −1.
+    pub coordinates: [(usize, [i8; 2]); 2],
+}
+
+/// The direction of a link.
+#[derive(Clone, Copy, Debug)]
+pub struct Direction {
+    /// The argument of its sines and cosines.
+    pub argument: Expression,
+    /// Coefficients of the two angles in it, 0, 1 or −1.
+    along: [i8; 2],
+    /// What is left.
+    pub rest: Expression,
 }
 
 impl Relative {
@@ -27,7 +49,7 @@ impl Relative {
         }
         let unknowns = [a, b];
         let symbols = unknowns.map(|unknown| Symbol::Dependent(unknown as u32));
-        let mut found: Vec<(Expression, [i8; 2], Expression)> = Vec::new();
+        let mut found: Vec<Direction> = Vec::new();
         for one in graph.reachable(residuals) {
             let Node::Call(Function::Sin | Function::Cos, arguments) = graph.node(one) else {
                 continue;
@@ -36,51 +58,48 @@ impl Relative {
             if !graph.depends_on(argument, |symbol| symbols.contains(&symbol)) {
                 continue;
             }
-            if found.iter().all(|other| other.0 != argument) {
-                let (direction, rest) = split(graph, argument, symbols)?;
-                found.push((argument, direction, rest));
+            if found.iter().all(|other| other.argument != argument) {
+                found.push(split(graph, argument, symbols)?);
             }
         }
-        let mut directions: Vec<[i8; 2]> = Vec::new();
-        for (_, direction, _) in &found {
-            let turned = direction.map(|one| -one);
-            if !directions.contains(direction) && !directions.contains(&turned) {
-                directions.push(*direction);
+        let mut directions: Vec<Direction> = Vec::new();
+        for one in &found {
+            if !directions.iter().any(|other| one.turns_with(other).is_some()) {
+                directions.push(*one);
             }
         }
-        let directions: [[i8; 2]; 2] = directions.try_into().ok()?;
-        let [[p, q], [r, s]] = directions;
-        let alone = directions.iter().all(|one| one.contains(&0));
-        if alone || (p * s - q * r).abs() != 1 {
+        let directions: [Direction; 2] = directions.try_into().ok()?;
+        let is_coordinate =
+            |one: &Direction| one.along.contains(&0) && graph.as_number(one.rest).is_some();
+        let relative = Self { unknowns, directions };
+        if directions.iter().all(is_coordinate) || relative.determinant().abs() != 1 {
             return None;
         }
         let mut map = Map::default();
-        for (argument, direction, rest) in found {
-            let place = directions.iter().position(|one| *one == direction);
-            let (place, sign) = match place {
-                Some(place) => (place, 1.0),
-                None => (directions.iter().position(|one| one.map(|one| -one) == direction)?, -1.0),
-            };
+        for one in found {
+            let signs = directions.iter().map(|other| one.turns_with(other));
+            let (place, sign) = signs.enumerate().find_map(|(place, sign)| Some((place, sign?)))?;
             let symbol = graph.symbol(symbols[place]);
-            let signed = graph.scale(sign, symbol);
-            let value = graph.sum(&[signed, rest]);
+            let (signed, other) =
+                (graph.scale(sign, symbol), graph.scale(-sign, directions[place].rest));
+            let value = graph.sum(&[signed, one.rest, other]);
             for function in [Function::Sin, Function::Cos] {
                 let (old, new) =
-                    (graph.call(function, &[argument]), graph.call(function, &[value]));
+                    (graph.call(function, &[one.argument]), graph.call(function, &[value]));
                 map.insert(old, new);
             }
         }
         let replaced = angles::replace(graph, residuals, &map);
-        Some((Self { unknowns, directions }, angles::expand(graph, &replaced)))
+        Some((relative, angles::expand(graph, &replaced)))
     }
 
     /// The determinant of the directions by the coordinates, 1 or −1.
     fn determinant(&self) -> i8 {
-        let [[p, q], [r, s]] = self.directions;
+        let [[p, q], [r, s]] = self.directions.map(|one| one.along);
         p * s - q * r
     }
 
-    /// The closed form of the coordinates from that of the directions.
+    /// The closed form of the coordinates from that of the directions, which it keeps.
     pub fn back(&self, graph: &mut Graph, closed: &Closed, mode: u32) -> Option<Closed> {
         let determinant = self.determinant();
         // The mode is the sign of the determinant of the equations by the coordinates.
@@ -89,17 +108,23 @@ impl Relative {
         let turned = graph.scale(f64::from(determinant), own);
         let map = Map::from_iter([(symbol, turned)]);
         let wanted = |slot: Slot| closed.values.iter().find(|one| one.0 == slot).map(|one| one.1);
-        let mut units = Vec::new();
-        for unknown in self.unknowns {
+        let mut units = [[own; 2]; 2];
+        for (unknown, unit) in self.unknowns.into_iter().zip(&mut units) {
             let pair = [wanted(Slot::Cosine(unknown))?, wanted(Slot::Sine(unknown))?];
-            units.push(graph.substitute(&pair, &map));
+            unit.copy_from_slice(&graph.substitute(&pair, &map));
         }
-        let [[p, q], [r, s]] = self.directions;
-        let mut values = Vec::new();
+        let bare = [0, 1].map(|link| {
+            let rest = self.directions[link].rest;
+            let rest = [Function::Cos, Function::Sin].map(|one| graph.call(one, &[rest]));
+            turned_by(graph, &[units[link], rest], [1, -1])
+        });
+        let [[p, q], [r, s]] = self.directions.map(|one| one.along);
         // The inverse of a matrix of whole numbers with this determinant.
-        for (unknown, [along, across]) in self.unknowns.into_iter().zip([[s, -q], [-r, p]]) {
-            let factors = [along * determinant, across * determinant];
-            let [cosine, sine] = turned_by(graph, &units, factors);
+        let [a, b] = [[s, -q], [-r, p]].map(|row| row.map(|one| one * determinant));
+        let coordinates = [(self.unknowns[0], a), (self.unknowns[1], b)];
+        let mut values = Vec::new();
+        for (unknown, factors) in coordinates {
+            let [cosine, sine] = turned_by(graph, &bare, factors);
             let angle = graph.call(Function::Atan2, &[sine, cosine]);
             values.push((Slot::Value(unknown), angle));
             values.push((Slot::Cosine(unknown), cosine));
@@ -107,21 +132,30 @@ impl Relative {
         }
         let sine = graph.substitute(&[closed.sine], &map)[0];
         let sine = graph.scale(f64::from(determinant), sine);
-        Some(Closed { values, sine, margin: closed.margin })
+        let links = Some(Links { directions: self.directions, units, coordinates });
+        Some(Closed { values, links, sine, margin: closed.margin })
+    }
+}
+
+impl Direction {
+    /// The sign with which it turns as another one does, if it does.
+    fn turns_with(&self, other: &Self) -> Option<f64> {
+        let turned = other.along.map(|one| -one);
+        match self.along {
+            along if along == other.along => Some(1.0),
+            along if along == turned => Some(-1.0),
+            _ => None,
+        }
     }
 }
 
 /// An argument as coefficients of two angles and the rest.
-fn split(
-    graph: &mut Graph,
-    argument: Expression,
-    symbols: [Symbol; 2],
-) -> Option<([i8; 2], Expression)> {
+fn split(graph: &mut Graph, argument: Expression, symbols: [Symbol; 2]) -> Option<Direction> {
     let terms: Vec<Expression> = match graph.node(argument) {
         Node::Sum(terms) => terms.to_vec(),
         _ => vec![argument],
     };
-    let (mut direction, mut rest) = ([0; 2], Vec::new());
+    let (mut along, mut rest) = ([0; 2], Vec::new());
     for term in terms {
         let (coefficient, inner) = graph.split_coefficient(term);
         let place = match graph.node(inner) {
@@ -129,17 +163,17 @@ fn split(
             _ => None,
         };
         match place {
-            Some(place) if coefficient.abs() == 1.0 => direction[place] = coefficient as i8,
+            Some(place) if coefficient.abs() == 1.0 => along[place] = coefficient as i8,
             Some(_) => return None,
             None if graph.depends_on(term, |symbol| symbols.contains(&symbol)) => return None,
             None => rest.push(term),
         }
     }
-    Some((direction, graph.sum(&rest)))
+    Some(Direction { argument, along, rest: graph.sum(&rest) })
 }
 
 /// Cosine and sine of a sum of directions, each taken once with a sign, or not at all.
-fn turned_by(graph: &mut Graph, units: &[Vec<Expression>], factors: [i8; 2]) -> [Expression; 2] {
+fn turned_by(graph: &mut Graph, units: &[[Expression; 2]], factors: [i8; 2]) -> [Expression; 2] {
     let mut unit = [graph.one(), graph.zero()];
     for (own, factor) in units.iter().zip(factors) {
         if factor == 0 {

@@ -161,6 +161,7 @@ impl<'a> Emitter<'a> {
                 let (a, b) = (self.value(a), self.value(b));
                 self.combine(OperationKind::Or(a, b))
             }
+            Node::Whole(a) => self.value(a),
             Node::Not(a) => {
                 let a = self.value(a);
                 self.combine(OperationKind::Not(a))

@@ -61,7 +61,7 @@ mod shapes_ {
                 ),
             ],
         )
-        .operations(Operations::of([28, 35, 13, 21, 0]))
+        .operations(Operations::of([22, 35, 13, 22, 0]))
         .linkage(LinkageEntry {
             dependents: list_2_,
             loops: &[

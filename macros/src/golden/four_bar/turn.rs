@@ -27,7 +27,7 @@
 /// |---|---|---|
 /// | `psi` | `deg` |  |
 ///
-/// Operations: 28 once per parameter set, 35 per instant, 13 per position, 21 for all influence coefficients.
+/// Operations: 22 once per parameter set, 35 per instant, 13 per position, 22 for all influence coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn {
     /// Crank A0-A, coupler A-B, rocker B0-B, frame A0-B0: `20 mm ± 0.02 mm`; stored in SI units, `mm` is 0.001.
@@ -89,8 +89,6 @@ impl ::assur::closure::Linkage for Turn {
         let v11_ = v7_ - v9_;
         let d = values[3];
         let v21_ = S::ONE / c;
-        let v28_ = v21_ * v5_;
-        let v30_ = S::ONE / (c * c);
         TurnEquations {
             b,
             v5_,
@@ -106,15 +104,10 @@ impl ::assur::closure::Linkage for Turn {
             v21_,
             v23_: S::from_f64(0.5) / (v7_ * v9_),
             v25_: -S::abs(v11_),
-            v26_: v5_ * a,
-            v27_: v21_ * a,
-            v28_,
-            v30_,
-            v31_: v5_ * v30_,
-            v32_: -b,
-            v33_: -v21_,
-            v34_: -c,
-            v35_: v28_ * a,
+            v26_: a * c,
+            v27_: v5_ * v21_,
+            v28_: b * a,
+            v29_: b * c,
         }
     }
     fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {

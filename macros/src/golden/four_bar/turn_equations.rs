@@ -26,24 +26,14 @@ pub struct TurnEquations<S: ::assur::scalar::Scalar> {
     v23_: S,
     /// `-abs(abs(b) - abs(c))`
     v25_: S,
-    /// `v5_*a`
+    /// `a*c`
     v26_: S,
-    /// `v21_*a`
+    /// `v5_*v21_`
     v27_: S,
-    /// `v21_*v5_`
+    /// `b*a`
     v28_: S,
-    /// `1/(c^2)`
-    v30_: S,
-    /// `v5_*v30_`
-    v31_: S,
-    /// `-b`
-    v32_: S,
-    /// `-v21_`
-    v33_: S,
-    /// `-c`
-    v34_: S,
-    /// `v28_*a`
-    v35_: S,
+    /// `b*c`
+    v29_: S,
 }
 impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<S> {
     type Position = [S; 6];
@@ -70,27 +60,27 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
     fn instant(&self, independents: &[S]) -> Self::Instant {
         let phi = independents[0];
         let (sin_phi_, cos_phi_) = S::sin_cos(phi);
-        let v40_ = S::mul_add(self.a, cos_phi_, self.v15_);
-        let v43_ = S::mul_add(self.v16_, sin_phi_ * sin_phi_, v40_ * v40_);
-        let v44_ = S::ONE / v43_;
-        let v45_ = S::mul_add(self.v13_, v44_, S::from_f64(0.5));
-        let v46_ = self.a * sin_phi_;
-        let v52_ = S::sqrt((self.v17_ - v43_) * (self.v19_ + v43_));
-        let v61_ = S::mul_add(-self.v13_, v44_, S::from_f64(0.5));
-        let v65_ = S::sqrt(v43_);
+        let v34_ = S::mul_add(self.a, cos_phi_, self.v15_);
+        let v37_ = S::mul_add(self.v16_, sin_phi_ * sin_phi_, v34_ * v34_);
+        let v38_ = S::ONE / v37_;
+        let v39_ = S::mul_add(self.v13_, v38_, S::from_f64(0.5));
+        let v40_ = self.a * sin_phi_;
+        let v46_ = S::sqrt((self.v17_ - v37_) * (self.v19_ + v37_));
+        let v55_ = S::mul_add(-self.v13_, v38_, S::from_f64(0.5));
+        let v59_ = S::sqrt(v37_);
         [
             sin_phi_,
             cos_phi_,
+            v34_,
             v40_,
-            v46_,
-            -(v46_ * v45_),
-            S::from_f64(0.5) * (v44_ * v52_ * v40_),
-            -(v40_ * v45_),
-            self.v20_ * (sin_phi_ * v44_ * v52_),
-            v46_ * v61_,
-            v40_ * v61_,
-            self.v23_ * v52_,
-            S::min(self.v10_ - v65_, self.v25_ + v65_),
+            -(v40_ * v39_),
+            S::from_f64(0.5) * (v38_ * v46_ * v34_),
+            -(v34_ * v39_),
+            self.v20_ * (sin_phi_ * v38_ * v46_),
+            v40_ * v55_,
+            v34_ * v55_,
+            self.v23_ * v46_,
+            S::min(self.v10_ - v59_, self.v25_ + v59_),
         ]
     }
     #[inline(always)]
@@ -103,12 +93,12 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
     ) -> S {
         match group {
             0 => {
-                let v75_ = instant[5] * mode;
-                let v78_ = instant[7] * mode;
-                position[2] = self.v5_ * (instant[6] + v78_);
-                position[3] = self.v5_ * (instant[4] + v75_);
-                position[4] = self.v21_ * (instant[9] + v78_);
-                position[5] = self.v21_ * (instant[8] + v75_);
+                let v70_ = instant[5] * mode;
+                let v73_ = instant[7] * mode;
+                position[2] = self.v5_ * (instant[6] + v73_);
+                position[3] = self.v5_ * (instant[4] + v70_);
+                position[4] = self.v21_ * (instant[9] + v73_);
+                position[5] = self.v21_ * (instant[8] + v70_);
                 let angles_ = S::atan2_all(
                     [position[3], position[5]],
                     [position[2], position[4]],
@@ -153,18 +143,15 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
                 position[3] = sines_[0];
                 position[4] = cosines_[1];
                 position[5] = sines_[1];
-                let v89_ = self.b * position[2];
-                let v91_ = self.c * position[4];
-                residual[0] = instant[2] + v89_ - v91_;
-                residual[1] = S::mul_add(
-                    -self.c,
-                    position[5],
-                    S::mul_add(self.b, position[3], instant[3]),
-                );
+                let v84_ = self.b * position[2];
+                let v86_ = self.c * position[4];
+                let v91_ = self.c * position[5];
+                residual[0] = instant[2] + v84_ - v86_;
+                residual[1] = S::mul_add(self.b, position[3], instant[3]) - v91_;
                 jacobian[0] = -(self.b * position[3]);
-                jacobian[1] = self.c * position[5];
-                jacobian[2] = v89_;
-                jacobian[3] = -v91_;
+                jacobian[1] = v91_;
+                jacobian[2] = v84_;
+                jacobian[3] = -v86_;
             }
             _ => {}
         }
@@ -177,12 +164,12 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         columns: &mut [Self::Position],
     ) {
         ::assur::exact!(mut columns, 1);
-        let v104_ = S::ONE
+        let v99_ = self.v27_
             / S::mul_add(-position[2], position[5], position[3] * position[4]);
         columns[0][0] = self.v26_
-            * (v104_ * S::mul_add(instant[1], position[5], -(instant[0] * position[4])));
-        columns[0][1] = self.v27_
-            * (v104_ * S::mul_add(-instant[0], position[2], instant[1] * position[3]));
+            * (v99_ * S::mul_add(-instant[0], position[4], instant[1] * position[5]));
+        columns[0][1] = self.v28_ * v99_
+            * S::mul_add(-instant[0], position[2], instant[1] * position[3]);
     }
     #[inline(always)]
     fn residual(
@@ -221,17 +208,16 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         values: &mut [S],
     ) {
         ::assur::exact!(mut values, 5);
-        let v104_ = S::ONE
-            / S::mul_add(-position[2], position[5], position[3] * position[4]);
-        let v115_ = self.v21_ * v104_;
-        values[0] = v115_
-            * S::mul_add(instant[1], position[2], instant[0] * position[3]);
-        values[1] = v115_;
-        values[2] = v115_
-            * -S::mul_add(position[2], position[4], position[3] * position[5]);
-        values[3] = -(v115_ * position[2]);
-        values[4] = self.v27_
-            * (v104_ * S::mul_add(-instant[0], position[2], instant[1] * position[3]));
+        let v108_ = self.b
+            * (self.v27_
+                / S::mul_add(-position[2], position[5], position[3] * position[4]));
+        let v109_ = v108_ * position[3];
+        let v110_ = v108_ * position[2];
+        values[0] = S::mul_add(instant[1], v110_, instant[0] * v109_);
+        values[1] = S::mul_add(position[2], v110_, position[3] * v109_);
+        values[2] = -S::mul_add(position[4], v110_, position[5] * v109_);
+        values[3] = -v110_;
+        values[4] = self.a * S::mul_add(-instant[0], v110_, instant[1] * v109_);
     }
     #[inline(always)]
     fn second_influence(
@@ -240,174 +226,109 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         position: &Self::Position,
         values: &mut [S],
     ) {
-        S::outline(
-            #[inline(always)]
-            || {
-                ::assur::exact!(mut values, 15);
-                let v69_ = self.v21_ * instant[0];
-                let v70_ = self.v21_ * instant[1];
-                let v103_ = S::mul_add(
-                    -position[2],
-                    position[5],
-                    position[3] * position[4],
-                );
-                let v104_ = S::ONE / v103_;
-                let v105_ = instant[0] * position[4];
-                let v106_ = S::mul_add(instant[1], position[5], -v105_);
-                let v110_ = S::mul_add(
-                    -instant[0],
+        ::assur::exact!(mut values, 15);
+        let v63_ = -instant[0];
+        let v84_ = self.b * position[2];
+        let v94_ = self.b * position[3];
+        let v99_ = self.v27_
+            / S::mul_add(-position[2], position[5], position[3] * position[4]);
+        let v103_ = self.v26_
+            * (v99_ * S::mul_add(-instant[0], position[4], instant[1] * position[5]));
+        let v105_ = S::mul_add(-instant[0], position[2], instant[1] * position[3]);
+        let v106_ = self.v28_ * v99_;
+        let v107_ = v106_ * v105_;
+        let v108_ = self.b * v99_;
+        let v124_ = self.c * v99_;
+        let v125_ = v124_
+            * S::mul_add(instant[0], position[5], instant[1] * position[4]);
+        let v127_ = S::mul_add(instant[0], position[3], instant[1] * position[2]);
+        let v129_ = S::mul_add(-v108_, v127_, v125_);
+        let v131_ = self.v29_ * position[3] * position[5];
+        let v133_ = self.v29_ * position[2] * position[4];
+        let v135_ = S::mul_add(v133_, v129_, v131_ * v129_);
+        let v146_ = S::mul_add(position[3], position[5], position[2] * position[4]);
+        let v147_ = v99_ * v146_;
+        let v148_ = self.c * v147_;
+        let v149_ = v148_ - v108_;
+        let v150_ = position[5] * v149_;
+        let v152_ = position[4] * v149_;
+        let v155_ = S::mul_add(
+            position[2],
+            S::mul_add(self.v29_, v152_, -(self.c * position[5])),
+            position[3] * S::mul_add(self.v29_, v150_, self.c * position[4]),
+        );
+        let v156_ = S::mul_add(-v108_, v155_, S::ONE);
+        let v158_ = v94_ * position[4];
+        let v159_ = v84_ * position[5];
+        let v162_ = v108_ * v146_;
+        let v173_ = S::mul_add(self.b, v147_, -v124_);
+        let v183_ = S::mul_add(
+            position[2],
+            S::mul_add(-self.b, position[5], self.v29_ * position[4] * v173_),
+            position[3]
+                * S::mul_add(self.v29_ * position[5], v173_, self.b * position[4]),
+        );
+        let v186_ = v99_ * position[2];
+        let v196_ = v124_ * position[4];
+        let v197_ = S::mul_add(v108_, position[2], -v196_);
+        let v199_ = S::mul_add(v133_, v197_, v131_ * v197_);
+        let v215_ = S::mul_add(
+            -v107_,
+            v155_,
+            S::mul_add(
+                self.a,
+                position[2] * S::mul_add(self.b * instant[1], v148_, v63_),
+                self.a
+                    * (position[3] * S::mul_add(self.b * instant[0], v148_, instant[1])),
+            ),
+        );
+        let v217_ = v99_ * v105_;
+        let v226_ = v103_ - S::ONE;
+        let v231_ = v107_ - v103_;
+        let v234_ = S::mul_add(
+            v107_,
+            S::mul_add(v133_, v231_, v131_ * v231_),
+            S::mul_add(
+                self.v28_ * instant[1],
+                position[2] * v226_,
+                self.v28_ * instant[0] * (position[3] * v226_),
+            ),
+        );
+        values[0] = v108_ * -S::mul_add(v99_ * v135_, v127_, v105_ * v125_);
+        values[1] = -(self.b * (v135_ * (v99_ * v99_)));
+        values[2] = v99_ * v156_;
+        values[3] = v99_
+            * S::mul_add(v162_, v135_, S::mul_add(-v159_, v129_, v158_ * v129_));
+        values[4] = v99_
+            * S::mul_add(
+                v162_,
+                v155_,
+                S::mul_add(
                     position[2],
-                    instant[1] * position[3],
-                );
-                let v114_ = S::mul_add(
-                    instant[1],
-                    position[2],
-                    instant[0] * position[3],
-                );
-                let v115_ = self.v21_ * v104_;
-                let v117_ = position[3] * position[5];
-                let v119_ = -S::mul_add(position[2], position[4], v117_);
-                let v123_ = v103_ * v103_;
-                let v124_ = S::ONE / v123_;
-                let v126_ = S::mul_add(
-                    instant[0],
-                    position[5],
-                    instant[1] * position[4],
-                );
-                let v128_ = S::mul_add(-self.b, v114_, self.c * v126_);
-                let v129_ = position[2] * position[4];
-                let v131_ = S::mul_add(v129_, v128_, v117_ * v128_);
-                let v132_ = v104_ * v131_;
-                let v135_ = -S::mul_add(v69_, v132_, instant[1] * v126_);
-                let v136_ = self.v28_ * position[3];
-                let v138_ = S::mul_add(-v70_, v132_, instant[0] * v126_);
-                let v139_ = self.v28_ * position[2];
-                let v144_ = S::ONE / (v123_ * v103_);
-                let v148_ = S::mul_add(-self.c, v119_, self.v32_);
-                let v152_ = S::mul_add(
-                    v104_,
-                    S::mul_add(v129_, v148_, v117_ * v148_),
-                    self.c * v103_,
-                );
-                let v157_ = S::mul_add(-self.v21_, v114_, self.v5_ * v126_);
-                let v158_ = self.v21_ * position[4];
-                let v159_ = self.v31_ * v104_;
-                let v164_ = self.v21_ * position[5];
-                let v169_ = v124_
-                    * S::mul_add(
-                        position[2],
-                        S::mul_add(-v164_, v157_, v159_ * position[4] * v131_),
-                        position[3]
-                            * S::mul_add(v159_ * position[5], v131_, v158_ * v157_),
-                    );
-                let v170_ = S::mul_add(-self.v5_, v119_, self.v33_);
-                let v174_ = self.v31_ * position[4];
-                let v180_ = S::mul_add(
-                    v104_,
-                    S::mul_add(
-                        position[3],
-                        S::mul_add(self.v31_, position[5] * v152_, v158_ * v170_),
-                        position[2] * S::mul_add(-v164_, v170_, v174_ * v152_),
-                    ),
-                    self.v28_ * v119_,
-                );
-                let v183_ = v136_ * position[4] * v124_;
-                let v185_ = S::mul_add(-self.b, v119_, self.v34_);
-                let v189_ = S::mul_add(
-                    v104_,
-                    S::mul_add(v129_, v185_, v117_ * v185_),
-                    self.b * v103_,
-                );
-                let v197_ = S::mul_add(
-                    self.v30_,
-                    position[3]
-                        * S::mul_add(
-                            -position[4],
-                            v119_,
-                            self.v5_ * (position[5] * v189_),
-                        ),
-                    position[2]
-                        * S::mul_add(
-                            v174_,
-                            v189_,
-                            v164_ * S::mul_add(self.v21_, v119_, self.v5_),
-                        ),
-                );
-                let v201_ = self.v28_ * v124_;
-                let v217_ = S::mul_add(
-                    -self.c,
-                    v117_ * position[4],
-                    position[2]
-                        * S::mul_add(
-                            position[4],
-                            S::mul_add(-self.c, position[4], self.b * position[2]),
-                            self.b * v117_,
-                        ),
-                );
-                let v221_ = self.v35_ * position[3];
-                let v222_ = self.v35_ * position[2];
-                let v236_ = S::mul_add(
-                    v104_,
-                    S::mul_add(
-                        v221_,
-                        -S::mul_add(v70_, v152_, instant[0] * v119_),
-                        v222_ * S::mul_add(-instant[1], v119_, v69_ * v152_),
-                    ),
-                    self.v35_ * v110_,
-                );
-                let v243_ = v104_ * v217_;
-                let v252_ = S::mul_add(-self.b, v110_, self.c * v106_);
-                let v257_ = v104_
-                    * S::mul_add(self.a, v129_ * v252_, self.a * (v117_ * v252_));
-                let v265_ = S::mul_add(
-                    -self.v27_,
-                    v114_,
-                    v104_
-                        * S::mul_add(
-                            v222_,
-                            S::mul_add(v69_, v257_, self.a * instant[1] * v106_),
-                            v221_ * S::mul_add(-v70_, v257_, instant[3] * v106_),
-                        ),
-                );
-                values[0] = v124_ * S::mul_add(v136_, v135_, v139_ * v138_);
-                values[1] = -(self.v31_ * (v131_ * v144_));
-                values[2] = S::mul_add(-self.v31_, v152_ * v124_, self.v28_ * v104_);
-                values[3] = v169_;
-                values[4] = v104_ * v180_;
-                values[5] = S::mul_add(v124_, v197_, -v183_);
-                values[6] = v201_
-                    * S::mul_add(v115_ * position[2], v131_, position[3] * v126_);
-                values[7] = v104_
-                    * S::mul_add(
-                        -self.v28_,
-                        v104_ * position[3] * v119_,
-                        v139_ * S::mul_add(v115_, v152_, -S::ONE),
-                    );
-                values[8] = v201_
-                    * S::mul_add(self.v21_, position[2] * v189_, -position[3]);
-                values[9] = S::mul_add(self.v31_, position[2] * v217_ * v144_, -v183_);
-                values[10] = v104_
-                    * S::mul_add(
-                        v104_,
-                        S::mul_add(-v222_, v135_, v221_ * v138_),
-                        self.v21_ * v110_,
-                    );
-                values[11] = v104_ * v236_;
-                values[12] = v124_
-                    * S::mul_add(
-                        v222_,
-                        S::mul_add(v69_, v189_, -instant[1]),
-                        v221_ * S::mul_add(-v70_, v189_, -instant[0]),
-                    );
-                values[13] = v124_
-                    * S::mul_add(
-                        v221_,
-                        -S::mul_add(v70_, v243_, v105_),
-                        v222_ * S::mul_add(-instant[1], position[4], v69_ * v243_),
-                    );
-                values[14] = v104_ * v265_;
-            },
-        )
+                    -S::mul_add(self.b, v150_, position[4]),
+                    position[3] * S::mul_add(self.b, v152_, -position[5]),
+                ),
+            );
+        values[5] = v99_
+            * S::mul_add(v162_, v183_, S::mul_add(-v159_, v173_, v158_ * v173_));
+        values[6] = v108_ * S::mul_add(v186_, v135_, position[3] * v125_);
+        values[7] = v99_ * S::mul_add(-position[2], v156_, v94_ * v148_);
+        values[8] = v108_ * S::mul_add(-position[3], v124_, v186_ * v183_);
+        values[9] = v108_ * S::mul_add(-position[3], v196_, v186_ * v199_);
+        values[10] = v99_
+            * S::mul_add(
+                -v107_,
+                v135_,
+                S::mul_add(
+                    v84_,
+                    S::mul_add(self.a * instant[1], v125_, v63_),
+                    v94_ * S::mul_add(instant[3], v125_, instant[1]),
+                ),
+            );
+        values[11] = v99_ * v215_;
+        values[12] = v106_ * -S::mul_add(v217_, v183_, v127_ * v124_);
+        values[13] = v106_ * -S::mul_add(v217_, v199_, v127_ * v196_);
+        values[14] = v99_ * v234_;
     }
     #[inline(always)]
     fn points(
