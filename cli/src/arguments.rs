@@ -143,6 +143,9 @@ pub struct DrawArguments {
     /// Forces of closures that the scene reports, as arrows.
     #[arg(long)]
     pub forces: bool,
+    /// The vibration about a position of rest that moves the picture, 1 being the slowest.
+    #[arg(long, value_name = "NUMBER")]
+    pub vibration: Option<usize>,
     /// Directory for the pictures, created if it is missing.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -4,7 +4,7 @@ use assur::answer::{Motion, Settings};
 use assur::problem::{Phase, Span};
 
 use super::geometry::{Frame, Geometry};
-use super::{AROUND, FRAMES, POSITIONS, Shown};
+use super::{AROUND, FRAMES, POSITIONS, Shown, vibration};
 use crate::arguments::DrawArguments;
 use crate::ask::constants::Constants;
 use crate::ask::place::Place;
@@ -37,6 +37,12 @@ fn follow(options: &DrawArguments, constants: Constants) -> Result<Shown, Failur
     let motion = case.solve(&Settings::default())?;
     case.repeat(&motion);
     let task = case.moved.task;
+    if let Some(rest) = motion.rest() {
+        return vibration::of(options.vibration, case, &motion, rest);
+    }
+    if options.vibration.is_some() {
+        return Err(vibration::none(case.scene.name));
+    }
     if task == Span::Open {
         return Err(Failure::request(format!("scene `{}` has no task to draw", case.scene.name))
             .remedy("choose one that runs, with --scene"));
@@ -51,15 +57,11 @@ fn follow(options: &DrawArguments, constants: Constants) -> Result<Shown, Failur
     let seconds = length.clamp(SECONDS.0, SECONDS.1);
     let count = (FRAMES as f64 * seconds / SECONDS.0).round() as usize;
     let at = |index: usize| frame(&case, &motion, from + length * index as f64 / count as f64);
-    let frames: Vec<_> = match length > 0.0 {
-        true => (0..=count).map(at).collect(),
-        false => vec![at(0)],
-    };
+    let frames: Vec<_> = (0..=count).map(at).collect();
     let shown: Vec<_> = asked.iter().map(|(time, _)| frame(&case, &motion, *time)).collect();
     let geometry =
         Geometry::new(case.scene.points.len(), std::slice::from_ref(&frames), shown.iter());
     let (times, label) = match &asked[..] {
-        [] if length == 0.0 => (vec![from], "at rest".to_owned()),
         [] => some(from, length, geometry.is_closed),
         asked => {
             let labels: Vec<_> = asked.iter().map(|(_, label)| label.clone()).collect();
@@ -106,7 +108,6 @@ fn some(from: f64, length: f64, is_closed: bool) -> (Vec<f64>, String) {
 fn pace(share: f64) -> String {
     let times = |share: f64| number::short(number::rounded(share, 2));
     match share {
-        0.0 => String::new(),
         _ if (share - 1.0).abs() < 1e-9 => " As fast as it is.".to_owned(),
         _ if share < 1.0 => format!(" {} times slower than it is.", times(1.0 / share)),
         _ => format!(" {} times faster than it is.", times(share)),

@@ -3,6 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `travel`, `course` | positions of a linkage on its way, of a motion in time |
+//! | `vibration` | a vibration about a position of rest |
 //! | `geometry` | which points stand, which move, which move straight |
 //! | `sheet` | the paper: scale, title, legend, scale bar |
 //! | `joints`, `names`, `forces` | pivots and slides at one position, names of points, arrows |
@@ -17,6 +18,7 @@ mod names;
 mod sheet;
 mod still;
 mod travel;
+mod vibration;
 
 use std::path::PathBuf;
 
@@ -58,6 +60,7 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
             .remedy("report one in the equation file: output pin = reaction(pin) [N];"));
     }
     let mut shown = match scene.linkage {
+        Some(_) if options.vibration.is_some() => return Err(vibration::none(scene.name)),
         Some(_) => travel::of(options, constants)?,
         None => course::of(options, constants)?,
     };

@@ -36,8 +36,25 @@ fn motions_are_drawn_in_time_with_forces_if_wished() {
     // What comes to a dead point is drawn on its way beyond.
     let text = answer(&["draw", "four_bar_chain", "--at", "time=2s"], &directory);
     assert!(text.contains("time = 2 s"), "{text}");
-    let text = answer(&["draw", "lamp_arm", "--scene", "still", "--forces"], &directory);
+}
+
+#[test]
+fn a_vibration_is_drawn_about_the_position_of_rest() {
+    let directory = folder("draw_vibration");
+    let text = answer(&["draw", "lamp_arm", "--scene", "damped", "--vibration", "1"], &directory);
+    assert!(text.contains("at rest, and in vibration 1 of 0.6898 Hz"), "{text}");
+    let read = |name: &str| std::fs::read_to_string(directory.join(name)).expect(name);
+    assert!(read("lamp_arm-damped-moving.svg").contains("Larger than it is"));
+    // A balanced arm stays wherever it is.
+    let text = answer(&["draw", "lamp_arm", "--scene", "any"], &directory);
     assert!(text.contains("at rest") && !text.contains("Moving"), "{text}");
+    for (scene, words) in [
+        ("damped", ["there is no vibration 2 to draw", "has 1 vibrations"]),
+        ("swing", ["has no position of rest", "choose a scene that rests"]),
+    ] {
+        let asked = ["draw", "lamp_arm", "--scene", scene, "--vibration", "2"];
+        check_refused(&asked, &words, &directory);
+    }
 }
 
 #[test]

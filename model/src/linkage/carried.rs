@@ -1,15 +1,15 @@
 //! A linkage that is carried along by a motion: its drivers move in time, and what it does acts on coordinates that move by
 //! themselves. Its dependent coordinates are then functions of the time, put in as closed forms.
 
-use super::relative::Links;
-use super::{Closed, Group, Linkage, Places, Slot, angles};
+use super::forms::Forms;
+use super::{Closed, Group, Linkage, Places, Slot};
 use crate::checked::LoopInfo;
 use crate::declare::Drive;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::lower::Lowering;
-use crate::program::{Function, Request};
-use std::f64::consts::{FRAC_PI_2, TAU};
+use crate::program::Request;
+use std::f64::consts::TAU;
 
 impl Linkage {
     /// Binds the dependent coordinates to their closed forms, on the assembly modes that the declared start values pick
@@ -26,7 +26,7 @@ impl Linkage {
             return Some((Vec::new(), false));
         }
         let mut given = Places::of_state(low, drives, (constants, starts_of_state))?;
-        let (mut values_of, mut relative, mut around) = (Vec::new(), Vec::new(), Vec::new());
+        let mut forms = Forms::default();
         let (mut carried, mut signs) = (Vec::new(), Vec::new());
         for (number, group) in self.groups.iter().enumerate() {
             let Some(closed) = &group.closed else {
@@ -55,9 +55,9 @@ impl Linkage {
             }
             let chosen = Map::from_iter([(mode, low.graph.number(sign))]);
             let turns = |slot: Slot| closed.values.iter().any(|one| one.0 == slot);
-            around.extend(starts.iter().filter(|one| turns(Slot::Cosine(one.0))).copied());
+            forms.starts.extend(starts.iter().filter(|one| turns(Slot::Cosine(one.0))).copied());
             for (slot, value) in &closed.values {
-                values_of.push((*slot, low.graph.substitute(&[*value], &chosen)[0]));
+                forms.values.push((*slot, low.graph.substitute(&[*value], &chosen)[0]));
             }
             if let Some(links) = &closed.links {
                 let mut links = links.clone();
@@ -66,7 +66,7 @@ impl Linkage {
                     unit.copy_from_slice(&chosen);
                 }
                 let at = links.directions.map(|one| given.evaluate(low, one.argument));
-                relative.push((links, at));
+                forms.relative.push((links, at));
             }
             if low.graph.as_number(closed.margin).is_none() {
                 request.results.margins.push(closed.margin);
@@ -75,7 +75,7 @@ impl Linkage {
         }
         given.check_starts(low)?;
         let may_stop = !carried.is_empty() && self.may_stop(low, given, &signs);
-        put_in(low, (&values_of, &relative), &around, request);
+        forms.put_in(low, request);
         Some((carried, may_stop))
     }
 
@@ -141,90 +141,6 @@ impl Linkage {
             false => squares,
         }
     }
-}
-
-/// Puts closed forms in: of coordinates, and of the directions of links that are sums of them, which are at these angles at
-/// the start. Cosine and sine of an angle are those of its link, never those of the angle. `starts` says of the angles
-/// where they start.
-fn put_in(
-    low: &mut Lowering<'_>,
-    (values, relative): (&[(Slot, Expression)], &[(Links, [f64; 2])]),
-    starts: &[(usize, f64)],
-    request: &mut Request,
-) {
-    let graph = &mut low.graph;
-    let symbols: Vec<_> = (0..low.names.dependents.len() as u32).map(Symbol::Dependent).collect();
-    let (mut calls, mut units, mut angles_of) = (Map::default(), Vec::new(), Map::default());
-    for (group, (links, at)) in relative.iter().enumerate() {
-        let bare = [0, 1].map(|link| {
-            let direction = links.directions[link];
-            let first = 2 * (symbols.len() + 2 * group + link) as u32;
-            let pair = [Symbol::Argument(first), Symbol::Argument(first + 1)];
-            for (place, function) in [Function::Cos, Function::Sin].into_iter().enumerate() {
-                let call = graph.call(function, &[direction.argument]);
-                calls.insert(call, graph.symbol(pair[place]));
-                units.push((pair[place], links.units[link][place]));
-            }
-            let angle = around(graph, pair, at[link]);
-            graph.sub(angle, direction.rest)
-        });
-        for (index, factors) in links.coordinates {
-            let terms = [0, 1].map(|link| graph.scale(f64::from(factors[link]), bare[link]));
-            angles_of.insert(index, graph.sum(&terms));
-        }
-    }
-    let apart = |graph: &mut Graph, list: &[Expression]| {
-        let replaced = angles::replace(graph, list, &calls);
-        let expanded = angles::expand(graph, &replaced);
-        angles::free_of(graph, &expanded, &symbols)
-    };
-    let results = apart(graph, &request.results.all());
-    request.results = request.results.with(results);
-    let (names, bound): (Vec<_>, Vec<_>) =
-        std::mem::take(&mut request.bindings).into_iter().unzip();
-    request.bindings = names.into_iter().zip(apart(graph, &bound)).collect();
-    for (index, symbol) in symbols.iter().enumerate() {
-        let angle = graph.symbol(*symbol);
-        for (place, function) in [Function::Cos, Function::Sin].into_iter().enumerate() {
-            let value = graph.call(function, &[angle]);
-            request.bindings.insert(Symbol::Argument((2 * index + place) as u32), value);
-        }
-    }
-    let (slots, values): (Vec<_>, Vec<_>) = values.iter().copied().unzip();
-    for (slot, value) in slots.into_iter().zip(apart(graph, &values)) {
-        let symbol = match slot {
-            Slot::Value(index) => Symbol::Dependent(index as u32),
-            Slot::Cosine(index) => Symbol::Argument(2 * index as u32),
-            Slot::Sine(index) => Symbol::Argument(2 * index as u32 + 1),
-        };
-        request.bindings.insert(symbol, value);
-    }
-    let (names, units): (Vec<_>, Vec<_>) = units.into_iter().unzip();
-    request.bindings.extend(names.into_iter().zip(apart(graph, &units)));
-    for &(index, start) in starts {
-        let pair = [Symbol::Argument(2 * index as u32), Symbol::Argument(2 * index as u32 + 1)];
-        let angle = match angles_of.get(&index) {
-            Some(angle) => *angle,
-            None => around(graph, pair, start),
-        };
-        request.bindings.insert(Symbol::Dependent(index as u32), angle);
-    }
-}
-
-/// The angle of a unit vector within half a turn of the right angle that is next to its start, so that what swings does
-/// not jump by a turn.
-fn around(graph: &mut Graph, unit: [Symbol; 2], start: f64) -> Expression {
-    let [cosine, sine] = unit.map(|symbol| graph.symbol(symbol));
-    let quarters = (start / FRAC_PI_2).round();
-    let (x, y) = match quarters.rem_euclid(4.0) as u8 {
-        0 => (cosine, sine),
-        1 => (sine, graph.neg(cosine)),
-        2 => (graph.neg(cosine), graph.neg(sine)),
-        _ => (graph.neg(sine), cosine),
-    };
-    let angle = graph.call(Function::Atan2, &[y, x]);
-    let from = graph.number(quarters * FRAC_PI_2);
-    graph.add(from, angle)
 }
 
 /// Where the dependent coordinates of a group are declared to start.

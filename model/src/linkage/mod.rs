@@ -12,6 +12,7 @@ mod dead;
 mod dyad;
 mod eliminate;
 mod follow;
+mod forms;
 mod geometry;
 mod group;
 mod independent;
