@@ -140,6 +140,65 @@ fn all_methods_agree_on_what_is_held() {
     }
 }
 
+/// Where the closures of Bricard's mechanism are open by turning its hinges.
+fn hinges(a: &[f64]) -> [f64; 5] {
+    use nalgebra::{Rotation3, Vector3};
+    let [x, y, z] = [Vector3::x_axis(), Vector3::y_axis(), Vector3::z_axis()];
+    let mut turned = Rotation3::identity();
+    let mut place = Vector3::zeros();
+    for ((axis, rod), angle) in [(y, *x), (z, -*y), (x, *z), (y, -*x), (z, *y)].into_iter().zip(a) {
+        turned *= Rotation3::from_axis_angle(&axis, *angle);
+        place += turned * rod;
+    }
+    let (open, last) = (place - *z, turned * *x);
+    [open.x, open.y, open.z, last.y, last.z]
+}
+
+#[test]
+fn of_five_closures_four_say_everything() {
+    let scene = assur_equations::bricard::Fall::default();
+    let motion = scene.solve(&FINE).expect("a motion");
+    for time in [0.0, 0.7, 1.9, 4.4, 8.0] {
+        let (_, state) = motion.place(time);
+        let angles = &state[..5];
+        let open = hinges(angles).iter().fold(0.0_f64, |most, open| most.max(open.abs()));
+        assert!(open < 1e-10, "{time}: {open:e}");
+        let slope = |row: usize, column: usize| {
+            let aside = [1e-5, -1e-5].map(|step| {
+                let mut aside = angles.to_vec();
+                aside[column] += step;
+                hinges(&aside)[row]
+            });
+            (aside[0] - aside[1]) / 2e-5
+        };
+        let values = nalgebra::SMatrix::<f64, 5, 5>::from_fn(slope).singular_values();
+        // The naive elimination divides by the last one.
+        assert!(values[4] < 1e-9 * values[0] && values[3] > 1e-3 * values[0], "{time}: {values}");
+        check(&motion, "E", time, -29.43, 1e-8);
+    }
+}
+
+#[test]
+fn a_start_at_a_change_point_goes_on_with_its_speeds() {
+    use assur_equations::four_bar_chain::One;
+    let scene = One::default();
+    // Flat: the reduced equations are nothing over nothing.
+    assert!(scene.from([0.0, -2.0]).attempt(&FINE).is_err());
+    let error = scene.from([0.0, -2.0]).run().map(|_| ()).expect_err("which branch?");
+    assert!(error.to_string().contains("the closures next to that ask for"), "{error}");
+    let held = scene.unreduced().expect("all positions as coordinates");
+    let parallel = held.from([0.0, 0.0, 0.0, -2.0, -2.0, 0.0]).solve(&FINE).expect("a motion");
+    // The energy of parallel cranks.
+    let speed = |motion: &Motion, time: f64| motion.value("dot(th[0])", time).expect("a speed");
+    let angle = |motion: &Motion, time: f64| motion.value("th[0]", time).expect("an angle");
+    for time in [0.2, 0.5, 1.0] {
+        let energy = |w: f64, th: f64| (2.0 / 3.0 + 1.0) * w * w / 2.0 + 2.0 * 9.81 * th.sin();
+        let off = energy(speed(&parallel, time), angle(&parallel, time)) - energy(-2.0, 0.0);
+        assert!(off.abs() < 1e-8, "{time}: {off:e}");
+        check(&parallel, "ph[1]", time, 0.0, 1e-9);
+    }
+}
+
 #[test]
 fn windows_lie_flat_and_go_on() {
     use assur_equations::four_bar_chain::{One, Two};

@@ -3,7 +3,7 @@
 use super::error::Error;
 use super::motion::{Motion, Repeats};
 use crate::hybrid::{self, HybridError, Request};
-use crate::model::{Bound, Model, assemble_beside};
+use crate::model::{Bound, Flow, Model, assemble_beside};
 use crate::periodic;
 use crate::problem::{Refused, Scene, Span};
 use crate::settings::Settings;
@@ -82,7 +82,7 @@ impl Question {
     pub fn solve(&self, settings: &Settings) -> Result<Motion, Error> {
         let answer = self.attempt(settings);
         match answer {
-            Err(error) if error.is_lost() => match self.model.unreduced() {
+            Err(error) if error.is_lost() || self.begins_lost() => match self.model.unreduced() {
                 Some(model) => {
                     let other = self.unreduced(model.into())?;
                     other.attempt(&settings.of_states(self.model.shape(), other.model.shape()))
@@ -91,6 +91,18 @@ impl Question {
             },
             _ => answer,
         }
+    }
+
+    /// Whether the equations of the scene say nothing of how the motion begins, as those of a change point.
+    fn begins_lost(&self) -> bool {
+        let start = self.start();
+        let mut rates = vec![0.0; self.model.shape().states.len()];
+        if start.len() != rates.len() {
+            return false;
+        }
+        let flow = Flow::new(self.model.as_ref(), self.mode);
+        flow.rates(self.span.limits().0, &start, &mut rates);
+        rates.iter().any(|rate| !rate.is_finite())
     }
 
     /// The question to the same motion with all positions as coordinates.
