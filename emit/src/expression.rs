@@ -208,7 +208,7 @@ fn fused(adds: bool, all: &[Expression]) -> TokenStream {
 
 /// The factors of a matrix.
 fn factor(form: Form, rows: usize, entries: &[&TokenStream]) -> TokenStream {
-    let (count, factoring) = (size(rows), factoring(form, rows));
+    let factoring = factoring(form, rows);
     if let Form::Bound { .. } = form {
         // Most of it is zero.
         let writes = (0..rows).flat_map(|i| (0..=i).map(move |j| (i, j))).filter_map(|(i, j)| {
@@ -216,11 +216,7 @@ fn factor(form: Form, rows: usize, entries: &[&TokenStream]) -> TokenStream {
             let (i, j) = (size(i), size(j));
             (!is_zero(entry)).then(|| quote!(matrix_[#i][#j] = #entry;))
         });
-        return quote!({
-            let mut matrix_ = [[S::ZERO; #count]; #count];
-            #(#writes)*
-            #factoring(matrix_)
-        });
+        return quote!(#factoring(|matrix_| { #(#writes)* }));
     }
     let row = |i: usize| {
         let entry = |j: usize| entries[form.place(rows, i, j)];

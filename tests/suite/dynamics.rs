@@ -292,10 +292,11 @@ fn a_hundred_thousand_turns_do_not_drift() {
 #[test]
 fn masses_may_be_far_apart() {
     for (m_r, m_p) in [(1e-9, 1e6), (1e6, 1e-9), (1e-9, 1e-9), (0.0, 0.35)] {
-        let J_r = if m_r == 0.0 { 0.0 } else { 1.5e-3 };
-        let one = chain::Run { m_r, m_p, J_r, ..Default::default() }.ask().until(0.3).solve(&FINE);
+        let j_r = if m_r == 0.0 { 0.0 } else { 1.5e-3 };
+        let one =
+            chain::Run { m_r, m_p, J_r: j_r, ..Default::default() }.ask().until(0.3).solve(&FINE);
         let other =
-            bodies::Run { m_r, m_p, J_r, ..Default::default() }.ask().until(0.3).solve(&FINE);
+            bodies::Run { m_r, m_p, J_r: j_r, ..Default::default() }.ask().until(0.3).solve(&FINE);
         let (one, other) = (one.expect("a motion"), other.expect("a motion"));
         for name in ["a1", "w", "pin.x", "pin.y"] {
             let (a, b) = (one.value(name, 0.3).unwrap(), other.value(name, 0.3).unwrap());
@@ -314,7 +315,7 @@ const PIN: [[f64; 4]; 4] = [
 ];
 
 /// The naive way: `J A⁻¹ Jᵀ` of the closures of all bodies, for the forces that hold them.
-fn naive_pin(m_r: f64, m_p: f64, J_r: f64) -> Option<[f64; 2]> {
+fn naive_pin(m_r: f64, m_p: f64, j_r: f64) -> Option<[f64; 2]> {
     let (r, l, w, a1) = (0.04_f64, 0.14, 30.0, 1.0_f64);
     let a2 = -(r / l * a1.sin()).asin();
     let w2 = -r * w * a1.cos() / (l * a2.cos());
@@ -340,7 +341,7 @@ fn naive_pin(m_r: f64, m_p: f64, J_r: f64) -> Option<[f64; 2]> {
         -two * c2,
         -two * s2,
     ]);
-    let inverse = [1.0, 1.0, 2e-3, m_r, m_r, J_r, m_p].map(f64::recip);
+    let inverse = [1.0, 1.0, 2e-3, m_r, m_r, j_r, m_p].map(f64::recip);
     let inverse = nalgebra::SMatrix::<f64, 7, 7>::from_diagonal(&inverse.into());
     let weight = nalgebra::SVector::<f64, 7>::from([0.0, -9.81, 0.0, 0.0, -9.81 * m_r, 0.0, 0.0]);
     let matrix = slopes * inverse * slopes.transpose();
@@ -351,13 +352,13 @@ fn naive_pin(m_r: f64, m_p: f64, J_r: f64) -> Option<[f64; 2]> {
 #[test]
 fn forces_have_all_their_digits_whatever_the_masses() {
     for [m_r, m_p, x, y] in PIN {
-        let J_r = if m_r == 0.0 { 0.0 } else { 1.5e-3 };
-        let equations = chain::Run { m_r, m_p, J_r, ..Default::default() }.prepare::<f64>();
+        let j_r = if m_r == 0.0 { 0.0 } else { 1.5e-3 };
+        let equations = chain::Run { m_r, m_p, J_r: j_r, ..Default::default() }.prepare::<f64>();
         let mut outputs = [0.0; 9];
         equations.outputs(Phase::of(0), 0.0, &[1.0, 30.0], &mut outputs);
         let off = |found: [f64; 2]| ((found[0] - x).hypot(found[1] - y)) / x.hypot(y);
         let ours = off([outputs[4], outputs[5]]);
-        let naive = naive_pin(m_r, m_p, J_r).map_or(f64::NAN, off);
+        let naive = naive_pin(m_r, m_p, j_r).map_or(f64::NAN, off);
         assert!(ours < 1e-11, "{m_r:e} {m_p:e}: {ours:e}");
         let is_worse = naive.is_nan() || naive > 100.0 * ours;
         assert!(is_worse, "{m_r:e} {m_p:e}: {naive:e} {ours:e}");

@@ -84,7 +84,11 @@ impl Graph {
         for (row, right) in right.iter().enumerate() {
             let mut list = vec![of(right)];
             for (column, element) in elements.iter().enumerate() {
-                let rate = of(&entries[form.place(size, row, column)]);
+                let entry = entries[form.place(size, row, column)];
+                if entry == zero {
+                    continue;
+                }
+                let rate = of(&entry);
                 let share = self.mul(rate, *element);
                 list.push(self.neg(share));
             }

@@ -26,34 +26,34 @@ const NOTHING: f64 = 1e-4;
 #[derive(Clone, Copy, Debug)]
 pub struct Bound<S, const N: usize, const UNKNOWNS: usize, const RANK: usize> {
     parts: Parts,
-    factors: [[S; N]; N],
-    reduced: [[S; N]; N],
+    factors: [[S; UNKNOWNS]; N],
+    reduced: [[S; N]; UNKNOWNS],
     rows: [usize; N],
     columns: [usize; N],
 }
 
-/// Factors a bound system of so many unknowns: masses, closures, and behind these what they say next, of which the lower
-/// triangle is read. At most `RANK` closures are independent.
+/// Factors a bound system of so many unknowns: masses, closures, and behind these what they say next, which `write` puts into
+/// rows of zeros; of the masses it writes the lower triangle. At most `RANK` closures are independent.
 ///
 /// Unknowns that nothing determines, such as those without mass, give infinite or NaN solutions, never a panic.
 #[inline(always)]
 pub fn factor_bound<S: Scalar, const N: usize, const UNKNOWNS: usize, const RANK: usize>(
-    matrix: [[S; N]; N],
+    write: impl FnOnce(&mut [[S; UNKNOWNS]; N]),
 ) -> Bound<S, N, UNKNOWNS, RANK> {
     let (unknowns, rank) = (UNKNOWNS, RANK);
-    let mut factors = matrix;
-    for row in 0..N {
-        for column in 0..row {
-            factors[column][row] = matrix[row][column];
-        }
-    }
     let mut bound = Bound {
         parts: Parts { unknowns, closures: (N - unknowns) / 2, rank, lasting: Some(0) },
-        factors,
-        reduced: [[S::ZERO; N]; N],
+        factors: [[S::ZERO; UNKNOWNS]; N],
+        reduced: [[S::ZERO; N]; UNKNOWNS],
         rows: [0; N],
         columns: [0; N],
     };
+    write(&mut bound.factors);
+    for row in 0..unknowns {
+        for column in 0..row {
+            bound.factors[column][row] = bound.factors[row][column];
+        }
+    }
     let (factors, reduced) = (bound.factors.as_flattened_mut(), bound.reduced.as_flattened_mut());
     bound.parts.factor(factors, reduced, (&mut bound.rows, &mut bound.columns), NOTHING);
     bound
@@ -64,7 +64,11 @@ impl<S: Scalar, const N: usize, const UNKNOWNS: usize, const RANK: usize> Factor
 {
     #[inline(always)]
     fn of(matrix: [[S; N]; N]) -> Self {
-        factor_bound(matrix)
+        factor_bound(|own| {
+            for (own, row) in own.iter_mut().zip(&matrix) {
+                own.copy_from_slice(&row[..UNKNOWNS]);
+            }
+        })
     }
 
     #[inline(always)]
@@ -93,12 +97,12 @@ mod tests {
 
     /// Masses of three points on a line, one of them none, with closures of which the last is the sum of the others.
     fn chain<const RANK: usize>() -> Bound<f64, 9, 3, RANK> {
-        let mut matrix = [[0.0; 9]; 9];
-        [matrix[0][0], matrix[1][0], matrix[2][2]] = [2.0, 0.5, 3.0];
-        matrix[3][..3].copy_from_slice(&[1.0, -2.0, 0.0]);
-        matrix[4][..3].copy_from_slice(&[0.0, 1.0, 1.0]);
-        matrix[5][..3].copy_from_slice(&[1.0, -1.0, 1.0]);
-        factor_bound::<f64, 9, 3, RANK>(matrix)
+        factor_bound::<f64, 9, 3, RANK>(|matrix| {
+            [matrix[0][0], matrix[1][0], matrix[2][2]] = [2.0, 0.5, 3.0];
+            matrix[3] = [1.0, -2.0, 0.0];
+            matrix[4] = [0.0, 1.0, 1.0];
+            matrix[5] = [1.0, -1.0, 1.0];
+        })
     }
 
     #[test]
@@ -129,9 +133,9 @@ mod tests {
 
     #[test]
     fn a_freedom_without_mass_has_no_solution() {
-        let mut matrix = [[0.0; 4]; 4];
-        (matrix[0][0], matrix[2][0]) = (1.0, 1.0);
-        let bound = factor_bound::<f64, 4, 2, 1>(matrix);
+        let bound = factor_bound::<f64, 4, 2, 1>(|matrix| {
+            (matrix[0][0], matrix[2][0]) = (1.0, 1.0);
+        });
         assert!(!bound.solve([1.0, 1.0, 0.0, 0.0])[1].is_finite());
     }
 
@@ -141,12 +145,12 @@ mod tests {
     fn what_closures_say_next_counts_where_they_say_nothing() {
         for distance in [1e-2, 1e-6, 0.0] {
             let (x, speed) = (distance, 3.0);
-            let mut matrix = [[0.0; 7]; 7];
-            (matrix[0][0], matrix[1][1], matrix[2][2]) = (1.0, 1.0, 1.0);
-            matrix[3][..3].copy_from_slice(&[0.0, -2.0 * x, 0.0]);
-            matrix[4][..3].copy_from_slice(&[1.0, 0.0, 1.0]);
-            matrix[5][..3].copy_from_slice(&[0.0, -6.0 * speed, 0.0]);
-            let bound = factor_bound::<f64, 7, 3, 2>(matrix);
+            let bound = factor_bound::<f64, 7, 3, 2>(|matrix| {
+                (matrix[0][0], matrix[1][1], matrix[2][2]) = (1.0, 1.0, 1.0);
+                matrix[3] = [0.0, -2.0 * x, 0.0];
+                matrix[4] = [1.0, 0.0, 1.0];
+                matrix[5] = [0.0, -6.0 * speed, 0.0];
+            });
             let found = bound.solve([1.0, 5.0, 3.0, 0.0, 0.5, 0.0, 0.0]);
             assert!(found[1].abs() < 1e-15, "{found:?}");
             assert!((found[0] + found[2] - 0.5).abs() < 1e-15);

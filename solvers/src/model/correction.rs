@@ -45,8 +45,8 @@ impl Correction {
         Some(Self {
             closures,
             values: vec![0.0; m * (2 + n)],
-            matrix: vec![0.0; size * size],
-            reduced: vec![0.0; size * size],
+            matrix: vec![0.0; size * n],
+            reduced: vec![0.0; size * n],
             rows: vec![0; size],
             columns: vec![0; size],
             right: vec![0.0; size],
@@ -207,10 +207,9 @@ impl Correction {
     /// Factors masses, or ones, with the closures.
     fn factor(&mut self, nothing: f64) -> Parts {
         let (n, m) = (self.closures.coordinates, self.closures.loops.len());
-        let size = n + m;
         self.matrix.fill(0.0);
         for column in 0..n {
-            let own = &mut self.matrix[column * size..][..n];
+            let own = &mut self.matrix[column * n..][..n];
             match self.masses.get(column * n..(column + 1) * n) {
                 Some(masses) if !self.held[column] => {
                     for (index, mass) in masses.iter().enumerate().filter(|one| !self.held[one.0]) {
@@ -223,7 +222,7 @@ impl Correction {
         for row in 0..m {
             let slopes = &self.values[2 * m + row * n..][..n];
             for (column, slope) in slopes.iter().enumerate().filter(|one| !self.held[one.0]) {
-                self.matrix[(n + row) * size + column] = *slope / self.closures.sizes[row];
+                self.matrix[(n + row) * n + column] = *slope / self.closures.sizes[row];
             }
         }
         let mut parts = Parts { unknowns: n, closures: m, rank: self.closures.rank, lasting: None };
