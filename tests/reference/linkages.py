@@ -149,7 +149,7 @@ if __name__ == "__main__":
         case("selvedge_linkage", "crank", crank_rocker()),
         case("feed_rack", "straight", rack("antiparallelogram"), {"beta": 180}),
         case("feed_rack", "straight_parallelogram", rack("parallelogram"), {"beta": 180}),
-        case("feed_lift", "standard", lift()),
+        case("feed_lift", "standard", lift(), {"u": 0}),
         case("feed_stitch", "forward", stitch(), {"nu": 20}),
         case("dwell_six_bar", "standard", six_bar()),
     ]

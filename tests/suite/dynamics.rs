@@ -1,7 +1,7 @@
 //! Linkages that have mass: two ways to write one mechanism, forces against work, periodic motions that turn, pins that
 //! lift off.
 
-use assur::answer::Error;
+use assur::answer::{Error, Motion};
 use assur::model::{Bound, Flow, Model};
 use assur::ode::{Explicit, Options, Workspace, integrate};
 use assur::prelude::*;
@@ -363,6 +363,52 @@ fn forces_have_all_their_digits_whatever_the_masses() {
         let is_worse = naive.is_nan() || naive > 100.0 * ours;
         assert!(is_worse, "{m_r:e} {m_p:e}: {naive:e} {ours:e}");
     }
+}
+
+/// Both cranks of a drag link turn all round, written with angles from x and from each other.
+mod drag_link {
+    assur::mechanism! {
+        DragLink from "any textbook";
+        parameter a = 80 mm, b = 90 mm, c = 100 mm, d = 40 mm, J = 1e-3 [kg m^2], K = 2e-3 [kg m^2];
+        coordinate phi: rad = 60 deg, rate = 10 [rad/s];
+        kinetic J*dot(phi)^2/2;
+        choice form {
+            absolute {
+                dependent theta ~ 30 deg, psi ~ 60 deg;
+                closure pin: a*dir(phi) + b*dir(theta) = [d, 0] + c*dir(psi);
+                output theta, psi;
+            }
+            relative {
+                dependent alpha ~ -30 deg, beta ~ 40 deg;
+                let theta = phi + alpha, psi = theta + beta;
+                closure pin: a*dir(phi) + b*dir(theta) = [d, 0] + c*dir(psi);
+                output theta, psi;
+            }
+        }
+        kinetic K*dot(psi)^2/2;
+        scene one { run time 0 s .. 3 s; }
+        scene two = form.relative { run time 0 s .. 3 s; }
+    }
+}
+
+#[test]
+fn an_angle_that_turns_all_round_does_not_jump() {
+    let one = drag_link::One::default().solve(&FINE).expect("a motion");
+    let two = drag_link::Two::default().solve(&FINE).expect("a motion");
+    let mut last: Option<f64> = None;
+    for step in 0..=300 {
+        let time = f64::from(step) / 100.0;
+        let of = |motion: &Motion, name: &str| motion.value(name, time).expect("an angle");
+        let [phi, psi, theta] = ["phi", "psi", "theta"].map(|name| of(&one, name));
+        assert!((of(&two, "psi") - psi).abs() < 1e-8 && (of(&two, "theta") - theta).abs() < 1e-8);
+        assert!(last.is_none_or(|last| (psi - last).abs() < 0.3), "{time}: {last:?} {psi}");
+        last = Some(psi);
+        let naive = psi.sin().atan2(psi.cos());
+        assert!(phi < 5.5 || (naive - psi).abs() > 3.0, "an arc tangent alone comes back");
+        let open = 0.08 * phi.cos() + 0.09 * theta.cos() - 0.04 - 0.1 * psi.cos();
+        assert!(open.abs() < 1e-14, "{open:e}");
+    }
+    assert!(last.is_some_and(|last| last > 5.0 * 2.0 * PI), "{last:?}");
 }
 
 /// A crank that cannot turn all round, and is driven against its end.

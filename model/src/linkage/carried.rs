@@ -74,7 +74,11 @@ impl Linkage {
             }
         }
         given.check_starts(low)?;
-        let may_stop = !carried.is_empty() && self.may_stop(low, given, &signs);
+        let may_stop = !carried.is_empty() && self.may_stop(low, &given, &signs);
+        if let Some((crank, turns)) = self.turn(low, &given, &signs) {
+            forms.crank = Some((crank, given.of(crank)));
+            forms.turns = turns;
+        }
         forms.put_in(low, request);
         Some((carried, may_stop))
     }

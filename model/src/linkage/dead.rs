@@ -12,6 +12,7 @@ use crate::expression::{Expression, Map, Symbol};
 use crate::lower::Lowering;
 use crate::program::{Event, Slopes};
 use crate::syntax::tree::Direction;
+use std::f64::consts::TAU;
 
 /// Sine of a group below which it is at a dead point.
 const DEAD: f64 = 1e-3;
@@ -71,7 +72,7 @@ const PARTS: u32 = 720;
 impl Linkage {
     /// Whether the groups that move with coordinates may come to a dead point, closed on these assembly modes. They do not
     /// where a crank moves them that can turn all the way, with the values of the file.
-    pub fn may_stop(&self, low: &mut Lowering<'_>, given: Places, signs: &[f64]) -> bool {
+    pub fn may_stop(&self, low: &mut Lowering<'_>, given: &Places, signs: &[f64]) -> bool {
         let moving: Vec<usize> = (0..self.groups.len())
             .filter(|number| {
                 let group = &self.groups[*number];
@@ -84,43 +85,66 @@ impl Linkage {
         for index in 0..low.names.coordinates.len() as u32 {
             let moves = |group: &Group, low: &mut Lowering<'_>| moves_with(group, index, low);
             if moving.iter().any(|number| moves(&self.groups[*number], low)) {
-                movers.push(index);
+                movers.push(Symbol::Coordinate(index));
             }
         }
-        let [crank] = movers[..] else {
-            return !moving.is_empty();
-        };
-        let residuals: Vec<_> = self.equations.iter().map(|one| one.residual).collect();
-        let is_driven =
-            low.graph.symbols(&residuals).iter().any(|one| matches!(one, Symbol::Driver(_)));
-        let turns = !is_driven
-            && angles::is_turn(&mut low.graph, &residuals, Symbol::Coordinate(crank))
-            && (0..PARTS).all(|part| self.closes_at(low, &given, signs, (crank, part)));
-        !turns
+        match movers[..] {
+            [crank] => {
+                !matches!(self.turn(low, given, signs), Some((turning, _)) if turning == crank)
+            }
+            _ => !moving.is_empty(),
+        }
     }
 
-    /// Whether all groups close, far from dead points, with a crank at a part of its turn.
-    fn closes_at(
+    /// The only thing that moves the loops, coordinate or driver, if it can turn all round with these assembly modes and the
+    /// values of the file; and how often each dependent coordinate turns meanwhile, an angle from where it starts.
+    pub fn turn(
         &self,
-        low: &Lowering<'_>,
+        low: &mut Lowering<'_>,
         given: &Places,
         signs: &[f64],
-        (crank, part): (u32, u32),
-    ) -> bool {
-        let mut here = given.clone();
-        here.state[crank as usize] = std::f64::consts::TAU * f64::from(part) / f64::from(PARTS);
-        let numbered = self.groups.iter().zip(signs).enumerate();
-        numbered.into_iter().all(|(number, (group, sign))| {
-            let Some(closed) = &group.closed else { return false };
+    ) -> Option<(Symbol, Vec<f64>)> {
+        let residuals: Vec<_> = self.equations.iter().map(|one| one.residual).collect();
+        let moves = |symbol: &Symbol| matches!(symbol, Symbol::Coordinate(_) | Symbol::Driver(_));
+        let symbols = low.graph.symbols(&residuals);
+        let mut movers = symbols.into_iter().filter(moves);
+        let (Some(crank), None) = (movers.next(), movers.next()) else { return None };
+        if !angles::is_turn(&mut low.graph, &residuals, crank) {
+            return None;
+        }
+        let (mut here, mut turned) = (given.clone(), vec![0.0; given.dependents.len()]);
+        for part in 1..=PARTS {
+            let before = here.dependents.clone();
+            let angle = given.of(crank) + TAU * f64::from(part) / f64::from(PARTS);
+            match crank {
+                Symbol::Coordinate(index) => here.state[index as usize] = angle,
+                Symbol::Driver(index) => here.drivers[index as usize] = angle,
+                _ => return None,
+            }
+            self.close(low, &mut here, signs)?;
+            for (index, turned) in turned.iter_mut().enumerate().filter(|one| self.angles[one.0]) {
+                let step = (here.dependents[index] - before[index]) / TAU;
+                *turned += step - step.round();
+            }
+        }
+        Some((crank, turned.into_iter().map(f64::round).collect()))
+    }
+
+    /// Closes all groups; none if one of them does not close far from dead points.
+    fn close(&self, low: &Lowering<'_>, here: &mut Places, signs: &[f64]) -> Option<()> {
+        for (number, (group, sign)) in self.groups.iter().zip(signs).enumerate() {
+            let closed = group.closed.as_ref()?;
             let mode = Symbol::Mode(number as u32);
             let at = |symbol: Symbol| if symbol == mode { *sign } else { here.of(symbol) };
             let numbers = low.graph.evaluate(&[closed.margin, closed.sine], &at);
-            let values = solved(&low.graph, closed, &here, (mode, *sign));
-            for (index, value) in values {
+            for (index, value) in solved(&low.graph, closed, here, (mode, *sign)) {
                 here.dependents[index] = value;
             }
-            numbers[0] > 0.0 && numbers[1].abs() > 10.0 * DEAD
-        })
+            if !(numbers[0] > 0.0 && numbers[1].abs() > 10.0 * DEAD) {
+                return None;
+            }
+        }
+        Some(())
     }
 }
 

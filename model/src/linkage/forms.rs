@@ -1,6 +1,6 @@
 //! Closed forms in the place of the dependent coordinates.
 
-use super::relative::Links;
+use super::relative::{Links, turned_by};
 use super::{Slot, angles};
 use crate::expression::{Expression, Graph, Map, Symbol};
 use crate::lower::Lowering;
@@ -16,6 +16,10 @@ pub struct Forms {
     pub relative: Vec<(Links, [f64; 2])>,
     /// Where angles are declared to start.
     pub starts: Vec<(usize, f64)>,
+    /// What turns all round and moves everything, and where it starts.
+    pub crank: Option<(Symbol, f64)>,
+    /// How often each dependent coordinate turns meanwhile.
+    pub turns: Vec<f64>,
 }
 
 impl Forms {
@@ -35,7 +39,8 @@ impl Forms {
                     calls.insert(call, graph.symbol(pair[place]));
                     units.push((pair[place], links.units[link][place]));
                 }
-                let angle = around(graph, pair, at[link]);
+                let turns = self.turns_of(graph, direction.argument);
+                let angle = self.angle(graph, pair, (at[link], turns));
                 graph.sub(angle, direction.rest)
             });
             for (index, factors) in links.coordinates {
@@ -75,17 +80,53 @@ impl Forms {
             let pair = [Symbol::Argument(2 * index as u32), Symbol::Argument(2 * index as u32 + 1)];
             let angle = match angles_of.get(&index) {
                 Some(angle) => *angle,
-                None => around(graph, pair, start),
+                None => {
+                    let turns = self.turns.get(index).copied().unwrap_or(0.0);
+                    self.angle(graph, pair, (start, turns))
+                }
             };
             request.bindings.insert(Symbol::Dependent(index as u32), angle);
         }
     }
+
+    /// How often a direction turns while the crank turns once.
+    fn turns_of(&self, graph: &mut Graph, direction: Expression) -> f64 {
+        let Some((crank, _)) = self.crank else { return 0.0 };
+        let own = (0..self.turns.len() as u32).map(|index| (Symbol::Dependent(index), index));
+        let along = own.map(|(symbol, index)| (symbol, self.turns[index as usize]));
+        let along: Vec<_> = along.chain([(crank, 1.0)]).collect();
+        let along = along.into_iter().map(|(symbol, turns)| (symbol, graph.number(turns)));
+        let along: Map<_, _> = along.collect();
+        let turns = graph.tangent(&[direction], &along)[0];
+        graph.as_number(turns).unwrap_or(0.0)
+    }
+
+    /// The angle of a unit vector that is at an angle at the start, and turns so often while the crank turns once: what it does
+    /// beside that stays within half a turn of the right angle that is next to its start, so that nothing jumps by a turn.
+    fn angle(
+        &self,
+        graph: &mut Graph,
+        unit: [Symbol; 2],
+        (start, turns): (f64, f64),
+    ) -> Expression {
+        let unit = unit.map(|symbol| graph.symbol(symbol));
+        match self.crank {
+            Some((crank, from)) if turns != 0.0 => {
+                let (crank, from) = (graph.symbol(crank), graph.number(-from));
+                let turned = graph.add(crank, from);
+                let turned = graph.scale(turns, turned);
+                let back = [Function::Cos, Function::Sin].map(|one| graph.call(one, &[turned]));
+                let beside = turned_by(graph, &[unit, back], [1, -1]);
+                let beside = around(graph, beside, start);
+                graph.add(turned, beside)
+            }
+            _ => around(graph, unit, start),
+        }
+    }
 }
 
-/// The angle of a unit vector within half a turn of the right angle that is next to its start, so that what swings does
-/// not jump by a turn.
-fn around(graph: &mut Graph, unit: [Symbol; 2], start: f64) -> Expression {
-    let [cosine, sine] = unit.map(|symbol| graph.symbol(symbol));
+/// The angle of a unit vector within half a turn of the right angle that is next to its start.
+fn around(graph: &mut Graph, [cosine, sine]: [Expression; 2], start: f64) -> Expression {
     let quarters = (start / FRAC_PI_2).round();
     let (x, y) = match quarters.rem_euclid(4.0) as u8 {
         0 => (cosine, sine),

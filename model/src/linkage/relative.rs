@@ -173,7 +173,11 @@ fn split(graph: &mut Graph, argument: Expression, symbols: [Symbol; 2]) -> Optio
 }
 
 /// Cosine and sine of a sum of directions, each taken once with a sign, or not at all.
-fn turned_by(graph: &mut Graph, units: &[[Expression; 2]], factors: [i8; 2]) -> [Expression; 2] {
+pub fn turned_by(
+    graph: &mut Graph,
+    units: &[[Expression; 2]],
+    factors: [i8; 2],
+) -> [Expression; 2] {
     let mut unit = [graph.one(), graph.zero()];
     for (own, factor) in units.iter().zip(factors) {
         if factor == 0 {
