@@ -69,6 +69,22 @@ fn of(
     (graph.sub(products[0], products[1]), graph.add(products[2], products[3]))
 }
 
+/// Whether the angle of a sine or cosine is a sum in which another one stands, with a name of its own.
+pub fn is_nested(graph: &mut Graph, roots: &[Expression]) -> bool {
+    let mut angles = Vec::new();
+    for one in graph.reachable(roots) {
+        if let Node::Call(Function::Sin | Function::Cos, arguments) = graph.node(one)
+            && let Node::Sum(terms) = graph.node(arguments[0])
+        {
+            angles.extend(terms.to_vec());
+        }
+    }
+    angles.into_iter().any(|term| {
+        let rest = graph.split_coefficient(term).1;
+        matches!(graph.node(rest), Node::Sum(_))
+    })
+}
+
 /// The expressions with some of them replaced by others.
 pub fn replace(
     graph: &mut Graph,
