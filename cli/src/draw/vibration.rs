@@ -38,7 +38,7 @@ pub fn of(
         let count = rest.vibrations.iter().filter(|one| one.vibrates()).count();
         let why = match number <= count && number > 0 {
             true => format!("vibration {number} moves no point of the drawing"),
-            false => format!("the position of rest has {count} vibrations"),
+            false => format!("vibrations about the position of rest: {count}"),
         };
         return Err(Failure::request(format!("there is no vibration {number} to draw"))
             .place("--vibration")

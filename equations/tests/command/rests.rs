@@ -49,7 +49,7 @@ fn a_vibration_is_drawn_about_the_position_of_rest() {
     let text = answer(&["draw", "lamp_arm", "--scene", "any"], &directory);
     assert!(text.contains("at rest") && !text.contains("Moving"), "{text}");
     for (scene, words) in [
-        ("damped", ["there is no vibration 2 to draw", "has 1 vibrations"]),
+        ("damped", ["there is no vibration 2 to draw", "the position of rest: 1"]),
         ("swing", ["has no position of rest", "choose a scene that rests"]),
     ] {
         let asked = ["draw", "lamp_arm", "--scene", scene, "--vibration", "2"];
