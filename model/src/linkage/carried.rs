@@ -74,8 +74,10 @@ impl Linkage {
             }
         }
         given.check_starts(low)?;
-        let may_stop = !carried.is_empty() && self.may_stop(low, &given, &signs);
-        if let Some((crank, turns)) = self.turn(low, &given, &signs) {
+        let turning = self.turn(low, &given, &signs);
+        let crank = turning.as_ref().map(|(crank, _)| *crank);
+        let may_stop = !carried.is_empty() && self.may_stop(low, crank);
+        if let Some((crank, turns)) = turning {
             forms.crank = Some((crank, given.of(crank)));
             forms.turns = turns;
         }

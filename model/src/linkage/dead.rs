@@ -70,29 +70,25 @@ impl Linkage {
 const PARTS: u32 = 720;
 
 impl Linkage {
-    /// Whether the groups that move with coordinates may come to a dead point, closed on these assembly modes. They do not
-    /// where a crank moves them that can turn all the way, with the values of the file.
-    pub fn may_stop(&self, low: &mut Lowering<'_>, given: &Places, signs: &[f64]) -> bool {
-        let moving: Vec<usize> = (0..self.groups.len())
-            .filter(|number| {
-                let group = &self.groups[*number];
+    /// Whether the groups that move with coordinates may come to a dead point. They do not where a crank that turns all round
+    /// is the only coordinate that moves them.
+    pub fn may_stop(&self, low: &mut Lowering<'_>, crank: Option<Symbol>) -> bool {
+        let moving: Vec<&Group> = self
+            .groups
+            .iter()
+            .filter(|group| {
                 let closed = group.closed.as_ref();
                 closed.is_some_and(|one| low.graph.as_number(one.margin).is_none())
                     && moves_with_coordinates(group, low)
             })
             .collect();
-        let mut movers = Vec::new();
-        for index in 0..low.names.coordinates.len() as u32 {
-            let moves = |group: &Group, low: &mut Lowering<'_>| moves_with(group, index, low);
-            if moving.iter().any(|number| moves(&self.groups[*number], low)) {
-                movers.push(Symbol::Coordinate(index));
-            }
-        }
-        match movers[..] {
-            [crank] => {
-                !matches!(self.turn(low, given, signs), Some((turning, _)) if turning == crank)
-            }
-            _ => !moving.is_empty(),
+        let coordinates = 0..low.names.coordinates.len() as u32;
+        let mut movers =
+            coordinates.filter(|index| moving.iter().any(|group| moves_with(group, *index, low)));
+        match (movers.next(), movers.next()) {
+            (None, _) => false,
+            (Some(index), None) => crank != Some(Symbol::Coordinate(index)),
+            _ => true,
         }
     }
 
