@@ -44,9 +44,10 @@ fn of(
     let whole = |graph: &mut Graph| {
         (graph.call(Function::Cos, &[angle]), graph.call(Function::Sin, &[angle]))
     };
-    let Node::Sum(terms) = graph.node(angle).clone() else {
+    let terms = terms(graph, angle);
+    if terms.len() < 2 {
         return whole(graph);
-    };
+    }
     let single = terms.iter().position(|term| {
         let (coefficient, rest) = graph.split_coefficient(*term);
         let symbol = matches!(graph.node(rest), Node::Symbol(symbol) if wanted(*symbol));
@@ -69,20 +70,16 @@ fn of(
     (graph.sub(products[0], products[1]), graph.add(products[2], products[3]))
 }
 
-/// Whether the angle of a sine or cosine is a sum in which another one stands, with a name of its own.
-pub fn is_nested(graph: &mut Graph, roots: &[Expression]) -> bool {
-    let mut angles = Vec::new();
-    for one in graph.reachable(roots) {
-        if let Node::Call(Function::Sin | Function::Cos, arguments) = graph.node(one)
-            && let Node::Sum(terms) = graph.node(arguments[0])
-        {
-            angles.extend(terms.to_vec());
+/// The terms of a sum, those of sums in it that have a name of their own among them.
+pub fn terms(graph: &mut Graph, sum: Expression) -> Vec<Expression> {
+    let (coefficient, rest) = graph.split_coefficient(sum);
+    match graph.node(rest).clone() {
+        Node::Sum(inner) if coefficient.abs() == 1.0 => {
+            let inner: Vec<_> = inner.iter().flat_map(|term| terms(graph, *term)).collect();
+            inner.into_iter().map(|term| graph.scale(coefficient, term)).collect()
         }
+        _ => vec![sum],
     }
-    angles.into_iter().any(|term| {
-        let rest = graph.split_coefficient(term).1;
-        matches!(graph.node(rest), Node::Sum(_))
-    })
 }
 
 /// The expressions with some of them replaced by others.

@@ -117,17 +117,17 @@ pub struct TurningSlide {
 
 impl Basics {
     fn of(graph: &mut Graph, residuals: &[Expression], unknowns: &[usize], angle: &[bool]) -> Self {
-        let dependents: Vec<Symbol> =
-            unknowns.iter().map(|one| Symbol::Dependent(*one as u32)).collect();
-        let residuals = angles::free_of(graph, residuals, &dependents);
-        let symbols = unknowns
-            .iter()
-            .enumerate()
-            .map(|(k, unknown)| match angle[*unknown] {
-                true => vec![Symbol::Argument(2 * k as u32), Symbol::Argument(2 * k as u32 + 1)],
-                false => vec![Symbol::Dependent(*unknown as u32)],
-            })
-            .collect();
+        let symbol = |unknown: &usize| Symbol::Dependent(*unknown as u32);
+        // Of what stands elsewhere than in sines and cosines these are not free.
+        let turning: Vec<usize> = unknowns.iter().copied().filter(|one| angle[*one]).collect();
+        let turning_symbols: Vec<Symbol> = turning.iter().map(symbol).collect();
+        let residuals = angles::free_of(graph, residuals, &turning_symbols);
+        let symbols =
+            unknowns.iter().map(|unknown| match turning.iter().position(|one| one == unknown) {
+                Some(k) => [0, 1].map(|part| Symbol::Argument(2 * k as u32 + part)).to_vec(),
+                None => vec![symbol(unknown)],
+            });
+        let symbols = symbols.collect();
         Self { residuals, symbols }
     }
 

@@ -53,10 +53,9 @@ impl Loops {
             return;
         };
         // Positions keep cosine and sine of each coordinate, what moves in time those of each link.
-        let is_plain = low.moved == Moved::InTime && !super::is_nested(&mut low.graph, &residuals);
-        let expanded = match is_plain {
-            true => residuals.clone(),
-            false => super::expand(&mut low.graph, &residuals),
+        let expanded = match low.moved {
+            Moved::InTime => residuals.clone(),
+            Moved::Swept | Moved::Given => super::expand(&mut low.graph, &residuals),
         };
         let many = expanded.len() > 1;
         let first = self.equations.len();

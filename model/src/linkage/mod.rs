@@ -22,7 +22,7 @@ mod places;
 mod relative;
 mod results;
 
-pub use angles::{expand, is_nested, period};
+pub use angles::{expand, period};
 pub use augmented::{Augmented, named};
 pub use follow::follow;
 pub use geometry::{Geometry, Ranges};

@@ -151,8 +151,7 @@ impl Direction {
 
 /// An argument as coefficients of two angles and the rest.
 fn split(graph: &mut Graph, argument: Expression, symbols: [Symbol; 2]) -> Option<Direction> {
-    let mut terms = Vec::new();
-    flatten(graph, argument, 1.0, &mut terms);
+    let terms = angles::terms(graph, argument);
     let (mut along, mut rest) = ([0; 2], Vec::new());
     for term in terms {
         let (coefficient, inner) = graph.split_coefficient(term);
@@ -168,17 +167,6 @@ fn split(graph: &mut Graph, argument: Expression, symbols: [Symbol; 2]) -> Optio
         }
     }
     Some(Direction { argument, along, rest: graph.sum(&rest) })
-}
-
-/// The terms of a sum, those of sums in it with a name of their own as well.
-fn flatten(graph: &mut Graph, sum: Expression, sign: f64, terms: &mut Vec<Expression>) {
-    let (coefficient, rest) = graph.split_coefficient(sum);
-    match graph.node(rest).clone() {
-        Node::Sum(inner) if coefficient.abs() == 1.0 => {
-            inner.iter().for_each(|term| flatten(graph, *term, sign * coefficient, terms));
-        }
-        _ => terms.push(graph.scale(sign, sum)),
-    }
 }
 
 /// Cosine and sine of a sum of directions, each taken once with a sign, or not at all.
