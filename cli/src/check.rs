@@ -104,7 +104,6 @@ fn operations(scene: &SceneModel) -> usize {
         let closed = results.closing.of_position(&linkage.groups);
         return program.count(&closed, Stage::Instant) + program.count(&closed, Stage::State);
     }
-    let slopes = results.jacobian.iter().map(|entry| entry.2);
-    let evaluated: Vec<_> = results.derivative.iter().copied().chain(slopes).collect();
+    let evaluated: Vec<_> = results.derivative.iter().copied().chain(results.slopes()).collect();
     program.count(&evaluated, Stage::Instant) + program.count(&results.derivative, Stage::State)
 }

@@ -78,6 +78,15 @@ impl<'a> Body<'a> {
         body
     }
 
+    /// Writes a product for a column: the values from those that do not change with it, which have a name here.
+    pub fn beside(&self, steady: &[Value], products: &[Value]) -> TokenStream {
+        let given = steady.iter().map(|value| (*value, self.expression(*value)));
+        let inner = Self::with_given(self.layout, self.place, products, &[], given.collect());
+        let (statements, values) =
+            (inner.statements(products), products.iter().map(|value| inner.value(*value)));
+        quote!(#statements *product_ = [#(#values),*];)
+    }
+
     /// Components of the state come first, in their order; the sort is stable.
     fn input_order(&self, value: Value) -> u32 {
         match self.kind(value) {
@@ -216,6 +225,10 @@ impl<'a> Body<'a> {
             Input::State(index) => {
                 let index = expression::size(index as usize);
                 quote!(state[#index])
+            }
+            Input::Change(index) => {
+                let index = expression::size(index as usize);
+                quote!(column_[#index])
             }
         })
     }

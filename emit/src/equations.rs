@@ -13,7 +13,7 @@ use crate::layout::Layout;
 use crate::{docs, instant, series};
 
 /// Longest array literal for a column of the Jacobian; longer columns are filled entry by entry.
-const SHORT: usize = 8;
+pub const SHORT: usize = 8;
 /// Most factors of a row in one expression.
 const TERMS: usize = 8;
 
@@ -48,6 +48,7 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
         layout.parameters
     ));
     let (instants, series) = (instant::methods(layout), series::method(layout));
+    let shared = layout.is_long().then(|| along(layout));
     let methods = [rates(layout), variation(layout), jacobian(layout)];
     quote! {
         #(#modes)*
@@ -55,6 +56,8 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
         #text
         #[derive(Clone, Copy, Debug)]
         pub struct #name<S: ::assur::scalar::Scalar> { #fields }
+
+        #shared
 
         impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for #name<S> {
             #[inline(always)]
@@ -101,12 +104,19 @@ fn rates(layout: &Layout<'_>) -> TokenStream {
 
 fn jacobian(layout: &Layout<'_>) -> TokenStream {
     let states = size(layout.states());
-    let body = (layout.states() > 0).then(|| {
-        let body = layout.in_mode(&quote!({}), &|mode| layout.body(columns(mode)));
-        quote! {
-            ::assur::exact!(state, #states);
-            ::assur::exact!(mut columns, #states by #states);
-            #body
+    let body = (layout.states() > 0).then(|| match layout.is_long() {
+        true => quote! {
+            columns.fill(S::ZERO);
+            columns.iter_mut().step_by(#states + 1).for_each(|own| *own = S::ONE);
+            self.along_(phase, instant, state, &mut [S::ZERO; #states], columns);
+        },
+        false => {
+            let body = layout.in_mode(&quote!({}), &|mode| layout.body(columns(mode)));
+            quote! {
+                ::assur::exact!(state, #states);
+                ::assur::exact!(mut columns, #states by #states);
+                #body
+            }
         }
     });
     let text = layout.counted(layout.counts.jacobian);
@@ -152,13 +162,20 @@ fn columns(layout: &Layout<'_>) -> TokenStream {
 
 fn variation(layout: &Layout<'_>) -> TokenStream {
     let (states, count) = (layout.states(), size(layout.states()));
-    let body = (states > 0).then(|| {
-        let exact = exact(&[(quote!(state), states), (quote!(mut rates), states)]);
-        let body = layout.in_mode(&quote!({}), &|mode| layout.body(products(mode)));
-        quote! {
-            #exact
-            let (columns, products) = (columns.as_chunks::<#count>().0, products.as_chunks_mut::<#count>().0);
-            #body
+    let body = (states > 0).then(|| match layout.is_long() {
+        true => quote! {
+            products.copy_from_slice(columns);
+            self.along_(phase, instant, state, rates, products);
+        },
+        false => {
+            let exact = exact(&[(quote!(state), states), (quote!(mut rates), states)]);
+            let zip = quote!((column_, product_) in columns.iter().zip(&mut *products));
+            let body = layout.in_mode(&quote!({}), &|mode| products(mode, &zip));
+            quote! {
+                #exact
+                let (columns, products) = (columns.as_chunks::<#count>().0, products.as_chunks_mut::<#count>().0);
+                #body
+            }
         }
     });
     quote! {
@@ -177,22 +194,55 @@ fn variation(layout: &Layout<'_>) -> TokenStream {
     }
 }
 
-/// The rates and the products of the Jacobian with columns in a mode.
-fn products(layout: &Layout<'_>) -> TokenStream {
+/// What the Jacobian and its products with columns are written by where they are long: once.
+fn along(layout: &Layout<'_>) -> TokenStream {
+    let (name, states) = (&layout.equations, layout.states());
+    let (exact, count) =
+        (exact(&[(quote!(state), states), (quote!(mut rates), states)]), size(states));
+    let pairs = quote!((column_, product_) in products.iter_mut().map(|own| (*own, own)));
+    let body = layout.in_mode(&quote!({}), &|mode| layout.body(products(mode, &pairs)));
+    quote! {
+        impl<S: ::assur::scalar::Scalar> #name<S> {
+            /// Writes the rates, and products of the Jacobian with columns in place of these.
+            fn along_(
+                &self,
+                phase: ::assur::problem::Phase<'_, S>,
+                instant: &[S],
+                state: &[S],
+                rates: &mut [S],
+                products: &mut [S],
+            ) {
+                #exact
+                let products = products.as_chunks_mut::<#count>().0;
+                #body
+            }
+        }
+    }
+}
+
+/// The rates and the products of the Jacobian with columns in a mode, for each of `pairs` of a column and its product.
+fn products(layout: &Layout<'_>, pairs: &TokenStream) -> TokenStream {
     let results = &layout.program().results;
-    let slopes: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
+    let slopes: Vec<Value> = match results.along.is_empty() {
+        true => results.jacobian.iter().map(|entry| entry.2).collect(),
+        false => layout.program().steady(&results.along),
+    };
     let all: Vec<Value> = results.derivative.iter().chain(&slopes).copied().collect();
-    // The entries are read once for each column: each gets a name.
+    // These are read once for each column: each gets a name.
     let body = Body::new(layout, Scope::Evaluation, &results.derivative, &slopes);
     let statements = body.statements(&all);
     let values = results.derivative.iter().map(|value| body.value(*value));
-    let rows: Vec<TokenStream> =
-        (0..layout.states()).map(|row| product(layout, &body, row)).collect();
-    let rows = blocks(&rows);
+    let rows = match results.along.is_empty() {
+        true => {
+            let rows = (0..layout.states()).map(|row| product(layout, &body, row));
+            blocks(&rows.collect::<Vec<_>>())
+        }
+        false => body.beside(&slopes, &results.along),
+    };
     quote! {
         #statements
         *rates = [#(#values),*];
-        for (column_, product_) in columns.iter().zip(&mut *products) {
+        for #pairs {
             #rows
         }
     }

@@ -54,7 +54,8 @@ impl Printer<'_> {
             | Input::Position(_)
             | Input::Mode(_)
             | Input::Side(_)
-            | Input::Measured(_) => {
+            | Input::Measured(_)
+            | Input::Change(_) => {
                 return crate::names::given(scene, input).unwrap_or_default();
             }
         };

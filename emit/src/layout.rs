@@ -88,11 +88,11 @@ impl<'a> Layout<'a> {
 
     /// Whether the functions are too long to be written out wherever they are called: rustc would take minutes, and what
     /// they take is not the call. All modes of a scene stand in the same places.
-    fn is_long(&self) -> bool {
+    pub fn is_long(&self) -> bool {
         let operations = self.each_mode().iter().map(|mode| {
             let results = &mode.program().results;
-            let slopes = results.jacobian.iter().map(|entry| entry.2);
-            let all: Vec<Value> = results.derivative.iter().copied().chain(slopes).collect();
+            let all: Vec<Value> =
+                results.derivative.iter().copied().chain(results.slopes()).collect();
             mode.program().count(&all, Stage::State)
         });
         operations.sum::<usize>() > LONG

@@ -215,6 +215,7 @@ fn input_name(scene: &SceneModel, input: Input) -> Option<String> {
         Input::Mode(group) => return Some(format!("mode_{group}_")),
         Input::Measured(index) => return Some(format!("found_{index}_")),
         Input::Side(surface) => return Some(format!("side_{surface}_")),
+        Input::Change(index) => return Some(format!("change_{index}_")),
     };
     quantity.map(|quantity| plain(&quantity.name))
 }

@@ -179,10 +179,7 @@ impl SceneModel {
                 let closing = &results.closing;
                 (closing.of_position(&linkage.groups), closing.influence.clone())
             }
-            None => {
-                let slopes = results.jacobian.iter().map(|entry| entry.2);
-                (results.derivative.clone(), slopes.collect())
-            }
+            None => (results.derivative.clone(), results.slopes().collect()),
         };
         self.program.counts(staging, &evaluated, &slopes)
     }

@@ -29,7 +29,7 @@ use crate::expression::{Budget, STEPS, Symbol};
 use crate::linkage::{Augmented, Linkage};
 use crate::lower::{Kind, Lowering};
 use crate::modes::{self, Phase, Phases};
-use crate::motion::{self, Equation, Solved, UnknownName};
+use crate::motion::{self, Columns, Equation, Solved, UnknownName};
 use crate::program;
 use crate::resolve::Role;
 use crate::scene::{Selected, Survey};
@@ -39,6 +39,9 @@ use crate::token::Span;
 
 use ask::Asked;
 use declare::Declared;
+
+/// More coordinates than these that closures hold have a Jacobian of many entries, each solved for.
+const SEVERAL: usize = 8;
 
 /// What is to be compiled.
 pub struct Task<'a> {
@@ -144,6 +147,8 @@ struct Mode<'a> {
     solved: Solved,
     /// Coordinates and states that stand still.
     still: Vec<usize>,
+    /// Whether the motion is differentiated along a column instead of by each component of the state.
+    is_along: bool,
     asked: Asked,
 }
 
@@ -207,11 +212,17 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
         derive::hold(&mut equations, linkage, &still, low);
     }
     let unknowns = quantities::unknown_names(&names);
+    let felt = felt::of(&parts, low);
+    let is_along = augmented.is_some() && felt.is_empty() && names.coordinates.len() > SEVERAL;
     let mut solved = is_complete(low).then(|| {
-        let felt = felt::of(&parts, low).into_iter().map(Symbol::Felt);
+        let felt = felt.iter().map(|index| Symbol::Felt(*index));
         let given: Vec<_> = quantities::state_symbols(&names).into_iter().chain(felt).collect();
         let (graph, place) = (&mut low.graph, here.place());
-        let given = (&given[..], low.slopes.as_mut());
+        let columns = match is_along {
+            false => Columns::Each(&given),
+            true => Columns::Along(&given),
+        };
+        let given = (columns, low.slopes.as_mut());
         let held = augmented.as_ref().map_or((0, &[][..]), |one| (one.rank, &one.sizes[..]));
         let unknowns = (&unknowns[..], held);
         motion::solve(graph, &equations, unknowns, given, &place, low.diagnostics)
@@ -246,6 +257,7 @@ pub fn mode(here: Here<'_>, seen: &mut Seen, diagnostics: &mut Diagnostics) -> O
         unknowns,
         solved: solved.flatten()?,
         still,
+        is_along,
         asked,
     };
     program_of(mode, low)

@@ -49,7 +49,7 @@ pub struct Solved {
     pub derivatives: Vec<Expression>,
     /// The forces of the closures that are not solved for.
     pub reactions: Vec<Expression>,
-    /// Their nonzero partial derivatives with respect to the given symbols: row, column, value.
+    /// Their nonzero partial derivatives by the columns: row, column, value.
     pub partials: Vec<(usize, usize, Expression)>,
     /// The same of the forces of the closures.
     pub reaction_partials: Vec<(usize, usize, Expression)>,
@@ -60,6 +60,15 @@ pub struct Solved {
     pub pivots: Vec<(usize, usize, Expression)>,
 }
 
+/// By what the highest derivatives are differentiated, beside the dependent coordinates that follow.
+#[derive(Clone, Copy)]
+pub enum Columns<'a> {
+    /// By each of these.
+    Each(&'a [Symbol]),
+    /// By all of these at once, each of which changes by [`Symbol::Change`]: one column. There are no dependent coordinates.
+    Along(&'a [Symbol]),
+}
+
 /// What multiplies a highest derivative in an equation: equation, unknown, factor.
 type Matrix = Map<(usize, usize), Expression>;
 
@@ -68,8 +77,8 @@ const HINTS: Hints = Hints {
     under: "add a `motion` equation or an energy with this unknown, or take the unknown away; a coordinate without mass is a `state`",
 };
 
-/// Solves the equations for the highest derivatives; `given` are the symbols of the state vector, which dependent
-/// coordinates follow as `slopes` say; `scene` says in messages where this is, `in the scene `elastic``.
+/// Solves the equations for the highest derivatives, and for their partial derivatives by columns of the state vector, which
+/// dependent coordinates follow as `slopes` say; `scene` says in messages where this is, `in the scene `elastic``.
 ///
 /// Where there are more equations than unknowns and a rank, the last ones are closures that are not solved for, of which so
 /// many are independent, with slopes of these sizes: their second time derivatives, then the third ones. Their forces are
@@ -78,7 +87,7 @@ pub fn solve(
     graph: &mut Graph,
     equations: &[Equation],
     (unknowns, (rank, sizes)): (&[UnknownName], (usize, &[f64])),
-    (given, slopes): (&[Symbol], Option<&mut Slopes>),
+    (columns, slopes): (Columns<'_>, Option<&mut Slopes>),
     scene: &str,
     diagnostics: &mut Diagnostics,
 ) -> Option<Solved> {
@@ -103,9 +112,10 @@ pub fn solve(
     let constant_parts = graph.substitute(&residuals, &at_rest);
     // What holds for an instant alone has no slopes.
     let lasting = &residuals[..held.thirds().start];
-    let entries = match slopes {
-        Some(slopes) => slopes.jacobian(graph, lasting, given),
-        None => graph.jacobian(lasting, given),
+    let entries = match (columns, slopes) {
+        (Columns::Each(given), Some(slopes)) => slopes.jacobian(graph, lasting, given),
+        (Columns::Each(given), None) => graph.jacobian(lasting, given),
+        (Columns::Along(given), _) => along(graph, lasting, given),
     };
     let mut slopes: Vec<BTreeMap<usize, Expression>> = vec![BTreeMap::new(); equations.len()];
     for (row, column, value) in entries {
@@ -154,6 +164,20 @@ pub fn solve(
         mass,
         pivots,
     })
+}
+
+/// The derivatives of some expressions where all that is given changes, as a column.
+fn along(
+    graph: &mut Graph,
+    rows: &[Expression],
+    given: &[Symbol],
+) -> Vec<(usize, usize, Expression)> {
+    let changes = given.iter().zip(0..);
+    let changes = changes.map(|(symbol, index)| (*symbol, graph.symbol(Symbol::Change(index))));
+    let changes: Map<_, _> = changes.collect();
+    let zero = graph.zero();
+    let rows = graph.tangent(rows, &changes).into_iter().enumerate();
+    rows.filter(|(_, value)| *value != zero).map(|(row, value)| (row, 0, value)).collect()
 }
 
 /// What multiplies the highest derivatives, in which the equations have to be linear.

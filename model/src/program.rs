@@ -70,6 +70,8 @@ pub enum Input {
     Side(u32),
     /// What has been found of a run for a measure.
     Measured(u32),
+    /// A component of a column that the Jacobian is multiplied with.
+    Change(u32),
 }
 
 /// One operation.

@@ -33,7 +33,10 @@ pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
     let highest = (0..solved.derivatives.len() as u32).map(Symbol::Acceleration);
     let rates = highest.map(|symbol| low.graph.symbol(symbol));
     results.derivative.extend(rates);
-    results.jacobian = jacobian(mode, low);
+    match mode.is_along {
+        false => results.jacobian = jacobian(mode, low),
+        true => results.along = along(mode, low),
+    }
     let span = asked.span.kind;
     let is_hybrid = phases.is_hybrid() || !asked.events.is_empty();
     let mut request = Request {
@@ -47,6 +50,8 @@ pub fn of(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Request {
     for (index, symbol) in state_symbols(low.names).into_iter().enumerate() {
         inputs.insert(symbol, Input::State(index as u32));
     }
+    let changes = 0..request.states as u32;
+    inputs.extend(changes.map(|index| (Symbol::Change(index), Input::Change(index))));
     inputs.insert(Symbol::Time, Input::Time);
     let found = 0..asked.measures.primitives.len() as u32;
     inputs.extend(found.map(|index| (Symbol::Measured(index), Input::Measured(index))));
@@ -110,6 +115,21 @@ fn jacobian(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Vec<(u32, u32, Expressio
         partials.map(|(row, column, value)| ((coordinates + row) as u32, *column as u32, *value)),
     )
     .collect()
+}
+
+/// The product of the Jacobian with a column.
+fn along(mode: &Mode<'_>, low: &mut Lowering<'_>) -> Vec<Expression> {
+    let coordinates = low.names.coordinates.len();
+    let own = (0..coordinates).map(|index| match mode.still.contains(&index) {
+        true => low.graph.zero(),
+        false => low.graph.symbol(Symbol::Change((coordinates + index) as u32)),
+    });
+    let mut products: Vec<_> = own.collect();
+    products.resize(coordinates + mode.solved.derivatives.len(), low.graph.zero());
+    for (row, _, value) in &mode.solved.partials {
+        products[coordinates + row] = *value;
+    }
+    products
 }
 
 /// Adds what the loops compute. A motion carries them along in closed form, and names those that may fail to close.

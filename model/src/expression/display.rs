@@ -134,6 +134,7 @@ fn plain(symbol: Symbol) -> String {
         Symbol::Mode(index) => format!("mode{index}"),
         Symbol::Measured(index) => format!("measured{index}"),
         Symbol::Side(index) => format!("side{index}"),
+        Symbol::Change(index) => format!("change{index}"),
         Symbol::Coordinate(index) => format!("q{index}"),
         Symbol::Speed(index) => format!("u{index}"),
         Symbol::State(index) => format!("z{index}"),

@@ -62,6 +62,8 @@ pub enum Symbol {
     Acceleration(u32),
     /// An argument of a function while it is differentiated.
     Argument(u32),
+    /// By how much a component of the state vector changes in a column that the Jacobian is multiplied with.
+    Change(u32),
 }
 
 /// A number that can be compared and hashed; never NaN, and zero has no sign.

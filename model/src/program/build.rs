@@ -166,7 +166,7 @@ fn drop_zeros(program: &mut Program) {
 /// Whether `y'` is affine in the state: it is made of it by sums and products alone, with slopes that do not contain it.
 fn is_linear(program: &Program) -> bool {
     let stage = |value: &Value| program.operations[value.0 as usize].stage;
-    let slopes = program.results.jacobian.iter().all(|entry| stage(&entry.2) < Stage::State);
+    let slopes = program.results.slopes().all(|slope| stage(&slope) < Stage::State);
     let arithmetic = order::reach(program, &program.results.derivative).into_iter().all(|value| {
         let operation = &program.operations[value.0 as usize];
         let branches = matches!(

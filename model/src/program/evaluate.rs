@@ -73,7 +73,7 @@ impl Program {
                     OperationKind::Input(Input::Position(index)) => given(linkage.position, *index),
                     OperationKind::Input(Input::Mode(index)) => given(linkage.modes, *index),
                     OperationKind::Input(Input::Side(_)) => 0.0,
-                    OperationKind::Input(Input::Measured(_)) => f64::NAN,
+                    OperationKind::Input(Input::Measured(_) | Input::Change(_)) => f64::NAN,
                     OperationKind::Add(a, b) => at(a) + at(b),
                     OperationKind::Subtract(a, b) => at(a) - at(b),
                     OperationKind::Multiply(a, b) => at(a) * at(b),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Form, OperationKind as Kind, Program, Stage, Value};
+use super::{Form, Input, OperationKind as Kind, Program, Stage, Value};
 
 /// What kind of thing a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +53,23 @@ impl Program {
             }
         }
         needed
+    }
+
+    /// The values that some are made of beside a column of changes, and that do not change with it; numbers left out.
+    pub fn steady(&self, wanted: &[Value]) -> Vec<Value> {
+        let needed = self.needed(wanted, &|_| false);
+        let mut changing = BTreeSet::new();
+        for value in &needed {
+            let kind = self.kind(*value);
+            let is_change = matches!(kind, Kind::Input(Input::Change(_)));
+            if is_change || kind.operands().iter().any(|one| changing.contains(one)) {
+                changing.insert(*value);
+            }
+        }
+        let read = changing.iter().flat_map(|value| self.kind(*value).operands());
+        let read = read.chain(wanted.iter().copied());
+        let steady: BTreeSet<Value> = read.filter(|value| !changing.contains(value)).collect();
+        steady.into_iter().filter(|value| !self.is_number(*value)).collect()
     }
 
     /// The values of earlier stages that results of a stage read directly, or are; numbers left out.

@@ -3,7 +3,7 @@
 use super::{Closing, Event, Value};
 
 /// The functions that compute events, by number.
-const EVENTS: usize = 13;
+const EVENTS: usize = 14;
 
 /// The functions of a program: which values each returns.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -12,6 +12,8 @@ pub struct Results<T = Value> {
     pub derivative: Vec<T>,
     /// Nonzero entries of `∂y'/∂y`: row, column, value.
     pub jacobian: Vec<(u32, u32, T)>,
+    /// In place of its entries its product with a column, where there are many.
+    pub along: Vec<T>,
     /// Outputs in their declared order.
     pub outputs: Vec<T>,
     /// Positions of the drivers.
@@ -52,6 +54,7 @@ impl<T: Copy> Results<T> {
         Results {
             derivative,
             jacobian,
+            along: each(&self.along),
             outputs: each(&self.outputs),
             drivers: each(&self.drivers),
             mass: each(&self.mass),
@@ -81,9 +84,14 @@ impl<T: Copy> Results<T> {
         self.map(|_| values.next().unwrap_or_default())
     }
 
+    /// What the slopes of the rates are made of.
+    pub fn slopes(&self) -> impl Iterator<Item = T> {
+        self.jacobian.iter().map(|entry| entry.2).chain(self.along.iter().copied())
+    }
+
     /// How many values an evaluation of the rates and of their slopes takes: the first of all.
     pub(super) fn often(&self) -> usize {
-        self.derivative.len() + self.jacobian.len()
+        self.derivative.len() + self.jacobian.len() + self.along.len()
     }
 
     /// For each of all values the function that computes it, as a number.
@@ -91,6 +99,7 @@ impl<T: Copy> Results<T> {
         let lists = [
             self.derivative.len(),
             self.jacobian.len(),
+            self.along.len(),
             self.outputs.len(),
             self.drivers.len(),
             self.mass.len(),

@@ -31,7 +31,6 @@ impl Program {
     /// All that is asked of bound values.
     fn asked(&self) -> Vec<Value> {
         let results = &self.results;
-        let slopes = results.jacobian.iter().map(|entry| entry.2);
         let rest = [
             &results.outputs,
             &results.drivers,
@@ -42,7 +41,7 @@ impl Program {
             &results.margins,
             &results.points,
         ];
-        let evaluated = results.derivative.iter().copied().chain(slopes);
+        let evaluated = results.derivative.iter().copied().chain(results.slopes());
         let asked = evaluated
             .chain(rest.into_iter().flatten().copied())
             .chain(results.closing.all())
@@ -66,7 +65,7 @@ impl Program {
         }
         let mut timed = self.frontier(&first, Stage::State);
         timed.retain(|value| self.stage(*value) == Stage::Instant);
-        let mut open: Vec<Value> = results.jacobian.iter().map(|entry| entry.2).collect();
+        let mut open: Vec<Value> = results.slopes().collect();
         if !closing.cosines.is_empty() || closing != &Default::default() {
             open.extend(results.outputs.iter().copied().chain(closing.all()));
         }
@@ -91,8 +90,9 @@ impl Program {
 
     /// When nothing that an instant stores is wanted: where a branch that reads the time is not the one that holds.
     pub fn idle(&self) -> Idle {
-        let slopes = self.results.jacobian.iter().map(|entry| entry.2);
-        let rates: Vec<Value> = self.results.derivative.iter().copied().chain(slopes).collect();
+        let results = &self.results;
+        let rates: Vec<Value> =
+            results.derivative.iter().copied().chain(results.slopes()).collect();
         let is_idle = |side: Option<(u32, f64)>| {
             let resting = self.resting(&rates, side);
             resting.into_iter().all(|value| self.stage(value) != Stage::Instant)
