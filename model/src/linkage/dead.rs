@@ -29,6 +29,14 @@ impl Linkage {
         let Some(direction) = low.direction() else {
             return Vec::new();
         };
+        // The root of something negative: what does not exist is no number.
+        let lost = {
+            let time = low.graph.symbol(Symbol::Time);
+            let (one, square) = (low.graph.one(), low.graph.powi(time, 2));
+            let sum = low.graph.add(one, square);
+            let negative = low.graph.neg(sum);
+            low.graph.sqrt(negative)
+        };
         let mut events = Vec::new();
         for (number, group) in self.groups.iter().enumerate() {
             let Some(closed) = &group.closed else { continue };
@@ -42,14 +50,6 @@ impl Linkage {
             let limit = graph.number(DEAD * DEAD);
             let guard = graph.sub(square, limit);
             let rate = graph.tangent(&[guard], &direction)[0];
-            // The root of something negative: what does not exist is no number.
-            let lost = {
-                let size = graph.powi(guard, 2);
-                let one = graph.one();
-                let sum = graph.add(one, size);
-                let negative = graph.neg(sum);
-                graph.sqrt(negative)
-            };
             let event = Event {
                 guard,
                 rate,
