@@ -1,12 +1,12 @@
 //! What is asked of single positions: outputs, drivers, loops, energy, mass matrix, measures.
 
-use assur_model::program::Value;
+use assur_model::program::{OperationKind, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::blocks::blocks;
 use crate::body::{Body, Scope};
-use crate::equations::exact;
+use crate::equations::{SHORT, exact};
 use crate::expression::{size, triangle};
 use crate::layout::{Layout, outlined};
 
@@ -192,16 +192,33 @@ fn mass(layout: &Layout<'_>) -> Option<TokenStream> {
         // Entries beside the diagonal are written twice: each gets a name.
         let body = Body::new(mode, Scope::Time, &[], mass);
         let statements = body.statements(mass);
-        let entries = (0..count * count).map(|place| {
+        let entry = |place: &usize| {
             let (row, column) = (place / count, place % count);
-            body.value(mass[triangle(row.max(column), row.min(column))])
-        });
+            mass[triangle(row.max(column), row.min(column))]
+        };
         let (states, square) = (size(mode.states()), size(count * count));
+        let places = 0..count * count;
+        let writes = if count <= SHORT {
+            let entries = places.map(|place| body.value(entry(&place)));
+            quote!(*rows = [#(#entries),*];)
+        } else {
+            // Most of it is zero.
+            let is_none = |place: &usize| {
+                let kind = mode.program().kind(entry(place));
+                matches!(kind, OperationKind::Number(0.0))
+            };
+            let writes = places.filter(|place| !is_none(place)).map(|place| {
+                let (value, place) = (body.value(entry(&place)), size(place));
+                quote!(rows[#place] = #value;)
+            });
+            let writes = blocks(&writes.collect::<Vec<_>>());
+            quote!(rows.fill(S::ZERO); #writes)
+        };
         outlined(quote! {
             ::assur::exact!(state, #states, false);
             ::assur::exact!(mut rows, #square, false);
             #statements
-            *rows = [#(#entries),*];
+            #writes
             true
         })
     });
