@@ -214,7 +214,7 @@ fn factor(form: Form, rows: usize, entries: &[&TokenStream]) -> TokenStream {
         let writes = (0..rows).flat_map(|i| (0..=i).map(move |j| (i, j))).filter_map(|(i, j)| {
             let entry = entries[form.place(rows, i, j)];
             let (i, j) = (size(i), size(j));
-            (!is_zero(entry)).then(|| quote!(matrix_[#i][#j] = #entry;))
+            (!is_zero(entry)).then(|| quote!(matrix_.put(#i, #j, #entry);))
         });
         return quote!(#factoring(|matrix_| { #(#writes)* }));
     }

@@ -7,8 +7,8 @@ mod lu;
 mod pivoted;
 
 use crate::scalar::Scalar;
-pub(crate) use bound::Parts;
-pub use bound::{Bound, factor_bound};
+pub use bound::{Bound, Writing, factor_bound};
+pub(crate) use bound::{Order, Parts, Reading, Scan};
 pub use complex::{Complex, factor_complex, substitute_complex};
 pub use lu::{Lu, Singular};
 pub use pivoted::{Pivoted, factor_pivoted};

@@ -5,7 +5,7 @@
 //! speeds. Where closures depend on each other for an instant, what is nearly undetermined is left for the next step.
 
 use super::Model;
-use crate::dense::Parts;
+use crate::dense::{Order, Parts, Reading, Scan, Writing};
 use crate::ode::{OdeError, larger};
 use crate::problem::{Phase, Refused, Reports, Scene, Span};
 use crate::shape::{Augmented, Loop, Shape};
@@ -25,8 +25,10 @@ pub(super) struct Correction {
     values: Vec<f64>,
     matrix: Vec<f64>,
     reduced: Vec<f64>,
-    rows: Vec<usize>,
-    columns: Vec<usize>,
+    order: Order<Vec<u16>>,
+    largest: Vec<(f64, u16)>,
+    first: Vec<u16>,
+    next: Vec<u16>,
     right: Vec<f64>,
     room: Vec<f64>,
     /// Coordinates that do not move.
@@ -46,9 +48,17 @@ impl Correction {
             closures,
             values: vec![0.0; m * (2 + n)],
             matrix: vec![0.0; size * n],
-            reduced: vec![0.0; size * n],
-            rows: vec![0; size],
-            columns: vec![0; size],
+            reduced: vec![0.0; n * n],
+            order: Order {
+                lists: vec![0; size * n],
+                lengths: vec![0; size],
+                rows: vec![0; m],
+                columns: vec![0; n],
+                places: vec![0; n],
+            },
+            largest: vec![(0.0, 0); m],
+            first: vec![0; n],
+            next: vec![0; m * n],
             right: vec![0.0; size],
             room: vec![0.0; size],
             held: (0..n).map(|index| held.contains(&(n + index))).collect(),
@@ -197,9 +207,11 @@ impl Correction {
             self.right[n + row] = -self.values[from + row] / self.closures.sizes[row];
         }
         self.right[..n].fill(0.0);
-        let order = (&self.rows[..], &self.columns[..]);
-        let both = (&mut self.right[..], &mut self.room[..]);
-        parts.solve(&self.matrix, &self.reduced, order, both);
+        let Order { lists, lengths, rows, columns, places } = &self.order;
+        let order = Order { lists: &lists[..], lengths, rows, columns, places };
+        let (matrix, reduced) = (&self.matrix[..], &self.reduced[..]);
+        let reading = Reading { parts: &parts, matrix, reduced, order };
+        reading.solve(&mut self.right, &mut self.room);
         let changes = self.right[..n].iter();
         changes.map(|one| one.abs()).fold(0.0, larger)
     }
@@ -207,27 +219,34 @@ impl Correction {
     /// Factors masses, or ones, with the closures.
     fn factor(&mut self, nothing: f64) -> Parts {
         let (n, m) = (self.closures.coordinates, self.closures.loops.len());
-        self.matrix.fill(0.0);
+        let mut parts = Parts { unknowns: n, closures: m, rank: self.closures.rank, lasting: None };
+        let Order { lists, lengths, rows, columns, places } = &mut self.order;
+        let mut writing = Writing {
+            parts: &mut parts,
+            matrix: &mut self.matrix,
+            reduced: &mut self.reduced,
+            order: Order { lists: &mut lists[..], lengths, rows, columns, places },
+            scan: Scan { largest: &mut self.largest, first: &mut self.first, next: &mut self.next },
+        };
+        writing.clear();
+        let is_free = |one: &(usize, &f64)| !self.held[one.0] && *one.1 != 0.0;
         for column in 0..n {
-            let own = &mut self.matrix[column * n..][..n];
-            match self.masses.get(column * n..(column + 1) * n) {
+            match self.masses.get(column * n..=column * n + column) {
                 Some(masses) if !self.held[column] => {
-                    for (index, mass) in masses.iter().enumerate().filter(|one| !self.held[one.0]) {
-                        own[index] = *mass;
+                    for (index, mass) in masses.iter().enumerate().filter(is_free) {
+                        writing.put(column, index, *mass);
                     }
                 }
-                _ => own[column] = 1.0,
+                _ => writing.put(column, column, 1.0),
             }
         }
         for row in 0..m {
             let slopes = &self.values[2 * m + row * n..][..n];
-            for (column, slope) in slopes.iter().enumerate().filter(|one| !self.held[one.0]) {
-                self.matrix[(n + row) * n + column] = *slope / self.closures.sizes[row];
+            for (column, slope) in slopes.iter().enumerate().filter(is_free) {
+                writing.put(n + row, column, *slope / self.closures.sizes[row]);
             }
         }
-        let mut parts = Parts { unknowns: n, closures: m, rank: self.closures.rank, lasting: None };
-        let order = (&mut self.rows[..], &mut self.columns[..]);
-        parts.factor(&mut self.matrix, &mut self.reduced, order, nothing);
+        writing.factor(nothing);
         parts
     }
 }

@@ -1,9 +1,14 @@
-//! The parts of a bound system, and the algorithm on plain lists.
+//! The parts of a bound system, where their entries stand, and how they are factored.
+//!
+//! Mechanisms are chains of links: most of their masses and closures are zero, and stay so while they are factored. Rows have
+//! their place in full, and lists say where they have entries; nothing is moved, permutations say what comes first.
 
 use crate::scalar::Scalar;
 
 /// Part of the largest entry below which a pivot of what closures say next is none.
 const LESS: f64 = 1e-3;
+/// In place of the largest entry of a closure that determines an unknown already.
+const DONE: f64 = -1.0;
 
 /// How a bound system is divided.
 #[derive(Clone, Copy, Debug)]
@@ -19,352 +24,318 @@ pub struct Parts {
     pub lasting: Option<usize>,
 }
 
-impl Parts {
-    /// Rows and columns of the whole.
-    pub fn size(&self) -> usize {
-        self.unknowns + self.closures * if self.lasting.is_some() { 2 } else { 1 }
+/// Where the entries of the rows stand, and in which order unknowns are determined.
+pub struct Order<I> {
+    /// For each row the columns of its entries, of as much room as there are unknowns.
+    pub lists: I,
+    /// How many these are.
+    pub lengths: I,
+    /// Closures in the order of their pivots, then those that are left.
+    pub rows: I,
+    /// Unknowns in the order of their pivots, then those that are free.
+    pub columns: I,
+    /// For each unknown its place in that order.
+    pub places: I,
+}
+
+/// A bound system that is written and factored.
+pub struct Writing<'a, S> {
+    /// How it is divided.
+    pub parts: &'a mut Parts,
+    /// A row of entries for each unknown, its masses, for each closure, and for what that says next.
+    pub matrix: &'a mut [S],
+    /// A row for each unknown that is free: the masses of the free motion, and behind these its part of `Z`.
+    pub reduced: &'a mut [S],
+    /// Where entries stand.
+    pub order: Order<&'a mut [u16]>,
+    /// What is looked for.
+    pub scan: Scan<'a>,
+}
+
+/// What is looked for while closures are eliminated.
+pub struct Scan<'a> {
+    /// For each closure its largest entry among unknowns that are left, and the column of that.
+    pub largest: &'a mut [(f64, u16)],
+    /// For each unknown a closure that has an entry there, from 1; none is 0.
+    pub first: &'a mut [u16],
+    /// For each entry of a closure the next closure that has one there.
+    pub next: &'a mut [u16],
+}
+
+impl<S: Scalar> Writing<'_, S> {
+    /// Forgets all entries.
+    pub fn clear(&mut self) {
+        self.matrix.fill(S::ZERO);
+        self.order.lengths.fill(0);
+        self.scan.first.fill(0);
     }
 
-    /// Factors in place. `matrix` has a row of unknowns for each unknown, its masses, and for each closure. `reduced` has a row
-    /// of [`Self::size`] for each unknown: the masses of the free motion, and behind them `Z`.
+    /// Writes an entry that has not been written, of masses in both halves.
     #[inline]
-    pub fn factor<S: Scalar>(
-        &mut self,
-        matrix: &mut [S],
-        reduced: &mut [S],
-        (rows, columns): (&mut [usize], &mut [usize]),
-        nothing: f64,
-    ) {
-        rows.iter_mut().enumerate().for_each(|(index, row)| *row = index);
-        columns.iter_mut().enumerate().for_each(|(index, column)| *column = index);
-        let most = self.rank.min(self.closures).min(self.unknowns);
-        self.rank = 0;
-        self.eliminate(matrix, reduced, (rows, columns), (most, nothing));
-        if self.lasting.is_some() {
-            self.lasting = Some(self.rank);
-            if self.rank < most {
-                let size = self.go_on(matrix);
-                self.eliminate(matrix, reduced, (rows, columns), (most, LESS * size));
+    pub fn put(&mut self, row: usize, column: usize, value: S) {
+        self.matrix[row * self.parts.unknowns + column] = value;
+        self.list(row, column);
+        if row < self.parts.unknowns && row != column {
+            self.matrix[column * self.parts.unknowns + row] = value;
+            self.list(column, row);
+        }
+    }
+
+    /// Lists an entry.
+    #[inline]
+    fn list(&mut self, row: usize, column: usize) {
+        let n = self.parts.unknowns;
+        let length = &mut self.order.lengths[row];
+        self.order.lists[row * n + usize::from(*length)] = column as u16;
+        *length += 1;
+        if (n..n + self.parts.closures).contains(&row) {
+            self.link(row - n, column);
+        }
+    }
+
+    /// Lets a closure be found by a column.
+    #[inline]
+    fn link(&mut self, closure: usize, column: usize) {
+        let first = &mut self.scan.first[column];
+        self.scan.next[closure * self.parts.unknowns + column] = *first;
+        *first = (closure + 1) as u16;
+    }
+
+    /// Factors in place; pivots of closures below some size are none.
+    pub fn factor(&mut self, nothing: f64) {
+        let Order { columns, places, .. } = &mut self.order;
+        columns.iter_mut().zip(0..).for_each(|(column, index)| *column = index);
+        places.iter_mut().zip(0..).for_each(|(place, index)| *place = index);
+        let most = self.parts.rank.min(self.parts.closures).min(self.parts.unknowns);
+        self.parts.rank = 0;
+        for closure in 0..self.parts.closures {
+            self.measure(closure);
+        }
+        self.eliminate(most, nothing);
+        if self.parts.lasting.is_some() {
+            self.parts.lasting = Some(self.parts.rank);
+            if self.parts.rank < most {
+                let size = self.go_on();
+                self.eliminate(most, LESS * size);
             }
         }
-        self.span(matrix, reduced);
-        self.reduce(matrix, reduced, columns);
+        self.span();
+        self.reduce();
     }
 
-    /// Eliminates closures from those that are done on, up to a number of them, as long as pivots are more than nothing. The
-    /// largest entry of each row is remembered in `room`: most rows are left as they are by most pivots.
-    fn eliminate<S: Scalar>(
-        &mut self,
-        matrix: &mut [S],
-        room: &mut [S],
-        (rows, columns): (&mut [usize], &mut [usize]),
-        (most, nothing): (usize, f64),
-    ) {
-        let (n, m, k) = (self.unknowns, self.closures, self.size());
-        let (sizes, places) = room.split_at_mut(m);
-        for row in self.rank..m {
-            (sizes[row], places[row]) = largest(&matrix[(n + row) * n..][..n], self.rank);
-        }
-        while self.rank < most {
-            let at = self.rank;
-            let (mut row, mut size) = (at, 0.0);
-            for (other, own) in sizes.iter().enumerate().skip(at) {
-                let own = own.to_f64();
+    /// Eliminates closures up to a number of them, as long as pivots are more than nothing.
+    fn eliminate(&mut self, most: usize, nothing: f64) {
+        let n = self.parts.unknowns;
+        while self.parts.rank < most {
+            let (mut closure, mut size) = (0, 0.0);
+            for (other, (own, _)) in self.scan.largest.iter().enumerate() {
                 // What is no number is found here, and makes everything no number.
-                if own > size || own.is_nan() {
-                    (row, size) = (other, own);
+                if *own > size || own.is_nan() {
+                    (closure, size) = (other, *own);
                 }
             }
-            let column = places[row].to_f64() as usize;
             if size <= nothing {
                 break;
             }
-            rows.swap(at, row);
-            columns.swap(at, column);
-            for other in (n..k).filter(|_| column != at) {
-                matrix.swap(other * n + at, other * n + column);
-            }
-            (sizes[row], places[row]) = (sizes[at], places[at]);
-            for place in &mut places[at + 1..m] {
-                // A row that holds its largest entry here holds it there now.
-                if place.to_f64() == at as f64 {
-                    *place = S::from_f64(column as f64);
+            let column = usize::from(self.scan.largest[closure].1);
+            self.determine(column, closure);
+            let pivot = n + closure;
+            let reciprocal = S::ONE / self.matrix[pivot * n + column];
+            let mut next = usize::from(self.scan.first[column]);
+            while next > 0 {
+                let other = next - 1;
+                if self.scan.largest[other].0 != DONE {
+                    let entry = &mut self.matrix[(n + other) * n + column];
+                    let multiple = *entry * reciprocal;
+                    *entry = multiple;
+                    self.subtract(n + other, (pivot, multiple), self.parts.rank);
+                    self.measure(other);
                 }
+                next = usize::from(self.scan.next[other * n + column]);
             }
-            // What closures say next goes with them.
-            for block in (n..k).step_by(m).filter(|_| row != at) {
-                let (above, below) = matrix.split_at_mut((block + row) * n);
-                above[(block + at) * n..][..n].swap_with_slice(&mut below[..n]);
-            }
-            let (above, below) = matrix.split_at_mut((n + at + 1) * n);
-            let pivot = &above[(n + at) * n..][..n];
-            let reciprocal = S::ONE / pivot[at];
-            for (index, other) in below[..(m - at - 1) * n].chunks_exact_mut(n).enumerate() {
-                if other[at].to_f64() == 0.0 {
-                    continue;
-                }
-                let multiple = other[at] * reciprocal;
-                other[at] = multiple;
-                for (entry, pivot) in other[at + 1..n].iter_mut().zip(&pivot[at + 1..]) {
-                    *entry = added(*pivot, -multiple, *entry);
-                }
-                let row = at + 1 + index;
-                (sizes[row], places[row]) = largest(&other[..n], at + 1);
-            }
-            self.rank += 1;
         }
+        let left = self.scan.largest.iter().zip(0..).filter(|(own, _)| own.0 != DONE);
+        for (row, (_, closure)) in self.order.rows[self.parts.rank..].iter_mut().zip(left) {
+            *row = closure;
+        }
+    }
+
+    /// Makes an unknown the one that a closure determines.
+    fn determine(&mut self, column: usize, closure: usize) {
+        let Order { rows, columns, places, .. } = &mut self.order;
+        let at = self.parts.rank;
+        let (from, other) = (usize::from(places[column]), usize::from(columns[at]));
+        columns.swap(at, from);
+        places.swap(column, other);
+        rows[at] = closure as u16;
+        self.scan.largest[closure].0 = DONE;
+        self.parts.rank += 1;
+    }
+
+    /// The columns of a row's entries.
+    #[inline]
+    fn columns(&self, row: usize) -> &[u16] {
+        &self.order.lists[row * self.parts.unknowns..][..usize::from(self.order.lengths[row])]
+    }
+
+    /// Takes a multiple of another row off a row, in the columns of unknowns from a place of the order on.
+    fn subtract(&mut self, row: usize, (other, multiple): (usize, S), from: usize) {
+        let n = self.parts.unknowns;
+        for index in 0..usize::from(self.order.lengths[other]) {
+            let column = self.order.lists[other * n + index];
+            let at = usize::from(column);
+            if usize::from(self.order.places[at]) < from {
+                continue;
+            }
+            if !self.columns(row).contains(&column) {
+                self.list(row, at);
+            }
+            let share = multiple * self.matrix[other * n + at];
+            self.matrix[row * n + at] = self.matrix[row * n + at] - share;
+        }
+    }
+
+    /// Remembers the largest entry of a closure among unknowns that are left.
+    fn measure(&mut self, closure: usize) {
+        let (n, rank) = (self.parts.unknowns, self.parts.rank);
+        let row = n + closure;
+        let mut largest = (0.0, 0);
+        for column in self.columns(row) {
+            let at = usize::from(*column);
+            let size = self.matrix[row * n + at].to_f64().abs();
+            if usize::from(self.order.places[at]) >= rank && (size > largest.0 || size.is_nan()) {
+                largest = (size, *column);
+            }
+        }
+        self.scan.largest[closure] = largest;
     }
 
     /// Puts what closures say next in the place of those that are not independent now: the same combinations of it. The
     /// multiples by which these were made stand in its place then. Gives the largest entry that is left.
-    fn go_on<S: Scalar>(&self, matrix: &mut [S]) -> f64 {
-        let (n, m, r) = (self.unknowns, self.closures, self.rank);
-        let mut largest = 0.0_f64;
+    fn go_on(&mut self) -> f64 {
+        let (n, m, r) = (self.parts.unknowns, self.parts.closures, self.parts.rank);
+        self.scan.first.fill(0);
         for i in 0..m {
-            let (own, next) = ((n + i) * n, (n + m + i) * n);
-            for j in 0..i.min(r) {
-                let (multiple, other) = (matrix[own + j], (n + m + j) * n);
-                for column in 0..n {
-                    matrix[next + column] =
-                        added(matrix[other + column], -multiple, matrix[next + column]);
+            let closure = usize::from(self.order.rows[i]);
+            let (own, next) = (n + closure, n + m + closure);
+            for index in 0..usize::from(self.order.lengths[own]) {
+                let column = usize::from(self.order.lists[own * n + index]);
+                let j = usize::from(self.order.places[column]);
+                if j < i.min(r) {
+                    let multiple = self.matrix[own * n + column];
+                    self.subtract(next, (self.pivot(j).1 + m, multiple), 0);
                 }
             }
             if i < r {
                 continue;
             }
-            for column in 0..n {
-                matrix.swap(own + column, next + column);
+            self.swap(own, next);
+            for index in 0..usize::from(self.order.lengths[own]) {
+                self.link(closure, usize::from(self.order.lists[own * n + index]));
             }
             for j in 0..r {
-                let pivot = (n + j) * n;
-                let multiple = matrix[own + j] / matrix[pivot + j];
-                matrix[own + j] = multiple;
-                for column in j + 1..n {
-                    matrix[own + column] =
-                        added(matrix[pivot + column], -multiple, matrix[own + column]);
+                let (column, pivot) = self.pivot(j);
+                if self.columns(own).contains(&(column as u16)) {
+                    let multiple = self.matrix[own * n + column] / self.matrix[pivot * n + column];
+                    self.matrix[own * n + column] = multiple;
+                    self.subtract(own, (pivot, multiple), j + 1);
                 }
             }
-            let left = matrix[own + r..own + n].iter();
-            largest = left.fold(largest, |most, one| most.max(one.to_f64().abs()));
+            self.measure(closure);
         }
-        largest
+        let left = self.scan.largest.iter().map(|own| own.0);
+        left.fold(0.0, |most, own| if own.is_nan() { own } else { f64::max(most, own) })
     }
 
-    /// Writes `Z`: what the freedom `j` moves of the determined unknown `i` stands in row `j`, behind the masses of the free
-    /// motion.
-    fn span<S: Scalar>(&self, matrix: &[S], reduced: &mut [S]) {
-        let (n, k, r) = (self.unknowns, self.size(), self.rank);
+    /// Lets two rows change places.
+    fn swap(&mut self, own: usize, next: usize) {
+        let n = self.parts.unknowns;
+        for at in 0..n {
+            self.matrix.swap(own * n + at, next * n + at);
+            self.order.lists.swap(own * n + at, next * n + at);
+        }
+        self.order.lengths.swap(own, next);
+    }
+
+    /// The unknown that is determined at a place of the order, and the row by which.
+    fn pivot(&self, at: usize) -> (usize, usize) {
+        let row = self.parts.unknowns + usize::from(self.order.rows[at]);
+        (usize::from(self.order.columns[at]), row)
+    }
+
+    /// Writes `Z`: what a freedom moves of each determined unknown.
+    fn span(&mut self) {
+        let (n, r) = (self.parts.unknowns, self.parts.rank);
         for freedom in 0..n - r {
+            let z = freedom * n + n - r;
             for i in (0..r).rev() {
-                let upper = (n + i) * n;
-                let mut sum = -matrix[upper + r + freedom];
-                for j in i + 1..r {
-                    sum = added(matrix[upper + j], -reduced[freedom * k + n + j], sum);
+                let (own, row) = self.pivot(i);
+                let mut sum = S::ZERO;
+                for column in self.columns(row) {
+                    let column = usize::from(*column);
+                    let (place, entry) =
+                        (usize::from(self.order.places[column]), self.matrix[row * n + column]);
+                    if place == r + freedom {
+                        sum = sum - entry;
+                    } else if i < place && place < r {
+                        sum = sum - entry * self.reduced[z + place];
+                    }
                 }
-                reduced[freedom * k + n + i] = sum / matrix[upper + i];
+                self.reduced[z + i] = sum / self.matrix[row * n + own];
             }
         }
     }
 
     /// Writes the masses of the free motion, `Zᵀ A Z`, factored as `L D Lᵀ`.
-    fn reduce<S: Scalar>(&self, matrix: &[S], reduced: &mut [S], columns: &[usize]) {
-        let (n, k, r) = (self.unknowns, self.size(), self.rank);
+    fn reduce(&mut self) {
+        let (n, r) = (self.parts.unknowns, self.parts.rank);
         let free = n - r;
         for j in 0..free {
             for i in 0..=j {
-                reduced[j * k + i] = self.along(matrix, reduced, columns, (j, r + i));
+                self.reduced[j * n + i] = self.along(j, r + i);
             }
-            for row in 0..r {
-                let force = self.along(matrix, reduced, columns, (j, row));
+            for place in 0..r {
+                let force = self.along(j, place);
                 for i in 0..=j {
-                    let z = reduced[i * k + n + row];
-                    reduced[j * k + i] = added(z, force, reduced[j * k + i]);
+                    let z = self.reduced[i * n + free + place];
+                    self.reduced[j * n + i] = self.reduced[j * n + i] + z * force;
                 }
             }
         }
         for j in 0..free {
             for i in 0..j {
-                let mut entry = reduced[j * k + i];
+                let mut entry = self.reduced[j * n + i];
                 for inner in 0..i {
-                    let product = reduced[j * k + inner] * reduced[inner * k + inner];
-                    entry = added(reduced[i * k + inner], -product, entry);
+                    let product = self.reduced[j * n + inner] * self.reduced[inner * n + inner];
+                    entry = entry - self.reduced[i * n + inner] * product;
                 }
-                reduced[j * k + i] = entry / reduced[i * k + i];
+                self.reduced[j * n + i] = entry / self.reduced[i * n + i];
             }
-            let mut pivot = reduced[j * k + j];
+            let mut pivot = self.reduced[j * n + j];
             for inner in 0..j {
-                let entry = reduced[j * k + inner];
-                pivot = added(entry * reduced[inner * k + inner], -entry, pivot);
+                let entry = self.reduced[j * n + inner];
+                pivot = pivot - entry * (entry * self.reduced[inner * n + inner]);
             }
-            reduced[j * k + j] = pivot;
+            self.reduced[j * n + j] = pivot;
         }
     }
 
-    /// The force of an unknown's masses when a freedom moves by one.
+    /// The force of the masses of the unknown at a place of the order when a freedom moves by one.
     #[inline]
-    fn along<S: Scalar>(
-        &self,
-        matrix: &[S],
-        reduced: &[S],
-        columns: &[usize],
-        (freedom, row): (usize, usize),
-    ) -> S {
-        let (n, k, r) = (self.unknowns, self.size(), self.rank);
-        let masses = &matrix[columns[row] * n..];
-        let own = masses[columns[r + freedom]];
-        let span = columns[..r].iter().zip(&reduced[freedom * k + n..]);
-        span.fold(own, |sum, (column, z)| added(masses[*column], *z, sum))
+    fn along(&self, freedom: usize, place: usize) -> S {
+        let (n, r) = (self.parts.unknowns, self.parts.rank);
+        let row = usize::from(self.order.columns[place]);
+        let mut sum = S::ZERO;
+        for column in self.columns(row) {
+            let column = usize::from(*column);
+            let (place, mass) =
+                (usize::from(self.order.places[column]), self.matrix[row * n + column]);
+            if place == r + freedom {
+                sum = sum + mass;
+            } else if place < r {
+                sum = sum + mass * self.reduced[freedom * n + n - r + place];
+            }
+        }
+        sum
     }
-
-    /// Solves in place; `room` is as long as the right-hand side.
-    #[inline]
-    pub fn solve<S: Scalar>(
-        &self,
-        matrix: &[S],
-        reduced: &[S],
-        (rows, columns): (&[usize], &[usize]),
-        (right, room): (&mut [S], &mut [S]),
-    ) {
-        let (n, m, r) = (self.unknowns, self.closures, self.rank);
-        let (w, forces) = room.split_at_mut(n);
-        self.particular(matrix, rows, (right, forces), w);
-        // What the masses leave of the forces, in the order of the unknowns.
-        self.take(matrix, columns, (&w[..r], 0), right);
-        self.free(reduced, columns, (right, w));
-        // The determined unknowns follow; by how much stands in place of the forces for a while.
-        forces.fill(S::ZERO);
-        for (freedom, a) in w[r..].iter().enumerate() {
-            for (i, force) in forces[..r].iter_mut().enumerate() {
-                *force = added(reduced[freedom * self.size() + n + i], *a, *force);
-            }
-        }
-        self.take(matrix, columns, (&forces[..r], 0), right);
-        self.take(matrix, columns, (&w[r..], r), right);
-        for (w, more) in w[..r].iter_mut().zip(&*forces) {
-            *w = *w + *more;
-        }
-        self.forces(matrix, columns, (right, forces));
-        right.fill(S::ZERO);
-        for (column, w) in columns[..n].iter().zip(&*w) {
-            right[*column] = *w;
-        }
-        let lasting = self.lasting.unwrap_or(r);
-        for (i, (row, force)) in rows[..r].iter().zip(&*forces).enumerate() {
-            right[if i < lasting { n } else { n + m } + row] = *force;
-        }
-    }
-
-    /// Writes `w₀`, in the order of the columns; `room` is for what closures say next.
-    fn particular<S: Scalar>(
-        &self,
-        matrix: &[S],
-        rows: &[usize],
-        (right, room): (&[S], &mut [S]),
-        w: &mut [S],
-    ) {
-        let (n, m, r) = (self.unknowns, self.closures, self.rank);
-        let lasting = self.lasting.unwrap_or(r).min(r);
-        w.fill(S::ZERO);
-        if lasting < r {
-            // The right-hand sides of what closures say next, combined as these are.
-            for i in 0..r {
-                let multiples = if i < lasting { (n + i) * n } else { (n + m + i) * n };
-                let mut sum = right[n + m + rows[i]];
-                for j in 0..i.min(lasting) {
-                    sum = added(matrix[multiples + j], -room[j], sum);
-                }
-                room[i] = sum;
-            }
-        }
-        for i in 0..r {
-            let mut sum = if i < lasting { right[n + rows[i]] } else { room[i] };
-            for j in 0..i {
-                sum = added(matrix[(n + i) * n + j], -w[j], sum);
-            }
-            w[i] = sum;
-        }
-        for i in (0..r).rev() {
-            let mut sum = w[i];
-            for j in i + 1..r {
-                sum = added(matrix[(n + i) * n + j], -w[j], sum);
-            }
-            w[i] = sum / matrix[(n + i) * n + i];
-        }
-    }
-
-    /// Writes the free motion `a` behind the determined unknowns.
-    fn free<S: Scalar>(&self, reduced: &[S], columns: &[usize], (forces, w): (&[S], &mut [S])) {
-        let (n, k, r) = (self.unknowns, self.size(), self.rank);
-        let free = n - r;
-        for j in 0..free {
-            let mut sum = forces[columns[r + j]];
-            for i in 0..r {
-                sum = added(reduced[j * k + n + i], forces[columns[i]], sum);
-            }
-            for i in 0..j {
-                sum = added(reduced[j * k + i], -w[r + i], sum);
-            }
-            w[r + j] = sum;
-        }
-        for j in (0..free).rev() {
-            let mut sum = w[r + j] / reduced[j * k + j];
-            for i in j + 1..free {
-                sum = added(reduced[i * k + j], -w[r + i], sum);
-            }
-            w[r + j] = sum;
-        }
-    }
-
-    /// Writes `μ` of `Uᵀ Lᵀ μ = b - A w`, of the determined unknowns.
-    fn forces<S: Scalar>(&self, matrix: &[S], columns: &[usize], (left, forces): (&[S], &mut [S])) {
-        let (n, r) = (self.unknowns, self.rank);
-        for i in 0..r {
-            let mut sum = left[columns[i]];
-            for j in 0..i {
-                sum = added(matrix[(n + j) * n + i], -forces[j], sum);
-            }
-            forces[i] = sum / matrix[(n + i) * n + i];
-        }
-        for i in (0..r).rev() {
-            for j in i + 1..r {
-                forces[i] = added(matrix[(n + j) * n + i], -forces[j], forces[i]);
-            }
-        }
-    }
-
-    /// Takes the forces of the masses off those that are given, for some unknowns from one on in the order of the columns.
-    fn take<S: Scalar>(
-        &self,
-        matrix: &[S],
-        columns: &[usize],
-        (unknowns, from): (&[S], usize),
-        forces: &mut [S],
-    ) {
-        let n = self.unknowns;
-        for (row, force) in forces[..n].iter_mut().enumerate() {
-            let masses = &matrix[row * n..][..n];
-            for (column, unknown) in columns[from..].iter().zip(unknowns) {
-                *force = added(masses[*column], -*unknown, *force);
-            }
-        }
-    }
-}
-
-/// `a·b + c`, rounded twice: where this is not compiled into code for a processor that fuses, fusing would call a function.
-#[inline(always)]
-fn added<S: Scalar>(a: S, b: S, c: S) -> S {
-    a * b + c
-}
-
-/// The largest entry of a row from a column on, and where it stands.
-#[inline]
-fn largest<S: Scalar>(row: &[S], from: usize) -> (S, S) {
-    let (mut size, mut place) = (0.0, from);
-    for (column, entry) in row.iter().enumerate().skip(from) {
-        let entry = entry.to_f64().abs();
-        if entry > size || entry.is_nan() {
-            (size, place) = (entry, column);
-        }
-    }
-    (S::from_f64(size), S::from_f64(place as f64))
 }
