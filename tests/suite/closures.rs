@@ -1,6 +1,8 @@
 //! Motions whose closures are not solved for: beyond dead points, through change points, in space, where closures depend on
 //! each other, and where pins come and go. The naive way fails beside each.
 
+mod flat;
+
 use assur::answer::{Error, Motion};
 use assur::prelude::*;
 
@@ -176,52 +178,6 @@ fn of_five_closures_four_say_everything() {
         assert!(values[4] < 1e-9 * values[0] && values[3] > 1e-3 * values[0], "{time}: {values}");
         check(&motion, "E", time, -29.43, 1e-8);
     }
-}
-
-#[test]
-fn a_start_at_a_change_point_goes_on_with_its_speeds() {
-    use assur_equations::four_bar_chain::One;
-    let scene = One::default();
-    // Flat: the reduced equations are nothing over nothing.
-    assert!(scene.from([0.0, -2.0]).attempt(&FINE).is_err());
-    let error = scene.from([0.0, -2.0]).run().map(|_| ()).expect_err("which branch?");
-    assert!(error.to_string().contains("the closures next to that ask for"), "{error}");
-    let held = scene.unreduced().expect("all positions as coordinates");
-    let parallel = held.from([0.0, 0.0, 0.0, -2.0, -2.0, 0.0]).solve(&FINE).expect("a motion");
-    // The energy of parallel cranks.
-    let speed = |motion: &Motion, time: f64| motion.value("dot(th[0])", time).expect("a speed");
-    let angle = |motion: &Motion, time: f64| motion.value("th[0]", time).expect("an angle");
-    for time in [0.2, 0.5, 1.0] {
-        let energy = |w: f64, th: f64| (2.0 / 3.0 + 1.0) * w * w / 2.0 + 2.0 * 9.81 * th.sin();
-        let off = energy(speed(&parallel, time), angle(&parallel, time)) - energy(-2.0, 0.0);
-        assert!(off.abs() < 1e-8, "{time}: {off:e}");
-        check(&parallel, "ph[1]", time, 0.0, 1e-9);
-    }
-}
-
-#[test]
-fn windows_lie_flat_and_go_on() {
-    use assur_equations::four_bar_chain::{One, Two};
-    assert!(reduced(&One::default()).is_err_and(|error| error.is_lost()));
-    // ((N + 1)/3 + N) th'' = -((N + 1)/2 + N) g/L cos th from 90 deg and -1/s, by a Taylor series with 20 digits.
-    let one = One::default().solve(&FINE).expect("a motion");
-    check(&one, "th[0]", 5.0, -15.37448094142013, 1e-8);
-    check(&one, "dot(th[0])", 5.0, -5.678977607488, 1e-8);
-    let two = Two::default().solve(&FINE).expect("a motion");
-    for (time, angle) in
-        [(2.0, -4.770237034517435), (5.0, -15.083557159858586), (10.0, -30.179800860191205)]
-    {
-        check(&two, "th[0]", time, angle, 1e-8);
-        check(&two, "E", time, 35.835, 1e-8);
-        check(&two, "ph[2]", time, 0.0, 1e-10);
-    }
-    // From upright through nine flat positions to 30.2 rad further back: each is reported, and nothing else.
-    let changes = two.change_points();
-    for (index, time) in changes.iter().enumerate() {
-        let flat = -(index as f64) * std::f64::consts::PI;
-        check(&two, "th[0]", *time, flat, 1e-6);
-    }
-    assert_eq!(changes.len(), 10, "{changes:?}");
 }
 
 /// A pendulum of which the rod breaks where its tension comes to a limit.

@@ -20,6 +20,8 @@ fn every_scene_moves_as_with_the_other_method() {
                 _ => (scene, run),
             };
             let times = match run.span() {
+                // Where closures depend on each other for an instant there is no room for so many digits: up to there.
+                assur::problem::Span::Run(from, _) if name.starts_with("four_bar_") => (from, 0.5),
                 assur::problem::Span::Run(from, to) => (from, to),
                 assur::problem::Span::Periodic(period) => (0.0, 0.1 * period),
                 assur::problem::Span::Autonomous => (0.0, 0.5),
@@ -40,8 +42,6 @@ fn every_scene_moves_as_with_the_other_method() {
                 ) if reason.contains("too long") => {
                     continue;
                 }
-                // Where closures depend on each other for an instant there is no series, and no room for so many digits.
-                _ if name.starts_with("four_bar_chain") => continue,
                 (one, other) => panic!("{name}: {:?} {:?}", one.err(), other.err()),
             };
             compared += 1;

@@ -22,7 +22,7 @@ pub use solution::Reading;
 
 /// Below this a pivot of closures is none, their rows being of size one: they follow from the others, for an instant at
 /// least. A smaller limit would divide rounding by next to nothing, a larger one take what holds for an instant for longer.
-const NOTHING: f64 = 1e-4;
+const NOTHING: f64 = 3e-4;
 
 /// The matrix of a bound system, factored: of so many unknowns, bound by closures of which at most a number is independent.
 #[derive(Clone, Copy, Debug)]

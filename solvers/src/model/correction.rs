@@ -12,8 +12,9 @@ use crate::shape::{Augmented, Loop, Shape};
 
 /// Over the size of its slopes, how far a closure may stay open.
 const OPEN: f64 = 1e-6;
-/// Pivots below this are left out where a step is corrected, and where the motion begins.
-const NOTHING: [f64; 2] = [3e-4, 1e-9];
+/// Pivots below this are left out where a step is corrected, and where the motion begins. Over a pivot, what closures round to
+/// becomes a jump of positions, and over its square one of speeds: below a limit a correction does more harm than good.
+const NOTHING: [f64; 2] = [1e-3, 1e-9];
 /// Most corrections of a step, and of a start.
 const MOST: [usize; 2] = [4, 60];
 /// What is left then, in roundings.
