@@ -25,6 +25,7 @@ assur::equations! {
     "elastic_crank.eqn",
     "simple_pendulum.eqn",
     "four_bar_chain.eqn",
+    "four_bar_row.eqn",
     "bricard.eqn",
     "lamp_arm.eqn",
 }
