@@ -4,7 +4,7 @@ use super::{Correction, Model, Steps};
 use crate::ode::{Explicit, OdeError, Room, System, first_bad, system};
 use crate::problem::{Equations, Events, Phase};
 use crate::shape::Shape;
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 
 /// The equations of a model in one phase: a mode, and the sides of its switching surfaces.
 pub struct Flow<'a> {
@@ -15,8 +15,8 @@ pub struct Flow<'a> {
     sides: Vec<f64>,
     /// Room for what depends on the time alone.
     instant: RefCell<Vec<f64>>,
-    /// Room for what keeps closures closed.
-    correction: RefCell<Option<Correction>>,
+    /// Room for what keeps closures closed, if a step asks for it; most flows are asked for single values.
+    correction: OnceCell<RefCell<Option<Correction>>>,
 }
 
 impl<'a> Flow<'a> {
@@ -30,7 +30,7 @@ impl<'a> Flow<'a> {
             mode,
             sides: Vec::new(),
             instant: RefCell::new(vec![0.0; equations.instant()]),
-            correction: RefCell::new(Correction::of(model.shape(), mode)),
+            correction: OnceCell::new(),
         }
     }
 
@@ -59,7 +59,7 @@ impl<'a> Flow<'a> {
     pub(crate) fn enter(&mut self, mode: usize) {
         self.mode = mode;
         self.sides.clear();
-        self.correction = RefCell::new(Correction::of(self.shape(), mode));
+        self.correction = OnceCell::new();
     }
 
     /// Puts the motion on a side of a switching surface, 1 or −1; 0 leaves it to the values.
@@ -131,12 +131,16 @@ impl<'a> Flow<'a> {
         self.held(rows, |phase, rows| self.equations.series(phase, time, length, rows))
     }
 
+    fn correction(&self) -> &RefCell<Option<Correction>> {
+        self.correction.get_or_init(|| RefCell::new(Correction::of(self.shape(), self.mode)))
+    }
+
     /// Brings a state back onto the closures that hold it.
     ///
     /// # Errors
     /// [`OdeError::Open`] where that is not possible.
     pub fn correct(&self, time: f64, state: &mut [f64]) -> Result<(), OdeError> {
-        match self.correction.borrow_mut().as_mut() {
+        match self.correction().borrow_mut().as_mut() {
             Some(correction) => correction.correct(self.model.reports(), self.phase(), time, state),
             None => Ok(()),
         }
@@ -166,7 +170,7 @@ impl<'a> Flow<'a> {
 
     /// Whether closures hold the states.
     pub(crate) fn is_held(&self) -> bool {
-        self.correction.borrow().is_some()
+        self.shape().held_in(self.mode).is_some()
     }
 
     /// Lets the closures of the mode take hold of a state that has jumped, or that comes from another mode.
@@ -179,7 +183,7 @@ impl<'a> Flow<'a> {
         before: &[f64],
         state: &mut [f64],
     ) -> Result<(), OdeError> {
-        match self.correction.borrow_mut().as_mut() {
+        match self.correction().borrow_mut().as_mut() {
             Some(correction) => {
                 correction.jump(self.model.reports(), self.phase(), time, (before, state))
             }

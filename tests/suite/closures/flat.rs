@@ -96,3 +96,15 @@ fn windows_lie_flat_and_go_on() {
     }
     assert_eq!(changes.len(), 10, "{changes:?}");
 }
+
+#[test]
+fn forty_windows_lie_flat_ten_times_and_go_on() {
+    use assur_equations::four_bar_row::Falls;
+    let settings = Settings::new(Method::Dop853).rtol(1e-7);
+    let motion = Falls::default().ask().until(10.0).solve(&settings).expect("a motion");
+    // By a Taylor series of all links in parallel, with 25 digits.
+    check(&motion, "th[0]", 10.0, -30.0266374171908, 1e-4);
+    check(&motion, "th[40]", 10.0, -30.0266374171908, 1e-4);
+    check(&motion, "E", 10.0, 620.338333333333, 1e-2);
+    assert_eq!(motion.change_points().len(), 10);
+}
