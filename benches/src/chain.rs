@@ -1,4 +1,4 @@
-//! How long the compiler takes for large mechanisms: a chain of pendulums, and four-bars in a row.
+//! How long the compiler takes for large mechanisms: a chain of pendulums, four-bars in a row, windows with masses in a row.
 //!
 //! The text is derived to a program and printed as Rust, as the macro does it inside rustc. What rustc does with the
 //! printed code afterwards is not in these times.
@@ -19,6 +19,12 @@ const LINKS: [usize; 3] = [3, 10, 30];
 const LOOPS_GOAL: f64 = 0.06;
 /// Numbers of loops.
 const LOOPS: [usize; 3] = [4, 8, 15];
+/// Seconds that the longest row of windows may take.
+const ROW_GOAL: f64 = 1.0;
+/// Windows of the rows.
+const WINDOWS: [usize; 3] = [10, 20, 40];
+/// The row of windows, of which there are 40.
+const ROW: &str = include_str!("../../equations/src/four_bar_row.eqn");
 /// Times that each chain is derived.
 const ROUNDS: usize = 5;
 
@@ -172,6 +178,20 @@ pub fn report() {
     }
     table.print();
     verdict("the most loops", longest, LOOPS_GOAL);
+
+    let last = ["coordinates", "unreduced", "text, bytes"];
+    let mut table = Table::new("Windows in a row, text to Rust", &columns("windows", last));
+    for count in WINDOWS {
+        let derived = derive(&ROW.replace("40", &count.to_string()));
+        let scene = derived.scene();
+        let unreduced = scene.unreduced.as_ref().map_or(0, |scene| scene.states.len());
+        let counts = [scene.states.len() / 2, unreduced / 2, derived.bytes];
+        let counts = counts.map(|count| number(Some(count as f64)));
+        table.row([&[count.to_string()], &derived.times()[..], &counts].concat());
+        longest = derived.sum();
+    }
+    table.print();
+    verdict("the longest row", longest, ROW_GOAL);
 }
 
 fn verdict(what: &str, seconds: f64, goal: f64) {

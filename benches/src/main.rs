@@ -27,6 +27,7 @@ mod linkage;
 #[cfg(feature = "peers")]
 mod peers;
 mod revolutions;
+mod row;
 mod run_ups;
 mod squeezer;
 mod table;
@@ -46,6 +47,7 @@ usage: assur-benches [COMMAND]
   run-ups       a thousand run-ups of a table on one thread and on two
   squeezer      Andrews' squeezing mechanism, three loops with masses
   bars          a slider-crank and a four-bar with masses
+  row           forty windows in a row, through flat positions
   linkage       positions and influence coefficients of a six-bar
   tolerance     a million heald linkages made at random
   chain         how long a chain of 30 pendulums takes to derive
@@ -64,6 +66,7 @@ fn main() -> ExitCode {
         ["bars"] => with_counts(&[bars::report]),
         ["peers"] => return run_peers(Peers::Batten),
         ["foot-peers"] => return run_peers(Peers::Foot),
+        ["row"] => row::report(),
         ["chain"] => chain::report(),
         ["linkage"] => with_counts(&[linkage::report]),
         ["tolerance"] => tolerance::report(),
@@ -78,6 +81,7 @@ fn main() -> ExitCode {
                 squeezer::report,
                 bars::report,
             ]);
+            row::report();
             tolerance::report();
             chain::report();
             if cfg!(feature = "peers") {
