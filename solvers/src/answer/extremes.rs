@@ -137,12 +137,8 @@ fn widen(
 ) {
     let is_like = |value: f64| (value - end.value).abs() <= end.error;
     let may_be_like = |rival: &Extreme| (rival.value - end.value).abs() <= end.error + error(rival);
-    // There may be thousands: the first and the last of them say it.
-    let mut rivals: Vec<&Extreme> = rivals.iter().collect();
-    rivals.sort_by(|a, b| a.time.total_cmp(&b.time));
-    let first = rivals.iter().find(|rival| may_be_like(rival));
-    let last = rivals.iter().rev().find(|rival| may_be_like(rival));
-    let tops: Vec<f64> = first.into_iter().chain(last).map(|rival| rival.time).collect();
+    let tops = rivals.iter().filter(|rival| may_be_like(rival));
+    let tops: Vec<f64> = tops.map(|rival| rival.time).collect();
     let samples = samples.times.iter().zip(samples.values);
     let samples = samples.filter(|(_, values)| is_like(values[index]));
     let times = samples.map(|(time, _)| *time).chain(tops.iter().copied());
