@@ -48,7 +48,7 @@ pub fn items(layout: &Layout<'_>) -> TokenStream {
         layout.parameters
     ));
     let (instants, series) = (instant::methods(layout), series::method(layout));
-    let shared = layout.is_long().then(|| along(layout));
+    let shared = layout.has_products_alone().then(|| along(layout));
     let methods = [rates(layout), variation(layout), jacobian(layout)];
     quote! {
         #(#modes)*
@@ -104,7 +104,7 @@ fn rates(layout: &Layout<'_>) -> TokenStream {
 
 fn jacobian(layout: &Layout<'_>) -> TokenStream {
     let states = size(layout.states());
-    let body = (layout.states() > 0).then(|| match layout.is_long() {
+    let body = (layout.states() > 0).then(|| match layout.has_products_alone() {
         true => quote! {
             columns.fill(S::ZERO);
             columns.iter_mut().step_by(#states + 1).for_each(|own| *own = S::ONE);
@@ -162,7 +162,7 @@ fn columns(layout: &Layout<'_>) -> TokenStream {
 
 fn variation(layout: &Layout<'_>) -> TokenStream {
     let (states, count) = (layout.states(), size(layout.states()));
-    let body = (states > 0).then(|| match layout.is_long() {
+    let body = (states > 0).then(|| match layout.has_products_alone() {
         true => quote! {
             products.copy_from_slice(columns);
             self.along_(phase, instant, state, rates, products);
@@ -194,7 +194,7 @@ fn variation(layout: &Layout<'_>) -> TokenStream {
     }
 }
 
-/// What the Jacobian and its products with columns are written by where they are long: once.
+/// What the Jacobian and its products with columns are written by where it has products alone.
 fn along(layout: &Layout<'_>) -> TokenStream {
     let (name, states) = (&layout.equations, layout.states());
     let (exact, count) =

@@ -88,7 +88,7 @@ impl<'a> Layout<'a> {
 
     /// Whether the functions are too long to be written out wherever they are called: rustc would take minutes, and what
     /// they take is not the call. All modes of a scene stand in the same places.
-    pub fn is_long(&self) -> bool {
+    fn is_long(&self) -> bool {
         let operations = self.each_mode().iter().map(|mode| {
             let results = &mode.program().results;
             let all: Vec<Value> =
@@ -96,6 +96,13 @@ impl<'a> Layout<'a> {
             mode.program().count(&all, Stage::State)
         });
         operations.sum::<usize>() > LONG
+    }
+
+    /// Whether the Jacobian is written as products with columns, by the function that writes these: where it is long, and where
+    /// a mode has no entries of it.
+    pub fn has_products_alone(&self) -> bool {
+        let is_along = |mode: &Layout<'_>| !mode.program().results.along.is_empty();
+        self.is_long() || self.each_mode().iter().any(is_along)
     }
 
     /// The body of a function of the equations: as it is, or as a function of its own where it is long.

@@ -345,3 +345,24 @@ fn a_steady_state_that_closures_hold_is_that_of_the_reduced_motion() {
     assert_eq!((a.len(), b.len()), (2, 2), "{a:?} {b:?}");
     assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-6), "{a:?} {b:?}");
 }
+
+/// Nine masses, of which a pin holds two together for a while: many coordinates, and hardly an operation. Its Jacobian is what its
+/// own tests look at.
+mod sliding {
+    assur::mechanism! {
+        Sliding from "made up";
+        parameter m = 1 kg, L = 1 m, c = 2 [N/m];
+        for k in 1..9 {
+            coordinate x[k]: m = 0 m, rate = 1 [m/s];
+            kinetic m*dot(x[k])^2/2;
+            potential c*x[k]^2/2;
+        }
+        output x[1];
+        mode held {
+            closure pin: x[1] = x[2];
+            when opens: 2*x[1] - L rises -> loose;
+        }
+        mode loose { }
+        scene run { run time 0 s .. 1 s; }
+    }
+}
