@@ -38,6 +38,26 @@ pub struct Order<I> {
     pub places: I,
 }
 
+impl<I: AsRef<[u16]>> Order<I> {
+    /// The columns of a row's entries.
+    #[inline]
+    pub fn list(&self, row: usize) -> &[u16] {
+        let n = self.columns.as_ref().len();
+        &self.lists.as_ref()[row * n..][..usize::from(self.lengths.as_ref()[row])]
+    }
+
+    /// The entries of a row of a matrix, each with the place of its unknown.
+    #[inline]
+    pub fn entries<S: Copy>(&self, matrix: &[S], row: usize) -> impl Iterator<Item = (usize, S)> {
+        let own = &matrix[row * self.columns.as_ref().len()..];
+        let places = self.places.as_ref();
+        self.list(row).iter().map(move |column| {
+            let column = usize::from(*column);
+            (usize::from(places[column]), own[column])
+        })
+    }
+}
+
 /// A bound system that is written and factored.
 pub struct Writing<'a, S> {
     /// How it is divided.
@@ -172,12 +192,6 @@ impl<S: Scalar> Writing<'_, S> {
         self.parts.rank += 1;
     }
 
-    /// The columns of a row's entries.
-    #[inline]
-    fn columns(&self, row: usize) -> &[u16] {
-        &self.order.lists[row * self.parts.unknowns..][..usize::from(self.order.lengths[row])]
-    }
-
     /// Takes a multiple of another row off a row, in the columns of unknowns from a place of the order on.
     fn subtract(&mut self, row: usize, (other, multiple): (usize, S), from: usize) {
         let n = self.parts.unknowns;
@@ -187,7 +201,7 @@ impl<S: Scalar> Writing<'_, S> {
             if usize::from(self.order.places[at]) < from {
                 continue;
             }
-            if !self.columns(row).contains(&column) {
+            if !self.order.list(row).contains(&column) {
                 self.list(row, at);
             }
             let share = multiple * self.matrix[other * n + at];
@@ -200,7 +214,7 @@ impl<S: Scalar> Writing<'_, S> {
         let (n, rank) = (self.parts.unknowns, self.parts.rank);
         let row = n + closure;
         let mut largest = (0.0, 0);
-        for column in self.columns(row) {
+        for column in self.order.list(row) {
             let at = usize::from(*column);
             let size = self.matrix[row * n + at].to_f64().abs();
             if usize::from(self.order.places[at]) >= rank && (size > largest.0 || size.is_nan()) {
@@ -235,7 +249,7 @@ impl<S: Scalar> Writing<'_, S> {
             }
             for j in 0..r {
                 let (column, pivot) = self.pivot(j);
-                if self.columns(own).contains(&(column as u16)) {
+                if self.order.list(own).contains(&(column as u16)) {
                     let multiple = self.matrix[own * n + column] / self.matrix[pivot * n + column];
                     self.matrix[own * n + column] = multiple;
                     self.subtract(own, (pivot, multiple), j + 1);
@@ -271,7 +285,7 @@ impl<S: Scalar> Writing<'_, S> {
             for i in (0..r).rev() {
                 let (own, row) = self.pivot(i);
                 let mut sum = S::ZERO;
-                for column in self.columns(row) {
+                for column in self.order.list(row) {
                     let column = usize::from(*column);
                     let (place, entry) =
                         (usize::from(self.order.places[column]), self.matrix[row * n + column]);
@@ -326,10 +340,7 @@ impl<S: Scalar> Writing<'_, S> {
         let (n, r) = (self.parts.unknowns, self.parts.rank);
         let row = usize::from(self.order.columns[place]);
         let mut sum = S::ZERO;
-        for column in self.columns(row) {
-            let column = usize::from(*column);
-            let (place, mass) =
-                (usize::from(self.order.places[column]), self.matrix[row * n + column]);
+        for (place, mass) in self.order.entries(self.matrix, row) {
             if place == r + freedom {
                 sum = sum + mass;
             } else if place < r {

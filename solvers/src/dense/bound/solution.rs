@@ -49,19 +49,6 @@ impl<S: Scalar> Reading<'_, S> {
         }
     }
 
-    /// The entries of a row, each with the place of its unknown in the order.
-    #[inline]
-    fn entries(&self, row: usize) -> impl Iterator<Item = (usize, S)> {
-        let n = self.parts.unknowns;
-        let length = usize::from(self.order.lengths[row]);
-        let (list, own) = (&self.order.lists[row * n..][..length], &self.matrix[row * n..][..n]);
-        let places = &self.order.places;
-        list.iter().map(move |column| {
-            let column = usize::from(*column);
-            (usize::from(places[column]), own[column])
-        })
-    }
-
     /// The row of the closure at a place of the order, and its pivot.
     #[inline]
     fn pivot(&self, at: usize) -> (usize, S) {
@@ -90,12 +77,12 @@ impl<S: Scalar> Reading<'_, S> {
         for i in 0..r {
             let row = n + usize::from(self.order.rows[i]);
             let sum = if i < lasting { right[row] } else { room[i] };
-            let earlier = self.entries(row).filter(|one| one.0 < i);
+            let earlier = self.order.entries(self.matrix, row).filter(|one| one.0 < i);
             w[i] = earlier.fold(sum, |sum, (place, multiple)| sum - multiple * w[place]);
         }
         for i in (0..r).rev() {
             let (row, pivot) = self.pivot(i);
-            let later = self.entries(row).filter(|one| i < one.0 && one.0 < r);
+            let later = self.order.entries(self.matrix, row).filter(|one| i < one.0 && one.0 < r);
             w[i] = later.fold(w[i], |sum, (place, entry)| sum - entry * w[place]) / pivot;
         }
     }
@@ -134,13 +121,15 @@ impl<S: Scalar> Reading<'_, S> {
             let (row, pivot) = self.pivot(i);
             let own = forces[i] / pivot;
             forces[i] = own;
-            for (place, entry) in self.entries(row).filter(|one| i < one.0 && one.0 < r) {
+            for (place, entry) in
+                self.order.entries(self.matrix, row).filter(|one| i < one.0 && one.0 < r)
+            {
                 forces[place] = forces[place] - entry * own;
             }
         }
         for i in (0..r).rev() {
             let (row, own) = (self.pivot(i).0, forces[i]);
-            for (place, multiple) in self.entries(row).filter(|one| one.0 < i) {
+            for (place, multiple) in self.order.entries(self.matrix, row).filter(|one| one.0 < i) {
                 forces[place] = forces[place] - multiple * own;
             }
         }
@@ -150,7 +139,7 @@ impl<S: Scalar> Reading<'_, S> {
     fn take(&self, (unknowns, from): (&[S], usize), forces: &mut [S]) {
         let places = from..from + unknowns.len();
         for (row, force) in forces[..self.parts.unknowns].iter_mut().enumerate() {
-            let own = self.entries(row).filter(|one| places.contains(&one.0));
+            let own = self.order.entries(self.matrix, row).filter(|one| places.contains(&one.0));
             *force = own.fold(*force, |sum, (place, mass)| sum - mass * unknowns[place - from]);
         }
     }
