@@ -10,9 +10,12 @@ use nalgebra::DMatrix;
 const NOTHING: f64 = 1e-5;
 /// Only what falls below this is looked at closely.
 const NEAR: f64 = 0.5;
-/// Parts of a step at whose ends it is looked at, and steps of the golden section that find where it is least.
+/// Parts of a step at whose ends it is looked at.
 const PARTS: usize = 4;
-const SECTIONS: usize = 60;
+/// A time is found when it is known to this, over itself.
+const FOUND: f64 = 1e-12;
+/// Chords lead to nothing if they meet below this share of the least value known.
+const SHARE: f64 = 0.25;
 /// The golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
@@ -37,10 +40,10 @@ pub(super) fn times(motion: &Motion) -> Vec<f64> {
             continue;
         }
         let ends = (times[index.saturating_sub(1)], times[(index + 1).min(times.len() - 1)]);
-        let (time, least) = lowest(|time| independent(motion, time), ends);
-        if least < NOTHING
-            && found.last().is_none_or(|last| (time - last).abs() > 1e-9 * time.abs())
-        {
+        let Some(time) = vanishes(|time| independent(motion, time), ends, (before, after)) else {
+            continue;
+        };
+        if found.last().is_none_or(|last| (time - last).abs() > 1e-9 * time.abs()) {
             found.push(time);
         }
     }
@@ -63,21 +66,32 @@ fn independent(motion: &Motion, time: f64) -> f64 {
     sizes[held.rank.clamp(1, sizes.len()) - 1] / sizes[0].max(f64::MIN_POSITIVE)
 }
 
-/// Where a function is least between two times, and how much it is there.
-fn lowest(function: impl Fn(f64) -> f64, (mut from, mut to): (f64, f64)) -> (f64, f64) {
+/// Where a function that is given at two times falls to nothing between them. It is found by golden sections, and given up as
+/// soon as the chords on both sides, which lead to nothing where it vanishes, meet well above.
+fn vanishes(
+    function: impl Fn(f64) -> f64,
+    (mut from, mut to): (f64, f64),
+    (mut at_from, mut at_to): (f64, f64),
+) -> Option<f64> {
     let inner = |from: f64, to: f64| (to - GOLDEN * (to - from), from + GOLDEN * (to - from));
     let (mut a, mut b) = inner(from, to);
     let (mut at_a, mut at_b) = (function(a), function(b));
-    for _ in 0..SECTIONS {
+    while at_a.min(at_b) > NOTHING || to - from > FOUND * to.abs() {
+        let (left, right) = ((at_a - at_from) / (a - from), (at_to - at_b) / (to - b));
+        let meet = (at_b - at_a + left * a - right * b) / (left - right);
+        let least = at_a + left * (meet - a);
+        if least > NOTHING.max(SHARE * at_a.min(at_b)) || !(from < a && a < b && b < to) {
+            return None;
+        }
         if at_a < at_b {
-            (to, b, at_b) = (b, a, at_a);
+            (to, at_to, b, at_b) = (b, at_b, a, at_a);
             a = inner(from, to).0;
             at_a = function(a);
         } else {
-            (from, a, at_a) = (a, b, at_b);
+            (from, at_from, a, at_a) = (a, at_a, b, at_b);
             b = inner(from, to).1;
             at_b = function(b);
         }
     }
-    if at_a < at_b { (a, at_a) } else { (b, at_b) }
+    Some(if at_a < at_b { a } else { b })
 }

@@ -1,5 +1,8 @@
 //! The extremes of a motion with their errors.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
+
 use super::estimate::{Estimate, ROUNDINGS, near};
 use super::motion::Motion;
 use crate::measure::{self, Extreme, Extremes};
@@ -52,11 +55,15 @@ pub struct Samples<'a> {
 impl Motion {
     /// Smallest and largest value of some subjects between two times of the task; none where there is no time between.
     pub fn extremes(&self, subjects: &[Subject], times: (f64, f64)) -> Vec<Extremes> {
-        let sample = |mode: usize, time: f64, state: &[f64], values: &mut [f64]| {
-            values.copy_from_slice(&self.values_in(subjects, mode, time, state));
-        };
-        let found = measure::extremes(self.path(), times, subjects.len(), &sample);
+        let found = measure::extremes(self.path(), times, subjects.len(), &self.probe(subjects));
         found.into_iter().flatten().collect()
+    }
+
+    /// What measures ask some subjects by.
+    fn probe(&self, subjects: &[Subject]) -> impl Fn(usize, f64, &[f64], &mut [f64]) {
+        |mode, time, state, values| {
+            values.copy_from_slice(&self.values_in(subjects, mode, time, state))
+        }
     }
 }
 
@@ -71,18 +78,32 @@ impl Estimate {
         extremes: &[Extremes],
     ) -> Vec<Ends> {
         let steps = motion.steps();
-        let each = subjects.iter().zip(extremes).enumerate();
-        let ends = each.map(|(index, (subject, own))| {
-            let end = |end: fn(&Extremes) -> Extreme| {
-                let mut found = self.end(*subject, &steps, (own, end));
-                let there = self.exactly_at(motion, subjects, found.time);
-                let there = there.map_or(0.0, |errors| errors[index]);
-                found.error = larger(found.error, there);
+        let of = |own: &Extremes| [own.lowest, own.highest];
+        let windows: Vec<_> =
+            extremes.iter().map(|own| of(own).map(|end| around(&steps, end))).collect();
+        let theirs = self.others.iter().map(|other| {
+            let other = &other.motion;
+            measure::extremes_near(other.path(), &windows, &other.probe(subjects))
+        });
+        let theirs: Vec<_> = theirs.collect();
+        // Quantities of one motion often turn at the same time.
+        let known = RefCell::new(HashMap::new());
+        let error_at = |time: f64, index: usize| -> f64 {
+            let mut known = known.borrow_mut();
+            let at = || self.exactly_at(motion, subjects, time);
+            let errors: &Option<Vec<f64>> = known.entry(time.to_bits()).or_insert_with(at);
+            errors.as_ref().map_or(0.0, |errors| errors[index])
+        };
+        let each = extremes.iter().enumerate().map(|(index, own)| {
+            let end = |which: usize| {
+                let theirs = theirs.iter().filter_map(|theirs| theirs[index][which]);
+                let mut found = self.end(of(own)[which], &theirs.collect::<Vec<_>>());
+                found.error = larger(found.error, error_at(found.time, index));
                 found
             };
-            Ends { lowest: end(|own| own.lowest), highest: end(|own| own.highest) }
+            Ends { lowest: end(0), highest: end(1) }
         });
-        let mut ends: Vec<_> = ends.collect();
+        let mut ends: Vec<_> = each.collect();
         for (index, (ends, own)) in ends.iter_mut().zip(extremes).enumerate() {
             let rounding = f64::EPSILON * own.amplitude();
             for (end, rivals) in
@@ -92,8 +113,7 @@ impl Estimate {
                 let jitter = |place: (f64, f64)| jitter(motion, subjects[index], place);
                 end.error = larger(end.error, jitter((end.time, end.value)));
                 let error = |rival: &Extreme| {
-                    let own = self.exactly_at(motion, subjects, rival.time);
-                    own.map_or(0.0, |errors| errors[index]) + jitter((rival.time, rival.value))
+                    error_at(rival.time, index) + jitter((rival.time, rival.value))
                 };
                 widen(end, rivals, &error, samples, index);
             }
@@ -102,19 +122,7 @@ impl Estimate {
     }
 
     /// One extreme with what other solutions have in its place.
-    fn end(
-        &self,
-        subject: Subject,
-        steps: &[f64],
-        (own, end): (&Extremes, fn(&Extremes) -> Extreme),
-    ) -> End {
-        let own = end(own);
-        let times = around(steps, own);
-        let theirs = self.others.iter().filter_map(|other| {
-            let found = other.motion.extremes(&[subject], times);
-            found.first().map(end)
-        });
-        let theirs: Vec<_> = theirs.collect();
+    fn end(&self, own: Extreme, theirs: &[Extreme]) -> End {
         let of = |part: fn(&Extreme) -> f64| theirs.iter().map(part).collect::<Vec<_>>();
         let blur = self.differ(own.time, &of(|extreme| extreme.time)) + own.blur;
         End {

@@ -94,6 +94,8 @@ pub(super) struct Hunt {
     best: Option<Extreme>,
     /// The largest absolute value.
     size: f64,
+    /// Rises that are no larger are none.
+    noise: f64,
     hills: Vec<Hill>,
     /// Tops of hills, and ends of stretches.
     tops: Vec<Extreme>,
@@ -113,6 +115,7 @@ impl Hunt {
             sense,
             best: None,
             size: 0.0,
+            noise: 0.0,
             hills: Vec::new(),
             tops: Vec::new(),
             room: MANY,
@@ -129,6 +132,7 @@ impl Hunt {
         grid: &Grid<'_>,
         sampler: &mut Sampler<'_>,
     ) {
+        self.noise = sampler.noise(self.index);
         let column = grid.column(self.index);
         let points = || grid.times.into_iter().zip(column);
         let mut end = |time: f64| match points().find(|point| point.0 == time) {
@@ -225,7 +229,7 @@ impl Hunt {
             Sense::Largest => top + rise,
             Sense::Smallest => top - rise,
         };
-        if !(reach.is_finite() && rise > ROUNDINGS * self.size && self.may_count(reach)) {
+        if !(reach.is_finite() && self.rises(rise) && self.may_count(reach)) {
             return;
         }
         let piece = self.piece;
@@ -236,6 +240,11 @@ impl Hunt {
             self.hills = high.collect();
             self.room = MANY.max(2 * self.hills.len());
         }
+    }
+
+    /// Whether a rise is more than rounding.
+    fn rises(&self, rise: f64) -> bool {
+        rise > f64::max(ROUNDINGS * self.size, self.noise)
     }
 
     fn may_count(&self, reach: f64) -> bool {
@@ -259,14 +268,13 @@ impl Hunt {
         };
         hills.sort_by(|a, b| (sign * a.guess).total_cmp(&(sign * b.guess)));
         // What looked like a hill beside nothing may be rounding beside what came later.
-        hills.retain(|hill| hill.rise > ROUNDINGS * self.size);
+        hills.retain(|hill| self.rises(hill.rise));
         for hill in hills.into_iter().take(MOST) {
             if !self.may_count(hill.reach) {
                 continue;
             }
-            let piece = &sampler.motion.pieces[hill.piece];
             let index = self.index;
-            let mut at = |time: f64| sampler.at(piece, time)[index];
+            let mut at = |time: f64| sampler.one(hill.piece, time, index);
             let top = hill::top(self.sense, hill.times, &mut at);
             self.reached(top);
             self.tops.push(top);

@@ -1,7 +1,10 @@
 //! Quantities along a run.
 
+use std::collections::HashMap;
+
 use super::GRID;
 use crate::hybrid::{Motion, Piece};
+use crate::ode::larger;
 
 /// Halvings of a step at most where quantities do something that the state does not feel.
 const DEEPEST: usize = 10;
@@ -19,6 +22,10 @@ const DEVIATION: f64 = 0.05;
 const ENDS: [f64; 2] = [1e-4, 1e-2];
 /// Deviations that are rounding, over the size of a quantity.
 const NOISE: f64 = 1e-12;
+/// What is nothing but rounding deviates by no more than this over what it was seen to deviate by where no halving helped.
+const SPREAD: f64 = 4.0;
+/// Evaluations that are kept while hills are climbed: quantities of one motion often turn in the same stretches.
+const KEPT: usize = 4096;
 /// Where in a step quantities are looked at: multiples of the golden section, which keep out of step with whatever swings.
 const PLACES: [f64; GRID + 1] = [0.0, 0.09, 0.236, 0.382, 0.5, 0.618, 0.764, 0.91, 1.0];
 /// For every second place what the others count in the quartic through them.
@@ -62,6 +69,10 @@ pub(super) struct Sampler<'a> {
     splits: usize,
     /// The step in which was looked last.
     step: usize,
+    /// By how much each quantity deviates where no halving makes it smooth.
+    noise: Vec<f64>,
+    /// Evaluations by the number of the piece and the bits of the time.
+    kept: HashMap<(usize, u64), Vec<f64>>,
 }
 
 impl<'a> Sampler<'a> {
@@ -76,7 +87,32 @@ impl<'a> Sampler<'a> {
             halvings: (HALVINGS.0, HALVINGS.1.min(HALVINGS.2 / steps.max(1) as f64)),
             splits: SPLITS.0,
             step: 0,
+            noise: vec![0.0; count],
+            kept: HashMap::new(),
         }
+    }
+
+    /// By how much a quantity deviates where no halving makes it smooth: rises that are no larger are none.
+    pub(super) fn noise(&self, index: usize) -> f64 {
+        self.noise[index]
+    }
+
+    /// A quantity at a time in a piece. All of them are kept there for the others.
+    pub(super) fn one(&mut self, number: usize, time: f64, index: usize) -> f64 {
+        if self.values.len() == 1 {
+            return self.at(&self.motion.pieces[number], time)[0];
+        }
+        let key = (number, time.to_bits());
+        if let Some(kept) = self.kept.get(&key) {
+            return kept[index];
+        }
+        if self.kept.len() == KEPT {
+            self.kept.clear();
+        }
+        let values = self.at(&self.motion.pieces[number], time).to_vec();
+        let value = values[index];
+        self.kept.insert(key, values);
+        value
     }
 
     /// All quantities at a time in a piece, in the mode of that piece even at its ends.
@@ -134,13 +170,30 @@ impl<'a> Sampler<'a> {
         let grid = self.grid(piece, (from, to));
         let middle = grid.times[GRID / 2];
         let may_halve = depth < DEEPEST && self.halvings.0 >= 1.0 && from < middle && middle < to;
-        if may_halve && !grid.is_resolved() {
+        if may_halve && !grid.is_resolved(&self.noise) {
             self.halvings.0 -= 1.0;
-            self.walk_step(piece, (from, middle), depth + 1, visit);
-            self.walk_step(piece, (middle, to), depth + 1, visit);
+            let halves = [(from, middle), (middle, to)];
+            if depth + 1 == DEEPEST {
+                let both = halves.map(|half| self.grid(piece, half));
+                self.learn_noise(&both);
+            }
+            for half in halves {
+                self.walk_step(piece, half, depth + 1, visit);
+            }
         } else {
             self.splits = SPLITS.0.min(self.splits + SPLITS.1);
             visit(&grid, self);
+        }
+    }
+
+    /// What deviates in both halves of the narrowest stretch does so by rounding. What jumps or has a kink does in one of them.
+    fn learn_noise(&mut self, halves: &[Grid<'a>; 2]) {
+        for (index, noise) in self.noise.iter_mut().enumerate() {
+            let both = halves.each_ref().map(|half| {
+                let column = half.column(index);
+                if is_smooth(&column, *noise) { 0.0 } else { deviation(&column) }
+            });
+            *noise = noise.max(SPREAD * both[0].min(both[1]));
         }
     }
 
@@ -195,22 +248,30 @@ impl Grid<'_> {
         std::array::from_fn(|row| self.values[row * self.count + index])
     }
 
-    /// Whether every second point of each quantity says where the others lie.
-    fn is_resolved(&self) -> bool {
-        (0..self.count).all(|index| is_smooth(&self.column(index)))
+    /// Whether every second point of each quantity says where the others lie, but for its noise.
+    fn is_resolved(&self, noise: &[f64]) -> bool {
+        (0..self.count).all(|index| is_smooth(&self.column(index), noise[index]))
     }
 }
 
 /// Whether every second value says where the others lie. What is no number cannot be resolved any further.
-fn is_smooth(values: &[f64; GRID + 1]) -> bool {
+fn is_smooth(values: &[f64; GRID + 1], noise: f64) -> bool {
     let (low, high) = values
         .iter()
         .fold((f64::MAX, f64::MIN), |(low, high), one| (low.min(*one), high.max(*one)));
-    let permitted = f64::max(DEVIATION * (high - low), NOISE * high.abs().max(low.abs()));
-    QUARTIC.iter().enumerate().all(|(row, weights)| {
+    let permitted =
+        f64::max(DEVIATION * (high - low), NOISE * high.abs().max(low.abs())).max(noise);
+    let deviation = deviation(values);
+    deviation <= permitted || deviation.is_nan()
+}
+
+/// How far the values lie from the quartic through every second of them; NaN where one is.
+fn deviation(values: &[f64; GRID + 1]) -> f64 {
+    let rows = QUARTIC.iter().enumerate();
+    let deviations = rows.map(|(row, weights)| {
         let terms = weights.iter().enumerate();
         let said: f64 = terms.map(|(own, weight)| weight * values[2 * own]).sum();
-        let deviation = (said - values[2 * row + 1]).abs();
-        deviation <= permitted || deviation.is_nan()
-    })
+        (said - values[2 * row + 1]).abs()
+    });
+    deviations.fold(0.0, larger)
 }

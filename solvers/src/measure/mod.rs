@@ -107,6 +107,45 @@ pub fn extremes(
     found.collect()
 }
 
+/// The lowest and the highest value of each quantity near the windows in which they lie in another motion of the same task. None
+/// where a window has no time in it.
+pub fn extremes_near(
+    motion: &Motion,
+    windows: &[[(f64, f64); 2]],
+    sample: &Probe<'_>,
+) -> Vec<[Option<Extreme>; 2]> {
+    let mut sampler = Sampler::new(motion, windows.len(), sample);
+    let hunt = |index| [Sense::Smallest, Sense::Largest].map(|sense| Hunt::new(index, sense));
+    let mut hunts: Vec<_> = (0..windows.len()).flat_map(hunt).collect();
+    let windows: Vec<_> = windows.iter().flatten().copied().collect();
+    for together in union(&windows) {
+        sampler.walk(together, &mut |grid, sampler| {
+            let (from, to) = grid.ends();
+            for (hunt, window) in hunts.iter_mut().zip(&windows) {
+                if from < window.1 && to > window.0 {
+                    hunt.look((from, to), grid, sampler);
+                }
+            }
+        });
+    }
+    let mut found = hunts.into_iter().map(|hunt| Some(hunt.finish(&mut sampler)?.0));
+    (0..windows.len() / 2).map(|_| [found.next().flatten(), found.next().flatten()]).collect()
+}
+
+/// Stretches that cover the same times without overlapping.
+fn union(stretches: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut sorted = stretches.to_vec();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut all: Vec<(f64, f64)> = Vec::new();
+    for (from, to) in sorted {
+        match all.last_mut() {
+            Some(last) if from <= last.1 => last.1 = last.1.max(to),
+            _ => all.push((from, to)),
+        }
+    }
+    all
+}
+
 /// The measures of a run: what `measures` makes of the primitives that are found. A measure that needs one which the
 /// run does not have says why it is missing.
 pub fn all(
