@@ -226,6 +226,8 @@ impl<'a> Body<'a> {
                 let index = expression::size(index as usize);
                 quote!(state[#index])
             }
+            // Of a line only, which is written as a whole.
+            Input::Captured(_) | Input::Place => TokenStream::new(),
             Input::Change(index) => {
                 let index = expression::size(index as usize);
                 quote!(column_[#index])

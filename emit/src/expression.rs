@@ -2,9 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use assur_model::program::{Form, Function, OperationKind, Relation, Value};
+use assur_model::program::{Form, Function, Input, Line, OperationKind, Relation, Search, Value};
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
+
+/// Most operations in one expression of a line.
+const LONGEST: usize = 8;
 
 /// How tightly an expression holds together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -174,6 +177,7 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
             let (factor, right) = (text[0], &text[1..]);
             (quote!(#factor.solve([#(#right),*])), Whole)
         }
+        Kind::Search { search, lines, .. } => (self::search(*search, lines, &all, 0), Whole),
         Kind::Element { index, .. } => {
             let (solution, index) = (text[0], size(*index as usize));
             (quote!(#solution[#index]), Whole)
@@ -187,6 +191,57 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
             .map(|index| Factor { text: all[index].tokens.clone(), negated: all[index].negated() })
     });
     Expression { tokens, binding, reads, weight, opposite, factors }
+}
+
+/// What is found of the functions that some lines are, inside so many others.
+fn search(search: Search, lines: &[Line], captured: &[Expression], depth: usize) -> TokenStream {
+    let place = format_ident!("place{depth}_");
+    let functions = lines.iter().map(|one| {
+        let body = line(one, captured, depth);
+        quote!(#[inline(always)] |#place: S| #body)
+    });
+    let name = match search {
+        Search::Mean => quote!(mean),
+        Search::Root => quote!(root),
+        Search::Highest => quote!(highest),
+        Search::HighestPlace => quote!(highest_place),
+    };
+    quote!(S::#name(#(#functions),*))
+}
+
+/// A line as a block. What is read once is written where it is read, as long as that stays short.
+fn line(line: &Line, captured: &[Expression], depth: usize) -> TokenStream {
+    let mut uses = vec![0_usize; line.operations.len()];
+    let read = line.operations.iter().flat_map(OperationKind::operands);
+    read.chain([line.result]).for_each(|one| uses[one.0 as usize] += 1);
+    let mut statements = Vec::new();
+    let mut texts: Vec<Expression> = Vec::new();
+    for (index, kind) in line.operations.iter().enumerate() {
+        let at = |value: Value| texts[value.0 as usize].clone();
+        let text = match kind {
+            OperationKind::Input(Input::Captured(index)) => captured[*index as usize].clone(),
+            OperationKind::Input(_) => {
+                let place = format_ident!("place{depth}_");
+                Expression::whole(quote!(#place))
+            }
+            OperationKind::Search { search, captured, lines } => {
+                let captured: Vec<_> = captured.iter().map(|value| at(*value)).collect();
+                Expression::whole(self::search(*search, lines, &captured, depth + 1))
+            }
+            kind => operation(kind, &at),
+        };
+        let is_given = matches!(kind, OperationKind::Input(_) | OperationKind::Number(_));
+        let is_short = uses[index] <= 1 && text.weight <= LONGEST;
+        if is_given || is_short || matches!(kind, OperationKind::Element { .. }) {
+            texts.push(text);
+        } else {
+            let (name, tokens) = (format_ident!("step{depth}_{index}_"), text.tokens);
+            statements.push(quote!(let #name = #tokens;));
+            texts.push(Expression::whole(quote!(#name)));
+        }
+    }
+    let result = &texts[line.result.0 as usize].tokens;
+    quote!({ #(#statements)* #result })
 }
 
 /// A sum or difference of two values of which one is a product that nothing else reads.

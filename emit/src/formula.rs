@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use assur_model::program::{Function, Input, OperationKind, Relation, Value};
+use assur_model::program::{Function, Input, OperationKind, Relation, Search, Value};
 
 use crate::expression::Binding;
 use crate::layout::Layout;
@@ -55,7 +55,9 @@ impl Printer<'_> {
             | Input::Mode(_)
             | Input::Side(_)
             | Input::Measured(_)
-            | Input::Change(_) => {
+            | Input::Change(_)
+            | Input::Captured(_)
+            | Input::Place => {
                 return crate::names::given(scene, input).unwrap_or_default();
             }
         };
@@ -107,8 +109,19 @@ impl Printer<'_> {
             Kind::Factor { .. } => (format!("factors({})", list()), Whole),
             Kind::Solve { .. } => (format!("solve({})", list()), Whole),
             Kind::Element { index, .. } => (format!("{}[{index}]", at(0, Whole)), Whole),
+            Kind::Search { search, .. } => (format!("{}({})", found(*search), list()), Whole),
             Kind::Input(input) => (self.input(*input), Whole),
         }
+    }
+}
+
+/// The name of a search in the language.
+fn found(search: Search) -> &'static str {
+    match search {
+        Search::Mean => "mean",
+        Search::Root => "root",
+        Search::Highest => "peak",
+        Search::HighestPlace => "peak_at",
     }
 }
 

@@ -216,6 +216,7 @@ fn input_name(scene: &SceneModel, input: Input) -> Option<String> {
         Input::Measured(index) => return Some(format!("found_{index}_")),
         Input::Side(surface) => return Some(format!("side_{surface}_")),
         Input::Change(index) => return Some(format!("change_{index}_")),
+        Input::Captured(_) | Input::Place => return None,
     };
     quantity.map(|quantity| plain(&quantity.name))
 }

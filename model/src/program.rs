@@ -16,13 +16,14 @@ mod order;
 mod product;
 mod resting;
 mod results;
+mod search;
 mod sensitivity;
 mod series;
 mod share;
 mod staging;
 mod surfaces;
 
-pub use crate::expression::{Form, Function, Relation};
+pub use crate::expression::{Form, Function, Relation, Search};
 pub use build::{Request, bind, build};
 pub use closing::{ClosedForm, Closing};
 pub use counts::Counts;
@@ -49,6 +50,8 @@ pub enum Stage {
     Instant,
     /// At every evaluation.
     State,
+    /// At every trial of a search: only in the lines of one.
+    Trial,
 }
 
 /// What is given from outside.
@@ -72,6 +75,10 @@ pub enum Input {
     Measured(u32),
     /// A component of a column that the Jacobian is multiplied with.
     Change(u32),
+    /// In the line of a search: a value that it captures.
+    Captured(u32),
+    /// In the line of a search: the place at which it is tried.
+    Place,
 }
 
 /// One operation.
@@ -150,6 +157,24 @@ pub enum OperationKind {
         /// Which element, from 0.
         index: u32,
     },
+    /// What is found of functions of a place from 0 to 1.
+    Search {
+        /// What is looked for.
+        search: Search,
+        /// The values that the functions capture.
+        captured: Vec<Value>,
+        /// The functions.
+        lines: Vec<Line>,
+    },
+}
+
+/// A function of a place and of values that it captures. Its operations speak of each other, not of those of the program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// The operations.
+    pub operations: Vec<OperationKind>,
+    /// What it gives.
+    pub result: Value,
 }
 
 /// The straight line of operations of one scene, sorted so that operands come first and stages rise.

@@ -114,6 +114,27 @@ impl Names {
         }
     }
 
+    /// Makes drivers of constants that a scene sweeps.
+    pub fn drive(&mut self, swept: &[&str]) {
+        let all = std::mem::take(&mut self.constants);
+        for declared in all {
+            let is_swept = swept.contains(&declared.name.text.as_str());
+            let role = if is_swept {
+                let Constant { target, value, tolerance, range, .. } = declared.what.clone();
+                let what = Driver { target, motion: None, start: value, tolerance, range };
+                let Declared { name, summary, .. } = declared.clone();
+                self.drivers.push(Declared { name, summary, what });
+                Role::Driver(self.drivers.len() as u32 - 1)
+            } else {
+                self.constants.push(declared.clone());
+                Role::Constant(self.constants.len() as u32 - 1)
+            };
+            if let Some(entry) = self.table.get_mut(&declared.name.text) {
+                entry.role = role;
+            }
+        }
+    }
+
     /// Makes coordinates of all dependent ones, behind the others: closures hold them, and are not solved for them.
     pub fn release(&mut self) {
         for declared in std::mem::take(&mut self.dependents) {

@@ -102,7 +102,10 @@ impl Visitor for Numbering<'_> {
         match &mut term.kind {
             TermKind::Name(name) if name == self.index => term.kind = number_kind(self.value),
             TermKind::Index { index, .. } => self.inner_index(index),
-            TermKind::Sum { index, from, to, .. } if index.text == self.index => {
+            TermKind::Sum { index, from, to, .. }
+            | TermKind::Search { variable: index, from, to, .. }
+                if index.text == self.index =>
+            {
                 self.term(from);
                 self.term(to);
             }

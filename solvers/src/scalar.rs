@@ -6,6 +6,7 @@
 mod angle;
 mod bounded;
 mod dual;
+mod found;
 mod fused;
 mod interval;
 mod plain;
@@ -154,6 +155,30 @@ pub trait Scalar:
     fn erf(self) -> Self;
     /// Distribution function of the standard normal distribution, accurate in its lower tail.
     fn normal_cdf(self) -> Self;
+    /// The mean of a function over a range, which is given by its distances from both ends, up to a half, as shares of the range;
+    /// NaN where it does not settle.
+    #[inline(always)]
+    fn mean(near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
+        Self::from_f64(found::mean_of_values(&near, &far).value)
+    }
+    /// Where a function passes zero between 0 and 1; NaN where it does not.
+    #[inline(always)]
+    fn root(function: impl Fn(Self) -> Self) -> Self {
+        let mut value = |place: f64| found::value(&function, place);
+        Self::from_f64(assur_functions::root(&mut value).place())
+    }
+    /// The largest value of a function between 0 and 1.
+    #[inline(always)]
+    fn highest(function: impl Fn(Self) -> Self) -> Self {
+        let mut value = |place: f64| found::value(&function, place);
+        Self::from_f64(assur_functions::highest(&mut value).value)
+    }
+    /// Where that is.
+    #[inline(always)]
+    fn highest_place(function: impl Fn(Self) -> Self) -> Self {
+        let mut value = |place: f64| found::value(&function, place);
+        Self::from_f64(assur_functions::highest(&mut value).place)
+    }
     /// Largest whole number that is not greater.
     fn floor(self) -> Self;
     /// Absolute value.

@@ -35,6 +35,13 @@ impl Declared {
 pub fn names(here: Here<'_>, diagnostics: &mut Diagnostics) -> (Names, usize) {
     let mut names = Names::of(&here.phase().statements, diagnostics);
     names.absent = here.phase().absent.clone();
+    let swept =
+        here.scene().into_iter().flat_map(|scene| &scene.items).filter_map(|item| match item {
+            SceneItem::Sweep { drivers } => Some(drivers),
+            _ => None,
+        });
+    let swept: Vec<&str> = swept.flatten().map(|one| one.driver.text.as_str()).collect();
+    names.drive(&swept);
     let shared = names.outputs.len();
     for item in here.scene().iter().flat_map(|scene| &scene.items) {
         if let SceneItem::Output(output) = item {

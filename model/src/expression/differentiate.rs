@@ -46,6 +46,12 @@ impl Graph {
                 }
                 _ => zero,
             },
+            Node::Search(..) => self.rate_of_search(one, rates),
+            // The rate of a distance from an end of a range vanishes there as well.
+            Node::Whole(inner) if self.is_tried(inner) && of(&inner) != zero => {
+                let rate = of(&inner);
+                self.intern(Node::Whole(rate))
+            }
             // Conditions, factors and solutions have no derivative of their own.
             Node::Number(_) | Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_) => {
                 zero
@@ -105,7 +111,8 @@ impl Graph {
     ) -> Vec<Expression> {
         let roots: Vec<_> = weighted.iter().map(|(value, _)| *value).collect();
         let reachable = self.reachable(&roots);
-        if reachable.iter().any(|one| matches!(self.node(*one), Node::Solve(..))) {
+        if reachable.iter().any(|one| matches!(self.node(*one), Node::Solve(..) | Node::Search(..)))
+        {
             return self.gradient_by_columns(weighted, symbols);
         }
         let wanted: Set<Symbol> = symbols.iter().copied().collect();

@@ -70,6 +70,9 @@ impl Writer<'_> {
             Node::Solve(factor, right) => {
                 (format!("solve({}, {})", self.write(*factor, 0, false), list(right)), 9)
             }
+            Node::Search(search, _, bodies) => {
+                (format!("{}({})", format!("{search:?}").to_lowercase(), list(bodies)), 9)
+            }
             Node::Element(solution, index) => {
                 (format!("{}[{index}]", self.write(*solution, 9, false)), 9)
             }
@@ -140,5 +143,6 @@ fn plain(symbol: Symbol) -> String {
         Symbol::State(index) => format!("z{index}"),
         Symbol::Acceleration(index) => format!("a{index}"),
         Symbol::Argument(index) => format!("argument{index}"),
+        Symbol::Bound(level) => format!("bound{level}"),
     }
 }

@@ -47,6 +47,16 @@ impl Graph {
                     .and_then(|list| list.get(*index as usize))
                     .copied()
                     .unwrap_or(f64::NAN),
+                Node::Search(search, level, bodies) => {
+                    let at = |body: usize, place: f64| {
+                        let given = |symbol: Symbol| match symbol {
+                            Symbol::Bound(own) if own == *level => place,
+                            other => given(other),
+                        };
+                        self.evaluate(&[bodies[body]], &given)[0]
+                    };
+                    search.find(&at)
+                }
             };
             values.insert(one, value);
         }

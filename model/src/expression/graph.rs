@@ -10,6 +10,7 @@ use super::build::Made;
 use super::function::{Function, Relation};
 use super::hash::{Index, Map, WordHasher};
 use super::linear::Form;
+use super::search::Search;
 use super::support::Supports;
 
 /// Nodes may stand in each other this deep: what walks through them goes as deep.
@@ -64,6 +65,8 @@ pub enum Symbol {
     Argument(u32),
     /// By how much a component of the state vector changes in a column that the Jacobian is multiplied with.
     Change(u32),
+    /// The place at which a search of this level tries its body, a share of the range.
+    Bound(u32),
 }
 
 /// A number that can be compared and hashed; never NaN, and zero has no sign.
@@ -115,6 +118,8 @@ pub enum Node {
     Solve(Expression, Box<[Expression]>),
     /// An element of a solution.
     Element(Expression, u32),
+    /// What is found of bodies in which the bound symbol of this level goes from 0 to 1.
+    Search(Search, u32, Box<[Expression]>),
 }
 
 impl Node {
@@ -125,7 +130,8 @@ impl Node {
             Node::Sum(list)
             | Node::Product(list)
             | Node::Call(_, list)
-            | Node::Factor(_, _, list) => ([None; 3], list),
+            | Node::Factor(_, _, list)
+            | Node::Search(_, _, list) => ([None; 3], list),
             Node::Solve(factor, right) => ([Some(*factor), None, None], right),
             Node::Not(a) | Node::Element(a, _) | Node::Whole(a) => ([Some(*a), None, None], &[]),
             Node::Power(a, b) | Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
@@ -201,7 +207,11 @@ impl Graph {
             Node::Symbol(symbol) => self.supports.single(*symbol),
             _ => {
                 let sets = node.operands().map(|operand| self.support[operand.0 as usize]);
-                self.supports.union(sets)
+                let all = self.supports.union(sets);
+                match node {
+                    Node::Search(_, level, _) => self.supports.without(all, Symbol::Bound(level)),
+                    _ => all,
+                }
             }
         };
         let depths = node.operands().map(|operand| 1 + self.depth[operand.0 as usize]);
@@ -336,6 +346,10 @@ impl Graph {
             }
             Node::Element(solution, index) => {
                 self.intern(Node::Element(operand(*solution), *index))
+            }
+            Node::Search(search, level, bodies) => {
+                let bodies = list(bodies).into();
+                self.intern(Node::Search(*search, *level, bodies))
             }
         }
     }

@@ -16,6 +16,7 @@ mod graph;
 mod hash;
 mod laws;
 mod linear;
+mod search;
 mod simplify;
 mod solve;
 mod stable;
@@ -28,6 +29,7 @@ pub use function::{Function, Relation};
 pub use graph::{Expression, Graph, Node, Real, Symbol};
 pub use hash::{Map, Set};
 pub use linear::{Form, solve};
+pub use search::Search;
 
 #[cfg(test)]
 mod tests;

@@ -52,6 +52,22 @@ impl Supports {
         }
     }
 
+    /// A set without a symbol.
+    pub fn without(&mut self, set: u32, symbol: Symbol) -> u32 {
+        let Some(place) = self.places.get(&symbol).copied() else {
+            return set;
+        };
+        self.scratch.clear();
+        self.scratch.extend_from_slice(&self.sets[set as usize]);
+        if let Some(word) = self.scratch.get_mut(place / 64) {
+            *word &= !(1 << (place % 64));
+        }
+        while self.scratch.last() == Some(&0) {
+            self.scratch.pop();
+        }
+        self.keep()
+    }
+
     /// The set whose bits have been put together.
     fn keep(&mut self) -> u32 {
         if let Some(known) = self.index.get(self.scratch.as_slice()) {

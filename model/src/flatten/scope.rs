@@ -106,7 +106,8 @@ impl Visitor for Scope<'_> {
                     return;
                 }
             }
-            TermKind::Sum { index, from, to, body } => {
+            TermKind::Sum { index, from, to, body }
+            | TermKind::Search { variable: index, from, to, body, .. } => {
                 self.term(from);
                 self.term(to);
                 self.locals.push(index.text.clone());

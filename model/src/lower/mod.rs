@@ -11,6 +11,7 @@ mod literal;
 mod measure;
 mod mechanics;
 mod notation;
+mod search;
 mod turns;
 mod typed;
 mod vector;
@@ -195,6 +196,9 @@ impl<'a> Lowering<'a> {
             TermKind::Call { name, arguments } => self.call(name, arguments, term.span),
             TermKind::If { condition, then, otherwise } => self.branch(condition, then, otherwise),
             TermKind::Sum { index, from, to, body } => self.sum(index, (from, to), body),
+            TermKind::Search { name, variable, from, to, body } => {
+                self.search(name, variable, (from, to), body)
+            }
             TermKind::Bound { name, value, instead } => self.bound(name, value, instead),
         }
     }

@@ -49,6 +49,7 @@ impl Request {
         match self.inputs.get(&symbol) {
             Some(Input::Parameter(_)) => Stage::Parameter,
             Some(Input::Time | Input::Driver(_)) => Stage::Instant,
+            _ if matches!(symbol, Symbol::Bound(_)) => Stage::Trial,
             _ => Stage::State,
         }
     }
@@ -175,6 +176,7 @@ fn is_linear(program: &Program) -> bool {
                 | OperationKind::Compare(..)
                 | OperationKind::Select { .. }
                 | OperationKind::Factor { .. }
+                | OperationKind::Search { .. }
         );
         operation.stage < Stage::State || !branches
     });

@@ -1,7 +1,9 @@
 //! Counts operations.
 
 use super::order::reach;
-use super::{Form, OperationKind, Program, Stage, Value};
+use assur_functions::POINTS;
+
+use super::{Form, Line, OperationKind, Program, Stage, Value};
 
 impl OperationKind {
     /// Arithmetic operations in it: none for what is given or only named, two for a product that is added.
@@ -19,6 +21,11 @@ impl OperationKind {
                 }
             }
             Self::Solve { right, .. } => 2 * right.len() * right.len(),
+            // A rule of an integral; more rarely looked for longer.
+            Self::Search { lines, .. } => {
+                let line = |line: &Line| line.operations.iter().map(Self::weight).sum::<usize>();
+                POINTS * lines.iter().map(line).sum::<usize>() / lines.len().max(1)
+            }
             _ => 1,
         }
     }

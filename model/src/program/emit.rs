@@ -7,8 +7,13 @@ use std::hash::{Hash, Hasher};
 
 use super::build::Request;
 use super::latency;
+use super::search::Frame;
 use super::{Function, Input, Operation, OperationKind, Stage, Value};
 use crate::expression::{Expression, Graph, Map, Node, Symbol};
+
+/// All stages, rising.
+pub(super) const STAGES: [Stage; 5] =
+    [Stage::Constant, Stage::Parameter, Stage::Instant, Stage::State, Stage::Trial];
 
 /// Writes operations.
 pub struct Emitter<'a> {
@@ -24,14 +29,18 @@ pub struct Emitter<'a> {
     pub(super) beginnings: Map<(Vec<Expression>, Expression), usize>,
     /// How many products have these factors of their last stage.
     pub(super) endings: Map<Vec<Expression>, usize>,
-    known: Map<Key, Value>,
+    pub(super) known: Map<Key, Value>,
     /// How long each operation takes after the state is known, in additions.
-    depths: Vec<u32>,
-    done: Map<Expression, Value>,
+    pub(super) depths: Vec<u32>,
+    pub(super) done: Map<Expression, Value>,
+    /// The level of the search whose line is written, if one is, and what its lines capture.
+    pub(super) level: Option<(u32, Vec<Value>)>,
+    /// What stands around the line that is written.
+    pub(super) frames: Vec<Frame>,
 }
 
 /// An operation as a key of a map: numbers by their bits, what commutes in one order.
-struct Key(OperationKind);
+pub(super) struct Key(OperationKind);
 
 impl Key {
     fn of(kind: &OperationKind) -> Self {
@@ -98,6 +107,8 @@ impl<'a> Emitter<'a> {
             known: Map::default(),
             depths: Vec::new(),
             done: Map::default(),
+            level: None,
+            frames: Vec::new(),
         };
         for one in reachable {
             emitter.count(one);
@@ -109,6 +120,11 @@ impl<'a> Emitter<'a> {
     pub fn value(&mut self, expression: Expression) -> Value {
         if let Some(done) = self.done.get(&expression) {
             return *done;
+        }
+        if self.is_captured(expression) {
+            let value = self.capture(expression);
+            self.done.insert(expression, value);
+            return value;
         }
         let value = self.write(expression);
         if let Some(name) = self.graph.name_of(expression) {
@@ -127,6 +143,9 @@ impl<'a> Emitter<'a> {
 
     fn write(&mut self, expression: Expression) -> Value {
         match self.graph.node(expression).clone() {
+            Node::Symbol(Symbol::Bound(_)) => {
+                self.push(OperationKind::Input(Input::Place), Stage::Trial)
+            }
             Node::Symbol(symbol) => match self.request.inputs.get(&symbol) {
                 Some(input) => {
                     self.push(OperationKind::Input(*input), self.request.stage_of(symbol))
@@ -180,6 +199,7 @@ impl<'a> Emitter<'a> {
                 let right = self.values(&right);
                 self.combine(OperationKind::Solve { factor, right })
             }
+            Node::Search(search, level, bodies) => self.search(search, level, &bodies),
             Node::Element(solution, index) => {
                 let solution = self.value(solution);
                 self.combine(OperationKind::Element { solution, index })
@@ -216,7 +236,7 @@ impl<'a> Emitter<'a> {
         self.operations[value.0 as usize].stage
     }
 
-    fn push(&mut self, kind: OperationKind, stage: Stage) -> Value {
+    pub(super) fn push(&mut self, kind: OperationKind, stage: Stage) -> Value {
         let key = Key::of(&kind);
         if let Some(known) = self.known.get(&key) {
             return *known;
@@ -275,7 +295,7 @@ impl<'a> Emitter<'a> {
 
     fn sum(&mut self, terms: &[Expression]) -> Value {
         let mut total: Option<Value> = None;
-        for stage in [Stage::Constant, Stage::Parameter, Stage::Instant, Stage::State] {
+        for stage in STAGES {
             let own: Vec<Expression> = terms
                 .iter()
                 .copied()

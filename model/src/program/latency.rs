@@ -7,6 +7,9 @@ const DIVISION: u32 = 4;
 /// A function that is a series.
 const SERIES: u32 = 12;
 
+/// What is found of a function.
+const SEARCH: u32 = 500;
+
 /// When the result of an operation is there, in additions, as each of its operands is.
 pub fn of(kind: &Kind, depth: impl Fn(Value) -> u32) -> u32 {
     let operands = kind.operands();
@@ -22,6 +25,7 @@ pub fn of(kind: &Kind, depth: impl Fn(Value) -> u32) -> u32 {
         Kind::Factor { size, .. } => latest + size * (DIVISION + 2),
         Kind::Solve { right, .. } => latest + right.len() as u32 * (DIVISION + 2),
         Kind::Element { .. } => latest,
+        Kind::Search { .. } => latest + SEARCH,
         Kind::Add(..)
         | Kind::Subtract(..)
         | Kind::Multiply(..)

@@ -27,11 +27,12 @@ impl OperationKind {
                 std::iter::once(*factor).chain(right.iter().copied()).collect()
             }
             Kind::Element { solution, .. } => vec![*solution],
+            Kind::Search { captured, .. } => captured.clone(),
         }
     }
 
     /// Replaces each value that the operation reads.
-    fn replace(&mut self, new: &dyn Fn(Value) -> Value) {
+    pub(super) fn replace(&mut self, new: &dyn Fn(Value) -> Value) {
         use OperationKind as Kind;
         let all = |list: &mut Vec<Value>| list.iter_mut().for_each(|one| *one = new(*one));
         match self {
@@ -58,6 +59,7 @@ impl OperationKind {
                 all(right);
             }
             Kind::Element { solution, .. } => *solution = new(*solution),
+            Kind::Search { captured, .. } => all(captured),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Products as operations: in which order their factors are multiplied, so that they share what they have in common.
 
-use super::emit::Emitter;
+use super::emit::{Emitter, STAGES};
 use super::{OperationKind, Stage, Value};
 use crate::expression::{Expression, Node};
 
@@ -69,7 +69,7 @@ impl Emitter<'_> {
         // products of the same factors with other coefficients share it.
         let mut earlier: Option<Value> = None;
         let mut parts: Vec<Value> = Vec::new();
-        for stage in [Stage::Constant, Stage::Parameter, Stage::Instant, Stage::State] {
+        for stage in STAGES {
             let own: Vec<Value> = numerators
                 .iter()
                 .filter(|(own, _)| *own == stage)

@@ -35,6 +35,8 @@ pub fn freeze(
         let node = graph.node(old).clone();
         let value = match request.stage(graph, old) {
             Stage::Constant | Stage::Parameter => old,
+            // Of what a search tries the sides change from trial to trial.
+            _ if graph.is_tried(old) => graph.rebuild_with(&node, &freezer.new),
             _ => freezer.rebuild(graph, old, &node),
         };
         graph.carry(old, value);
@@ -65,7 +67,7 @@ pub fn kinks(
     let mut kinks: Vec<Expression> = Vec::new();
     let mut known: Set<Expression> = surfaces.iter().map(|event| event.guard).collect();
     for one in graph.reachable(guards) {
-        if request.stage(graph, one) <= Stage::Parameter {
+        if request.stage(graph, one) <= Stage::Parameter || graph.is_tried(one) {
             continue;
         }
         let difference = match graph.node(one).clone() {
@@ -99,6 +101,7 @@ pub fn turns(
         if let Node::Call(Function::Sin | Function::Cos | Function::Tan, arguments) =
             graph.node(one)
             && request.stage(graph, arguments[0]) >= Stage::Instant
+            && !graph.is_tried(arguments[0])
             && known.insert(arguments[0])
         {
             angles.push(arguments[0]);

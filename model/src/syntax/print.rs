@@ -139,6 +139,17 @@ fn write(term: &Term, least: u8) -> String {
             9,
         ),
         TermKind::Bound { value, .. } => return write(value, least),
+        TermKind::Search { name, variable, from, to, body } => {
+            let range = format!("{} .. {}", write(from, 4), write(to, 4));
+            let text = match &body.kind {
+                TermKind::Binary(BinaryOperator::Subtract, left, right) if name.text == "solve" => {
+                    let (left, right) = (write(left, 4), write(right, 4));
+                    format!("solve({} in {range}, {left} = {right})", variable.text)
+                }
+                _ => format!("{}({}, {}, {range})", name.text, write(body, 0), variable.text),
+            };
+            (text, 9)
+        }
         TermKind::Sum { index, from, to, body } => (
             format!(
                 "sum({} in {}..{}, {})",

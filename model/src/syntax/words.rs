@@ -59,5 +59,9 @@ pub const MEASURING: &[&str] = &[
     "damping",
 ];
 
+/// What is found of a formula while a variable goes over a range: `integral(f, x, a .. b)`. Quantities may have these names.
+pub const SEARCHES: &[&str] =
+    &["integral", "root", "peak", "lowest", "peak_at", "lowest_at", "solve"];
+
 /// Names of the components of a vector.
 pub const COMPONENTS: [&str; 3] = ["x", "y", "z"];

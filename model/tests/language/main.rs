@@ -17,6 +17,7 @@ mod parts;
 mod programs;
 mod right;
 mod scenes;
+mod searches;
 mod slips;
 mod wrong;
 

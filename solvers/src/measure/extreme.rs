@@ -1,8 +1,9 @@
 //! Extremes of a quantity. Where they may lie is noted while the run is gone through, and only what may lie further out
 //! than everything else is closed in on afterwards.
 
+use assur_functions::{Sense, Top, top};
+
 use super::grid::{Grid, Sampler};
-use super::hill;
 
 /// Hills that are kept before those are dropped which are too low.
 const MANY: usize = 256;
@@ -13,24 +14,6 @@ const RIVAL: f64 = 1e-3;
 /// Roundings of a value: what rises by less is no hill.
 const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 
-/// Which extreme is meant.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Sense {
-    Largest,
-    Smallest,
-}
-
-impl Sense {
-    /// Whether the first value is further out. No value is better than one that is not a number, so that it shows.
-    pub(super) fn better(self, a: f64, b: f64) -> bool {
-        match self {
-            _ if a.is_nan() => !b.is_nan(),
-            Self::Largest => a > b,
-            Self::Smallest => a < b,
-        }
-    }
-}
-
 /// The smallest or largest value of a quantity along a run, SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
@@ -40,6 +23,12 @@ pub struct Extreme {
     pub time: f64,
     /// How far the time may be wrong because nearby values cannot be told apart: large where the quantity is flat.
     pub blur: f64,
+}
+
+impl From<Top> for Extreme {
+    fn from(Top { value, place: time, blur }: Top) -> Self {
+        Self { value, time, blur }
+    }
 }
 
 /// Smallest and largest value of a quantity along a run.
@@ -275,7 +264,7 @@ impl Hunt {
             }
             let index = self.index;
             let mut at = |time: f64| sampler.one(hill.piece, time, index);
-            let top = hill::top(self.sense, hill.times, &mut at);
+            let top = Extreme::from(top(self.sense, hill.times, &mut at));
             self.reached(top);
             self.tops.push(top);
         }

@@ -14,7 +14,6 @@
 mod extreme;
 mod grid;
 mod harmonic;
-mod hill;
 mod moment;
 mod primitive;
 mod quadrature;
@@ -30,7 +29,8 @@ use crate::model::{Bound, Model};
 use crate::problem::Scene;
 use crate::rest::Vibration;
 use crate::shape::Shape;
-use extreme::{Hunt, Sense};
+use assur_functions::Sense;
+use extreme::Hunt;
 use grid::Sampler;
 
 /// From the begin of a run to its end.

@@ -1,11 +1,12 @@
 //! What has been found so far of what is asked of a run.
 
-use super::extreme::{Hunt, Sense};
+use super::extreme::Hunt;
 use super::grid::{Grid, Sampler};
 use super::harmonic;
 use super::quadrature::integral;
 use super::window::windows;
 use crate::shape::{Kind, Primitive};
+use assur_functions::Sense;
 
 /// Why a run has no such number.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,9 +1,9 @@
 //! Where a condition holds.
 
+use assur_functions::{Sense, top};
+
 use super::GRID;
-use super::extreme::Sense;
 use super::grid::{Grid, Sampler};
-use super::hill;
 
 /// The parts of a step in which a quantity is positive; the whole step where there is none.
 pub(super) fn windows(
@@ -35,9 +35,9 @@ pub(super) fn windows(
             continue;
         }
         let times = (grid.times[middle - 1], grid.times[middle + 1]);
-        let top = hill::top(sense, times, &mut |time| sampler.at(grid.piece, time)[index]);
+        let top = top(sense, times, &mut |time| sampler.at(grid.piece, time)[index]);
         if (top.value > 0.0) != holds {
-            points.push((top.time, top.value));
+            points.push((top.place, top.value));
         }
     }
     points.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -139,6 +139,18 @@ impl Scalar for Bounded {
     fn to_f64(self) -> f64 {
         self.value
     }
+    fn mean(near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
+        Self::mean_within(&near, &far)
+    }
+    fn root(function: impl Fn(Self) -> Self) -> Self {
+        Self::root_within(&function)
+    }
+    fn highest(function: impl Fn(Self) -> Self) -> Self {
+        Self::highest_within(&function)
+    }
+    fn highest_place(function: impl Fn(Self) -> Self) -> Self {
+        Self::highest_place_within(&function)
+    }
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term
     }

@@ -99,6 +99,18 @@ impl Scalar for Dual {
     fn to_f64(self) -> f64 {
         self.value
     }
+    fn mean(near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
+        Self::mean_along(&near, &far)
+    }
+    fn root(function: impl Fn(Self) -> Self) -> Self {
+        Self::root_along(&function)
+    }
+    fn highest(function: impl Fn(Self) -> Self) -> Self {
+        Self::highest_along(&function)
+    }
+    fn highest_place(function: impl Fn(Self) -> Self) -> Self {
+        Self::highest_place_along(&function)
+    }
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term
     }

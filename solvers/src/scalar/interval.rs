@@ -250,6 +250,18 @@ impl Scalar for Interval {
     fn to_f64(self) -> f64 {
         self.middle()
     }
+    fn mean(near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
+        Self::mean_over(&near, &far)
+    }
+    fn root(function: impl Fn(Self) -> Self) -> Self {
+        Self::root_over(&function)
+    }
+    fn highest(function: impl Fn(Self) -> Self) -> Self {
+        Self::highest_over(&function)
+    }
+    fn highest_place(function: impl Fn(Self) -> Self) -> Self {
+        Self::highest_place_over(&function)
+    }
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term
     }

@@ -7,6 +7,7 @@ mod cursor;
 mod declaration;
 mod event;
 mod scene;
+mod search;
 mod slip;
 mod statement;
 mod term;

@@ -318,7 +318,10 @@ impl Parser<'_> {
             let kind = TermKind::Sum { index, from: Box::new(from), to: Box::new(to), body };
             return Ok(Term { span: self.since(start), kind });
         }
-        if matches!(name.text.as_str(), "integral" | "table") {
+        if name.text == "solve" && self.is_any_word() && self.is_word_ahead(1, "in") {
+            return self.equation_to_solve(name);
+        }
+        if matches!(name.text.as_str(), "table") {
             return self.wrong_at(
                 start,
                 format!("`{}` is not available in this version of Assur", name.text),
@@ -326,9 +329,9 @@ impl Parser<'_> {
             );
         }
         let in_output = std::mem::replace(&mut self.in_output, false);
-        let arguments = self.list(')');
+        let arguments = self.call_arguments(&name);
         self.in_output = in_output;
-        Ok(Term { kind: TermKind::Call { name, arguments: arguments? }, span: self.since(start) })
+        Ok(Term { kind: arguments?, span: self.since(start) })
     }
 
     /// `a .. b`, both ends included.

@@ -24,7 +24,9 @@ impl Term {
             TermKind::Vector(items) => items.iter().collect(),
             TermKind::Call { arguments, .. } => arguments.iter().collect(),
             TermKind::If { condition, then, otherwise } => vec![condition, then, otherwise],
-            TermKind::Sum { from, to, body, .. } => vec![from, to, body],
+            TermKind::Sum { from, to, body, .. } | TermKind::Search { from, to, body, .. } => {
+                vec![from, to, body]
+            }
             TermKind::Bound { value, .. } => vec![value],
         }
     }
@@ -67,6 +69,9 @@ pub enum TermKind {
     If { condition: Box<Term>, then: Box<Term>, otherwise: Box<Term> },
     /// `sum(k in 1..5, x[k])`, both ends included.
     Sum { index: Name, from: Box<Term>, to: Box<Term>, body: Box<Term> },
+    /// `integral(f, x, a .. b)`: what is found of `f` while `x` goes from `a` to `b`. In `solve(x in a .. b, l = r)` the body is
+    /// `l - r`.
+    Search { name: Name, variable: Name, from: Box<Term>, to: Box<Term>, body: Box<Term> },
     /// What the quantity `name` of a part is given instead of what its file says, both of one kind. It is not written
     /// so: the binding `e_v = 6 mm;` of a part makes it.
     Bound { name: String, value: Box<Term>, instead: Box<Term> },

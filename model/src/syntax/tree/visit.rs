@@ -177,7 +177,8 @@ impl Term {
                 items.iter_mut().collect()
             }
             TermKind::If { condition: a, then: b, otherwise: c }
-            | TermKind::Sum { from: a, to: b, body: c, .. } => vec![a, b, c],
+            | TermKind::Sum { from: a, to: b, body: c, .. }
+            | TermKind::Search { from: a, to: b, body: c, .. } => vec![a, b, c],
         }
     }
 }

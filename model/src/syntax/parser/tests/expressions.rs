@@ -76,6 +76,9 @@ fn printing_and_reading_keep_the_tree() {
         "sum(k in 1..5, x[k]^2)",
         "sum(k in n + 1..2*n, sum(j in 1..k, x[j]))",
         "(if a { b } else { c } + d)*e",
+        "integral(x^2 + a, x, 0 .. b + 1)",
+        "solve(x in a .. b, x^2 = 2)^2",
+        "peak(integral(x*y, y, 0 .. x), x, -1 .. 1)",
     ] {
         let tree = term(text);
         let printed = print::term(&tree);
@@ -106,6 +109,10 @@ fn bare(term: &Term) -> String {
         TermKind::Call { name, arguments } => format!("({} {})", name.text, list(arguments)),
         TermKind::If { condition, then, otherwise } => {
             format!("(if {} {} {})", bare(condition), bare(then), bare(otherwise))
+        }
+        TermKind::Search { name, variable, from, to, body } => {
+            let (name, variable) = (&name.text, &variable.text);
+            format!("({name} {variable} {} {} {})", bare(from), bare(to), bare(body))
         }
         TermKind::Sum { index, from, to, body } => {
             format!("(sum {} {} {} {})", index.text, bare(from), bare(to), bare(body))

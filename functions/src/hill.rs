@@ -1,11 +1,40 @@
-//! The top of a hill. The time of an extreme is known to half of its digits only from values of the quantity, which is flat
+//! The top of a hill. The place of an extreme is known to half of its digits only from values of the quantity, which is flat
 //! there; where the *slope* is zero is known to nearly all. The slope is that of a polynomial through values at Chebyshev's
 //! points, which costs no digits as long as these are apart: the polynomial is that of as wide a stretch as it fits.
 //! (L. N. Trefethen: *Approximation Theory and Approximation Practice*, 2013, chapters 3, 8 and 19.)
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use super::extreme::{Extreme, Sense};
+/// Which extreme is meant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sense {
+    /// The largest value.
+    Largest,
+    /// The smallest value.
+    Smallest,
+}
+
+impl Sense {
+    /// Whether the first value is further out. No value is better than one that is not a number, so that it shows.
+    pub fn better(self, a: f64, b: f64) -> bool {
+        match self {
+            _ if a.is_nan() => !b.is_nan(),
+            Self::Largest => a > b,
+            Self::Smallest => a < b,
+        }
+    }
+}
+
+/// The extreme of a quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Top {
+    /// The value.
+    pub value: f64,
+    /// Where.
+    pub place: f64,
+    /// How far the place may be wrong.
+    pub blur: f64,
+}
 
 /// Degree of the polynomials.
 const DEGREE: usize = 12;
@@ -17,33 +46,61 @@ const FITS: f64 = 1e-4;
 const SLOPE: f64 = 2.0 * DEGREE as f64;
 /// Roundings of a value.
 const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
-/// Golden sections that give all digits of a time.
+/// Golden sections that give all digits of a place.
 const SECTIONS: usize = 80;
 /// Halvings that close in on a zero of the slope.
 const HALVINGS: usize = 60;
 
-/// The extreme of a quantity between two times.
-pub(super) fn top(
-    sense: Sense,
-    (mut from, mut to): (f64, f64),
-    at: &mut dyn FnMut(f64) -> f64,
-) -> Extreme {
-    let mut found: Option<Extreme> = None;
-    let mut best: Option<Extreme> = None;
+/// Parts at whose ends a quantity is looked at first, and hills that are climbed at most.
+const PARTS: usize = 32;
+const CLIMBED: usize = 4;
+
+/// The largest value of a quantity between 0 and 1. Hills that do not show between neighbouring points of 33 are not seen.
+pub fn highest(at: &mut dyn FnMut(f64) -> f64) -> Top {
+    let place = |index: usize| index as f64 / PARTS as f64;
+    let values: [f64; PARTS + 1] = std::array::from_fn(|index| at(place(index)));
+    if let Some(index) = values.iter().position(|value| value.is_nan()) {
+        return Top { value: f64::NAN, place: place(index), blur: 0.0 };
+    }
+    let neighbours = |index: usize| (index.saturating_sub(1), (index + 1).min(PARTS));
+    let is_hill = |index: &usize| {
+        let (before, after) = neighbours(*index);
+        values[*index] >= values[before] && values[*index] >= values[after]
+    };
+    let mut hills: Vec<usize> = (0..=PARTS).filter(is_hill).collect();
+    hills.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
+    // Of a quantity that is the same everywhere one place is as good as any.
+    let mut best = Top { value: values[hills[0]], place: place(hills[0]), blur: 0.0 };
+    for index in hills.into_iter().take(CLIMBED) {
+        let (before, after) = neighbours(index);
+        if values[before] == values[index] && values[after] == values[index] {
+            continue;
+        }
+        let found = top(Sense::Largest, (place(before), place(after)), at);
+        if found.value.is_nan() || found.value > best.value {
+            best = found;
+        }
+    }
+    best
+}
+
+/// The extreme of a quantity between two places.
+pub fn top(sense: Sense, (mut from, mut to): (f64, f64), at: &mut dyn FnMut(f64) -> f64) -> Top {
+    let mut found: Option<Top> = None;
+    let mut best: Option<Top> = None;
     for _ in 0..ROUNDS {
         let stretch = Stretch::new((from, to), at);
         let place = stretch.furthest(sense);
-        let reached = Extreme {
+        let reached = Top {
             value: stretch.values[place],
-            time: stretch.time(node(place)),
+            place: stretch.at(node(place)),
             blur: stretch.half,
         };
         if best.is_none_or(|best| sense.better(reached.value, best.value)) {
             best = Some(reached);
         }
-        if let Some((time, blur)) = stretch.turns(place) {
-            let value = at(time);
-            let turn = Extreme { value, time, blur };
+        if let Some((turn, blur)) = stretch.turns(place) {
+            let turn = Top { value: at(turn), place: turn, blur };
             match found {
                 // As narrow as this the values are no longer apart.
                 Some(wider) if wider.blur <= blur => break,
@@ -54,7 +111,7 @@ pub(super) fn top(
             }
         }
         // Two points on each side.
-        let inner = |place: usize| stretch.time(node(place));
+        let inner = |place: usize| stretch.at(node(place));
         let narrower = (inner((place + 2).min(DEGREE)), inner(place.saturating_sub(2)));
         if narrower == (from, to) || narrower.0 >= narrower.1 {
             break;
@@ -119,7 +176,7 @@ impl Stretch {
         Self { middle, half, values, coefficients: coefficients(&values) }
     }
 
-    fn time(&self, place: f64) -> f64 {
+    fn at(&self, place: f64) -> f64 {
         self.middle + self.half * place
     }
 
@@ -177,9 +234,9 @@ impl Stretch {
         while part < 1.0 && is_flat(part).contains(&true) {
             part *= 2.0;
         }
-        let time = self.time(low);
-        let blur = self.half * part.min(1.0) + f64::EPSILON * time.abs();
-        part.is_finite().then_some((time, blur))
+        let turn = self.at(low);
+        let blur = self.half * part.min(1.0) + f64::EPSILON * turn.abs();
+        part.is_finite().then_some((turn, blur))
     }
 }
 
@@ -217,14 +274,14 @@ fn sum(coefficients: &[f64; DEGREE + 1], place: f64) -> f64 {
     coefficients[0] + place * last - before
 }
 
-/// The extreme by golden sections, where the quantity is not smooth: at a corner its time is known to all digits from the
+/// The extreme by golden sections, where the quantity is not smooth: at a corner its place is known to all digits from the
 /// values alone.
 fn corner(
     sense: Sense,
     (mut from, mut to): (f64, f64),
-    best: Option<Extreme>,
+    best: Option<Top>,
     at: &mut dyn FnMut(f64) -> f64,
-) -> Extreme {
+) -> Top {
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut low, mut high) = (to - golden * (to - from), from + golden * (to - from));
     let (mut below, mut above) = (at(low), at(high));
@@ -248,12 +305,35 @@ fn corner(
             above = at(high);
         }
     }
-    let (time, value) = match sense.better(below, above) {
+    let (place, value) = match sense.better(below, above) {
         true => (low, below),
         false => (high, above),
     };
     match best {
         Some(best) if sense.better(best.value, value) => best,
-        _ => Extreme { value, time, blur: flat.unwrap_or(to - from) + f64::EPSILON * time.abs() },
+        _ => Top { value, place, blur: flat.unwrap_or(to - from) + f64::EPSILON * place.abs() },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_highest_of_several_hills_is_found() {
+        let found = highest(&mut |x| (20.0 * x).sin() - x);
+        let place = 0.05f64.acos() / 20.0;
+        let error = (found.value - (20.0 * place).sin() + place).abs();
+        assert!(error < 1e-15 && (found.place - place).abs() < 1e-13, "{found:?}");
+    }
+
+    #[test]
+    fn the_highest_may_lie_at_an_end_at_a_corner_or_everywhere() {
+        assert_eq!(highest(&mut |x| 2.0 * x).place, 1.0);
+        assert_eq!(highest(&mut |x| -x).place, 0.0);
+        let corner = highest(&mut |x| -(x - 0.123_456_789).abs());
+        assert!((corner.place - 0.123_456_789).abs() < 1e-14, "{corner:?}");
+        assert_eq!(highest(&mut |_| 3.0).value, 3.0);
+        assert!(highest(&mut |x| (x - 0.5).sqrt()).value.is_nan());
     }
 }

@@ -1,0 +1,157 @@
+//! What is found of functions of numbers that are no plain `f64`: the algorithms look at values, and are compiled once.
+
+use super::{Bounded, Dual, Interval, Scalar};
+use assur_functions::{End, Mean, POINTS, highest, mean, root};
+
+/// The value of a function at a place. Outlined, so that it is compiled for the instructions of its numbers.
+#[inline(always)]
+pub(super) fn value<S: Scalar>(function: &impl Fn(S) -> S, place: f64) -> f64 {
+    S::outline(
+        #[inline(always)]
+        || function(S::from_f64(place)).to_f64(),
+    )
+}
+
+/// The mean of the values of a function.
+#[inline(always)]
+pub(super) fn mean_of_values<S: Scalar>(near: &impl Fn(S) -> S, far: &impl Fn(S) -> S) -> Mean {
+    mean(&mut |part, values| {
+        S::outline(
+            #[inline(always)]
+            || {
+                for (index, value) in values.iter_mut().enumerate() {
+                    *value = match part.point(index) {
+                        (End::Near, distance) => near(S::from_f64(distance)).to_f64(),
+                        (End::Far, distance) => far(S::from_f64(distance)).to_f64(),
+                    };
+                }
+            },
+        );
+    })
+}
+
+/// The mean of something of the values of a function.
+fn mean_of<S>(near: &dyn Fn(f64) -> S, far: &dyn Fn(f64) -> S, of: &dyn Fn(S) -> f64) -> Mean {
+    mean(&mut |part, values: &mut [f64; POINTS]| {
+        for (index, value) in values.iter_mut().enumerate() {
+            *value = of(match part.point(index) {
+                (End::Near, distance) => near(distance),
+                (End::Far, distance) => far(distance),
+            });
+        }
+    })
+}
+
+impl Dual {
+    pub(super) fn mean_along(near: &dyn Fn(Self) -> Self, far: &dyn Fn(Self) -> Self) -> Self {
+        let (near, far) = (|place| near(Self::constant(place)), |place| far(Self::constant(place)));
+        Self {
+            value: mean_of(&near, &far, &|dual| dual.value).value,
+            slope: mean_of(&near, &far, &|dual| dual.slope).value,
+        }
+    }
+
+    /// By the implicit function theorem.
+    pub(super) fn root_along(function: &dyn Fn(Self) -> Self) -> Self {
+        let place = root(&mut |place| function(Self::constant(place)).value).place();
+        let fixed = function(Self::constant(place)).slope;
+        let steepness = function(Self::variable(place)).slope - fixed;
+        Self { value: place, slope: -fixed / steepness }
+    }
+
+    /// The place does not count where the slope is zero; at an end it stays.
+    pub(super) fn highest_along(function: &dyn Fn(Self) -> Self) -> Self {
+        let top = highest(&mut |place| function(Self::constant(place)).value);
+        Self { value: top.value, slope: function(Self::constant(top.place)).slope }
+    }
+
+    /// Where the slope is zero, whose own slopes are differences.
+    pub(super) fn highest_place_along(function: &dyn Fn(Self) -> Self) -> Self {
+        /// The cube root of a rounding.
+        const STEP: f64 = 6e-6;
+        let place = highest(&mut |place| function(Self::constant(place)).value).place;
+        if place <= 0.0 || place >= 1.0 {
+            return Self::constant(place);
+        }
+        let step = STEP.min(place).min(1.0 - place);
+        let fixed = |place: f64| function(Self::constant(place)).slope;
+        let steepness = |place: f64| function(Self::variable(place)).slope - fixed(place);
+        let across = fixed(place + step) - fixed(place - step);
+        let along = steepness(place + step) - steepness(place - step);
+        Self { value: place, slope: -across / along }
+    }
+}
+
+impl Bounded {
+    pub(super) fn mean_within(near: &dyn Fn(Self) -> Self, far: &dyn Fn(Self) -> Self) -> Self {
+        let (near, far) = (|place| near(Self::exact(place)), |place| far(Self::exact(place)));
+        let found = mean_of(&near, &far, &|one| one.value);
+        let bound = mean_of(&near, &far, &|one| one.bound);
+        // The bound need not be known well, as long as it is not missed.
+        let carried = bound.value + if bound.fault.is_some() { f64::INFINITY } else { bound.error };
+        Self { value: found.value, bound: found.error + carried }
+    }
+
+    pub(super) fn root_within(function: &dyn Fn(Self) -> Self) -> Self {
+        let at = |place: f64| function(Self::exact(place));
+        let place = root(&mut |place| at(place).value).place();
+        let dual = |place: f64, step: f64| {
+            (at(place + step).value - at(place - step).value) / (2.0 * step)
+        };
+        let step = 1e-5 * place.abs().max(1e-3);
+        let steepness = dual(place, step).abs();
+        Self { value: place, bound: at(place).bound / steepness + 4.0 * f64::EPSILON * place.abs() }
+    }
+
+    pub(super) fn highest_within(function: &dyn Fn(Self) -> Self) -> Self {
+        let top = highest(&mut |place| function(Self::exact(place)).value);
+        function(Self::exact(top.place))
+    }
+
+    pub(super) fn highest_place_within(function: &dyn Fn(Self) -> Self) -> Self {
+        let top = highest(&mut |place| function(Self::exact(place)).value);
+        Self { value: top.place, bound: top.blur }
+    }
+}
+
+/// Parts of a range that intervals are evaluated on.
+const PARTS: usize = 64;
+
+/// The part of the range with a number.
+fn part(index: usize, parts: usize, length: f64) -> Interval {
+    let end = |index: usize| length * index as f64 / parts as f64;
+    Interval::new(end(index), end(index + 1))
+}
+
+impl Interval {
+    pub(super) fn mean_over(near: &dyn Fn(Self) -> Self, far: &dyn Fn(Self) -> Self) -> Self {
+        let share = Self::point(1.0 / PARTS as f64);
+        let parts = (0..PARTS / 2).map(|index| part(index, PARTS / 2, 0.5));
+        parts.fold(Self::point(0.0), |sum, one| sum + (near(one) + far(one)) * share)
+    }
+
+    /// The hull of the parts in which the function may be zero.
+    pub(super) fn root_over(function: &dyn Fn(Self) -> Self) -> Self {
+        let parts = (0..PARTS).map(|index| part(index, PARTS, 1.0));
+        let may_be_zero = |one: &Self| {
+            let value = function(*one);
+            value.low.is_nan() || value.contains(0.0)
+        };
+        let hull = parts.filter(may_be_zero).reduce(Self::hull);
+        hull.unwrap_or(Self::new(f64::NAN, f64::NAN))
+    }
+
+    pub(super) fn highest_over(function: &dyn Fn(Self) -> Self) -> Self {
+        let values = (0..PARTS).map(|index| function(part(index, PARTS, 1.0)));
+        let above = |a: Self, b: Self| Self::new(a.low.max(b.low), a.high.max(b.high));
+        values.reduce(above).unwrap_or(Self::ENTIRE)
+    }
+
+    /// The hull of the parts in which the function may be largest.
+    pub(super) fn highest_place_over(function: &dyn Fn(Self) -> Self) -> Self {
+        let least = Self::highest_over(function).low;
+        let parts = (0..PARTS).map(|index| part(index, PARTS, 1.0));
+        let hull = parts.filter(|one| !(function(*one).high < least)).reduce(Self::hull);
+        hull.unwrap_or(Self::new(0.0, 1.0))
+    }
+}
