@@ -11,11 +11,13 @@ use crate::declare::quantity;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
 use crate::homogeneity::{agree, describe};
-use crate::lower::{Kind, Lowering, Typed, second};
+use crate::lower::{Kind, Limit, Lowering, Typed, second};
 use crate::nearest::nearest;
 use crate::resolve::Declared;
 use crate::syntax::print;
-use crate::syntax::tree::{File, Output, Scene, SceneItem, StatementKind, Term, TermKind};
+use crate::syntax::tree::{
+    BinaryOperator, File, Output, Scene, SceneItem, StatementKind, Term, TermKind,
+};
 use crate::unit;
 
 /// The reported quantities with their values.
@@ -88,7 +90,43 @@ pub fn outputs(low: &mut Lowering<'_>, declared: &[Declared<Output>]) -> Outputs
         }
     }
     low.begin(None);
+    limited(low, &mut outputs);
     outputs
+}
+
+/// Takes the values of all outputs away where a condition on what is swept does not hold, and reports by how much each holds.
+fn limited(low: &mut Lowering<'_>, outputs: &mut Outputs) {
+    let limits = std::mem::take(&mut low.limits);
+    let Some(all) = limits.iter().map(|limit| limit.value).reduce(|a, b| low.graph.and(a, b))
+    else {
+        return;
+    };
+    let nothing = low.graph.number(-1.0);
+    let nothing = low.graph.sqrt(nothing);
+    for value in &mut outputs.values {
+        *value = low.graph.select(all, *value, nothing);
+    }
+    for Limit { condition, message, .. } in limits {
+        let TermKind::Binary(operator, left, right) = &condition.kind else {
+            continue;
+        };
+        use BinaryOperator::{Greater, GreaterEqual, Less, LessEqual};
+        let (larger, smaller) = match operator {
+            Greater | GreaterEqual => (left, right),
+            Less | LessEqual => (right, left),
+            _ => continue,
+        };
+        let margin = TermKind::Binary(BinaryOperator::Subtract, larger.clone(), smaller.clone());
+        let margin = Term { span: condition.span, kind: margin };
+        let Some((value, kind)) = low.scalar(&margin) else {
+            continue;
+        };
+        let unit = low.natural_unit(larger, kind);
+        let name = format!("margin of {}", print::term(&condition));
+        outputs.quantities.push(quantity(&name, &message, &unit.dimension, &unit));
+        outputs.values.push(value);
+        outputs.free.push(kind == Kind::Any);
+    }
 }
 
 /// A name, or an indexed name, as a term.

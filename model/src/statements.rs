@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
 use crate::homogeneity::{agree, describe};
 use crate::lagrange::{self, Energies};
-use crate::lower::{Kind, Lowering, Typed, second};
+use crate::lower::{Kind, Limit, Lowering, Moved, Typed, second};
 use crate::motion::Equation;
 use crate::resolve::Names;
 use crate::syntax::print;
@@ -65,10 +65,15 @@ impl Parts {
                     return;
                 };
                 let moving = |symbol| !matches!(symbol, Symbol::Parameter(_));
+                if low.graph.depends_on(value, moving) && low.moved == Moved::Swept {
+                    let message = text.clone().unwrap_or_default();
+                    low.limits.push(Limit { value, condition: condition.clone(), message });
+                    return;
+                }
                 if low.graph.depends_on(value, moving) {
                     low.diagnostics.push(
                         Diagnostic::error(condition.span, "a condition on moving quantities is not available in this version of Assur")
-                            .hint("`require` speaks of dimensions and parameters"),
+                            .hint("in a scene that moves in time `require` speaks of dimensions and parameters"),
                     );
                     return;
                 }

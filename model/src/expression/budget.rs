@@ -9,9 +9,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 use crate::token::Span;
 
-/// Steps that a file may take: one and a half seconds of a release build, four times what the largest mechanism of
+/// Steps that a file may take: six seconds of a release build, three times what the largest mechanism of
 /// `equations/` takes.
-pub const STEPS: u64 = 16_000_000;
+pub const STEPS: u64 = 64_000_000;
 
 /// The steps that are left, and which statement has taken most of them.
 #[derive(Debug)]

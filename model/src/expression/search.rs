@@ -52,18 +52,29 @@ impl Graph {
         (low, high): (Expression, Expression),
     ) -> Expression {
         let length = self.sub(high, low);
-        let place = self.symbol(x);
-        // Whatever else the ends are added to or taken from, the distance stays whole: beside an end nothing else is left.
-        let part = self.mul(length, place);
-        let part = self.intern(Node::Whole(part));
-        let away = self.neg(part);
-        let bodies = [[low, part], [high, away]].map(|place| self.at_place(body, x, place));
+        let share = self.symbol(x);
+        let places = self.from_both_ends((low, high), share);
+        let bodies = places.map(|place| self.at_place(body, x, place));
         let mean = self.search(Search::Mean, x, &bodies);
         self.mul(length, mean)
     }
 
+    /// The places at a share of a range from its begin and from its end, each the sum of the end and the distance. Whatever else
+    /// the ends are added to or taken from, the distance stays whole: beside an end nothing else is left.
+    pub fn from_both_ends(
+        &mut self,
+        (low, high): (Expression, Expression),
+        share: Expression,
+    ) -> [[Expression; 2]; 2] {
+        let length = self.sub(high, low);
+        let part = self.mul(length, share);
+        let part = self.whole(part);
+        let away = self.neg(part);
+        [[low, part], [high, away]]
+    }
+
     /// A body at a place that is a sum. Sums in the body take its terms: what cancels beside an end cancels exactly.
-    fn at_place(&mut self, body: Expression, x: Symbol, place: [Expression; 2]) -> Expression {
+    pub fn at_place(&mut self, body: Expression, x: Symbol, place: [Expression; 2]) -> Expression {
         let whole = self.sum(&place);
         let mut new: Map<Expression, Expression> = Map::default();
         for old in self.reachable(&[body]) {

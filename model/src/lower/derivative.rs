@@ -289,7 +289,8 @@ impl Lowering<'_> {
         }
         let varied = self.quotient(typed, symbol, kind, function.span);
         let map = Map::from_iter([(symbol, value)]);
-        self.written.substitute(&mut self.graph, symbol, value);
+        let put = |graph: &mut Graph, one| graph.substitute(&[one], &map)[0];
+        self.written.substitute(&mut self.graph, symbol, &put);
         match varied {
             Typed::Quantity(one) => {
                 let values = self.graph.substitute(one.values(), &map);

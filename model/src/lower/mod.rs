@@ -67,6 +67,16 @@ pub enum Moved {
     Swept,
 }
 
+/// A condition on what is swept.
+pub struct Limit {
+    /// Whether it holds.
+    pub value: Expression,
+    /// As it is written.
+    pub condition: Term,
+    /// What the file says about it.
+    pub message: String,
+}
+
 /// What a name or a call means, and the first number in it that depends on the units.
 type Meaning = (Typed, Option<LiteralInfo>);
 
@@ -102,6 +112,8 @@ pub struct Lowering<'a> {
     pub moved: Moved,
     /// The first number with a length, mass or time in its unit in what has been lowered, abbreviations included.
     pub literal: Option<LiteralInfo>,
+    /// Conditions on what is swept: beyond them the outputs have no values.
+    pub limits: Vec<Limit>,
     /// What measures have asked for.
     pub measured: Measuring,
     /// Names that are known to hold no product of a frequency in hertz and a time.
@@ -145,6 +157,7 @@ impl<'a> Lowering<'a> {
             loops_are_wrong: false,
             moved: Moved::InTime,
             literal: None,
+            limits: Vec::new(),
             measured: Measuring::default(),
             angles: BTreeSet::new(),
             survey,

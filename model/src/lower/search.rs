@@ -2,7 +2,7 @@
 
 use super::{Kind, Lowering, Typed};
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Expression, Search, Symbol};
+use crate::expression::{Expression, Graph, Search, Symbol};
 use crate::homogeneity::{agree, describe, disagreement, times};
 use crate::syntax::tree::{Name, Term};
 
@@ -38,6 +38,7 @@ impl Lowering<'_> {
             return Typed::Wrong;
         };
         let range = (low, high);
+        self.know_ends(x, range);
         match name.text.as_str() {
             "integral" => {
                 let Some(product) = times(kind, range_kind) else {
@@ -69,6 +70,15 @@ impl Lowering<'_> {
                 let negated = self.graph.neg(formula);
                 self.found_at(Search::HighestPlace, negated, x, range, range_kind)
             }
+        }
+    }
+
+    /// Knows what jumps or bends in a formula also where the place is counted from either end of the range.
+    fn know_ends(&mut self, x: Symbol, (low, high): (Expression, Expression)) {
+        let level = self.graph.symbol(Symbol::Bound(0));
+        for place in self.graph.from_both_ends((low, high), level) {
+            let put = |graph: &mut Graph, one| graph.at_place(one, x, place);
+            self.written.substitute(&mut self.graph, x, &put);
         }
     }
 

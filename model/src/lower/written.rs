@@ -38,8 +38,12 @@ impl Written {
     }
 
     /// Knows all that contains an argument also with its value.
-    pub fn substitute(&mut self, graph: &mut Graph, argument: Symbol, value: Expression) {
-        let map = Map::from_iter([(argument, value)]);
+    pub fn substitute(
+        &mut self,
+        graph: &mut Graph,
+        argument: Symbol,
+        put: &dyn Fn(&mut Graph, Expression) -> Expression,
+    ) {
         // What contains the argument was built after it.
         let first = graph.symbol(argument);
         let free =
@@ -55,7 +59,7 @@ impl Written {
             .map(|(slope, bends)| (*slope, bends.clone()))
             .collect();
         let mut with_value = |one: Expression| {
-            let value = graph.substitute(&[one], &map)[0];
+            let value = put(graph, one);
             graph.split_coefficient(value).1
         };
         for (one, terms) in terms {

@@ -128,3 +128,20 @@ fn mistakes_in_searches_are_explained() {
         check(&sheet(output), &expected[..]);
     }
 }
+
+/// Where a condition on what is swept does not hold there are no values, and the margin says by how much.
+#[test]
+fn conditions_on_what_is_swept_take_the_values_away() {
+    let text = "Sheet; parameter p = 1 in 0 .. 3, q = 2; require p < q \"too far\"; output y = p^2; scene s { sweep p; }";
+    let scene = first_scene(text);
+    assert_eq!(scene.outputs[1].name, "margin of p < q");
+    assert_eq!(scene.outputs[1].summary, "too far");
+    let at = |p: f64| {
+        let places = assur_model::program::Configuration { drivers: &[p], ..Default::default() };
+        let values = scene.program.evaluate_linkage(&[2.0], 0.0, &places);
+        values.all(&scene.program.results.outputs)
+    };
+    assert_eq!(at(1.5), [2.25, 0.5]);
+    let beyond = at(2.5);
+    assert!(beyond[0].is_nan() && beyond[1] == -0.5, "{beyond:?}");
+}
