@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::{Lowering, Typed};
 use crate::diagnostic::Diagnostics;
-use crate::expression::{Expression, Graph, Map, Node, Set, Symbol};
+use crate::expression::{Expression, Graph, Node, Set, Symbol};
 use crate::program::Function;
 use crate::resolve::Role;
 use crate::syntax::print;
