@@ -10,6 +10,7 @@
 //! | [`dynamics`] | linkages that have mass: two ways to write one, forces against work, drift |
 //! | [`hybrid`] | modes and events against closed forms |
 //! | [`series`] | Taylor series against the other method |
+//! | [`sheets`] | formulas without motion: integrals, roots and extremes in them |
 //! | [`hard`] | cases in which the naive way fails, beside ours |
 
 mod answers;
@@ -24,4 +25,5 @@ mod linkages;
 mod measures;
 mod rest;
 mod series;
+mod sheets;
 mod solved;

@@ -81,6 +81,16 @@ impl Case {
         self.moved.run.as_ref()
     }
 
+    /// Whether it closes no loops: a formula sheet.
+    pub fn is_sheet(&self) -> bool {
+        self.moved.entry.loops.is_empty()
+    }
+
+    /// What is found at each place.
+    pub fn found_in_words(&self) -> &'static str {
+        if self.is_sheet() { "values" } else { "positions" }
+    }
+
     /// What the task varies, the fastest first.
     pub fn axes(&self) -> Vec<Axis> {
         match &self.moved.task {
@@ -149,17 +159,18 @@ impl Case {
             let names = drivers.iter().map(|&index| self.drivers[index].name);
             names.collect::<Vec<_>>().join(" and ")
         };
+        let found = self.found_in_words();
         match &self.moved.task {
-            Task::Sweep(drivers) => format!("positions over {}", names(drivers)),
+            Task::Sweep(drivers) => format!("{found} over {}", names(drivers)),
             Task::Time(Span::Periodic(period)) => {
-                format!("positions over one period of {} s", number::short(*period))
+                format!("{found} over one period of {} s", number::short(*period))
             }
             Task::Time(span) => {
                 let (from, to) = span.limits();
                 let [from, to] = [from, to].map(number::short);
-                format!("positions from {from} s to {to} s")
+                format!("{found} from {from} s to {to} s")
             }
-            Task::Open => "positions".to_owned(),
+            Task::Open => found.to_owned(),
         }
     }
 

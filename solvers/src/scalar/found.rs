@@ -155,3 +155,80 @@ impl Interval {
         hull.unwrap_or(Self::new(0.0, 1.0))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `∫ exp(a x) dx` over 0..1, `a = 0.7`.
+    fn mean<S: Scalar>(a: S) -> S {
+        S::mean(|t| (a * t).exp(), |t| (a * (S::ONE - t)).exp())
+    }
+
+    /// `x² = a`.
+    fn root<S: Scalar>(a: S) -> S {
+        S::root(|x| x * x - a)
+    }
+
+    /// `x (a - x)`, largest at `a/2`.
+    fn highest<S: Scalar>(a: S) -> (S, S) {
+        (S::highest(|x| x * (a - x)), S::highest_place(|x| x * (a - x)))
+    }
+
+    const A: f64 = 0.7;
+
+    fn exact() -> [f64; 4] {
+        [A.exp_m1() / A, A.sqrt(), 0.25 * A * A, 0.5 * A]
+    }
+
+    fn found<S: Scalar>(a: S) -> [S; 4] {
+        let (top, place) = highest(a);
+        [mean(a), root(a), top, place]
+    }
+
+    #[test]
+    fn plain_and_fused_numbers_agree() {
+        let fused = crate::dispatch::dispatch(Fused(A));
+        for ((plain, fused), exact) in found(A).into_iter().zip(fused).zip(exact()) {
+            assert!((plain - exact).abs() < 1e-13 && (fused - plain).abs() < 1e-13);
+        }
+    }
+
+    /// Finds all of it on fused numbers.
+    struct Fused(f64);
+
+    impl crate::dispatch::Task for Fused {
+        type Output = [f64; 4];
+        fn run<S: Scalar>(self) -> [f64; 4] {
+            found(S::from_f64(self.0)).map(S::to_f64)
+        }
+    }
+
+    #[test]
+    fn dual_numbers_have_the_derivatives() {
+        let slopes = [A.exp() / A - A.exp_m1() / (A * A), 0.5 / A.sqrt(), 0.5 * A, 0.5];
+        for (index, found) in found(Dual::variable(A)).into_iter().enumerate() {
+            let (value, slope) = (exact()[index], slopes[index]);
+            assert!((found.value - value).abs() < 1e-13, "{index}: {found:?}");
+            assert!((found.slope - slope).abs() < 1e-8, "{index}: {found:?}, slope {slope}");
+        }
+    }
+
+    #[test]
+    fn bounds_hold() {
+        let a = Bounded { value: A, bound: 1e-6 };
+        let moved = found(A + 1e-6);
+        for (found, moved) in found(a).into_iter().zip(moved).take(3) {
+            assert!((found.value - moved).abs() <= found.bound, "{found:?}, {moved}");
+            assert!(found.bound < 3e-6, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn intervals_enclose() {
+        for (found, exact) in found(Interval::new(A, A)).into_iter().zip(exact()) {
+            assert!(found.low <= exact && exact <= found.high, "{found:?}, {exact}");
+            assert!(found.width() < 0.2, "{found:?}");
+        }
+    }
+}

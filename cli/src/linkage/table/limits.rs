@@ -21,7 +21,10 @@ const POOR: f64 = 30.0;
 pub fn sections(page: &mut Page, report: &Report) {
     limits(page, report);
     turns(page, report);
-    reach(page, report);
+    // Without loops nothing ends a range but the range.
+    if !report.case.is_sheet() {
+        reach(page, report);
+    }
     transmissions(page, report);
 }
 

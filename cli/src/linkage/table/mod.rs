@@ -70,7 +70,7 @@ fn drivers(page: &mut Page, report: &Report) {
         };
         table.row([driver.name.to_owned()].into_iter().chain(cells).chain([summary]));
     }
-    page.section("Drivers", &table);
+    page.section(if case.is_sheet() { "Ranges" } else { "Drivers" }, &table);
 }
 
 /// The variables at round positions.
@@ -108,7 +108,7 @@ fn positions(page: &mut Page, report: &Report) {
             table.row(row);
         }
     }
-    page.section("Positions", &table);
+    page.section(if case.is_sheet() { "Values" } else { "Positions" }, &table);
 }
 
 /// Decimals of each variable: so many that the largest value has its digits; none where an exponent is needed. What is
@@ -191,13 +191,17 @@ fn status(page: &mut Page, report: &Report) {
         None => String::new(),
     };
     let positions = number::count(cost.reached);
+    let (places, closed) = match report.case.is_sheet() {
+        true => ("places", "evaluated"),
+        false => ("positions", "closed"),
+    };
     let share = match report.is_complete() {
         true if cost.positions == 0 => format!("Closed in {}", number::duration(cost.total)),
         true => {
-            format!("Complete: {positions} positions closed in {}", number::duration(cost.closing))
+            format!("Complete: {positions} {places} {closed} in {}", number::duration(cost.closing))
         }
         false => format!(
-            "Incomplete: {positions} of {} positions closed in {}",
+            "Incomplete: {positions} of {} {places} {closed} in {}",
             number::count(cost.positions),
             number::duration(cost.closing)
         ),
