@@ -132,7 +132,7 @@ pub enum Rows {
 }
 
 /// Options of `assur draw`.
-#[derive(Args, Debug)]
+#[derive(Args, Debug, Default)]
 pub struct DrawArguments {
     #[command(flatten)]
     pub asked: Asked,
