@@ -34,12 +34,12 @@ impl Picture {
         for scene in mechanism.scenes {
             let kind = if scene.points.is_empty() { Kind::Curves } else { Kind::Drawing };
             let picture = Self { mechanism, scene, kind };
-            match moves(mechanism, scene)? {
-                Moves::Moves => return Ok(Some(picture)),
-                Moves::Rests if kind == Kind::Drawing && resting.is_none() => {
+            match activity(mechanism, scene)? {
+                Activity::Moves => return Ok(Some(picture)),
+                Activity::Rests if kind == Kind::Drawing && resting.is_none() => {
                     resting = Some(picture)
                 }
-                Moves::Rests | Moves::Open => {}
+                Activity::Rests | Activity::Open => {}
             }
         }
         Ok(resting)
@@ -78,22 +78,25 @@ impl Picture {
 }
 
 /// Whether there is anything to see of a scene.
-enum Moves {
+enum Activity {
     Moves,
     Rests,
     /// It evaluates positions where they are asked for.
     Open,
 }
 
-fn moves(mechanism: &'static Mechanism, scene: &'static SceneEntry) -> Result<Moves, Failure> {
+fn activity(
+    mechanism: &'static Mechanism,
+    scene: &'static SceneEntry,
+) -> Result<Activity, Failure> {
     let constants = Constants::declared(mechanism, scene);
     if scene.linkage.is_some() {
         let is_open = linkage::case::Case::new(constants)?.axes().is_empty();
-        return Ok(if is_open { Moves::Open } else { Moves::Moves });
+        return Ok(if is_open { Activity::Open } else { Activity::Moves });
     }
     Ok(match motion::case::Case::new(constants)?.moved.task {
-        Span::Open => Moves::Open,
-        Span::Rest => Moves::Rests,
-        Span::Autonomous | Span::Periodic(_) | Span::Run(..) => Moves::Moves,
+        Span::Open => Activity::Open,
+        Span::Rest => Activity::Rests,
+        Span::Autonomous | Span::Periodic(_) | Span::Run(..) => Activity::Moves,
     })
 }
