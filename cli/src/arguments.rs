@@ -49,6 +49,9 @@ pub enum Command {
         after_help = "Examples:\n  assur expand batten --scene elastic\n  assur expand my_linkage.eqn"
     )]
     Expand(ExpandArguments),
+    /// Write a page of all mechanisms: pictures, equations, scenes, published numbers beside the computed ones.
+    #[command(after_help = crate::gallery::EXAMPLES)]
+    Gallery(crate::gallery::GalleryArguments),
     /// Compare the scenes of a mechanism: size, cost, and what each effect changes.
     #[command(after_help = "Example:\n  assur scenes batten")]
     Scenes(ScenesArguments),
@@ -132,7 +135,7 @@ pub enum Rows {
 }
 
 /// Options of `assur draw`.
-#[derive(Args, Debug)]
+#[derive(Args, Debug, Default)]
 pub struct DrawArguments {
     #[command(flatten)]
     pub asked: Asked,

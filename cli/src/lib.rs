@@ -21,6 +21,7 @@ mod check;
 mod draw;
 mod error;
 mod expand;
+mod gallery;
 mod linkage;
 mod list;
 mod modes;
@@ -61,6 +62,7 @@ pub fn main(mechanisms: &'static [Mechanism]) -> ExitCode {
         Command::Draw(options) => draw::execute(options, registry),
         Command::Structure(options) => structure::execute(options, registry),
         Command::Check(options) => check::execute(options),
+        Command::Gallery(options) => gallery::execute(options, registry),
         Command::Expand(options) => expand::execute(options, registry),
         Command::Scenes(options) => scenes::execute(options, registry),
         Command::Modes(options) => modes::execute(options, registry),

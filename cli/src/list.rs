@@ -44,7 +44,7 @@ pub fn execute(registry: Registry) -> Result<(), Failure> {
 }
 
 /// A scene in a few words: its own, or what is in it.
-fn describe(scene: &assur::registry::SceneEntry) -> String {
+pub fn describe(scene: &assur::registry::SceneEntry) -> String {
     if let Some(line) = scene.summary.lines().next().filter(|line| !line.is_empty()) {
         return line.to_owned();
     }

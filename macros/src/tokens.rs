@@ -52,7 +52,8 @@ impl Source {
                 Some(TokenTree::Group(group)) if is_hash => match documentation(group) {
                     Some(text) => {
                         let place = tree.span();
-                        text.lines()
+                        // An empty line between paragraphs is a line, of which `lines` knows nothing.
+                        text.split('\n')
                             .for_each(|line| self.push(TokenKind::Documentation, line, place));
                         trees.next();
                     }

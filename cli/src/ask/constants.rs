@@ -65,6 +65,18 @@ impl Constants {
         other
     }
 
+    /// What is found of the scene, or where it comes to a dead point of the same with all positions as coordinates.
+    ///
+    /// # Errors
+    /// When neither is found.
+    pub fn going_on<T>(self, find: impl Fn(Self) -> Result<T, Failure>) -> Result<T, Failure> {
+        let unreduced = self.scene.unreduced.map(|scene| self.in_scene(scene));
+        find(self).or_else(|failure| match unreduced {
+            Some(unreduced) if failure.is_lost() => find(unreduced),
+            _ => Err(failure),
+        })
+    }
+
     /// The values of the file, with a preset put over them unless its name is empty.
     ///
     /// # Errors

@@ -22,14 +22,7 @@ const SECONDS: (f64, f64) = (4.0, 20.0);
 /// # Errors
 /// A wrong request, or a motion that cannot be followed.
 pub fn of(options: &DrawArguments, constants: Constants) -> Result<Shown, Failure> {
-    let unreduced = constants.scene.unreduced.filter(|scene| !scene.points.is_empty());
-    let shown = follow(options, constants.clone());
-    match (shown, unreduced) {
-        (Err(failure), Some(scene)) if failure.is_lost() => {
-            follow(options, constants.in_scene(scene))
-        }
-        (shown, _) => shown,
-    }
+    constants.going_on(|constants| follow(options, constants))
 }
 
 fn follow(options: &DrawArguments, constants: Constants) -> Result<Shown, Failure> {

@@ -59,25 +59,9 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
             .reason("an arrow is an output that is the `reaction` of a closure in the plane, between places")
             .remedy("report one in the equation file: output pin = reaction(pin) [N];"));
     }
-    let mut shown = match scene.linkage {
-        Some(_) if options.vibration.is_some() => return Err(vibration::none(scene.name)),
-        Some(_) => travel::of(options, constants)?,
-        None => course::of(options, constants)?,
-    };
-    if !options.forces {
-        let frames = shown.positions.iter_mut().chain(&mut shown.frames);
-        frames.for_each(|frame| frame.forces.clear());
-    }
-    let force = forces::largest(shown.positions.iter().chain(&shown.frames));
-    let picture = Picture {
-        constants: &shown.constants,
-        geometry: &shown.geometry,
-        label: shown.label.clone(),
-        pace: shown.pace.clone(),
-        force,
-    };
-    let positions: Vec<_> = shown.positions.iter().collect();
-    still.write(still::draw(&picture, &positions).as_bytes())?;
+    let shown = Shown::of(options, constants)?;
+    let picture = shown.picture();
+    still.write(shown.still().as_bytes())?;
     let mut text = format!(
         "{}, scene {}: {}\nPositions: {}\n",
         mechanism.title,
@@ -85,7 +69,7 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
         picture.label,
         still.path().display()
     );
-    if let Some(note) = shown.note {
+    if let Some(note) = &shown.note {
         text += &format!("Note:      {note}\n");
     }
     if shown.frames.len() > 1 {
@@ -94,6 +78,14 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
     }
     output::print(&text)?;
     shown.stop.map_or(Ok(()), Err)
+}
+
+/// A scene at some positions, as a picture.
+///
+/// # Errors
+/// A scene that cannot be drawn, or does not get anywhere.
+pub fn still(constants: Constants) -> Result<String, Failure> {
+    Ok(Shown::of(&DrawArguments::default(), constants)?.still())
 }
 
 /// What is shown of a mechanism.
@@ -116,6 +108,43 @@ struct Shown {
     note: Option<String>,
     /// Why it does not get everywhere.
     stop: Option<Failure>,
+}
+
+impl Shown {
+    /// What is asked for, forces only if they are.
+    ///
+    /// # Errors
+    /// A wrong request, or a scene that cannot be put together or followed.
+    fn of(options: &DrawArguments, constants: Constants) -> Result<Self, Failure> {
+        let scene = constants.scene;
+        let mut shown = match scene.linkage {
+            Some(_) if options.vibration.is_some() => return Err(vibration::none(scene.name)),
+            Some(_) => travel::of(options, constants)?,
+            None => course::of(options, constants)?,
+        };
+        if !options.forces {
+            let frames = shown.positions.iter_mut().chain(&mut shown.frames);
+            frames.for_each(|frame| frame.forces.clear());
+        }
+        Ok(shown)
+    }
+
+    /// What its pictures show.
+    fn picture(&self) -> Picture<'_> {
+        Picture {
+            constants: &self.constants,
+            geometry: &self.geometry,
+            label: self.label.clone(),
+            pace: self.pace.clone(),
+            force: forces::largest(self.positions.iter().chain(&self.frames)),
+        }
+    }
+
+    /// Its positions as a picture.
+    fn still(&self) -> String {
+        let positions: Vec<_> = self.positions.iter().collect();
+        still::draw(&self.picture(), &positions)
+    }
 }
 
 /// What a picture shows.

@@ -67,7 +67,18 @@ pub fn names(picture: &Picture<'_>, at: &[Point]) -> Vec<Name> {
             names[number].middle = drawn.best(picture, at, &names[number], &taken);
         }
     }
-    names
+    apart(names)
+}
+
+/// The names that find room beside those before them: on top of each other none could be read.
+fn apart(names: Vec<Name>) -> Vec<Name> {
+    let mut kept: Vec<Name> = Vec::new();
+    for name in names {
+        if kept.iter().all(|other| !meet(room(other), room(&name))) {
+            kept.push(name);
+        }
+    }
+    kept
 }
 
 /// What a point is called: without the part that it belongs to, unless another point elsewhere is called so too.

@@ -12,8 +12,9 @@ use super::reach;
 use crate::ask::case::amount_of;
 use crate::ask::constants::Constants;
 use crate::ask::values::TIME;
+use crate::ask::variables::Variable;
 use crate::error::Failure;
-use crate::published::{Comparison, Known};
+use crate::published::{Comparison, Known, Stated};
 
 /// A linkage moved through its task.
 pub struct Found {
@@ -58,8 +59,8 @@ impl Found {
         }
     }
 
-    /// The place of a fact in words, its time if it has one, and the value there.
-    fn value(&self, fact: &Expectation, variable: usize) -> Option<(String, Option<f64>, f64)> {
+    /// The time of a fact, if it has one, and the value there.
+    fn value(&self, fact: &Expectation, variable: usize) -> Option<(Option<f64>, f64)> {
         let case = &self.case;
         let at = |place: Vec<f64>| self.at(fact.subject, variable, place);
         let limits = || match reach::extremes(case, &self.lines, self.strokes.as_ref(), variable) {
@@ -68,33 +69,59 @@ impl Found {
         };
         let is_timed = matches!(case.moved.task, Task::Time(_));
         Some(match fact.at {
-            At::Maximum => ("maximum".to_owned(), None, limits().1),
-            At::Minimum => ("minimum".to_owned(), None, limits().0),
+            At::Maximum => (None, limits().1),
+            At::Minimum => (None, limits().0),
             At::Amplitude => {
                 let (low, high) = limits();
-                ("amplitude".to_owned(), None, low.abs().max(high.abs()))
+                (None, low.abs().max(high.abs()))
             }
             At::Run => return None,
-            At::Position(positions) => {
-                let label = positions.iter().map(|(index, at)| case.driver_at(*index, *at));
-                let label = label.collect::<Vec<_>>().join(", ");
-                (label, None, at(case.standing_but(positions.iter().copied())))
-            }
+            At::Position(positions) => (None, at(case.standing_but(positions.iter().copied()))),
             At::Driver(driver, position) => {
                 let time = case.time_of(driver, position).ok().filter(|_| is_timed);
                 let standing = || case.standing_but([(driver, position)]);
                 let place = time.map_or_else(standing, |time| case.place(&[time]));
-                (case.driver_at(driver, position), time, at(place))
+                (time, at(place))
             }
             At::Time(time) => {
                 let within = match &case.moved.task {
                     Task::Time(span) => span.reduce(time),
                     _ => None,
                 };
-                let computed = within.map_or(f64::NAN, |time| at(case.place(&[time])));
-                (amount_of(&TIME, time), within, computed)
+                (within, within.map_or(f64::NAN, |time| at(case.place(&[time]))))
             }
         })
+    }
+}
+
+impl Case {
+    /// A published fact in words; none where no linkage has its place.
+    pub fn stated(&self, fact: &'static Expectation) -> Option<Stated> {
+        let quantity = self.scene.quantity(fact.subject)?;
+        let named = |variable: &Variable| variable.name == quantity.name;
+        let variable = self.variables.iter().position(named)?;
+        let printed = &self.variables[variable];
+        let place = match fact.at {
+            At::Maximum => "maximum".to_owned(),
+            At::Minimum => "minimum".to_owned(),
+            At::Amplitude => "amplitude".to_owned(),
+            At::Run => return None,
+            At::Position(positions) => {
+                let label = positions.iter().map(|(index, at)| self.driver_at(*index, *at));
+                label.collect::<Vec<_>>().join(", ")
+            }
+            At::Driver(driver, position) => self.driver_at(driver, position),
+            At::Time(time) => amount_of(&TIME, time),
+        };
+        let (name, (unit, factor), variable) = match fact.subject {
+            Subject::Influence(_, by) => {
+                let by = influence::quantity(self, *self.moved.entry.variables.get(by)?)?;
+                let name = format!("diff({}, {})", printed.name, by.name);
+                (name, influence::unit_of(printed, &by), None)
+            }
+            _ => (printed.name.clone(), (printed.unit.clone(), printed.factor), Some(variable)),
+        };
+        Some(Stated { fact, name, unit, factor, variable, place })
     }
 }
 
@@ -112,32 +139,12 @@ impl Known for Found {
     }
 
     fn compare(&self, fact: &'static Expectation) -> Option<Comparison> {
-        let case = &self.case;
-        let quantity = case.scene.quantity(fact.subject)?;
-        let variable = case.variables.iter().position(|variable| variable.name == quantity.name)?;
-        let (place, time, computed) = self.value(fact, variable)?;
-        let printed = &case.variables[variable];
-        let (name, (unit, factor), variable) = match fact.subject {
-            Subject::Influence(_, by) => {
-                let by = influence::quantity(case, *case.moved.entry.variables.get(by)?)?;
-                let name = format!("diff({}, {})", printed.name, by.name);
-                (name, influence::unit_of(printed, &by), None)
-            }
-            _ => (printed.name.clone(), (printed.unit.clone(), printed.factor), Some(variable)),
-        };
+        let stated = self.case.stated(fact)?;
+        let quantity = self.case.scene.quantity(fact.subject)?;
+        let mut variables = self.case.variables.iter();
+        let variable = variables.position(|variable| variable.name == quantity.name)?;
+        let (time, computed) = self.value(fact, variable)?;
         let error = 1e-12 * computed.abs();
-        let comparable = true;
-        Some(Comparison {
-            fact,
-            name,
-            unit,
-            factor,
-            variable,
-            place,
-            time,
-            computed,
-            error,
-            comparable,
-        })
+        Some(Comparison { stated, time, computed, error, comparable: true })
     }
 }

@@ -14,6 +14,7 @@ use crate::ask::values::TIME;
 use crate::ask::variables;
 use crate::error::Failure;
 use crate::plot::Selection;
+use crate::show::number;
 
 /// What moves it.
 pub struct Course {
@@ -98,6 +99,21 @@ impl Case {
         if let Some(length) = motion.length() {
             self.moved.repeats = motion.multiple();
             self.moved.task = Span::Periodic(length);
+        }
+    }
+
+    /// The task in words, as far as it is known before anything is solved.
+    pub fn task_in_words(&self) -> String {
+        match self.moved.task {
+            Span::Periodic(period) => {
+                format!("steady state over one period of {} s", number::short(period))
+            }
+            Span::Autonomous => "steady state that repeats by itself".to_owned(),
+            Span::Run(from, to) => {
+                format!("motion from {} s to {} s", number::short(from), number::short(to))
+            }
+            Span::Rest => "position of rest".to_owned(),
+            Span::Open => "positions".to_owned(),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use assur::answer::{Ends, Estimate, Motion, Settings};
 use assur::measure::ALWAYS;
+use assur::problem::Span;
 use assur::shape::{At, Expectation, Subject};
 
 use super::case::Case;
@@ -12,7 +13,7 @@ use crate::ask::constants::Constants;
 use crate::ask::values::TIME;
 use crate::ask::variables::Variable;
 use crate::error::Failure;
-use crate::published::{Comparison, Known};
+use crate::published::{Comparison, Known, Stated};
 
 /// A motion with its errors.
 pub struct Found {
@@ -76,6 +77,35 @@ impl Found {
     }
 }
 
+impl Case {
+    /// A published fact in words; none where no motion has its place.
+    pub fn stated(&self, fact: &'static Expectation) -> Option<Stated> {
+        let quantity = self.scene.quantity(fact.subject)?;
+        let is_measure = matches!(fact.subject, Subject::Measure(_));
+        let named = |one: &Variable| !is_measure && one.name == quantity.name;
+        let variable = self.variables.iter().position(named);
+        let place = match fact.at {
+            _ if self.moved.task == Span::Rest => "rest".to_owned(),
+            _ if is_measure => "whole run".to_owned(),
+            At::Time(time) => amount_of(&TIME, time),
+            At::Driver(driver, position) => self.driver_at(driver, position),
+            At::Maximum => "maximum".to_owned(),
+            At::Minimum => "minimum".to_owned(),
+            At::Amplitude => "amplitude".to_owned(),
+            At::Position(_) | At::Run => return None,
+        };
+        let printed = variable.map(|index| &self.variables[index]);
+        Some(Stated {
+            fact,
+            name: quantity.name.to_owned(),
+            unit: printed.map_or(quantity.unit, |one| &one.unit).to_owned(),
+            factor: printed.map_or(quantity.factor, |one| one.factor),
+            variable,
+            place,
+        })
+    }
+}
+
 impl Known for Found {
     fn constants(&self) -> &Constants {
         &self.case.constants
@@ -87,41 +117,21 @@ impl Known for Found {
 
     fn compare(&self, fact: &'static Expectation) -> Option<Comparison> {
         let case = &self.case;
-        let quantity = case.scene.quantity(fact.subject)?;
-        let measure = match fact.subject {
-            Subject::Measure(index) => Some(self.measures.get(index)?),
+        let stated = case.stated(fact)?;
+        let time = match (fact.subject, fact.at) {
+            _ if self.motion.rest().is_some() => Some(0.0),
+            (Subject::Measure(_), _) => None,
+            (_, At::Time(time)) => case.moved.task.reduce(time),
+            (_, At::Driver(driver, position)) => case.run().time_of(driver, position).ok(),
             _ => None,
         };
-        let named = |one: &Variable| measure.is_none() && one.name == quantity.name;
-        let variable = case.variables.iter().position(named);
-        let (place, time) = match fact.at {
-            _ if self.motion.rest().is_some() => ("rest".to_owned(), Some(0.0)),
-            _ if measure.is_some() => ("whole run".to_owned(), None),
-            At::Time(time) => (amount_of(&TIME, time), case.moved.task.reduce(time)),
-            At::Driver(driver, position) => {
-                (case.driver_at(driver, position), case.run().time_of(driver, position).ok())
+        let (computed, error) = match fact.subject {
+            Subject::Measure(index) => {
+                let measure = self.measures.get(index)?;
+                (measure.value.unwrap_or(f64::NAN), measure.error)
             }
-            At::Maximum => ("maximum".to_owned(), None),
-            At::Minimum => ("minimum".to_owned(), None),
-            At::Amplitude => ("amplitude".to_owned(), None),
-            At::Position(_) | At::Run => return None,
+            _ => self.value(stated.variable?, fact.at, time)?,
         };
-        let (computed, error) = match measure {
-            Some(measure) => (measure.value.unwrap_or(f64::NAN), measure.error),
-            None => self.value(variable?, fact.at, time)?,
-        };
-        let printed = variable.map(|index| &case.variables[index]);
-        Some(Comparison {
-            fact,
-            name: quantity.name.to_owned(),
-            unit: printed.map_or(quantity.unit, |one| &one.unit).to_owned(),
-            factor: printed.map_or(quantity.factor, |one| one.factor),
-            variable,
-            place,
-            time,
-            computed,
-            error,
-            comparable: true,
-        })
+        Some(Comparison { stated, time, computed, error, comparable: true })
     }
 }

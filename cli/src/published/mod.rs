@@ -4,15 +4,17 @@ mod table;
 
 pub use table::section;
 
+use std::ops::Deref;
+
 use assur::shape::Expectation;
 
 use crate::ask::constants::Constants;
 use crate::error::Failure;
 use crate::show::unit;
 
-/// A published fact and what was computed in its place.
+/// A published fact in words, before anything is computed.
 #[derive(Clone, Debug)]
-pub struct Comparison {
+pub struct Stated {
     /// The fact.
     pub fact: &'static Expectation,
     /// What it speaks of.
@@ -25,6 +27,28 @@ pub struct Comparison {
     pub variable: Option<usize>,
     /// Where in the motion, in words.
     pub place: String,
+}
+
+impl Stated {
+    /// A value in SI units in the unit of the fact.
+    pub fn in_unit(&self, value: f64) -> f64 {
+        unit::stated(value, self.factor)
+    }
+
+    /// The same with the preset for which it was published, unless the scene starts from that.
+    pub fn with_preset(self, constants: &Constants) -> Self {
+        match preset(constants, self.fact) {
+            own if own == constants.preset => self,
+            other => Self { place: format!("{}, preset {other}", self.place), ..self },
+        }
+    }
+}
+
+/// A published fact and what was computed in its place.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// The fact.
+    pub stated: Stated,
     /// The time of the place; none for an extreme, for a position of drivers that are swept, or where the motion does
     /// not get there.
     pub time: Option<f64>,
@@ -36,12 +60,15 @@ pub struct Comparison {
     pub comparable: bool,
 }
 
-impl Comparison {
-    /// A value in SI units in the unit of the fact.
-    pub fn in_unit(&self, value: f64) -> f64 {
-        unit::stated(value, self.factor)
-    }
+impl Deref for Comparison {
+    type Target = Stated;
 
+    fn deref(&self) -> &Stated {
+        &self.stated
+    }
+}
+
+impl Comparison {
     /// Computed less published.
     pub fn deviation(&self) -> f64 {
         self.computed - self.fact.value
@@ -84,10 +111,7 @@ pub fn compare<K: Known>(own: &K) -> Result<Vec<Comparison>, Failure> {
     let mut others: Vec<K> = Vec::new();
     let mut list = Vec::new();
     for fact in constants.scene.expectations {
-        let preset = match fact.preset {
-            "" => constants.scene.preset,
-            named => named,
-        };
+        let preset = preset(constants, fact);
         let is_own = preset == constants.preset;
         if is_own || changed {
             let found = own.compare(fact);
@@ -102,8 +126,16 @@ pub fn compare<K: Known>(own: &K) -> Result<Vec<Comparison>, Failure> {
         list.extend(
             other
                 .and_then(|other| other.compare(fact))
-                .map(|one| Comparison { place: format!("{}, preset {preset}", one.place), ..one }),
+                .map(|one| Comparison { stated: one.stated.with_preset(constants), ..one }),
         );
     }
     Ok(list)
+}
+
+/// The preset for which a fact was published: that of its scene unless it names one.
+fn preset(constants: &Constants, fact: &Expectation) -> &'static str {
+    match fact.preset {
+        "" => constants.scene.preset,
+        named => named,
+    }
 }

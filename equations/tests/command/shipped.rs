@@ -3,12 +3,14 @@
 use assur_equations::REGISTRY;
 use serde_json::Value;
 
-use super::{answer, folder};
+use super::{answer, folder, gallery};
 
-/// Every scene of every mechanism runs with its own values, and what was published of it is met.
+/// Every scene of every mechanism runs with its own values, and what was published of it is met, with the numbers that the
+/// gallery shows.
 #[test]
 fn every_scene_that_comes_with_assur_runs() {
     let folder = folder("shipped");
+    let page = gallery::page();
     for mechanism in REGISTRY {
         for scene in mechanism.scenes {
             let asked = ["run", mechanism.name, "--scene", scene.name, "--format", "json"];
@@ -22,9 +24,11 @@ fn every_scene_that_comes_with_assur_runs() {
             };
             assert_eq!(object["status"], status, "{asked:?}");
             assert!(!measures.chain(&motions(&object)).any(lacks), "{asked:?}");
-            for published in object["published"].as_array().expect("a list") {
+            let published = object["published"].as_array().expect("a list");
+            for published in published {
                 assert_ne!(published["within"], false, "{asked:?}: {published}");
             }
+            gallery::check_numbers(&page, mechanism.title, scene.name, published);
         }
     }
 }

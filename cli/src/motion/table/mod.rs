@@ -65,14 +65,7 @@ fn task(report: &Report) -> String {
             repeats,
             number::short(all / repeats as f64)
         ),
-        Span::Periodic(period) => {
-            format!("steady state over one period of {} s", number::short(period))
-        }
-        Span::Run(from, to) => {
-            format!("motion from {} s to {} s", number::short(from), number::short(to))
-        }
-        Span::Rest => "position of rest".to_owned(),
-        Span::Open | Span::Autonomous => "positions".to_owned(),
+        _ => report.case.task_in_words(),
     }
 }
 
