@@ -177,7 +177,9 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
             let (factor, right) = (text[0], &text[1..]);
             (quote!(#factor.solve([#(#right),*])), Whole)
         }
-        Kind::Search { search, lines, .. } => (self::search(*search, lines, &all, 0), Whole),
+        Kind::Search { search, text, lines, .. } => {
+            (self::search((*search, text), lines, &all, 0), Whole)
+        }
         Kind::Element { index, .. } => {
             let (solution, index) = (text[0], size(*index as usize));
             (quote!(#solution[#index]), Whole)
@@ -194,7 +196,12 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
 }
 
 /// What is found of the functions that some lines are, inside so many others.
-fn search(search: Search, lines: &[Line], captured: &[Expression], depth: usize) -> TokenStream {
+fn search(
+    (search, text): (Search, &str),
+    lines: &[Line],
+    captured: &[Expression],
+    depth: usize,
+) -> TokenStream {
     let place = format_ident!("place{depth}_");
     let functions = lines.iter().map(|one| {
         let body = line(one, captured, depth);
@@ -206,7 +213,9 @@ fn search(search: Search, lines: &[Line], captured: &[Expression], depth: usize)
         Search::Highest => quote!(highest),
         Search::HighestPlace => quote!(highest_place),
     };
-    quote!(S::#name(#(#functions),*))
+    // Whatever is smooth has a largest value.
+    let text = matches!(search, Search::Mean | Search::Root).then(|| quote!(#text,));
+    quote!(S::#name(#text #(#functions),*))
 }
 
 /// A line as a block. What is read once is written where it is read, as long as that stays short.
@@ -224,9 +233,9 @@ fn line(line: &Line, captured: &[Expression], depth: usize) -> TokenStream {
                 let place = format_ident!("place{depth}_");
                 Expression::whole(quote!(#place))
             }
-            OperationKind::Search { search, captured, lines } => {
+            OperationKind::Search { search, text, captured, lines } => {
                 let captured: Vec<_> = captured.iter().map(|value| at(*value)).collect();
-                Expression::whole(self::search(*search, lines, &captured, depth + 1))
+                Expression::whole(self::search((*search, text), lines, &captured, depth + 1))
             }
             kind => operation(kind, &at),
         };

@@ -5,6 +5,7 @@
 //! same numbers in both: so both take them from here.
 
 mod error_function;
+pub mod fault;
 mod hill;
 mod mean;
 mod root;

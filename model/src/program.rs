@@ -161,6 +161,8 @@ pub enum OperationKind {
     Search {
         /// What is looked for.
         search: Search,
+        /// It in the words of the file; empty where it is derived.
+        text: String,
         /// The values that the functions capture.
         captured: Vec<Value>,
         /// The functions.

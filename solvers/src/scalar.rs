@@ -13,6 +13,7 @@ mod plain;
 pub(crate) mod processor;
 mod sine;
 
+use assur_functions::fault::{self, Why};
 pub use bounded::Bounded;
 pub use dual::Dual;
 pub(crate) use fused::Fused;
@@ -156,16 +157,20 @@ pub trait Scalar:
     /// Distribution function of the standard normal distribution, accurate in its lower tail.
     fn normal_cdf(self) -> Self;
     /// The mean of a function over a range, which is given by its distances from both ends, up to a half, as shares of the range;
-    /// NaN where it does not settle.
+    /// NaN where it does not settle, which is kept as a [`fault`] of what is looked for.
     #[inline(always)]
-    fn mean(near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
-        Self::from_f64(found::mean_of_values(&near, &far).value)
+    fn mean(what: &str, near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
+        let found = found::mean_of_values(&near, &far);
+        if let Some(why) = found.fault {
+            fault::keep(what, Why::Mean(why));
+        }
+        Self::from_f64(found.value)
     }
     /// Where a function passes zero between 0 and 1; NaN where it does not.
     #[inline(always)]
-    fn root(function: impl Fn(Self) -> Self) -> Self {
+    fn root(what: &str, function: impl Fn(Self) -> Self) -> Self {
         let mut value = |place: f64| found::value(&function, place);
-        Self::from_f64(assur_functions::root(&mut value).place())
+        Self::from_f64(found::root_or_fault(what, &mut value))
     }
     /// The largest value of a function between 0 and 1.
     #[inline(always)]

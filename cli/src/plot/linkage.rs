@@ -286,6 +286,7 @@ fn made(report: &Report) -> String {
     let iterated =
         kinds.filter(|group| !group.kind.has_modes() && group.equations.len() > 1).count();
     match (report.is_complete(), iterated) {
+        _ if report.case.is_sheet() => String::new(),
         (false, _) => "the linkage does not get to all positions".to_owned(),
         (true, 0) => "loops closed in closed form".to_owned(),
         (true, _) => "loops closed to rounding".to_owned(),

@@ -44,19 +44,18 @@ impl Search {
 }
 
 impl Graph {
-    /// `∫ body dx` from `low` to `high`.
+    /// The length of a range and the mean of a body over it, whose product is `∫ body dx` from `low` to `high`.
     pub fn integral(
         &mut self,
         body: Expression,
         x: Symbol,
         (low, high): (Expression, Expression),
-    ) -> Expression {
+    ) -> (Expression, Expression) {
         let length = self.sub(high, low);
         let share = self.symbol(x);
         let places = self.from_both_ends((low, high), share);
         let bodies = places.map(|place| self.at_place(body, x, place));
-        let mean = self.search(Search::Mean, x, &bodies);
-        self.mul(length, mean)
+        (length, self.search(Search::Mean, x, &bodies))
     }
 
     /// The places at a share of a range from its begin and from its end, each the sum of the end and the distance. Whatever else

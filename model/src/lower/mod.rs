@@ -210,7 +210,7 @@ impl<'a> Lowering<'a> {
             TermKind::If { condition, then, otherwise } => self.branch(condition, then, otherwise),
             TermKind::Sum { index, from, to, body } => self.sum(index, (from, to), body),
             TermKind::Search { name, variable, from, to, body } => {
-                self.search(name, variable, (from, to), body)
+                self.search(name, variable, (from, to), body, term)
             }
             TermKind::Bound { name, value, instead } => self.bound(name, value, instead),
         }

@@ -4,6 +4,7 @@ use super::{Kind, Lowering, Typed};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Graph, Search, Symbol};
 use crate::homogeneity::{agree, describe, disagreement, times};
+use crate::syntax::print;
 use crate::syntax::tree::{Name, Term};
 
 impl Lowering<'_> {
@@ -13,6 +14,7 @@ impl Lowering<'_> {
         variable: &Name,
         (from, to): (&Term, &Term),
         body: &Term,
+        term: &Term,
     ) -> Typed {
         let (Some((low, low_kind)), Some((high, high_kind))) = (self.scalar(from), self.scalar(to))
         else {
@@ -49,7 +51,9 @@ impl Lowering<'_> {
                     );
                     return self.error(Diagnostic::error(body.span, message));
                 };
-                Typed::scalar(self.graph.integral(formula, x, range), product)
+                let (length, mean) = self.graph.integral(formula, x, range);
+                self.graph.name_switch(mean, print::term(term));
+                Typed::scalar(self.graph.mul(length, mean), product)
             }
             "peak" => Typed::scalar(self.highest(formula, x, range), kind),
             "lowest" => {
@@ -63,7 +67,9 @@ impl Lowering<'_> {
                         format!("`{}` does not occur in what is solved for it", variable.text);
                     return self.error(Diagnostic::error(body.span, message));
                 }
-                self.found_at(Search::Root, formula, x, range, range_kind)
+                let share = self.graph.found_between(Search::Root, formula, x, range);
+                self.graph.name_switch(share, print::term(term));
+                Typed::scalar(self.graph.between(range, share), range_kind)
             }
             "peak_at" => self.found_at(Search::HighestPlace, formula, x, range, range_kind),
             _ => {

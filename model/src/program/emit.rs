@@ -199,7 +199,7 @@ impl<'a> Emitter<'a> {
                 let right = self.values(&right);
                 self.combine(OperationKind::Solve { factor, right })
             }
-            Node::Search(search, level, bodies) => self.search(search, level, &bodies),
+            Node::Search(..) => self.search(expression),
             Node::Element(solution, index) => {
                 let solution = self.value(solution);
                 self.combine(OperationKind::Element { solution, index })

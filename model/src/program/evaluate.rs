@@ -136,7 +136,7 @@ fn run<'a>(
                 .and_then(|list| list.get(*index as usize))
                 .copied()
                 .unwrap_or(f64::NAN),
-            OperationKind::Search { search, captured, lines } => {
+            OperationKind::Search { search, captured, lines, .. } => {
                 let captured = all(captured);
                 search.find(&|line, place| lines[line].evaluate(&captured, place))
             }

@@ -2,7 +2,7 @@
 
 use super::emit::{Emitter, Key};
 use super::{Input, Line, Operation, OperationKind, Stage, Value};
-use crate::expression::{Expression, Map, Search, Symbol};
+use crate::expression::{Expression, Map, Node, Symbol};
 
 /// The line of a search that is written, or what stands around it.
 #[derive(Default)]
@@ -16,11 +16,15 @@ pub(super) struct Frame {
 }
 
 impl Emitter<'_> {
-    pub(super) fn search(&mut self, search: Search, level: u32, bodies: &[Expression]) -> Value {
+    pub(super) fn search(&mut self, node: Expression) -> Value {
+        let Node::Search(search, level, bodies) = self.graph.node(node).clone() else {
+            return self.number(f64::NAN);
+        };
+        let text = self.graph.switch_of(node).map_or(String::new(), |words| words.to_string());
         let mut captured = Vec::new();
         let mut lines = Vec::new();
         for body in bodies {
-            let body = self.graph.with_steady_parts(*body, level);
+            let body = self.graph.with_steady_parts(body, level);
             self.frames.push(Frame { search: Some((level, captured)), ..Frame::default() });
             self.swap_frame();
             let result = self.value(body);
@@ -29,7 +33,7 @@ impl Emitter<'_> {
             captured = frame.search.map(|one| one.1).unwrap_or_default();
             lines.push(needed(frame.operations.into_iter().map(|one| one.kind).collect(), result));
         }
-        self.combine(OperationKind::Search { search, captured, lines })
+        self.combine(OperationKind::Search { search, text, captured, lines })
     }
 
     /// Whether an expression is steady in the line that is written, and so captured.

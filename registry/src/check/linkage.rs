@@ -68,6 +68,8 @@ pub(super) struct Position<'a> {
     pub(super) position: Vec<f64>,
     pub(super) influence: Vec<f64>,
     second: Vec<f64>,
+    /// The outputs themselves.
+    reported: Vec<f64>,
     /// The columns of the drivers, one behind the other.
     coefficients: Vec<f64>,
     residual: Vec<f64>,
@@ -81,6 +83,8 @@ impl<'a> Position<'a> {
         let (outputs, variables) = (linkage.shape().outputs.len(), entry.variables.len());
         let mut influence = vec![0.0; outputs * variables];
         loops.influence(&instant, &position, &mut influence);
+        let mut reported = vec![0.0; outputs];
+        loops.outputs(&instant, &position, &mut reported);
         let triangle = variables * (variables + 1) / 2;
         let mut second = vec![0.0; usize::from(entry.second) * outputs * triangle];
         loops.second_influence(&instant, &position, &mut second);
@@ -98,6 +102,7 @@ impl<'a> Position<'a> {
             position,
             influence,
             second,
+            reported,
             coefficients,
             residual,
         }
@@ -120,7 +125,7 @@ impl<'a> Position<'a> {
                 "kinematic coefficients",
                 &self.coefficients[driver * dependents..][..dependents],
                 &follow,
-                DEVIATION,
+                (DEVIATION, &[]),
                 &self.independents,
             )?;
         }
@@ -129,7 +134,8 @@ impl<'a> Position<'a> {
             let found: Vec<f64> =
                 (0..self.outputs()).map(|i| self.influence[i * count + j]).collect();
             let what = format!("influence of {:?} on the outputs", self.entry.variables[j]);
-            compare(&what, &found, &slope.outputs, DEVIATION, &self.independents)?;
+            let floors = self.floors(ROUNDING * self.size(self.entry.variables[j]).recip());
+            compare(&what, &found, &slope.outputs, (DEVIATION, &floors), &self.independents)?;
         }
         self.check_second(&slopes)
     }
@@ -171,6 +177,12 @@ impl<'a> Position<'a> {
             }
         }
         Ok(())
+    }
+
+    /// What rounding may leave of the change of each output, over the change of a variable: so many times the output.
+    pub(super) fn floors(&self, share: f64) -> Vec<f64> {
+        let share = if share.is_finite() { share } else { 0.0 };
+        self.reported.iter().map(|value| share * value.abs()).collect()
     }
 
     /// The absolute value of a variable.
@@ -269,12 +281,13 @@ pub(super) fn compare(
     what: &str,
     found: &[f64],
     expected: &[f64],
-    share: f64,
+    (share, floors): (f64, &[f64]),
     at: &[f64],
 ) -> Result<(), Failed> {
     let scale = expected.iter().fold(0.0_f64, |most, one| most.max(one.abs()));
     for (index, (found, expected)) in found.iter().zip(expected).enumerate() {
-        if is_off(*found, *expected, share * scale) {
+        let floor = floors.get(index).copied().unwrap_or(0.0);
+        if is_off(*found, *expected, (share * scale).max(floor)) {
             return Err(Failed(format!(
                 "{what}, number {index}, at {at:?}: found {found}, expected {expected}"
             )));

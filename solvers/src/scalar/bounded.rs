@@ -139,10 +139,10 @@ impl Scalar for Bounded {
     fn to_f64(self) -> f64 {
         self.value
     }
-    fn mean(near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
+    fn mean(_: &str, near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
         Self::mean_within(&near, &far)
     }
-    fn root(function: impl Fn(Self) -> Self) -> Self {
+    fn root(_: &str, function: impl Fn(Self) -> Self) -> Self {
         Self::root_within(&function)
     }
     fn highest(function: impl Fn(Self) -> Self) -> Self {

@@ -34,7 +34,9 @@ impl Dual {
 
     /// A function of this number, given its value and its derivative there.
     fn chain(self, value: f64, derivative: f64) -> Self {
-        Self { value, slope: derivative * self.slope }
+        // Of what does not change any slope will do, an infinite one as well.
+        let slope = if self.slope == 0.0 { 0.0 } else { derivative * self.slope };
+        Self { value, slope }
     }
 }
 
@@ -99,10 +101,10 @@ impl Scalar for Dual {
     fn to_f64(self) -> f64 {
         self.value
     }
-    fn mean(near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
+    fn mean(_: &str, near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
         Self::mean_along(&near, &far)
     }
-    fn root(function: impl Fn(Self) -> Self) -> Self {
+    fn root(_: &str, function: impl Fn(Self) -> Self) -> Self {
         Self::root_along(&function)
     }
     fn highest(function: impl Fn(Self) -> Self) -> Self {

@@ -250,10 +250,10 @@ impl Scalar for Interval {
     fn to_f64(self) -> f64 {
         self.middle()
     }
-    fn mean(near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
+    fn mean(_: &str, near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
         Self::mean_over(&near, &far)
     }
-    fn root(function: impl Fn(Self) -> Self) -> Self {
+    fn root(_: &str, function: impl Fn(Self) -> Self) -> Self {
         Self::root_over(&function)
     }
     fn highest(function: impl Fn(Self) -> Self) -> Self {
