@@ -28,8 +28,8 @@ fn is(found: f64, expected: f64, rtol: f64) {
 #[test]
 fn burnishing_with_hardly_any_feed() {
     let sheet = Roughness::default();
-    let exact = 0.070382623462853897313 * MM * MM;
-    for (feed, theta) in [(1e-3, 0.035946531747956277599), (1e-9, 0.000035927433663003910152)] {
+    let exact = 0.0703826234628539 * MM * MM;
+    for (feed, theta) in [(1e-3, 0.03594653174795628), (1e-9, 3.592743366300391e-05)] {
         let at = [feed * MM];
         is(value(&sheet, &at, "A"), exact, 1e-13);
         is(1.0 - value(&sheet, &at, "theta"), theta, 1e-7);
@@ -44,7 +44,7 @@ fn burnishing_with_hardly_any_feed() {
 #[test]
 fn tracks_that_do_not_overlap() {
     let sheet = Roughness::default();
-    let limit = 0.31398424307002616435 * MM;
+    let limit = 0.31398424307002615 * MM;
     for (feed, theta) in [(limit * (1.0 + 1e-12), 0.0), (0.4 * MM, 0.0)] {
         assert_eq!(value(&sheet, &[feed], "theta"), theta);
         assert!(value(&sheet, &[feed], "overlap") < 0.0);
@@ -69,8 +69,8 @@ fn temperature_at_the_cusp_and_beside_it() {
         let [singular, smooth] = ["J_psi", "J_psi_smooth"].map(|name| value(&sheet, &[psi], name));
         assert!((singular - smooth).abs() < 2e-14, "{psi}: {singular}, {smooth}");
     }
-    let eta = 0.19541340420857246287;
-    is(value(&sheet, &[1.0], "J_psi"), 1.3705317173341312794 - 2.0 * eta, 1e-13);
+    let eta = 0.19541340420857245;
+    is(value(&sheet, &[1.0], "J_psi"), 1.3705317173341314 - 2.0 * eta, 1e-13);
     // The naive way, the rule of the middle with a thousand parts: half of the first digit's error is left by the singularity.
     let f = |u: f64| ((-3.0 * (1.0 - u) * (1.0 - u)).exp() - eta) / (1.0 - u).sqrt();
     let naive: f64 = (0..1000).map(|index| f((f64::from(index) + 0.5) / 1000.0) / 1000.0).sum();
@@ -81,28 +81,28 @@ fn temperature_at_the_cusp_and_beside_it() {
 #[test]
 fn the_hottest_place_may_leave_the_cusp() {
     let sheet = Soft::default();
-    is(value(&sheet, &[3.0], "hottest"), 1.1419030373575401536, 1e-9);
-    is(value(&sheet, &[3.0], "J_V"), 2.0257351967584851393, 1e-12);
+    is(value(&sheet, &[3.0], "hottest"), 1.14190303735754, 1e-9);
+    is(value(&sheet, &[3.0], "J_V"), 2.025735196758485, 1e-12);
     let cusp = Profile2 { k_T: sheet.k_T, ..Profile2::default() };
-    assert!(value(&cusp, &[1.0], "J_psi") < 0.9 * 2.0257351967584851393);
+    assert!(value(&cusp, &[1.0], "J_psi") < 0.9 * 2.025735196758485);
 }
 
 #[test]
 fn the_inverse_problem() {
     let sheet = Recommended::default();
-    for (ra, s) in [(0.5, 0.034456745708670270519), (1.0, 0.13110021862999301308)] {
+    for (ra, s) in [(0.5, 0.03445674570867027), (1.0, 0.13110021862999302)] {
         let at = [ra * UM, 300.0];
         is(value(&sheet, &at, "S_adm"), s * MM, 1e-12);
         is(value(&sheet, &at, "S_root"), s * MM, 1e-12);
     }
-    for (theta, v) in [(200.0, 0.92412079787951517402), (800.0, 8.0642515319313314298)] {
+    for (theta, v) in [(200.0, 0.9241207978795152), (800.0, 8.064251531931331)] {
         is(value(&sheet, &[1.0 * UM, theta], "V_adm"), v, 1e-12);
     }
     // The part is rougher than that without any feed.
     assert!(value(&sheet, &[0.46 * UM, 300.0], "S_adm").is_nan());
     // The feed and the speed give what is permitted.
     let map = Map::default();
-    let (s, v) = (0.13110021862999301308 * MM, 8.0642515319313314298);
+    let (s, v) = (0.13110021862999302 * MM, 8.064251531931331);
     is(value(&map, &[s, v], "Ra"), 1.0 * UM, 1e-12);
     is(value(&map, &[s, v], "Theta"), 800.0, 1e-12);
 }

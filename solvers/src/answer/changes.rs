@@ -67,7 +67,7 @@ fn independent(motion: &Motion, time: f64) -> f64 {
 }
 
 /// Where a function that is given at two times falls to nothing between them. It is found by golden sections, and given up as
-/// soon as the chords on both sides, which lead to nothing where it vanishes, meet well above.
+/// soon as the chords beside each part, which lead to nothing where it vanishes, lie well above.
 fn vanishes(
     function: impl Fn(f64) -> f64,
     (mut from, mut to): (f64, f64),
@@ -77,9 +77,17 @@ fn vanishes(
     let (mut a, mut b) = inner(from, to);
     let (mut at_a, mut at_b) = (function(a), function(b));
     while at_a.min(at_b) > NOTHING || to - from > FOUND * to.abs() {
-        let (left, right) = ((at_a - at_from) / (a - from), (at_to - at_b) / (to - b));
+        let chord = |(x, at_x): (f64, f64), (y, at_y): (f64, f64)| (at_y - at_x) / (y - x);
+        let (left, middle, right) = (
+            chord((from, at_from), (a, at_a)),
+            chord((a, at_a), (b, at_b)),
+            chord((b, at_b), (to, at_to)),
+        );
         let meet = (at_b - at_a + left * a - right * b) / (left - right);
-        let least = at_a + left * (meet - a);
+        let between = at_a + left * (meet - a);
+        let before = at_a - middle * (a - from);
+        let after = at_b + middle * (to - b);
+        let least = between.min(before).min(after);
         if least > NOTHING.max(SHARE * at_a.min(at_b)) || !(from < a && a < b && b < to) {
             return None;
         }
@@ -94,4 +102,42 @@ fn vanishes(
         }
     }
     Some(if at_a < at_b { a } else { b })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether a function is found to vanish, and how often it is looked at.
+    fn look(f: fn(f64) -> f64, (from, to): (f64, f64)) -> (Option<f64>, usize) {
+        let count = std::cell::Cell::new(0);
+        let counted = |x: f64| {
+            count.set(count.get() + 1);
+            f(x)
+        };
+        (vanishes(counted, (from, to), (f(from), f(to))), count.get())
+    }
+
+    #[test]
+    fn what_falls_to_nothing_is_found_wherever_it_lies() {
+        for place in 1..100 {
+            let from = 1.0 - f64::from(place) / 100.0;
+            let (found, _) = look(|x| (x - 1.0).abs(), (from, from + 1.0));
+            assert!(found.is_some_and(|at| (at - 1.0).abs() < 1e-5), "{place}: {found:?}");
+            let (found, _) = look(|x| (x - 1.0).sin().abs() * (1.0 + 0.3 * x), (from, from + 1.0));
+            assert!(found.is_some_and(|at| (at - 1.0).abs() < 1e-5), "{place}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_is_given_up_soon() {
+        for f in [
+            |x: f64| 0.1 + (x - 1.0).powi(2),
+            |x: f64| 1e-3 + (x - 1.0).powi(2),
+            |x: f64| (x - 1.0).hypot(1e-2),
+        ] {
+            let (found, count) = look(f, (0.4, 1.3));
+            assert!(found.is_none() && count < 40, "{found:?} after {count}");
+        }
+    }
 }

@@ -167,7 +167,11 @@ impl Interval {
     pub(super) fn highest_place_over(function: &dyn Fn(Self) -> Self) -> Self {
         let least = Self::highest_over(function).low;
         let parts = (0..PARTS).map(|index| part(index, PARTS, 1.0));
-        let hull = parts.filter(|one| !(function(*one).high < least)).reduce(Self::hull);
+        let may_be_largest = |one: &Self| {
+            let high = function(*one).high;
+            high.is_nan() || high >= least
+        };
+        let hull = parts.filter(may_be_largest).reduce(Self::hull);
         hull.unwrap_or(Self::new(0.0, 1.0))
     }
 }
