@@ -28,4 +28,6 @@ assur::equations! {
     "four_bar_row.eqn",
     "bricard.eqn",
     "lamp_arm.eqn",
+    "packet_reducer.eqn",
+    "pumping_jack.eqn",
 }
