@@ -4,7 +4,7 @@ use assur::answer::Sweep;
 use assur::closure::ClosureError;
 use assur::prelude::*;
 use assur_equations::packet_reducer::{Meshes, Stand};
-use assur_equations::pumping_jack::{Evenly, Torque, Turn};
+use assur_equations::pumping_jack::{Evenly, Steady, Torque, Turn};
 use std::f64::consts::{PI, TAU};
 
 const FINE: Settings = Settings::new(Method::Dop853).rtol(1e-12);
@@ -49,6 +49,26 @@ fn the_torque_factor_is_the_same_three_ways() {
         check("by difference", factor[place], slope, 1e-12);
     }
     check("mean", factor[..steps].iter().sum::<f64>() / steps as f64, 0.0, 1e-15);
+}
+
+/// What drives the crank is what loads, counterweights and inertia take of it, by formulas for all of them: evenly and under the
+/// motor. Without the inertia that changes with the angle, the naive way, a quarter of the rated torque is missing somewhere.
+#[test]
+fn the_equation_of_motion_is_that_of_the_formulas() {
+    let path = Turn::default().sweep(0.0..=TAU, 361).expect("it turns");
+    let [drive, taken, naive] = ["T_drive", "T_taken", "T"].map(|name| column(&path, name));
+    let mut missing: f64 = 0.0;
+    for place in 0..drive.len() {
+        check("evenly", taken[place], drive[place], 1e-9);
+        missing = missing.max((naive[place] - drive[place]).abs());
+    }
+    assert!(missing > 6963.0 / 4.0, "{missing}");
+    let motion = Steady::default().solve(&FINE).expect("a turn");
+    for step in 0..=50 {
+        let [drive, taken] = ["T_drive", "T_taken"]
+            .map(|name| motion.value(name, 0.1 * f64::from(step)).expect("a torque"));
+        check("under the motor", taken, drive, 1e-8);
+    }
 }
 
 /// Where crank and frame lie in line the torque factor is `-A*R/(K + R)`, however little is left to the limit of Grashof. The
