@@ -30,4 +30,6 @@ assur::equations! {
     "lamp_arm.eqn",
     "burnishing.eqn",
     "gear_flank.eqn",
+    "packet_reducer.eqn",
+    "pumping_jack.eqn",
 }

@@ -8,6 +8,7 @@
 //! | [`linkages`] | loops against an independent computation, and the misprints of a paper |
 //! | [`closures`] | linkages that have mass and are not reduced: dead points, change points, space, pins that come and go |
 //! | [`dynamics`] | linkages that have mass: two ways to write one, forces against work, drift |
+//! | [`pumping_jack`] | a linkage with masses and its gear against closed forms, and naive ways beside them |
 //! | [`hybrid`] | modes and events against closed forms |
 //! | [`series`] | Taylor series against the other method |
 //! | [`sheets`] | formulas without motion: integrals, roots and extremes in them |
@@ -23,6 +24,7 @@ mod hard;
 mod hybrid;
 mod linkages;
 mod measures;
+mod pumping_jack;
 mod rest;
 mod series;
 mod sheets;

@@ -39,15 +39,21 @@ impl Lowering<'_> {
         arguments: &[Term],
         span: Span,
     ) -> Option<Typed> {
-        let find = match name.text.as_str() {
-            "reaction" => Self::reaction,
-            "effort" => Self::effort,
-            "energy" => Self::energy,
-            _ => return None,
-        };
-        Some(match self.count(name, arguments.len(), 1, span) {
-            true => find(self, &arguments[0]),
-            false => Typed::Wrong,
+        // In a part every name has its prefix: `left.energy(left.kinetic)` is what its file calls `energy(kinetic)`.
+        let (part, own) = name.text.split_at(name.text.rfind('.').map_or(0, |dot| dot + 1));
+        if !matches!(own, "reaction" | "effort" | "energy") {
+            return None;
+        }
+        if !self.count(name, arguments.len(), 1, span) {
+            return Some(Typed::Wrong);
+        }
+        let argument = &arguments[0];
+        let wanted = print::term(argument);
+        let of_part = wanted.strip_prefix(part)?;
+        Some(match own {
+            "reaction" => self.reaction(argument),
+            "effort" => self.effort(argument),
+            _ => self.energy(of_part, argument.span),
         })
     }
 
@@ -115,11 +121,10 @@ impl Lowering<'_> {
     }
 
     /// An energy of the whole, or the power that it loses.
-    fn energy(&mut self, argument: &Term) -> Typed {
-        let wanted = print::term(argument);
+    fn energy(&mut self, wanted: &str, span: Span) -> Typed {
         let Some(index) = ENERGIES.iter().position(|one| *one == wanted) else {
             let message = format!("there is no energy `{wanted}`");
-            let report = Diagnostic::error(argument.span, message);
+            let report = Diagnostic::error(span, message);
             return self.error(report.hint(
                 "it is `energy(kinetic)`, `energy(potential)`, or the lost power `energy(dissipation)`",
             ));

@@ -172,6 +172,40 @@ fn a_part_is_what_it_says_written_out() {
     assert_eq!(a.dependents[0].start, b.dependents[0].start);
 }
 
+/// A part may ask for the force of its closure, for energies, and for what moves its driver; a function of the file around
+/// does not take their place.
+#[test]
+fn a_part_asks_for_forces_and_energies() {
+    let crank = "parameter r = 40 mm, l = 140 mm, m = 0.5 kg, n = 50 [rad/s];
+        driver phi = n*time ~ 90 deg in 0 deg .. 360 deg; dependent psi ~ -15 deg, x ~ 135 mm;
+        closure pin: r*dir(phi) + l*dir(psi) = [x, 0]; kinetic m*dot(x)^2/2;
+        let side = reaction(pin).y; let moving = energy(kinetic); let M = effort(phi);";
+    let written =
+        format!("Whole; {crank} output side, moving, M, twice = 2*1; scene go {{ sweep phi; }}");
+    let file = format!("Crank; {crank}").leak();
+    let part = scene(
+        "Machine; part crank: Crank from \"crank.eqn\" { } let effort(a) = 2*a;
+        output crank.side, crank.moving, crank.M, twice = effort(1); scene go { sweep crank.phi; }",
+        &[("crank.eqn", file)],
+    );
+    let whole = scene(&written, &[]);
+    let kinds = |scene: &SceneModel| {
+        let operations = scene.program.operations.iter();
+        operations.map(|one| one.kind.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(kinds(&part), kinds(&whole));
+    assert_eq!(part.program.results.outputs.len(), 4);
+    check(
+        "Machine; part crank: Crank from \"crank.eqn\" { } output other = energy(crank.kinetic);",
+        &[("crank.eqn", file)],
+        &[(
+            "there is no energy `crank.kinetic`",
+            "crank.kinetic",
+            "it is `energy(kinetic)`, `energy(potential)`, or the lost power `energy(dissipation)`",
+        )],
+    );
+}
+
 /// A motor with an effect and a choice, which moves by itself.
 const MOTOR: &str = "Motor;
     parameter J = 0.1 [kg m^2], k = 2 [N m], load = 0 [N m];
