@@ -2,7 +2,6 @@
 //! with the naive failure beside it.
 
 use assur::closure::{AtDeadPoint, Axis, Linkage, sweep};
-use assur::problem::Scene;
 use assur_equations::burnishing::{Balance, Map, Profile, Profile2, Recommended, Roughness, Soft};
 use assur_equations::gear_flank::Straight;
 
@@ -11,7 +10,7 @@ const UM: f64 = 1e-6;
 
 /// An output of a sheet at a place.
 #[track_caller]
-fn value<L: Linkage + Scene>(sheet: &L, place: &[f64], name: &str) -> f64 {
+fn value<L: Linkage>(sheet: &L, place: &[f64], name: &str) -> f64 {
     let axes: Vec<_> = place.iter().map(|at| Axis { from: *at, to: *at, count: 1 }).collect();
     let values = sweep(sheet, &axes, AtDeadPoint::Stop).expect("values");
     let index = L::shape().outputs.iter().position(|one| one.name == name).expect("an output");
