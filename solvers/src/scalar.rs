@@ -13,7 +13,8 @@ mod plain;
 pub(crate) mod processor;
 mod sine;
 
-use assur_functions::fault::{self, Why};
+pub use assur_functions::fault;
+use assur_functions::fault::Why;
 pub use bounded::Bounded;
 pub use dual::Dual;
 pub(crate) use fused::Fused;

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use assur::closure::{ClosureError, Sample, Stroke};
+use assur::scalar::fault;
 use serde::Serialize;
 
 use super::case::Case;
@@ -22,6 +23,7 @@ use crate::error::{Failure, Told};
 use crate::plot;
 use crate::published::{self, Comparison};
 use crate::run::Shown;
+use crate::show::number;
 use crate::show::page::Page;
 
 /// All results of a run of a linkage.
@@ -160,7 +162,7 @@ pub fn collect(case: Case, places: Vec<Place>, shown: Shown) -> Result<Report, F
         }
     }
     let reach = reach::of(&case);
-    let note = contradiction(&case.constants, case.run());
+    let note = contradiction(&case.constants, case.run()).or_else(|| unfound(&case, &rows));
     let cost = Cost {
         positions: lines.iter().map(|line| line.stations.len()).sum(),
         reached: lines.iter().map(|line| line.reached().count()).sum(),
@@ -184,6 +186,23 @@ pub fn collect(case: Case, places: Vec<Place>, shown: Shown) -> Result<Report, F
         case,
         shown,
     })
+}
+
+/// Why an integral or a root has no value, at the first round place where something has none.
+fn unfound(case: &Case, rows: &[Line]) -> Option<String> {
+    let is_none = |sample: &&Sample| sample.outputs.iter().any(|value| value.is_nan());
+    let reached = rows.iter().flat_map(Line::reached);
+    let (station, _) = reached.filter(|(_, sample)| is_none(sample)).next()?;
+    fault::take();
+    case.at(case.place(station)).ok()?;
+    let axes = case.axes();
+    let places = axes.iter().zip(station).map(|(axis, at)| {
+        let quantity = &axis.quantity;
+        let at = number::short(at / quantity.factor);
+        format!("{} = {at} {}", quantity.name, quantity.unit).trim_end().to_owned()
+    });
+    let places = places.collect::<Vec<_>>().join(", ");
+    fault::take().map(|fault| format!("at {places} there is no value: {fault}"))
 }
 
 /// The linkage at a place that was asked for.
