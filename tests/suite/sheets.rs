@@ -2,7 +2,9 @@
 //! with the naive failure beside it.
 
 use assur::closure::{AtDeadPoint, Axis, Linkage, sweep};
-use assur_equations::burnishing::{Balance, Map, Profile, Profile2, Recommended, Roughness, Soft};
+use assur_equations::burnishing::{
+    Balance, Influence, Map, Profile, Profile2, Recommended, Roughness, Soft,
+};
 use assur_equations::gear_flank::Straight;
 
 const MM: f64 = 1e-3;
@@ -33,10 +35,10 @@ fn burnishing_with_hardly_any_feed() {
         is(value(&sheet, &at, "A"), exact, 1e-13);
         is(1.0 - value(&sheet, &at, "theta"), theta, 1e-7);
     }
-    let naive = value(&sheet, &[1e-9 * MM], "A_printed");
-    assert!((naive - exact).abs() > 1e-12 * exact, "{naive}");
-    assert!(!value(&sheet, &[0.0], "A_printed").is_finite());
-    is(value(&sheet, &[0.0], "A"), exact, 1e-13);
+    for feed in [1e-18 * MM, 0.0] {
+        assert!(!value(&sheet, &[feed], "A_printed").is_finite());
+        is(value(&sheet, &[feed], "A"), exact, 1e-13);
+    }
 }
 
 /// The slope of the arc cosine is infinite where tracks begin to overlap; beyond, they do not.
@@ -53,11 +55,19 @@ fn tracks_that_do_not_overlap() {
 
 #[test]
 fn roughness_below_zero_is_no_roughness() {
+    // Over the force the condition is one on what is swept: without values where it does not hold.
+    let smoothed = Balance { R_p: 5.0 * UM, ..Balance::default() };
+    assert!(Linkage::check(&smoothed).is_ok());
+    // Over the feed it is one on the values, which are refused.
     let rougher = Roughness { R_p: 5.0 * UM, ..Roughness::default() };
-    assert!(value(&rougher, &[0.1 * MM], "Ra").is_finite());
-    let smoothed = Roughness { R_p: 7.0 * UM, ..Roughness::default() };
-    assert!(value(&smoothed, &[0.1 * MM], "Ra").is_nan());
-    assert!(value(&smoothed, &[0.1 * MM], "margin of C > 0 um") < 0.0);
+    assert!(Linkage::check(&rougher).is_err());
+    let smooth = Roughness { R_p: 3.0 * UM, ..Roughness::default() };
+    assert!(Linkage::check(&smooth).is_ok() && value(&smooth, &[0.1 * MM], "Ra") > 0.0);
+    // A larger force of the other reading.
+    let pressed = Influence { R_p: 4.5 * UM, ..Influence::default() };
+    let at = [1.0 * MM, 300.0];
+    let [ra, margin] = ["Ra", "margin of C > 0 um"].map(|name| value(&pressed, &at, name));
+    assert_eq!(ra.is_nan(), margin <= 0.0, "{ra}, {margin}");
 }
 
 /// `J` of eq (9) in its singular form against the smooth one, at the cusp and just beside it.

@@ -85,19 +85,20 @@ fn what_grows_without_measure_is_named() {
         let _ = write!(twice, "let f{}(a) = f{k}(f{k}(a));", k + 1);
     }
     twice += "output hot = f30(time/(1 s));";
-    let sum = "output hot = ddot(sum(i in 1..10000, sin(i*x/(1 m))));".to_string();
+    let sum = "output hot = ddot(sum(i in 1..10000, sin(i*x/(1 m))*cos((i + 1)*x/(1 m))*sin((i + 2)*x/(1 m))));".to_string();
     let mut product = "output hot = ddot(sin(x/(1 m))".to_string();
     for k in 0..400 {
         let _ = write!(product, "*sin({k}*x/(1 m) + 1)");
     }
     product += ");";
     for text in [sines, twice, sum, product] {
+        let head: String = text.chars().take(60).collect();
         let text = format!("{SPRING} output dot(x); {text} output x^2;");
         let start = Instant::now();
         let (compiled, lexed) = compiled(&text);
         assert!(start.elapsed() < PATIENCE, "{:?}", start.elapsed());
         let mistakes = mistakes(&compiled);
-        assert_eq!(mistakes.len(), 1, "{mistakes:?}");
+        assert_eq!(mistakes.len(), 1, "{head}: {mistakes:?}");
         assert!(mistakes[0].message.starts_with("this statement grows too large"));
         let place = super::words(&text, &lexed, mistakes[0].span);
         assert!(place.starts_with("hot = "), "{place}");
