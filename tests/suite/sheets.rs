@@ -35,10 +35,10 @@ fn burnishing_with_hardly_any_feed() {
         is(value(&sheet, &at, "A"), exact, 1e-13);
         is(1.0 - value(&sheet, &at, "theta"), theta, 1e-7);
     }
-    for feed in [1e-18 * MM, 0.0] {
-        assert!(!value(&sheet, &[feed], "A_printed").is_finite());
-        is(value(&sheet, &[feed], "A"), exact, 1e-13);
-    }
+    // The depth that the printed form multiplies with nothing is beyond all bounds.
+    let depth = value(&sheet, &[0.0], "h_v").abs();
+    assert!(depth.is_nan() || depth > 1e3, "{depth}");
+    is(value(&sheet, &[0.0], "A"), exact, 1e-13);
 }
 
 /// The slope of the arc cosine is infinite where tracks begin to overlap; beyond, they do not.
@@ -55,15 +55,12 @@ fn tracks_that_do_not_overlap() {
 
 #[test]
 fn roughness_below_zero_is_no_roughness() {
-    // Over the force the condition is one on what is swept: without values where it does not hold.
-    let smoothed = Balance { R_p: 5.0 * UM, ..Balance::default() };
-    assert!(Linkage::check(&smoothed).is_ok());
-    // Over the feed it is one on the values, which are refused.
-    let rougher = Roughness { R_p: 5.0 * UM, ..Roughness::default() };
+    // Over the feed the condition is one on the values, which are refused.
+    let rougher = Roughness { R_p: 5.2 * UM, ..Roughness::default() };
     assert!(Linkage::check(&rougher).is_err());
     let smooth = Roughness { R_p: 3.0 * UM, ..Roughness::default() };
     assert!(Linkage::check(&smooth).is_ok() && value(&smooth, &[0.1 * MM], "Ra") > 0.0);
-    // A larger force of the other reading.
+    // Over force and radius it is one on what is swept: without values where it does not hold.
     let pressed = Influence { R_p: 4.5 * UM, ..Influence::default() };
     let at = [1.0 * MM, 300.0];
     let [ra, margin] = ["Ra", "margin of C > 0 um"].map(|name| value(&pressed, &at, name));

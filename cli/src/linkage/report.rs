@@ -191,8 +191,8 @@ pub fn collect(case: Case, places: Vec<Place>, shown: Shown) -> Result<Report, F
 /// Why an integral or a root has no value, at the first round place where something has none.
 fn unfound(case: &Case, rows: &[Line]) -> Option<String> {
     let is_none = |sample: &&Sample| sample.outputs.iter().any(|value| value.is_nan());
-    let reached = rows.iter().flat_map(Line::reached);
-    let (station, _) = reached.filter(|(_, sample)| is_none(sample)).next()?;
+    let mut reached = rows.iter().flat_map(Line::reached);
+    let (station, _) = reached.find(|(_, sample)| is_none(sample))?;
     fault::take();
     case.at(case.place(station)).ok()?;
     let axes = case.axes();

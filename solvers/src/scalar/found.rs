@@ -80,7 +80,7 @@ impl Dual {
     /// Where the slope is zero, whose own slopes are differences.
     pub(super) fn highest_place_along(function: &dyn Fn(Self) -> Self) -> Self {
         /// Share of the range, whose fourth power is rounding.
-        const STEP: f64 = 2e-4;
+        const STEP: f64 = 1e-4;
         let place = highest(&mut |place| function(Self::constant(place)).value).place;
         if place <= 0.0 || place >= 1.0 {
             return Self::constant(place);
