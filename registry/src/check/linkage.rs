@@ -165,6 +165,9 @@ impl<'a> Position<'a> {
                     let slope = slope(output, row);
                     let size = self.size(self.entry.variables[column]);
                     let flat = if size > 0.0 { slope / size } else { 0.0 };
+                    let area = size * self.size(self.entry.variables[row]);
+                    let level = self.reported[output].abs();
+                    let flat = if area > 0.0 { flat.max(level / area) } else { flat };
                     let scale = largest(row, column).max(mean);
                     if is_off(found, wanted, (SECOND * scale).max(ROUNDING * flat)) {
                         let (p, q) = (self.entry.variables[row], self.entry.variables[column]);
