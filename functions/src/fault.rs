@@ -24,6 +24,13 @@ pub enum Why {
     Root(Root, usize),
 }
 
+impl Fault {
+    /// Whether there is a value, but not to rounding.
+    pub fn is_rough(&self) -> bool {
+        matches!(self.why, Why::Mean(MeanFault::Rough { .. }))
+    }
+}
+
 thread_local! {
     static LAST: RefCell<Option<Fault>> = const { RefCell::new(None) };
 }
@@ -52,6 +59,9 @@ impl fmt::Display for Fault {
                     "is no finite number inside its range, {:.3} % behind its begin",
                     percent(at)
                 )
+            }
+            Why::Mean(MeanFault::Rough { mean, error }) => {
+                write!(f, "is known to {:.1e} of it only", (error / mean).abs())
             }
             Why::Mean(MeanFault::Diverges { at, mean, error }) => write!(
                 f,

@@ -51,9 +51,8 @@ const SECTIONS: usize = 80;
 /// Halvings that close in on a zero of the slope.
 const HALVINGS: usize = 60;
 
-/// Parts at whose ends a quantity is looked at first, and hills that are climbed at most.
+/// Parts at whose ends a quantity is looked at first.
 const PARTS: usize = 32;
-const CLIMBED: usize = 4;
 
 /// The largest value of a quantity between 0 and 1. Hills that do not show between neighbouring points of 33 are not seen.
 pub fn highest(at: &mut dyn FnMut(f64) -> f64) -> Top {
@@ -62,18 +61,13 @@ pub fn highest(at: &mut dyn FnMut(f64) -> f64) -> Top {
     if let Some(index) = values.iter().position(|value| value.is_nan()) {
         return Top { value: f64::NAN, place: place(index), blur: 0.0 };
     }
-    let neighbours = |index: usize| (index.saturating_sub(1), (index + 1).min(PARTS));
-    let is_hill = |index: &usize| {
-        let (before, after) = neighbours(*index);
-        values[*index] >= values[before] && values[*index] >= values[after]
-    };
-    let mut hills: Vec<usize> = (0..=PARTS).filter(is_hill).collect();
-    hills.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
     // Of a quantity that is the same everywhere one place is as good as any.
-    let mut best = Top { value: values[hills[0]], place: place(hills[0]), blur: 0.0 };
-    for index in hills.into_iter().take(CLIMBED) {
-        let (before, after) = neighbours(index);
-        if values[before] == values[index] && values[after] == values[index] {
+    let mut best = Top { value: values[0], place: 0.0, blur: 0.0 };
+    for (index, here) in values.iter().enumerate() {
+        let (before, after) = (index.saturating_sub(1), (index + 1).min(PARTS));
+        let is_hill = values[before] <= *here && values[after] <= *here;
+        let is_flat = values[before] == *here && values[after] == *here;
+        if !is_hill || is_flat {
             continue;
         }
         let found = top(Sense::Largest, (place(before), place(after)), at);

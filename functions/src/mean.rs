@@ -29,6 +29,8 @@ const MOST: usize = 256;
 const ROUNDING: f64 = 1e-14;
 /// The least error of a part, over the same.
 const FLOOR: f64 = 4.0 * f64::EPSILON;
+/// With a larger error than this, over the same, a mean is told to be rough.
+const ROUGH: f64 = 1e-10;
 /// With a larger error than this, over the same, there is no mean: the function grows too fast, or swings without end.
 const LARGEST: f64 = 1e-6;
 /// Halvings that bring nothing before that is taken for rounding, and what is left of an error then.
@@ -142,15 +144,22 @@ pub struct Mean {
     pub value: f64,
     /// How wrong it may be.
     pub error: f64,
-    /// Why there is none.
+    /// Why there is none, or why it is not known to rounding.
     pub fault: Option<MeanFault>,
 }
 
-/// Why a function has no mean.
+/// Why a function has no mean, or none that is known to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MeanFault {
     /// It is no finite number at a place, a share of the range.
     NotFinite(f64),
+    /// Its mean does not get any more accurate: the function itself is known no better.
+    Rough {
+        /// The mean.
+        mean: f64,
+        /// How wrong that may be.
+        error: f64,
+    },
     /// Its mean does not settle: it grows too fast beside a place, or swings without end.
     Diverges {
         /// The place that is worst, a share of the range.
@@ -206,7 +215,11 @@ fn in_parts(fill: &mut dyn FnMut(&Part, &mut [f64; POINTS]), mut values: [f64; P
             };
             let at = place(all[(0..count).fold(0, larger)].part.point(POINTS / 2));
             return match is_settled || error <= LARGEST * size {
-                true => Mean { value, error, fault: None },
+                true => {
+                    let is_rough = error > ROUGH * size;
+                    let rough = MeanFault::Rough { mean: value, error };
+                    Mean { value, error, fault: is_rough.then_some(rough) }
+                }
                 false => none(MeanFault::Diverges { at, mean: value, error }),
             };
         }
@@ -318,6 +331,11 @@ mod tests {
             |x: f64| (x.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40) as f64 / 2f64.powi(24);
         let (found, asked) = integral(1.0, &|x, _| 1.0 + 1e-10 * noise(x));
         assert!((found.value - 1.0).abs() < 1e-10 && found.error < 1e-9, "{found:?}");
+        let (rough, _) = integral(1.0, &|x, _| 1.0 + 1e-7 * noise(x));
+        assert!(
+            matches!(rough.fault, Some(MeanFault::Rough { error, .. }) if error < 1e-6),
+            "{rough:?}"
+        );
         assert!(asked < 2_000, "{asked}");
     }
 }

@@ -188,13 +188,17 @@ pub fn collect(case: Case, places: Vec<Place>, shown: Shown) -> Result<Report, F
     })
 }
 
-/// Why an integral or a root has no value, at the first round place where something has none.
+/// Why an integral or a root has no value, or none that is known well, at the first round place where that is so.
 fn unfound(case: &Case, rows: &[Line]) -> Option<String> {
-    let is_none = |sample: &&Sample| sample.outputs.iter().any(|value| value.is_nan());
-    let mut reached = rows.iter().flat_map(Line::reached);
-    let (station, _) = reached.find(|(_, sample)| is_none(sample))?;
-    fault::take();
-    case.at(case.place(station)).ok()?;
+    let mut stations = rows.iter().flat_map(Line::reached).map(|(station, _)| station);
+    let (station, fault) = stations.find_map(|station| {
+        fault::take();
+        let sample = case.at(case.place(station)).ok()?;
+        let fault = fault::take()?;
+        // What a branch that does not hold lacks is no matter.
+        let is_none = sample.outputs.iter().any(|value| value.is_nan());
+        (is_none || fault.is_rough()).then_some((station, fault))
+    })?;
     let axes = case.axes();
     let places = axes.iter().zip(station).map(|(axis, at)| {
         let quantity = &axis.quantity;
@@ -202,7 +206,7 @@ fn unfound(case: &Case, rows: &[Line]) -> Option<String> {
         format!("{} = {at} {}", quantity.name, quantity.unit).trim_end().to_owned()
     });
     let places = places.collect::<Vec<_>>().join(", ");
-    fault::take().map(|fault| format!("at {places} there is no value: {fault}"))
+    Some(format!("at {places}: {fault}"))
 }
 
 /// The linkage at a place that was asked for.

@@ -111,8 +111,13 @@ impl Graph {
     ) -> Vec<Expression> {
         let roots: Vec<_> = weighted.iter().map(|(value, _)| *value).collect();
         let reachable = self.reachable(&roots);
-        if reachable.iter().any(|one| matches!(self.node(*one), Node::Solve(..) | Node::Search(..)))
-        {
+        let forward_only = |one: &Expression| match self.node(*one) {
+            Node::Solve(..) | Node::Search(..) => true,
+            // A weight of zero takes nothing away from a slope that is none where the branch does not hold.
+            Node::Select(_, a, b) => self.has_a_domain(&[*a, *b], symbols),
+            _ => false,
+        };
+        if reachable.iter().any(forward_only) {
             return self.gradient_by_columns(weighted, symbols);
         }
         let wanted: Set<Symbol> = symbols.iter().copied().collect();
@@ -158,6 +163,30 @@ impl Graph {
         }
         let zero = self.zero();
         symbols.iter().map(|symbol| found.get(symbol).copied().unwrap_or(zero)).collect()
+    }
+
+    /// Whether some expressions have no slope by one of the symbols somewhere: beyond a domain, or at its end.
+    fn has_a_domain(&self, roots: &[Expression], symbols: &[Symbol]) -> bool {
+        self.reachable(roots).into_iter().any(|one| {
+            let is_limited = match self.node(one) {
+                Node::Power(_, exponent) => {
+                    let whole = self.as_number(*exponent).filter(|number| number.fract() == 0.0);
+                    whole.is_none_or(|number| number < 0.0)
+                }
+                Node::Call(function, _) => matches!(
+                    function,
+                    Function::Asin
+                        | Function::Acos
+                        | Function::Ln
+                        | Function::Ln1p
+                        | Function::Log10
+                        | Function::Hypot
+                        | Function::Atan2
+                ),
+                _ => false,
+            };
+            is_limited && self.depends_on(one, |symbol| symbols.contains(&symbol))
+        })
     }
 
     fn gradient_by_columns(

@@ -136,6 +136,24 @@ fn every_function_of_two_numbers_has_its_derivatives() {
     }
 }
 
+/// The slope of a branch that does not hold is no number beyond its domain, and counts for nothing there.
+#[test]
+fn a_branch_that_does_not_hold_has_no_slope() {
+    let mut graph = Graph::new();
+    let (x, y) = (graph.symbol(X), graph.symbol(Y));
+    let (one, two) = (graph.one(), graph.number(2.0));
+    let inside = graph.compare(Relation::Less, x, one);
+    let arc = graph.call(Function::Acos, &[x]);
+    let product = graph.mul(arc, y);
+    let branch = graph.select(inside, product, two);
+    let gradient = graph.gradient(&[(branch, two)], &[X, Y]);
+    let at = |graph: &Graph, x: f64| [0, 1].map(|i| value(graph, gradient[i], [x, 3.0, 0.0]));
+    assert_eq!(at(&graph, 1.5), [0.0, 0.0]);
+    let [by_x, by_y] = at(&graph, 0.5);
+    check_close(by_x, -6.0 / 0.75f64.sqrt(), "by x");
+    check_close(by_y, 2.0 * 0.5f64.acos(), "by y");
+}
+
 #[test]
 fn all_functions_are_tested() {
     let tested = UNARY.iter().map(|one| one.0).chain(BINARY.iter().map(|one| one.0));

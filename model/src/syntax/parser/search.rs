@@ -53,7 +53,7 @@ impl Parser<'_> {
     }
 
     /// `.. b`
-    fn far_end(&mut self) -> Read<Term> {
+    pub(super) fn far_end(&mut self) -> Read<Term> {
         self.operator("..")?;
         if self.is_operator("=") {
             return self.wrong("a range includes both its ends", Some("write `a .. b`"));

@@ -337,16 +337,13 @@ impl Parser<'_> {
     /// `a .. b`, both ends included.
     pub(super) fn range(&mut self) -> Read<(Term, Term)> {
         let from = self.term()?;
-        if !self.take_operator("..") {
+        if !self.is_operator("..") {
             return self.wrong(
                 format!("found {}, expected `..`", self.found()),
                 Some("a range is written `a .. b`: `for k in 1..5 { … }`, `run time 0 s .. 1 s;`"),
             );
         }
-        if self.is_operator("=") {
-            return self.wrong("a range includes both its ends", Some("write `a .. b`"));
-        }
-        Ok((from, self.term()?))
+        Ok((from, self.far_end()?))
     }
 
     /// `if c { x } else { y }`
