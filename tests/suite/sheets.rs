@@ -2,7 +2,9 @@
 //! with the naive failure beside it.
 
 use assur::closure::{AtDeadPoint, Axis, Linkage, sweep};
-use assur_equations::burnishing::{Balance, Map, Profile, Profile2, Recommended, Roughness, Soft};
+use assur_equations::burnishing::{
+    Balance, Influence, Map, Profile, Profile2, Recommended, Roughness, Soft,
+};
 use assur_equations::gear_flank::Straight;
 
 const MM: f64 = 1e-3;
@@ -58,6 +60,13 @@ fn roughness_below_zero_is_no_roughness() {
     assert!(Linkage::check(&rougher).is_err());
     let smooth = Roughness { R_p: 3.0 * UM, ..Roughness::default() };
     assert!(Linkage::check(&smooth).is_ok() && value(&smooth, &[0.1 * MM], "Ra") > 0.0);
+    // Over force and radius it is one on what is swept: nothing has a value where it does not hold.
+    for (peaks, holds) in [(3.0, true), (8.0, false)] {
+        let sheet = Influence { R_p: peaks * UM, ..Influence::default() };
+        let [ra, margin] =
+            ["Ra", "margin of C > 0 um"].map(|name| value(&sheet, &[100.0, 1.0 * MM], name));
+        assert_eq!((margin > 0.0, ra.is_finite()), (holds, holds), "{peaks}: {ra}, {margin}");
+    }
 }
 
 /// `J` of eq (9) in its singular form against the smooth one, at the cusp and just beside it.

@@ -179,6 +179,7 @@ impl Interval {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use assur_functions::fault;
 
     /// `∫ exp(a x) dx` over 0..1, `a = 0.7`.
     fn mean<S: Scalar>(a: S) -> S {
@@ -243,6 +244,18 @@ mod tests {
             assert!((found.value - moved).abs() <= 1.001 * found.bound, "{found:?}, {moved}");
             assert!(found.bound < 3e-6, "{found:?}");
         }
+    }
+
+    #[test]
+    fn what_is_not_found_is_kept_with_its_words() {
+        fault::take();
+        assert!(f64::root("x^2 = -1", |x| x * x + 1.0).is_nan());
+        let told = fault::take().map(|fault| fault.to_string()).unwrap_or_default();
+        assert!(told.starts_with("`x^2 = -1` has one sign at both ends"), "{told}");
+        assert!(f64::mean("1/x", |t| 1.0 / t, |t| 1.0 / (1.0 - t)).is_nan());
+        let told = fault::take().map(|fault| fault.to_string()).unwrap_or_default();
+        assert!(told.starts_with("`1/x` does not settle"), "{told}");
+        assert!(found(A).iter().all(|value| value.is_finite()) && fault::take().is_none());
     }
 
     #[test]
