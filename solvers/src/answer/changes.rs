@@ -12,7 +12,7 @@ const NOTHING: f64 = 1e-5;
 const NEAR: f64 = 0.5;
 /// Parts of a step at whose ends it is looked at.
 const PARTS: usize = 4;
-/// A time is found when it is known to this, over itself.
+/// A time is found when it is known to this, over the time at which the step ends.
 const FOUND: f64 = 1e-12;
 /// Chords lead to nothing if they meet below this share of the least value known.
 const SHARE: f64 = 0.25;
@@ -76,7 +76,8 @@ fn vanishes(
     let inner = |from: f64, to: f64| (to - GOLDEN * (to - from), from + GOLDEN * (to - from));
     let (mut a, mut b) = inner(from, to);
     let (mut at_a, mut at_b) = (function(a), function(b));
-    while at_a.min(at_b) > NOTHING || to - from > FOUND * to.abs() {
+    let narrow = FOUND * to.abs().max(from.abs());
+    while at_a.min(at_b) > NOTHING || to - from > narrow {
         let chord = |(x, at_x): (f64, f64), (y, at_y): (f64, f64)| (at_y - at_x) / (y - x);
         let (left, middle, right) = (
             chord((from, at_from), (a, at_a)),
@@ -127,6 +128,12 @@ mod tests {
             let (found, _) = look(|x| (x - 1.0).sin().abs() * (1.0 + 0.3 * x), (from, from + 1.0));
             assert!(found.is_some_and(|at| (at - 1.0).abs() < 1e-5), "{place}: {found:?}");
         }
+    }
+
+    #[test]
+    fn a_motion_may_begin_at_a_change_point() {
+        let (found, count) = look(|x| x, (0.0, 0.1));
+        assert!(found.is_some_and(|at| at < 1e-12) && count < 80, "{found:?} after {count}");
     }
 
     #[test]
