@@ -89,10 +89,10 @@ impl Source {
         let compiled = assur_model::compile_with(&lexed.tokens, &mut |wanted| {
             let path = &wanted.path;
             match &self.parts {
-                Parts::Folder(folder) => texts.read(folder, path),
+                Parts::Folder(folder) => texts.read(folder, wanted),
                 Parts::Texts(list) => {
                     let found = list.iter().find(|(one, _)| one == path);
-                    texts.lex(path, found.map_or("", |(_, text)| text).as_bytes())
+                    texts.lex(wanted, found.map_or("", |(_, text)| text).as_bytes())
                 }
             }
         });

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::tables;
 use assur_model::program::{Form, Function, Input, Line, OperationKind, Relation, Search, Value};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -176,6 +177,10 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
         Kind::Solve { .. } => {
             let (factor, right) = (text[0], &text[1..]);
             (quote!(#factor.solve([#(#right),*])), Whole)
+        }
+        Kind::Table { spline, order, .. } => {
+            let (name, order) = (tables::name(spline), *order);
+            (quote!(S::table::<#order>(#(#text),*, &#name)), Whole)
         }
         Kind::Search { search, text, lines, .. } => {
             (self::search((*search, text), lines, &all, 0), Whole)

@@ -30,6 +30,7 @@ mod series;
 mod shape;
 mod slopes;
 mod subjects;
+mod tables;
 mod tests;
 mod values;
 
@@ -81,6 +82,7 @@ pub fn mechanism(model: &Model, origin: &Origin<'_>) -> TokenStream {
         let text = docs::lines(&format!("The first scene of the mechanism, `{target}`."));
         quote!(#text pub type #name = #target;)
     });
+    let curves = tables::items(named.iter().map(|(scene, ..)| *scene));
     let table = registry::table(model, &layouts, origin);
     let shapes = shape::module(&layouts, origin);
     let tests = tests::module(&layouts, origin);
@@ -93,6 +95,7 @@ pub fn mechanism(model: &Model, origin: &Origin<'_>) -> TokenStream {
             non_upper_case_globals, unused_qualifications, unused_parens, unused_variables, dead_code
         )]
         mod #module {
+            #curves
             #(#scenes)*
             #alias_item
             #shapes

@@ -218,7 +218,9 @@ impl<'a> Writer<'a> {
         let read = self.kind(value).operands();
         let terms: Vec<TokenStream> = read.iter().map(|value| self.term(*value)).collect();
         Some(match self.kind(value) {
-            Kind::Number(_) | Kind::Factor { .. } | Kind::Search { .. } => return None,
+            Kind::Number(_) | Kind::Factor { .. } | Kind::Search { .. } | Kind::Table { .. } => {
+                return None;
+            }
             Kind::Input(Input::Time) => quote!(::assur::series::time(k_, time, length)),
             Kind::Input(Input::State(index)) => {
                 let index = size(*index as usize);

@@ -22,6 +22,13 @@ pub enum Why {
     Mean(MeanFault),
     /// A root. The number is how often the function is seen to change its sign.
     Root(Root, usize),
+    /// A table is looked up where it has no points.
+    Outside {
+        /// Where.
+        at: f64,
+        /// Where its points begin and end.
+        range: (f64, f64),
+    },
 }
 
 impl Fault {
@@ -94,6 +101,11 @@ impl fmt::Display for Fault {
                 write!(f, "is no number {:.3} % behind the begin of its range", percent(at))
             }
             Why::Root(Root::At(_), _) => write!(f, "is found"),
+            Why::Outside { at, range } => write!(
+                f,
+                "is looked up at {at:.6e}, its points reach from {:.6e} to {:.6e} in SI units",
+                range.0, range.1
+            ),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The files of parts, found beside the file that names them.
+//! The files of parts and tables, found beside the file that names them.
 
 use std::path::{Path, PathBuf};
 
@@ -37,7 +37,7 @@ impl Parts {
             let item = quote_spanned!(named=> const _: &[u8] = ::core::include_bytes!(#path););
             self.used.extend(item);
         }
-        self.texts.read(&folder, &wanted.path)
+        self.texts.read(&folder, wanted)
     }
 }
 

@@ -37,6 +37,7 @@ pub mod program;
 mod published;
 mod resolve;
 mod scene;
+pub mod sheet;
 mod slopes;
 mod statements;
 pub mod structure;
@@ -72,7 +73,7 @@ fn no_file(wanted: &Wanted) -> Result<Vec<Token>, Unreadable> {
     })
 }
 
-/// Compiles the tokens of a mechanism. Files of its parts come from `loader`, which is called on this thread.
+/// Compiles the tokens of a mechanism. Files of its parts and tables come from `loader`, which is called on this thread.
 pub fn compile_with(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
     let (ask, asked) = mpsc::channel::<Wanted>();
     let (give, given) = mpsc::channel();

@@ -23,6 +23,10 @@ mod share;
 mod staging;
 mod surfaces;
 
+use std::sync::Arc;
+
+pub use assur_functions::Spline;
+
 pub use crate::expression::{Form, Function, Relation, Search};
 pub use build::{Request, bind, build};
 pub use closing::{ClosedForm, Closing};
@@ -167,6 +171,15 @@ pub enum OperationKind {
         captured: Vec<Value>,
         /// The functions.
         lines: Vec<Line>,
+    },
+    /// A derivative of a sampled curve.
+    Table {
+        /// The curve.
+        spline: Arc<Spline>,
+        /// Which derivative, from 0.
+        order: u32,
+        /// The place.
+        at: Value,
     },
 }
 

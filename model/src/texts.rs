@@ -7,8 +7,9 @@ use std::ops::Range;
 use std::path::Path;
 
 use crate::checked::PartFile;
+use crate::flatten::Wanted;
 use crate::lexer::{self, LARGEST_FILE, Unreadable};
-use crate::token::{Span, Token};
+use crate::token::{Span, Token, TokenKind};
 
 /// Texts by path, with the places of their tokens.
 #[derive(Clone, Debug, Default)]
@@ -38,7 +39,8 @@ impl Texts {
     ///
     /// # Errors
     /// It is not there, or is no equation file.
-    pub fn read(&mut self, folder: &Path, path: &str) -> Result<Vec<Token>, Unreadable> {
+    pub fn read(&mut self, folder: &Path, wanted: &Wanted) -> Result<Vec<Token>, Unreadable> {
+        let path = &wanted.path;
         let place = folder.join(path);
         let wrong = |message: String| Unreadable { range: 0..0, message, hint: None };
         let missing = || {
@@ -57,20 +59,26 @@ impl Texts {
         File::open(&place)
             .and_then(|file| file.take(LARGEST_FILE as u64 + 1).read_to_end(&mut bytes))
             .map_err(failed)?;
-        self.lex(path, &bytes)
+        self.lex(wanted, &bytes)
     }
 
     /// The tokens of a file that is at hand.
     ///
     /// # Errors
     /// It is no equation file.
-    pub fn lex(&mut self, path: &str, bytes: &[u8]) -> Result<Vec<Token>, Unreadable> {
+    pub fn lex(&mut self, wanted: &Wanted, bytes: &[u8]) -> Result<Vec<Token>, Unreadable> {
+        let (path, what) = (&wanted.path, if wanted.is_sheet { "table" } else { "part" });
         let cannot = |error: Unreadable, place: String| Unreadable {
             range: 0..0,
-            message: format!("the file of the part cannot be read: {place}: {}", error.message),
-            hint: error.hint,
+            message: format!("the file of the {what} cannot be read: {place}: {}", error.message),
+            hint: error.hint.filter(|_| !wanted.is_sheet),
         };
         let text = lexer::text(bytes).map_err(|error| cannot(error, path.to_string()))?;
+        if wanted.is_sheet {
+            let whole = vec![0..text.len()];
+            self.files.insert(path.to_string(), (text.to_string(), whole));
+            return Ok(vec![Token { kind: TokenKind::Text, text: text.to_string() }]);
+        }
         let lexed = lexer::lex_file(text).map_err(|error| {
             let (line, column) = line_and_column(text, error.range.start);
             cannot(error, format!("{path}:{line}:{column}"))
@@ -111,10 +119,14 @@ mod tests {
 
     const LIFT: &str = "assur::mechanism! {\n    Lift;\n    let µ = 2*a;\n}\n";
 
+    fn wanted(path: &str) -> Wanted {
+        Wanted { path: path.into(), place: Span::default(), is_sheet: false }
+    }
+
     #[test]
     fn tokens_are_found_again() {
         let mut texts = Texts::default();
-        assert_eq!(texts.lex("lift.eqn", LIFT.as_bytes()).unwrap().len(), 9);
+        assert_eq!(texts.lex(&wanted("lift.eqn"), LIFT.as_bytes()).unwrap().len(), 9);
         let part = Span { first: 3, last: 5 };
         let parts = [PartFile { path: "lift.eqn".into(), first: 20, place: part }];
         assert_eq!(texts.place(&parts, Span::token(19)), None);
@@ -126,19 +138,19 @@ mod tests {
     #[test]
     fn what_is_no_file_of_tokens_says_where() {
         let mut texts = Texts::default();
-        let error = texts.lex("a/lift.eqn", LIFT.replace("2*a", "2*(a").as_bytes());
+        let error = texts.lex(&wanted("a/lift.eqn"), LIFT.replace("2*a", "2*(a").as_bytes());
         assert_eq!(
             error.unwrap_err().message,
             "the file of the part cannot be read: a/lift.eqn:4:1: found `}`, but `)` is expected first"
         );
-        let error = texts.lex("lift.eqn", b"\0");
+        let error = texts.lex(&wanted("lift.eqn"), b"\0");
         assert_eq!(
             error.unwrap_err().message,
             "the file of the part cannot be read: lift.eqn: the file is binary, not text"
         );
         let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
         for path in ["no_such.eqn", "src"] {
-            let message = texts.read(folder, path).unwrap_err().message;
+            let message = texts.read(folder, &wanted(path)).unwrap_err().message;
             let start = format!("there is no file `{path}` beside this one (looked for `");
             assert!(message.starts_with(&start), "{message}");
         }

@@ -13,6 +13,7 @@ mod plain;
 pub(crate) mod processor;
 mod sine;
 
+pub use assur_functions::Table;
 pub use assur_functions::fault;
 use assur_functions::fault::Why;
 pub use bounded::Bounded;
@@ -184,6 +185,14 @@ pub trait Scalar:
     fn highest_place(function: impl Fn(Self) -> Self) -> Self {
         let mut value = |place: f64| found::value(&function, place);
         Self::from_f64(assur_functions::highest(&mut value).place)
+    }
+    /// A derivative of a sampled curve, of order zero the curve itself; NaN outside of its range, which is kept as a fault.
+    #[inline(always)]
+    fn table<const ORDER: u32>(self, table: &Table<'_>) -> Self {
+        let (begin, [a, b, c, d]) = table.at(self.to_f64(), ORDER);
+        let number = Self::from_f64;
+        let t = self - number(begin);
+        number(d).mul_add(t, number(c)).mul_add(t, number(b)).mul_add(t, number(a))
     }
     /// Largest whole number that is not greater.
     fn floor(self) -> Self;

@@ -1,5 +1,9 @@
 //! Builds expressions in normal form.
 
+use std::sync::Arc;
+
+use assur_functions::Spline;
+
 use super::function::{Function, Relation};
 use super::graph::{Expression, Graph, Node, Real, Symbol};
 use super::hash::{Map, Set};
@@ -326,6 +330,18 @@ impl Graph {
             _ => rest,
         };
         self.scale(coefficient, whole)
+    }
+
+    /// A derivative of a sampled curve at a place; there is none beyond the third.
+    pub fn sampled(&mut self, spline: Arc<Spline>, order: u32, at: Expression) -> Expression {
+        match self.as_number(at) {
+            _ if order > 3 => self.zero(),
+            Some(x) if spline.table().value(x, order).is_finite() => {
+                let value = spline.table().value(x, order);
+                self.number(value)
+            }
+            _ => self.intern(Node::Table(spline, order, at)),
+        }
     }
 
     /// A condition; between numbers it becomes `0 < 1` or `1 < 0`.

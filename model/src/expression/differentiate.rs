@@ -273,6 +273,7 @@ impl Graph {
                 list
             }
             Node::Call(function, arguments) => self.slopes_of_call(one, function, &arguments),
+            Node::Table(spline, order, at) => vec![(at, self.sampled(spline, order + 1, at))],
             Node::Whole(inner) => match *self.node(inner) {
                 // The slope of an inverse is made of it, and divides nothing once more.
                 Node::Power(base, exponent) if self.as_number(exponent) == Some(-1.0) => {

@@ -70,6 +70,9 @@ impl Writer<'_> {
             Node::Solve(factor, right) => {
                 (format!("solve({}, {})", self.write(*factor, 0, false), list(right)), 9)
             }
+            Node::Table(_, order, at) => {
+                (format!("table{}({})", "'".repeat(*order as usize), list(&[*at])), 9)
+            }
             Node::Search(search, _, bodies) => {
                 (format!("{}({})", format!("{search:?}").to_lowercase(), list(bodies)), 9)
             }

@@ -25,6 +25,7 @@ impl Graph {
                 Node::And(a, b) => truth(at(a) != 0.0 && at(b) != 0.0),
                 Node::Or(a, b) => truth(at(a) != 0.0 || at(b) != 0.0),
                 Node::Whole(a) => at(a),
+                Node::Table(spline, order, a) => spline.table().value(at(a), *order),
                 Node::Not(a) => truth(at(a) == 0.0),
                 Node::Select(c, a, b) => {
                     if at(c) != 0.0 {

@@ -4,6 +4,9 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::hash::{BuildHasher, BuildHasherDefault};
 use std::rc::Rc;
+use std::sync::Arc;
+
+use assur_functions::Spline;
 
 use super::budget::Budget;
 use super::build::Made;
@@ -120,6 +123,8 @@ pub enum Node {
     Element(Expression, u32),
     /// What is found of bodies in which the bound symbol of this level goes from 0 to 1.
     Search(Search, u32, Box<[Expression]>),
+    /// A derivative of a sampled curve at a place.
+    Table(Arc<Spline>, u32, Expression),
 }
 
 impl Node {
@@ -133,7 +138,9 @@ impl Node {
             | Node::Factor(_, _, list)
             | Node::Search(_, _, list) => ([None; 3], list),
             Node::Solve(factor, right) => ([Some(*factor), None, None], right),
-            Node::Not(a) | Node::Element(a, _) | Node::Whole(a) => ([Some(*a), None, None], &[]),
+            Node::Not(a) | Node::Element(a, _) | Node::Whole(a) | Node::Table(_, _, a) => {
+                ([Some(*a), None, None], &[])
+            }
             Node::Power(a, b) | Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
                 ([Some(*a), Some(*b), None], &[])
             }
@@ -335,6 +342,7 @@ impl Graph {
             Node::Or(a, b) => self.or(operand(*a), operand(*b)),
             Node::Whole(a) => self.whole(operand(*a)),
             Node::Not(a) => self.not(operand(*a)),
+            Node::Table(spline, order, a) => self.sampled(spline.clone(), *order, operand(*a)),
             Node::Select(c, a, b) => self.select(operand(*c), operand(*a), operand(*b)),
             Node::Factor(form, size, entries) => {
                 let entries = list(entries).into();

@@ -10,6 +10,7 @@
 mod binding;
 mod files;
 mod scope;
+mod tables;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -191,6 +192,7 @@ impl Flattener<'_, '_> {
             if scope.is_part() && !is_kept(&mut statement.kind) {
                 continue;
             }
+            self.read_tables(&mut statement.kind);
             statement.kind.visit(scope);
             let locals = scope.enter(&statement.kind);
             for body in statement.kind.blocks_mut() {

@@ -12,6 +12,7 @@ mod measure;
 mod mechanics;
 mod notation;
 mod search;
+mod table;
 mod turns;
 mod typed;
 mod vector;
@@ -212,6 +213,7 @@ impl<'a> Lowering<'a> {
             TermKind::Search { name, variable, from, to, body } => {
                 self.search(name, variable, (from, to), body, term)
             }
+            TermKind::Table(table) => self.table(table, term),
             TermKind::Bound { name, value, instead } => self.bound(name, value, instead),
         }
     }

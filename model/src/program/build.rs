@@ -177,6 +177,7 @@ fn is_linear(program: &Program) -> bool {
                 | OperationKind::Select { .. }
                 | OperationKind::Factor { .. }
                 | OperationKind::Search { .. }
+                | OperationKind::Table { .. }
         );
         operation.stage < Stage::State || !branches
     });

@@ -199,6 +199,10 @@ impl<'a> Emitter<'a> {
                 let right = self.values(&right);
                 self.combine(OperationKind::Solve { factor, right })
             }
+            Node::Table(spline, order, at) => {
+                let at = self.value(at);
+                self.combine(OperationKind::Table { spline, order, at })
+            }
             Node::Search(..) => self.search(expression),
             Node::Element(solution, index) => {
                 let solution = self.value(solution);

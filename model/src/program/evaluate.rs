@@ -136,6 +136,9 @@ fn run<'a>(
                 .and_then(|list| list.get(*index as usize))
                 .copied()
                 .unwrap_or(f64::NAN),
+            OperationKind::Table { spline, order, at } => {
+                spline.table().value(numbers[at.0 as usize], *order)
+            }
             OperationKind::Search { search, captured, lines, .. } => {
                 let captured = all(captured);
                 search.find(&|line, place| lines[line].evaluate(&captured, place))

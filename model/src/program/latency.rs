@@ -26,6 +26,7 @@ pub fn of(kind: &Kind, depth: impl Fn(Value) -> u32) -> u32 {
         Kind::Solve { right, .. } => latest + right.len() as u32 * (DIVISION + 2),
         Kind::Element { .. } => latest,
         Kind::Search { .. } => latest + SEARCH,
+        Kind::Table { .. } => latest + SERIES,
         Kind::Add(..)
         | Kind::Subtract(..)
         | Kind::Multiply(..)

@@ -10,7 +10,7 @@ impl OperationKind {
         use OperationKind as Kind;
         match self {
             Kind::Number(_) | Kind::Input(_) => Vec::new(),
-            Kind::Negate(a) | Kind::Not(a) => vec![*a],
+            Kind::Negate(a) | Kind::Not(a) | Kind::Table { at: a, .. } => vec![*a],
             Kind::Add(a, b) | Kind::Subtract(a, b) | Kind::Multiply(a, b) | Kind::Divide(a, b) => {
                 vec![*a, *b]
             }
@@ -37,7 +37,7 @@ impl OperationKind {
         let all = |list: &mut Vec<Value>| list.iter_mut().for_each(|one| *one = new(*one));
         match self {
             Kind::Number(_) | Kind::Input(_) => {}
-            Kind::Negate(a) | Kind::Not(a) => *a = new(*a),
+            Kind::Negate(a) | Kind::Not(a) | Kind::Table { at: a, .. } => *a = new(*a),
             Kind::Add(a, b) | Kind::Subtract(a, b) | Kind::Multiply(a, b) | Kind::Divide(a, b) => {
                 (*a, *b) = (new(*a), new(*b));
             }

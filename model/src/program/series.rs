@@ -108,9 +108,12 @@ impl Series<'_> {
     fn has_terms(&self, value: Value) -> bool {
         match self.program.kind(value) {
             Kind::Input(Input::Time | Input::State(_)) => true,
-            Kind::Input(_) | Kind::And(..) | Kind::Or(..) | Kind::Not(_) | Kind::Search { .. } => {
-                self.is_steady(value)
-            }
+            Kind::Input(_)
+            | Kind::And(..)
+            | Kind::Or(..)
+            | Kind::Not(_)
+            | Kind::Search { .. }
+            | Kind::Table { .. } => self.is_steady(value),
             _ => true,
         }
     }

@@ -1,8 +1,8 @@
 //! Writes terms and statements as the language has them, with no more parentheses than it needs.
 
 use super::tree::{
-    BinaryOperator, Direction, EnergyKind, Statement, StatementKind, Target, Term, TermKind,
-    UnaryOperator, UnitTerm, When,
+    BinaryOperator, Direction, EnergyKind, Points, Statement, StatementKind, TableTerm, Target,
+    Term, TermKind, UnaryOperator, UnitTerm, When,
 };
 
 /// A term as text.
@@ -139,6 +139,7 @@ fn write(term: &Term, least: u8) -> String {
             9,
         ),
         TermKind::Bound { value, .. } => return write(value, least),
+        TermKind::Table(table) => (self::table(table), 9),
         TermKind::Search { name, variable, from, to, body } => {
             let range = format!("{} .. {}", write(from, 4), write(to, 4));
             let text = match &body.kind {
@@ -162,6 +163,34 @@ fn write(term: &Term, least: u8) -> String {
         ),
     };
     if power < least { format!("({text})") } else { text }
+}
+
+/// A sampled curve with at most a few of its points.
+fn table(table: &TableTerm) -> String {
+    /// Points that are written at each end.
+    const FEW: usize = 3;
+    let at = write(&table.at, 0);
+    let mut text = match &table.points {
+        Points::Written(points) => {
+            let point = |(x, y): &(Term, Term)| format!("{}: {}", write(x, 0), write(y, 0));
+            let mut all: Vec<String> = points.iter().map(point).collect();
+            if all.len() > 2 * FEW + 1 {
+                all.splice(FEW..all.len() - FEW, ["…".to_string()]);
+            }
+            format!("table({at}; {}", all.join(", "))
+        }
+        Points::File { file, column, .. } => {
+            let column = column.iter().map(|one| format!(", \"{}\"", one.text));
+            format!("table(\"{}\", {at}{}", file.text, column.collect::<String>())
+        }
+    };
+    let error = table.error.as_ref().map(|error| format!("smooth {}", write(error, 0)));
+    let options: Vec<String> =
+        table.is_periodic.then(|| "periodic".to_string()).into_iter().chain(error).collect();
+    if !options.is_empty() {
+        text += &format!("; {}", options.join(", "));
+    }
+    text + ")"
 }
 
 fn number(value: f64) -> String {

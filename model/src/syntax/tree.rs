@@ -5,7 +5,7 @@ mod term;
 mod visit;
 
 pub use scene::{Expect, ExpectAt, Output, Scene, SceneItem, Selection, SweepRange};
-pub use term::{BinaryOperator, Term, TermKind, UnaryOperator, UnitTerm};
+pub use term::{BinaryOperator, Points, TableTerm, Term, TermKind, UnaryOperator, UnitTerm};
 pub use visit::Visitor;
 
 use crate::token::Span;

@@ -2,7 +2,8 @@
 
 use super::{Bounded, Dual, Interval, Scalar};
 use assur_functions::fault::{Why, keep};
-use assur_functions::{End, Mean, POINTS, Root, highest, mean, root, sign_changes};
+use assur_functions::table::derivative;
+use assur_functions::{End, Mean, POINTS, Root, Table, highest, mean, root, sign_changes};
 
 /// The value of a function at a place. Outlined, so that it is compiled for the instructions of its numbers.
 #[inline(always)]
@@ -163,6 +164,26 @@ impl Interval {
         values.reduce(above).unwrap_or(Self::ENTIRE)
     }
 
+    /// The values of a derivative of a sampled curve: on each piece they lie between the factors of its Bernstein form.
+    pub(super) fn over_pieces(self, table: &Table<'_>, order: u32) -> Self {
+        let piece = |(factors, low, high): ([f64; 4], f64, f64)| {
+            let [a, b, c, d] = derivative(factors, order).map(Self::point);
+            let (t, width) = (Self::point(low), Self::point(high) - Self::point(low));
+            let third = |value: Self| value * Self::new(1.0 / 3.0, (1.0_f64 / 3.0).next_up());
+            // The powers of the part of the piece that is meant.
+            let value = ((d * t + c) * t + b) * t + a;
+            let slope = ((Self::point(3.0) * d * t + Self::point(2.0) * c) * t + b) * width;
+            let bend = (Self::point(3.0) * d * t + c) * width * width;
+            let twist = d * width * width * width;
+            let second = value + third(slope);
+            let last = second + third(slope) + third(bend);
+            let end = value + slope + bend + twist;
+            [value, second, last, end].into_iter().reduce(Self::hull).unwrap_or(value)
+        };
+        let hull = table.parts(self.low, self.high).map(piece).reduce(Self::hull);
+        hull.unwrap_or(Self::new(f64::NAN, f64::NAN))
+    }
+
     /// The hull of the parts in which the function may be largest.
     pub(super) fn highest_place_over(function: &dyn Fn(Self) -> Self) -> Self {
         let least = Self::highest_over(function).low;
@@ -263,6 +284,66 @@ mod tests {
         for (found, exact) in found(Interval::new(A, A)).into_iter().zip(exact()) {
             assert!(found.low <= exact && exact <= found.high, "{found:?}, {exact}");
             assert!(found.width() < 0.25, "{found:?}");
+        }
+    }
+
+    /// The curve that [`SPLINE`] goes through.
+    fn curve(x: f64) -> f64 {
+        (1.3 * x).sin()
+    }
+
+    fn spline(ends: assur_functions::Ends) -> assur_functions::Spline {
+        let at = (0..40).map(|i| 0.15 * f64::from(i) + 0.02 * (2.0 * f64::from(i)).sin());
+        let mut points: Vec<_> = at.map(|x| (x, curve(x))).collect();
+        points[39].1 = points[0].1;
+        assur_functions::Spline::new("", &points, ends, None).unwrap()
+    }
+
+    #[test]
+    fn all_numbers_read_a_table_alike() {
+        use assur_functions::Ends::{Open, Periodic};
+        for (ends, shift) in [(Open, 0.0), (Periodic, 0.0), (Periodic, -100.0), (Periodic, 31.4)] {
+            let spline = spline(ends);
+            let table = spline.table();
+            for place in [0.1, 1.7, 3.3, 5.8] {
+                let x = place + shift;
+                let value = x.table::<0>(&table);
+                let (slope, bend) = (x.table::<1>(&table), x.table::<2>(&table));
+                let dual = Dual { value: x, slope: 2.0 }.table::<0>(&table);
+                assert!((dual.value - value).abs() < 1e-15);
+                assert!((dual.slope - 2.0 * slope).abs() < 1e-13);
+                let along = Dual { value: x, slope: 2.0 }.table::<1>(&table);
+                assert!((along.slope - 2.0 * bend).abs() < 1e-12);
+                let bounded = Bounded { value: x, bound: 1e-6 }.table::<0>(&table);
+                let moved = (x + 1e-6).table::<0>(&table);
+                assert!((moved - value).abs() <= 1.001 * bounded.bound + 1e-12, "{bounded:?}");
+                assert!(bounded.bound < 3e-6);
+            }
+        }
+    }
+
+    /// Enclosures hold the values at many places, over the ends of periods as well, and are not much wider.
+    #[test]
+    fn intervals_enclose_a_table() {
+        use assur_functions::Ends::{Open, Periodic};
+        for ends in [Open, Periodic] {
+            let spline = spline(ends);
+            let table = spline.table();
+            let (begin, end) = if ends == Open { (0.0, 5.8) } else { (-9.0, 17.0) };
+            for low in (0..20).map(|i| begin + (end - begin) * f64::from(i) / 20.0) {
+                for width in [0.0, 0.03, 0.4, 2.0, 9.0] {
+                    let high: f64 = (low + width).min(end);
+                    let found = Interval::new(low, high).table::<0>(&table);
+                    let places = (0..=200).map(|i| low + (high - low) * f64::from(i) / 200.0);
+                    let values = places.map(|x| x.min(high).table::<0>(&table));
+                    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+                    for value in values {
+                        assert!(found.low <= value && value <= found.high, "{low} {high} {value}");
+                        (least, most) = (least.min(value), most.max(value));
+                    }
+                    assert!(found.width() < most - least + 0.02, "{low} {high} {found:?}");
+                }
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Intervals: enclosures of all values that an expression takes while its arguments range over theirs.
 
 use super::Scalar;
+use assur_functions::Table;
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -261,6 +262,9 @@ impl Scalar for Interval {
     }
     fn highest_place(function: impl Fn(Self) -> Self) -> Self {
         Self::highest_place_over(&function)
+    }
+    fn table<const ORDER: u32>(self, table: &Table<'_>) -> Self {
+        self.over_pieces(table, ORDER)
     }
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term

@@ -10,6 +10,7 @@ mod scene;
 mod search;
 mod slip;
 mod statement;
+mod table;
 mod term;
 mod unit;
 

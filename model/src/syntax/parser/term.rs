@@ -321,12 +321,8 @@ impl Parser<'_> {
         if name.text == "solve" && self.is_any_word() && self.is_word_ahead(1, "in") {
             return self.equation_to_solve(name);
         }
-        if matches!(name.text.as_str(), "table") {
-            return self.wrong_at(
-                start,
-                format!("`{}` is not available in this version of Assur", name.text),
-                None,
-            );
+        if name.text == "table" {
+            return self.table(start);
         }
         let in_output = std::mem::replace(&mut self.in_output, false);
         let arguments = self.call_arguments(&name);

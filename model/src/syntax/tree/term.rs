@@ -1,6 +1,9 @@
 //! Expressions, and the units in them.
 
+use std::sync::Arc;
+
 use super::Name;
+use crate::sheet::Sheet;
 use crate::token::Span;
 
 /// An expression.
@@ -27,6 +30,7 @@ impl Term {
             TermKind::Sum { from, to, body, .. } | TermKind::Search { from, to, body, .. } => {
                 vec![from, to, body]
             }
+            TermKind::Table(table) => table.parts(),
             TermKind::Bound { value, .. } => vec![value],
         }
     }
@@ -72,9 +76,55 @@ pub enum TermKind {
     /// `integral(f, x, a .. b)`: what is found of `f` while `x` goes from `a` to `b`. In `solve(x in a .. b, l = r)` the body is
     /// `l - r`.
     Search { name: Name, variable: Name, from: Box<Term>, to: Box<Term>, body: Box<Term> },
+    /// `table(x; 0: 1, 1: 3)`, `table("spring.csv", x)`.
+    Table(Box<TableTerm>),
     /// What the quantity `name` of a part is given instead of what its file says, both of one kind. It is not written
     /// so: the binding `e_v = 6 mm;` of a part makes it.
     Bound { name: String, value: Box<Term>, instead: Box<Term> },
+}
+
+/// A sampled curve at a place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableTerm {
+    /// The place.
+    pub at: Term,
+    /// The points.
+    pub points: Points,
+    /// Whether it goes on periodically.
+    pub is_periodic: bool,
+    /// The standard error of the ordinates, if it is to be smoothed.
+    pub error: Option<Term>,
+}
+
+impl TableTerm {
+    fn parts(&self) -> Vec<&Term> {
+        let points: &[(Term, Term)] = match &self.points {
+            Points::Written(points) => points,
+            Points::File { .. } => &[],
+        };
+        let points = points.iter().flat_map(|(x, y)| [x, y]);
+        [&self.at].into_iter().chain(points).chain(&self.error).collect()
+    }
+
+    pub(super) fn parts_mut(&mut self) -> Vec<&mut Term> {
+        let points: &mut [(Term, Term)] = match &mut self.points {
+            Points::Written(points) => points,
+            Points::File { .. } => &mut [],
+        };
+        let points = points.iter_mut().flat_map(|(x, y)| [x, y]);
+        [&mut self.at].into_iter().chain(points).chain(&mut self.error).collect()
+    }
+}
+
+/// The points of a curve.
+#[derive(Clone, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the example of each variant names its parts")]
+pub enum Points {
+    /// `0 s: 1 mm, 1 s: 3 mm`
+    Written(Vec<(Term, Term)>),
+    /// `"spring.csv"`, and the head of the column with the ordinates if there is more than one; what stands in the file once it
+    /// has been read.
+    File { file: Name, column: Option<Name>, sheet: Option<Arc<Sheet>> },
 }
 
 /// An operator before its operand.

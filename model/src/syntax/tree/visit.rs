@@ -179,6 +179,7 @@ impl Term {
             TermKind::If { condition: a, then: b, otherwise: c }
             | TermKind::Sum { from: a, to: b, body: c, .. }
             | TermKind::Search { from: a, to: b, body: c, .. } => vec![a, b, c],
+            TermKind::Table(table) => table.parts_mut(),
         }
     }
 }
