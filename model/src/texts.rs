@@ -75,7 +75,7 @@ impl Texts {
         };
         let text = lexer::text(bytes).map_err(|error| cannot(error, path.to_string()))?;
         if wanted.is_sheet {
-            let whole = vec![0..text.len()];
+            let whole = std::iter::once(0..text.len()).collect();
             self.files.insert(path.to_string(), (text.to_string(), whole));
             return Ok(vec![Token { kind: TokenKind::Text, text: text.to_string() }]);
         }

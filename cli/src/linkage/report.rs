@@ -162,7 +162,8 @@ pub fn collect(case: Case, places: Vec<Place>, shown: Shown) -> Result<Report, F
         }
     }
     let reach = reach::of(&case);
-    let note = contradiction(&case.constants, case.run()).or_else(|| unfound(&case, &rows));
+    let note =
+        contradiction(&case.constants, case.run()).or_else(|| unfound(&case, &rows, &places));
     let cost = Cost {
         positions: lines.iter().map(|line| line.stations.len()).sum(),
         reached: lines.iter().map(|line| line.reached().count()).sum(),
@@ -188,25 +189,38 @@ pub fn collect(case: Case, places: Vec<Place>, shown: Shown) -> Result<Report, F
     })
 }
 
-/// Why an integral or a root has no value, or none that is known well, at the first round place where that is so.
-fn unfound(case: &Case, rows: &[Line]) -> Option<String> {
-    let mut stations = rows.iter().flat_map(Line::reached).map(|(station, _)| station);
-    let (station, fault) = stations.find_map(|station| {
+/// Why something that is looked for has no value, or none that is known well, at the first place where that is so.
+fn unfound(case: &Case, rows: &[Line], asked: &[Snapshot]) -> Option<String> {
+    let fault_at = |place: Vec<f64>| {
         fault::take();
-        let sample = case.at(case.place(station)).ok()?;
+        let sample = case.at(place).ok()?;
         let fault = fault::take()?;
         // What a branch that does not hold lacks is no matter.
         let is_none = sample.outputs.iter().any(|value| value.is_nan());
-        (is_none || fault.is_rough()).then_some((station, fault))
-    })?;
+        (is_none || fault.is_rough()).then_some(fault)
+    };
+    let mut stations = rows.iter().flat_map(Line::reached).map(|(station, _)| station);
+    let on_the_way = stations.find_map(|station| {
+        Some((station_in_words(case, station), fault_at(case.place(station))?))
+    });
+    let there = || {
+        asked.iter().find_map(|one| {
+            Some((one.place.label.clone(), fault_at(one.place.independents.clone())?))
+        })
+    };
+    let (place, fault) = on_the_way.or_else(there)?;
+    Some(format!("at {place}: {fault}"))
+}
+
+/// `u = 3 deg, y = 2 mm`
+fn station_in_words(case: &Case, station: &[f64]) -> String {
     let axes = case.axes();
     let places = axes.iter().zip(station).map(|(axis, at)| {
         let quantity = &axis.quantity;
         let at = number::short(at / quantity.factor);
         format!("{} = {at} {}", quantity.name, quantity.unit).trim_end().to_owned()
     });
-    let places = places.collect::<Vec<_>>().join(", ");
-    Some(format!("at {places}: {fault}"))
+    places.collect::<Vec<_>>().join(", ")
 }
 
 /// The linkage at a place that was asked for.

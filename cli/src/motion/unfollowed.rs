@@ -6,6 +6,7 @@ use assur::ode::OdeError;
 use assur::periodic::PeriodicError;
 use assur::registry::SceneEntry;
 use assur::rest::RestError;
+use assur::scalar::fault;
 
 use super::unclosed;
 use crate::error::Told;
@@ -127,8 +128,14 @@ fn ended(scene: &SceneEntry, error: &OdeError, mode: usize) -> Told {
         "" => String::new(),
         place => format!("{place}: "),
     };
+    // What is looked for and not found says more than that a rate is no number.
+    let fault = matches!(error, OdeError::NotFinite { .. }).then(fault::take).flatten();
+    let reason = match (fault, error.time()) {
+        (Some(fault), Some(time)) => format!("after t = {time} s {fault}"),
+        _ => error.to_string(),
+    };
     Told::new(
-        format!("{place}{error}"),
+        format!("{place}{reason}"),
         "check the values given with --set; else try another --method or --rtol",
     )
 }

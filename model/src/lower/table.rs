@@ -13,6 +13,7 @@ use crate::sheet::{Column, Sheet};
 use crate::syntax::print;
 use crate::syntax::tree::{Name, Points, TableTerm, Term};
 use crate::token::Span;
+use crate::unit::{Unit, parse_unit_text};
 
 /// The points of a curve as numbers in SI units.
 struct Sampled {
@@ -89,9 +90,9 @@ impl Lowering<'_> {
             }
             sampled.list.push((one.0, other.0));
         }
-        let settled = |kind: Kind| if kind == Kind::Any { Kind::NUMBER } else { kind };
-        // Zeros alone have the unit that is asked for.
-        sampled.kinds.1 = settled(sampled.kinds.1);
+        if sampled.kinds.1 == Kind::Any {
+            sampled.kinds.1 = Kind::NUMBER;
+        }
         sampled.spans = (firsts[0].unwrap_or(span), firsts[1].unwrap_or(span));
         Some(sampled)
     }
@@ -117,13 +118,34 @@ impl Lowering<'_> {
             }
         };
         let column = column.map_err(|report| self.diagnostics.push(report)).ok()?;
-        let kind = |column: &Column| Kind::Of(column.unit.dimension);
-        let first = &sheet.columns[0];
+        let columns = [&sheet.columns[0], column].map(|one| self.in_si_units(one, file));
+        let [Some((abscissas, first)), Some((ordinates, second))] = columns else {
+            return None;
+        };
         Some(Sampled {
-            list: first.values.iter().copied().zip(column.values.iter().copied()).collect(),
-            kinds: (kind(first), kind(column)),
+            list: abscissas.into_iter().zip(ordinates).collect(),
+            kinds: (first, second),
             spans: (file.span, file.span),
         })
+    }
+
+    /// The values of a column.
+    fn in_si_units(&mut self, column: &Column, file: &Name) -> Option<(Vec<f64>, Kind)> {
+        let unit = match column.unit.as_str() {
+            "" => Unit::none(),
+            text => match parse_unit_text(text) {
+                Ok(unit) => unit,
+                Err(error) => {
+                    let message =
+                        format!("`{}`: the unit of `{}`: {}", file.text, column.name, error.reason);
+                    let report = Diagnostic::error(file.span, message);
+                    self.error(error.hint.iter().fold(report, |report, hint| report.hint(hint)));
+                    return None;
+                }
+            },
+        };
+        let values = column.values.iter().map(|value| unit.to_si(*value));
+        Some((values.collect(), Kind::Of(unit.dimension)))
     }
 
     /// Reports points that make no curve.

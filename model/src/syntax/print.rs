@@ -180,7 +180,11 @@ fn table(table: &TableTerm) -> String {
             format!("table({at}; {}", all.join(", "))
         }
         Points::File { file, column, .. } => {
-            let column = column.iter().map(|one| format!(", \"{}\"", one.text));
+            let is_word = |text: &str| text.chars().all(|one| one.is_alphanumeric() || one == '_');
+            let column = column.iter().map(|one| match is_word(&one.text) {
+                true => format!(", {}", one.text),
+                false => format!(", \"{}\"", one.text),
+            });
             format!("table(\"{}\", {at}{}", file.text, column.collect::<String>())
         }
     };

@@ -217,7 +217,7 @@ fn endure_text(folder: &Path, text: &str, what: &str) {
     let start = Instant::now();
     let mut texts = assur_model::texts::Texts::default();
     let compiled =
-        assur_model::compile_with(&lexed.tokens, &mut |wanted| texts.read(folder, &wanted.path));
+        assur_model::compile_with(&lexed.tokens, &mut |wanted| texts.read(folder, wanted));
     let took = start.elapsed();
     assert!(took < PATIENCE, "{what} takes {took:?}:\n{text}");
     let has_error = compiled

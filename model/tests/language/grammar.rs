@@ -35,6 +35,14 @@ fn whole_files_compile() {
     assert!(count >= 1, "{count} whole files");
 }
 
+/// The file of values is one.
+#[test]
+fn files_of_values_are_read() {
+    let file = blocks().into_iter().find(|block| block.contains("lift [mm], F [N]\n"));
+    let sheet = assur_model::sheet::Sheet::read(file.expect("the spring")).unwrap();
+    assert_eq!((sheet.columns.len(), sheet.lines.len()), (2, 3));
+}
+
 /// The files of parts are examples before.
 fn file(wanted: &Wanted) -> Result<Vec<Token>, Unreadable> {
     assert_eq!(wanted.path, "crank_rocker.eqn");

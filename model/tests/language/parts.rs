@@ -6,12 +6,12 @@ use assur_model::checked::{Compiled, SceneModel};
 use assur_model::diagnostic::Severity;
 use assur_model::lexer::{Lexed, Unreadable, lex_plain};
 use assur_model::program::Input;
-use assur_model::token::{Span, Token};
+use assur_model::token::{Span, Token, TokenKind};
 
 use super::{Expected, check_messages, words};
 
-/// The files of parts: path and text.
-type Files = [(&'static str, &'static str)];
+/// The files of parts and tables: path and text.
+pub(super) type Files = [(&'static str, &'static str)];
 
 /// A crank that swings a rocker by a rod.
 const FOUR_BAR: &str = "FourBar;
@@ -41,7 +41,7 @@ const FEED: &str = "Feed;
 
 /// Compiles a file with parts. Gives the model with the files that were read, texts and tokens.
 #[track_caller]
-fn compiled<'a>(main: &'a str, files: &'a Files) -> (Compiled, Vec<(&'a str, Lexed)>) {
+pub(super) fn compiled<'a>(main: &'a str, files: &'a Files) -> (Compiled, Vec<(&'a str, Lexed)>) {
     let lexed = lex_plain(main).unwrap();
     let tokens = lexed.tokens.clone();
     let read = RefCell::new(vec![(main, lexed)]);
@@ -53,7 +53,13 @@ fn compiled<'a>(main: &'a str, files: &'a Files) -> (Compiled, Vec<(&'a str, Lex
                 hint: None,
             });
         };
-        let lexed = lex_plain(text)?;
+        let lexed = match wanted.is_sheet {
+            true => Lexed {
+                tokens: vec![Token { kind: TokenKind::Text, text: (*text).into() }],
+                ranges: std::iter::once(0..text.len()).collect(),
+            },
+            false => lex_plain(text)?,
+        };
         if !lexed.tokens.is_empty() {
             read.borrow_mut().push((text, lexed.clone()));
         }
@@ -79,13 +85,13 @@ fn words_of<'a>(read: &[(&'a str, Lexed)], span: Span) -> &'a str {
 }
 
 #[track_caller]
-fn check(main: &str, files: &Files, expected: &[Expected]) {
+pub(super) fn check(main: &str, files: &Files, expected: &[Expected]) {
     let (compiled, read) = compiled(main, files);
     check_messages(main, &compiled, expected, |span| words_of(&read, span));
 }
 
 #[track_caller]
-fn scene(main: &str, files: &Files) -> SceneModel {
+pub(super) fn scene(main: &str, files: &Files) -> SceneModel {
     let (compiled, _) = compiled(main, files);
     assert!(compiled.diagnostics.is_empty(), "{main}: {:#?}", compiled.diagnostics);
     compiled.model.unwrap().scenes.remove(0)
@@ -275,7 +281,7 @@ fn what_is_not_bound_stays() {
 
 /// What stands behind a crank that is given to a four-bar, and the messages.
 #[track_caller]
-fn check_all(cases: &[(&str, &[Expected])]) {
+pub(super) fn check_all(cases: &[(&str, &[Expected])]) {
     let files = [
         ("four_bar.eqn", FOUR_BAR),
         ("a.eqn", "A; part next: B from \"b.eqn\";"),

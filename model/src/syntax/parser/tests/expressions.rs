@@ -2,7 +2,7 @@
 
 use super::term;
 use crate::syntax::print;
-use crate::syntax::tree::{Term, TermKind};
+use crate::syntax::tree::{Points, Term, TermKind};
 use crate::unroll::with_index;
 
 /// Expressions, and how the parser groups them.
@@ -79,6 +79,10 @@ fn printing_and_reading_keep_the_tree() {
         "integral(x^2 + a, x, 0 .. b + 1)",
         "solve(x in a .. b, x^2 = 2)^2",
         "peak(integral(x*y, y, 0 .. x), x, -1 .. 1)",
+        "table(x + 1; 0 mm: -1 N, 2*pi: a + b, 3: 0)^2",
+        "table(x; 0: 1, 1: 2; periodic)",
+        "table(\"data/spring.csv\", x, F; periodic, smooth 2 N)",
+        "table(\"spring.csv\", x, \"F [N]\")",
     ] {
         let tree = term(text);
         let printed = print::term(&tree);
@@ -113,6 +117,20 @@ fn bare(term: &Term) -> String {
         TermKind::Search { name, variable, from, to, body } => {
             let (name, variable) = (&name.text, &variable.text);
             format!("({name} {variable} {} {} {})", bare(from), bare(to), bare(body))
+        }
+        TermKind::Table(table) => {
+            let points: Vec<_> = match &table.points {
+                Points::Written(list) => {
+                    list.iter().map(|(x, y)| format!("{} {}", bare(x), bare(y))).collect()
+                }
+                Points::File { file, column, .. } => [Some(file), column.as_ref()]
+                    .into_iter()
+                    .flatten()
+                    .map(|one| one.text.clone())
+                    .collect(),
+            };
+            let (at, error) = (bare(&table.at), table.error.as_ref().map(bare));
+            format!("(table {at} {points:?} {} {error:?})", table.is_periodic)
         }
         TermKind::Sum { index, from, to, body } => {
             format!("(sum {} {} {} {})", index.text, bare(from), bare(to), bare(body))
