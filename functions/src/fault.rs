@@ -42,10 +42,17 @@ thread_local! {
     static LAST: RefCell<Option<Fault>> = const { RefCell::new(None) };
 }
 
-/// Keeps a fault in place of the last one of this thread.
+/// Keeps a fault in place of the last one of this thread; that something is no number has a cause that is kept already.
 #[cold]
 pub fn keep(what: &str, why: Why) {
-    LAST.with(|last| *last.borrow_mut() = Some(Fault { what: what.to_owned(), why }));
+    let is_cause =
+        !matches!(why, Why::Mean(MeanFault::NotFinite(_)) | Why::Root(Root::NotFinite(_), _));
+    LAST.with(|last| {
+        let mut last = last.borrow_mut();
+        if is_cause || last.is_none() {
+            *last = Some(Fault { what: what.to_owned(), why });
+        }
+    });
 }
 
 /// The last fault of this thread, which is forgotten.

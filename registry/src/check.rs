@@ -57,11 +57,17 @@ impl std::error::Error for Failed {}
 /// The drift and its time, or that the motion could not be followed.
 pub fn energy<C: Smooth + Default>() -> Result<(), Failed> {
     let scene = C::default();
+    // Where a table has its points a method loses digits, which it finds again with shorter steps; equations do not.
+    drift(&scene, 1e-12).or_else(|_| drift(&scene, 1e-14))
+}
+
+/// Checks that the sum of the energies stays in a motion at a tolerance.
+fn drift<C: Smooth>(scene: &C, rtol: f64) -> Result<(), Failed> {
     let equations = scene.prepare::<f64>();
     let (from, to) = scene.span().limits();
-    let start = moving_start(&scene, &equations, from);
-    let settings = Settings::new(Method::Dop853).rtol(1e-12);
-    let motion = smooth::march(&scene, (from, to), &start, &settings)
+    let start = moving_start(scene, &equations, from);
+    let settings = Settings::new(Method::Dop853).rtol(rtol);
+    let motion = smooth::march(scene, (from, to), &start, &settings)
         .map_err(|error| Failed(format!("the motion could not be followed: {error}")))?;
     let at = |time: f64| {
         let energies = equations.energy(Phase::of(0), time, &motion.at(time));

@@ -12,6 +12,7 @@
 //! | [`hybrid`] | modes and events against closed forms |
 //! | [`series`] | Taylor series against the other method |
 //! | [`sheets`] | formulas without motion: integrals, roots and extremes in them |
+//! | [`tables`] | sampled curves in motions |
 //! | [`hard`] | cases in which the naive way fails, beside ours |
 
 mod answers;
@@ -29,3 +30,4 @@ mod rest;
 mod series;
 mod sheets;
 mod solved;
+mod tables;

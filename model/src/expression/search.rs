@@ -13,7 +13,8 @@ use super::hash::Map;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Search {
     /// The mean. It has two bodies, for the first and the second half of the range: the bound symbol is the distance from the
-    /// nearer end, so that nothing is lost beside it.
+    /// nearer end, so that nothing is lost beside it. Behind these stand, for its derivative alone, the formula with the bound
+    /// symbol as its variable and the ends of the range, if it is not a derivative itself.
     Mean,
     /// Where the body is zero.
     Root,
@@ -24,6 +25,11 @@ pub enum Search {
 }
 
 impl Search {
+    /// How many bodies are evaluated.
+    pub fn bodies(self) -> usize {
+        if self == Self::Mean { 2 } else { 1 }
+    }
+
     /// Finds it, given the value of each body at a place.
     pub fn find(self, at: &dyn Fn(usize, f64) -> f64) -> f64 {
         match self {
@@ -54,8 +60,8 @@ impl Graph {
         let length = self.sub(high, low);
         let share = self.symbol(x);
         let places = self.from_both_ends((low, high), share);
-        let bodies = places.map(|place| self.at_place(body, x, place));
-        (length, self.search(Search::Mean, x, &bodies))
+        let [near, far] = places.map(|place| self.at_place(body, x, place));
+        (length, self.search(Search::Mean, x, &[near, far, body, low, high]))
     }
 
     /// The places at a share of a range from its begin and from its end, each the sum of the end and the distance. Whatever else
@@ -165,7 +171,14 @@ impl Graph {
         let rates: Vec<_> =
             bodies.iter().map(|body| rates.get(body).copied().unwrap_or(zero)).collect();
         match search {
-            Search::Mean => self.mean_of(level, &rates),
+            Search::Mean => match *bodies {
+                // The formula does not change, but its ends.
+                [_, _, body, low, high] if rates[2] == zero => {
+                    let ends = [(low, rates[3]), (high, rates[4])];
+                    self.rate_by_ends(found, bound, body, ends)
+                }
+                _ => self.mean_of(level, &rates[..2]),
+            },
             // The place does not count where the slope is zero; at an end it stays.
             Search::Highest => {
                 let place = self.intern(Node::Search(Search::HighestPlace, level, bodies));
@@ -192,6 +205,30 @@ impl Graph {
             true => self.intern(Node::Search(Search::Mean, level, bodies.into())),
             false => bodies[0],
         }
+    }
+
+    /// How the mean of a formula changes with the ends of its range: `(f(b)·ḃ - f(a)·ȧ - mean·(ḃ - ȧ))/(b - a)`.
+    fn rate_by_ends(
+        &mut self,
+        mean: Expression,
+        bound: Symbol,
+        body: Expression,
+        [(low, low_rate), (high, high_rate)]: [(Expression, Expression); 2],
+    ) -> Expression {
+        // As the product of mean and length has it, from whose rate it falls out.
+        let growth = self.sub(high_rate, low_rate);
+        let widening = self.mul(mean, growth);
+        let mut terms = vec![self.neg(widening)];
+        for (sign, end, rate) in [(-1.0, low, low_rate), (1.0, high, high_rate)] {
+            // At an end that stays the formula may be infinite.
+            if self.as_number(rate) != Some(0.0) {
+                let value = self.substitute(&[body], &Map::from_iter([(bound, end)]))[0];
+                let change = self.mul(value, rate);
+                terms.push(self.scale(sign, change));
+            }
+        }
+        let (sum, length) = (self.sum(&terms), self.sub(high, low));
+        self.div(sum, length)
     }
 
     /// How a place at which a body is zero changes, where the body there changes by a rate.

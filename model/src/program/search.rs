@@ -23,7 +23,7 @@ impl Emitter<'_> {
         let text = self.graph.switch_of(node).map_or(String::new(), |words| words.to_string());
         let mut captured = Vec::new();
         let mut lines = Vec::new();
-        for body in bodies {
+        for body in bodies.iter().copied().take(search.bodies()) {
             let body = self.graph.with_steady_parts(body, level);
             self.frames.push(Frame { search: Some((level, captured)), ..Frame::default() });
             self.swap_frame();

@@ -2,6 +2,8 @@
 
 use std::f64::consts::{E, PI};
 
+use assur_model::program::OperationKind;
+
 use super::{check, first_scene};
 
 /// The last output of a formula sheet at `p = 0.7`, `q = 2 m`.
@@ -70,6 +72,10 @@ fn integrands_may_jump() {
 fn integrals_are_differentiated() {
     is("diff(integral(x^2, x, 0 .. p), p)", 0.49);
     is("diff(integral(x^2, x, p .. 1), p)", -0.49);
+    is("diff(integral(exp(x), x, p .. p^2), p)", 1.4 * 0.49f64.exp() - 0.7f64.exp());
+    is("diff(diff(integral(exp(x), x, 0 .. p^2), p), p)", (2.0 + 4.0 * 0.49) * 0.49f64.exp());
+    is("diff(integral(ln(x), x, 0 .. p), p)", 0.7f64.ln());
+    is("diff(integral(1/x, x, p .. p), p)", 0.0);
     is("diff(integral(sin(p*x), x, 0 .. 1), p)", 0.7f64.sin() / 0.7 + (0.7f64.cos() - 1.0) / 0.49);
     is("diff(integral(p*x, x, 0 .. p), p)", 1.5 * 0.49);
     // The naive rule is infinite at the limit and cannot be integrated inside.
@@ -79,6 +85,16 @@ fn integrals_are_differentiated() {
         "diff(integral(integral(p*y, y, 0 .. x), x, 0 .. p), p)",
         0.7f64.powi(3) / 6.0 + 0.7f64.powi(3) / 2.0,
     );
+}
+
+/// Where only the ends change nothing is left to be integrated.
+#[test]
+fn the_slope_by_an_end_is_the_formula_there() {
+    let text = "Sheet; parameter p = 0.7; output y = diff(integral(exp(-x^2), x, 0 .. p), p); scene s { sweep p 0 .. 1; }";
+    let operations = first_scene(text).program.operations;
+    let is_search = |kind: &OperationKind| matches!(kind, OperationKind::Search { .. });
+    let before = operations.iter().take_while(|one| !is_search(&one.kind)).count();
+    assert_eq!(before, operations.len(), "{operations:?}");
 }
 
 #[test]
