@@ -10,6 +10,7 @@ use super::marks::{self, Mark};
 use super::name::{self, Name};
 use super::panels::{self, Data, Panel, Published};
 use super::selection::Selection;
+use super::study::{self, Layer, Map};
 use crate::ask::variables::Variable;
 use crate::linkage::case::{Axis, Task};
 use crate::linkage::line::{Grid, Line};
@@ -17,6 +18,8 @@ use crate::linkage::report::Report;
 use crate::linkage::wording;
 use crate::show::number;
 
+/// How the outputs begin that say by how much a condition holds.
+const MARGIN: &str = "margin of ";
 /// Curves of a family that can be told apart.
 const FAMILY: usize = 7;
 /// Curves whose common range is so many times the largest of their own are drawn apart.
@@ -27,6 +30,9 @@ const ALONE: usize = 4;
 /// Draws the figure of a report.
 pub fn draw(report: &Report, selection: &Selection) -> String {
     let axes = report.case.axes();
+    if let ([along, up], true) = (axes.as_slice(), report.case.is_sheet()) {
+        return maps(report, selection, (along, up));
+    }
     let across = across(report, &axes);
     let (positions, panels, beside) = match axes.len() {
         0 | 1 => curves(report, selection, &across),
@@ -51,6 +57,50 @@ pub fn draw(report: &Report, selection: &Selection) -> String {
         across,
     }
     .draw()
+}
+
+/// A formula sheet over two quantities: a map of each output, with the lines beyond which a condition does not hold.
+fn maps(report: &Report, selection: &Selection, (along, up): (&Axis, &Axis)) -> String {
+    let case = &report.case;
+    let outputs = &case.variables[..wanted(report, selection)];
+    let of = |index: usize| -> Vec<f64> {
+        let lines = report.lines.iter();
+        lines.flat_map(|line| column(report, line, &case.variables[index], index)).collect()
+    };
+    let is_margin = |variable: &Variable| variable.name.starts_with(MARGIN);
+    let margins = outputs.iter().enumerate().filter(|(_, one)| is_margin(one));
+    let limits: Vec<(String, Vec<f64>)> = margins
+        .map(|(index, one)| (case.scene.outputs[index].summary.to_owned(), one, of(index)))
+        .map(|(words, one, values)| {
+            (if words.is_empty() { one.name[MARGIN.len()..].to_owned() } else { words }, values)
+        })
+        .collect();
+    let scaled = |axis: &Axis, at: f64| at / axis.quantity.factor;
+    let first = report.lines.first().map_or(&[][..], |line| &line.stations);
+    let columns: Vec<f64> = first.iter().map(|station| scaled(along, station[0])).collect();
+    let rows = report.lines.iter().filter_map(|line| line.stations.first());
+    let rows: Vec<f64> = rows.map(|station| scaled(up, station[1])).collect();
+    let titled = |name: &str, unit: &str| {
+        let parts = [name::set(name).text, name::unit(unit)];
+        parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+    };
+    let shown = outputs.iter().enumerate();
+    let shown = shown.filter(|(_, one)| !is_margin(one) && selection.admits(&one.name));
+    let layers: Vec<Layer> = shown
+        .map(|(index, one)| {
+            Layer::Map(Map {
+                along: titled(along.quantity.name, along.quantity.unit),
+                up: titled(up.quantity.name, up.quantity.unit),
+                name: titled(&one.name, &one.unit),
+                columns: columns.clone(),
+                rows: rows.clone(),
+                values: of(index),
+                limits: limits.clone(),
+            })
+        })
+        .collect();
+    let title = format!("{}: {}", case.constants.mechanism.title, case.task_in_words());
+    study::sheets(&title, &lead(&case.constants), &layers)
 }
 
 /// The horizontal axis: the first driver, or the time where that driver turns round.

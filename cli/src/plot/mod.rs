@@ -6,6 +6,7 @@ mod bands;
 mod cluster;
 mod coefficients;
 mod column;
+mod contour;
 mod contributions;
 pub mod curve;
 pub mod figure;

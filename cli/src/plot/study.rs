@@ -1,9 +1,12 @@
 //! Figures of studies: curves of points, and maps in colour.
 
 use super::axis::Axis;
+use super::contour::Field;
 use super::curve::simplify;
+use super::legend::CHARACTER;
 use super::scale::Scale;
 use super::svg::{Anchor, Svg};
+use crate::show::text;
 
 const WIDTH: f64 = 720.0;
 const LEFT: f64 = 76.0;
@@ -49,17 +52,24 @@ pub struct Map {
     pub rows: Vec<f64>,
     /// What is shown, row by row; not a number where there is none.
     pub values: Vec<f64>,
+    /// Margins over the same places with what is wrong where they are below zero.
+    pub limits: Vec<(String, Vec<f64>)>,
 }
 
-/// Draws panels one below the other.
-pub fn sheets(title: &str, layers: &[Layer]) -> String {
-    let height = TOP + layers.len() as f64 * (PANEL + BELOW);
+/// Draws panels one below the other, under a title and some sentences.
+pub fn sheets(title: &str, lead: &str, layers: &[Layer]) -> String {
+    let lead = text::wrap(lead, ((WIDTH - LEFT) / CHARACTER) as usize);
+    let begin = TOP + 18.0 * lead.len() as f64;
+    let height = begin + layers.len() as f64 * (PANEL + BELOW);
     let mut svg = Svg::new(WIDTH, height);
     svg.rectangle("paper", (0.0, 0.0), (WIDTH, height));
     svg.text("subject", (LEFT, 20.0), Anchor::Start, title);
+    for (index, line) in lead.iter().enumerate() {
+        svg.text("lead", (LEFT, 40.0 + 18.0 * index as f64), Anchor::Start, line);
+    }
     let mut names = Vec::new();
     for (index, layer) in layers.iter().enumerate() {
-        let top = TOP + index as f64 * (PANEL + BELOW);
+        let top = begin + index as f64 * (PANEL + BELOW);
         match layer {
             Layer::Curve(sheet) => {
                 names.push(format!("{} over {}", sheet.up, sheet.along));
@@ -166,6 +176,7 @@ fn shades(svg: &mut Svg, map: &Map, top: f64) {
         }
     }
     frame(svg, (&x, &y));
+    boundaries(svg, map, (&x, &y));
     if low > high {
         return;
     }
@@ -177,5 +188,29 @@ fn shades(svg: &mut Svg, map: &Map, top: f64) {
     for (value, at) in [(low, y.pixels.0), (high, y.pixels.1 + 10.0)] {
         let text = crate::show::number::significant(value, 3);
         svg.text("number", (WIDTH - RIGHT + 34.0, at), Anchor::Start, &text);
+    }
+}
+
+/// Where a condition begins not to hold, with what is wrong beyond.
+fn boundaries(svg: &mut Svg, map: &Map, (x, y): (&Scale, &Scale)) {
+    for (words, margins) in &map.limits {
+        let field = Field { columns: &map.columns, rows: &map.rows, values: margins };
+        let lines = field.contours(0.0).into_iter();
+        let lines = lines.map(|line| {
+            line.into_iter().map(|(a, b)| (x.pixel(a), y.pixel(b))).collect::<Vec<_>>()
+        });
+        let lines: Vec<Vec<(f64, f64)>> = lines.collect();
+        lines.iter().for_each(|line| svg.path("boundary", line));
+        let longest = lines.iter().max_by_key(|line| line.len());
+        if let Some((at_x, at_y)) = longest.and_then(|line| line.get(line.len() / 2)) {
+            let anchor = if at_x - x.pixels.0 > 0.5 * (x.pixels.1 - x.pixels.0) {
+                (Anchor::End, -6.0)
+            } else {
+                (Anchor::Start, 6.0)
+            };
+            for class in ["behind", "named"] {
+                svg.text(class, (at_x + anchor.1, at_y - 6.0), anchor.0, words);
+            }
+        }
     }
 }

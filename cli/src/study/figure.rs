@@ -16,7 +16,7 @@ pub fn draw(question: &Question, answer: &Answer) -> String {
         },
         Plan::Random(_, count, _) => Layer::Curve(shares(question, answer, *count, *index)),
     });
-    plot::sheets(&title, &panels.collect::<Vec<_>>())
+    plot::sheets(&title, "", &panels.collect::<Vec<_>>())
 }
 
 fn scaled(question: &Question, range: &Range) -> (String, Vec<f64>) {
@@ -57,6 +57,7 @@ fn map(question: &Question, answer: &Answer, (along, up): (&Range, &Range), inde
         up: y,
         name: headed(measure),
         values: runs.map(|run| answer.value(run, index) / measure.factor).collect(),
+        limits: Vec::new(),
         columns,
         rows,
     }
