@@ -22,6 +22,7 @@ mod series;
 mod share;
 mod staging;
 mod surfaces;
+mod undefined;
 
 use std::sync::Arc;
 
@@ -38,6 +39,7 @@ pub use needed::Shape;
 pub use results::Results;
 pub use series::{Series, Step};
 pub use staging::{Idle, Staging};
+pub use undefined::Undefined;
 
 /// Index of an operation, and so of its value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]

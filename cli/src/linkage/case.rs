@@ -12,6 +12,9 @@ use crate::ask::variables::{self, Variable};
 use crate::error::{Failure, Told};
 use crate::show::number;
 
+/// How the outputs begin that say by how much a condition holds.
+pub const MARGIN: &str = "margin of ";
+
 /// What moves it.
 pub struct Moves {
     /// Its loops.

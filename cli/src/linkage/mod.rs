@@ -9,6 +9,7 @@
 //! | `report` | all of that together |
 //! | `table`, `json`, `csv` | how it is printed |
 //! | `group`, `wording` | groups, errors and events in words |
+//! | `undefined` | why an output of a formula sheet is no number |
 
 pub mod case;
 pub mod csv;
@@ -24,4 +25,5 @@ pub mod report;
 pub mod round;
 pub mod search;
 pub mod table;
+mod undefined;
 pub mod wording;

@@ -1,5 +1,6 @@
 //! Everything that `assur run` has to say about a linkage, as numbers in SI units; how it is printed is decided elsewhere.
 
+use std::cell::Cell;
 use std::path::Path;
 use std::time::Instant;
 
@@ -7,7 +8,7 @@ use assur::closure::{ClosureError, Sample, Stroke};
 use assur::scalar::fault;
 use serde::Serialize;
 
-use super::case::Case;
+use super::case::{Case, MARGIN};
 use super::found::Found;
 use super::group;
 use super::influence::{self, Influence};
@@ -15,6 +16,7 @@ use super::line::{Grid, Line};
 use super::place::Place;
 use super::reach::{self, Reach};
 use super::search::{Extreme, smallest};
+use super::undefined;
 use super::wording::{Terms, contradiction, event};
 use super::{csv, json, table};
 use crate::answer::Answer;
@@ -191,13 +193,20 @@ pub fn collect(case: Case, places: Vec<Place>, shown: Shown) -> Result<Report, F
 
 /// Why something that is looked for has no value, or none that is known well, at the first place where that is so.
 fn unfound(case: &Case, rows: &[Line], asked: &[Snapshot]) -> Option<String> {
+    let is_read = Cell::new(false);
     let fault_at = |place: Vec<f64>| {
         fault::take();
-        let sample = case.at(place).ok()?;
-        let fault = fault::take()?;
+        let sample = case.at(place.clone()).ok()?;
         // What a branch that does not hold lacks is no matter.
         let is_none = sample.outputs.iter().any(|value| value.is_nan());
-        (is_none || fault.is_rough()).then_some(fault)
+        match fault::take() {
+            Some(fault) => (is_none || fault.is_rough()).then(|| fault.to_string()),
+            None if is_none && case.is_sheet() && !is_refused(case, &sample) => {
+                // The equations are read once.
+                (!is_read.replace(true)).then(|| undefined::tell(case, &place)).flatten()
+            }
+            None => None,
+        }
     };
     let mut stations = rows.iter().flat_map(Line::reached).map(|(station, _)| station);
     let on_the_way = stations.find_map(|station| {
@@ -208,8 +217,14 @@ fn unfound(case: &Case, rows: &[Line], asked: &[Snapshot]) -> Option<String> {
             Some((one.place.label.clone(), fault_at(one.place.independents.clone())?))
         })
     };
-    let (place, fault) = on_the_way.or_else(there)?;
-    Some(format!("at {place}: {fault}"))
+    let (place, why) = on_the_way.or_else(there)?;
+    Some(format!("at {place}: {why}"))
+}
+
+/// Whether a condition does not hold, whose margin is among the outputs.
+fn is_refused(case: &Case, sample: &Sample) -> bool {
+    let outputs = case.scene.outputs.iter().zip(&sample.outputs);
+    outputs.into_iter().any(|(output, value)| output.name.starts_with(MARGIN) && *value <= 0.0)
 }
 
 /// `u = 3 deg, y = 2 mm`

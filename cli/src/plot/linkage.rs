@@ -12,14 +12,12 @@ use super::panels::{self, Data, Panel, Published};
 use super::selection::Selection;
 use super::study::{self, Layer, Map};
 use crate::ask::variables::Variable;
-use crate::linkage::case::{Axis, Task};
+use crate::linkage::case::{Axis, MARGIN, Task};
 use crate::linkage::line::{Grid, Line};
 use crate::linkage::report::Report;
 use crate::linkage::wording;
 use crate::show::number;
 
-/// How the outputs begin that say by how much a condition holds.
-const MARGIN: &str = "margin of ";
 /// Curves of a family that can be told apart.
 const FAMILY: usize = 7;
 /// Curves whose common range is so many times the largest of their own are drawn apart.

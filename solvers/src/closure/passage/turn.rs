@@ -16,6 +16,8 @@ const FIRST: f64 = 0.01;
 const LARGEST: f64 = 0.1;
 /// Smallest length of one step.
 const SMALLEST: f64 = 1e-9;
+/// Part of the largest dimension below which a displacement is rounding.
+const NOTHING: f64 = 1e-9;
 /// Largest number of steps.
 const STEPS: usize = 2000;
 
@@ -154,12 +156,21 @@ impl<S: Scalar> Guide<'_, S> {
     /// What counts as much as a radian: of the dependent coordinates, the size that displacements have; of the way, the
     /// part on which a driver makes 1/2π of its period or goes through its range.
     fn units(&self, way: &Segment) -> Vec<f64> {
-        let coordinates = self.coordinates();
-        let sizes =
-            coordinates.iter().zip(self.entry.angles).map(|(value, is_angle)| match value.abs() {
-                size if !is_angle && size > 0.0 => size,
+        let (coordinates, constants) = (self.coordinates(), self.linkage.shape().constants);
+        let values = self.linkage.values();
+        let sizes = coordinates.iter().enumerate().map(|(j, value)| {
+            let alike = |index: &usize| {
+                constants[*index].quantity.dimension == self.entry.dependents[j].dimension
+            };
+            let alike = (0..constants.len()).filter(alike).map(|index| values[index].abs());
+            // What is nothing beside the dimensions has no size of its own.
+            match (value.abs(), alike.fold(0.0, f64::max)) {
+                _ if self.entry.angles[j] => 1.0,
+                (size, largest) if size > NOTHING * largest => size,
+                (_, largest) if largest > 0.0 => largest,
                 _ => 1.0,
-            });
+            }
+        });
         let parts = way.heading().into_iter().zip(self.linkage.ranges()).map(|(part, range)| {
             let scale = if range.period.is_finite() {
                 range.period / TAU
