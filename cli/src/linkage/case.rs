@@ -94,6 +94,11 @@ impl Case {
         if self.is_sheet() { "values" } else { "positions" }
     }
 
+    /// What is made anew with other values, and what each of these does if nothing goes wrong.
+    pub fn made_in_words(&self) -> (&'static str, &'static str) {
+        if self.is_sheet() { ("sets of values", "have results") } else { ("linkages", "assemble") }
+    }
+
     /// What the task varies, the fastest first.
     pub fn axes(&self) -> Vec<Axis> {
         match &self.moved.task {

@@ -131,7 +131,8 @@ fn second(question: &Question, study: &Study) -> Result<Second, ToleranceError> 
 }
 
 fn made(question: &Question, study: &Study) -> Result<MonteCarlo, ToleranceError> {
-    let what = format!("{}, linkages made at random", question.case.constants.mechanism.name);
+    let (made, _) = question.case.made_in_words();
+    let what = format!("{}, {made} made at random", question.case.constants.mechanism.name);
     let bar = Progress::start(what, question.sampling.samples);
     let progress = |more| bar.advance_by(more);
     question.case.run().monte_carlo(study, &question.sampling, &progress)

@@ -41,10 +41,9 @@ impl Sheet<'_> {
                 let name = format!("  {} % below", number::short(100.0 * quantile.level));
                 row(&name, self.error(quantile.estimate.value), pair(quantile.estimate));
             }
-            let beyond = format!(
-                "at most {} % of the linkages lie lower",
-                number::error(100.0 * place.beyond)
-            );
+            let (made, _) = self.question.case.made_in_words();
+            let share = number::error(100.0 * place.beyond);
+            let beyond = format!("at most {share} % of the {made} lie lower");
             row("  least", self.error(place.least), beyond.clone());
             row("  greatest", self.error(place.greatest), beyond.replace("lower", "higher"));
         }
@@ -87,13 +86,14 @@ impl Sheet<'_> {
         let failed = number::count((place.drawn - place.assembled) as usize);
         let share = |share: f64| number::significant(100.0 * share, 3);
         let failures = place.failures;
+        let (made, succeed) = self.question.case.made_in_words();
         let line = match place.status {
             Status::Complete => format!(
-                "All of {drawn} linkages made at random (seed {}) assemble.",
+                "All of {drawn} {made} made at random (seed {}) {succeed}.",
                 self.question.sampling.seed
             ),
             Status::Conditional => self.page.style.warn(&format!(
-                "{failed} of {drawn} linkages made at random ({} %, between {} and {} %) do not assemble in this mode: \
+                "{failed} of {drawn} {made} made at random ({} %, between {} and {} %) do not {succeed} in this mode: \
                  the numbers above are those of the others alone.",
                 share(failures.value),
                 share(failures.low),
@@ -102,7 +102,7 @@ impl Sheet<'_> {
             Status::Empty => self
                 .page
                 .style
-                .warn(&format!("None of {drawn} linkages made at random assembles in this mode.")),
+                .warn(&format!("Of {drawn} {made} made at random none {succeed} in this mode.")),
         };
         self.page.line(&line);
         self.page.line("");
@@ -131,9 +131,11 @@ impl Sheet<'_> {
                 self.error(one.greatest),
             ]);
         }
+        let (compared, made) =
+            (differences.compared as usize, self.question.case.made_in_words().0);
         let heading = format!(
-            "What each order misses, over {} linkages made at random",
-            number::count(differences.compared as usize)
+            "What each order misses, over {} {made} made at random",
+            number::count(compared)
         );
         self.page.section(&heading, &table);
         let share = differences.linear.rms / differences.errors.rms;
