@@ -46,3 +46,24 @@ fn count(text: &str, most: usize) -> Result<usize, Failure> {
             .remedy(format!("give a whole number from 2 to {most}"))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ask::values::TIME;
+    use assur::shape::Quantity;
+
+    fn places(text: &str) -> Result<Vec<usize>, u8> {
+        let axis = |name| Axis { quantity: Quantity { name, ..TIME }, from: 0.0, to: 1.0 };
+        read(&[axis("u"), axis("th")], text, 100).map_err(|failure| failure.code())
+    }
+
+    #[test]
+    fn one_number_or_one_for_each() {
+        assert_eq!(places("41"), Ok(vec![41, 41]));
+        assert_eq!(places("th=3, u=100"), Ok(vec![100, 3]));
+        for wrong in ["", "1", "101", "2.5", "-3", "u=3", "u=3,u=4", "u=3,v=4", "u=3,th=", "3,4"] {
+            assert_eq!(places(wrong), Err(2), "{wrong}");
+        }
+    }
+}

@@ -35,7 +35,7 @@ impl Frame {
         let longest = sides.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let room = ROOM * longest;
         let axis = |axis: usize| {
-            let intervals = (INTERVALS * sides[axis] / longest).ceil().max(2.0);
+            let intervals = (INTERVALS * sides[axis] / longest).ceil().max(4.0);
             Axis::between(low[axis] - room, high[axis] + room, intervals as usize)
         };
         Self { axes: [axis(0), axis(1), axis(2)] }

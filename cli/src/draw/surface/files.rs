@@ -51,3 +51,41 @@ pub fn stl(mesh: &Mesh, about: &str) -> Vec<u8> {
 pub fn millimetres(place: Vector) -> Vector {
     place.map(|component| unit::stated(component, MILLIMETRE))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draw::surface::patch::Patch;
+
+    fn square() -> Mesh {
+        Mesh::new(&[Patch::made([2, 2], |u, v| [0.01 * u, 0.02 * v, 0.5])], &[])
+    }
+
+    #[test]
+    fn an_object_has_its_corners_in_millimetres() {
+        let text = obj(&square(), "a square");
+        let lines: Vec<_> = text.lines().collect();
+        assert_eq!(lines[0], "# a square");
+        assert!(lines[1].contains("mm"));
+        assert_eq!(
+            lines[2..6],
+            ["v 0.0 0.0 500.0", "v 10.0 0.0 500.0", "v 0.0 20.0 500.0", "v 10.0 20.0 500.0"]
+        );
+        assert_eq!(lines[6..], ["o made", "f 1 2 4", "f 1 4 3"]);
+    }
+
+    #[test]
+    fn a_binary_file_has_fifty_bytes_a_facet() {
+        let bytes = stl(&square(), &"a long name ".repeat(20));
+        assert_eq!(bytes.len(), 84 + 2 * 50);
+        assert!(bytes.starts_with(b"mm; a long"));
+        assert_eq!(bytes[80..84], [2, 0, 0, 0]);
+        let number = |index: usize| {
+            let four = bytes[84 + 4 * index..].first_chunk().copied();
+            f32::from_le_bytes(four.expect("four bytes"))
+        };
+        let first: Vec<_> = (0..12).map(number).collect();
+        let corners = [0.0, 0.0, 500.0, 10.0, 0.0, 500.0, 10.0, 20.0, 500.0];
+        assert_eq!((&first[..3], &first[3..]), (&[0.0, 0.0, 1.0][..], &corners[..]));
+    }
+}

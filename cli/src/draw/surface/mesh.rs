@@ -148,3 +148,108 @@ fn normal(patch: &Patch) -> (Option<&'static str>, f64) {
     let near = all.filter(|(_, cosine)| cosine.abs() >= NORMAL);
     near.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs())).unwrap_or((None, 1.0))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+    use std::f64::consts::{PI, TAU};
+
+    fn mesh(patch: Patch) -> Mesh {
+        Mesh::new(&[patch], &[])
+    }
+
+    fn facets(mesh: &Mesh) -> Vec<[usize; 3]> {
+        mesh.parts.iter().flat_map(|part| mesh.facets(part)).collect()
+    }
+
+    fn area(mesh: &Mesh) -> f64 {
+        facets(mesh).iter().map(|facet| norm(mesh.area(facet)) / 2.0).sum()
+    }
+
+    /// Above zero if the facets of a closed surface are turned outwards.
+    fn volume(mesh: &Mesh) -> f64 {
+        let part = |facet: &[usize; 3]| inner(mesh.area(facet), mesh.corners[facet[0]]) / 6.0;
+        facets(mesh).iter().map(part).sum()
+    }
+
+    /// No edge is gone the same way by two facets, and so many belong to one facet alone.
+    #[track_caller]
+    fn check_edges(mesh: &Mesh, rim: usize) {
+        let facets = facets(mesh);
+        let ways = facets.iter().flat_map(|[a, b, c]| [(*a, *b), (*b, *c), (*c, *a)]);
+        let ways: Vec<_> = ways.collect();
+        let all: HashSet<_> = ways.iter().copied().collect();
+        assert_eq!(all.len(), ways.len(), "an edge is gone twice the same way");
+        assert_eq!(ways.iter().filter(|(from, to)| !all.contains(&(*to, *from))).count(), rim);
+    }
+
+    #[test]
+    fn facets_on_both_sides_of_an_edge_go_it_opposite_ways() {
+        let open = Patch::made([7, 5], |u, v| [u, v, (9.0 * u * v).sin()]);
+        check_edges(&mesh(open), 2 * (6 + 4));
+        let tube = Patch::made([13, 5], |u, v| [(TAU * u).cos(), (TAU * u).sin(), v]);
+        check_edges(&mesh(tube), 2 * 12);
+        check_edges(&mesh(Patch::torus([13, 9])), 0);
+        check_edges(&mesh(Patch::sphere([13, 9], (0.0, -PI / 2.0), (TAU, PI))), 0);
+    }
+
+    #[test]
+    fn patches_that_meet_share_their_corners() {
+        let half = |from: f64| Patch::sphere([13, 9], (from, -PI / 2.0), (PI, PI));
+        let both = Mesh::new(&[half(0.0), half(PI)], &[]);
+        check_edges(&both, 0);
+        assert_eq!(both.corners.len(), 24 * 7 + 2);
+    }
+
+    #[test]
+    fn facets_without_area_are_left_out() {
+        let globe = mesh(Patch::sphere([13, 9], (0.0, -PI / 2.0), (TAU, PI)));
+        assert_eq!((globe.parts[0].cells.len(), facets(&globe).len()), (96, 2 * 96 - 24));
+    }
+
+    #[track_caller]
+    fn check_area(exact: f64, of: impl Fn(usize) -> Patch) {
+        let error = |count: usize| exact - area(&mesh(of(count)));
+        let (coarse, fine) = (error(17), error(33));
+        assert!(coarse.abs() < 0.01 * exact, "{coarse}");
+        assert!((3.9..4.1).contains(&(coarse / fine)), "{coarse} {fine}");
+    }
+
+    #[test]
+    fn areas_err_by_the_square_of_the_step() {
+        check_area(PI / 2.0, |count| Patch::sphere([count; 2], (0.0, 0.0), (PI / 2.0, PI / 2.0)));
+        check_area(PI, |count| Patch::made([count, 4], |u, v| [(PI * u).cos(), (PI * u).sin(), v]));
+    }
+
+    #[test]
+    fn outside_is_where_the_normal_says_or_else_the_order_of_what_is_swept() {
+        let globe = || Patch::sphere([25, 13], (0.0, -PI / 2.0), (TAU, PI));
+        let exact = 4.0 / 3.0 * PI;
+        let near = |mesh: Mesh, exact: f64| (volume(&mesh) / exact - 1.0).abs() < 0.05;
+        assert!(near(mesh(globe()), exact));
+        assert!(near(Mesh::new(&[globe()], &["made".to_owned()]), -exact));
+        let mut hollow = globe();
+        let inwards = hollow.places.iter().map(|place| place.map(|component| -component));
+        // A direction that is none of the surface does not count.
+        let up = vec![[0.0, 0.0, 1.0]; hollow.places.len()];
+        hollow.normals = vec![("up", up), ("inwards", inwards.collect())];
+        let hollow = mesh(hollow);
+        assert_eq!(hollow.parts[0].outside, "inwards");
+        assert!(near(hollow, -exact));
+    }
+
+    #[test]
+    fn a_place_without_a_value_is_a_hole() {
+        let holed = |hole: (f64, f64)| {
+            Patch::made([5, 5], move |u, v| [u, v, if (u, v) == hole { f64::NAN } else { 0.0 }])
+        };
+        for (hole, missing, rim) in [((0.5, 0.5), 4, 16 + 8), ((0.0, 0.0), 1, 16)] {
+            let mesh = mesh(holed(hole));
+            assert_eq!(mesh.parts[0].missing, missing);
+            assert_eq!(facets(&mesh).len(), 2 * (16 - missing));
+            check_edges(&mesh, rim);
+            assert!((area(&mesh) - (16 - missing) as f64 / 16.0).abs() < 1e-12);
+        }
+    }
+}

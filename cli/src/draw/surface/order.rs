@@ -188,3 +188,111 @@ fn height(triangle: &Triangle, place: Vector) -> f64 {
     let shares = [side(b, c, place), side(c, a, place), side(a, b, place)];
     inner(shares, [a[2], b[2], c[2]]) / side(a, b, c)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draw::surface::mesh::Mesh;
+    use crate::draw::surface::patch::Patch;
+    use crate::draw::surface::view::View;
+
+    /// How near a cell is at a place of the picture; none where it is not.
+    fn depth_at(cell: &Cell, place: Vector) -> Option<f64> {
+        let holds = |one: &&Triangle| {
+            (0..3).all(|index| side(one[index], one[(index + 1) % 3], place) > 0.0)
+        };
+        let triangles = triangles(cell);
+        let depths = triangles.iter().filter(holds).map(|one| height(one, place));
+        depths.max_by(f64::total_cmp)
+    }
+
+    /// What is painted last at each place is what is nearest there; some places have something behind it.
+    #[track_caller]
+    fn check_picture(cells: &[Cell]) {
+        let order = back_to_front(cells);
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        assert!(sorted.into_iter().eq(0..cells.len()), "each cell is painted once");
+        let bounds: Vec<_> = cells.iter().map(bounds).collect();
+        let ends = |axis: usize| {
+            let low = bounds.iter().map(|bounds| bounds[axis]).fold(f64::INFINITY, f64::min);
+            let high = bounds.iter().map(|bounds| bounds[axis + 2]).fold(low, f64::max);
+            (low, high)
+        };
+        let (x, y) = (ends(0), ends(1));
+        let (mut hidden, share) = (0, |index: usize| (index as f64 + 0.37) / 120.0);
+        for (column, row) in (0..120).flat_map(|column| (0..120).map(move |row| (column, row))) {
+            let place = [x.0 + (x.1 - x.0) * share(column), y.0 + (y.1 - y.0) * share(row), 0.0];
+            let depths = order.iter().filter_map(|&index| depth_at(&cells[index], place));
+            let depths: Vec<_> = depths.collect();
+            let Some(last) = depths.last() else { continue };
+            hidden += usize::from(depths.len() > 1);
+            let nearest = depths.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            // Less than that of an overlap which is too small to see.
+            assert!(nearest - last < 0.3, "{place:?}: {last} is painted over {nearest}");
+        }
+        assert!(hidden > 100, "{hidden}");
+    }
+
+    fn seen(patches: &[Patch], view: (f64, f64), scale: f64) -> Vec<Cell> {
+        let (mesh, view) = (Mesh::new(patches, &[]), View::at(view.0, view.1));
+        let pixel = |corner: usize| view.seen(mesh.corners[corner]).map(|one| scale * one);
+        let cells = mesh.parts.iter().flat_map(|part| &part.cells);
+        cells.map(|cell| cell.map(pixel)).collect()
+    }
+
+    #[test]
+    fn nothing_hidden_is_seen_of_what_folds_before_itself() {
+        for view in [(35.0, 25.0), (0.0, 0.0), (-70.0, 5.0), (120.0, -40.0), (0.0, 90.0)] {
+            check_picture(&seen(&[Patch::torus([31, 17])], view, 60.0));
+        }
+        let waves = |shift: f64| {
+            Patch::made([25, 25], move |u, v| {
+                [6.0 * u, 6.0 * v, (9.0 * u).sin() * (7.0 * v).cos() + shift]
+            })
+        };
+        for view in [(35.0, 25.0), (10.0, 4.0), (200.0, -12.0)] {
+            check_picture(&seen(&[waves(0.0), waves(0.4)], view, 80.0));
+        }
+    }
+
+    /// A cell that is long in depth: its middle is farther than that of the small one behind its near end.
+    #[test]
+    fn what_is_nearer_where_both_are_hides_whatever_the_middles_are() {
+        let long: Cell =
+            [[0.0, 0.0, -300.0], [100.0, 0.0, 100.0], [100.0, 20.0, 100.0], [0.0, 20.0, -300.0]];
+        let small = |depth: f64| -> Cell {
+            [[90.0, 5.0, depth], [99.0, 5.0, depth], [99.0, 15.0, depth], [90.0, 15.0, depth]]
+        };
+        assert!(depth(&long) < depth(&small(10.0)));
+        for depth in [10.0, 200.0] {
+            let hides = usize::from(depth > 100.0);
+            assert_eq!(back_to_front(&[long, small(depth)])[1], hides);
+            assert_eq!(back_to_front(&[small(depth), long])[1], 1 - hides);
+        }
+    }
+
+    /// Three bars of which each lies over the next one at one end have no order, and are painted all the same.
+    #[test]
+    fn a_circle_of_cells_is_painted() {
+        let bar = |from: [f64; 2], to: [f64; 2]| -> Cell {
+            let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+            let (x, y) = (4.0 * (from[1] - to[1]) / length, 4.0 * (to[0] - from[0]) / length);
+            [
+                [from[0] - x, from[1] - y, 0.0],
+                [to[0] - x, to[1] - y, 10.0],
+                [to[0] + x, to[1] + y, 10.0],
+                [from[0] + x, from[1] + y, 0.0],
+            ]
+        };
+        let corners = [[0.0, 0.0], [60.0, 0.0], [30.0, 50.0]];
+        let mut cells: Vec<_> =
+            (0..3).map(|index| bar(corners[index], corners[(index + 1) % 3])).collect();
+        let far = |depth: f64| -> Cell {
+            [[-9.0, -9.0, depth], [80.0, -9.0, depth], [80.0, 80.0, depth], [-9.0, 80.0, depth]]
+        };
+        cells.extend([far(50.0), far(-50.0)]);
+        let order = back_to_front(&cells);
+        assert_eq!((order.len(), order[0], order[4]), (5, 4, 3));
+    }
+}

@@ -150,3 +150,49 @@ fn are_units(normals: &[Vector]) -> bool {
     let mut finite = normals.iter().filter(|normal| is_finite(normal)).peekable();
     finite.peek().is_some() && finite.all(|normal| (norm(*normal) - 1.0).abs() < UNIT)
 }
+
+#[cfg(test)]
+impl Patch {
+    /// A surface over two parameters from 0 to 1, metres; without normals.
+    pub fn made(counts: [usize; 2], place: impl Fn(f64, f64) -> Vector) -> Self {
+        let axis = Axis { quantity: crate::ask::values::TIME, from: 0.0, to: 1.0 };
+        let share = |index: usize, axis: usize| index as f64 / (counts[axis] - 1) as f64;
+        let row = |row: usize| (0..counts[0]).map(move |column| (column, row));
+        let all = (0..counts[1]).flat_map(row);
+        let places = all.map(|(column, row)| place(share(column, 0), share(row, 1))).collect();
+        Self { scene: "made", axes: [axis; 2], counts, places, normals: Vec::new() }
+    }
+
+    /// A part of a sphere about the origin, from these angles on by those: longitude and latitude.
+    pub fn sphere(counts: [usize; 2], from: (f64, f64), by: (f64, f64)) -> Self {
+        Self::made(counts, |u, v| {
+            let ((sine, cosine), (up, level)) =
+                ((from.0 + u * by.0).sin_cos(), (from.1 + v * by.1).sin_cos());
+            [level * cosine, level * sine, up]
+        })
+    }
+
+    /// A torus about the third axis, its radii 3 and 1.
+    pub fn torus(counts: [usize; 2]) -> Self {
+        Self::made(counts, |u, v| {
+            let turn = std::f64::consts::TAU;
+            let ((sine, cosine), (up, out)) = ((turn * u).sin_cos(), (turn * v).sin_cos());
+            [(3.0 + out) * cosine, (3.0 + out) * sine, up]
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fine_cells_are_put_together_until_few_remain() {
+        let patch = Patch::made([101, 11], |u, v| [10.0 * u, v, 0.0]);
+        assert_eq!(patch.thinned(0.05).counts, [101, 11]);
+        let thinned = patch.thinned(0.25);
+        assert_eq!(thinned.counts, [35, 11], "steps of 0.3, and the end");
+        assert_eq!((thinned.places[1], thinned.places[34]), ([0.3, 0.0, 0.0], [10.0, 0.0, 0.0]));
+        assert_eq!(patch.thinned(100.0).counts, [10, 11]);
+    }
+}

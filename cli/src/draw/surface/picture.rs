@@ -16,7 +16,7 @@ use crate::show::text::wrap;
 /// Largest width and height of the box of axes.
 const LARGEST: (f64, f64) = (640.0, 500.0);
 /// Around it: room for numbers and names.
-const MARGIN: f64 = 84.0;
+const MARGIN: f64 = 94.0;
 /// Above it.
 const GAP: f64 = 34.0;
 /// Below it: room for the scale bar besides.
@@ -24,7 +24,7 @@ const FOOT: f64 = 100.0;
 /// Smallest width of the paper: room for the title.
 const NARROWEST: f64 = 520.0;
 /// Towards the light from the upper left, as seen.
-const LIGHT: Vector = [-0.30, 0.45, 0.84];
+const LIGHT: Vector = [-0.25, 0.40, 0.88];
 /// Colours of scenes that can be told apart, red, green and blue.
 const COLOURS: [[f64; 3]; 8] = [
     [112.0, 160.0, 200.0],
@@ -165,10 +165,66 @@ fn shaded(colour: [f64; 3], [a, b, c, d]: &Cell) -> [f64; 3] {
     let cosine = towards * inner(area, LIGHT) / (norm(area) * norm(LIGHT));
     let light = if cosine.is_finite() { cosine.max(0.0) } else { 0.0 };
     let shine = 40.0 * light.powi(14);
-    colour.map(|part| part * (0.58 + 0.46 * light) + shine)
+    colour.map(|part| part * (0.66 + 0.38 * light) + shine)
 }
 
 fn colour(parts: [f64; 3]) -> String {
     let [red, green, blue] = parts.map(|part| part.round().clamp(0.0, 255.0) as u8);
     format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draw::surface::patch::Patch;
+
+    fn drawn(patches: &[Patch], view: (f64, f64)) -> String {
+        let picture = Picture {
+            mesh: &Mesh::new(patches, &[]),
+            view: View::at(view.0, view.1),
+            title: "a title".to_owned(),
+            lead: "A sentence.".to_owned(),
+            legend: vec!["one".to_owned(), "two".to_owned()],
+        };
+        picture.draw()
+    }
+
+    /// Colours of the cells as they are painted.
+    fn fills(text: &str) -> Vec<&str> {
+        let cells = text.lines().filter(|line| line.starts_with("<polygon class=\"facet\""));
+        cells.filter_map(|line| line.split('"').nth(3)).collect()
+    }
+
+    #[test]
+    fn what_is_behind_is_painted_first_from_either_side() {
+        let sheet = |z: f64| Patch::made([2, 2], move |u, v| [u, v, z]);
+        let above = drawn(&[sheet(0.2), sheet(0.1)], (0.0, 90.0));
+        let below = drawn(&[sheet(0.2), sheet(0.1)], (0.0, -90.0));
+        let (above, below) = (fills(&above), fills(&below));
+        assert_eq!(above.len(), 2);
+        assert_eq!([below[1], below[0]], [above[0], above[1]]);
+        // The first patch, the upper one, is the last that is painted from above.
+        let blue = |fill: &str| u8::from_str_radix(&fill[5..], 16).expect("a colour");
+        assert!(blue(above[1]) > blue(above[0]));
+    }
+
+    #[test]
+    fn a_surface_that_is_flat_or_looked_along_has_a_picture() {
+        let flat = || [Patch::made([3, 3], |u, v| [u, v, 0.0])];
+        for view in [(0.0, 0.0), (0.0, 90.0), (90.0, 0.0), (35.0, 25.0), (180.0, -90.0)] {
+            let text = drawn(&flat(), view);
+            assert!(!text.contains("NaN") && !text.contains("inf"), "{view:?}");
+            assert!(text.contains(" mm</text>") && text.contains("a title"), "{view:?}");
+        }
+    }
+
+    #[test]
+    fn rims_are_where_a_mesh_ends() {
+        let count = |patch: Patch| {
+            let text = drawn(&[patch], (35.0, 25.0));
+            text.lines().filter(|line| line.contains("class=\"rim\"")).count()
+        };
+        assert_eq!(count(Patch::made([5, 4], |u, v| [u, v, u * v])), 2 * (4 + 3));
+        assert_eq!(count(Patch::torus([9, 7])), 0);
+    }
 }

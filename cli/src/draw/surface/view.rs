@@ -74,3 +74,38 @@ impl View {
         format!("from the front, {} to the {side} and {} {end}", degrees(turned), degrees(raised))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::vector::cross;
+    use super::*;
+
+    #[track_caller]
+    fn check(view: (f64, f64), axes: [Vector; 3]) {
+        let found = View::at(view.0, view.1).axes;
+        for (found, expected) in found.iter().flatten().zip(axes.iter().flatten()) {
+            assert!((found - expected).abs() < 1e-15, "{view:?}: {found} {expected}");
+        }
+    }
+
+    #[test]
+    fn views_are_those_of_a_drawing() {
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let minus = |axis: Vector| axis.map(|component| -component);
+        check((0.0, 0.0), [x, z, minus(y)]);
+        check((90.0, 0.0), [y, z, x]);
+        check((0.0, 90.0), [x, y, z]);
+        let [right, up, towards] = View::at(35.0, 25.0).axes;
+        assert!((inner(cross(right, up), towards) - 1.0).abs() < 1e-15, "a mirror image");
+        assert!(towards.iter().zip([1.0, -1.0, 1.0]).all(|(part, sign)| part * sign > 0.0));
+    }
+
+    #[test]
+    fn angles_are_read_with_their_units() {
+        let words = |text| View::read(Some(text)).map(|view| view.in_words());
+        let expected = "from the front, 30° to the left and 20° below";
+        assert_eq!(words("-30deg, -20deg").as_deref(), Ok(expected));
+        assert!(words("30,20").is_err(), "radians beyond a quarter of a turn");
+        assert!(words("30deg").is_err() && words("1deg,2deg,3deg").is_err());
+    }
+}
