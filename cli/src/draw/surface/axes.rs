@@ -150,7 +150,7 @@ impl<P: Fn(Vector) -> (f64, f64)> Sides<'_, P> {
         }
         let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
         // Beyond the numbers, as they reach out from the edge.
-        let far = TICK + GAP + widest * out.0.abs() + ROW * out.1.abs() + 4.0;
+        let far = TICK + GAP + widest * out.0.abs() + ROW * out.1.abs() + 8.0;
         write(svg, "heading", at(middle, far), out, &format!("{}, mm", ["x", "y", "z"][axis]));
     }
 

@@ -94,19 +94,15 @@ impl Picture<'_> {
         svg.finish(&self.title, &lead.join(" "))
     }
 
-    /// Where the entries of the legend stand: beside each other as long as there is room.
+    /// Where the entries of the legend stand: in columns as long as there is room.
     fn legend_places(&self, width: f64, top: f64) -> Vec<(f64, f64)> {
-        let mut at = (30.0, top);
-        let place = |text: &String| {
-            let needed = 28.0 + text_width(text) + 18.0;
-            if at.0 + needed > width && at.0 > 30.0 {
-                at = (30.0, at.1 + 19.0);
-            }
-            let place = at;
-            at.0 += needed;
-            place
+        let needed = self.legend.iter().map(|text| 28.0 + text_width(text) + 18.0);
+        let column = needed.fold(1.0, f64::max);
+        let columns = (((width - 30.0) / column) as usize).max(1);
+        let place = |index: usize| {
+            (30.0 + column * (index % columns) as f64, top + 19.0 * (index / columns) as f64)
         };
-        self.legend.iter().map(place).collect()
+        (0..self.legend.len()).map(place).collect()
     }
 
     /// Paints the cells from the back to the front, each with its part of the lines of the mesh.
