@@ -35,7 +35,7 @@ fn a_tooth_is_drawn_of_its_four_flanks() {
 }
 
 #[test]
-fn facets_of_a_flank_have_its_area_and_one_side() {
+fn facets_of_a_flank_have_one_side_and_join_the_places_that_run_prints() {
     let directory = folder("flank_files");
     let options = ["--surface", "r_gear", "--places", "u=9,th=13", "--obj", "a.obj", "--stl"];
     let asked = [&["draw", "gear_flank", "--scene", "dedendum"], &options[..], &["a.stl"]].concat();
