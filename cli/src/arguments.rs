@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use crate::answer::Format;
 use crate::ask::settings::Accuracy;
 use crate::ask::{Asked, Values};
+use crate::draw::surface::arguments::SurfaceArguments;
 
 /// Mechanisms as equation files: run, check and explain them.
 #[derive(Debug, Parser)]
@@ -31,7 +32,7 @@ pub enum Command {
     /// Run a scene: its results, the published values beside them, and a figure of its curves.
     #[command(after_help = RUN_EXAMPLES)]
     Run(RunArguments),
-    /// Draw a linkage at some positions, and moving.
+    /// Draw a linkage at some positions, and moving; or a surface, also into files of its facets.
     #[command(after_help = DRAW_EXAMPLES)]
     Draw(DrawArguments),
     /// Show the loops of a linkage, its degrees of freedom and the order of solution.
@@ -77,6 +78,7 @@ const RUN_EXAMPLES: &str = "Examples:
   assur run batten --format csv > batten.csv
   assur run heald_linkage --at phi4=75deg --set l4=91mm
   assur run heald_linkage --format csv --rows limits
+  assur run gear_flank --scene addendum --format csv --places u=21,th=41
   assur run table_drive --format csv --rows events
 
 A linkage is moved through the positions of its drivers: --at names one of each, alpha=90deg,beta=180deg; a driver that
@@ -90,9 +92,18 @@ with --format json or csv it is drawn only when one of these asks for it.";
 const DRAW_EXAMPLES: &str = "Examples:
   assur draw heald_linkage
   assur draw heald_linkage --scene straight --at phi4=90deg --at phi4=110deg --out pictures
+  assur draw gear_flank --scene addendum,dedendum,addendum_left,dedendum_left
+  assur draw gear_flank --scene addendum --surface r_gear --view 60deg,20deg --places u=13,th=41
+  assur draw gear_flank --scene dedendum --surface r_gear --obj flank.obj --stl flank.stl
 
-Two files are written: NAME-SCENE-positions.svg, the first position strong and the others pale, with the paths of the
-points; and NAME-SCENE-moving.svg, which any browser plays.";
+Of a scene with points two files are written: NAME-SCENE-positions.svg, the first position strong and the others pale,
+with the paths of the points; and NAME-SCENE-moving.svg, which any browser plays.
+
+A scene that sweeps two values and has a vector of three lengths as an output is a surface, without perspective and
+shaded: NAME-SCENE-surface.svg, of several scenes NAME-surface.svg. Outside is where a vector of length one among the
+outputs points to that is its normal, else where the first swept value turns anticlockwise into the second; --flip turns
+a scene over. What has no value at a corner is a hole. STL has no units: its lengths are in millimetres.
+The places of a surface as comma-separated values: assur run NAME --scene SCENE --format csv --places 41.";
 
 /// Options of `assur run`.
 #[derive(Args, Debug, Default)]
@@ -102,6 +113,10 @@ pub struct RunArguments {
     /// A position of the drivers or a time at which to print everything, `theta=110deg`, `time=0.1s`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub at: Vec<String>,
+    /// Places along each value that a linkage or formula sheet sweeps, evenly apart, `41` or `u=21,th=41`: the rows of
+    /// --format csv. Round ones unless given.
+    #[arg(long, value_name = "NUMBERS", allow_hyphen_values = true)]
+    pub places: Option<String>,
     #[command(flatten)]
     pub accuracy: Accuracy,
     /// What is printed.
@@ -149,6 +164,8 @@ pub struct DrawArguments {
     /// The vibration about a position of rest that moves the picture, 1 being the slowest.
     #[arg(long, value_name = "NUMBER")]
     pub vibration: Option<usize>,
+    #[command(flatten)]
+    pub surface: SurfaceArguments,
     /// Directory for the pictures, created if it is missing.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -13,11 +13,15 @@ use crate::ask::constants::Constants;
 use crate::ask::lookup::Registry;
 use crate::ask::place::Place;
 use crate::error::Failure;
+use crate::linkage::line::Grid;
 use crate::linkage::{self, json::Linkage};
 use crate::motion::{self, events, json::Motion};
 use crate::plot::Selection;
 use crate::show::json::{About, Published};
 use crate::show::progress::Progress;
+
+/// Most places along each value that is swept.
+const PLACES: usize = 1000;
 
 /// The answer of `assur run` as an object.
 #[derive(Serialize)]
@@ -108,6 +112,12 @@ fn followed(
     constants: Constants,
     shown: Shown,
 ) -> Result<motion::report::Report, Failure> {
+    if let Some(numbers) = &options.places {
+        return Err(Failure::request("a motion takes no --places")
+            .place(format!("--places {numbers}"))
+            .reason("its steps are chosen by its tolerances; places are those of what is swept")
+            .remedy("leave it out"));
+    }
     let settings = options.accuracy.settings(constants.scene)?;
     let mut case = motion::case::Case::new(constants)?;
     case.add_energies(&shown.curves)?;
@@ -152,8 +162,12 @@ fn of_linkage(
     if case.moved.task == linkage::case::Task::Open && places.is_empty() {
         return Err(nowhere(case.scene, "range to go over", "…"));
     }
+    let grid = match &options.places {
+        Some(numbers) => Grid::even(&case, numbers, PLACES)?,
+        None => Grid::fine(&case),
+    };
     let _progress = progress(&case.constants);
-    linkage::report::collect(case, places, shown)
+    linkage::report::collect(case, &grid, places, shown)
 }
 
 fn progress(constants: &Constants) -> Progress {

@@ -44,10 +44,9 @@ impl Registry {
         )))
     }
 
-    /// The mechanisms with at least one scene that has points.
+    /// The mechanisms with at least one scene that can be drawn.
     fn drawn(self) -> impl Iterator<Item = &'static Mechanism> {
-        let has_points = |one: &&Mechanism| one.scenes.iter().any(|one| !one.points.is_empty());
-        self.0.iter().filter(has_points)
+        self.0.iter().filter(|mechanism| mechanism.scenes.iter().any(|one| For::Drawn.suits(one)))
     }
 
     /// The mechanisms with at least one scene that is a linkage.

@@ -12,6 +12,7 @@ pub mod variables;
 use assur::registry::{Mechanism, SceneEntry};
 use clap::Args;
 
+use crate::draw::surface;
 use crate::error::Failure;
 use constants::Constants;
 use lookup::Registry;
@@ -50,12 +51,13 @@ pub enum For {
     Loops,
     /// Those that have measures.
     Measured,
-    /// Those that have points.
+    /// Those that have points, or are surfaces.
     Drawn,
 }
 
 impl For {
-    fn suits(self, scene: &SceneEntry) -> bool {
+    /// Whether a scene is one of them.
+    pub fn suits(self, scene: &'static SceneEntry) -> bool {
         match self {
             Self::All => true,
             Self::Linkages => scene.linkage.is_some(),
@@ -63,7 +65,7 @@ impl For {
                 scene.linkage.is_some() || scene.reduced.is_some() || scene.augmented.is_some()
             }
             Self::Measured => !scene.measures.is_empty(),
-            Self::Drawn => !scene.points.is_empty(),
+            Self::Drawn => !scene.points.is_empty() || surface::is_surface(scene),
         }
     }
 
@@ -82,10 +84,7 @@ impl For {
         match self {
             _ if self.suits(scene) => Ok(scene),
             Self::Linkages | Self::Loops => Err(lookup::no_linkage(registry, mechanism, scene)),
-            Self::Drawn => Err(Failure::request(format!("scene `{}` has no points", scene.name))
-                .remedy(
-                    "state them in the equation file: point A = [0, 0]; link A - B \"crank\";",
-                )),
+            Self::Drawn => Err(surface::nothing(mechanism, scene)),
             _ => Err(lookup::no_measures(mechanism, scene)),
         }
     }
@@ -103,7 +102,34 @@ impl Asked {
         scenes: For,
     ) -> Result<Constants, Failure> {
         let mechanism = registry.mechanism(self.name.as_deref(), command, scenes)?;
-        let scene = scenes.scene(registry, mechanism, self.scene.as_deref())?;
+        self.constants(mechanism, scenes.scene(registry, mechanism, self.scene.as_deref())?)
+    }
+
+    /// The scenes of which names are given, with commas between them, each with its values.
+    ///
+    /// # Errors
+    /// As [`Asked::find`].
+    pub fn find_all(
+        &self,
+        registry: Registry,
+        command: &str,
+        scenes: For,
+    ) -> Result<Vec<Constants>, Failure> {
+        let Some(names) = &self.scene else {
+            return Ok(vec![self.find(registry, command, scenes)?]);
+        };
+        let mechanism = registry.mechanism(self.name.as_deref(), command, scenes)?;
+        let scene = |name: &str| {
+            self.constants(mechanism, scenes.scene(registry, mechanism, Some(name.trim()))?)
+        };
+        names.split(',').map(scene).collect()
+    }
+
+    fn constants(
+        &self,
+        mechanism: &'static Mechanism,
+        scene: &'static SceneEntry,
+    ) -> Result<Constants, Failure> {
         let Values { preset, set } = &self.values;
         Constants::from_options(mechanism, scene, preset.as_deref(), set)
     }

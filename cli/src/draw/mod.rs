@@ -8,6 +8,7 @@
 //! | `sheet` | the paper: scale, title, legend, scale bar |
 //! | `joints`, `names`, `forces` | pivots and slides at one position, names of points, arrows |
 //! | `still`, `moving` | the two pictures |
+//! | `surface` | surfaces, which are drawn otherwise |
 
 mod course;
 mod forces;
@@ -17,6 +18,7 @@ mod moving;
 mod names;
 mod sheet;
 mod still;
+pub mod surface;
 mod travel;
 mod vibration;
 
@@ -45,7 +47,11 @@ const FRAMES: usize = 96;
 /// A wrong request, nothing being written then; or a linkage that does not get everywhere, after the rest of its way has
 /// been drawn.
 pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failure> {
-    let constants = options.asked.find(registry, "draw", For::Drawn)?;
+    let mut scenes = options.asked.find_all(registry, "draw", For::Drawn)?;
+    let constants = match scenes.pop() {
+        Some(only) if scenes.is_empty() && !surface::is_meant(options, only.scene)? => only,
+        last => return surface::execute(options, scenes.into_iter().chain(last).collect()),
+    };
     let (mechanism, scene) = (constants.mechanism, constants.scene);
     let directory = options.out.clone().unwrap_or_else(|| PathBuf::from("."));
     let file = |what: &str| {

@@ -90,25 +90,8 @@ impl Sheet {
             svg.line(&format!("link {}", entry.class), (x + 4.0, y - 4.0), (x + 24.0, y - 4.0));
             svg.text("unit", (x + 34.0, y), Anchor::Start, &entry.text);
         }
-        self.scale_bar(&mut svg);
+        scale_bar(&mut svg, self.size, self.scale);
         svg
-    }
-
-    /// A round length of about a fifth of the width.
-    fn scale_bar(&self, svg: &mut Svg) {
-        let wanted = 0.2 * self.size.0 / self.scale;
-        let power = 10f64.powf(wanted.log10().floor());
-        let factors = [5.0, 2.0, 1.0].into_iter();
-        let factor = factors.clone().find(|factor| factor * power <= wanted);
-        let length = factor.unwrap_or(1.0) * power;
-        let (left, y) = (30.0, self.size.1 - 24.0);
-        let right = left + length * self.scale;
-        svg.line("bar", (left, y), (right, y));
-        for x in [left, right] {
-            svg.line("bar", (x, y - 4.0), (x, y + 4.0));
-        }
-        let text = format!("{} mm", number::short(number::rounded(length * 1e3, 3)));
-        svg.text("unit", (right + 9.0, y + 4.0), Anchor::Start, &text);
     }
 
     /// The whole file.
@@ -120,6 +103,23 @@ impl Sheet {
     pub fn touch(a: Point, b: Point) -> bool {
         distance(a, b) < 4.0
     }
+}
+
+/// A round length of about a fifth of the width of the paper, at this many pixels of a metre.
+pub fn scale_bar(svg: &mut Svg, (width, height): Point, scale: f64) {
+    let wanted = 0.2 * width / scale;
+    let power = 10f64.powf(wanted.log10().floor());
+    let factors = [5.0, 2.0, 1.0].into_iter();
+    let factor = factors.clone().find(|factor| factor * power <= wanted);
+    let length = factor.unwrap_or(1.0) * power;
+    let (left, y) = (30.0, height - 24.0);
+    let right = left + length * scale;
+    svg.line("bar", (left, y), (right, y));
+    for x in [left, right] {
+        svg.line("bar", (x, y - 4.0), (x, y + 4.0));
+    }
+    let text = format!("{} mm", number::short(number::rounded(length * 1e3, 3)));
+    svg.text("unit", (right + 9.0, y + 4.0), Anchor::Start, &text);
 }
 
 /// The class of the colour of a link; links of the frame are grey.

@@ -8,6 +8,7 @@ use crate::answer::Answer;
 use crate::arguments::Rows;
 use crate::ask::constants::Constants;
 use crate::error::Failure;
+use crate::linkage::line::Grid;
 use crate::plot::Selection;
 use crate::published::{Comparison, Stated};
 use crate::run::Shown;
@@ -63,7 +64,8 @@ impl Report {
         let shown = || Shown { curves: Selection::Usual, rows: Rows::Positions };
         if constants.scene.linkage.is_some() {
             let case = linkage::case::Case::new(constants)?;
-            let report = linkage::report::collect(case, Vec::new(), shown())?;
+            let grid = Grid::fine(&case);
+            let report = linkage::report::collect(case, &grid, Vec::new(), shown())?;
             return Ok(Self::Linkage(Box::new(report)));
         }
         let report = constants.going_on(|constants| {

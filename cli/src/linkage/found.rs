@@ -29,13 +29,22 @@ pub struct Found {
 }
 
 impl Found {
-    /// Moves a linkage.
+    /// Moves a linkage finely through its task.
     ///
     /// # Errors
     /// Why it cannot be put together, with what cannot.
     pub fn of(case: Case) -> Result<Self, Box<(Case, ClosureError)>> {
+        let grid = Grid::fine(&case);
+        Self::on(&grid, case)
+    }
+
+    /// Moves a linkage through the stations of a grid.
+    ///
+    /// # Errors
+    /// As [`Found::of`].
+    pub fn on(grid: &Grid, case: Case) -> Result<Self, Box<(Case, ClosureError)>> {
         let clock = Instant::now();
-        let lines = case.grid(&Grid::fine(&case));
+        let lines = case.grid(grid);
         let seconds = clock.elapsed().as_secs_f64();
         match lines {
             Ok(lines) => Ok(Self { strokes: reach::strokes(&case), case, lines, seconds }),

@@ -7,7 +7,8 @@ use assur::closure::{ClosureError, Event, Sample};
 use assur::problem::Span;
 
 use super::case::{Axis, Case, Task};
-use super::round;
+use super::{places, round};
+use crate::error::Failure;
 
 /// Stations that differ in the fastest axis alone.
 pub struct Line {
@@ -161,6 +162,18 @@ impl Grid {
         Self { axes: axes.collect() }
     }
 
+    /// So many values of each axis as `--places` says, evenly apart.
+    ///
+    /// # Errors
+    /// What is no number of places, or of no axis.
+    pub fn even(case: &Case, places: &str, most: usize) -> Result<Self, Failure> {
+        let axes = case.axes();
+        let counts = places::read(&axes, places, most)?;
+        Ok(Self {
+            axes: axes.iter().zip(counts).map(|(axis, count)| evenly(axis, count)).collect(),
+        })
+    }
+
     /// As many values as curves and extremes need.
     pub fn fine(case: &Case) -> Self {
         let axes = case.axes();
@@ -174,6 +187,16 @@ impl Grid {
             along.map(|axis| round::positions(&axis.quantity, axis.from, axis.to, parts)).collect();
         Self { axes }
     }
+}
+
+/// Values evenly apart, both ends included.
+fn evenly(axis: &Axis, count: usize) -> Vec<f64> {
+    let last = count - 1;
+    let value = |index: usize| match index == last {
+        true => axis.to,
+        false => axis.from + (axis.to - axis.from) * (index as f64 / last as f64),
+    };
+    (0..count).map(value).collect()
 }
 
 /// A few values of each axis at round numbers.

@@ -5,7 +5,8 @@
 //! | `case` | a linkage with its values, and what its task varies |
 //! | `line`, `search` | the stations of a task, and where something is largest |
 //! | `reach` | how far the drivers go, limit positions and strokes |
-//! | `place`, `influence`, `found` | what `--at` names, influence coefficients, what is compared with published values |
+//! | `place`, `places` | what `--at` names, how many places `--places` wants |
+//! | `influence`, `found` | influence coefficients, what is compared with published values |
 //! | `report` | all of that together |
 //! | `table`, `json`, `csv` | how it is printed |
 //! | `group`, `wording` | groups, errors and events in words |
@@ -19,6 +20,7 @@ pub mod influence;
 pub mod json;
 pub mod line;
 pub mod place;
+mod places;
 
 pub mod reach;
 pub mod report;

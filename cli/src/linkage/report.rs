@@ -127,16 +127,21 @@ impl Answer for Report {
     }
 }
 
-/// Moves a linkage through its task and collects what there is to say about it.
+/// Moves a linkage through its task, over a grid of it, and collects what there is to say about it.
 ///
 /// # Errors
 /// When it cannot be put together, or a place that was asked for is not reached.
-pub fn collect(case: Case, places: Vec<Place>, shown: Shown) -> Result<Report, Failure> {
+pub fn collect(
+    case: Case,
+    grid: &Grid,
+    places: Vec<Place>,
+    shown: Shown,
+) -> Result<Report, Failure> {
     let clock = Instant::now();
     let apart = |case: &Case, error: &ClosureError| {
         case.tell(error).failure("the linkage cannot be put together")
     };
-    let found = Found::of(case).map_err(|found| apart(&found.0, &found.1))?;
+    let found = Found::on(grid, case).map_err(|found| apart(&found.0, &found.1))?;
     let published = published::compare(&found)?;
     let Found { case, lines, strokes, seconds: closing } = found;
     let rows = case.grid(&Grid::coarse(&case)).map_err(|error| apart(&case, &error))?;

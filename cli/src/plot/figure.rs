@@ -130,21 +130,23 @@ pub fn lead(constants: &Constants) -> String {
     if let Some(line) = scene.summary.lines().next().filter(|line| !line.is_empty()) {
         sentence += &format!(": {}", line.trim_end_matches('.'));
     }
-    let changed =
-        scene.constants.iter().enumerate().filter(|(index, _)| constants.is_changed(*index)).map(
-            |(index, constant)| {
-                let quantity = &constant.quantity;
-                let value = number::declared(constants.values[index] / quantity.factor);
-                format!("{} = {value} {}", name::set(quantity.name).text, name::unit(quantity.unit))
-                    .trim_end()
-                    .to_owned()
-            },
-        );
-    let changed: Vec<_> = changed.collect();
-    if !changed.is_empty() {
-        sentence += &format!(". With {}", changed.join(", "));
+    format!("{sentence}. {}", changed(constants)).trim_end().to_owned()
+}
+
+/// Which values were changed, as a sentence; empty where none were.
+pub fn changed(constants: &Constants) -> String {
+    let all = constants.scene.constants.iter().enumerate();
+    let changed = all.filter(|(index, _)| constants.is_changed(*index)).map(|(index, constant)| {
+        let quantity = &constant.quantity;
+        let value = number::declared(constants.values[index] / quantity.factor);
+        format!("{} = {value} {}", name::set(quantity.name).text, name::unit(quantity.unit))
+            .trim_end()
+            .to_owned()
+    });
+    match changed.collect::<Vec<_>>() {
+        none if none.is_empty() => String::new(),
+        changed => format!("With {}.", changed.join(", ")),
     }
-    sentence + "."
 }
 
 /// How the curves were made, and what the circles are.

@@ -1,7 +1,7 @@
 //! The figure of a run: panels of curves over one cycle, chosen from the data of the scene alone.
 
 mod across;
-mod axis;
+pub mod axis;
 mod bands;
 mod cluster;
 mod coefficients;

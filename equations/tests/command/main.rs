@@ -14,6 +14,7 @@ mod shipped;
 #[cfg(unix)]
 mod signals;
 mod studies;
+mod surfaces;
 mod tolerances;
 
 use std::path::{Path, PathBuf};
