@@ -10,6 +10,7 @@ mod record;
 mod refusals;
 mod rests;
 mod schema;
+mod sheets;
 mod shipped;
 #[cfg(unix)]
 mod signals;
