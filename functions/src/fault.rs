@@ -1,6 +1,7 @@
-//! Why what is looked for was not found. It is kept beside the value, which is NaN then, for whoever wants to tell.
+//! Why what is looked for was not found, and how well it is known otherwise. It is kept beside the value, for whoever wants
+//! to tell.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::fmt;
 
 use crate::mean::MeanFault;
@@ -40,6 +41,7 @@ impl Fault {
 
 thread_local! {
     static LAST: RefCell<Option<Fault>> = const { RefCell::new(None) };
+    static DOUBT: Cell<f64> = const { Cell::new(0.0) };
 }
 
 /// Keeps a fault in place of the last one of this thread; that something is no number has a cause that is kept already.
@@ -53,6 +55,21 @@ pub fn keep(what: &str, why: Why) {
             *last = Some(Fault { what: what.to_owned(), why });
         }
     });
+}
+
+/// Keeps how wrong a mean may be, as a share of the mean absolute value, if that is the largest share of this thread.
+#[inline]
+pub fn doubt(share: f64) {
+    DOUBT.with(|worst| {
+        if share > worst.get() {
+            worst.set(share);
+        }
+    });
+}
+
+/// The largest share of this thread by which a mean may be wrong; zero where there was none. It is forgotten.
+pub fn take_doubt() -> f64 {
+    DOUBT.with(|worst| worst.replace(0.0))
 }
 
 /// The last fault of this thread, which is forgotten.

@@ -144,6 +144,8 @@ pub struct Mean {
     pub value: f64,
     /// How wrong it may be.
     pub error: f64,
+    /// The mean of the absolute values.
+    pub size: f64,
     /// Why there is none, or why it is not known to rounding.
     pub fault: Option<MeanFault>,
 }
@@ -178,7 +180,7 @@ pub fn mean(fill: &mut dyn FnMut(&Part, &mut [f64; POINTS])) -> Mean {
     fill(&whole, &mut values);
     let first = Share::of(whole, &values);
     if first.value.is_finite() && first.error <= ROUNDING * first.size {
-        return Mean { value: first.value, error: first.error, fault: None };
+        return Mean { value: first.value, error: first.error, size: first.size, fault: None };
     }
     in_parts(fill, values)
 }
@@ -218,7 +220,7 @@ fn in_parts(fill: &mut dyn FnMut(&Part, &mut [f64; POINTS]), mut values: [f64; P
                 true => {
                     let is_rough = error > ROUGH * size;
                     let rough = MeanFault::Rough { mean: value, error };
-                    Mean { value, error, fault: is_rough.then_some(rough) }
+                    Mean { value, error, size, fault: is_rough.then_some(rough) }
                 }
                 false => none(MeanFault::Diverges { at, mean: value, error }),
             };
@@ -234,7 +236,7 @@ fn in_parts(fill: &mut dyn FnMut(&Part, &mut [f64; POINTS]), mut values: [f64; P
 }
 
 fn none(fault: MeanFault) -> Mean {
-    Mean { value: f64::NAN, error: f64::INFINITY, fault: Some(fault) }
+    Mean { value: f64::NAN, error: f64::INFINITY, size: f64::NAN, fault: Some(fault) }
 }
 
 /// The share of the range that lies before a point.

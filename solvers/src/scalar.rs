@@ -163,8 +163,9 @@ pub trait Scalar:
     #[inline(always)]
     fn mean(what: &str, near: impl Fn(Self) -> Self, far: impl Fn(Self) -> Self) -> Self {
         let found = found::mean_of_values(&near, &far);
-        if let Some(why) = found.fault {
-            fault::keep(what, Why::Mean(why));
+        match found.fault {
+            Some(why) => fault::keep(what, Why::Mean(why)),
+            None => fault::doubt(found.error / found.size),
         }
         Self::from_f64(found.value)
     }

@@ -256,6 +256,8 @@ struct Statistics {
     reached: usize,
     seconds: f64,
     seconds_with_limits: f64,
+    /// By which share of the size of what is integrated an integral may be wrong; none where nothing is.
+    integral_error: Option<f64>,
     /// What is left of the loop equation that is closed worst.
     largest_gap: Option<Residual>,
 }
@@ -520,6 +522,7 @@ impl Statistics {
             reached: cost.reached,
             seconds: cost.closing,
             seconds_with_limits: cost.total,
+            integral_error: (cost.doubt > 0.0).then_some(cost.doubt),
             largest_gap: cost.gap.map(|(index, gap)| Residual::of(&report.case, index, gap)),
         }
     }

@@ -81,6 +81,8 @@ pub struct Cost {
     pub closing: f64,
     /// Seconds of everything.
     pub total: f64,
+    /// By which share of the size of what is integrated an integral may be wrong at most; zero where there is none.
+    pub doubt: f64,
     /// The loop equation that is left worst, and what is left of it in SI units.
     pub gap: Option<(usize, f64)>,
 }
@@ -138,12 +140,14 @@ pub fn collect(
     shown: Shown,
 ) -> Result<Report, Failure> {
     let clock = Instant::now();
+    fault::take_doubt();
     let apart = |case: &Case, error: &ClosureError| {
         case.tell(error).failure("the linkage cannot be put together")
     };
     let found = Found::on(grid, case).map_err(|found| apart(&found.0, &found.1))?;
     let published = published::compare(&found)?;
     let Found { case, lines, strokes, seconds: closing } = found;
+    let doubt = fault::take_doubt();
     let rows = case.grid(&Grid::coarse(&case)).map_err(|error| apart(&case, &error))?;
     let places: Vec<_> =
         places.into_iter().map(|place| snapshot(&case, place)).collect::<Result<_, _>>()?;
@@ -176,6 +180,7 @@ pub fn collect(
         reached: lines.iter().map(|line| line.reached().count()).sum(),
         closing,
         total: clock.elapsed().as_secs_f64(),
+        doubt,
         gap: gap(&lines, &places),
     };
     Ok(Report {

@@ -206,5 +206,9 @@ fn status(page: &mut Page, report: &Report) {
             number::duration(cost.closing)
         ),
     };
-    page.line(&format!("{share}{left}."));
+    let known = match cost.doubt {
+        0.0 => String::new(),
+        doubt => format!("; integrals known to {} of what they sum up", number::error(doubt)),
+    };
+    page.line(&format!("{share}{left}{known}."));
 }
