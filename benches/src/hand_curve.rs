@@ -94,7 +94,7 @@ pub struct Even {
 
 impl Even {
     fn new() -> Self {
-        let spline = Spline::read(include_str!("even.csv"));
+        let spline = Spline::read(include_str!("sheets/even.csv"));
         let (first, last) = spline.range();
         let count = spline.pieces.len();
         let step = (last - first) / count as f64;
@@ -139,7 +139,7 @@ pub struct Uneven {
 
 impl Uneven {
     fn new() -> Self {
-        let spline = Spline::read(include_str!("uneven.csv"));
+        let spline = Spline::read(include_str!("sheets/uneven.csv"));
         let (first, last) = spline.range();
         let density = (BUCKETS - 1) as f64 / (last - first);
         let shift = -first * density;
