@@ -76,7 +76,7 @@ fn slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
     slopes
 }
 
-/// A curve that is looked up: the begin of a piece, its factors, and what has to be multiplied with a slope.
+/// A curve that is looked up.
 pub trait Lookup<S: Scalar> {
     /// The place in a piece and the factors there; NaN outside.
     fn at(&self, x: S) -> (S, [S; 4]);
