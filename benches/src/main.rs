@@ -11,13 +11,16 @@ mod freedom;
 mod hand;
 mod hand_bars;
 mod hand_best;
+mod hand_curve;
 mod hand_dop853;
 mod hand_ends;
 mod hand_event;
+mod hand_flank;
 mod hand_foot;
 mod hand_freedom;
 mod hand_linkage;
 mod hand_loop;
+mod hand_map;
 mod hand_modes;
 mod hand_run_up;
 mod hand_squeezer;
@@ -29,6 +32,7 @@ mod peers;
 mod revolutions;
 mod row;
 mod run_ups;
+mod sheets;
 mod squeezer;
 mod table;
 mod tolerance;
@@ -49,6 +53,7 @@ usage: assur-benches [COMMAND]
   bars          a slider-crank and a four-bar with masses
   row           forty windows in a row, through flat positions
   linkage       positions and influence coefficients of a six-bar
+  sheets        a map, a gear flank and curves, at many places
   tolerance     a million heald linkages made at random
   chain         how long a chain of 30 pendulums takes to derive
   all           all of these (default)
@@ -69,6 +74,7 @@ fn main() -> ExitCode {
         ["row"] => row::report(),
         ["chain"] => chain::report(),
         ["linkage"] => with_counts(&[linkage::report]),
+        ["sheets"] => with_counts(&[sheets::report]),
         ["tolerance"] => tolerance::report(),
         ["brief"] => revolutions::brief(),
         [] | ["all"] => {
@@ -77,6 +83,7 @@ fn main() -> ExitCode {
                 revolutions::report,
                 foot::report,
                 linkage::report,
+                sheets::report,
                 run_ups::report,
                 squeezer::report,
                 bars::report,
@@ -113,6 +120,7 @@ fn run_counted(group: &str, name: &str) -> ExitCode {
         "revolutions" => revolutions::cases(),
         "foot" => foot::cases(),
         "linkage" => linkage::cases(),
+        "sheets" => sheets::cases(),
         "run-ups" => run_ups::cases(),
         "squeezer" => squeezer::cases(),
         "bars" => bars::cases(),
