@@ -178,9 +178,9 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
             let (factor, right) = (text[0], &text[1..]);
             (quote!(#factor.solve([#(#right),*])), Whole)
         }
-        Kind::Table { spline, order, .. } => {
-            let (name, order) = (tables::name(spline), *order);
-            (quote!(S::table::<#order>(#(#text),*, &#name)), Whole)
+        Kind::Table { spline, .. } => {
+            let name = tables::name(spline);
+            (quote!(S::table(#(#text),*, &#name)), Whole)
         }
         Kind::Search { search, text, lines, .. } => {
             (self::search((*search, text), lines, &all, 0), Whole)

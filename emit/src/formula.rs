@@ -109,9 +109,7 @@ impl Printer<'_> {
             Kind::Factor { .. } => (format!("factors({})", list()), Whole),
             Kind::Solve { .. } => (format!("solve({})", list()), Whole),
             Kind::Element { index, .. } => (format!("{}[{index}]", at(0, Whole)), Whole),
-            Kind::Table { order, .. } => {
-                (format!("table{}({})", "'".repeat(*order as usize), list()), Whole)
-            }
+            Kind::Table { .. } => (format!("table({})", list()), Whole),
             Kind::Search { search, .. } => (format!("{}({})", found(*search), list()), Whole),
             Kind::Input(input) => (self.input(*input), Whole),
         }

@@ -31,5 +31,6 @@ assur::equations! {
     "burnishing.eqn",
     "gear_flank.eqn",
     "packet_reducer.eqn",
+    "cam.eqn",
     "pumping_jack.eqn",
 }

@@ -8,6 +8,9 @@ pub use spline::{Ends, Spline, TableFault};
 
 use crate::fault::{Why, keep};
 
+/// A curve and the derivatives that its pieces have.
+pub const ORDERS: usize = 4;
+
 /// Part of the range by which an argument may lie outside of it: rounding.
 const SLACK: f64 = 1e-12;
 
@@ -20,10 +23,9 @@ pub struct Table<'a> {
     pub knots: &'a [f64],
     /// Between two knots the factors of the powers of the distance from the left one, lowest first.
     pub pieces: &'a [[f64; 4]],
-    /// Pieces in a unit of the abscissa, on the average.
+    /// Equal parts in a unit of the abscissa: as many as there are pieces where the knots are evenly apart.
     pub density: f64,
-    /// The piece at the begin of each of so many equal parts of the range as there are pieces, and the last one; empty where the
-    /// knots are evenly apart.
+    /// The piece at the begin of each of these parts, and the last one; empty where the knots are evenly apart.
     pub starts: &'a [u32],
     /// Whether it goes on over its ends.
     pub is_periodic: bool,
@@ -35,26 +37,27 @@ impl Table<'_> {
         (self.knots[0], self.knots[self.pieces.len()])
     }
 
-    /// The left end of the piece that an abscissa lies in, moved by whole periods, and its factors for a derivative. Outside of
-    /// the range they are NaN, which is kept as a fault.
+    /// The left end of the piece that an abscissa lies in, moved by whole periods, and its factors. Outside of the range they
+    /// are NaN, which is kept as a fault.
     #[inline(always)]
-    pub fn at(&self, x: f64, order: u32) -> (f64, [f64; 4]) {
+    pub fn at(&self, x: f64) -> (f64, [f64; 4]) {
         let (mut x, mut shift) = (x, 0.0);
         let (first, last) = self.range();
         if !(first..=last).contains(&x) {
             match self.inside(x) {
-                Some(whole) => (x, shift) = (x - whole, whole),
+                // Rounding may have left it outside.
+                Some(whole) => (x, shift) = ((x - whole).clamp(first, last), whole),
                 None => return (0.0, [f64::NAN; 4]),
             }
         }
         let index = self.index(x);
-        (self.knots[index] + shift, derivative(self.pieces[index], order))
+        (self.knots[index] + shift, self.pieces[index])
     }
 
     /// The value of a derivative at an abscissa.
     pub fn value(&self, x: f64, order: u32) -> f64 {
-        let (begin, [a, b, c, d]) = self.at(x, order);
-        let t = x - begin;
+        let (begin, factors) = self.at(x);
+        let ([a, b, c, d], t) = (derivative(factors, order), x - begin);
         ((d * t + c) * t + b) * t + a
     }
 
@@ -62,13 +65,16 @@ impl Table<'_> {
     #[inline(always)]
     fn index(&self, x: f64) -> usize {
         let last = self.pieces.len() - 1;
-        let part = ((x - self.knots[0]) * self.density) as usize;
+        let part = whole((x - self.knots[0]) * self.density);
         if self.starts.is_empty() {
             return part.min(last);
         }
-        let part = part.min(last);
+        let part = part.min(self.starts.len() - 2);
         let (low, high) = (self.starts[part] as usize, self.starts[part + 1] as usize);
-        low + self.knots[low + 1..=high].partition_point(|knot| *knot <= x)
+        if high - low > 1 {
+            return low + self.knots[low + 1..=high].partition_point(|knot| *knot <= x);
+        }
+        low + usize::from(self.knots[high] <= x && high > low)
     }
 
     /// How far an abscissa outside of the range has to be moved to lie inside.
@@ -111,8 +117,16 @@ impl Table<'_> {
     }
 }
 
-/// The factors of a derivative of a cubic.
+/// The whole number below a number from 0 to 2³¹, or where that is whole itself perhaps the one before: for a number of that
+/// size the sum has its bits at its end. A cast would look at what it may not be.
 #[inline(always)]
+fn whole(number: f64) -> usize {
+    /// 1.5·2⁵²: a number plus this has no fraction.
+    const SHIFT: f64 = 6_755_399_441_055_744.0;
+    (number - 0.5 + SHIFT).to_bits() as u32 as usize
+}
+
+/// The factors of a derivative of a cubic.
 pub fn derivative([a, b, c, d]: [f64; 4], order: u32) -> [f64; 4] {
     match order {
         0 => [a, b, c, d],

@@ -156,9 +156,9 @@ pub enum OperationKind {
         /// The right-hand side.
         right: Vec<Value>,
     },
-    /// One element of a solution.
+    /// One element of a solution, or one derivative of a sampled curve.
     Element {
-        /// The solution.
+        /// The solution, or the curve.
         solution: Value,
         /// Which element, from 0.
         index: u32,
@@ -174,12 +174,10 @@ pub enum OperationKind {
         /// The functions.
         lines: Vec<Line>,
     },
-    /// A derivative of a sampled curve.
+    /// A sampled curve and its derivatives up to the third, a vector.
     Table {
         /// The curve.
         spline: Arc<Spline>,
-        /// Which derivative, from 0.
-        order: u32,
         /// The place.
         at: Value,
     },

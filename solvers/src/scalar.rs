@@ -16,6 +16,7 @@ mod sine;
 pub use assur_functions::Table;
 pub use assur_functions::fault;
 use assur_functions::fault::Why;
+use assur_functions::table::ORDERS;
 pub use bounded::Bounded;
 pub use dual::Dual;
 pub(crate) use fused::Fused;
@@ -187,13 +188,19 @@ pub trait Scalar:
         let mut value = |place: f64| found::value(&function, place);
         Self::from_f64(assur_functions::highest(&mut value).place)
     }
-    /// A derivative of a sampled curve, of order zero the curve itself; NaN outside of its range, which is kept as a fault.
+    /// A sampled curve and its first three derivatives; NaN outside of its range, which is kept as a fault.
     #[inline(always)]
-    fn table<const ORDER: u32>(self, table: &Table<'_>) -> Self {
-        let (begin, [a, b, c, d]) = table.at(self.to_f64(), ORDER);
+    fn table(self, table: &Table<'_>) -> [Self; ORDERS] {
+        let (begin, [a, b, c, d]) = table.at(self.to_f64());
         let number = Self::from_f64;
         let t = self - number(begin);
-        number(d).mul_add(t, number(c)).mul_add(t, number(b)).mul_add(t, number(a))
+        let (twist, bend) = (number(3.0 * d), number(2.0 * c));
+        [
+            number(d).mul_add(t, number(c)).mul_add(t, number(b)).mul_add(t, number(a)),
+            twist.mul_add(t, bend).mul_add(t, number(b)),
+            number(6.0 * d).mul_add(t, bend),
+            number(6.0 * d),
+        ]
     }
     /// Largest whole number that is not greater.
     fn floor(self) -> Self;

@@ -209,23 +209,30 @@ fn piece(step: f64, y: (f64, f64), moments: (f64, f64)) -> [f64; 4] {
     [y.0, slope, 0.5 * moments.0, (moments.1 - moments.0) / (6.0 * step)]
 }
 
-/// Pieces in a unit of the abscissa, and the piece at the begin of each equal part of the range.
+/// Equal parts of the range in a unit of the abscissa, and the piece at the begin of each. They are shorter than the shortest
+/// piece, so that at most one knot lies inside, unless that would be too many.
 fn starts(knots: &[f64]) -> (f64, Vec<u32>) {
     /// Part of a step by which knots may be off and count as evenly apart.
     const EVEN: f64 = 1e-6;
+    /// Most parts for each piece.
+    const MOST: f64 = 16.0;
     let pieces = knots.len() - 1;
     let (first, last) = (knots[0], knots[pieces]);
-    let density = pieces as f64 / (last - first);
-    let place = |knot: f64| (knot - first) * density;
-    let is_even = knots.iter().enumerate().all(|(i, knot)| (place(*knot) - i as f64).abs() < EVEN);
-    if is_even {
-        return (density, Vec::new());
+    let even = pieces as f64 / (last - first);
+    let is_even = |(i, knot): (usize, &f64)| ((knot - first) * even - i as f64).abs() < EVEN;
+    if knots.iter().enumerate().all(is_even) {
+        return (even, Vec::new());
     }
-    // What is looked up is found by the same rounded numbers.
-    let of = |part: usize| knots[..pieces].partition_point(|knot| place(*knot) < part as f64);
-    let starts = (0..=pieces).map(|part| of(part).saturating_sub(1) as u32);
+    let steps = knots.windows(2).map(|pair| pair[1] - pair[0]);
+    let shortest = steps.fold(f64::INFINITY, f64::min);
+    let parts = ((last - first) / shortest).min(MOST * pieces as f64).ceil() as usize + 1;
+    let density = parts as f64 / (last - first);
+    // What is looked up is found by the same rounded numbers; whole ones may count to the part before.
+    let place = |knot: f64| (knot - first) * density;
+    let of = |part: usize| knots[..pieces].partition_point(|knot| place(*knot) <= part as f64);
+    let starts = (0..=parts).map(|part| of(part).saturating_sub(1) as u32);
     let mut starts: Vec<u32> = starts.collect();
-    starts[pieces] = pieces as u32 - 1;
+    starts[parts] = pieces as u32 - 1;
     (density, starts)
 }
 
@@ -317,7 +324,31 @@ mod tests {
         let table = spline.table();
         for pair in at.windows(2) {
             for x in [pair[0], 0.5 * (pair[0] + pair[1]), pair[1].next_down()] {
-                assert_eq!(table.at(x, 0).0, pair[0], "{x}");
+                assert_eq!(table.at(x).0, pair[0], "{x}");
+            }
+        }
+    }
+
+    /// At and beside its knots, over many periods, a curve has the value of the pieces there.
+    #[test]
+    fn rounding_leads_to_no_other_piece() {
+        for uneven in [0.0, 0.3] {
+            let at = (0..=30)
+                .map(|i| f64::from(i) + uneven * (f64::from(i) * std::f64::consts::PI / 1.5).sin());
+            let list: Vec<(f64, f64)> =
+                at.map(|x| (x, (x * std::f64::consts::TAU / 30.0).sin())).collect();
+            let (begin, end) = (list[0].0, list[30].0);
+            let mut list = list;
+            list[30].1 = list[0].1;
+            let spline = spline(&list, Ends::Periodic);
+            for turns in [-1e9, -7.0, -1.0, 0.0, 1.0, 3.0, 1e6, 1e9] {
+                for (x, y) in &list {
+                    for x in [x.next_down(), *x, x.next_up()].map(|x| x + turns * (end - begin)) {
+                        let found = spline.table().value(x, 0);
+                        let within = 1e-12 + 4.0 * f64::EPSILON * x.abs();
+                        assert!((found - y).abs() < within, "{uneven} {turns}: {x}: {found}, {y}");
+                    }
+                }
             }
         }
     }

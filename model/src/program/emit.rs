@@ -201,7 +201,8 @@ impl<'a> Emitter<'a> {
             }
             Node::Table(spline, order, at) => {
                 let at = self.value(at);
-                self.combine(OperationKind::Table { spline, order, at })
+                let solution = self.combine(OperationKind::Table { spline, at });
+                self.combine(OperationKind::Element { solution, index: order })
             }
             Node::Search(..) => self.search(expression),
             Node::Element(solution, index) => {

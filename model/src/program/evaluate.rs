@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use assur_functions::table::ORDERS;
+
 use super::{Form, Input, Line, OperationKind, Program, Value};
 use crate::expression::solve;
 
@@ -136,8 +138,11 @@ fn run<'a>(
                 .and_then(|list| list.get(*index as usize))
                 .copied()
                 .unwrap_or(f64::NAN),
-            OperationKind::Table { spline, order, at } => {
-                spline.table().value(numbers[at.0 as usize], *order)
+            OperationKind::Table { spline, at: place } => {
+                let (table, place) = (spline.table(), at(place));
+                let values = (0..ORDERS).map(|order| table.value(place, order as u32));
+                solutions.insert(index as u32, values.collect());
+                f64::NAN
             }
             OperationKind::Search { search, captured, lines, .. } => {
                 let captured = all(captured);

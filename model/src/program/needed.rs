@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use assur_functions::table::ORDERS;
+
 use super::{Form, Input, OperationKind as Kind, Program, Stage, Value};
 
 /// What kind of thing a value is.
@@ -34,6 +36,7 @@ impl Program {
             Kind::Compare(..) | Kind::And(..) | Kind::Or(..) | Kind::Not(_) => Shape::Mask,
             Kind::Factor { form, size, .. } => Shape::Factor(*form, *size as usize),
             Kind::Solve { right, .. } => Shape::Vector(right.len()),
+            Kind::Table { .. } => Shape::Vector(ORDERS),
             _ => Shape::Number,
         }
     }

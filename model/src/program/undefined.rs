@@ -26,6 +26,7 @@ impl Program {
                 OperationKind::Select { condition, then, otherwise } => {
                     Some(if values.get(*condition) != 0.0 { *then } else { *otherwise })
                 }
+                // Outside of a table, or a system without a solution.
                 OperationKind::Element { .. } => return None,
                 kind => kind.operands().into_iter().find(|one| values.get(*one).is_nan()),
             };

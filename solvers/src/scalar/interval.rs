@@ -2,6 +2,7 @@
 
 use super::Scalar;
 use assur_functions::Table;
+use assur_functions::table::ORDERS;
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -263,8 +264,8 @@ impl Scalar for Interval {
     fn highest_place(function: impl Fn(Self) -> Self) -> Self {
         Self::highest_place_over(&function)
     }
-    fn table<const ORDER: u32>(self, table: &Table<'_>) -> Self {
-        self.over_pieces(table, ORDER)
+    fn table(self, table: &Table<'_>) -> [Self; ORDERS] {
+        [0, 1, 2, 3].map(|order| self.over_pieces(table, order))
     }
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term
