@@ -162,8 +162,8 @@ const GROUPS: [Group; 8] = [
     Group {
         title: "Gear flank: point, normal, curvatures",
         goal: 1.1,
-        codes: &["hand", "emitted", "emitted, stated as by hand"],
-        emitted: 1,
+        codes: &["hand", "emitted, forms of the turned flank", "emitted, as in gear_flank.eqn"],
+        emitted: 2,
     },
     Group::curve("Curve through even points"),
     Group::curve("Derivative of that curve"),

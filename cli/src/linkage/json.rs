@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::case::{Case, Task};
 use super::influence::unit_of;
 use super::reach::{self, Gap};
-use super::report::{Report, Snapshot};
+use super::report::{Report, Snapshot, is_refused};
 use super::{group, search};
 use crate::ask::variables::Variable;
 use crate::run::{Found, Run};
@@ -291,7 +291,14 @@ impl Linkage {
         let positions: Vec<_> = stations.map(position).collect();
         let at: Vec<_> = report.places.iter().map(|place| Place::of(case, place)).collect();
         let all = positions.iter().map(|one| &one.results).chain(at.iter().map(|one| &one.results));
-        let status = match (report.is_complete(), all.flatten().all(|one| one.value.is_some())) {
+        let swept = report.rows.iter().flat_map(|line| line.samples.iter().map(Option::as_ref));
+        let samples = swept.chain(report.places.iter().map(|place| Some(&place.sample)));
+        // Where a condition does not hold there is nothing to be had.
+        let is_had = |(results, sample): (&Vec<_>, Option<&Sample>)| {
+            sample.is_some_and(|sample| is_refused(case, sample))
+                || results.iter().all(|one: &Amount| one.value.is_some())
+        };
+        let status = match (report.is_complete(), all.zip(samples).all(is_had)) {
             (false, _) => Status::Stopped,
             (true, false) => Status::Incomplete,
             (true, true) => Status::Complete,

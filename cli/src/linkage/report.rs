@@ -232,7 +232,7 @@ fn unfound(case: &Case, rows: &[Line], asked: &[Snapshot]) -> Option<String> {
 }
 
 /// Whether a condition does not hold, whose margin is among the outputs.
-fn is_refused(case: &Case, sample: &Sample) -> bool {
+pub fn is_refused(case: &Case, sample: &Sample) -> bool {
     let outputs = case.scene.outputs.iter().zip(&sample.outputs);
     outputs.into_iter().any(|(output, value)| output.name.starts_with(MARGIN) && *value <= 0.0)
 }
@@ -258,7 +258,14 @@ pub fn snapshot(case: &Case, place: Place) -> Result<Snapshot, Failure> {
             .failure(format!("the linkage does not get to {}", place.label))
             .place(place.option.as_str())
     })?;
-    Ok(Snapshot { influence: influence::at(case, &place.independents), sample, place })
+    let mut influence = influence::at(case, &place.independents);
+    for value in influence.iter_mut().flat_map(|one| one.values.iter_mut().zip(&sample.outputs)) {
+        // What has no value does not change.
+        if value.1.is_nan() {
+            *value.0 = f64::NAN;
+        }
+    }
+    Ok(Snapshot { influence, sample, place })
 }
 
 /// The loop equation that is left worst.

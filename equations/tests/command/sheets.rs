@@ -29,12 +29,16 @@ fn the_map_and_the_inverse_agree() {
     let places = ["Ra_adm=1um,Theta_adm=800K", "S=0.1311mm,V=8.06425[m/s]"];
     let inverse =
         answer(&["run", "burnishing", "--scene", "recommended", "--at", places[0]], &directory);
-    let row = inverse.lines().find(|line| line.trim_start().starts_with("productivity  1"));
-    let row = row.expect("the productivity there");
-    let best: f64 = row.split_whitespace().nth(1).and_then(|one| one.parse().ok()).expect("it");
+    let best = number(&inverse, "productivity");
     let map = answer(&["run", "burnishing", "--scene", "window", "--at", places[1]], &directory);
-    let row = map.lines().filter(|line| line.trim_start().starts_with("rate")).last();
-    let row = row.expect("the rate there");
-    let rate: f64 = row.split_whitespace().nth(1).and_then(|one| one.parse().ok()).expect("it");
+    let rate = number(&map, "rate");
     assert!((rate / best - 1.0).abs() < 1e-3, "{rate}, {best}");
+}
+
+/// The number behind a name at the place that was asked for.
+fn number(table: &str, name: &str) -> f64 {
+    let there = table.split("\nAt ").nth(1).expect("a place");
+    let row = there.lines().find(|line| line.split_whitespace().next() == Some(name));
+    let number = row.and_then(|row| row.split_whitespace().nth(1)?.parse().ok());
+    number.unwrap_or_else(|| panic!("no {name}: {there}"))
 }

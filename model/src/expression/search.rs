@@ -6,6 +6,7 @@
 
 use assur_functions::{End, highest, mean, root};
 
+use super::function::Function;
 use super::graph::{Expression, Graph, Node, Symbol};
 use super::hash::Map;
 
@@ -193,7 +194,9 @@ impl Graph {
                 let begins = self.compare(super::Relation::Less, zero, found);
                 let ends = self.compare(super::Relation::Less, found, one);
                 let is_inside = self.and(begins, ends);
-                self.select(is_inside, inside, zero)
+                let is_smooth = self.is_smooth_top(found, bound, slopes[0]);
+                let moves = self.and(is_inside, is_smooth);
+                self.select(moves, inside, zero)
             }
         }
     }
@@ -229,6 +232,18 @@ impl Graph {
         }
         let (sum, length) = (self.sum(&terms), self.sub(high, low));
         self.div(sum, length)
+    }
+
+    /// Whether the slope vanishes where a body is largest, as it does but for kinks: there the place stays.
+    fn is_smooth_top(&mut self, place: Expression, bound: Symbol, slope: Expression) -> Expression {
+        /// Part of the range within which a parabola with this slope has its top.
+        const NEAR: f64 = 1e-3;
+        let one = self.one();
+        let bend = self.tangent(&[slope], &Map::from_iter([(bound, one)]))[0];
+        let there = self.substitute(&[slope, bend], &Map::from_iter([(bound, place)]));
+        let [steep, bend] = [there[0], there[1]].map(|one| self.call(Function::Abs, &[one]));
+        let near = self.scale(NEAR, bend);
+        self.compare(super::Relation::LessEqual, steep, near)
     }
 
     /// How a place at which a body is zero changes, where the body there changes by a rate.

@@ -119,6 +119,10 @@ fn peaks_have_their_values_places_and_derivatives() {
     is("diff(peak(x*(p - x), x, 0 .. 1), p)", 0.35);
     near("diff(diff(peak(x*(p - x), x, 0 .. 1), p), p)", 0.5, 1e-12);
     near("diff(peak_at(x*(p - x), x, 0 .. 1), p)", 0.5, 1e-12);
+    // At a kink the top stays.
+    is("diff(peak_at(p*x - abs(x - 0.4), x, 0 .. 1), p)", 0.0);
+    is("diff(diff(peak(p*x - 3*abs(x - 0.4), x, 0 .. 1), p), p)", 0.0);
+    near("diff(peak(p*x - 3*abs(x - 0.4), x, 0 .. 1), p)", 0.4, 1e-7);
     is("diff(peak(x, x, 0 .. p), p)", 1.0);
     is("diff(peak_at(x, x, 0 .. p), p)", 1.0);
 }

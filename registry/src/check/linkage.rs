@@ -69,7 +69,7 @@ pub(super) struct Position<'a> {
     pub(super) influence: Vec<f64>,
     second: Vec<f64>,
     /// The outputs themselves.
-    reported: Vec<f64>,
+    pub(super) reported: Vec<f64>,
     /// The columns of the drivers, one behind the other.
     coefficients: Vec<f64>,
     residual: Vec<f64>,

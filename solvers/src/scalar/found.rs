@@ -68,8 +68,17 @@ impl Dual {
     pub(super) fn root_along(function: &dyn Fn(Self) -> Self) -> Self {
         let place = root(&mut |place| function(Self::constant(place)).value).place();
         let fixed = function(Self::constant(place)).slope;
-        let steepness = function(Self::variable(place)).slope - fixed;
-        Self { value: place, slope: -fixed / steepness }
+        Self { value: place, slope: -fixed / Self::along(function, place, fixed) }
+    }
+
+    /// The slope by the place alone, where the other one is given. Their sum is what is found: so the place moves as far as makes
+    /// both alike, and neither is lost beside the other.
+    fn along(function: &dyn Fn(Self) -> Self, place: f64, fixed: f64) -> f64 {
+        let by =
+            |weight: f64| (function(Self { value: place, slope: weight }).slope - fixed) / weight;
+        let rough = by(1.0);
+        let weight = (fixed / rough).abs();
+        if weight > 0.0 && weight.is_finite() { by(weight) } else { rough }
     }
 
     /// The place does not count where the slope is zero; at an end it stays.
@@ -82,19 +91,25 @@ impl Dual {
     pub(super) fn highest_place_along(function: &dyn Fn(Self) -> Self) -> Self {
         /// Share of the range, whose fourth power is rounding.
         const STEP: f64 = 1e-4;
+        /// What is left of the change of a slope over half a step, if it jumps; else it is a half.
+        const JUMPS: f64 = 0.75;
         let place = highest(&mut |place| function(Self::constant(place)).value).place;
         if place <= 0.0 || place >= 1.0 {
             return Self::constant(place);
         }
         let step = STEP.min(0.5 * place).min(0.5 * (1.0 - place));
         let fixed = |place: f64| function(Self::constant(place)).slope;
-        let steepness = |place: f64| function(Self::variable(place)).slope - fixed(place);
+        let steepness = |place: f64| Self::along(function, place, fixed(place));
         // Differences of fourth order.
-        let change = |of: &dyn Fn(f64) -> f64| {
+        let change = |of: &dyn Fn(f64) -> f64, step: f64| {
             let between = |steps: f64| of(place + steps * step) - of(place - steps * step);
             8.0 * between(1.0) - between(2.0)
         };
-        let (across, along) = (change(&fixed), change(&steepness));
+        let (across, along) = (change(&fixed, step), change(&steepness, step));
+        // At a kink the slope jumps, over whatever step, and the place stays.
+        if change(&steepness, 0.5 * step).abs() > JUMPS * along.abs() {
+            return Self::constant(place);
+        }
         Self { value: place, slope: -across / along }
     }
 }
@@ -348,5 +363,15 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// A top at a kink stays where it is; that of a hill moves.
+    #[test]
+    fn tops_at_kinks_stay() {
+        let top = |a: Dual| Dual::highest_place(|x| a * x - (x - Dual::constant(0.4)).abs());
+        let found = top(Dual::variable(0.3));
+        assert!((found.value - 0.4).abs() < 1e-7 && found.slope == 0.0, "{found:?}");
+        let hill = Dual::highest_place(|x| x * (Dual::variable(0.7) - x));
+        assert!((hill.slope - 0.5).abs() < 1e-8, "{hill:?}");
     }
 }
