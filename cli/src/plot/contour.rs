@@ -18,7 +18,9 @@ impl Field<'_> {
     pub fn contours(&self, level: f64) -> Vec<Vec<Point>> {
         let cells = (1..self.rows.len())
             .flat_map(|row| (1..self.columns.len()).map(move |column| (row, column)));
-        join(cells.flat_map(|(row, column)| self.pieces(row, column, level)).collect())
+        let pieces = cells.flat_map(|(row, column)| self.pieces(row, column, level));
+        // A line that goes through a corner of the grid has nothing in the cells that only touch it.
+        join(pieces.filter(|[from, to]| from != to).collect())
     }
 
     /// The pieces of the lines in the cell below and left of a place, by marching squares: where all four edges are crossed the
