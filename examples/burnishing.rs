@@ -29,7 +29,7 @@ fn values<L: Linkage, const N: usize>(
     let found = sweep(sheet, &axes, AtDeadPoint::Stop)?;
     let mut values = [0.0; N];
     for (value, name) in values.iter_mut().zip(names) {
-        let index = L::shape().outputs.iter().position(|output| output.name == name);
+        let index = sheet.shape().outputs.iter().position(|output| output.name == name);
         *value = found.outputs(0)[index.ok_or("no such output")?];
     }
     Ok(values)

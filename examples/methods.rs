@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 /// The rows of a scene.
 fn table<C: Smooth>(name: &str, scene: &C) -> Result<(), ode::OdeError> {
-    let rest = vec![0.0; C::shape().states.len()];
+    let rest = vec![0.0; scene.shape().states.len()];
     let run = |method, rtol| ode::march(scene, TIMES, &rest, &Settings::new(method).rtol(rtol));
     let exact = run(Method::Taylor, 1e-14)?;
     for rtol in [1e-6, 1e-9, 1e-12] {

@@ -62,7 +62,7 @@ impl Formula {
         let mut assembly = Assembly::<L, f64>::new(needle);
         assembly.start().unwrap();
         assembly.travel(&[at]).unwrap();
-        let mut values = vec![0.0; L::shape().outputs.len()];
+        let mut values = vec![0.0; needle.shape().outputs.len()];
         assembly.outputs(&mut values);
         Self { names: names(scene).0, values }
     }

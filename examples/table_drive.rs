@@ -202,7 +202,7 @@ fn run<C: Scene>(drive: &C) -> RunUp {
         let time = motion.first_time(speed, speed_of).unwrap_or(f64::NAN);
         (time, value("phi2", time))
     };
-    let modes = C::shape().modes;
+    let modes = drive.shape().modes;
     let mut events = motion.events().iter();
     let started = events.find(|event| modes[event.to].name == "run");
     let mut events = motion.events().iter();

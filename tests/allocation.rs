@@ -54,8 +54,8 @@ fn check_revolutions<C: Scene + Default>(method: Explicit) {
     };
     let model = Bound::new(&scene);
     let flow = Flow::new(&model, 0);
-    let start = vec![0.0; C::shape().states.len()];
-    let options = Options::scaled(1e-10, C::shape().scales);
+    let start = vec![0.0; scene.shape().states.len()];
+    let options = Options::scaled(1e-10, scene.shape().scales);
     let mut workspace = Workspace::new(method, &flow);
     let mut steps = 0;
     let mut turn = || {
@@ -146,13 +146,15 @@ fn ten_revolutions_allocate_nothing() {
 /// All functions of prepared equations.
 fn evaluate<C: Scene + Default>() -> usize {
     let (equations, phase) = (C::default().prepare::<f64>(), Phase::of(0));
+    let scene = C::default();
+    let shape = scene.shape();
     let (states, row) = (equations.states(), equations.instant());
     let state = vec![0.0; states];
     let mut rates = state.clone();
     let mut columns = vec![0.0; states * states];
     let mut products = columns.clone();
-    let mut outputs = vec![0.0; C::shape().outputs.len()];
-    let mut drivers = vec![0.0; C::shape().drivers.len()];
+    let mut outputs = vec![0.0; shape.outputs.len()];
+    let mut drivers = vec![0.0; shape.drivers.len()];
     let mut rows = vec![0.0; 2 * row];
     allocations(|| {
         equations.instants(phase, &[0.01, 0.02], &mut rows);

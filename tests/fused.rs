@@ -79,7 +79,7 @@ impl<L: Linkage + Default> Task for Loops<L> {
         let range = linkage.ranges()[0];
         let step = S::from_f64((range.to - range.from) / 200.0);
         let mut place = assembly.independents().to_vec();
-        let (shape, entry) = (L::shape(), L::shape().loops());
+        let (shape, entry) = (linkage.shape(), linkage.shape().loops());
         let (outputs, variables) = (shape.outputs.len(), entry.variables.len());
         let lists = [
             outputs,
@@ -121,7 +121,8 @@ impl<C: Scene + Default> Task for Modal<C> {
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> f64 {
-        let (scene, shape) = (C::default(), C::shape());
+        let scene = C::default();
+        let shape = scene.shape();
         let equations = scene.prepare::<S>();
         let start = scene.start().into_iter();
         let state: Vec<S> = start.map(|value| S::from_f64(value + 1e-3)).collect();

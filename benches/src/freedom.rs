@@ -16,7 +16,7 @@ pub type Kind = (&'static str, fn() -> Run);
 pub fn emitted<C: Scene>(scene: &C, method: Explicit, (end, rtol): (f64, f64)) -> Run {
     let bound = Bound::new(scene);
     let flow = Flow::new(&bound, 0);
-    let options = Options::scaled(rtol, C::shape().scales);
+    let options = Options::scaled(rtol, scene.shape().scales);
     let mut workspace = Workspace::new(method, &flow);
     let done = integrate(&flow, (0.0, end), &scene.start(), &options, &mut workspace, &mut ());
     let mut state = [f64::NAN; 2];

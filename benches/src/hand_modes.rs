@@ -211,7 +211,7 @@ impl Scene for HandFoot {
     type Unreduced = Self;
     const SMOOTH: bool = false;
 
-    fn shape() -> &'static Shape {
+    fn shape(&self) -> &'static Shape {
         const STATES: &[Quantity] =
             &[Quantity::new("w", "", Unit::NONE), Quantity::new("dot(w)", "", Unit::NONE)];
         const DRIVERS: &[Quantity] = &[Quantity::new("phi", "", Unit::NONE)];

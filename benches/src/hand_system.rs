@@ -86,7 +86,7 @@ impl Scene for HandBatten {
     type Unreduced = Self;
     const SMOOTH: bool = true;
 
-    fn shape() -> &'static Shape {
+    fn shape(&self) -> &'static Shape {
         const STATES: &[Quantity] = &[Quantity::new("y", "", Unit::NONE); 6];
         const { &Shape::named("batten").states(STATES, &[SCALE; 6]) }
     }

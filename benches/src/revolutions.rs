@@ -37,7 +37,7 @@ const GOAL: f64 = 1.1;
 pub fn stepped<C: Scene>(scene: &C, method: Explicit, rtol: f64) -> Run {
     let bound = Bound::new(scene);
     let flow = Flow::new(&bound, 0);
-    let options = Options::scaled(rtol, C::shape().scales);
+    let options = Options::scaled(rtol, scene.shape().scales);
     let mut workspace = Workspace::new(method, &flow);
     let times = (0.0, END);
     let statistics = integrate(&flow, times, &START, &options, &mut workspace, &mut ());

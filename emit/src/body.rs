@@ -14,9 +14,6 @@ use crate::blocks::BLOCK;
 use crate::expression::{self, Expression};
 use crate::layout::Layout;
 
-/// Most operations in one expression.
-const LONGEST: usize = 8;
-
 /// Where a function stands, and so what it finds computed.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
@@ -67,11 +64,12 @@ impl<'a> Body<'a> {
         let mut body = Self { layout, place, statements: Vec::new(), written: given };
         let program = layout.program();
         let needed = program.needed(wanted, &|value| body.outside(value).is_some());
-        let uses = body.uses(&needed, wanted, named);
+        let read: Vec<Value> = wanted.iter().chain(named).copied().collect();
+        let short = program.written(&needed, &read);
         for Level { mut before, batch } in program.levels(&needed) {
             before.sort_by_key(|value| body.input_order(*value));
             for value in before {
-                body.state(value, uses.get(&value).copied().unwrap_or(0));
+                body.state(value, short.contains(&value));
             }
             body.state_sines(&batch);
         }
@@ -93,21 +91,6 @@ impl<'a> Body<'a> {
             OperationKind::Input(Input::State(index)) => *index,
             _ => u32::MAX,
         }
-    }
-
-    /// How often each value is read; the named ones count as read often.
-    fn uses(
-        &self,
-        needed: &BTreeSet<Value>,
-        wanted: &[Value],
-        named: &[Value],
-    ) -> BTreeMap<Value, usize> {
-        let mut uses = BTreeMap::new();
-        let inner = needed.iter().flat_map(|value| self.kind(*value).operands());
-        for value in inner.chain(wanted.iter().copied()).chain(named.iter().copied()) {
-            *uses.entry(value).or_insert(0) += 1;
-        }
-        uses
     }
 
     fn kind(&self, value: Value) -> &'a OperationKind {
@@ -161,20 +144,13 @@ impl<'a> Body<'a> {
     }
 
     /// Adds the statement for an operation, or keeps it to be written where it is read.
-    fn state(&mut self, value: Value, uses: usize) {
-        let kind = self.kind(value);
-        let named = self.layout.program().operations[value.0 as usize].name.is_some();
-        let text = match kind {
+    fn state(&mut self, value: Value, is_short: bool) {
+        let text = match self.kind(value) {
             OperationKind::Number(_) => return,
             OperationKind::Input(input) => self.input(*input),
             kind => expression::operation(kind, &|operand| self.expression(operand)),
         };
-        let always = matches!(kind, OperationKind::Element { .. });
-        let never = matches!(
-            kind,
-            OperationKind::Input(_) | OperationKind::Factor { .. } | OperationKind::Solve { .. }
-        );
-        if !named && !never && (always || uses <= 1 && text.weight <= LONGEST) {
+        if is_short {
             self.written.insert(value, text);
         } else {
             let (name, tokens) = (self.layout.names.of(value), &text.tokens);

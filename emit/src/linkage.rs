@@ -27,7 +27,7 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
             type Closure<S: ::assur::scalar::Scalar> = #closure<S>;
 
             #[inline(always)]
-            fn shape() -> &'static ::assur::shape::Shape {
+            fn shape(&self) -> &'static ::assur::shape::Shape {
                 &shapes_::#name
             }
 
@@ -35,7 +35,7 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
                 Self::values(self).to_vec()
             }
 
-            fn with_values(values: &[f64]) -> Self {
+            fn with_values(&self, values: &[f64]) -> Self {
                 let mut all = [0.0; #constants];
                 all.copy_from_slice(values);
                 Self::from_values(&all)
@@ -66,7 +66,7 @@ fn prepare(layout: &Layout<'_>) -> TokenStream {
     let closure = &layout.equations;
     quote! {
         #[inline(always)]
-        fn prepare<S: ::assur::scalar::Scalar>(values: &[S]) -> Self::Closure<S> {
+        fn prepare<S: ::assur::scalar::Scalar>(&self, values: &[S]) -> Self::Closure<S> {
             #statements
             #closure { #fields }
         }

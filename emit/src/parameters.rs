@@ -72,6 +72,11 @@ fn inherent(layout: &Layout<'_>) -> TokenStream {
         impl #name {
             #subjects
 
+            /// What the scene is made of.
+            pub const fn shape() -> &'static ::assur::shape::Shape {
+                &shapes_::#name
+            }
+
             /// Sets all values, SI units, in the order of the fields.
             pub fn from_values(values: &[f64; #count]) -> Self {
                 Self { #(#fields: values[#places]),* }
@@ -141,7 +146,7 @@ fn implementation(layout: &Layout<'_>) -> TokenStream {
             type Unreduced = #unreduced_type;
             const SMOOTH: bool = #is_smooth;
 
-            fn shape() -> &'static ::assur::shape::Shape {
+            fn shape(&self) -> &'static ::assur::shape::Shape {
                 &shapes_::#name
             }
 

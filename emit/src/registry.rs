@@ -69,7 +69,7 @@ fn entry(layout: &Layout<'_>, unreduced: Option<&Layout<'_>>) -> TokenStream {
     quote! {
         ::assur::registry::SceneEntry {
             shape: &shapes_::#type_name,
-            bind: ::assur::registry::Bind::#kind(|values| {
+            bind: ::assur::registry::Bind::#kind(&|values| {
                 ::assur::registry::#bind(::assur::registry::with(values, #type_name::from_values)?)
             }),
             unreduced: #unreduced,

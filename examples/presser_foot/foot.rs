@@ -198,6 +198,6 @@ impl<C: Scene> Driven for C {
     fn output(&self, name: &str, motion: &Motion, time: f64) -> f64 {
         let (mode, values) = motion.at(time);
         let model: &dyn Model = &Bound::new(self);
-        model.outputs_in(mode, time, &values)[shape::find(C::shape().outputs, name).unwrap()]
+        model.outputs_in(mode, time, &values)[shape::find(self.shape().outputs, name).unwrap()]
     }
 }

@@ -23,6 +23,7 @@ mod share;
 mod staging;
 mod surfaces;
 mod undefined;
+mod written;
 
 use std::sync::Arc;
 
@@ -40,6 +41,7 @@ pub use results::Results;
 pub use series::{Series, Step};
 pub use staging::{Idle, Staging};
 pub use undefined::Undefined;
+pub use written::Fused;
 
 /// Index of an operation, and so of its value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]

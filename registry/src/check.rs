@@ -112,16 +112,16 @@ fn places<C: Scene>(scene: &C) -> impl Iterator<Item = (f64, Vec<f64>)> {
         // Never the start itself: at rest two branches may meet there, which have two derivatives.
         let size = [1.0, 30.0, 300.0][index % 3];
         let time = from + (to - from) * (index as f64 * 0.618 + 0.137).fract();
-        (time, beside(&start, C::shape().scales, index, size))
+        (time, beside(&start, scene.shape().scales, index, size))
     })
 }
 
 /// The declared start, or where nothing moves from there, one a little beside it.
 fn moving_start<C: Scene>(scene: &C, equations: &C::Equations<f64>, time: f64) -> Vec<f64> {
     let start = scene.start();
-    let (rates, _) = rates(equations, C::shape().first, time, &start);
+    let (rates, _) = rates(equations, scene.shape().first, time, &start);
     match rates.iter().all(|value| *value == 0.0) {
-        true => beside(&start, C::shape().scales, 1, 100.0),
+        true => beside(&start, scene.shape().scales, 1, 100.0),
         false => start,
     }
 }

@@ -73,7 +73,7 @@ pub struct Preset {
 }
 
 /// What fixes the values of a scene (SI units, in the order of its constants), if the mechanism accepts them.
-pub type Binder<R> = fn(&[f64]) -> Result<Box<R>, Refused>;
+pub type Binder<R> = &'static (dyn Fn(&[f64]) -> Result<Box<R>, Refused> + Sync);
 
 /// Fixes the values of a scene.
 #[derive(Clone, Copy)]

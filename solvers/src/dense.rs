@@ -7,11 +7,11 @@ mod lu;
 mod pivoted;
 
 use crate::scalar::Scalar;
-pub use bound::{Bound, Writing, factor_bound};
+pub use bound::{Bound, BoundRows, Writing, factor_bound};
 pub(crate) use bound::{Order, Parts, Reading, Scan};
 pub use complex::{Complex, factor_complex, substitute_complex};
 pub use lu::{Lu, Singular};
-pub use pivoted::{Pivoted, factor_pivoted};
+pub use pivoted::{Pivoted, factor_pivoted, pivot_rows, solve_pivoted};
 
 /// A symmetric positive definite matrix, factored as `L D Lᵀ` without square roots.
 #[derive(Clone, Copy, Debug)]
@@ -27,24 +27,48 @@ pub struct Factor<S, const N: usize> {
 /// There is no pivoting. A matrix that is not positive definite gives a large, infinite or NaN solution, never a panic.
 #[inline(always)]
 pub fn factor<S: Scalar, const N: usize>(matrix: [[S; N]; N]) -> Factor<S, N> {
-    let mut lower = matrix;
-    let mut reciprocals = [S::ZERO; N];
-    for j in 0..N {
+    let (mut lower, mut reciprocals) = (matrix, [S::ZERO; N]);
+    factor_rows(lower.as_flattened_mut(), &mut reciprocals, &mut [S::ZERO; N]);
+    Factor { lower, reciprocals }
+}
+
+/// [`factor`] of a matrix that is given row by row, in its place; with room for as many numbers as it has rows.
+#[inline(always)]
+pub fn factor_rows<S: Scalar>(lower: &mut [S], reciprocals: &mut [S], scaled: &mut [S]) {
+    let n = reciprocals.len();
+    for j in 0..n {
         // Row j of L D, whose entries are needed twice.
-        let mut scaled = [S::ZERO; N];
-        let mut pivot = matrix[j][j];
+        let mut pivot = lower[j * n + j];
         for k in 0..j {
-            let mut entry = matrix[j][k];
+            let mut entry = lower[j * n + k];
             for i in 0..k {
-                entry = scaled[i].mul_add(-lower[k][i], entry);
+                entry = scaled[i].mul_add(-lower[k * n + i], entry);
             }
             scaled[k] = entry;
-            lower[j][k] = entry * reciprocals[k];
-            pivot = lower[j][k].mul_add(-entry, pivot);
+            lower[j * n + k] = entry * reciprocals[k];
+            pivot = lower[j * n + k].mul_add(-entry, pivot);
         }
         reciprocals[j] = S::ONE / pivot;
     }
-    Factor { lower, reciprocals }
+}
+
+/// Solves in place with what [`factor_rows`] has left.
+#[inline(always)]
+pub fn solve_rows<S: Scalar>(lower: &[S], reciprocals: &[S], x: &mut [S]) {
+    let n = reciprocals.len();
+    for j in 1..n {
+        for k in 0..j {
+            x[j] = lower[j * n + k].mul_add(-x[k], x[j]);
+        }
+    }
+    for (value, reciprocal) in x.iter_mut().zip(reciprocals) {
+        *value = *value * *reciprocal;
+    }
+    for j in (0..n).rev() {
+        for k in j + 1..n {
+            x[j] = lower[k * n + j].mul_add(-x[k], x[j]);
+        }
+    }
 }
 
 /// A matrix inside equations, factored.
@@ -72,19 +96,7 @@ impl<S: Scalar, const N: usize> Factor<S, N> {
     #[inline(always)]
     pub fn solve(&self, right: [S; N]) -> [S; N] {
         let mut x = right;
-        for j in 1..N {
-            for k in 0..j {
-                x[j] = self.lower[j][k].mul_add(-x[k], x[j]);
-            }
-        }
-        for (value, reciprocal) in x.iter_mut().zip(self.reciprocals) {
-            *value = *value * reciprocal;
-        }
-        for j in (0..N).rev() {
-            for k in j + 1..N {
-                x[j] = self.lower[k][j].mul_add(-x[k], x[j]);
-            }
-        }
+        solve_rows(self.lower.as_flattened(), &self.reciprocals, &mut x);
         x
     }
 }

@@ -197,7 +197,7 @@ pub trait Scene: Clone + Send + Sync + 'static {
     const SMOOTH: bool;
 
     /// What the scene is made of.
-    fn shape() -> &'static Shape;
+    fn shape(&self) -> &'static Shape;
 
     /// Computes what depends on the parameters alone.
     fn prepare<S: Scalar>(&self) -> Self::Equations<S>;

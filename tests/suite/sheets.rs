@@ -15,7 +15,7 @@ const UM: f64 = 1e-6;
 fn value<L: Linkage>(sheet: &L, place: &[f64], name: &str) -> f64 {
     let axes: Vec<_> = place.iter().map(|at| Axis { from: *at, to: *at, count: 1 }).collect();
     let values = sweep(sheet, &axes, AtDeadPoint::Stop).expect("values");
-    let index = L::shape().outputs.iter().position(|one| one.name == name).expect("an output");
+    let index = sheet.shape().outputs.iter().position(|one| one.name == name).expect("an output");
     values.outputs(0)[index]
 }
 

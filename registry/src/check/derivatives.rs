@@ -20,11 +20,11 @@ const ROUNDING: f64 = 1e-12;
 pub fn jacobian<C: Scene + Default>() -> Result<(), Failed> {
     let scene = C::default();
     let (plain, dual) = (scene.prepare::<f64>(), scene.prepare::<Dual>());
-    for mode in 0..C::shape().modes.len().max(1) {
+    for mode in 0..scene.shape().modes.len().max(1) {
         let point = Point {
             plain: &plain,
             dual: &dual,
-            shape: C::shape(),
+            shape: scene.shape(),
             mode,
             from: scene.span().limits().0,
         };

@@ -107,7 +107,7 @@ fn components(entry: &SceneEntry) -> Vec<(String, Dimension)> {
 
 /// Derivative of the state, outputs and positions of the drivers, with the bounds of their errors.
 fn values<C: Scene>(scene: &C, time: f64, state: &[f64]) -> Vec<Bounded> {
-    let (equations, shape) = (scene.prepare::<Bounded>(), C::shape());
+    let (equations, shape) = (scene.prepare::<Bounded>(), scene.shape());
     let time = Bounded::from_f64(time);
     let here: Vec<Bounded> = state.iter().map(|value| Bounded::from_f64(*value)).collect();
     let (rates, _) = rates(&equations, shape.first, time, &here);

@@ -80,7 +80,7 @@ impl<const MISTAKE: u8> Scene for Oscillator<MISTAKE> {
     type Unreduced = Self;
     const SMOOTH: bool = true;
 
-    fn shape() -> &'static Shape {
+    fn shape(&self) -> &'static Shape {
         &FREE_SHAPE
     }
 
@@ -108,7 +108,7 @@ const FREE_SHAPE: Shape =
 
 const FREE: SceneEntry = SceneEntry {
     shape: &FREE_SHAPE,
-    bind: Bind::Motion(|_| bind(Oscillator::<RIGHT>)),
+    bind: Bind::Motion(&|_| bind(Oscillator::<RIGHT>)),
     unreduced: None,
 };
 

@@ -21,7 +21,7 @@ pub trait Move: Linkage {
             *first = Axis { from, to, count };
         }
         let positions = closure::sweep(self, &axes, AtDeadPoint::Stop).map_err(Error::Open)?;
-        let shape = Self::shape();
+        let shape = Linkage::shape(self);
         Ok(Sweep { shape, positions })
     }
 
@@ -90,7 +90,7 @@ impl<L: Linkage> Tolerance<'_, L> {
     /// Where a driver, by its name, has this position, SI units; the others stand where they start.
     #[must_use]
     pub fn at(mut self, driver: &str, position: f64) -> Self {
-        let drivers = L::shape().drivers;
+        let drivers = Linkage::shape(self.linkage).drivers;
         if let Ok(place) = &mut self.place {
             match find(drivers, driver) {
                 Some(index) => place[index] = position,
@@ -107,7 +107,7 @@ impl<L: Linkage> Tolerance<'_, L> {
     /// # Errors
     /// [`Error::Unknown`].
     pub fn study(&self) -> Result<Study, Error> {
-        let shape = L::shape();
+        let shape = Linkage::shape(self.linkage);
         let Some(output) = find(shape.outputs, &self.output) else {
             let outputs = shape.outputs.iter();
             return Err(unknown(&self.output, outputs.map(|one| one.name)));

@@ -13,11 +13,13 @@
 //! problems*, Acta Numerica 14 (2005), section 6.
 
 mod parts;
+mod rows;
 mod solution;
 
 use super::Factored;
 use crate::scalar::Scalar;
 pub use parts::{Order, Parts, Scan, Writing};
+pub use rows::BoundRows;
 pub use solution::Reading;
 
 /// Below this a pivot of closures is none, their rows being of size one: they follow from the others, for an instant at

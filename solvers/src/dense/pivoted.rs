@@ -22,15 +22,24 @@ pub fn factor_pivoted<S: Scalar, const N: usize>(matrix: [[S; N]; N]) -> Pivoted
     let mut factors = matrix;
     let mut reciprocals = [S::ZERO; N];
     let mut origins = [S::ZERO; N];
+    pivot_rows(factors.as_flattened_mut(), &mut reciprocals, &mut origins);
+    Pivoted { factors, reciprocals, origins }
+}
+
+/// [`factor_pivoted`] of a matrix that is given row by row, in its place.
+#[inline(always)]
+pub fn pivot_rows<S: Scalar>(factors: &mut [S], reciprocals: &mut [S], origins: &mut [S]) {
+    let n = reciprocals.len();
     for (row, origin) in origins.iter_mut().enumerate() {
         *origin = S::from_f64(row as f64);
     }
-    for column in 0..N {
+    for column in 0..n {
         // The largest entry comes to the diagonal by exchanges, because the lanes exchange different rows.
-        for row in column + 1..N {
-            let is_larger = S::less(factors[column][column].abs(), factors[row][column].abs());
-            let (above, below) = factors.split_at_mut(row);
-            for (upper, lower) in above[column].iter_mut().zip(&mut below[0]) {
+        for row in column + 1..n {
+            let (own, other) = (factors[column * n + column], factors[row * n + column]);
+            let is_larger = S::less(own.abs(), other.abs());
+            let (above, below) = factors.split_at_mut(row * n);
+            for (upper, lower) in above[column * n..][..n].iter_mut().zip(below) {
                 let (a, b) = (*upper, *lower);
                 *upper = S::select(is_larger, b, a);
                 *lower = S::select(is_larger, a, b);
@@ -39,18 +48,45 @@ pub fn factor_pivoted<S: Scalar, const N: usize>(matrix: [[S; N]; N]) -> Pivoted
             origins[column] = S::select(is_larger, lower, upper);
             origins[row] = S::select(is_larger, upper, lower);
         }
-        reciprocals[column] = S::ONE / factors[column][column];
-        for row in column + 1..N {
-            let multiple = factors[row][column] * reciprocals[column];
-            let (above, below) = factors.split_at_mut(row);
-            let pairs = above[column].iter().zip(&mut below[0]);
+        reciprocals[column] = S::ONE / factors[column * n + column];
+        for row in column + 1..n {
+            let multiple = factors[row * n + column] * reciprocals[column];
+            let (above, below) = factors.split_at_mut(row * n);
+            let pairs = above[column * n..][..n].iter().zip(below);
             for (upper, lower) in pairs.skip(column + 1) {
                 *lower = upper.mul_add(-multiple, *lower);
             }
-            factors[row][column] = multiple;
+            factors[row * n + column] = multiple;
         }
     }
-    Pivoted { factors, reciprocals, origins }
+}
+
+/// Solves for `x` with what [`pivot_rows`] has left.
+#[inline(always)]
+pub fn solve_pivoted<S: Scalar>(
+    (factors, reciprocals, origins): (&[S], &[S], &[S]),
+    right: &[S],
+    x: &mut [S],
+) {
+    let n = reciprocals.len();
+    x.fill(S::ZERO);
+    for (value, origin) in x.iter_mut().zip(origins) {
+        for (row, right) in right.iter().enumerate() {
+            let is_origin = S::equal(*origin, S::from_f64(row as f64));
+            *value = S::select(is_origin, *right, *value);
+        }
+    }
+    for row in 1..n {
+        for k in 0..row {
+            x[row] = factors[row * n + k].mul_add(-x[k], x[row]);
+        }
+    }
+    for row in (0..n).rev() {
+        for k in row + 1..n {
+            x[row] = factors[row * n + k].mul_add(-x[k], x[row]);
+        }
+        x[row] = x[row] * reciprocals[row];
+    }
 }
 
 impl<S: Scalar, const N: usize> Pivoted<S, N> {
@@ -58,23 +94,8 @@ impl<S: Scalar, const N: usize> Pivoted<S, N> {
     #[inline(always)]
     pub fn solve(&self, right: [S; N]) -> [S; N] {
         let mut x = [S::ZERO; N];
-        for (value, origin) in x.iter_mut().zip(self.origins) {
-            for (row, right) in right.into_iter().enumerate() {
-                let is_origin = S::equal(origin, S::from_f64(row as f64));
-                *value = S::select(is_origin, right, *value);
-            }
-        }
-        for row in 1..N {
-            for k in 0..row {
-                x[row] = self.factors[row][k].mul_add(-x[k], x[row]);
-            }
-        }
-        for row in (0..N).rev() {
-            for k in row + 1..N {
-                x[row] = self.factors[row][k].mul_add(-x[k], x[row]);
-            }
-            x[row] = x[row] * self.reciprocals[row];
-        }
+        let factored = (self.factors.as_flattened(), &self.reciprocals[..], &self.origins[..]);
+        solve_pivoted(factored, &right, &mut x);
         x
     }
 }

@@ -37,7 +37,7 @@ impl<C: Scene> Bound<C> {
 
 impl<C: Scene> Model for Bound<C> {
     fn shape(&self) -> &Shape {
-        C::shape()
+        self.scene.shape()
     }
 
     fn equations(&self) -> &dyn Equations<f64> {

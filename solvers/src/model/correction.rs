@@ -257,7 +257,7 @@ impl Correction {
 /// # Errors
 /// The closure that does not close, and by how much.
 pub fn assemble<C: Scene>(scene: &C, start: Vec<f64>) -> Result<Vec<f64>, Refused> {
-    let shape = C::shape();
+    let shape = scene.shape();
     let Some(correction) = Correction::of(shape, shape.first) else {
         return Ok(start);
     };

@@ -31,7 +31,7 @@ impl<const LINEAR: bool> Scene for Oscillator<LINEAR> {
     type Unreduced = Self;
     const SMOOTH: bool = true;
 
-    fn shape() -> &'static Shape {
+    fn shape(&self) -> &'static Shape {
         const STATES: &[Quantity] =
             &[Quantity::new("x", "", Unit::NONE), Quantity::new("dot(x)", "", Unit::NONE)];
         const { &Shape { is_linear: LINEAR, ..Shape::named("oscillator").states(STATES, &[1e-3, 1.0]) } }

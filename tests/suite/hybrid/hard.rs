@@ -2,13 +2,14 @@
 
 use assur::hybrid::{HybridError, Motion, march};
 use assur::prelude::*;
+use assur::shape::Shape;
 
 const SETTINGS: Settings = Settings::new(Method::Dop853).rtol(1e-9);
 
 /// Texts of the events that happened, with their times.
-fn log<C: Scene>(motion: &Motion) -> Vec<(&'static str, f64)> {
+fn log(shape: &Shape, motion: &Motion) -> Vec<(&'static str, f64)> {
     let one = |event: &assur::hybrid::Happened| {
-        (C::shape().modes[event.from].events[event.event].text, event.time)
+        (shape.modes[event.from].events[event.event].text, event.time)
     };
     motion.events.iter().map(one).collect()
 }
@@ -123,7 +124,7 @@ mod relay {
 fn events_at_one_instant_follow_each_other() {
     let motion = march(&relay::Both::default(), (0.0, 3.0), &[0.0, -1.0, -1.0], &SETTINGS)
         .expect("it comes to rest");
-    let log = log::<relay::Both>(&motion);
+    let log = log(relay::Both::shape(), &motion);
     let texts: Vec<_> = log.iter().map(|one| one.0).collect();
     assert_eq!(
         texts,

@@ -47,7 +47,7 @@ mod filling {
 #[track_caller]
 fn check<C: Scene>(scene: &C, period: f64, settling: usize, expected: &[f64]) {
     let periods = Periods { settling, counted: 50 };
-    let start = (C::shape().first, &scene.start()[..]);
+    let start = (scene.shape().first, &scene.start()[..]);
     let found = hybrid::lyapunov(scene, start, period, periods, &FINE).unwrap();
     assert_eq!(found.exponents.len(), expected.len());
     for (found, expected) in found.exponents.iter().zip(expected) {

@@ -135,7 +135,7 @@ fn changes(motion: &Motion) -> Vec<(f64, usize)> {
 /// What a scene reports in a mode, at a time and state.
 fn output<C: Scene>(foot: &C, name: &str, mode: usize, time: f64, values: &[f64]) -> f64 {
     let model: &dyn Model = &Bound::new(foot);
-    model.outputs_in(mode, time, values)[shape::find(C::shape().outputs, name).unwrap()]
+    model.outputs_in(mode, time, values)[shape::find(foot.shape().outputs, name).unwrap()]
 }
 
 /// F2 just after a time.
@@ -170,7 +170,7 @@ fn compare<C: Foot>(name: &str, foot: &C, found: &Cycle) {
     let turns = (0..found.multiple).min_by(|a, b| off(*a).total_cmp(&off(*b)));
     let shift = turns.unwrap() as f64 * period;
     let (mode, state) = found.motion.at(shift);
-    assert_eq!(C::shape().modes[mode].name, case["mode"].as_str().unwrap(), "{name}");
+    assert_eq!(foot.shape().modes[mode].name, case["mode"].as_str().unwrap(), "{name}");
     for (value, (expected, size)) in state.iter().zip(start.iter().zip([1e-3, 1e-1])) {
         let off = (value - expected).abs();
         assert!(off < 1e-10 * size, "{name}: state off by {off:e} of {expected:e}");
@@ -183,7 +183,7 @@ fn compare<C: Foot>(name: &str, foot: &C, found: &Cycle) {
     events.sort_by(|a, b| a.0.total_cmp(&b.0));
     assert_eq!(events.len(), expected.len(), "{name}: {events:?}");
     for ((time, mode), expected) in events.iter().zip(expected) {
-        assert_eq!(C::shape().modes[*mode].name, expected["to"].as_str().unwrap(), "{name}");
+        assert_eq!(foot.shape().modes[*mode].name, expected["to"].as_str().unwrap(), "{name}");
         let off = (time - number(&expected["time"])).abs();
         assert!(off < 1e-10 * length, "{name}: event at {time} s off by {off:e} s");
     }

@@ -90,19 +90,19 @@ impl<C: Drive> Moved<C> {
     /// An output of a state in a mode.
     fn output_of(&self, name: &str, time: f64, mode: usize, state: &[f64]) -> f64 {
         let model: &dyn Model = &Bound::new(&self.drive);
-        model.outputs_in(mode, time, state)[place::<C>(name)]
+        model.outputs_in(mode, time, state)[place(&self.drive, name)]
     }
 
     /// Names of the modes that the events lead to.
     fn modes(&self) -> Vec<&'static str> {
         let events = self.motion.events.iter();
-        events.map(|event| C::shape().modes[event.to].name).collect()
+        events.map(|event| self.drive.shape().modes[event.to].name).collect()
     }
 
     /// The only event that leads to a mode.
     fn event(&self, mode: &str) -> &Happened {
         let mut found = self.motion.events.iter();
-        let found = found.find(|event| C::shape().modes[event.to].name == mode);
+        let found = found.find(|event| self.drive.shape().modes[event.to].name == mode);
         found.unwrap_or_else(|| panic!("no event leads to {mode}: {:?}", self.modes()))
     }
 
@@ -122,8 +122,8 @@ impl<C: Drive> Moved<C> {
     }
 }
 
-fn place<C: Scene>(name: &str) -> usize {
-    let found = assur::shape::find(C::shape().outputs, name);
+fn place<C: Scene>(drive: &C, name: &str) -> usize {
+    let found = assur::shape::find(drive.shape().outputs, name);
     found.unwrap_or_else(|| panic!("no output `{name}`"))
 }
 

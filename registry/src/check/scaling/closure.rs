@@ -17,9 +17,11 @@ pub fn closure_scaling<L: Linkage + Default>(
     mechanism: &Mechanism,
     scene: &str,
 ) -> Result<(), Failed> {
-    let prepare =
-        |values: &[Bounded]| -> Box<dyn Answers<Bounded>> { Box::new(Apart(L::prepare(values))) };
-    restated(mechanism, scene, &L::default(), &prepare)
+    let linkage = L::default();
+    let prepare = |values: &[Bounded]| -> Box<dyn Answers<Bounded>> {
+        Box::new(Apart(Linkage::prepare(&linkage, values)))
+    };
+    restated(mechanism, scene, &linkage, &prepare)
 }
 
 /// Loops with the bounds of their errors, from constants.

@@ -67,7 +67,7 @@ impl<const HIDDEN: u8> Scene for Spring<HIDDEN> {
     type Unreduced = Self;
     const SMOOTH: bool = true;
 
-    fn shape() -> &'static Shape {
+    fn shape(&self) -> &'static Shape {
         const NAMES: &[Quantity] = &[quantity("x", SPEED), quantity("dot(x)", SPEED)];
         const OUTPUTS: &[Quantity] = &[quantity("momentum", SPEED), quantity("mean", SPEED)];
         const {

@@ -12,7 +12,6 @@ use crate::problem::Span;
 use crate::scalar::{Dual, Interval};
 use crate::shape::Shape;
 use crate::tolerance::{Block, Drawing, Run};
-use std::marker::PhantomData;
 
 /// A linkage with its values.
 pub trait AnyLinkage: Send + Sync {
@@ -60,7 +59,7 @@ pub trait AnyLinkage: Send + Sync {
 
 impl<L: Linkage> AnyLinkage for L {
     fn shape(&self) -> &'static Shape {
-        L::shape()
+        Linkage::shape(self)
     }
 
     fn values(&self) -> Vec<f64> {
@@ -68,7 +67,7 @@ impl<L: Linkage> AnyLinkage for L {
     }
 
     fn with_values(&self, values: &[f64]) -> Box<dyn AnyLinkage> {
-        Box::new(<L as Linkage>::with_values(values))
+        Box::new(Linkage::with_values(self, values))
     }
 
     fn span(&self) -> Span {
@@ -92,18 +91,18 @@ impl<L: Linkage> AnyLinkage for L {
     }
 
     fn prepare(&self, values: &[f64]) -> Box<dyn Loops<f64>> {
-        Box::new(Apart(<L as Linkage>::prepare(values)))
+        Box::new(Apart(Linkage::prepare(self, values)))
     }
 
     fn differentiate(&self, values: &[Dual]) -> Box<dyn Answers<Dual>> {
-        Box::new(Apart(<L as Linkage>::prepare(values)))
+        Box::new(Apart(Linkage::prepare(self, values)))
     }
 
     fn enclose(&self, values: &[Interval]) -> Box<dyn Trials<Interval>> {
-        Box::new(Apart(<L as Linkage>::prepare(values)))
+        Box::new(Apart(Linkage::prepare(self, values)))
     }
 
     fn draw(&self, run: &Run<'_>, samples: (u64, u64), counts: &mut [u64]) -> Block {
-        dispatch(Drawing { run, samples, counts, linkage: PhantomData::<L> })
+        dispatch(Drawing { run, samples, counts, linkage: self })
     }
 }

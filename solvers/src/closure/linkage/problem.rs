@@ -137,16 +137,16 @@ pub trait Linkage: Clone + Send + Sync + 'static {
     type Closure<S: Scalar>: Closure<S>;
 
     /// What the linkage is made of.
-    fn shape() -> &'static Shape;
+    fn shape(&self) -> &'static Shape;
 
     /// All constants, SI units, in their order.
     fn values(&self) -> Vec<f64>;
 
     /// The linkage with other constants.
-    fn with_values(values: &[f64]) -> Self;
+    fn with_values(&self, values: &[f64]) -> Self;
 
     /// Computes what depends on the constants alone, from constants of any scalar type.
-    fn prepare<S: Scalar>(values: &[S]) -> Self::Closure<S>;
+    fn prepare<S: Scalar>(&self, values: &[S]) -> Self::Closure<S>;
 
     /// Checks the conditions that the mechanism puts on its values.
     ///

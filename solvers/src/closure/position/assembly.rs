@@ -81,13 +81,13 @@ pub struct Assembly<L: Linkage, S: Scalar> {
 impl<L: Linkage, S: Scalar> Assembly<L, S> {
     /// A linkage that is not yet put together: call [`Assembly::start`] next.
     pub fn new(linkage: &L) -> Self {
-        let values: Vec<S> = linkage.values().into_iter().map(S::from_f64).collect();
-        let (unknown, shape) = (S::from_f64(f64::NAN), L::shape());
+        let values: Vec<S> = Linkage::values(linkage).into_iter().map(S::from_f64).collect();
+        let (unknown, shape) = (S::from_f64(f64::NAN), Linkage::shape(linkage));
         let independents = vec![unknown; shape.drivers.len()];
         let (closure, instant) = S::outline(
             #[inline(always)]
             || {
-                let closure = L::prepare(&values);
+                let closure = linkage.prepare(&values);
                 let instant = closure.instant(&independents);
                 (closure, instant)
             },
@@ -118,7 +118,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         Guide {
             linkage: &self.linkage,
             loops: &self.closure,
-            entry: L::shape().loops(),
+            entry: self.closure.0.shape().loops(),
             independents: &mut self.independents,
             instant: self.instant.as_mut(),
             heading: &mut self.heading,

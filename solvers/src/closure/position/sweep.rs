@@ -52,7 +52,7 @@ pub fn sweep<L: Linkage>(
     axes: &[Axis],
     at_dead_point: AtDeadPoint,
 ) -> Result<Positions, ClosureError> {
-    check(axes, L::shape().drivers.len())?;
+    check(axes, Linkage::shape(linkage).drivers.len())?;
     dispatch(Sweep { linkage, axes, at_dead_point })
 }
 
@@ -89,7 +89,7 @@ impl<L: Linkage> Task for Sweep<'_, L> {
         let mut assembly = Assembly::<L, S>::new(self.linkage);
         assembly.start()?;
         let count = self.axes.iter().map(|axis| axis.count).product();
-        let shape = L::shape();
+        let shape = Linkage::shape(self.linkage);
         let mut positions = Positions::new(shape, count);
         let through = self.at_dead_point == AtDeadPoint::Through && self.axes.len() == 1;
         let limits = assembly.guide().limits();
@@ -133,7 +133,7 @@ fn go_back<L: Linkage, S: Scalar>(assembly: &mut Assembly<L, S>, positions: &mut
         return;
     };
     let outcome = assembly.pass_dead_point(wanted);
-    let mut outputs = vec![S::ZERO; L::shape().outputs.len()];
+    let mut outputs = vec![S::ZERO; assembly.guide().loops.shape().outputs.len()];
     let mut place = assembly.independents().to_vec();
     let count = positions.len();
     positions.end = outcome.err();

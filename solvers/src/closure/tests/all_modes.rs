@@ -107,7 +107,7 @@ fn modes_in_closed_form_are_counted() {
         (2, true)
     );
     let six = modes(&SixBar::default(), &[1.0], &search).expect("a position");
-    let loops = SixBar::prepare::<f64>(&SixBar::default().values());
+    let loops = Linkage::prepare::<f64>(&SixBar::default(), &SixBar::default().values);
     let mut expected = 0;
     for (first, second) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
         let (mut z, instant) = (Closure::<f64>::zeros(&loops), loops.instant(&[1.0]));

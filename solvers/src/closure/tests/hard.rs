@@ -354,7 +354,7 @@ fn start_values_pick_the_nearest_mode() {
 #[test]
 fn newton_alone_lands_in_another_mode() {
     let linkage = Heald::printed();
-    let loops = Apart(Heald::prepare::<f64>(&linkage.values()));
+    let loops = Apart(Linkage::prepare::<f64>(&linkage, &linkage.values));
     let mut kept = started(&linkage);
     let start = kept.coordinates();
     let (sign, mut other, mut same) = (kept.sine(0).signum(), 0, 0);

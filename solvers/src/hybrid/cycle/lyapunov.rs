@@ -54,11 +54,11 @@ pub fn lyapunov<C: Scene>(
     let mut stretch = Stretch {
         model,
         period,
-        sizes: C::shape().scales,
+        sizes: scene.shape().scales,
         settings,
         mode,
         state: start.to_vec(),
-        frame: frame(C::shape().states.len()),
+        frame: frame(scene.shape().states.len()),
     };
     stretch.advance(periods.settling)?;
     let grown = stretch.advance(periods.counted)?;

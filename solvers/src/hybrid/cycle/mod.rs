@@ -90,7 +90,7 @@ impl Cycle {
 /// # Errors
 /// [`CycleError`]; [`CycleError::NoneStable`] with what was found instead.
 pub fn cycle<C: Scene>(scene: &C, period: f64, settings: &Settings) -> Result<Cycle, CycleError> {
-    cycle_from(scene, (C::shape().first, &scene.start()), period, settings)
+    cycle_from(scene, (scene.shape().first, &scene.start()), period, settings)
 }
 
 /// The motion that repeats, sought from another mode and state at time 0.
@@ -125,7 +125,7 @@ pub(crate) fn cycle_of(
 /// [`CycleError`]; [`CycleError::Driven`] if the equations depend on the time, [`CycleError::Rest`] if the motion from the
 /// declared start comes to rest.
 pub fn clock<C: Scene>(scene: &C, settings: &Settings) -> Result<Cycle, CycleError> {
-    let start = (C::shape().first, &scene.start()[..]);
+    let start = (scene.shape().first, &scene.start()[..]);
     clock_of(&Bound::new(scene), start, settings)
 }
 

@@ -21,7 +21,7 @@ pub fn march<C: Scene>(
     start: &[f64],
     settings: &Settings,
 ) -> Result<Motion, HybridError> {
-    march_in(scene, C::shape().first, times, start, settings)
+    march_in(scene, scene.shape().first, times, start, settings)
 }
 
 /// The motion from event to event, from a start in any mode.

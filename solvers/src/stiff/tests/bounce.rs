@@ -81,7 +81,7 @@ impl Scene for Ball {
     type Unreduced = Self;
     const SMOOTH: bool = false;
 
-    fn shape() -> &'static Shape {
+    fn shape(&self) -> &'static Shape {
         const STATES: &[Quantity] =
             &[Quantity::new("x", "", Unit::NONE), Quantity::new("dot(x)", "", Unit::NONE)];
         const MODES: &[ModeEntry] = &[

@@ -16,6 +16,7 @@ use varied::{Lanes, Varied};
 
 /// Makes linkages, `W` samples at a time; keeps the memory for it.
 pub(super) struct Maker<L: Linkage, S: Scalar, const W: usize> {
+    linkage: L,
     values: Vec<S>,
     /// The constants that err.
     constants: Vec<Varied<S, W>>,
@@ -26,16 +27,17 @@ pub(super) struct Maker<L: Linkage, S: Scalar, const W: usize> {
 }
 
 impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
-    pub fn new(nominals: &[Nominal], sources: &[Source], output: usize) -> Self {
+    pub fn new(linkage: &L, nominals: &[Nominal], sources: &[Source], output: usize) -> Self {
         let values = nominals.first().map_or(&[][..], |one| &one.values);
-        let (values, shape) = (numbers::<S>(values), L::shape());
+        let (values, shape) = (numbers::<S>(values), linkage.shape());
         let zeros = S::outline(
             #[inline(always)]
-            || L::prepare(&values).zeros(),
+            || linkage.prepare(&values).zeros(),
         );
         let variables = shape.loops().variables;
         let place = |one: &Nominal| Station::new(one, &zeros, (variables, sources), output);
         Self {
+            linkage: linkage.clone(),
             constants: Varied::constants(variables, sources, &values),
             values,
             output,
@@ -63,7 +65,7 @@ impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
             self.values[constant.index] = constant.made[sample];
         }
         // Of a length that is known, what reads them is not checked again.
-        L::prepare(&self.values[..L::shape().constants.len()])
+        self.linkage.prepare(&self.values[..self.linkage.shape().constants.len()])
     }
 
     /// Closes the made linkage at a place and gives the error of its output; no number if the mode is not certain, or

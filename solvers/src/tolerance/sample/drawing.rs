@@ -13,7 +13,6 @@ use crate::tolerance::made::lead::Lead;
 use crate::tolerance::made::nominal::Nominal;
 use crate::tolerance::random::Random;
 use crate::tolerance::source::Study;
-use std::marker::PhantomData;
 
 /// Samples in a batch.
 const BATCH: usize = 64;
@@ -42,7 +41,7 @@ pub(crate) struct Drawing<'a, 'b, L: Linkage> {
     /// The first sample, and the one behind the last.
     pub samples: (u64, u64),
     pub counts: &'b mut [u64],
-    pub linkage: PhantomData<L>,
+    pub linkage: &'a L,
 }
 
 impl<L: Linkage> Task for Drawing<'_, '_, L> {
@@ -52,7 +51,7 @@ impl<L: Linkage> Task for Drawing<'_, '_, L> {
     fn run<S: Scalar>(self) -> Block {
         let (run, sources) = (self.run, &self.run.study.sources);
         let output = run.study.output;
-        let mut maker = Maker::<L, S, BATCH>::new(run.nominals, sources, output);
+        let mut maker = Maker::<L, S, BATCH>::new(self.linkage, run.nominals, sources, output);
         let mut block = Block { places: vec![Sums::NONE; run.nominals.len()], whole: 0 };
         let mut errors = vec![[S::ZERO; BATCH]; sources.len()];
         let mut found = vec![[f64::NAN; BATCH]; run.nominals.len()];

@@ -23,13 +23,13 @@ fn half_of_the_linkages_fail_just_before_the_dead_centre() {
 /// A made linkage closed by plain Newton steps from the nominal position: the output and the sign of the mode.
 fn naive(heald: &Heald, place: &[f64], errors: &[f64], from: &[f64; 9]) -> Option<(f64, f64)> {
     let (mut values, mut independents) = (heald.values(), place.to_vec());
-    for (variable, error) in Heald::shape().loops().variables.iter().zip(errors) {
+    for (variable, error) in Linkage::shape(heald).loops().variables.iter().zip(errors) {
         match *variable {
             Variable::Constant(index) => values[index] += error,
             Variable::Driver(index) => independents[index] += error,
         }
     }
-    let closure = Heald::prepare(&values);
+    let closure = heald.prepare(&values);
     let instant = closure.instant(&independents);
     let (mut position, mut row, mut matrix) = (*from, [0.0; 3], [0.0; 9]);
     for _ in 0..50 {

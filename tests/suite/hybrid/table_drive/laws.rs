@@ -19,7 +19,7 @@ fn check_continuity<C: Drive>(drive: C) {
         for (index, (before, after)) in event.before.iter().zip(&event.after).enumerate() {
             // What is set is a speed that has just passed zero.
             let off = (before - after).abs();
-            assert!(off < 1e-9, "{} jumps by {off:e}", C::shape().states[index].name);
+            assert!(off < 1e-9, "{} jumps by {off:e}", moved.drive.shape().states[index].name);
         }
     }
 }

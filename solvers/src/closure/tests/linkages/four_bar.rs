@@ -60,7 +60,7 @@ const ITERATED: Shape =
 impl Linkage for FourBar {
     type Closure<S: Scalar> = Loops<S, false>;
     constants!();
-    fn prepare<S: Scalar>(values: &[S]) -> Loops<S, false> {
+    fn prepare<S: Scalar>(&self, values: &[S]) -> Loops<S, false> {
         Loops { crank: values[0], frame: values[3], dyad: Dyad { l2: values[1], l3: values[2] } }
     }
     fn span(&self) -> Span {
@@ -142,17 +142,17 @@ pub struct Iterated(pub FourBar);
 
 impl Linkage for Iterated {
     type Closure<S: Scalar> = Loops<S, true>;
-    fn shape() -> &'static Shape {
+    fn shape(&self) -> &'static Shape {
         const { &ITERATED }
     }
     fn values(&self) -> Vec<f64> {
         self.0.values()
     }
-    fn with_values(values: &[f64]) -> Self {
-        Self(FourBar::with_values(values))
+    fn with_values(&self, values: &[f64]) -> Self {
+        Self(self.0.with_values(values))
     }
-    fn prepare<S: Scalar>(values: &[S]) -> Loops<S, true> {
-        let Loops { crank, frame, dyad } = FourBar::prepare(values);
+    fn prepare<S: Scalar>(&self, values: &[S]) -> Loops<S, true> {
+        let Loops { crank, frame, dyad } = self.0.prepare(values);
         Loops { crank, frame, dyad }
     }
     fn check(&self) -> Result<(), Refused> {

@@ -65,7 +65,7 @@ const SHAPE: Shape = by_hand(
 impl Linkage for Heald {
     type Closure<S: Scalar> = Loops<S>;
     constants!();
-    fn prepare<S: Scalar>(v: &[S]) -> Loops<S> {
+    fn prepare<S: Scalar>(&self, v: &[S]) -> Loops<S> {
         Loops(std::array::from_fn(|k| v[k]))
     }
     fn span(&self) -> Span {

@@ -24,13 +24,13 @@ macro_rules! unasked {
 /// The constants of a linkage that is a struct of one array.
 macro_rules! constants {
     () => {
-        fn shape() -> &'static Shape {
+        fn shape(&self) -> &'static Shape {
             const { &SHAPE }
         }
         fn values(&self) -> Vec<f64> {
             self.values.to_vec()
         }
-        fn with_values(values: &[f64]) -> Self {
+        fn with_values(&self, values: &[f64]) -> Self {
             let mut linkage = Self::default();
             linkage.values.copy_from_slice(values);
             linkage

@@ -62,7 +62,7 @@ const SHAPE: Shape = by_hand(
 impl Linkage for SixBar {
     type Closure<S: Scalar> = Loops<S>;
     constants!();
-    fn prepare<S: Scalar>(v: &[S]) -> Loops<S> {
+    fn prepare<S: Scalar>(&self, v: &[S]) -> Loops<S> {
         Loops {
             crank: v[0],
             frame: v[3],

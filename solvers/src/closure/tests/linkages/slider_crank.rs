@@ -33,7 +33,7 @@ const SHAPE: Shape = by_hand(
 impl Linkage for SliderCrank {
     type Closure<S: Scalar> = Loops<S>;
     constants!();
-    fn prepare<S: Scalar>(v: &[S]) -> Loops<S> {
+    fn prepare<S: Scalar>(&self, v: &[S]) -> Loops<S> {
         Loops([v[0], v[1], v[2]])
     }
     fn span(&self) -> Span {
