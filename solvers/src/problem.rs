@@ -30,6 +30,12 @@ impl<S: Scalar, const N: usize> Storage<S> for [S; N] {
     }
 }
 
+impl<S: Scalar> Storage<S> for Vec<S> {
+    fn zeros(length: usize) -> Self {
+        vec![S::ZERO; length]
+    }
+}
+
 /// The discrete part of a position: which equations hold.
 #[derive(Clone, Copy, Debug)]
 pub struct Phase<'a, S> {

@@ -60,19 +60,24 @@ impl Program {
 
     /// The values that some are made of beside a column of changes, and that do not change with it; numbers left out.
     pub fn steady(&self, wanted: &[Value]) -> Vec<Value> {
-        let needed = self.needed(wanted, &|_| false);
+        let changing = self.changing(&self.needed(wanted, &|_| false));
+        let read = changing.iter().flat_map(|value| self.kind(*value).operands());
+        let read = read.chain(wanted.iter().copied());
+        let steady: BTreeSet<Value> = read.filter(|value| !changing.contains(value)).collect();
+        steady.into_iter().filter(|value| !self.is_number(*value)).collect()
+    }
+
+    /// Those of some values that change with a column of changes.
+    pub fn changing(&self, among: &BTreeSet<Value>) -> BTreeSet<Value> {
         let mut changing = BTreeSet::new();
-        for value in &needed {
+        for value in among {
             let kind = self.kind(*value);
             let is_change = matches!(kind, Kind::Input(Input::Change(_)));
             if is_change || kind.operands().iter().any(|one| changing.contains(one)) {
                 changing.insert(*value);
             }
         }
-        let read = changing.iter().flat_map(|value| self.kind(*value).operands());
-        let read = read.chain(wanted.iter().copied());
-        let steady: BTreeSet<Value> = read.filter(|value| !changing.contains(value)).collect();
-        steady.into_iter().filter(|value| !self.is_number(*value)).collect()
+        changing
     }
 
     /// The values of earlier stages that results of a stage read directly, or are; numbers left out.

@@ -25,9 +25,8 @@ pub use extent::limits::{End, Stretch, stretch};
 pub use extent::strokes::{Stroke, strokes};
 pub use extent::track::Along;
 pub use linkage::any::AnyLinkage;
-pub(crate) use linkage::loops::Loops;
 #[doc(hidden)]
-pub use linkage::loops::{Answers, Apart, Square, instant_at};
+pub use linkage::loops::{Answers, Apart, Loops, Square, Trials, instant_at};
 pub use linkage::problem::{Closure, Linkage, Range};
 pub use modes::listing::{Listed, Listing};
 pub use modes::{AssemblyMode, AssemblyModes, Search, modes};

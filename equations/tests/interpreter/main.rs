@@ -1,0 +1,76 @@
+//! What runs without being compiled is what is compiled: every scene of every mechanism, bit for bit.
+
+mod linkages;
+mod motions;
+mod read;
+
+use assur::registry::{Bind, Mechanism, SceneEntry};
+use assur_equations::REGISTRY;
+
+/// The scenes of a mechanism, as emitted and as interpreted.
+#[track_caller]
+fn pairs(emitted: &'static Mechanism) -> Vec<(&'static SceneEntry, &'static SceneEntry)> {
+    let interpreted = read::mechanism(emitted);
+    assert_eq!(emitted.scenes.len(), interpreted.scenes.len(), "{}", emitted.name);
+    emitted.scenes.iter().zip(interpreted.scenes).collect()
+}
+
+fn compare(name: &str) {
+    let mechanism = REGISTRY.iter().find(|one| one.name == name).expect("a mechanism");
+    for (emitted, interpreted) in pairs(mechanism) {
+        let place = format!("{name} {}", emitted.name);
+        compare_scene(&place, emitted, interpreted);
+        if let (Some(emitted), Some(interpreted)) = (emitted.unreduced, interpreted.unreduced) {
+            compare_scene(&format!("{place}, unreduced"), emitted, interpreted);
+        }
+    }
+}
+
+fn compare_scene(place: &str, emitted: &SceneEntry, interpreted: &SceneEntry) {
+    let shapes = [emitted, interpreted].map(|one| format!("{:#?}", one.shape));
+    let lines = shapes[0].lines().zip(shapes[1].lines());
+    for (expected, found) in lines {
+        assert_eq!(expected, found, "{place}");
+    }
+    let values: Vec<f64> = emitted.constants.iter().map(|constant| constant.default).collect();
+    match (emitted.bind, interpreted.bind) {
+        (Bind::Motion(emitted), Bind::Motion(interpreted)) => {
+            let [emitted, interpreted] = [emitted, interpreted].map(|bind| bind(&values));
+            match (emitted, interpreted) {
+                (Ok(emitted), Ok(interpreted)) => motions::compare(place, &*emitted, &*interpreted),
+                (emitted, interpreted) => assert_eq!(emitted.err(), interpreted.err(), "{place}"),
+            }
+        }
+        (Bind::Linkage(emitted), Bind::Linkage(interpreted)) => {
+            let [emitted, interpreted] = [emitted, interpreted].map(|bind| bind(&values));
+            match (emitted, interpreted) {
+                (Ok(emitted), Ok(interpreted)) => linkages::compare(place, &*emitted, &*interpreted),
+                (emitted, interpreted) => assert_eq!(emitted.err(), interpreted.err(), "{place}"),
+            }
+        }
+        _ => panic!("{place}: kinds differ"),
+    }
+}
+
+/// A test for each mechanism, and that there is one.
+macro_rules! mechanisms {
+    ($($name:ident)*) => {
+        $(#[test]
+        fn $name() {
+            compare(stringify!($name));
+        })*
+
+        #[test]
+        fn all_are_compared() {
+            let names: Vec<_> = REGISTRY.iter().map(|one| one.name).collect();
+            assert_eq!(names, [$(stringify!($name)),*]);
+        }
+    };
+}
+
+mechanisms! {
+    batten batten_table heald_linkage selvedge_linkage feed_rack feed_lift feed_stitch sewing_feed dwell_six_bar
+    table_drive presser_foot needle_impact engine balanced_four_bar shaper andrews feed_dynamics car_axis governor
+    elastic_crank simple_pendulum four_bar_chain four_bar_row bricard lamp_arm burnishing gear_flank packet_reducer
+    cam pumping_jack
+}

@@ -1,0 +1,15 @@
+//! Equation files run without compiling them: the same traits and the same entries of a registry as emitted code.
+//!
+//! | module | what it is |
+//! |---|---|
+//! | [`code`] | a function of a program as instructions on registers |
+//! | [`machine`] | the loop that runs them, on numbers of any kind |
+//! | [`mechanism`](fn@mechanism) | a checked model as a mechanism of the registry |
+
+pub mod code;
+pub mod machine;
+mod mechanism;
+pub mod scene;
+mod shape;
+
+pub use mechanism::{Origin, mechanism};

@@ -1,0 +1,93 @@
+//! Linear systems, sampled curves and searches.
+
+use assur_model::program::{Form, Search};
+use assur_solvers::dense::{factor_rows, pivot_rows, solve_pivoted, solve_rows};
+use assur_solvers::scalar::Scalar;
+
+use super::memory::Image;
+use super::run::Files;
+use crate::code::{Code, Factor, Finding, Lookup, Solve};
+
+impl<S: Scalar, const N: usize> Files<'_, S, N> {
+    #[inline(always)]
+    pub(super) fn factor(&mut self, factor: &Factor) {
+        let n = factor.rows;
+        if let Form::Bound { .. } = factor.form {
+            let numbers = &*self.numbers;
+            self.bounds[factor.target].factor(|matrix| {
+                for (row, column, register) in &factor.entries {
+                    let value = numbers[usize::from(*register) & (N - 1)];
+                    matrix.put(usize::from(*row), usize::from(*column), value);
+                }
+            });
+            return;
+        }
+        for (row, column, register) in &factor.entries {
+            let at = factor.target + usize::from(*row) * n + usize::from(*column);
+            self.numbers[at] = self.at(*register);
+        }
+        let (matrix, rest) = self.numbers[factor.target..][..n * (n + 2)].split_at_mut(n * n);
+        let (reciprocals, more) = rest.split_at_mut(n);
+        match factor.form {
+            Form::General => pivot_rows(matrix, reciprocals, more),
+            _ => factor_rows(matrix, reciprocals, more),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn solve(&mut self, solve: &Solve) {
+        let n = solve.right.len();
+        for (index, register) in solve.right.iter().enumerate() {
+            self.numbers[solve.target + index] = self.at(*register);
+        }
+        if let Form::Bound { .. } = solve.form {
+            let (x, room) = self.numbers[solve.target..][..2 * n].split_at_mut(n);
+            self.bounds[solve.factor].solve(x, room);
+            return;
+        }
+        // What is factored stands before its solution, or was prepared.
+        let (before, behind) = self.numbers.split_at_mut(solve.target);
+        let (x, room) = behind[..2 * n].split_at_mut(n);
+        let (matrix, rest) = before[solve.factor..][..n * (n + 2)].split_at(n * n);
+        let (reciprocals, more) = rest.split_at(n);
+        match solve.form {
+            Form::General => {
+                room.copy_from_slice(x);
+                solve_pivoted((matrix, reciprocals, more), room, x);
+            }
+            _ => solve_rows(matrix, reciprocals, x),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn table(&mut self, lookup: &Lookup) {
+        let found = self.at(lookup.at).table(&lookup.spline.table());
+        self.numbers[lookup.target..][..found.len()].copy_from_slice(&found);
+    }
+
+    #[inline(always)]
+    pub(super) fn search(&mut self, code: &Code, finding: &Finding, lines: &[Image<S>]) {
+        let captured: Vec<S> = finding.captured.iter().map(|register| self.at(*register)).collect();
+        let found = find(code, finding, lines, &captured);
+        self.numbers[usize::from(finding.target)] = found;
+    }
+}
+
+/// What is found of the functions.
+fn find<S: Scalar>(code: &Code, finding: &Finding, lines: &[Image<S>], captured: &[S]) -> S {
+    let line = |number: usize| {
+        let index = finding.lines.get(number).copied().unwrap_or_default();
+        let (code, image) = (&code.lines[index], &lines[index]);
+        move |place: S| {
+            let mut value = [S::ZERO];
+            image.call(code, &[captured, &[place]], &mut value);
+            value[0]
+        }
+    };
+    match finding.search {
+        Search::Mean => S::mean(&finding.text, line(0), line(1)),
+        Search::Root => S::root(&finding.text, line(0)),
+        Search::Highest => S::highest(line(0)),
+        Search::HighestPlace => S::highest_place(line(0)),
+    }
+}

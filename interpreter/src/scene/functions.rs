@@ -1,0 +1,131 @@
+//! The functions of a program.
+
+use std::sync::{Arc, OnceLock};
+
+use assur_model::program::{Program, Value};
+use assur_solvers::scalar::Scalar;
+
+use crate::code::{Code, Scope, Storage, Wanted};
+use crate::machine::{Image, Kept};
+
+/// A function of a program, by its number.
+pub trait Name: Copy {
+    /// Its number.
+    fn number(self, program: &Program) -> usize;
+
+    /// What it is given, and what it gives.
+    fn wanted(self, program: &Program) -> (Scope, Wanted);
+}
+
+/// A program with its functions.
+pub struct Functions {
+    /// The program.
+    pub program: Program,
+    /// What is kept between its stages.
+    pub storage: Storage,
+    prepare: OnceLock<Code>,
+    codes: Vec<OnceLock<Code>>,
+}
+
+impl Functions {
+    /// Of a program with so many drivers that has so many functions at most.
+    pub fn new(program: Program, drivers: usize, count: usize) -> Self {
+        let storage = Storage::of(&program, drivers);
+        let codes = (0..count).map(|_| OnceLock::new()).collect();
+        Self { program, storage, prepare: OnceLock::new(), codes }
+    }
+
+    /// The function that prepares values.
+    fn prepare(&self) -> &Code {
+        self.prepare.get_or_init(|| {
+            let prepared: Vec<Value> = self.storage.staging.prepared.iter().copied().collect();
+            let wanted = Wanted { keeps: true, ..Wanted::of(prepared) };
+            Code::new(&self.program, &self.storage, Scope::Values, &wanted, &Default::default())
+                .unwrap_or_default()
+        })
+    }
+
+    /// A function. One that is too large has no results.
+    pub fn code(&self, name: impl Name) -> &Code {
+        self.codes[name.number(&self.program)].get_or_init(|| {
+            let (scope, wanted) = name.wanted(&self.program);
+            Code::new(&self.program, &self.storage, scope, &wanted, &self.prepare().kept)
+                .unwrap_or_default()
+        })
+    }
+
+    /// Calls a function that needs nothing prepared.
+    pub fn bare<S: Scalar>(&self, name: impl Name, given: &[&[S]], results: &mut [S]) {
+        let code = self.code(name);
+        Image::bare(code).call(code, given, results);
+        lose(code, results);
+    }
+}
+
+/// Results of a function that is too large are no numbers.
+#[inline]
+fn lose<S: Scalar>(code: &Code, results: &mut [S]) {
+    if code.results.len() < results.len() {
+        results.fill(S::from_f64(f64::NAN));
+    }
+}
+
+/// The functions of a program with its prepared values, on numbers of one kind.
+pub struct Prepared<S: Scalar> {
+    /// The functions.
+    pub functions: Arc<Functions>,
+    kept: Kept<S>,
+    images: Vec<OnceLock<Image<S>>>,
+}
+
+impl<S: Scalar> Prepared<S> {
+    /// From the values of the constants.
+    pub fn new(functions: &Arc<Functions>, values: &[S]) -> Self {
+        let code = functions.prepare();
+        Self {
+            functions: functions.clone(),
+            kept: Image::bare(code).keep(code, &[values]),
+            images: functions.codes.iter().map(|_| OnceLock::new()).collect(),
+        }
+    }
+
+    /// The program.
+    #[inline]
+    pub fn program(&self) -> &Program {
+        &self.functions.program
+    }
+
+    #[inline]
+    fn of(&self, name: impl Name) -> (&Code, &Image<S>) {
+        let code = self.functions.code(name);
+        let image = &self.images[name.number(&self.functions.program)];
+        (code, image.get_or_init(|| Image::of(code, &self.kept)))
+    }
+
+    /// Calls a function.
+    #[inline]
+    pub fn call(&self, name: impl Name, given: &[&[S]], results: &mut [S]) {
+        let (code, image) = self.of(name);
+        image.call(code, given, results);
+        lose(code, results);
+    }
+
+    /// Calls a function for several columns, which its products take the places of.
+    pub fn call_columns(
+        &self,
+        name: impl Name,
+        given: &[&[S]],
+        results: &mut [S],
+        products: &mut [S],
+    ) {
+        let (code, image) = self.of(name);
+        image.call_columns(code, given, results, products);
+        lose(code, results);
+    }
+}
+
+impl<S: Scalar> std::fmt::Debug for Prepared<S> {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.debug_struct("Prepared").finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,13 @@
+//! Room for some numbers, on the stack as long as there are few.
+
+use assur_solvers::scalar::Scalar;
+
+/// Does something with room for so many numbers.
+#[inline]
+pub fn room<S: Scalar, R>(count: usize, mut work: impl FnMut(&mut [S]) -> R) -> R {
+    match count {
+        0..=64 => work(&mut [S::ZERO; 64][..count]),
+        65..=1024 => work(&mut [S::ZERO; 1024][..count]),
+        _ => work(&mut vec![S::ZERO; count]),
+    }
+}
