@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::answer::{Format, give};
 use crate::arguments::{Rows, RunArguments};
-use crate::ask::For;
+use crate::ask::{For, file};
 use crate::ask::constants::Constants;
 use crate::ask::lookup::Registry;
 use crate::ask::place::Place;
@@ -206,7 +206,7 @@ fn check_rows(options: &RunArguments, scene: &SceneEntry) -> Result<(), Failure>
 
 /// Where the figure goes: a table has one unless told otherwise, the formats for programs only when it is asked for.
 fn figure_path(options: &RunArguments, constants: &Constants) -> Option<PathBuf> {
-    let name = format!("{}-{}.svg", constants.mechanism.name, constants.scene.name);
+    let name = format!("{}-{}.svg", file::stem(constants.mechanism), constants.scene.name);
     match (&options.plot, &options.out) {
         (Some(file), _) => Some(file.clone()),
         (None, Some(directory)) => Some(directory.join(name)),

@@ -15,6 +15,9 @@ use assur_model::token::Span;
 use crate::error::Failure;
 use crate::show::style::Style;
 
+/// The name of standard input.
+pub const STANDARD_INPUT: &str = "-";
+
 /// Messages that are printed of one file; the rest is counted.
 const SHOWN: usize = 50;
 
@@ -72,6 +75,29 @@ impl Source {
         parts: &'static [(&'static str, &'static str)],
     ) -> Self {
         Self { name: name.into(), text: text.to_owned(), parts: Parts::Texts(parts) }
+    }
+
+    /// Reads standard input; files of parts are looked for in the current directory.
+    ///
+    /// # Errors
+    /// When it cannot be read, or is no text of a sensible size.
+    pub fn standard_input() -> Result<Self, Failure> {
+        let mut bytes = Vec::new();
+        let input = std::io::stdin().lock().take(lexer::LARGEST_FILE as u64 + 1);
+        { input }.read_to_end(&mut bytes).map_err(|error| {
+            Failure::request("cannot read standard input").reason(error.to_string())
+        })?;
+        let text = lexer::text(&bytes).map_err(|unreadable| {
+            let failure = Failure::request(unreadable.message).place("standard input");
+            unreadable.hint.iter().fold(failure, |failure, hint| failure.remedy(hint))
+        })?;
+        let parts = Parts::Folder(PathBuf::new());
+        Ok(Self { text: text.to_owned(), name: STANDARD_INPUT.to_owned(), parts })
+    }
+
+    /// The text.
+    pub fn text(&self) -> &str {
+        &self.text
     }
 
     /// The path as it was given.
@@ -219,6 +245,11 @@ impl Checked<'_> {
                 places: vec![(self.range(span), words)],
             },
         }
+    }
+
+    /// The text of the file of a part.
+    pub fn text(&self, path: &str) -> &str {
+        self.texts.text(path).unwrap_or_default()
     }
 
     /// Where a range of tokens stands, if in the file of a part.

@@ -87,6 +87,11 @@ impl Texts {
         Ok(lexed.tokens)
     }
 
+    /// The text of a file that has been read.
+    pub fn text(&self, path: &str) -> Option<&str> {
+        self.files.get(path).map(|(text, _)| text.as_str())
+    }
+
     /// Where a range of tokens stands, if in the file of a part.
     pub fn place(&self, parts: &[PartFile], span: Span) -> Option<Location<'_>> {
         let part = parts.iter().rfind(|part| part.first <= span.first)?;

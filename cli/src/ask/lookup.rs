@@ -1,9 +1,11 @@
 //! Finding things by name, and the nearest name when there is none.
 
+use std::path::Path;
+
 use assur::registry::{Mechanism, SceneEntry};
 use assur_model::nearest::nearest;
 
-use crate::ask::For;
+use crate::ask::{For, file};
 use crate::error::Failure;
 
 /// The mechanisms that the command knows.
@@ -30,6 +32,9 @@ impl Registry {
                 _ => name_one("mechanism", command, self.0.iter().collect()),
             });
         };
+        if file::is_file(name) {
+            return file::mechanism(name);
+        }
         if let Some(found) = self.0.iter().find(|mechanism| mechanism.name == name) {
             return Ok(found);
         }
@@ -38,7 +43,16 @@ impl Registry {
             "" => "the name of the mechanism is empty".to_owned(),
             _ => format!("there is no mechanism `{name}`"),
         };
-        Err(Failure::request(what).remedy(format!(
+        let with_ending = format!("{name}.eqn");
+        let files = [name, &with_ending].map(|name| Path::new(name).is_file());
+        let failure = match files {
+            [_, true] => Failure::request(what)
+                .remedy(format!("a file is named with its ending: `{with_ending}` is here")),
+            [true, _] => Failure::request(what)
+                .remedy(format!("an equation file ends in `.eqn`: rename `{name}`, or give it as `./{name}`")),
+            _ => Failure::request(what),
+        };
+        Err(failure.remedy(format!(
             "{}\n`assur list` shows them with their scenes",
             suggestion(name, &names)
         )))

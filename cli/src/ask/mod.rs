@@ -2,6 +2,7 @@
 
 pub mod case;
 pub mod constants;
+pub mod file;
 pub mod lookup;
 pub mod permitted;
 pub mod place;

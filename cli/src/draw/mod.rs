@@ -27,7 +27,7 @@ use std::path::PathBuf;
 use assur::registry::SceneEntry;
 
 use crate::arguments::DrawArguments;
-use crate::ask::For;
+use crate::ask::{For, file};
 use crate::ask::constants::Constants;
 use crate::ask::lookup::Registry;
 use crate::error::Failure;
@@ -55,7 +55,7 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
     let (mechanism, scene) = (constants.mechanism, constants.scene);
     let directory = options.out.clone().unwrap_or_else(|| PathBuf::from("."));
     let file = |what: &str| {
-        let name = format!("{}-{}-{what}.svg", mechanism.name, scene.name);
+        let name = format!("{}-{}-{what}.svg", file::stem(mechanism), scene.name);
         Destination::check(&directory.join(name))
     };
     let (still, moving) = (file("positions")?, file("moving")?);

@@ -29,6 +29,7 @@ pub use request::{is_meant, nothing};
 
 use crate::arguments::DrawArguments;
 use crate::ask::constants::Constants;
+use crate::ask::file;
 use crate::error::Failure;
 use crate::linkage::case::{Axis, Case};
 use crate::plot::figure;
@@ -103,7 +104,7 @@ struct Files {
 impl Files {
     /// Looks whether they can be.
     fn check(options: &DrawArguments, scenes: &[Constants]) -> Result<Self, Failure> {
-        let mechanism = scenes.first().map_or("", |one| one.mechanism.name);
+        let mechanism = scenes.first().map_or("", |one| file::stem(one.mechanism));
         let name = match scenes {
             [one] => format!("{mechanism}-{}-surface.svg", one.scene.name),
             _ => format!("{mechanism}-surface.svg"),
