@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use assur_model::program::{Form, Function, Search, Spline, Value};
 
-pub use build::Wanted;
+pub use build::{COLUMN, Wanted};
 pub use scope::{Kept, Scope, Storage};
 
 /// A register of numbers, or of conditions.

@@ -5,15 +5,25 @@ use std::sync::Mutex;
 use assur_solvers::dense::BoundRows;
 use assur_solvers::scalar::Scalar;
 
+use super::lanes::{Lanes, Masks};
 use super::run;
-use crate::code::{Code, Slot};
+use crate::code::{COLUMN, Code, Slot};
 
-/// Registers of a function whose memory is on the stack.
-const SMALL: usize = 64;
+/// Registers of a short function, whose memory is on the stack.
+const TINY: usize = 32;
+/// Registers of a longer one, likewise.
+const SMALL: usize = 128;
 /// Registers of most of the others.
 const LARGE: usize = 1024;
 /// All that there are.
 const ALL: usize = 1 << 16;
+
+/// How many registers a function needs.
+enum Class {
+    Tiny,
+    Small,
+    Large,
+}
 
 /// The registers of a function with their files.
 pub(super) struct Memory<S: Scalar> {
@@ -27,6 +37,8 @@ pub struct Image<S: Scalar> {
     numbers: Vec<S>,
     conditions: Vec<S::Mask>,
     bounds: Vec<BoundRows<S>>,
+    /// Whether conditions are prepared.
+    has_conditions: bool,
     /// The functions inside of searches.
     pub(super) lines: Vec<Image<S>>,
     /// Memory that nobody uses now.
@@ -70,12 +82,34 @@ impl<S: Scalar> Image<S> {
             }
         }
         let lines = code.lines.iter().map(Self::bare).collect();
-        Self { numbers, conditions, bounds, lines, idle: Mutex::new(Vec::new()) }
+        let has_conditions = !fixed.conditions.is_empty();
+        Self { numbers, conditions, bounds, has_conditions, lines, idle: Mutex::new(Vec::new()) }
     }
 
-    /// Whether the memory of a call is on the stack.
-    fn is_small(&self, code: &Code) -> bool {
-        code.registers.max(code.conditions) <= SMALL && self.bounds.is_empty()
+    /// The same on several numbers side by side; none where they would have to go separate ways.
+    pub fn widen(&self, code: &Code) -> Option<Image<Lanes<S>>> {
+        if !code.bounds.is_empty() || !code.lines.is_empty() {
+            return None;
+        }
+        let mut wide = Image::<Lanes<S>>::bare(code);
+        for (wide, own) in wide.numbers.iter_mut().zip(&self.numbers) {
+            *wide = Lanes::splat(*own);
+        }
+        for (wide, own) in wide.conditions.iter_mut().zip(&self.conditions) {
+            *wide = Masks::splat(*own);
+        }
+        Some(wide)
+    }
+
+    /// How many registers a call needs.
+    #[inline]
+    fn class(&self, code: &Code) -> Class {
+        match code.registers.max(code.conditions) {
+            _ if !self.bounds.is_empty() => Class::Large,
+            0..=TINY => Class::Tiny,
+            0..=SMALL => Class::Small,
+            _ => Class::Large,
+        }
     }
 
     fn memory(&self, code: &Code) -> Memory<S> {
@@ -101,28 +135,44 @@ impl<S: Scalar> Image<S> {
 
     /// Computes the results from lists that the caller gives.
     pub fn call(&self, code: &Code, given: &[&[S]], results: &mut [S]) {
-        if self.is_small(code) {
-            return S::outline(
-                #[inline(always)]
-                || {
-                    let mut numbers = [S::ZERO; SMALL];
-                    numbers[..self.numbers.len()].copy_from_slice(&self.numbers);
-                    let mut conditions = [S::less(S::ZERO, S::ZERO); SMALL];
-                    conditions[..self.conditions.len()].copy_from_slice(&self.conditions);
-                    let mut files = run::Files {
-                        numbers: &mut numbers,
-                        conditions: &mut conditions,
-                        bounds: &mut [],
-                    };
-                    files.load(code, given);
-                    files.run(code, &code.instructions, &self.lines);
-                    files.store(&code.results, results);
-                },
-            );
+        match self.class(code) {
+            Class::Tiny => return self.call_of::<TINY>(code, given, results),
+            Class::Small => return self.call_of::<SMALL>(code, given, results),
+            Class::Large => {}
         }
         let mut memory = self.memory(code);
         memory.run(code, &self.lines, given, results);
         self.release(memory);
+    }
+
+    /// Computes them with registers on the stack.
+    #[inline]
+    fn call_of<const N: usize>(&self, code: &Code, given: &[&[S]], results: &mut [S]) {
+        S::outline(
+            #[inline(always)]
+            || {
+                let mut numbers = [S::ZERO; N];
+                let mut conditions = [S::less(S::ZERO, S::ZERO); N];
+                let mut files = self.files::<N>(&mut numbers, &mut conditions);
+                files.load(code, given);
+                files.run(code, &code.instructions, &self.lines);
+                files.store(&code.results, results);
+            },
+        );
+    }
+
+    /// Registers with what stands in the first of them.
+    #[inline(always)]
+    fn files<'a, const N: usize>(
+        &self,
+        numbers: &'a mut [S; N],
+        conditions: &'a mut [S::Mask; N],
+    ) -> run::Files<'a, S, N> {
+        numbers[..self.numbers.len()].copy_from_slice(&self.numbers);
+        if self.has_conditions {
+            conditions[..self.conditions.len()].copy_from_slice(&self.conditions);
+        }
+        run::Files { numbers, conditions, bounds: &mut [] }
     }
 
     /// Computes the results that are asked for once, and for each column the others. `put` takes each column that is behind
@@ -134,9 +184,20 @@ impl<S: Scalar> Image<S> {
         results: &mut [S],
         products: &mut [S],
     ) {
-        let mut memory = self.memory(code);
-        memory.run_columns(code, &self.lines, given, results, products);
-        self.release(memory);
+        if let Class::Large = self.class(code) {
+            let mut memory = self.memory(code);
+            memory.run_columns(code, &self.lines, given, results, products);
+            return self.release(memory);
+        }
+        S::outline(
+            #[inline(always)]
+            || {
+                let mut numbers = [S::ZERO; SMALL];
+                let mut conditions = [S::less(S::ZERO, S::ZERO); SMALL];
+                let files = self.files::<SMALL>(&mut numbers, &mut conditions);
+                columns(files, (code, &self.lines), given, (results, products));
+            },
+        );
     }
 
     /// Computes what is prepared.
@@ -216,19 +277,29 @@ impl<S: Scalar> Memory<S> {
         code: &Code,
         lines: &[Image<S>],
         given: &[&[S]],
-        (results, products): (&mut [S], &mut [S]),
+        results: (&mut [S], &mut [S]),
     ) {
-        let Some(mut files) = self.files::<N>() else { return };
-        files.load(code, given);
-        let (once, each) = code.instructions.split_at(code.once);
-        files.run(code, once, lines);
-        let (first, last) = code.results.split_at(code.first);
-        files.store(first, results);
-        let length = last.len().max(1);
-        for product in products.chunks_exact_mut(length) {
-            files.load_list(code, 3, product);
-            files.run(code, each, lines);
-            files.store(last, product);
-        }
+        let Some(files) = self.files::<N>() else { return };
+        columns(files, (code, lines), given, results);
+    }
+}
+
+/// Computes what is done once, and the rest for each of the columns, which its products take the places of.
+#[inline(always)]
+fn columns<S: Scalar, const N: usize>(
+    mut files: run::Files<'_, S, N>,
+    (code, lines): (&Code, &[Image<S>]),
+    given: &[&[S]],
+    (results, products): (&mut [S], &mut [S]),
+) {
+    files.load(code, given);
+    let (once, each) = code.instructions.split_at(code.once);
+    files.run(code, once, lines);
+    let (first, last) = code.results.split_at(code.first);
+    files.store(first, results);
+    for product in products.chunks_exact_mut(last.len().max(1)) {
+        files.load_list(code, COLUMN, product);
+        files.run(code, each, lines);
+        files.store(last, product);
     }
 }

@@ -82,45 +82,57 @@ impl<S: Scalar, const N: usize> Files<'_, S, N> {
     pub fn run(&mut self, code: &Code, instructions: &[Instruction], lines: &[Image<S>]) {
         use Instruction as Do;
         for instruction in instructions {
-            match *instruction {
-                Do::Add([d, a, b]) => self.put(d, self.at(a) + self.at(b)),
-                Do::Subtract([d, a, b]) => self.put(d, self.at(a) - self.at(b)),
-                Do::Multiply([d, a, b]) => self.put(d, self.at(a) * self.at(b)),
-                Do::Divide([d, a, b]) => self.put(d, self.at(a) / self.at(b)),
-                Do::Negate([d, a]) => self.put(d, -self.at(a)),
+            match instruction {
+                Do::Add([d, a, b]) => self.put(*d, self.at(*a) + self.at(*b)),
+                Do::Subtract([d, a, b]) => self.put(*d, self.at(*a) - self.at(*b)),
+                Do::Multiply([d, a, b]) => self.put(*d, self.at(*a) * self.at(*b)),
+                Do::Divide([d, a, b]) => self.put(*d, self.at(*a) / self.at(*b)),
+                Do::Negate([d, a]) => self.put(*d, -self.at(*a)),
                 Do::MultiplyAdd([d, a, b, c]) => {
-                    self.put(d, S::mul_add(self.at(a), self.at(b), self.at(c)));
+                    self.put(*d, S::mul_add(self.at(*a), self.at(*b), self.at(*c)));
                 }
                 Do::MultiplySubtract([d, a, b, c]) => {
-                    self.put(d, S::mul_add(self.at(a), self.at(b), -self.at(c)));
+                    self.put(*d, S::mul_add(self.at(*a), self.at(*b), -self.at(*c)));
                 }
                 Do::SubtractProduct([d, a, b, c]) => {
-                    self.put(d, S::mul_add(-self.at(a), self.at(b), self.at(c)));
+                    self.put(*d, S::mul_add(-self.at(*a), self.at(*b), self.at(*c)));
                 }
-                Do::Root([d, a]) => self.put(d, self.at(a).sqrt()),
-                Do::Call(function, [d, a]) => self.put(d, one(function, self.at(a))),
-                Do::CallTwo(function, [d, a, b]) => {
-                    self.put(d, two(function, self.at(a), self.at(b)));
-                }
-                Do::Sines(begin, count) => {
-                    self.sines(&code.angles[usize::from(begin)..][..usize::from(count)]);
-                }
-                Do::Less([d, a, b]) => self.decide(d, S::less(self.at(a), self.at(b))),
-                Do::LessEqual([d, a, b]) => self.decide(d, S::less_equal(self.at(a), self.at(b))),
-                Do::Equal([d, a, b]) => self.decide(d, S::equal(self.at(a), self.at(b))),
-                Do::And([d, a, b]) => self.decide(d, S::and(self.holds(a), self.holds(b))),
-                Do::Or([d, a, b]) => self.decide(d, S::or(self.holds(a), self.holds(b))),
-                Do::Not([d, a]) => self.decide(d, S::not(self.holds(a))),
+                Do::Root([d, a]) => self.put(*d, self.at(*a).sqrt()),
+                Do::Less([d, a, b]) => self.decide(*d, S::less(self.at(*a), self.at(*b))),
+                Do::LessEqual([d, a, b]) => self.decide(*d, S::less_equal(self.at(*a), self.at(*b))),
+                Do::Equal([d, a, b]) => self.decide(*d, S::equal(self.at(*a), self.at(*b))),
+                Do::And([d, a, b]) => self.decide(*d, S::and(self.holds(*a), self.holds(*b))),
+                Do::Or([d, a, b]) => self.decide(*d, S::or(self.holds(*a), self.holds(*b))),
+                Do::Not([d, a]) => self.decide(*d, S::not(self.holds(*a))),
                 Do::Select([d, condition, a, b]) => {
-                    self.put(d, S::select(self.holds(condition), self.at(a), self.at(b)));
+                    self.put(*d, S::select(self.holds(*condition), self.at(*a), self.at(*b)));
                 }
-                Do::Factor(index) => self.factor(&code.factors[usize::from(index)]),
-                Do::Solve(index) => self.solve(&code.solves[usize::from(index)]),
-                Do::Table(index) => self.table(&code.lookups[usize::from(index)]),
-                Do::Search(index) => {
-                    self.search(code, &code.searches[usize::from(index)], lines);
-                }
+                // Apart, so that the loop stays short enough for its values to stay where they are.
+                rare => S::outline(
+                    #[inline(always)]
+                    || self.rare(code, rare, lines),
+                ),
             }
+        }
+    }
+
+    /// What takes so long that a call more does not count.
+    #[inline(always)]
+    fn rare(&mut self, code: &Code, instruction: &Instruction, lines: &[Image<S>]) {
+        use Instruction as Do;
+        match instruction {
+            Do::Call(function, [d, a]) => self.put(*d, one(*function, self.at(*a))),
+            Do::CallTwo(function, [d, a, b]) => {
+                self.put(*d, two(*function, self.at(*a), self.at(*b)));
+            }
+            Do::Sines(begin, count) => {
+                self.sines(&code.angles[usize::from(*begin)..][..usize::from(*count)]);
+            }
+            Do::Factor(index) => self.factor(&code.factors[usize::from(*index)]),
+            Do::Solve(index) => self.solve(&code.solves[usize::from(*index)]),
+            Do::Table(index) => self.table(&code.lookups[usize::from(*index)]),
+            Do::Search(index) => self.search(code, &code.searches[usize::from(*index)], lines),
+            _ => {}
         }
     }
 

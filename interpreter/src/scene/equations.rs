@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use assur_model::program::{OperationKind, Program};
+use assur_model::program::Program;
 use assur_solvers::problem::{Equations, Phase};
 use assur_solvers::scalar::Scalar;
 
@@ -18,9 +18,9 @@ pub enum Function {
     Instant,
     /// The rates.
     Rates,
-    /// The rates with the entries of the Jacobian.
+    /// The rates with products of the entries of the Jacobian and columns.
     Slopes,
-    /// The rates with products of the Jacobian and columns.
+    /// The same where it has no entries.
     Along,
     /// The entries of the Jacobian alone.
     Jacobian,
@@ -87,9 +87,11 @@ impl Name for Function {
             Self::Rates => return (Scope::Evaluation, Wanted::of(results.derivative.clone())),
             Self::Jacobian => return (Scope::Evaluation, Wanted::of(slopes())),
             Self::Slopes => {
-                let all = results.derivative.iter().copied().chain(slopes());
-                let named = slopes().collect();
-                return (Scope::Evaluation, Wanted { named, ..Wanted::of(all) });
+                // Entries are read once for each column: each counts as often read.
+                let named = slopes().chain(slopes()).collect();
+                let products = (results.jacobian.clone(), program.states);
+                let wanted = Wanted { named, products, ..Wanted::of(results.derivative.clone()) };
+                return (Scope::Evaluation, wanted);
             }
             Self::Along => {
                 let steady = program.steady(&results.along);
@@ -162,36 +164,6 @@ impl<S: Scalar> Prepare<S> {
     }
 }
 
-/// Products of the Jacobian, from its entries, with columns.
-fn products<S: Scalar>(
-    (program, begins): (&Program, &[bool]),
-    (entries, states): (&[S], usize),
-    columns: &[S],
-    products: &mut [S],
-) {
-    let pairs = columns.chunks_exact(states.max(1)).zip(products.chunks_exact_mut(states.max(1)));
-    let places = program.results.jacobian.iter().zip(begins).zip(entries);
-    for (column, product) in pairs {
-        product.fill(S::ZERO);
-        for (((row, at, value), begins), entry) in places.clone() {
-            let known = match program.kind(*value) {
-                OperationKind::Number(number) => Some(*number),
-                _ => None,
-            };
-            let (sum, other) = (&mut product[*row as usize], column[*at as usize]);
-            *sum = match (*begins, known) {
-                (_, Some(0.0)) => *sum,
-                (true, Some(1.0)) => other,
-                (true, Some(-1.0)) => -other,
-                (true, _) => *entry * other,
-                (false, Some(1.0)) => *sum + other,
-                (false, Some(-1.0)) => *sum - other,
-                (false, _) => S::mul_add(*entry, other, *sum),
-            };
-        }
-    }
-}
-
 impl<S: Scalar> Equations<S> for Prepare<S> {
     #[inline]
     fn states(&self) -> usize {
@@ -216,9 +188,7 @@ impl<S: Scalar> Equations<S> for Prepare<S> {
         if storage.length == 0 || idle.always || idle.sides.iter().any(is_left) {
             return;
         }
-        for (time, row) in times.iter().zip(rows.chunks_exact_mut(row)) {
-            mode.call(Function::Instant, &[std::slice::from_ref(time)], &mut row[..storage.length]);
-        }
+        mode.call_rows(Function::Instant, times, row, rows);
     }
 
     fn rates(&self, phase: Phase<'_, S>, instant: &[S], state: &[S], rates: &mut [S]) {
@@ -238,18 +208,12 @@ impl<S: Scalar> Equations<S> for Prepare<S> {
     ) {
         let Some(mode) = self.mode(phase.mode) else { return };
         let (given, program) = (&[instant, state, phase.sides], mode.program());
-        if !program.results.along.is_empty() {
-            products.copy_from_slice(columns);
-            return mode.call_columns(Function::Along, given, rates, products);
-        }
-        let states = Self::states(self);
-        room(states + program.results.jacobian.len(), |all| {
-            mode.call(Function::Slopes, given, all);
-            let (own, entries) = all.split_at(states);
-            rates.copy_from_slice(own);
-            let begins = &self.motion.begins[phase.mode];
-            self::products((program, begins), (entries, states), columns, products);
-        });
+        let function = match program.results.along.is_empty() {
+            true => Function::Slopes,
+            false => Function::Along,
+        };
+        products.copy_from_slice(columns);
+        mode.call_columns(function, given, rates, products);
     }
 
     fn jacobian(&self, phase: Phase<'_, S>, instant: &[S], state: &[S], columns: &mut [S]) {

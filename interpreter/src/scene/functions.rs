@@ -6,7 +6,8 @@ use assur_model::program::{Program, Value};
 use assur_solvers::scalar::Scalar;
 
 use crate::code::{Code, Scope, Storage, Wanted};
-use crate::machine::{Image, Kept};
+use super::room::room;
+use crate::machine::{Image, Kept, Lanes, WIDTH};
 
 /// A function of a program, by its number.
 pub trait Name: Copy {
@@ -76,6 +77,8 @@ pub struct Prepared<S: Scalar> {
     pub functions: Arc<Functions>,
     kept: Kept<S>,
     images: Vec<OnceLock<Image<S>>>,
+    /// The same for several numbers side by side, of the function of instants.
+    wide: OnceLock<Option<Image<Lanes<S>>>>,
 }
 
 impl<S: Scalar> Prepared<S> {
@@ -86,6 +89,7 @@ impl<S: Scalar> Prepared<S> {
             functions: functions.clone(),
             kept: Image::bare(code).keep(code, &[values]),
             images: functions.codes.iter().map(|_| OnceLock::new()).collect(),
+            wide: OnceLock::new(),
         }
     }
 
@@ -108,6 +112,29 @@ impl<S: Scalar> Prepared<S> {
         let (code, image) = self.of(name);
         image.call(code, given, results);
         lose(code, results);
+    }
+
+    /// Writes rows of a function of one number, the time, for several of them; `stride` is the length of a row.
+    pub fn call_rows(&self, name: impl Name, times: &[S], stride: usize, rows: &mut [S]) {
+        let (code, image) = self.of(name);
+        let (length, mut done) = (code.results.len(), 0);
+        let wide = (times.len() > 1).then(|| self.wide.get_or_init(|| image.widen(code)).as_ref());
+        if let Some(wide) = wide.flatten() {
+            room(length, |row| {
+                for (times, rows) in times.chunks(WIDTH).zip(rows.chunks_mut(WIDTH * stride)) {
+                    let mut pack = Lanes::splat(times[0]);
+                    pack.0[..times.len()].copy_from_slice(times);
+                    wide.call(code, &[&[pack]], row);
+                    for (lane, own) in rows.chunks_exact_mut(stride).enumerate() {
+                        own.iter_mut().zip(&*row).for_each(|(own, all)| *own = all.0[lane]);
+                    }
+                }
+            });
+            done = times.len();
+        }
+        for (time, row) in times.iter().zip(rows.chunks_exact_mut(stride)).skip(done) {
+            image.call(code, &[std::slice::from_ref(time)], &mut row[..length]);
+        }
     }
 
     /// Calls a function for several columns, which its products take the places of.

@@ -1,10 +1,9 @@
 //! A scene that moves by its equations of motion.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use assur_model::checked::{SceneModel, SpanKind};
-use assur_model::program::{Idle, OperationKind, Program};
+use assur_model::program::Idle;
 use assur_solvers::model;
 use assur_solvers::problem::{Events, Refused, Scene, Span};
 use assur_solvers::scalar::Scalar;
@@ -22,8 +21,6 @@ pub struct Motion {
     /// When no mode needs its instants.
     pub(super) idle: Vec<Idle>,
     pub(super) first: usize,
-    /// For each mode which entries of its Jacobian are the first of their row.
-    pub(super) begins: Vec<Vec<bool>>,
     /// Length of a row of an instant.
     pub(super) row: usize,
     pub(super) has_slopes: bool,
@@ -50,7 +47,6 @@ impl Motion {
             shape,
             idle: each.iter().map(|one| one.program.idle()).collect(),
             first: scene.first,
-            begins: each.iter().map(|one| begins(&one.program)).collect(),
             row: modes.iter().map(|mode| mode.storage.length).max().unwrap_or(0),
             modes,
             has_slopes: scene.span == SpanKind::Periodic,
@@ -63,17 +59,6 @@ impl Motion {
     pub fn is_smooth(&self) -> bool {
         self.shape.modes.is_empty()
     }
-}
-
-/// Which entries of the Jacobian are the first of their row that are not zero.
-fn begins(program: &Program) -> Vec<bool> {
-    let mut begun = BTreeSet::new();
-    let entries = program.results.jacobian.iter();
-    let begins = entries.map(|(row, _, value)| {
-        let is_zero = matches!(program.kind(*value), OperationKind::Number(0.0));
-        !is_zero && begun.insert(*row)
-    });
-    begins.collect()
 }
 
 /// A scene with values of its constants. `SMOOTH` says whether nothing changes the equations on the way.
