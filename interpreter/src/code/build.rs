@@ -27,8 +27,6 @@ pub struct Wanted {
     pub named: Vec<Value>,
     /// Results that are asked for again for each column of changes.
     pub columns: Vec<Value>,
-    /// Entries of a matrix, row, column and value, whose products with columns are asked for, and its number of rows.
-    pub products: (Vec<(u32, u32, Value)>, usize),
     /// Whether values of any shape are kept, each where it stands, instead of numbers.
     pub keeps: bool,
 }
@@ -50,9 +48,7 @@ impl Code {
         prepared: &BTreeMap<Value, Slot>,
     ) -> Result<Self, TooLarge> {
         let outside = |value: Value| storage.outside(program, scope, value);
-        let entries = wanted.products.0.iter().map(|entry| entry.2);
-        let all = wanted.results.iter().chain(&wanted.columns).copied().chain(entries);
-        let all: Vec<Value> = all.collect();
+        let all: Vec<Value> = wanted.results.iter().chain(&wanted.columns).copied().collect();
         let roots: Vec<Value> = wanted.results.iter().chain(&wanted.named).copied().collect();
         let needed = program.needed(&all, &|value| outside(value).is_some());
         // What changes with a column is done behind all that does not.
@@ -74,10 +70,9 @@ impl Code {
             conditions: Registers::default(),
             last: last_reads(program, &steps, begin, &all),
             fixed: BTreeSet::new(),
-            column: 0,
         };
         builder.fix(&needed, &all, &outside, prepared)?;
-        builder.load(&needed, &all, (storage, scope), wanted.products.1)?;
+        builder.load(&needed, &all, (storage, scope))?;
         for (place, step) in steps.iter().enumerate() {
             if place == begin {
                 builder.code.once = builder.code.instructions.len();
@@ -87,8 +82,7 @@ impl Code {
         if begin == steps.len() {
             builder.code.once = builder.code.instructions.len();
         }
-        let products = builder.products(&wanted.products)?;
-        builder.finish(wanted, products)
+        builder.finish(wanted)
     }
 
     /// The function that the line of a search is.
@@ -140,8 +134,6 @@ struct Builder<'a> {
     last: BTreeMap<Value, usize>,
     /// Values whose registers are never given back.
     fixed: BTreeSet<Value>,
-    /// The first register of the column that a matrix is multiplied with.
-    column: usize,
 }
 
 impl Builder<'_> {
@@ -213,7 +205,6 @@ impl Builder<'_> {
         needed: &BTreeSet<Value>,
         results: &[Value],
         (storage, scope): (&Storage, Scope),
-        states: usize,
     ) -> Result<(), TooLarge> {
         let program = self.program;
         let read = needed.iter().flat_map(|value| program.kind(*value).operands());
@@ -239,11 +230,6 @@ impl Builder<'_> {
             let (count, at) = (to - from, self.numbers.block(to - from)?);
             self.code.loads.push(Load { list, from, count, at });
             begins.insert(list, (from, at));
-        }
-        if states > 0 {
-            let at = self.numbers.block(states)?;
-            self.code.loads.push(Load { list: COLUMN, from: 0, count: states, at });
-            self.column = at;
         }
         for (value, (list, at)) in given {
             let (from, begin) = begins[&list];
@@ -463,54 +449,8 @@ impl Builder<'_> {
         Ok(Instruction::Solve(self.code.solves.len() as u16 - 1))
     }
 
-    /// The products of a matrix with a column, row by row: their registers.
-    fn products(
-        &mut self,
-        (entries, rows): &(Vec<(u32, u32, Value)>, usize),
-    ) -> Result<Vec<Register>, TooLarge> {
-        use Instruction as Do;
-        let zero = self.zero.unwrap_or_default();
-        let mut sums: Vec<Option<Register>> = vec![None; *rows];
-        for (row, column, value) in entries {
-            let number = match self.program.kind(*value) {
-                Kind::Number(number) => Some(*number),
-                _ => None,
-            };
-            let (entry, other) = (self.at(*value), (self.column + *column as usize) as Register);
-            let sum = &mut sums[*row as usize];
-            let mut target = || self.numbers.one().map(|register| register as Register);
-            let (register, instruction) = match (*sum, number) {
-                (_, Some(0.0)) => continue,
-                (None, Some(1.0)) => (other, None),
-                (None, Some(-1.0)) => {
-                    let target = target()?;
-                    (target, Some(Do::Negate([target, other])))
-                }
-                (None, _) => {
-                    let target = target()?;
-                    (target, Some(Do::Multiply([target, entry, other])))
-                }
-                (Some(sum), Some(1.0)) => {
-                    let target = target()?;
-                    (target, Some(Do::Add([target, sum, other])))
-                }
-                (Some(sum), Some(-1.0)) => {
-                    let target = target()?;
-                    (target, Some(Do::Subtract([target, sum, other])))
-                }
-                (Some(sum), _) => {
-                    let target = target()?;
-                    (target, Some(Do::MultiplyAdd([target, entry, other, sum])))
-                }
-            };
-            *sum = Some(register);
-            self.code.instructions.extend(instruction);
-        }
-        Ok(sums.into_iter().map(|sum| sum.unwrap_or(zero)).collect())
-    }
-
     /// The registers of the results.
-    fn finish(mut self, wanted: &Wanted, products: Vec<Register>) -> Result<Code, TooLarge> {
+    fn finish(mut self, wanted: &Wanted) -> Result<Code, TooLarge> {
         let all = wanted.results.iter().chain(&wanted.columns).enumerate();
         for (index, value) in all {
             if index == wanted.results.len() {
@@ -545,7 +485,6 @@ impl Builder<'_> {
         if wanted.columns.is_empty() {
             self.code.first = self.code.results.len();
         }
-        self.code.results.extend(products);
         self.code.registers = self.numbers.count;
         self.code.conditions = self.conditions.count;
         Ok(self.code)

@@ -18,9 +18,9 @@ pub enum Function {
     Instant,
     /// The rates.
     Rates,
-    /// The rates with products of the entries of the Jacobian and columns.
+    /// The rates with the entries of the Jacobian.
     Slopes,
-    /// The same where it has no entries.
+    /// The rates with products of the Jacobian and columns, where it has no entries.
     Along,
     /// The entries of the Jacobian alone.
     Jacobian,
@@ -88,10 +88,9 @@ impl Name for Function {
             Self::Jacobian => return (Scope::Evaluation, Wanted::of(slopes())),
             Self::Slopes => {
                 // Entries are read once for each column: each counts as often read.
-                let named = slopes().chain(slopes()).collect();
-                let products = (results.jacobian.clone(), program.states);
-                let wanted = Wanted { named, products, ..Wanted::of(results.derivative.clone()) };
-                return (Scope::Evaluation, wanted);
+                let named = slopes().collect();
+                let all = results.derivative.iter().copied().chain(slopes());
+                return (Scope::Evaluation, Wanted { named, ..Wanted::of(all) });
             }
             Self::Along => {
                 let steady = program.steady(&results.along);
@@ -208,12 +207,17 @@ impl<S: Scalar> Equations<S> for Prepare<S> {
     ) {
         let Some(mode) = self.mode(phase.mode) else { return };
         let (given, program) = (&[instant, state, phase.sides], mode.program());
-        let function = match program.results.along.is_empty() {
-            true => Function::Slopes,
-            false => Function::Along,
-        };
         products.copy_from_slice(columns);
-        mode.call_columns(function, given, rates, products);
+        if !program.results.along.is_empty() {
+            return mode.call_columns(Function::Along, given, rates, products);
+        }
+        let states = Self::states(self);
+        room(states + program.results.jacobian.len(), |all| {
+            mode.call(Function::Slopes, given, all);
+            let (own, entries) = all.split_at(states);
+            rates.copy_from_slice(own);
+            mode.multiply(entries, products);
+        });
     }
 
     fn jacobian(&self, phase: Phase<'_, S>, instant: &[S], state: &[S], columns: &mut [S]) {

@@ -1,8 +1,9 @@
 //! The functions of a program.
 
+use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
-use assur_model::program::{Program, Value};
+use assur_model::program::{OperationKind, Program, Value};
 use assur_solvers::scalar::Scalar;
 
 use crate::code::{Code, Scope, Storage, Wanted};
@@ -25,6 +26,8 @@ pub struct Functions {
     /// What is kept between its stages.
     pub storage: Storage,
     prepare: OnceLock<Code>,
+    /// How the entries of the Jacobian go into its products with columns.
+    terms: Vec<Term>,
     codes: Vec<OnceLock<Code>>,
 }
 
@@ -33,7 +36,8 @@ impl Functions {
     pub fn new(program: Program, drivers: usize, count: usize) -> Self {
         let storage = Storage::of(&program, drivers);
         let codes = (0..count).map(|_| OnceLock::new()).collect();
-        Self { program, storage, prepare: OnceLock::new(), codes }
+        let terms = terms(&program);
+        Self { program, storage, prepare: OnceLock::new(), terms, codes }
     }
 
     /// The function that prepares values.
@@ -61,6 +65,47 @@ impl Functions {
         Image::bare(code).call(code, given, results);
         lose(code, results);
     }
+}
+
+/// How an entry of the Jacobian goes into a row of a product.
+struct Term {
+    row: usize,
+    column: usize,
+    kind: Kind,
+}
+
+/// What an entry is: the first of its row or not, a number or not.
+enum Kind {
+    Nothing,
+    First,
+    FirstOne,
+    FirstMinus,
+    One,
+    Minus,
+    Other,
+}
+
+fn terms(program: &Program) -> Vec<Term> {
+    let mut begun = BTreeSet::new();
+    let entries = program.results.jacobian.iter();
+    let term = entries.map(|(row, column, value)| {
+        let number = match program.kind(*value) {
+            OperationKind::Number(number) => *number,
+            _ => f64::NAN,
+        };
+        let is_first = number != 0.0 && begun.insert(*row);
+        let kind = match (is_first, number) {
+            (_, 0.0) => Kind::Nothing,
+            (true, 1.0) => Kind::FirstOne,
+            (true, -1.0) => Kind::FirstMinus,
+            (true, _) => Kind::First,
+            (false, 1.0) => Kind::One,
+            (false, -1.0) => Kind::Minus,
+            (false, _) => Kind::Other,
+        };
+        Term { row: *row as usize, column: *column as usize, kind }
+    });
+    term.collect()
 }
 
 /// Results of a function that is too large are no numbers.
@@ -135,6 +180,35 @@ impl<S: Scalar> Prepared<S> {
         for (time, row) in times.iter().zip(rows.chunks_exact_mut(stride)).skip(done) {
             image.call(code, &[std::slice::from_ref(time)], &mut row[..length]);
         }
+    }
+
+    /// Writes the products of the Jacobian, from its entries, with columns, which they take the places of: in the order in
+    /// which emitted code adds them up.
+    pub fn multiply(&self, entries: &[S], products: &mut [S]) {
+        let (terms, states) = (&self.functions.terms, self.program().states.max(1));
+        S::outline(
+            #[inline(always)]
+            || {
+                room(states, |sums: &mut [S]| {
+                    for product in products.chunks_exact_mut(states) {
+                        sums.fill(S::ZERO);
+                        for (term, entry) in terms.iter().zip(entries) {
+                            let (sum, other) = (&mut sums[term.row], product[term.column]);
+                            *sum = match term.kind {
+                                Kind::Nothing => *sum,
+                                Kind::First => *entry * other,
+                                Kind::FirstOne => other,
+                                Kind::FirstMinus => -other,
+                                Kind::One => *sum + other,
+                                Kind::Minus => *sum - other,
+                                Kind::Other => entry.mul_add(other, *sum),
+                            };
+                        }
+                        product.copy_from_slice(sums);
+                    }
+                });
+            },
+        );
     }
 
     /// Calls a function for several columns, which its products take the places of.
