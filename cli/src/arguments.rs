@@ -26,9 +26,12 @@ pub struct Arguments {
 /// The subcommands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// List the mechanisms with their scenes.
-    #[command(after_help = "Example:\n  assur list")]
-    List,
+    /// List the mechanisms with their scenes, those of the command or of equation files.
+    #[command(after_help = "Examples:\n  assur list\n  assur list my_mechanisms\n  assur list press.eqn hammer.eqn")]
+    List(ListArguments),
+    /// Write an equation file to begin with.
+    #[command(after_help = crate::new::EXAMPLES)]
+    New(crate::new::NewArguments),
     /// Run a scene: its results, the published values beside them, and a figure of its curves.
     #[command(after_help = RUN_EXAMPLES)]
     Run(RunArguments),
@@ -80,6 +83,8 @@ const RUN_EXAMPLES: &str = "Examples:
   assur run heald_linkage --format csv --rows limits
   assur run gear_flank --scene addendum --format csv --places u=21,th=41
   assur run table_drive --format csv --rows events
+  assur run my.eqn --watch
+  assur run batten --with damping --run 0s..0.5s --start 'phi2=0.01rad'
 
 A linkage is moved through the positions of its drivers: --at names one of each, alpha=90deg,beta=180deg; a driver that
 is not named stands where it starts.
@@ -104,6 +109,14 @@ shaded: NAME-SCENE-surface.svg, of several scenes NAME-surface.svg. Outside is w
 outputs points to that is its normal, else where the first swept value turns anticlockwise into the second; --flip turns
 a scene over. What has no value at a corner is a hole. STL has no units: its lengths are in millimetres.
 The places of a surface as comma-separated values: assur run NAME --scene SCENE --format csv --places 41.";
+
+/// Options of `assur list`.
+#[derive(Args, Debug)]
+pub struct ListArguments {
+    /// Equation files, and directories of them; the mechanisms of the command unless given.
+    #[arg(value_name = "FILE.eqn|DIR")]
+    pub paths: Vec<PathBuf>,
+}
 
 /// Options of `assur run`.
 #[derive(Args, Debug, Default)]
@@ -135,6 +148,9 @@ pub struct RunArguments {
     /// `energy,energy(kinetic),energy(potential)`, or `all`; those that matter most unless given.
     #[arg(long, value_name = "NAMES")]
     pub curves: Option<String>,
+    /// Run an equation file again at each change of it, or of the files of its parts.
+    #[arg(long)]
+    pub watch: bool,
 }
 
 /// What the rows of comma-separated values are.
@@ -202,7 +218,7 @@ pub struct ExpandArguments {
 /// Options of `assur scenes`.
 #[derive(Args, Debug)]
 pub struct ScenesArguments {
-    /// The mechanism.
+    /// The mechanism, or an equation file.
     pub name: Option<String>,
     #[command(flatten)]
     pub values: Values,

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use assur::registry::Mechanism;
 use assur_emit::Origin;
 use assur_model::checked::Model;
 
@@ -27,7 +26,7 @@ pub fn execute(options: &ExpandArguments, registry: Registry) -> Result<(), Fail
             if let Some(scene) = &options.scene {
                 lookup::scene(mechanism, Some(scene))?;
             }
-            of_mechanism(mechanism)?
+            Source::of(mechanism)?
         }
     };
     let style = style::stderr();
@@ -44,17 +43,6 @@ pub fn execute(options: &ExpandArguments, registry: Registry) -> Result<(), Fail
         None => parsed(model, &source, &checked)?,
     };
     print(&prettyplease::unparse(&file))
-}
-
-fn of_mechanism(mechanism: &Mechanism) -> Result<Source, Failure> {
-    if mechanism.text.is_empty() {
-        return Err(Failure::request(format!(
-            "`{}` is written inside a Rust file and has no equation file",
-            mechanism.name
-        ))
-        .remedy("name a mechanism with a file of its own, as `assur list` shows them"));
-    }
-    Ok(Source::new(mechanism.file, mechanism.text, mechanism.parts))
 }
 
 /// The items of one scene: without the tables, the tests and the module around them all.

@@ -26,6 +26,7 @@ mod linkage;
 mod list;
 mod modes;
 mod motion;
+mod new;
 mod plot;
 mod published;
 mod run;
@@ -36,6 +37,7 @@ mod source;
 mod structure;
 mod study;
 mod tolerance;
+mod watch;
 
 use std::error::Error;
 use std::process::ExitCode;
@@ -57,8 +59,9 @@ pub fn main(mechanisms: &'static [Mechanism]) -> ExitCode {
     output::clean_up_on_interrupt();
     let registry = Registry(mechanisms);
     let outcome = match &arguments.command {
-        Command::List => list::execute(registry),
+        Command::List(options) => list::execute(options, registry),
         Command::Run(options) => run::execute(options, registry),
+        Command::New(options) => new::execute(options),
         Command::Draw(options) => draw::execute(options, registry),
         Command::Structure(options) => structure::execute(options, registry),
         Command::Check(options) => check::execute(options),

@@ -19,6 +19,7 @@ use crate::motion::{self, events, json::Motion};
 use crate::plot::Selection;
 use crate::show::json::{About, Published};
 use crate::show::progress::Progress;
+use crate::watch;
 
 /// Most places along each value that is swept.
 const PLACES: usize = 1000;
@@ -73,6 +74,13 @@ impl Run {
 /// A wrong request, or numbers that do not come out, nothing being written then; or an answer that is not whole or not
 /// accurate, after all else is printed.
 pub fn execute(options: &RunArguments, registry: Registry) -> Result<(), Failure> {
+    match options.watch {
+        true => watch::execute(options.asked.name.as_deref(), || once(options, registry)),
+        false => once(options, registry),
+    }
+}
+
+fn once(options: &RunArguments, registry: Registry) -> Result<(), Failure> {
     let constants = options.asked.find(registry, "run", For::All)?;
     let scene = constants.scene;
     check_rows(options, scene)?;

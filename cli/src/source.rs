@@ -5,9 +5,12 @@ use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use assur::registry::Mechanism;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use assur_model::asked::{Asked, CHANGES};
 use assur_model::checked::Compiled;
 use assur_model::diagnostic::{Diagnostic, Severity};
+use assur_model::flatten;
 use assur_model::lexer::{self, Lexed, Unreadable};
 use assur_model::texts::{Location, Texts};
 use assur_model::token::Span;
@@ -25,8 +28,18 @@ const SHOWN: usize = 50;
 pub struct Source {
     /// The path as it was given.
     name: String,
+    called: Option<String>,
     text: String,
     parts: Parts,
+}
+
+/// What is compiled of a file.
+#[derive(Clone, Copy)]
+pub enum Wanted<'a> {
+    /// Some of its scenes.
+    Scenes(Asked<'a>),
+    /// The scene of a name, or the first one, with changes that are statements of the language.
+    Changed(Option<&'a str>, &'a str),
 }
 
 /// Where the files of parts are.
@@ -65,7 +78,7 @@ impl Source {
             unreadable.hint.iter().fold(failure, |failure, hint| failure.remedy(hint))
         })?;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        Ok(Self { text: text.to_owned(), name, parts: Parts::Folder(folder) })
+        Ok(Self { text: text.to_owned(), name, called: None, parts: Parts::Folder(folder) })
     }
 
     /// A text that is at hand, with those of the files of its parts.
@@ -74,7 +87,12 @@ impl Source {
         text: &str,
         parts: &'static [(&'static str, &'static str)],
     ) -> Self {
-        Self { name: name.into(), text: text.to_owned(), parts: Parts::Texts(parts) }
+        Self {
+            name: name.into(),
+            called: None,
+            text: text.to_owned(),
+            parts: Parts::Texts(parts),
+        }
     }
 
     /// Reads standard input; files of parts are looked for in the current directory.
@@ -92,7 +110,32 @@ impl Source {
             unreadable.hint.iter().fold(failure, |failure, hint| failure.remedy(hint))
         })?;
         let parts = Parts::Folder(PathBuf::new());
-        Ok(Self { text: text.to_owned(), name: STANDARD_INPUT.to_owned(), parts })
+        Ok(Self { text: text.to_owned(), name: STANDARD_INPUT.to_owned(), called: None, parts })
+    }
+
+    /// That of a mechanism.
+    ///
+    /// # Errors
+    /// When it has none.
+    pub fn of(mechanism: &Mechanism) -> Result<Self, Failure> {
+        if mechanism.text.is_empty() {
+            return Err(Failure::request(format!(
+                "`{}` is written inside a Rust file and has no equation file",
+                mechanism.name
+            ))
+            .remedy("name a mechanism with a file of its own, as `assur list` shows them"));
+        }
+        Ok(Self::new(mechanism.file, mechanism.text, mechanism.parts))
+    }
+
+    /// What the mechanism is called by: the name under which it was asked for.
+    pub fn called(&self) -> &str {
+        self.called.as_deref().unwrap_or(&self.name)
+    }
+
+    /// The same, called by another name.
+    pub fn call(self, name: &str) -> Self {
+        Self { called: Some(name.to_owned()), ..self }
     }
 
     /// The text.
@@ -110,9 +153,28 @@ impl Source {
     /// # Errors
     /// The message, with its excerpt, about the place where the tokens of the file end being tokens.
     pub fn compile(&self, style: Style) -> Result<Checked<'_>, String> {
+        self.compile_asked(Wanted::Scenes(Asked::All), style)
+    }
+
+    /// Compiles some of its scenes, or one that is made of another.
+    ///
+    /// # Errors
+    /// As [`Source::compile`].
+    pub fn compile_asked(&self, wanted: Wanted<'_>, style: Style) -> Result<Checked<'_>, String> {
         let lexed = lexer::lex_file(&self.text).map_err(|error| self.unreadable(&error, style))?;
         let mut texts = Texts::default();
-        let compiled = assur_model::compile_with(&lexed.tokens, &mut |wanted| {
+        let tokens;
+        let asked = match wanted {
+            Wanted::Scenes(asked) => asked,
+            Wanted::Changed(base, changes) => {
+                let (path, place) = (CHANGES.to_owned(), Span::default());
+                let file = flatten::Wanted { path, place, is_sheet: false };
+                let read = texts.lex(&file, changes.as_bytes());
+                tokens = read.map_err(|error| self.unreadable(&error, style))?;
+                Asked::Changed(base, &tokens)
+            }
+        };
+        let compiled = assur_model::compile_asked(&lexed.tokens, asked, &mut |wanted| {
             let path = &wanted.path;
             match &self.parts {
                 Parts::Folder(folder) => texts.read(folder, wanted),
@@ -128,6 +190,7 @@ impl Source {
     /// The path of the file of a part, as it would be given.
     fn beside(&self, path: &str) -> String {
         match &self.parts {
+            _ if path == CHANGES => path.to_owned(),
             Parts::Folder(folder) => folder.join(path).display().to_string(),
             Parts::Texts(_) => path.to_owned(),
         }

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::checked::{ChoiceInfo, Compiled, Described, Model, SceneModel};
+use crate::asked::{self, Asked};
+use crate::checked::{ChoiceInfo, Compiled, Described, Model, PartFile, SceneModel};
 use crate::compile::{Seen, Task};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{self, Budget};
@@ -11,11 +12,12 @@ use crate::joined;
 use crate::presets;
 use crate::scene::{Selected, Survey};
 use crate::syntax;
+use crate::syntax::parser::Changes;
 use crate::syntax::tree::{File, Scene};
 use crate::token::{Span, Token};
 
 /// Compiles the tokens of a mechanism on this thread.
-pub fn compile(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
+pub fn compile(tokens: &[Token], asked: Asked<'_>, loader: &mut Loader<'_>) -> Compiled {
     let mut diagnostics = Diagnostics::default();
     let Some(mut file) = syntax::parser::parse(tokens, 0, &mut diagnostics) else {
         return Compiled {
@@ -27,7 +29,12 @@ pub fn compile(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
             steps: 0,
         };
     };
-    let parts = flatten::flatten(&mut file, tokens.len(), loader, &mut diagnostics);
+    let (changes, first) = changes(asked, tokens.len(), &mut diagnostics);
+    let mut parts = flatten::flatten(&mut file, first, loader, &mut diagnostics);
+    if changes.is_some() {
+        let (path, place) = (asked::CHANGES.to_owned(), file.name.span);
+        parts.insert(0, PartFile { path, first: tokens.len() as u32, place });
+    }
     let survey = Survey::of(&file, &mut diagnostics);
     let implicit = implicit_scene(&file);
     let mut scenes: Vec<(&Scene, &[String])> = survey.scenes.clone();
@@ -35,10 +42,21 @@ pub fn compile(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
         scenes.push((&implicit, &[]));
     }
     let mut seen = Seen::new();
-    let models = compile_scenes(&file, &survey, &scenes, &mut seen, &mut diagnostics);
+    let base = match asked {
+        Asked::Changed(Some(name), _) => scenes.iter().find(|(one, _)| one.name.text == name),
+        _ => scenes.first(),
+    };
+    let other = match (changes, base) {
+        (Some(changes), Some((base, _))) => {
+            asked::changed(base, changes, &survey, &mut diagnostics)
+        }
+        _ => None,
+    };
+    let which = (&scenes[..], other.as_ref(), asked);
+    let models = compile_scenes(&file, &survey, which, &mut seen, &mut diagnostics);
     presets::check_facts(&file, &scenes, &mut diagnostics);
-    let presets = expression::within(|| presets::read(&file, &seen, &mut diagnostics));
-    if !diagnostics.has_errors() {
+    let presets = expression::within(|| presets::read(&file, (&seen, asked.is_all()), &mut diagnostics));
+    if !diagnostics.has_errors() && asked.is_all() {
         report_unused(&seen, &mut diagnostics);
     }
     let model = (!diagnostics.has_errors()).then(|| Model {
@@ -61,17 +79,35 @@ pub fn compile(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
     }
 }
 
-/// Compiles all scenes, and what none of them shows.
+/// The changes that are asked for, and what the first token behind them is counted as.
+fn changes(
+    asked: Asked<'_>,
+    tokens: usize,
+    diagnostics: &mut Diagnostics,
+) -> (Option<Changes>, usize) {
+    match asked {
+        Asked::Changed(_, own) => {
+            let changes = syntax::parser::parse_changes(own, tokens as u32, diagnostics);
+            (Some(changes), tokens + own.len())
+        }
+        _ => (None, tokens),
+    }
+}
+
+/// Compiles the scenes that are asked for; with all of them what none shows.
 fn compile_scenes(
     file: &File,
     survey: &Survey<'_>,
-    scenes: &[(&Scene, &[String])],
+    (scenes, other, asked): (&[(&Scene, &[String])], Option<&Scene>, Asked<'_>),
     seen: &mut Seen,
     diagnostics: &mut Diagnostics,
 ) -> Vec<SceneModel> {
     let mut models = Vec::new();
     let mut shown = BTreeSet::new();
-    for (index, (scene, documentation)) in scenes.iter().enumerate() {
+    let named = scenes.iter().copied().enumerate();
+    let named = named.filter(|(index, (scene, _))| asked.has(*index, &scene.name.text));
+    let other = other.map(|scene| (scenes.len(), (scene, &[][..])));
+    for (index, (scene, documentation)) in named.chain(other) {
         let Some(selected) = Selected::by(scene, survey, diagnostics) else {
             continue;
         };
@@ -86,7 +122,9 @@ fn compile_scenes(
         models.extend(scene_within(&task, seen, diagnostics));
         shown.insert(selected);
     }
-    check_unshown(file, survey, &shown, seen, diagnostics);
+    if asked.is_all() {
+        check_unshown(file, survey, &shown, seen, diagnostics);
+    }
     models
 }
 

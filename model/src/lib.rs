@@ -14,6 +14,7 @@
 //! [`checked::Compiled`], plain data.
 #![doc = include_str!("../GRAMMAR.md")]
 
+pub mod asked;
 pub mod checked;
 mod compile;
 mod declare;
@@ -49,6 +50,7 @@ mod unroll;
 
 use std::sync::mpsc;
 
+use asked::Asked;
 use checked::Compiled;
 use flatten::{Loader, Wanted};
 use lexer::Unreadable;
@@ -75,10 +77,15 @@ fn no_file(wanted: &Wanted) -> Result<Vec<Token>, Unreadable> {
 
 /// Compiles the tokens of a mechanism. Files of its parts and tables come from `loader`, which is called on this thread.
 pub fn compile_with(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
-    let (ask, asked) = mpsc::channel::<Wanted>();
+    compile_asked(tokens, Asked::All, loader)
+}
+
+/// Compiles some scenes of a mechanism, or one that is made of another. What is wrong elsewhere is not seen.
+pub fn compile_asked(tokens: &[Token], asked: Asked<'_>, loader: &mut Loader<'_>) -> Compiled {
+    let (ask, questions) = mpsc::channel::<Wanted>();
     let (give, given) = mpsc::channel();
     let work = move || {
-        file::compile(tokens, &mut |wanted| {
+        file::compile(tokens, asked, &mut |wanted| {
             let answer = ask.send(wanted.clone()).ok().and_then(|()| given.recv().ok());
             answer.unwrap_or_else(|| no_file(wanted))
         })
@@ -87,9 +94,9 @@ pub fn compile_with(tokens: &[Token], loader: &mut Loader<'_>) -> Compiled {
     std::thread::scope(move |scope| {
         let worker = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, work);
         let Ok(worker) = worker else {
-            return file::compile(tokens, loader);
+            return file::compile(tokens, asked, loader);
         };
-        for wanted in asked {
+        for wanted in questions {
             let _ = give.send(loader(&wanted));
         }
         match worker.join() {

@@ -52,8 +52,13 @@ pub fn check_facts(file: &File, scenes: &[(&Scene, &[String])], diagnostics: &mu
     }
 }
 
-/// The presets, with every name and unit checked against the constants of any scene.
-pub fn read(file: &File, seen: &Seen, diagnostics: &mut Diagnostics) -> Vec<PresetInfo> {
+/// The presets, with every name and unit checked against the constants of any scene; where not all are compiled, what none
+/// of these has is left out.
+pub fn read(
+    file: &File,
+    (seen, is_all): (&Seen, bool),
+    diagnostics: &mut Diagnostics,
+) -> Vec<PresetInfo> {
     let mut list = Vec::new();
     for statement in &file.statements {
         let StatementKind::Preset { name, text, values } = &statement.kind else {
@@ -61,7 +66,7 @@ pub fn read(file: &File, seen: &Seen, diagnostics: &mut Diagnostics) -> Vec<Pres
         };
         let documentation = || statement.documentation.join("\n").trim().to_string();
         let values = values.iter();
-        let values = values.filter_map(|one| value(one, &file.unread, seen, diagnostics));
+        let values = values.filter_map(|one| value(one, &file.unread, (seen, is_all), diagnostics));
         list.push(PresetInfo {
             name: name.text.clone(),
             summary: text.clone().unwrap_or_else(documentation),
@@ -75,12 +80,12 @@ pub fn read(file: &File, seen: &Seen, diagnostics: &mut Diagnostics) -> Vec<Pres
 fn value(
     (target, term): &(Target, Term),
     unread: &BTreeSet<String>,
-    seen: &Seen,
+    (seen, is_all): (&Seen, bool),
     diagnostics: &mut Diagnostics,
 ) -> Option<(String, f64)> {
     let Name { text: name, span } = unroll::target_name(target, diagnostics)?;
     let Some((kind, declared)) = seen.constants.get(&name) else {
-        if !is_unread(unread, &name) {
+        if is_all && !is_unread(unread, &name) {
             let message = format!("there is no dimension or parameter `{name}`");
             let mut report = Diagnostic::error(span, message);
             if let Some(near) = nearest(&name, seen.constants.keys().map(String::as_str)) {

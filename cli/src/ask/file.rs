@@ -4,11 +4,12 @@ use std::path::Path;
 
 use assur::registry::Mechanism;
 use assur_interpreter::Origin;
+use assur_model::asked::{Asked, CHANGES};
 
 use crate::error::Failure;
 use crate::show::output::complain;
 use crate::show::style;
-use crate::source::{STANDARD_INPUT, Source};
+use crate::source::{STANDARD_INPUT, Source, Wanted};
 
 /// Ending of the name of an equation file.
 const ENDING: &str = "eqn";
@@ -30,26 +31,44 @@ pub fn stem(mechanism: &Mechanism) -> &str {
     }
 }
 
-/// The mechanism of an equation file, `-` being standard input.
+/// Reads an equation file, `-` being standard input.
 ///
 /// # Errors
-/// When it cannot be read, or has an error; all messages about it are printed then.
-pub fn mechanism(name: &str) -> Result<&'static Mechanism, Failure> {
-    let source = match name {
-        STANDARD_INPUT => Source::standard_input()?,
-        name => Source::read(Path::new(name))?,
-    };
+/// When it cannot be read.
+pub fn read(name: &str) -> Result<Source, Failure> {
+    match name {
+        STANDARD_INPUT => Source::standard_input(),
+        name => Source::read(Path::new(name)),
+    }
+}
+
+/// The mechanism of an equation file with those scenes that are asked for.
+///
+/// # Errors
+/// When it has an error; all messages about it are printed then.
+pub fn mechanism(source: &Source, asked: Wanted<'_>) -> Result<&'static Mechanism, Failure> {
     let style = style::stderr();
     let said = |messages: String| {
         complain(&messages);
         Failure::said()
     };
-    let checked = source.compile(style).map_err(said)?;
+    let mut checked = source.compile_asked(asked, style).map_err(&said)?;
+    // A scene that is not there is told with the names of those that are.
+    let missing = match asked {
+        Wanted::Scenes(Asked::Some(names)) => {
+            names.iter().any(|name| !checked.compiled.scene_names.iter().any(|one| one == name))
+        }
+        _ => false,
+    };
+    if missing {
+        checked = source.compile_asked(Wanted::Scenes(Asked::All), style).map_err(&said)?;
+    }
     let Some(model) = &checked.compiled.model else {
         return Err(said(checked.messages(style)));
     };
+    let name = source.called();
     let file = Path::new(name).file_name().and_then(|file| file.to_str());
-    let parts = checked.compiled.parts.iter();
+    let parts = checked.compiled.parts.iter().filter(|part| part.path != CHANGES);
     let parts = parts.map(|part| (part.path.as_str(), checked.text(&part.path)));
     let origin = Origin {
         name,

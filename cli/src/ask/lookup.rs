@@ -3,10 +3,12 @@
 use std::path::Path;
 
 use assur::registry::{Mechanism, SceneEntry};
+use assur_model::asked::Asked;
 use assur_model::nearest::nearest;
 
 use crate::ask::{For, file};
 use crate::error::Failure;
+use crate::source::Wanted;
 
 /// The mechanisms that the command knows.
 #[derive(Clone, Copy)]
@@ -33,7 +35,7 @@ impl Registry {
             });
         };
         if file::is_file(name) {
-            return file::mechanism(name);
+            return file::mechanism(&file::read(name)?, Wanted::Scenes(Asked::All));
         }
         if let Some(found) = self.0.iter().find(|mechanism| mechanism.name == name) {
             return Ok(found);

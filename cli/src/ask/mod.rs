@@ -1,6 +1,7 @@
 //! What every command asks about: a mechanism, one of its scenes, and values.
 
 pub mod case;
+pub mod changes;
 pub mod constants;
 pub mod file;
 pub mod lookup;
@@ -11,23 +12,28 @@ pub mod values;
 pub mod variables;
 
 use assur::registry::{Mechanism, SceneEntry};
+use assur_model::asked::Asked as Scenes;
 use clap::Args;
 
 use crate::draw::surface;
 use crate::error::Failure;
+use crate::source::{Source, Wanted};
+use changes::Changes;
 use constants::Constants;
 use lookup::Registry;
 
 /// The options that say so.
 #[derive(Args, Debug, Default)]
 pub struct Asked {
-    /// The mechanism, as `assur list` names it.
+    /// The mechanism, as `assur list` names it; or an equation file, `my.eqn`, or `-` for standard input.
     pub name: Option<String>,
     /// The scene; unless given the first one of the file that the command is for.
     #[arg(long, value_name = "SCENE")]
     pub scene: Option<String>,
     #[command(flatten)]
     pub values: Values,
+    #[command(flatten)]
+    pub changes: Changes,
 }
 
 /// The options that change values.
@@ -102,8 +108,49 @@ impl Asked {
         command: &str,
         scenes: For,
     ) -> Result<Constants, Failure> {
-        let mechanism = registry.mechanism(self.name.as_deref(), command, scenes)?;
-        self.constants(mechanism, scenes.scene(registry, mechanism, self.scene.as_deref())?)
+        let mechanism = self.mechanism(registry, command, scenes)?;
+        let name = match self.changes.are_given() {
+            true => None,
+            false => self.scene.as_deref(),
+        };
+        self.constants(mechanism, scenes.scene(registry, mechanism, name)?)
+    }
+
+    /// The mechanism, of a file those scenes that are asked for; or a scene that is made of one of its own.
+    fn mechanism(
+        &self,
+        registry: Registry,
+        command: &str,
+        scenes: For,
+    ) -> Result<&'static Mechanism, Failure> {
+        let (name, scene) = (self.name.as_deref(), self.scene.as_deref());
+        let source = match name.filter(|name| file::is_file(name)) {
+            Some(name) => Some(file::read(name)?),
+            None => None,
+        };
+        if self.changes.are_given() {
+            let source = match source {
+                Some(source) => source,
+                None => {
+                    let mechanism = registry.mechanism(name, command, scenes)?;
+                    if scene.is_some() {
+                        lookup::scene(mechanism, scene)?;
+                    }
+                    Source::of(mechanism)?.call(mechanism.name)
+                }
+            };
+            return file::mechanism(&source, Wanted::Changed(scene, &self.changes.text()?));
+        }
+        let Some(source) = source else {
+            return registry.mechanism(name, command, scenes);
+        };
+        let names: Vec<&str> = scene.iter().flat_map(|names| names.split(',')).map(str::trim).collect();
+        let asked = match (names.as_slice(), scenes) {
+            ([], For::All) => Scenes::Some(&[]),
+            ([], _) => Scenes::All,
+            (names, _) => Scenes::Some(names),
+        };
+        file::mechanism(&source, Wanted::Scenes(asked))
     }
 
     /// The scenes of which names are given, with commas between them, each with its values.
@@ -119,7 +166,15 @@ impl Asked {
         let Some(names) = &self.scene else {
             return Ok(vec![self.find(registry, command, scenes)?]);
         };
-        let mechanism = registry.mechanism(self.name.as_deref(), command, scenes)?;
+        if self.changes.are_given() {
+            return match names.contains(',') {
+                true => Err(Failure::request("changes are those of one scene")
+                    .place(format!("--scene {names}"))
+                    .remedy("name one scene, or leave the changes out")),
+                false => Ok(vec![self.find(registry, command, scenes)?]),
+            };
+        }
+        let mechanism = self.mechanism(registry, command, scenes)?;
         let scene = |name: &str| {
             self.constants(mechanism, scenes.scene(registry, mechanism, Some(name.trim()))?)
         };

@@ -3,6 +3,7 @@
 //! Every statement begins with a keyword; keywords are contextual, so any of them may also name a quantity. After a
 //! mistake the parser goes on behind the next `;` or block, so that all mistakes of a file are found at once.
 
+mod choice;
 mod cursor;
 mod declaration;
 mod event;
@@ -19,6 +20,7 @@ use std::collections::BTreeSet;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::syntax::tree::{File, Term, UnitTerm};
 use crate::token::{Span, Token, TokenKind};
+pub use choice::{Changes, parse_changes};
 use cursor::Cursor;
 
 /// Brackets, signs and branches may nest this deep.

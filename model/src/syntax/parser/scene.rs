@@ -39,7 +39,7 @@ impl Parser<'_> {
         Ok(StatementKind::Scene(Scene { name, text, selection, items }))
     }
 
-    fn selection(&mut self) -> Read<Selection> {
+    pub(super) fn selection(&mut self) -> Read<Selection> {
         let mut name = self.name("an effect or a choice")?;
         let mut alternative: Option<Name> = None;
         while self.take_operator(".") {
@@ -52,7 +52,7 @@ impl Parser<'_> {
         Ok(Selection { name, alternative })
     }
 
-    fn item(&mut self) -> Read<Vec<SceneItem>> {
+    pub(super) fn item(&mut self) -> Read<Vec<SceneItem>> {
         let _ = self.documentation();
         let keyword = self.name(
             "what the scene does: `periodic`, `run`, `rest`, `sweep`, `preset`, `output` or `start`",
