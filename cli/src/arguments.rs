@@ -27,7 +27,9 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// List the mechanisms with their scenes, those of the command or of equation files.
-    #[command(after_help = "Examples:\n  assur list\n  assur list my_mechanisms\n  assur list press.eqn hammer.eqn")]
+    #[command(
+        after_help = "Examples:\n  assur list\n  assur list my_mechanisms\n  assur list press.eqn hammer.eqn"
+    )]
     List(ListArguments),
     /// Write an equation file to begin with.
     #[command(after_help = crate::new::EXAMPLES)]

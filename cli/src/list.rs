@@ -66,7 +66,9 @@ fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
         own.sort();
         if own.is_empty() {
             return Err(Failure::request(format!("`{}` has no equation file", path.display()))
-                .remedy("equation files end in `.eqn`; `assur new NAME` writes one to begin with"));
+                .remedy(
+                    "equation files end in `.eqn`; `assur new NAME` writes one to begin with",
+                ));
         }
         files.extend(own);
     }

@@ -8,10 +8,10 @@ use serde::Serialize;
 
 use crate::answer::{Format, give};
 use crate::arguments::{Rows, RunArguments};
-use crate::ask::{For, file};
 use crate::ask::constants::Constants;
 use crate::ask::lookup::Registry;
 use crate::ask::place::Place;
+use crate::ask::{For, file};
 use crate::error::Failure;
 use crate::linkage::line::Grid;
 use crate::linkage::{self, json::Linkage};

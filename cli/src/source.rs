@@ -5,12 +5,11 @@ use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use assur::registry::Mechanism;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use assur::registry::Mechanism;
 use assur_model::asked::{Asked, CHANGES};
 use assur_model::checked::Compiled;
 use assur_model::diagnostic::{Diagnostic, Severity};
-use assur_model::flatten;
 use assur_model::lexer::{self, Lexed, Unreadable};
 use assur_model::texts::{Location, Texts};
 use assur_model::token::Span;
@@ -60,6 +59,11 @@ impl Source {
     /// When it cannot be read, or is no text of a sensible size.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
+        if path.is_dir() {
+            return Err(Failure::request(format!("`{name}` is a directory")).remedy(format!(
+                "name one of its equation files; `assur list {name}` shows them with their scenes"
+            )));
+        }
         let bytes = read(path).map_err(|error| {
             Failure::request(format!("cannot read `{name}`"))
                 .reason(error.to_string())
@@ -87,12 +91,7 @@ impl Source {
         text: &str,
         parts: &'static [(&'static str, &'static str)],
     ) -> Self {
-        Self {
-            name: name.into(),
-            called: None,
-            text: text.to_owned(),
-            parts: Parts::Texts(parts),
-        }
+        Self { name: name.into(), called: None, text: text.to_owned(), parts: Parts::Texts(parts) }
     }
 
     /// Reads standard input; files of parts are looked for in the current directory.
@@ -167,10 +166,8 @@ impl Source {
         let asked = match wanted {
             Wanted::Scenes(asked) => asked,
             Wanted::Changed(base, changes) => {
-                let (path, place) = (CHANGES.to_owned(), Span::default());
-                let file = flatten::Wanted { path, place, is_sheet: false };
-                let read = texts.lex(&file, changes.as_bytes());
-                tokens = read.map_err(|error| self.unreadable(&error, style))?;
+                let read = texts.lex_statements(CHANGES, changes);
+                tokens = read.map_err(|error| unreadable(CHANGES, changes, &error, style))?;
                 Asked::Changed(base, &tokens)
             }
         };
@@ -197,18 +194,15 @@ impl Source {
     }
 
     fn unreadable(&self, error: &Unreadable, style: Style) -> String {
-        excerpt(
-            Severity::Error,
-            &error.message,
-            &[File {
-                name: self.name.clone(),
-                text: &self.text,
-                places: vec![(error.range.clone(), "")],
-            }],
-            error.hint.as_deref(),
-            style,
-        )
+        unreadable(&self.name, &self.text, error, style)
     }
+}
+
+/// Why a text is none of tokens.
+fn unreadable(name: &str, text: &str, error: &Unreadable, style: Style) -> String {
+    let places = vec![(error.range.clone(), "")];
+    let file = File { name: name.to_owned(), text, places };
+    excerpt(Severity::Error, &error.message, &[file], error.hint.as_deref(), style)
 }
 
 /// A file with the places in it that a message names.

@@ -76,7 +76,10 @@ fn seen(path: &Path) -> Seen {
 
 /// The files that a text names in quotes.
 fn named(text: &str) -> impl Iterator<Item = &str> {
-    text.split('"').skip(1).step_by(2).filter(|name| name.ends_with(".eqn") || name.ends_with(".csv"))
+    text.split('"')
+        .skip(1)
+        .step_by(2)
+        .filter(|name| name.ends_with(".eqn") || name.ends_with(".csv"))
 }
 
 #[cfg(test)]

@@ -9,9 +9,6 @@ use quote::{format_ident, quote};
 use crate::expression::{self, Expression, scalar, size};
 use crate::layout::{Layout, outlined};
 
-/// Most operations of a series: rustc is slow on longer scopes.
-const LONGEST: usize = 600;
-
 /// The method of `Equations`; none where the equations are too long in all modes.
 pub fn method(layout: &Layout<'_>) -> Option<TokenStream> {
     let bodies: Vec<Option<TokenStream>> = layout.each_mode().iter().map(body).collect();
@@ -46,7 +43,7 @@ fn body(layout: &Layout<'_>) -> Option<TokenStream> {
     if rates.is_empty() {
         return Some(quote!(true));
     }
-    let series = layout.program().series(rates).filter(|series| series.operations() <= LONGEST)?;
+    let series = layout.program().series(rates)?;
     let writer = Writer::new(layout, &series, rates)?;
     let (makers, statements) = (&writer.makers, &writer.statements);
     let values = rates.iter().map(|value| writer.term(*value));

@@ -35,11 +35,11 @@ pub fn shape(scene: &SceneModel, lines: Lines<'_>) -> &'static Shape {
     // Measures that another mode has, and that are none here, leave their primitives behind.
     let has_measures = !scene.measures.is_empty();
     let uses = scene.measures.iter().map(|measure| list(measure.uses.iter().copied()));
-    let primitives = scene.primitives.iter().filter(|_| has_measures).map(|one| primitive(one, &scene.modes));
+    let primitives =
+        scene.primitives.iter().filter(|_| has_measures).map(|one| primitive(one, &scene.modes));
     let equations = scene.equations.iter();
-    let equations = equations.map(|one| {
-        shape::EquationText::new(lines(one.span), text(&one.text), text(&one.unit))
-    });
+    let equations = equations
+        .map(|one| shape::EquationText::new(lines(one.span), text(&one.text), text(&one.unit)));
     let counts = scene.counts(&scene.program.staging());
     let marks = scene.marks.iter().map(|mark| shape::Mark::new(text(&mark.text), place(&mark.at)));
     let links = scene.links.iter();
@@ -258,4 +258,3 @@ fn expectation(one: &ExpectInfo, lines: Lines<'_>) -> shape::Expectation {
         line: lines(one.span),
     }
 }
-

@@ -59,7 +59,9 @@ pub fn changed(
         if !is_effect(without, survey, diagnostics) {
             return None;
         }
-        scene.selection.retain(|one| one.alternative.is_some() || one.name.text != without.name.text);
+        scene
+            .selection
+            .retain(|one| one.alternative.is_some() || one.name.text != without.name.text);
     }
     for with in changes.with {
         let is_other = |one: &Selection| one.name.text != with.name.text;
@@ -85,8 +87,7 @@ pub fn changed(
         SceneItem::Start { values } => Some(values),
         _ => None,
     });
-    let started: Vec<String> =
-        started.flatten().map(|(target, _)| print::term(target)).collect();
+    let started: Vec<String> = started.flatten().map(|(target, _)| print::term(target)).collect();
     for item in &mut scene.items {
         if let SceneItem::Start { values } = item {
             values.retain(|(target, _)| !started.contains(&print::term(target)));

@@ -55,7 +55,8 @@ pub fn compile(tokens: &[Token], asked: Asked<'_>, loader: &mut Loader<'_>) -> C
     let which = (&scenes[..], other.as_ref(), asked);
     let models = compile_scenes(&file, &survey, which, &mut seen, &mut diagnostics);
     presets::check_facts(&file, &scenes, &mut diagnostics);
-    let presets = expression::within(|| presets::read(&file, (&seen, asked.is_all()), &mut diagnostics));
+    let presets =
+        expression::within(|| presets::read(&file, (&seen, asked.is_all()), &mut diagnostics));
     if !diagnostics.has_errors() && asked.is_all() {
         report_unused(&seen, &mut diagnostics);
     }

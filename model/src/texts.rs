@@ -87,6 +87,16 @@ impl Texts {
         Ok(lexed.tokens)
     }
 
+    /// The tokens of statements that are no file, kept under a path as if they were one.
+    ///
+    /// # Errors
+    /// They are no tokens.
+    pub fn lex_statements(&mut self, path: &str, text: &str) -> Result<Vec<Token>, Unreadable> {
+        let lexed = lexer::lex_plain(text)?;
+        self.files.insert(path.to_owned(), (text.to_owned(), lexed.ranges));
+        Ok(lexed.tokens)
+    }
+
     /// The text of a file that has been read.
     pub fn text(&self, path: &str) -> Option<&str> {
         self.files.get(path).map(|(text, _)| text.as_str())

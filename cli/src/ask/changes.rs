@@ -110,8 +110,8 @@ fn spaced(value: &str) -> String {
     let mut rest = value.chars().peekable();
     while let Some(letter) = rest.next() {
         let next = rest.peek().copied().unwrap_or(' ');
-        let is_exponent = matches!(letter, 'e' | 'E')
-            && (next.is_ascii_digit() || matches!(next, '-' | '+'));
+        let is_exponent =
+            matches!(letter, 'e' | 'E') && (next.is_ascii_digit() || matches!(next, '-' | '+'));
         if is_number && !is_exponent && (letter.is_alphabetic() || matches!(letter, '%' | '°')) {
             text.push(' ');
         }
@@ -159,7 +159,9 @@ mod tests {
         };
         assert_eq!(
             changes.text().as_deref(),
-            Ok("with damping;\nwith crank.exact;\nstart dot(w) = 1[m/s];\nsweep phi4 60 deg .. 120 deg, alpha;\n")
+            Ok(
+                "with damping;\nwith crank.exact;\nstart dot(w) = 1[m/s];\nsweep phi4 60 deg .. 120 deg, alpha;\n"
+            )
         );
         assert!(!Changes::default().are_given());
         let wrong = Changes { run: Some("2s".into()), ..Changes::default() };

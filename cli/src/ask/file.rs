@@ -17,7 +17,9 @@ const ENDING: &str = "eqn";
 /// Whether a name is that of a file and not of a mechanism: by its ending, or since it is a path.
 pub fn is_file(name: &str) -> bool {
     let path = Path::new(name);
-    name == STANDARD_INPUT || path.extension().is_some_and(|end| end == ENDING) || name.contains('/')
+    name == STANDARD_INPUT
+        || path.extension().is_some_and(|end| end == ENDING)
+        || name.contains('/')
 }
 
 /// What the files that are written about a mechanism are called after.

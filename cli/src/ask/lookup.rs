@@ -46,12 +46,18 @@ impl Registry {
             _ => format!("there is no mechanism `{name}`"),
         };
         let with_ending = format!("{name}.eqn");
+        if Path::new(name).is_dir() {
+            return Err(Failure::request(format!("`{name}` is a directory")).remedy(format!(
+                "name one of its equation files; `assur list {name}` shows them with their scenes"
+            )));
+        }
         let files = [name, &with_ending].map(|name| Path::new(name).is_file());
         let failure = match files {
             [_, true] => Failure::request(what)
                 .remedy(format!("a file is named with its ending: `{with_ending}` is here")),
-            [true, _] => Failure::request(what)
-                .remedy(format!("an equation file ends in `.eqn`: rename `{name}`, or give it as `./{name}`")),
+            [true, _] => Failure::request(what).remedy(format!(
+                "an equation file ends in `.eqn`: rename `{name}`, or give it as `./{name}`"
+            )),
             _ => Failure::request(what),
         };
         Err(failure.remedy(format!(

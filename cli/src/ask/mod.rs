@@ -144,7 +144,8 @@ impl Asked {
         let Some(source) = source else {
             return registry.mechanism(name, command, scenes);
         };
-        let names: Vec<&str> = scene.iter().flat_map(|names| names.split(',')).map(str::trim).collect();
+        let names: Vec<&str> =
+            scene.iter().flat_map(|names| names.split(',')).map(str::trim).collect();
         let asked = match (names.as_slice(), scenes) {
             ([], For::All) => Scenes::Some(&[]),
             ([], _) => Scenes::All,

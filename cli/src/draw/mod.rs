@@ -27,9 +27,9 @@ use std::path::PathBuf;
 use assur::registry::SceneEntry;
 
 use crate::arguments::DrawArguments;
-use crate::ask::{For, file};
 use crate::ask::constants::Constants;
 use crate::ask::lookup::Registry;
+use crate::ask::{For, file};
 use crate::error::Failure;
 use crate::show::output::{self, Destination};
 use geometry::{Frame, Geometry};

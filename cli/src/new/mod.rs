@@ -80,12 +80,12 @@ impl Like {
 /// A name that cannot be one, or a file that is there already.
 pub fn execute(options: &NewArguments) -> Result<(), Failure> {
     let given = options.name.strip_suffix(".eqn").unwrap_or(&options.name);
-    let (folder, name) = match Path::new(given).file_name().and_then(|name| name.to_str()) {
+    let (folder, given_name) = match Path::new(given).file_name().and_then(|name| name.to_str()) {
         Some(name) => (Path::new(given).parent().unwrap_or(Path::new("")), name),
         None => return Err(no_name(&options.name)),
     };
-    let (title, name) = (names::pascal(name), names::snake(&names::pascal(name)));
-    if !title.starts_with(|letter: char| letter.is_ascii_alphabetic()) {
+    let (title, name) = (names::pascal(given_name), names::snake(&names::pascal(given_name)));
+    if !given_name.starts_with(|letter: char| letter.is_ascii_alphabetic()) {
         return Err(no_name(&options.name));
     }
     let text = options.like.text().replacen("    Name from", &format!("    {title} from"), 1);

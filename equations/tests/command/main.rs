@@ -3,6 +3,7 @@
 mod answers;
 mod equation_files;
 mod events;
+mod files;
 mod gallery;
 mod linkages;
 mod modes;

@@ -44,7 +44,9 @@ fn compare_scene(place: &str, emitted: &SceneEntry, interpreted: &SceneEntry) {
         (Bind::Linkage(emitted), Bind::Linkage(interpreted)) => {
             let [emitted, interpreted] = [emitted, interpreted].map(|bind| bind(&values));
             match (emitted, interpreted) {
-                (Ok(emitted), Ok(interpreted)) => linkages::compare(place, &*emitted, &*interpreted),
+                (Ok(emitted), Ok(interpreted)) => {
+                    linkages::compare(place, &*emitted, &*interpreted)
+                }
                 (emitted, interpreted) => assert_eq!(emitted.err(), interpreted.err(), "{place}"),
             }
         }

@@ -105,6 +105,16 @@ impl Here<'_> {
             let (rates, products) = values.split_at_mut(n);
             model.equations().variation(phase, row(model), state, rates, &columns, products);
         });
+        let series = both("series", 21 * n + 1, &|model, values| {
+            let (rows, has) = values.split_at_mut(21 * n);
+            rows[..n].copy_from_slice(state);
+            let done = model.equations().series(phase, time, 1e-3, rows);
+            has[0] = f64::from(u8::from(done));
+            if !done {
+                rows.fill(0.0);
+            }
+        });
+        assert_eq!(series.len(), 21 * n + 1);
         self.reports(&both);
         if let (Some(_), Some(_)) = (emitted.events(), interpreted.events()) {
             self.events(&both);

@@ -87,9 +87,12 @@ impl Code {
 
     /// The function that the line of a search is.
     fn of_line(line: &Line) -> Result<Self, TooLarge> {
-        let operation = |kind: &Kind| Operation { kind: kind.clone(), stage: Stage::Trial, name: None };
-        let program =
-            Program { operations: line.operations.iter().map(operation).collect(), ..Program::default() };
+        let operation =
+            |kind: &Kind| Operation { kind: kind.clone(), stage: Stage::Trial, name: None };
+        let program = Program {
+            operations: line.operations.iter().map(operation).collect(),
+            ..Program::default()
+        };
         let storage = Storage::of(&program, 0);
         let wanted = Wanted::of([line.result]);
         Self::new(&program, &storage, Scope::Line, &wanted, &BTreeMap::new())
@@ -115,7 +118,11 @@ fn last_reads(
                 written.insert(*value, place);
             }
             Step::Sines(pairs) => written.extend(
-                pairs.iter().flat_map(|pair| [pair.sine, pair.cosine]).flatten().map(|one| (one, place)),
+                pairs
+                    .iter()
+                    .flat_map(|pair| [pair.sine, pair.cosine])
+                    .flatten()
+                    .map(|one| (one, place)),
             ),
         }
     }
@@ -282,7 +289,13 @@ impl Builder<'_> {
                 continue;
             }
             match (self.slots.get(value), self.program.kind(*value)) {
-                (_, Kind::Element { .. } | Kind::Factor { .. } | Kind::Solve { .. } | Kind::Table { .. }) => {}
+                (
+                    _,
+                    Kind::Element { .. }
+                    | Kind::Factor { .. }
+                    | Kind::Solve { .. }
+                    | Kind::Table { .. },
+                ) => {}
                 (Some(Slot::Number(at)), _) => self.numbers.release(*at),
                 (Some(Slot::Condition(at)), _) => self.conditions.release(*at),
                 _ => {}
@@ -342,7 +355,9 @@ impl Builder<'_> {
                 self.slots.insert(value, Slot::Number(at));
                 return Ok(());
             }
-            Kind::Factor { form, size, entries } => self.factor(value, (*form, *size as usize), entries)?,
+            Kind::Factor { form, size, entries } => {
+                self.factor(value, (*form, *size as usize), entries)?
+            }
             Kind::Solve { factor, .. } => self.solve(value, *factor, registers)?,
             Kind::Table { spline, .. } => {
                 let target = self.numbers.block(self.length(value))?;
@@ -473,8 +488,7 @@ impl Builder<'_> {
                 }
                 Slot::Condition(at) => {
                     let target = self.numbers.one()? as Register;
-                    let (one, zero) =
-                        (self.one.unwrap_or_default(), self.zero.unwrap_or_default());
+                    let (one, zero) = (self.one.unwrap_or_default(), self.zero.unwrap_or_default());
                     let select = Instruction::Select([target, at as Register, one, zero]);
                     self.code.instructions.push(select);
                     self.code.results.push(target);

@@ -8,6 +8,7 @@ mod build;
 mod order;
 mod registers;
 mod scope;
+pub(crate) mod series;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -2,7 +2,8 @@
 
 use std::sync::Mutex;
 
-use assur_solvers::dense::BoundRows;
+use assur_model::program::Form;
+use assur_solvers::dense::{BoundRows, solve_pivoted, solve_rows};
 use assur_solvers::scalar::Scalar;
 
 use super::lanes::{Lanes, Masks};
@@ -177,13 +178,7 @@ impl<S: Scalar> Image<S> {
 
     /// Computes the results that are asked for once, and for each column the others. `put` takes each column that is behind
     /// another list of the caller's.
-    pub fn call_columns(
-        &self,
-        code: &Code,
-        given: &[&[S]],
-        results: &mut [S],
-        products: &mut [S],
-    ) {
+    pub fn call_columns(&self, code: &Code, given: &[&[S]], results: &mut [S], products: &mut [S]) {
         if let Class::Large = self.class(code) {
             let mut memory = self.memory(code);
             memory.run_columns(code, &self.lines, given, results, products);
@@ -214,6 +209,34 @@ impl<S: Scalar> Kept<S> {
         match slot {
             Slot::Number(at) => self.0.numbers.get(at).copied(),
             _ => None,
+        }
+    }
+
+    /// The condition that stands in a slot; none where it is none.
+    pub fn condition(&self, slot: Slot) -> Option<S::Mask> {
+        match slot {
+            Slot::Condition(at) => self.0.conditions.get(at).copied(),
+            _ => None,
+        }
+    }
+
+    /// Solves in place with prepared factors.
+    pub fn solve(&self, slot: Slot, form: Form, x: &mut [S]) {
+        let n = x.len();
+        match slot {
+            Slot::Bound(at) => self.0.bounds[at].solve(x, &mut vec![S::ZERO; n]),
+            Slot::Number(at) => {
+                let (matrix, rest) = self.0.numbers[at..][..n * (n + 2)].split_at(n * n);
+                let (reciprocals, more) = rest.split_at(n);
+                match form {
+                    Form::General => {
+                        let right = x.to_vec();
+                        solve_pivoted((matrix, reciprocals, more), &right, x);
+                    }
+                    _ => solve_rows(matrix, reciprocals, x),
+                }
+            }
+            Slot::Condition(_) => {}
         }
     }
 }

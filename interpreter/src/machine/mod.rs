@@ -3,6 +3,7 @@
 mod lanes;
 mod memory;
 mod run;
+pub(crate) mod series;
 mod systems;
 
 pub use lanes::{Lanes, WIDTH};

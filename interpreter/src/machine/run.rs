@@ -99,7 +99,9 @@ impl<S: Scalar, const N: usize> Files<'_, S, N> {
                 }
                 Do::Root([d, a]) => self.put(*d, self.at(*a).sqrt()),
                 Do::Less([d, a, b]) => self.decide(*d, S::less(self.at(*a), self.at(*b))),
-                Do::LessEqual([d, a, b]) => self.decide(*d, S::less_equal(self.at(*a), self.at(*b))),
+                Do::LessEqual([d, a, b]) => {
+                    self.decide(*d, S::less_equal(self.at(*a), self.at(*b)))
+                }
                 Do::Equal([d, a, b]) => self.decide(*d, S::equal(self.at(*a), self.at(*b))),
                 Do::And([d, a, b]) => self.decide(*d, S::and(self.holds(*a), self.holds(*b))),
                 Do::Or([d, a, b]) => self.decide(*d, S::or(self.holds(*a), self.holds(*b))),
@@ -169,7 +171,7 @@ impl<S: Scalar, const N: usize> Files<'_, S, N> {
 
 /// A function of one number.
 #[inline(always)]
-fn one<S: Scalar>(function: Function, a: S) -> S {
+pub(super) fn one<S: Scalar>(function: Function, a: S) -> S {
     match function {
         Function::Sin => a.sin_cos().0,
         Function::Cos => a.sin_cos().1,
@@ -197,7 +199,7 @@ fn one<S: Scalar>(function: Function, a: S) -> S {
 
 /// A function of two numbers.
 #[inline(always)]
-fn two<S: Scalar>(function: Function, a: S, b: S) -> S {
+pub(super) fn two<S: Scalar>(function: Function, a: S, b: S) -> S {
     match function {
         Function::Atan2 => S::atan2(a, b),
         Function::Hypot => a.hypot(b),

@@ -220,6 +220,17 @@ impl<S: Scalar> Equations<S> for Prepare<S> {
         });
     }
 
+    fn series(&self, phase: Phase<'_, S>, time: S, length: S, rows: &mut [S]) -> bool {
+        if !S::SINGLE {
+            return false;
+        }
+        match self.mode(phase.mode) {
+            Some(_) if self.states() == 0 => true,
+            Some(mode) => mode.series(phase.sides, (time, length), rows),
+            None => false,
+        }
+    }
+
     fn jacobian(&self, phase: Phase<'_, S>, instant: &[S], state: &[S], columns: &mut [S]) {
         let Some(mode) = self.mode(phase.mode) else { return };
         let (given, program) = (&[instant, state, phase.sides], mode.program());

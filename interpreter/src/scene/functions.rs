@@ -6,9 +6,10 @@ use std::sync::{Arc, OnceLock};
 use assur_model::program::{OperationKind, Program, Value};
 use assur_solvers::scalar::Scalar;
 
-use crate::code::{Code, Scope, Storage, Wanted};
 use super::room::room;
-use crate::machine::{Image, Kept, Lanes, WIDTH};
+use crate::code::series::Plan;
+use crate::code::{Code, Scope, Storage, Wanted};
+use crate::machine::{Image, Kept, Lanes, WIDTH, series};
 
 /// A function of a program, by its number.
 pub trait Name: Copy {
@@ -29,6 +30,8 @@ pub struct Functions {
     /// How the entries of the Jacobian go into its products with columns.
     terms: Vec<Term>,
     codes: Vec<OnceLock<Code>>,
+    /// The series of the rates; none where there is none.
+    series: OnceLock<Option<Plan>>,
 }
 
 impl Functions {
@@ -37,7 +40,7 @@ impl Functions {
         let storage = Storage::of(&program, drivers);
         let codes = (0..count).map(|_| OnceLock::new()).collect();
         let terms = terms(&program);
-        Self { program, storage, prepare: OnceLock::new(), terms, codes }
+        Self { program, storage, prepare: OnceLock::new(), terms, codes, series: OnceLock::new() }
     }
 
     /// The function that prepares values.
@@ -209,6 +212,17 @@ impl<S: Scalar> Prepared<S> {
                 });
             },
         );
+    }
+
+    /// Writes the Taylor series of a motion. False where there is none.
+    pub fn series(&self, sides: &[S], along: (S, S), rows: &mut [S]) -> bool {
+        let functions = &self.functions;
+        let rates = &functions.program.results.derivative;
+        let plan = functions.series.get_or_init(|| Plan::new(&functions.program, rates));
+        let Some(plan) = plan else { return false };
+        let slot = |value: Value| functions.prepare().kept.get(&value).copied();
+        series::run(plan, (&self.kept, &slot), sides, along, rows);
+        true
     }
 
     /// Calls a function for several columns, which its products take the places of.

@@ -8,6 +8,9 @@ use std::collections::BTreeSet;
 
 use super::{Function, Input, OperationKind as Kind, Pair, Program, Stage, Value};
 
+/// Most operations of a series: rustc is slow on longer scopes.
+const LONGEST: usize = 600;
+
 /// How the terms of some values follow from each other.
 #[derive(Clone, Debug)]
 pub struct Series<'a> {
@@ -32,7 +35,7 @@ pub enum Step {
 }
 
 impl Program {
-    /// The series of some values; none where an operation has no series.
+    /// The series of some values; none where an operation has no series, or where there are too many.
     pub fn series(&self, wanted: &[Value]) -> Option<Series<'_>> {
         let needed = self.needed(wanted, &|value| self.stage(value) <= Stage::Parameter);
         let mut series = Series { program: self, needed, decided: BTreeSet::new() };
@@ -41,16 +44,13 @@ impl Program {
                 series.decided.insert(*value);
             }
         }
-        series.needed.iter().all(|value| series.has_terms(*value)).then_some(series)
+        let is_short = series.needed.len() <= LONGEST;
+        let has_terms = series.needed.iter().all(|value| series.has_terms(*value));
+        (is_short && has_terms).then_some(series)
     }
 }
 
 impl Series<'_> {
-    /// How many operations it takes for each order.
-    pub fn operations(&self) -> usize {
-        self.needed.len()
-    }
-
     /// What is done for each order. `wanted` are the values whose terms are read in the end.
     pub fn steps(&self, wanted: &[Value]) -> Vec<Step> {
         let mut steps = Vec::new();

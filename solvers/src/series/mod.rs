@@ -13,7 +13,7 @@ pub use function::{
     Acos, Asin, Atan, Atan2, Cosh, Erf, Exp, ExpM1, Hypot, Ln, Ln1p, Log10, NormalCdf, Power, Sine,
     Sinh, Sqrt, Tan, Tanh, Turn,
 };
-pub use solve::Matrix;
+pub use solve::{Matrix, MatrixRows};
 
 use crate::scalar::Scalar;
 

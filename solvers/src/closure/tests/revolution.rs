@@ -14,7 +14,8 @@ impl Task for ByHand {
     #[inline(always)]
     fn run<S: Scalar>(self) -> f64 {
         let values = SixBar::default().values().into_iter();
-        let loops = Linkage::prepare::<S>(&SixBar::default(), &values.map(S::from_f64).collect::<Vec<S>>());
+        let loops =
+            Linkage::prepare::<S>(&SixBar::default(), &values.map(S::from_f64).collect::<Vec<S>>());
         let modes = [-1.0, 1.0].map(S::from_f64);
         let mut sum = S::ZERO;
         let mut z = loops.zeros();

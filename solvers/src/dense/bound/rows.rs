@@ -55,11 +55,7 @@ impl<S: Scalar> BoundRows<S> {
                 columns: &mut self.columns[..],
                 places: &mut self.places[..],
             },
-            scan: Scan {
-                largest: &mut self.largest,
-                first: &mut self.first,
-                next: &mut self.next,
-            },
+            scan: Scan { largest: &mut self.largest, first: &mut self.first, next: &mut self.next },
         };
         writing.clear();
         write(&mut writing);
