@@ -60,7 +60,9 @@ impl Source {
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
         if path.is_dir() {
-            return Err(Failure::request(format!("`{name}` is a directory")).remedy(format!(
+            let failure =
+                Failure::request(format!("cannot read `{name}`")).reason("it is a directory");
+            return Err(failure.remedy(format!(
                 "name one of its equation files; `assur list {name}` shows them with their scenes"
             )));
         }

@@ -141,7 +141,7 @@ fn wrong_changes_are_told() {
     for (words, expected) in [
         (&["run", "swing.eqn", "--with", "dampng"][..], "did you mean `damping`"),
         (&["run", "swing.eqn", "--without", "coupling"], "there is no effect `coupling`"),
-        (&["run", "swing.eqn", "--choose", "spring=soft"], "there is no choice `spring`"),
+        (&["run", "swing.eqn", "--choose", "spring=soft"], "unknown choice `spring`"),
         (&["run", "swing.eqn", "--choose", "soft"], "has no value"),
         (&["run", "swing.eqn", "--start", "y=3mm"], "`y`"),
         (&["run", "swing.eqn", "--start", "x=3kg"], "kg"),

@@ -69,6 +69,10 @@ mod pendulum_ {
         pub const DOT_PHI: ::assur::shape::Subject = ::assur::shape::Subject::State(1);
         /// `pull`
         pub const PULL: ::assur::shape::Subject = ::assur::shape::Subject::Output(0);
+        /// What the scene is made of.
+        pub const fn shape() -> &'static ::assur::shape::Shape {
+            &shapes_::Swing
+        }
         /// Sets all values, SI units, in the order of the fields.
         pub fn from_values(values: &[f64; 3]) -> Self {
             Self {
@@ -99,7 +103,7 @@ mod pendulum_ {
         type Equations<S: ::assur::scalar::Scalar> = SwingEquations<S>;
         type Unreduced = Swing;
         const SMOOTH: bool = true;
-        fn shape() -> &'static ::assur::shape::Shape {
+        fn shape(&self) -> &'static ::assur::shape::Shape {
             &shapes_::Swing
         }
         #[inline(always)]
@@ -383,11 +387,13 @@ mod pendulum_ {
         scenes: &[
             ::assur::registry::SceneEntry {
                 shape: &shapes_::Swing,
-                bind: ::assur::registry::Bind::Motion(|values| {
-                    ::assur::registry::bind(
-                        ::assur::registry::with(values, Swing::from_values)?,
-                    )
-                }),
+                bind: ::assur::registry::Bind::Motion(
+                    &|values| {
+                        ::assur::registry::bind(
+                            ::assur::registry::with(values, Swing::from_values)?,
+                        )
+                    },
+                ),
                 unreduced: ::core::option::Option::None,
             },
         ],

@@ -44,13 +44,18 @@ impl Program {
                 series.decided.insert(*value);
             }
         }
-        let is_short = series.needed.len() <= LONGEST;
+        let is_short = series.operations() <= LONGEST;
         let has_terms = series.needed.iter().all(|value| series.has_terms(*value));
         (is_short && has_terms).then_some(series)
     }
 }
 
 impl Series<'_> {
+    /// How many operations it takes for each order.
+    pub fn operations(&self) -> usize {
+        self.needed.len()
+    }
+
     /// What is done for each order. `wanted` are the values whose terms are read in the end.
     pub fn steps(&self, wanted: &[Value]) -> Vec<Step> {
         let mut steps = Vec::new();

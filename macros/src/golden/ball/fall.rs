@@ -49,6 +49,10 @@ impl Fall {
     pub const DOT_H: ::assur::shape::Subject = ::assur::shape::Subject::State(1);
     /// `force`
     pub const FORCE: ::assur::shape::Subject = ::assur::shape::Subject::Output(0);
+    /// What the scene is made of.
+    pub const fn shape() -> &'static ::assur::shape::Shape {
+        &shapes_::Fall
+    }
     /// Sets all values, SI units, in the order of the fields.
     pub fn from_values(values: &[f64; 3]) -> Self {
         Self {
@@ -74,7 +78,7 @@ impl ::assur::problem::Scene for Fall {
     type Equations<S: ::assur::scalar::Scalar> = FallEquations<S>;
     type Unreduced = Fall;
     const SMOOTH: bool = false;
-    fn shape() -> &'static ::assur::shape::Shape {
+    fn shape(&self) -> &'static ::assur::shape::Shape {
         &shapes_::Fall
     }
     #[inline(always)]

@@ -184,6 +184,10 @@ impl Elastic {
     pub const F_DIFFERENCE: ::assur::shape::Subject = ::assur::shape::Subject::Output(
         21,
     );
+    /// What the scene is made of.
+    pub const fn shape() -> &'static ::assur::shape::Shape {
+        &shapes_::Elastic
+    }
     /// Sets all values, SI units, in the order of the fields.
     pub fn from_values(values: &[f64; 13]) -> Self {
         Self {
@@ -243,7 +247,7 @@ impl ::assur::problem::Scene for Elastic {
     type Equations<S: ::assur::scalar::Scalar> = ElasticEquations<S>;
     type Unreduced = Elastic;
     const SMOOTH: bool = true;
-    fn shape() -> &'static ::assur::shape::Shape {
+    fn shape(&self) -> &'static ::assur::shape::Shape {
         &shapes_::Elastic
     }
     #[inline(always)]

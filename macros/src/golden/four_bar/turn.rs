@@ -49,6 +49,10 @@ impl Turn {
     pub const THETA: ::assur::shape::Subject = ::assur::shape::Subject::State(0);
     /// `psi`
     pub const PSI: ::assur::shape::Subject = ::assur::shape::Subject::State(1);
+    /// What the scene is made of.
+    pub const fn shape() -> &'static ::assur::shape::Shape {
+        &shapes_::Turn
+    }
     /// Sets all values, SI units, in the order of the fields.
     pub fn from_values(values: &[f64; 4]) -> Self {
         Self {
@@ -66,19 +70,19 @@ impl Turn {
 impl ::assur::closure::Linkage for Turn {
     type Closure<S: ::assur::scalar::Scalar> = TurnEquations<S>;
     #[inline(always)]
-    fn shape() -> &'static ::assur::shape::Shape {
+    fn shape(&self) -> &'static ::assur::shape::Shape {
         &shapes_::Turn
     }
     fn values(&self) -> ::std::vec::Vec<f64> {
         Self::values(self).to_vec()
     }
-    fn with_values(values: &[f64]) -> Self {
+    fn with_values(&self, values: &[f64]) -> Self {
         let mut all = [0.0; 4];
         all.copy_from_slice(values);
         Self::from_values(&all)
     }
     #[inline(always)]
-    fn prepare<S: ::assur::scalar::Scalar>(values: &[S]) -> Self::Closure<S> {
+    fn prepare<S: ::assur::scalar::Scalar>(&self, values: &[S]) -> Self::Closure<S> {
         let b = values[1];
         let v5_ = S::ONE / b;
         let a = values[0];
