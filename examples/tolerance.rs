@@ -5,7 +5,7 @@
 //!
 //!     cargo run --release --example tolerance
 
-use assur::closure::{Linkage, Variable};
+use assur::closure::Variable;
 use assur::shape::Distribution;
 use assur::tolerance::{
     Candidate, Cost, Rule, Sampling, Source, Study, allocate, influences, linear, monte_carlo,

@@ -192,8 +192,7 @@ impl<'a> Layout<'a> {
     /// How many numbers of a row a value takes.
     fn numbers(&self, value: Value) -> usize {
         match self.program().shape(value) {
-            Shape::Number | Shape::Mask => 1,
-            Shape::Factor(_, size) => size * size,
+            Shape::Number | Shape::Mask | Shape::Factor(..) => 1,
             Shape::Vector(size) => size,
         }
     }
@@ -204,21 +203,14 @@ impl<'a> Layout<'a> {
         let begin: usize = before.map(|value| self.numbers(*value)).sum();
         let at = |index: usize| whole(begin + index);
         match self.program().shape(value) {
-            Shape::Number => {
+            // Factors are found at each evaluation.
+            Shape::Number | Shape::Factor(..) => {
                 let at = at(0);
                 quote!(instant[#at])
             }
             Shape::Mask => {
                 let at = at(0);
                 quote!(S::less(S::ZERO, instant[#at]))
-            }
-            Shape::Factor(form, size) => {
-                let (factor, rows) = (expression::factoring(form, size), 0..size);
-                let rows = rows.map(|row| {
-                    let entries = (0..size).map(|column| at(row * size + column));
-                    quote!([#(instant[#entries]),*])
-                });
-                quote!(#factor([#(#rows),*]))
             }
             Shape::Vector(size) => {
                 let entries = (0..size).map(at);
@@ -233,14 +225,8 @@ impl<'a> Layout<'a> {
         let numbers = timed.flat_map(|value| {
             let text = body.value(*value);
             match self.program().shape(*value) {
-                Shape::Number => vec![text],
+                Shape::Number | Shape::Factor(..) => vec![text],
                 Shape::Mask => vec![quote!(S::select(#text, S::ONE, S::ZERO))],
-                Shape::Factor(_, size) => (0..size * size)
-                    .map(|index| {
-                        let (row, column) = (whole(index / size), whole(index % size));
-                        quote!(#text.0[#row][#column])
-                    })
-                    .collect(),
                 Shape::Vector(size) => (0..size)
                     .map(|index| {
                         let index = whole(index);

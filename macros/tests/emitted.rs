@@ -35,8 +35,8 @@ mod emitted {
     }
 
     /// Names of the states.
-    pub fn names<C: Scene>() -> Vec<&'static str> {
-        C::shape().states.iter().map(|state| state.name).collect()
+    pub fn names<C: Scene + Default>() -> Vec<&'static str> {
+        C::default().shape().states.iter().map(|state| state.name).collect()
     }
 
     #[track_caller]

@@ -73,9 +73,10 @@ fn compare<C: Scene>(model: &SceneModel, from_values: impl Fn(&[f64]) -> C) {
             .map(|constant| constant.default * (1.0 + 0.05 * scatter.next()))
             .collect();
         let time = scatter.next();
+        let scene = from_values(&values);
         let state: Vec<f64> =
-            C::shape().scales.iter().map(|scale| scale * scatter.next()).collect();
-        compare_at(model, &from_values(&values), &values, time, &state);
+            scene.shape().scales.iter().map(|scale| scale * scatter.next()).collect();
+        compare_at(model, &scene, &values, time, &state);
     }
 }
 
@@ -95,14 +96,14 @@ fn compare_at<C: Scene>(model: &SceneModel, scene: &C, values: &[f64], time: f64
             expected: program.evaluate(values, time, state),
             program,
         };
-        place.compare(C::shape(), &equations);
+        place.compare(scene.shape(), &equations);
         if let Some(events) = C::events(&equations) {
-            place.compare_events(C::shape(), events);
+            place.compare_events(scene.shape(), events);
         }
     }
     let results = &model.program.results;
     let expected = model.program.evaluate(values, time, state);
-    let mut drivers = vec![Standard(f64::NAN); C::shape().drivers.len()];
+    let mut drivers = vec![Standard(f64::NAN); scene.shape().drivers.len()];
     equations.drivers(Standard(time), &mut drivers);
     check(&numbers(&drivers), &expected.all(&results.drivers), "driver");
     check(&scene.start(), &expected.all(&results.start), "start");

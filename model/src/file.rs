@@ -37,7 +37,7 @@ pub fn compile(tokens: &[Token], asked: Asked<'_>, loader: &mut Loader<'_>) -> C
     }
     let survey = Survey::of(&file, &mut diagnostics);
     let implicit = implicit_scene(&file);
-    let mut scenes: Vec<(&Scene, &[String])> = survey.scenes.clone();
+    let mut scenes: Vec<Documented<'_>> = survey.scenes.clone();
     if scenes.is_empty() {
         scenes.push((&implicit, &[]));
     }
@@ -80,6 +80,9 @@ pub fn compile(tokens: &[Token], asked: Asked<'_>, loader: &mut Loader<'_>) -> C
     }
 }
 
+/// A scene with its documentation.
+type Documented<'a> = (&'a Scene, &'a [String]);
+
 /// The changes that are asked for, and what the first token behind them is counted as.
 fn changes(
     asked: Asked<'_>,
@@ -99,7 +102,7 @@ fn changes(
 fn compile_scenes(
     file: &File,
     survey: &Survey<'_>,
-    (scenes, other, asked): (&[(&Scene, &[String])], Option<&Scene>, Asked<'_>),
+    (scenes, other, asked): (&[Documented<'_>], Option<&Scene>, Asked<'_>),
     seen: &mut Seen,
     diagnostics: &mut Diagnostics,
 ) -> Vec<SceneModel> {

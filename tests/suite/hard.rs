@@ -3,6 +3,7 @@
 mod absurd;
 mod cancellation;
 mod long;
+mod masses;
 mod resonance;
 mod tolerances;
 mod units;

@@ -54,6 +54,9 @@ pub fn compare(place: &str, emitted: &dyn AnyLinkage, interpreted: &dyn AnyLinka
     assert_eq!(shape.name, interpreted.shape().name);
 }
 
+/// What writes values, from loops and an instant.
+type Write<'a> = dyn Fn(&dyn Loops<f64>, &[f64], &mut [f64]) + 'a;
+
 struct Here {
     place: String,
     at: Vec<f64>,
@@ -155,13 +158,12 @@ impl Here {
             true => outputs * variables * (variables + 1) / 2,
             false => 0,
         };
-        let compare =
-            |what: &str, count: usize, write: &dyn Fn(&dyn Loops<f64>, &[f64], &mut [f64])| {
-                let mut values = [vec![0.0; count], vec![0.0; count]];
-                write(emitted, &instants[0], &mut values[0]);
-                write(interpreted, &instants[1], &mut values[1]);
-                same(&self.place, what, &values[0], &values[1]);
-            };
+        let compare = |what: &str, count: usize, write: &Write<'_>| {
+            let mut values = [vec![0.0; count], vec![0.0; count]];
+            write(emitted, &instants[0], &mut values[0]);
+            write(interpreted, &instants[1], &mut values[1]);
+            same(&self.place, what, &values[0], &values[1]);
+        };
         let position = &self.position;
         compare("residuals", entry.loops.len(), &|loops, instant, values| {
             loops.residual(instant, position, values);

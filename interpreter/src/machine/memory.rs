@@ -105,10 +105,10 @@ impl<S: Scalar> Image<S> {
     /// How many registers a call needs.
     #[inline]
     fn class(&self, code: &Code) -> Class {
-        match code.registers.max(code.conditions) {
-            _ if !self.bounds.is_empty() => Class::Large,
-            0..=TINY => Class::Tiny,
-            0..=SMALL => Class::Small,
+        let registers = code.registers.max(code.conditions);
+        match self.bounds.is_empty() {
+            true if registers <= TINY => Class::Tiny,
+            true if registers <= SMALL => Class::Small,
             _ => Class::Large,
         }
     }

@@ -39,7 +39,7 @@ struct Course<'a, S: Scalar> {
 enum Factors<S> {
     Symmetric(Vec<S>, Vec<S>),
     General(Vec<S>, Vec<S>, Vec<S>),
-    Bound(BoundRows<S>),
+    Bound(Box<BoundRows<S>>),
 }
 
 /// Writes the series of a state: see `Equations::series`.
@@ -306,7 +306,7 @@ impl<S: Scalar> Factors<S> {
                         }
                     }
                 });
-                Self::Bound(bound)
+                Self::Bound(Box::new(bound))
             }
         }
     }

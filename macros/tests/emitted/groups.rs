@@ -7,9 +7,10 @@ use std::f64::consts::{PI, TAU};
 /// the linkage has these groups.
 #[track_caller]
 fn check<L: Linkage + Default>(kinds: &[GroupKind], expected: impl Fn(f64) -> Vec<f64>) {
-    let found: Vec<_> = L::shape().loops().groups.iter().map(|group| group.kind).collect();
+    let linkage = L::default();
+    let found: Vec<_> = linkage.shape().loops().groups.iter().map(|group| group.kind).collect();
     assert_eq!(found, kinds);
-    let mut assembly = Assembly::<L, f64>::new(&L::default());
+    let mut assembly = Assembly::<L, f64>::new(&linkage);
     assembly.start().expect("it assembles");
     for degree in 0..=360 {
         let theta = (30.0 + f64::from(degree)).to_radians();
@@ -17,7 +18,7 @@ fn check<L: Linkage + Default>(kinds: &[GroupKind], expected: impl Fn(f64) -> Ve
         for (j, expected) in expected(theta).into_iter().enumerate() {
             let found = assembly.position().as_ref()[j];
             let mut off = (found - expected).abs();
-            if L::shape().loops().angles[j] {
+            if linkage.shape().loops().angles[j] {
                 off = (off + PI).rem_euclid(TAU) - PI;
             }
             assert!(

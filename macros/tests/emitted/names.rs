@@ -1,7 +1,6 @@
 //! Names that mean something to Rust or to the printer.
 
 use super::{check, outputs, rate};
-use assur::problem::Scene;
 
 assur::mechanism! {
     /// A mechanism whose author thinks in other words than Rust.

@@ -1,7 +1,6 @@
 //! Parts of parts, in files of their own.
 
 use super::{check, outputs, rate};
-use assur::problem::Scene;
 
 assur::mechanism! {
     /// A mass between springs.
@@ -68,15 +67,12 @@ mod linkage {
     #[test]
     fn points_and_links_of_parts_are_drawn() {
         let linkage = MECHANISM.scenes[0].linkage.expect("it closes loops");
-        let shape = <Shaker as assur::closure::Linkage>::shape();
+        let shape = Shaker::shape();
         assert_eq!(shape.points.len(), 8);
         assert_eq!(shape.links.len(), 7);
         assert_eq!(shape.links[6].points, [2, 6]);
         assert_eq!(linkage.loops[0].name, "left.loop.x");
-        let constants = <Shaker as assur::closure::Linkage>::shape()
-            .constants
-            .iter()
-            .map(|one| one.quantity.name);
+        let constants = Shaker::shape().constants.iter().map(|one| one.quantity.name);
         let all =
             ["r", "left.l1", "left.l2", "left.l3", "left.a", "right.l1", "right.l2", "right.a"];
         assert_eq!(constants.collect::<Vec<_>>(), all);

@@ -232,8 +232,14 @@ impl<'a> Emitter<'a> {
 
     /// Adds an operation in the latest stage of its operands.
     pub(super) fn combine(&mut self, kind: OperationKind) -> Value {
-        let stage =
+        let latest =
             kind.operands().iter().map(|value| self.stage(*value)).max().unwrap_or(Stage::Constant);
+        // A row of an instant keeps numbers, and factors are more than that: those of a matrix that depends on the time
+        // alone are found at each evaluation.
+        let stage = match (&kind, latest) {
+            (OperationKind::Factor { .. }, Stage::Instant) => Stage::State,
+            _ => latest,
+        };
         self.push(kind, stage)
     }
 

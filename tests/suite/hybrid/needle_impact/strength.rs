@@ -40,7 +40,7 @@ impl Normal {
 /// Needles made at random, each computed alone: as many break as the integral says.
 #[test]
 fn monte_carlo_agrees_with_the_integral() {
-    use assur::closure::{Assembly, Linkage};
+    use assur::closure::Assembly;
     use assur_equations::needle_impact::StruckFitted;
     let (speed, s_ln, t_life, samples) = (1.8, 0.2, 3.6e5, 40_000);
     let expected =
