@@ -4,6 +4,7 @@ mod answers;
 mod equation_files;
 mod events;
 mod files;
+mod first;
 mod gallery;
 mod linkages;
 mod modes;
