@@ -95,7 +95,7 @@ impl<S: Scalar> Emitted<S> {
     fn new() -> Self {
         let values = Linkage::values(&SixBar::default());
         let numbers: Vec<S> = values.into_iter().map(S::from_f64).collect();
-        Self { loops: <SixBar as Linkage>::prepare(&numbers), modes: modes().map(S::from_f64) }
+        Self { loops: Linkage::prepare(&SixBar::default(), &numbers), modes: modes().map(S::from_f64) }
     }
 }
 

@@ -26,6 +26,7 @@ mod hand_run_up;
 mod hand_squeezer;
 mod hand_system;
 mod hand_walk;
+mod interpreter;
 mod linkage;
 #[cfg(feature = "peers")]
 mod peers;
@@ -52,6 +53,7 @@ usage: assur-benches [COMMAND]
   squeezer      Andrews' squeezing mechanism, three loops with masses
   bars          a slider-crank and a four-bar with masses
   row           forty windows in a row, through flat positions
+  interpreter   equation files that nobody has compiled
   linkage       positions and influence coefficients of a six-bar
   sheets        a map, a gear flank and curves, at many places
   tolerance     a million heald linkages made at random
@@ -75,6 +77,7 @@ fn main() -> ExitCode {
         ["chain"] => chain::report(),
         ["linkage"] => with_counts(&[linkage::report]),
         ["sheets"] => with_counts(&[sheets::report]),
+        ["interpreter"] => interpreter::report(),
         ["tolerance"] => tolerance::report(),
         ["brief"] => revolutions::brief(),
         [] | ["all"] => {
@@ -89,6 +92,7 @@ fn main() -> ExitCode {
                 bars::report,
             ]);
             row::report();
+            interpreter::report();
             tolerance::report();
             chain::report();
             if cfg!(feature = "peers") {

@@ -54,7 +54,7 @@ impl<L: Linkage + Default, const I: usize, const O: usize> Code<I, O> for Emitte
     fn prepare<S: Scalar>() -> Self::Sheet<S> {
         let values = black_box(Linkage::values(&L::default()));
         let numbers: Vec<S> = values.into_iter().map(S::from_f64).collect();
-        Prepared(L::prepare(&numbers))
+        Prepared(L::default().prepare(&numbers))
     }
 }
 

@@ -212,7 +212,7 @@ fn by_hand(threads: u64, start: [f64; 3], tangents: &[[f64; 8]; 3], fused: bool)
 fn nominal() -> ([f64; 3], [[f64; 8]; 3]) {
     let linkage = Printed::default();
     let closed = |p: [f64; 8]| {
-        let made = Printed::with_values(&p[..7]);
+        let made = Printed::default().with_values(&p[..7]);
         let mut assembly = Assembly::<Printed, f64>::new(&made);
         assembly.start().expect("it assembles");
         assembly.move_to(&p[7..]).expect("it moves there");
