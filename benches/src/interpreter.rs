@@ -8,10 +8,7 @@ use assur::model::Model;
 use assur::problem::Phase;
 use assur::registry::{Bind, Mechanism};
 use assur_equations::REGISTRY;
-use assur_interpreter::{Origin, mechanism};
 use assur_model::asked::Asked;
-use assur_model::lexer;
-use assur_model::texts::Texts;
 
 use crate::table::{Table, number, ratio, verdict};
 
@@ -34,22 +31,8 @@ const GOALS: (f64, f64) = (3.0, 2.5);
 
 /// The mechanism from its text, with one scene.
 fn read(emitted: &Mechanism, scene: &str) -> &'static Mechanism {
-    let lexed = lexer::lex_file(emitted.text).expect("tokens");
-    let mut texts = Texts::default();
-    let names = [scene];
-    let compiled = assur_model::compile_asked(&lexed.tokens, Asked::Some(&names), &mut |wanted| {
-        let part = emitted.parts.iter().find(|(path, _)| *path == wanted.path);
-        texts.lex(wanted, part.map_or("", |(_, text)| text).as_bytes())
-    });
-    let model = compiled.model.expect("a file without errors");
-    let origin = Origin {
-        name: emitted.name,
-        file: emitted.file,
-        text: emitted.text,
-        parts: emitted.parts.to_vec(),
-        lines: &|_| 0,
-    };
-    Box::leak(Box::new(mechanism(&model, &origin)))
+    let again = assur_interpreter::again(emitted, Asked::Some(&[scene])).expect("tokens");
+    Box::leak(Box::new(again.expect("a file without errors")))
 }
 
 /// A scene with its own values.

@@ -202,7 +202,7 @@ pub struct StructureArguments {
 /// Options of `assur check`.
 #[derive(Args, Debug)]
 pub struct CheckArguments {
-    /// The equation files.
+    /// The equation files; `-` is standard input.
     #[arg(required = true, value_name = "FILE.eqn")]
     pub files: Vec<PathBuf>,
 }
@@ -210,7 +210,7 @@ pub struct CheckArguments {
 /// Options of `assur expand`.
 #[derive(Args, Debug)]
 pub struct ExpandArguments {
-    /// The mechanism, or an equation file ending in `.eqn`.
+    /// The mechanism, or an equation file.
     pub name: Option<String>,
     /// Only this scene.
     #[arg(long, value_name = "SCENE")]

@@ -7,12 +7,12 @@ use assur_model::diagnostic::Severity;
 use assur_model::program::Stage;
 
 use crate::arguments::CheckArguments;
+use crate::ask::file;
 use crate::error::Failure;
 use crate::show::number;
 use crate::show::output::{complain, print};
 use crate::show::style;
 use crate::show::text::{Align, Columns};
-use crate::source::Source;
 
 /// Checks each file: messages go to standard error, what a right file holds to standard output.
 ///
@@ -30,7 +30,7 @@ pub fn execute(options: &CheckArguments) -> Result<(), Failure> {
 }
 
 fn check(path: &Path) -> Result<(), Failure> {
-    let source = Source::read(path)?;
+    let source = file::read(&path.display().to_string())?;
     let style = style::stderr();
     let name = source.name();
     let checked = source.compile(style).map_err(|message| {

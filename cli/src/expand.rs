@@ -7,6 +7,7 @@ use assur_model::checked::Model;
 
 use crate::arguments::ExpandArguments;
 use crate::ask::For;
+use crate::ask::file;
 use crate::ask::lookup;
 use crate::ask::lookup::Registry;
 use crate::error::Failure;
@@ -19,8 +20,8 @@ use crate::source::{Checked, Source};
 /// # Errors
 /// An unknown mechanism or scene, or a file with errors.
 pub fn execute(options: &ExpandArguments, registry: Registry) -> Result<(), Failure> {
-    let source = match options.name.as_deref().map(Path::new) {
-        Some(path) if path.extension().is_some_and(|end| end == "eqn") => Source::read(path)?,
+    let source = match options.name.as_deref() {
+        Some(name) if file::is_file(name) => file::read(name)?,
         _ => {
             let mechanism = registry.mechanism(options.name.as_deref(), "expand", For::All)?;
             if let Some(scene) = &options.scene {

@@ -59,15 +59,20 @@ impl Source {
     /// When it cannot be read, or is no text of a sensible size.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
+        let cannot = Failure::request(format!("cannot read `{name}`"));
         if path.is_dir() {
-            let failure =
-                Failure::request(format!("cannot read `{name}`")).reason("it is a directory");
-            return Err(failure.remedy(format!(
+            return Err(cannot.reason("it is a directory").remedy(format!(
                 "name one of its equation files; `assur list {name}` shows them with their scenes"
             )));
         }
+        // Of a pipe nobody may ever write the end.
+        if path.metadata().is_ok_and(|data| !data.is_file()) {
+            return Err(cannot.reason("it is no file").remedy(
+                "what a program writes comes in through standard input: PROGRAM | assur run -",
+            ));
+        }
         let bytes = read(path).map_err(|error| {
-            Failure::request(format!("cannot read `{name}`"))
+            cannot
                 .reason(error.to_string())
                 .remedy("name an equation file that is there, as FILE.eqn")
         })?;
@@ -111,7 +116,8 @@ impl Source {
             unreadable.hint.iter().fold(failure, |failure, hint| failure.remedy(hint))
         })?;
         let parts = Parts::Folder(PathBuf::new());
-        Ok(Self { text: text.to_owned(), name: STANDARD_INPUT.to_owned(), called: None, parts })
+        let (name, called) = ("standard input".to_owned(), Some(STANDARD_INPUT.to_owned()));
+        Ok(Self { text: text.to_owned(), name, called, parts })
     }
 
     /// That of a mechanism.

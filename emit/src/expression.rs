@@ -7,9 +7,6 @@ use assur_model::program::{Form, Function, Input, Line, OperationKind, Relation,
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// Most operations in one expression of a line.
-const LONGEST: usize = 8;
-
 /// How tightly an expression holds together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Binding {
@@ -32,8 +29,6 @@ pub struct Expression {
     pub binding: Binding,
     /// Local values that it reads.
     pub reads: BTreeSet<Value>,
-    /// Operations in it.
-    pub weight: usize,
     /// The text of the same without its sign, which holds together like a whole, if it is `-…`.
     pub opposite: Option<TokenStream>,
     /// The texts of both factors, if it is a product that is written where it is read.
@@ -54,7 +49,6 @@ impl Expression {
             tokens,
             binding: Binding::Whole,
             reads: BTreeSet::new(),
-            weight: 0,
             opposite: None,
             factors: None,
         }
@@ -191,13 +185,12 @@ pub fn operation(kind: &OperationKind, operand: &dyn Fn(Value) -> Expression) ->
         }
     };
     let reads = all.iter().flat_map(|one| one.reads.iter().copied()).collect();
-    let weight = 1 + all.iter().map(|one| one.weight).sum::<usize>();
     let opposite = (binding == Sign).then(|| at(0, Whole));
     let factors = matches!(kind, Kind::Multiply(..)).then(|| {
         [0, 1]
             .map(|index| Factor { text: all[index].tokens.clone(), negated: all[index].negated() })
     });
-    Expression { tokens, binding, reads, weight, opposite, factors }
+    Expression { tokens, binding, reads, opposite, factors }
 }
 
 /// What is found of the functions that some lines are, inside so many others.
@@ -223,11 +216,11 @@ fn search(
     quote!(S::#name(#text #(#functions),*))
 }
 
-/// A line as a block. What is read once is written where it is read, as long as that stays short.
+/// A line as a block.
 fn line(line: &Line, captured: &[Expression], depth: usize) -> TokenStream {
-    let mut uses = vec![0_usize; line.operations.len()];
-    let read = line.operations.iter().flat_map(OperationKind::operands);
-    read.chain([line.result]).for_each(|one| uses[one.0 as usize] += 1);
+    let program = line.program();
+    let needed = program.needed(&[line.result], &|_| false);
+    let written = program.written(&needed, &[line.result]);
     let mut statements = Vec::new();
     let mut texts: Vec<Expression> = Vec::new();
     for (index, kind) in line.operations.iter().enumerate() {
@@ -245,8 +238,7 @@ fn line(line: &Line, captured: &[Expression], depth: usize) -> TokenStream {
             kind => operation(kind, &at),
         };
         let is_given = matches!(kind, OperationKind::Input(_) | OperationKind::Number(_));
-        let is_short = uses[index] <= 1 && text.weight <= LONGEST;
-        if is_given || is_short || matches!(kind, OperationKind::Element { .. }) {
+        if is_given || written.contains(&Value(index as u32)) {
             texts.push(text);
         } else {
             let (name, tokens) = (format_ident!("step{depth}_{index}_"), text.tokens);

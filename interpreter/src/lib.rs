@@ -4,12 +4,15 @@
 //! |---|---|
 //! | [`code`] | a function of a program as instructions on registers |
 //! | [`machine`] | the loop that runs them, on numbers of any kind |
+//! | [`scene`] | a scene with its values, as the solvers ask for it |
 //! | [`mechanism`](fn@mechanism) | a checked model as a mechanism of the registry |
 
 pub mod code;
 pub mod machine;
 mod mechanism;
+mod read;
 pub mod scene;
 mod shape;
 
 pub use mechanism::{Origin, mechanism};
+pub use read::again;

@@ -31,12 +31,8 @@ pub fn list<T>(items: impl IntoIterator<Item = T>) -> &'static [T] {
 pub fn shape(scene: &SceneModel, lines: Lines<'_>) -> &'static Shape {
     let quantities = |all: &[QuantityInfo]| list(all.iter().map(quantity));
     let program = scene.modes.get(scene.first).map_or(&scene.program, |mode| &mode.program);
-    let looked_at = program.results.measured.len();
-    // Measures that another mode has, and that are none here, leave their primitives behind.
-    let has_measures = !scene.measures.is_empty();
     let uses = scene.measures.iter().map(|measure| list(measure.uses.iter().copied()));
-    let primitives =
-        scene.primitives.iter().filter(|_| has_measures).map(|one| primitive(one, &scene.modes));
+    let primitives = scene.primitives.iter().map(|one| primitive(one, &scene.modes));
     let equations = scene.equations.iter();
     let equations = equations
         .map(|one| shape::EquationText::new(lines(one.span), text(&one.text), text(&one.unit)));
@@ -60,7 +56,7 @@ pub fn shape(scene: &SceneModel, lines: Lines<'_>) -> &'static Shape {
         measures: list(scene.measures.iter().map(|one| quantity(&one.quantity))),
         uses: list(uses),
         primitives: list(primitives),
-        measured: if has_measures { looked_at } else { 0 },
+        measured: program.results.measured.len(),
         equations: list(equations),
         operations: shape::Operations::of(counts.all()),
         marks: list(marks),

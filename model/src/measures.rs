@@ -92,8 +92,11 @@ pub fn read(
         measures.values.push(value);
     }
     let found = std::mem::take(&mut low.measured);
-    measures.primitives = found.primitives;
-    measures.looked_at = found.looked_at;
+    // What is found for measures of another task than this scene's is found for nobody.
+    if !measures.values.is_empty() {
+        measures.primitives = found.primitives;
+        measures.looked_at = found.looked_at;
+    }
     measures
 }
 

@@ -215,6 +215,19 @@ pub struct Program {
     pub turns: usize,
 }
 
+impl Line {
+    /// The line as a program of its own.
+    pub fn program(&self) -> Program {
+        let operation = |kind: &OperationKind| Operation {
+            kind: kind.clone(),
+            stage: Stage::Trial,
+            name: None,
+        };
+        let operations = self.operations.iter().map(operation).collect();
+        Program { operations, ..Program::default() }
+    }
+}
+
 impl Program {
     /// Gives the parameters other numbers, of so many.
     pub(crate) fn renumber_parameters(&mut self, count: usize, new: impl Fn(usize) -> usize) {

@@ -4,6 +4,7 @@
 
 use clap::Args;
 
+use super::values::split;
 use crate::error::Failure;
 
 /// The options that change a scene. It is shown as one without a name.
@@ -78,18 +79,6 @@ impl Changes {
             lines.push(format!("sweep {};", each.join(", ")));
         }
         Ok(lines.join("\n") + "\n")
-    }
-}
-
-/// The two sides of an equals sign.
-fn split<'a>(text: &'a str, option: &str, example: &str) -> Result<(&'a str, &'a str), Failure> {
-    match text.split_once('=') {
-        Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
-            Ok((name.trim(), value.trim()))
-        }
-        _ => Err(Failure::request(format!("`{text}` has no value"))
-            .place(format!("{option} {text}"))
-            .remedy(format!("write {option} {example}"))),
     }
 }
 

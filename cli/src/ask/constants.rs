@@ -1,7 +1,9 @@
 //! The dimensions and parameters of a scene, and what stands behind `--set` and `--preset`.
 
 use assur::registry::{Mechanism, Preset, SceneEntry};
+use assur_model::asked::UNNAMED;
 
+use crate::ask::file;
 use crate::ask::lookup::{suggestion, with_feature};
 use crate::ask::permitted::permitted;
 use crate::ask::values::{quantity, split};
@@ -168,7 +170,10 @@ fn unknown_constant(
             "`{name}` is driven; --at {name}=… prints everything at a position of it"
         ));
     }
-    let elsewhere: Vec<_> = mechanism
+    // Of a file only the scenes that are asked for were read.
+    let is_whole = !file::is_file(mechanism.name) && scene.name != UNNAMED;
+    let whole = if is_whole { mechanism } else { file::whole(mechanism) };
+    let elsewhere: Vec<_> = whole
         .scenes
         .iter()
         .filter(|other| other.constants.iter().any(|constant| constant.quantity.name == name))

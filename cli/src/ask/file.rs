@@ -6,6 +6,7 @@ use assur::registry::Mechanism;
 use assur_interpreter::Origin;
 use assur_model::asked::{Asked, CHANGES};
 
+use super::lookup;
 use crate::error::Failure;
 use crate::show::output::complain;
 use crate::show::style;
@@ -33,6 +34,14 @@ pub fn stem(mechanism: &Mechanism) -> &str {
     }
 }
 
+/// A mechanism with all scenes of its file, of which others may have been left out; itself where it has no text.
+pub fn whole(of: &'static Mechanism) -> &'static Mechanism {
+    match assur_interpreter::again(of, Asked::All) {
+        Ok(Some(whole)) => Box::leak(Box::new(whole)),
+        _ => of,
+    }
+}
+
 /// Reads an equation file, `-` being standard input.
 ///
 /// # Errors
@@ -54,16 +63,17 @@ pub fn mechanism(source: &Source, asked: Wanted<'_>) -> Result<&'static Mechanis
         complain(&messages);
         Failure::said()
     };
-    let mut checked = source.compile_asked(asked, style).map_err(&said)?;
-    // A scene that is not there is told with the names of those that are.
+    let checked = source.compile_asked(asked, style).map_err(&said)?;
+    // A scene that is not there is told with all those that are.
+    let is_missing = |name: &&str| !checked.compiled.scene_names.iter().any(|one| one == name);
     let missing = match asked {
-        Wanted::Scenes(Asked::Some(names)) => {
-            names.iter().any(|name| !checked.compiled.scene_names.iter().any(|one| one == name))
-        }
-        _ => false,
+        Wanted::Scenes(Asked::Some(names)) => names.iter().copied().find(is_missing),
+        Wanted::Changed(Some(name), _) => Some(name).filter(is_missing),
+        _ => None,
     };
-    if missing {
-        checked = source.compile_asked(Wanted::Scenes(Asked::All), style).map_err(&said)?;
+    if let Some(missing) = missing {
+        let whole = mechanism(source, Wanted::Scenes(Asked::All))?;
+        lookup::scene(whole, Some(missing))?;
     }
     let Some(model) = &checked.compiled.model else {
         return Err(said(checked.messages(style)));

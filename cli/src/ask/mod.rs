@@ -124,24 +124,20 @@ impl Asked {
         scenes: For,
     ) -> Result<&'static Mechanism, Failure> {
         let (name, scene) = (self.name.as_deref(), self.scene.as_deref());
-        let source = match name.filter(|name| file::is_file(name)) {
-            Some(name) => Some(file::read(name)?),
-            None => None,
-        };
+        let file = name.filter(|name| file::is_file(name)).map(file::read).transpose()?;
         if self.changes.are_given() {
-            let source = match source {
-                Some(source) => source,
+            return match file {
+                Some(source) => self.changed(&source, scenes, || {
+                    file::mechanism(&source, Wanted::Scenes(Scenes::All))
+                }),
                 None => {
                     let mechanism = registry.mechanism(name, command, scenes)?;
-                    if scene.is_some() {
-                        lookup::scene(mechanism, scene)?;
-                    }
-                    Source::of(mechanism)?.call(mechanism.name)
+                    let source = Source::of(mechanism)?.call(mechanism.name);
+                    self.changed(&source, scenes, || Ok(mechanism))
                 }
             };
-            return file::mechanism(&source, Wanted::Changed(scene, &self.changes.text()?));
         }
-        let Some(source) = source else {
+        let Some(source) = file else {
             return registry.mechanism(name, command, scenes);
         };
         let names: Vec<&str> =
@@ -152,6 +148,24 @@ impl Asked {
             (names, _) => Scenes::Some(names),
         };
         file::mechanism(&source, Wanted::Scenes(asked))
+    }
+
+    /// A mechanism with a scene that is made of another: of that which is named, or the first one that suits.
+    fn changed(
+        &self,
+        source: &Source,
+        scenes: For,
+        whole: impl FnOnce() -> Result<&'static Mechanism, Failure>,
+    ) -> Result<&'static Mechanism, Failure> {
+        let base = match (self.scene.as_deref(), scenes) {
+            (Some(name), _) => Some(name),
+            (None, For::All) => None,
+            (None, _) => {
+                let mut all = whole()?.scenes.iter();
+                all.find(|scene| scenes.suits(scene)).map(|scene| scene.name)
+            }
+        };
+        file::mechanism(source, Wanted::Changed(base, &self.changes.text()?))
     }
 
     /// The scenes of which names are given, with commas between them, each with its values.

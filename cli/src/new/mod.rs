@@ -45,31 +45,22 @@ pub enum Like {
 }
 
 impl Like {
-    /// The equation file.
-    fn text(self) -> &'static str {
-        match self {
-            Self::Motion => include_str!("motion.eqn"),
-            Self::Linkage => include_str!("linkage.eqn"),
-            Self::Hybrid => include_str!("hybrid.eqn"),
-            Self::Formula => include_str!("formula.eqn"),
+    /// The equation file, and the program of a crate. The programs are examples of this package, so that they are compiled.
+    fn texts(self) -> (&'static str, &'static str) {
+        /// Both files of a kind.
+        macro_rules! texts {
+            ($folder:literal) => {
+                (
+                    include_str!(concat!($folder, "/mechanism.eqn")),
+                    include_str!(concat!($folder, "/main.rs")),
+                )
+            };
         }
-    }
-
-    /// What the program of a crate does with it.
-    fn program(self) -> &'static str {
         match self {
-            Self::Motion => {
-                "let motion = Start::default().ask().run()?;\n    println!(\"x after 1 s: {:.4} mm\", 1e3 * motion.value(\"x\", 1.0)?);"
-            }
-            Self::Hybrid => {
-                "let motion = Fall::default().ask().run()?;\n    println!(\"h after 1 s: {:.4} mm\", 1e3 * motion.value(\"h\", 1.0)?);"
-            }
-            Self::Linkage => {
-                "for (phi, psi) in Turn::default().sweep(0.0..=6.2, 7)?.output(\"psi\")? {\n        println!(\"phi {:6.1} deg, psi {:8.3} deg\", phi.to_degrees(), psi.to_degrees());\n    }"
-            }
-            Self::Formula => {
-                "for (phi, torque) in Turn::default().sweep(0.0..=6.2, 7)?.output(\"T\")? {\n        println!(\"phi {:6.1} deg, T {torque:8.3} N m\", phi.to_degrees());\n    }"
-            }
+            Self::Motion => texts!("motion"),
+            Self::Linkage => texts!("linkage"),
+            Self::Hybrid => texts!("hybrid"),
+            Self::Formula => texts!("formula"),
         }
     }
 }
@@ -84,11 +75,14 @@ pub fn execute(options: &NewArguments) -> Result<(), Failure> {
         Some(name) => (Path::new(given).parent().unwrap_or(Path::new("")), name),
         None => return Err(no_name(&options.name)),
     };
-    let (title, name) = (names::pascal(given_name), names::snake(&names::pascal(given_name)));
-    if !given_name.starts_with(|letter: char| letter.is_ascii_alphabetic()) {
+    let (title, name) = (names::pascal(given_name), names::snake(given_name));
+    // A word of Rust would be no name of a module, and so of no crate.
+    let is_word = names::identifier(&name) == name.as_str();
+    if !given_name.starts_with(|letter: char| letter.is_ascii_alphabetic()) || !is_word {
         return Err(no_name(&options.name));
     }
-    let text = options.like.text().replacen("    Name from", &format!("    {title} from"), 1);
+    let (text, program) = options.like.texts();
+    let text = text.replacen("    Name from", &format!("    {title} from"), 1);
     let file = format!("{name}.eqn");
     if !options.is_crate {
         let path = folder.join(&file);
@@ -105,19 +99,14 @@ pub fn execute(options: &NewArguments) -> Result<(), Failure> {
     }
     fs::create_dir_all(&source).map_err(|error| cannot(&source, &error))?;
     write(&source.join(&file), &text)?;
-    write(&source.join("main.rs"), &program(options.like, &title, &file))?;
+    let program = program.replacen("//! Name:", &format!("//! {title}:"), 1);
+    let program = program.replacen("use mechanism::", &format!("use {name}::"), 1);
+    write(&source.join("main.rs"), &program.replacen("mechanism.eqn", &file, 1))?;
     write(&project.join("Cargo.toml"), &manifest(&name))?;
     let path = project.display();
     print(&format!(
         "{path} is written. Try it:\n\n  cd {path}\n  cargo run\n  cargo test\n  assur run src/{file}\n"
     ))
-}
-
-fn program(like: Like, title: &str, file: &str) -> String {
-    format!(
-        "//! {title}: `cargo run` shows some numbers of it, `cargo test` runs the tests that its equations bring along.\n\nuse assur::prelude::*;\n\nassur::equations! {{ \"{file}\" }}\n\nfn main() -> Result<(), Box<dyn std::error::Error>> {{\n    {}\n    Ok(())\n}}\n",
-        like.program()
-    )
 }
 
 /// The project's `Cargo.toml`: with the Assur that this command is part of, as long as that is there.
@@ -155,5 +144,5 @@ fn cannot(path: &Path, error: &std::io::Error) -> Failure {
 
 fn no_name(name: &str) -> Failure {
     Failure::request(format!("`{name}` cannot be the name of a mechanism"))
-        .remedy("a name begins with a letter and has letters, digits and underscores: assur new coffee_press")
+        .remedy("a name begins with a letter, has letters, digits and underscores, and is no word of Rust: assur new coffee_press")
 }

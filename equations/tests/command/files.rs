@@ -95,6 +95,10 @@ fn new_files_run() {
     assert_eq!(fs::read_to_string(here.join("my_motion.eqn")).unwrap(), before);
     assert_eq!(run(&["new", "1st"], &here).status.code(), Some(2));
     answer(&["new", "hammer", "--like", "hybrid", "--crate"], &here);
+    let program = fs::read_to_string(here.join("hammer/src/main.rs")).unwrap();
+    assert!(program.contains("use hammer::Fall;") && program.contains("\"hammer.eqn\""));
+    answer(&["new", "c_press"], &here);
+    assert!(here.join("c_press.eqn").is_file());
     for file in ["Cargo.toml", "src/main.rs", "src/hammer.eqn"] {
         assert!(here.join("hammer").join(file).is_file(), "{file}");
     }
@@ -111,6 +115,12 @@ fn scenes_are_changed_at_the_command_line() {
     assert_eq!(found["scene"]["name"], "unnamed");
     assert_eq!(found["scene"]["effects"], serde_json::json!(["damping"]));
     // The same as the steady scene of the file without its task, and the other way round.
+    // Another kind of scene is looked for where the first one is none.
+    answer(&["new", "press", "--like", "linkage"], &here);
+    let modes = answer(&["modes", "press.eqn", "--sweep", "phi", "--at", "phi=90deg"], &here);
+    assert!(modes.contains("2 assembly modes"), "{modes}");
+    let study = ["study", "swing.eqn", "--with", "damping", "--over", "k=500..1000[N/m]:3"];
+    assert_eq!(json(&study, &here)["scene"]["name"], "unnamed");
     let steady = of(&["--with", "damping", "--periodic", "0.5s"]);
     let stated = of(&["--scene", "steady"]);
     assert_eq!(steady["measures"], stated["measures"]);
@@ -138,6 +148,19 @@ fn wrong_changes_are_told() {
         "assur::mechanism! { Ring; part r: Ring from \"ring.eqn\" {} }",
     )
     .unwrap();
+    fs::write(
+        here.join("lone.eqn"),
+        "assur::mechanism! {
+            Lone from \"made up\";
+            parameter m = 1 kg;
+            coordinate x: m = 0 m;
+            kinetic m*dot(x)^2/2;
+            effect more \"a coordinate without an equation\" { coordinate y: m = 0 m; output y; }
+            output x;
+            scene alone { run time 0 s .. 1 s; }
+        }",
+    )
+    .unwrap();
     for (words, expected) in [
         (&["run", "swing.eqn", "--with", "dampng"][..], "did you mean `damping`"),
         (&["run", "swing.eqn", "--without", "coupling"], "there is no effect `coupling`"),
@@ -153,6 +176,11 @@ fn wrong_changes_are_told() {
         (&["run", "none.eqn"], "cannot read `none.eqn`"),
         (&["run", "."], "is a directory"),
         (&["run", "swing"], "a file is named with its ending"),
+        (&["run", "swing.eqn", "--scene", "nix", "--with", "damping"], "has no scene `nix`"),
+        (&["run", "swing.eqn", "--scene", "start", "--set", "d=3"], "it belongs to --scene steady"),
+        (&["run", "lone.eqn", "--with", "more"], "nothing determines `ddot(y)`"),
+        (&["run", "simple_pendulum", "--start", "x=0.5m"], "the closures say"),
+        (&["new", "loop"], "is no word of Rust"),
         (&["run", "binary.eqn"], "binary"),
         (&["run", "long.eqn"], "at most 1 MiB"),
         (&["run", "ring.eqn"], "ring"),
@@ -192,6 +220,18 @@ fn standard_input_and_parts_elsewhere() {
     fs::write(here.join("feed.eqn"), text).unwrap();
     let found = timeless(json(&["run", "feed.eqn"], &here));
     assert_eq!(found, timeless(json(&["run", "sewing_feed"], &here)));
+}
+
+/// What is no file is told at once: of a pipe nobody may ever write the end.
+#[cfg(unix)]
+#[test]
+fn pipes_are_no_files() {
+    let here = folder("files-pipe");
+    let made = std::process::Command::new("mkfifo").arg(here.join("pipe.eqn")).status();
+    assert!(made.is_ok_and(|status| status.success()));
+    let output = run(&["run", "pipe.eqn"], &here);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("it is no file"));
 }
 
 /// A watched file runs again at each change, and goes on after a mistake.

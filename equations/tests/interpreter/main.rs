@@ -2,15 +2,16 @@
 
 mod linkages;
 mod motions;
-mod read;
 
 use assur::registry::{Bind, Mechanism, SceneEntry};
 use assur_equations::REGISTRY;
+use assur_model::asked::Asked;
 
 /// The scenes of a mechanism, as emitted and as interpreted.
 #[track_caller]
 fn pairs(emitted: &'static Mechanism) -> Vec<(&'static SceneEntry, &'static SceneEntry)> {
-    let interpreted = read::mechanism(emitted);
+    let again = assur_interpreter::again(emitted, Asked::All).expect("tokens");
+    let interpreted = Box::leak(Box::new(again.expect("a file without errors")));
     assert_eq!(emitted.scenes.len(), interpreted.scenes.len(), "{}", emitted.name);
     emitted.scenes.iter().zip(interpreted.scenes).collect()
 }
@@ -28,10 +29,10 @@ fn compare(name: &str) {
 
 fn compare_scene(place: &str, emitted: &SceneEntry, interpreted: &SceneEntry) {
     let shapes = [emitted, interpreted].map(|one| format!("{:#?}", one.shape));
-    let lines = shapes[0].lines().zip(shapes[1].lines());
-    for (expected, found) in lines {
-        assert_eq!(expected, found, "{place}");
-    }
+    let [expected, found] = &shapes;
+    let differing = expected.lines().zip(found.lines()).find(|(expected, found)| expected != found);
+    assert_eq!(differing, None, "{place}");
+    assert_eq!(expected.len(), found.len(), "{place}");
     let values: Vec<f64> = emitted.constants.iter().map(|constant| constant.default).collect();
     match (emitted.bind, interpreted.bind) {
         (Bind::Motion(emitted), Bind::Motion(interpreted)) => {

@@ -40,6 +40,7 @@ pub fn compare(place: &str, emitted: &dyn Model, interpreted: &dyn Model) {
     let surfaces = shape.modes.iter().flat_map(|mode| mode.events);
     let surfaces = surfaces.filter(|event| event.surface.is_some()).count();
     for mode in 0..shape.modes.len().max(1) {
+        let mut numbers = 0;
         for (index, state) in states(shape, &start).iter().enumerate() {
             let time = from + (to - from) * (index as f64 * 0.618 + 0.137).fract();
             for side in [0.0, 1.0, -1.0].iter().take(if surfaces > 0 { 3 } else { 1 }) {
@@ -47,9 +48,10 @@ pub fn compare(place: &str, emitted: &dyn Model, interpreted: &dyn Model) {
                 let phase = Phase { mode, sides: &sides };
                 let place = format!("{place}, mode {mode}, place {index}, side {side}");
                 let here = Here { place, shape, phase, time, state };
-                here.compare(emitted, interpreted);
+                numbers += here.compare(emitted, interpreted);
             }
         }
+        assert!(numbers > 0, "{place}, mode {mode}: nothing that was compared is a number");
     }
 }
 
@@ -79,7 +81,8 @@ impl Here<'_> {
         expected
     }
 
-    fn compare(&self, emitted: &dyn Model, interpreted: &dyn Model) {
+    /// Compares all functions; gives how many rates and outputs are numbers.
+    fn compare(&self, emitted: &dyn Model, interpreted: &dyn Model) -> usize {
         let (phase, time, state) = (self.phase, self.time, self.state);
         let (models, n) = ([emitted, interpreted], state.len());
         let both = |what: &str, count, write: &dyn Fn(&dyn Model, &mut [f64])| {
@@ -94,7 +97,7 @@ impl Here<'_> {
             true => &rows[0],
             false => &rows[1],
         };
-        both("rates", n, &|model, values| {
+        let rates = both("rates", n, &|model, values| {
             model.equations().rates(phase, row(model), state, values);
         });
         both("jacobian", n * n, &|model, values| {
@@ -121,13 +124,14 @@ impl Here<'_> {
         } else {
             assert!(emitted.events().is_none() && interpreted.events().is_none());
         }
+        let outputs = both("outputs", self.shape.outputs.len(), &|model, values| {
+            model.reports().outputs(phase, time, state, values);
+        });
+        rates.iter().chain(&outputs).filter(|one| one.is_finite()).count()
     }
 
     fn reports(&self, both: &Both<'_>) {
         let (shape, phase, time, state) = (self.shape, self.phase, self.time, self.state);
-        both("outputs", shape.outputs.len(), &|model, values| {
-            model.reports().outputs(phase, time, state, values);
-        });
         both("drivers", shape.drivers.len(), &|model, values| {
             model.reports().drivers(time, values);
         });

@@ -4,7 +4,9 @@
 //! their rows, in a third. The first registers are the same at each call: numbers of the program and what has been prepared.
 //! Behind them stand those that the caller gives, then whatever is computed, each in a register that nothing needs any more.
 
+mod begin;
 mod build;
+mod operation;
 mod order;
 mod registers;
 mod scope;
@@ -211,6 +213,24 @@ pub enum Slot {
     Bound(usize),
 }
 
-/// A function that needs more registers than there are.
+/// Why a function cannot be run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooLarge;
+pub enum CannotRun {
+    /// It needs more numbers at a time than there are registers.
+    TooLarge,
+    /// It reads what nobody gives: a mistake of the compiler's.
+    Missing,
+}
+
+impl std::fmt::Display for CannotRun {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(match self {
+            Self::TooLarge => "a function of it needs more than 65535 numbers at a time",
+            Self::Missing => {
+                "a function of it reads what nobody gives, which is a mistake of Assur"
+            }
+        })
+    }
+}
+
+impl std::error::Error for CannotRun {}

@@ -1,6 +1,6 @@
 //! Which registers are free.
 
-use super::TooLarge;
+use super::CannotRun;
 
 /// A file of registers, of which the first that is free is taken.
 #[derive(Debug, Default)]
@@ -12,17 +12,17 @@ pub struct Registers {
 
 impl Registers {
     /// A block of registers that stay taken.
-    pub fn block(&mut self, length: usize) -> Result<usize, TooLarge> {
+    pub fn block(&mut self, length: usize) -> Result<usize, CannotRun> {
         let at = self.count;
         self.count += length;
         match self.count <= usize::from(u16::MAX) {
             true => Ok(at),
-            false => Err(TooLarge),
+            false => Err(CannotRun::TooLarge),
         }
     }
 
     /// One register.
-    pub fn one(&mut self) -> Result<usize, TooLarge> {
+    pub fn one(&mut self) -> Result<usize, CannotRun> {
         match self.free.pop() {
             Some(free) => Ok(free),
             None => self.block(1),

@@ -3,11 +3,12 @@
 use std::sync::Mutex;
 
 use assur_model::program::Form;
-use assur_solvers::dense::{BoundRows, solve_pivoted, solve_rows};
+use assur_solvers::dense::BoundRows;
 use assur_solvers::scalar::Scalar;
 
 use super::lanes::{Lanes, Masks};
 use super::run;
+use super::systems::solve_block;
 use crate::code::{COLUMN, Code, Slot};
 
 /// Registers of a short function, whose memory is on the stack.
@@ -226,15 +227,8 @@ impl<S: Scalar> Kept<S> {
         match slot {
             Slot::Bound(at) => self.0.bounds[at].solve(x, &mut vec![S::ZERO; n]),
             Slot::Number(at) => {
-                let (matrix, rest) = self.0.numbers[at..][..n * (n + 2)].split_at(n * n);
-                let (reciprocals, more) = rest.split_at(n);
-                match form {
-                    Form::General => {
-                        let right = x.to_vec();
-                        solve_pivoted((matrix, reciprocals, more), &right, x);
-                    }
-                    _ => solve_rows(matrix, reciprocals, x),
-                }
+                let (block, mut room) = (&self.0.numbers[at..][..n * (n + 2)], vec![S::ZERO; n]);
+                solve_block(form, block, x, &mut room);
             }
             Slot::Condition(_) => {}
         }

@@ -1,12 +1,13 @@
 //! The Taylor series of a motion, one order after the other.
 
 use assur_model::program::{Form, Function, OperationKind as Kind, Relation, Value};
-use assur_solvers::dense::{BoundRows, factor_rows, pivot_rows, solve_pivoted, solve_rows};
+use assur_solvers::dense::BoundRows;
 use assur_solvers::scalar::Scalar;
 use assur_solvers::series::{self, MatrixRows, TERMS};
 
 use super::memory::Kept;
 use super::run::{one, two};
+use super::systems::{factor_block, solve_block};
 use crate::code::Slot;
 use crate::code::series::{Act, Condition, First, Matrix, Next, Plan, Product, Steady, Term, Two};
 
@@ -37,8 +38,7 @@ struct Course<'a, S: Scalar> {
 
 /// A matrix at the begin of a step, factored.
 enum Factors<S> {
-    Symmetric(Vec<S>, Vec<S>),
-    General(Vec<S>, Vec<S>, Vec<S>),
+    Block(Form, Vec<S>),
     Bound(Box<BoundRows<S>>),
 }
 
@@ -282,43 +282,31 @@ impl<S: Scalar> Course<'_, S> {
 
 impl<S: Scalar> Factors<S> {
     fn new(form: Form, entries: &[S], n: usize) -> Self {
-        let (mut matrix, mut reciprocals, mut more) =
-            (entries.to_vec(), vec![S::ZERO; n], vec![S::ZERO; n]);
-        match form {
-            Form::Symmetric => {
-                factor_rows(&mut matrix, &mut reciprocals, &mut more);
-                Self::Symmetric(matrix, reciprocals)
+        let Form::Bound { unknowns, rank } = form else {
+            let mut block = entries.to_vec();
+            block.resize(n * (n + 2), S::ZERO);
+            factor_block(form, &mut block);
+            return Self::Block(form, block);
+        };
+        let unknowns = unknowns as usize;
+        let mut bound = BoundRows::new(n, unknowns, rank as usize);
+        bound.factor(|own| {
+            for row in 0..n {
+                let columns = unknowns.min(if row < unknowns { row + 1 } else { n });
+                let entries = entries[row * n..][..columns].iter().enumerate();
+                for (column, entry) in entries.filter(|one| one.1.to_f64() != 0.0) {
+                    own.put(row, column, *entry);
+                }
             }
-            Form::General => {
-                pivot_rows(&mut matrix, &mut reciprocals, &mut more);
-                Self::General(matrix, reciprocals, more)
-            }
-            Form::Bound { unknowns, rank } => {
-                let unknowns = unknowns as usize;
-                let mut bound = BoundRows::new(n, unknowns, rank as usize);
-                bound.factor(|own| {
-                    for row in 0..n {
-                        let columns = unknowns.min(if row < unknowns { row + 1 } else { n });
-                        for (column, entry) in entries[row * n..][..columns].iter().enumerate() {
-                            if entry.to_f64() != 0.0 {
-                                own.put(row, column, *entry);
-                            }
-                        }
-                    }
-                });
-                Self::Bound(Box::new(bound))
-            }
-        }
+        });
+        Self::Bound(Box::new(bound))
     }
 
     fn solve(&self, x: &mut [S]) {
+        let mut room = vec![S::ZERO; x.len()];
         match self {
-            Self::Symmetric(matrix, reciprocals) => solve_rows(matrix, reciprocals, x),
-            Self::General(matrix, reciprocals, origins) => {
-                let right = x.to_vec();
-                solve_pivoted((matrix, reciprocals, origins), &right, x);
-            }
-            Self::Bound(bound) => bound.solve(x, &mut vec![S::ZERO; x.len()]),
+            Self::Block(form, block) => solve_block(*form, block, x, &mut room),
+            Self::Bound(bound) => bound.solve(x, &mut room),
         }
     }
 }

@@ -26,12 +26,7 @@ impl<S: Scalar, const N: usize> Files<'_, S, N> {
             let at = factor.target + usize::from(*row) * n + usize::from(*column);
             self.numbers[at] = self.at(*register);
         }
-        let (matrix, rest) = self.numbers[factor.target..][..n * (n + 2)].split_at_mut(n * n);
-        let (reciprocals, more) = rest.split_at_mut(n);
-        match factor.form {
-            Form::General => pivot_rows(matrix, reciprocals, more),
-            _ => factor_rows(matrix, reciprocals, more),
-        }
+        factor_block(factor.form, &mut self.numbers[factor.target..][..n * (n + 2)]);
     }
 
     #[inline(always)]
@@ -48,15 +43,7 @@ impl<S: Scalar, const N: usize> Files<'_, S, N> {
         // What is factored stands before its solution, or was prepared.
         let (before, behind) = self.numbers.split_at_mut(solve.target);
         let (x, room) = behind[..2 * n].split_at_mut(n);
-        let (matrix, rest) = before[solve.factor..][..n * (n + 2)].split_at(n * n);
-        let (reciprocals, more) = rest.split_at(n);
-        match solve.form {
-            Form::General => {
-                room.copy_from_slice(x);
-                solve_pivoted((matrix, reciprocals, more), room, x);
-            }
-            _ => solve_rows(matrix, reciprocals, x),
-        }
+        solve_block(solve.form, &before[solve.factor..][..n * (n + 2)], x, room);
     }
 
     #[inline(always)]
@@ -71,6 +58,39 @@ impl<S: Scalar, const N: usize> Files<'_, S, N> {
         let found = find(code, finding, lines, &captured);
         self.numbers[usize::from(finding.target)] = found;
     }
+}
+
+/// Factors a matrix in its place: `n` rows, and behind them `2 n` numbers that belong to its factors.
+#[inline(always)]
+pub(super) fn factor_block<S: Scalar>(form: Form, block: &mut [S]) {
+    let n = rows(block.len());
+    let (matrix, rest) = block.split_at_mut(n * n);
+    let (reciprocals, more) = rest.split_at_mut(n);
+    match form {
+        Form::General => pivot_rows(matrix, reciprocals, more),
+        _ => factor_rows(matrix, reciprocals, more),
+    }
+}
+
+/// Solves in place with what [`factor_block`] has left, and with as much room.
+#[inline(always)]
+pub(super) fn solve_block<S: Scalar>(form: Form, block: &[S], x: &mut [S], room: &mut [S]) {
+    let n = x.len();
+    let (matrix, rest) = block.split_at(n * n);
+    let (reciprocals, more) = rest.split_at(n);
+    match form {
+        Form::General => {
+            room.copy_from_slice(x);
+            solve_pivoted((matrix, reciprocals, more), room, x);
+        }
+        _ => solve_rows(matrix, reciprocals, x),
+    }
+}
+
+/// The number of rows of a matrix whose block has `n (n + 2)` numbers.
+#[inline(always)]
+fn rows(length: usize) -> usize {
+    (length + 1).isqrt() - 1
 }
 
 /// What is found of the functions.

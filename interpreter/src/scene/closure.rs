@@ -40,6 +40,21 @@ impl Function {
     pub fn count(groups: usize) -> usize {
         SHARED + OWN * groups
     }
+
+    /// All but the trials, which are small.
+    pub fn all(groups: usize) -> impl Iterator<Item = Self> {
+        let shared = [
+            Self::Instant,
+            Self::Residual,
+            Self::Coefficients,
+            Self::Outputs,
+            Self::Influence,
+            Self::SecondInfluence,
+            Self::Points,
+        ];
+        let own = |group| [Self::Close(group), Self::Margin(group)];
+        shared.into_iter().chain((0..groups).flat_map(own))
+    }
 }
 
 /// The places of a group in closed form that are written as they are.

@@ -51,6 +51,31 @@ impl Function {
     pub fn count(program: &Program) -> usize {
         SHARED + OWN * program.results.events.len()
     }
+
+    /// All of them.
+    pub fn all(program: &Program) -> impl Iterator<Item = Self> {
+        let shared = [
+            Self::Instant,
+            Self::Rates,
+            Self::Slopes,
+            Self::Along,
+            Self::Jacobian,
+            Self::Outputs,
+            Self::Drivers,
+            Self::Margins,
+            Self::Points,
+            Self::Closures,
+            Self::Energy,
+            Self::Mass,
+            Self::Measured,
+            Self::Measures,
+            Self::Guards,
+        ];
+        let own = |event| {
+            [Self::Permits, Self::Jump, Self::GuardSlopes, Self::JumpSlopes].map(|of| of(event))
+        };
+        shared.into_iter().chain((0..program.results.events.len()).flat_map(own))
+    }
 }
 
 impl Name for Function {

@@ -8,7 +8,7 @@ use assur_solvers::scalar::Scalar;
 
 use super::room::room;
 use crate::code::series::Plan;
-use crate::code::{Code, Scope, Storage, Wanted};
+use crate::code::{CannotRun, Code, Scope, Storage, Wanted};
 use crate::machine::{Image, Kept, Lanes, WIDTH, series};
 
 /// A function of a program, by its number.
@@ -20,16 +20,25 @@ pub trait Name: Copy {
     fn wanted(self, program: &Program) -> (Scope, Wanted);
 }
 
+/// A function as instructions, or why there is none.
+type Built = Result<Code, CannotRun>;
+
+/// Operations of a program from which on a function may need more numbers than there are registers: of most operations each
+/// needs one, of a system of equations more.
+const LARGE: usize = 5000;
+
 /// A program with its functions.
 pub struct Functions {
     /// The program.
     pub program: Program,
     /// What is kept between its stages.
     pub storage: Storage,
-    prepare: OnceLock<Code>,
+    prepare: OnceLock<Built>,
     /// How the entries of the Jacobian go into its products with columns.
     terms: Vec<Term>,
-    codes: Vec<OnceLock<Code>>,
+    codes: Vec<OnceLock<Built>>,
+    /// What stands for a function that cannot be run: it has no results.
+    none: Code,
     /// The series of the rates; none where there is none.
     series: OnceLock<Option<Plan>>,
 }
@@ -40,26 +49,50 @@ impl Functions {
         let storage = Storage::of(&program, drivers);
         let codes = (0..count).map(|_| OnceLock::new()).collect();
         let terms = terms(&program);
-        Self { program, storage, prepare: OnceLock::new(), terms, codes, series: OnceLock::new() }
+        let (prepare, series, none) = (OnceLock::new(), OnceLock::new(), Code::default());
+        Self { program, storage, prepare, terms, codes, none, series }
     }
 
     /// The function that prepares values.
     fn prepare(&self) -> &Code {
-        self.prepare.get_or_init(|| {
+        let built = self.prepare.get_or_init(|| {
             let prepared: Vec<Value> = self.storage.staging.prepared.iter().copied().collect();
             let wanted = Wanted { keeps: true, ..Wanted::of(prepared) };
             Code::new(&self.program, &self.storage, Scope::Values, &wanted, &Default::default())
-                .unwrap_or_default()
-        })
+        });
+        built.as_ref().unwrap_or(&self.none)
     }
 
-    /// A function. One that is too large has no results.
-    pub fn code(&self, name: impl Name) -> &Code {
-        self.codes[name.number(&self.program)].get_or_init(|| {
+    /// A function, or why it cannot be run.
+    fn built(&self, name: impl Name) -> &Built {
+        let built = self.codes[name.number(&self.program)].get_or_init(|| {
             let (scope, wanted) = name.wanted(&self.program);
             Code::new(&self.program, &self.storage, scope, &wanted, &self.prepare().kept)
-                .unwrap_or_default()
-        })
+        });
+        debug_assert_ne!(built.as_ref().err(), Some(&CannotRun::Missing));
+        built
+    }
+
+    /// A function.
+    pub fn code(&self, name: impl Name) -> &Code {
+        self.built(name).as_ref().unwrap_or(&self.none)
+    }
+
+    /// Checks that functions can be run. Where the program is not large all can, and none is built for it.
+    ///
+    /// # Errors
+    /// Why the first that cannot be run cannot.
+    pub fn check(&self, names: impl IntoIterator<Item = impl Name>) -> Result<(), CannotRun> {
+        if self.program.operations.len() < LARGE {
+            return Ok(());
+        }
+        self.prepare();
+        if let Some(Err(cannot)) = self.prepare.get() {
+            return Err(*cannot);
+        }
+        names
+            .into_iter()
+            .try_for_each(|name| self.built(name).as_ref().map(|_| ()).map_err(|one| *one))
     }
 
     /// Calls a function that needs nothing prepared.
@@ -111,7 +144,7 @@ fn terms(program: &Program) -> Vec<Term> {
     term.collect()
 }
 
-/// Results of a function that is too large are no numbers.
+/// Results of a function that cannot be run are no numbers.
 #[inline]
 fn lose<S: Scalar>(code: &Code, results: &mut [S]) {
     if code.results.len() < results.len() {
@@ -166,6 +199,9 @@ impl<S: Scalar> Prepared<S> {
     pub fn call_rows(&self, name: impl Name, times: &[S], stride: usize, rows: &mut [S]) {
         let (code, image) = self.of(name);
         let (length, mut done) = (code.results.len(), 0);
+        if length < self.functions.storage.length {
+            return rows.fill(S::from_f64(f64::NAN));
+        }
         let wide = (times.len() > 1).then(|| self.wide.get_or_init(|| image.widen(code)).as_ref());
         if let Some(wide) = wide.flatten() {
             room(length, |row| {

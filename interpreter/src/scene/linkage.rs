@@ -10,7 +10,7 @@ use assur_solvers::shape::Shape;
 
 use super::closure::{Form, Function, Prepare, form};
 use super::functions::Functions;
-use super::values::OfValues;
+use super::values::{OfValues, too_large};
 
 /// What all sets of values of a linkage have in common.
 pub struct Loops {
@@ -88,6 +88,9 @@ impl Linkage for Moved {
     }
 
     fn check(&self) -> Result<(), Refused> {
+        let groups = self.loops.forms.len();
+        let checked = self.loops.functions.check(Function::all(groups));
+        checked.map_err(|cannot| too_large(self.loops.shape, cannot))?;
         self.loops.values.check(&self.values)
     }
 

@@ -11,7 +11,7 @@ use assur_solvers::shape::Shape;
 
 use super::equations::{Function, Prepare};
 use super::functions::Functions;
-use super::values::OfValues;
+use super::values::{OfValues, too_large};
 
 /// What all sets of values of a scene have in common.
 pub struct Motion {
@@ -100,6 +100,10 @@ impl<const SMOOTH: bool> Scene for Moving<SMOOTH> {
     }
 
     fn check(&self) -> Result<(), Refused> {
+        for mode in &self.motion.modes {
+            let checked = mode.check(Function::all(&mode.program));
+            checked.map_err(|cannot| too_large(self.motion.shape, cannot))?;
+        }
         self.motion.values.check(&self.values)?;
         match self.is_held() {
             true => model::assemble(self, self.motion.values.start(&self.values)).map(|_| ()),

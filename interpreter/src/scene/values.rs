@@ -9,7 +9,13 @@ use assur_solvers::problem::{Refused, Span};
 use assur_solvers::shape::Shape;
 
 use super::functions::{Functions, Name};
-use crate::code::{Scope, Wanted};
+use crate::code::{CannotRun, Scope, Wanted};
+
+/// That a scene cannot be run without being compiled.
+pub fn too_large(shape: &Shape, cannot: CannotRun) -> Refused {
+    let reason = format!("{cannot}; compiled by `equations!` it can be run");
+    Refused { name: format!("the scene `{}`", shape.name), reason }
+}
 
 /// A function of the values.
 #[derive(Clone, Copy, Debug)]

@@ -1,0 +1,12 @@
+//! Name: `cargo run` shows some numbers of it, `cargo test` runs the tests that its equations bring along.
+
+use assur::prelude::*;
+use mechanism::Start;
+
+assur::equations! { "mechanism.eqn" }
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let motion = Start::default().ask().run()?;
+    println!("x after 1 s: {:.4} mm", 1e3 * motion.value("x", 1.0)?);
+    Ok(())
+}
