@@ -7,6 +7,9 @@ use assur::shape::Shape;
 /// Times and states at which scenes are compared.
 const PLACES: usize = 4;
 
+/// Instants of a step; more than there are lanes, and no multiple of these.
+const INSTANTS: usize = 11;
+
 /// Numbers that are the same, bit for bit; what is no number is none in either.
 #[track_caller]
 pub fn same(place: &str, what: &str, expected: &[f64], found: &[f64]) {
@@ -92,6 +95,16 @@ impl Here<'_> {
             let mut row = vec![0.0; model.equations().instant()];
             model.equations().instants(phase, &[time], &mut row);
             row
+        });
+        // Those of a step are computed together, in lanes.
+        let times: Vec<f64> = (0..INSTANTS).map(|index| time + 1e-3 * index as f64).collect();
+        both("rates at the instants of a step", INSTANTS * n, &|model, values| {
+            let (equations, width) = (model.equations(), model.equations().instant());
+            let mut rows = vec![0.0; INSTANTS * width];
+            equations.instants(phase, &times, &mut rows);
+            for (index, rates) in values.chunks_exact_mut(n.max(1)).enumerate() {
+                equations.rates(phase, &rows[index * width..][..width], state, rates);
+            }
         });
         let row = |model: &dyn Model| match std::ptr::addr_eq(model, emitted) {
             true => &rows[0],
