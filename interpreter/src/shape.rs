@@ -1,7 +1,6 @@
 //! What a scene is made of, from the checked model.
 //!
-//! A shape is borrowed for ever, as that of emitted code is, which is a constant: what is made here is never given back. It
-//! is some kilobytes for each scene that is read.
+//! A shape is borrowed for ever, as that of emitted code is, which is a constant: what is made here is never given back.
 
 use assur_model::checked::{
     AugmentedInfo, ConstantInfo, Direction, Distribution, ExpectInfo, ExpectPlace, GroupKind,
