@@ -111,7 +111,8 @@ impl Shared {
         let made = (constant.tolerance != 0.0 || constant.distribution != Distribution::Normal)
             .then(|| {
                 let tolerance = number(constant.tolerance);
-                let distribution = distribution(constant.distribution);
+                let made = (constant.tolerance, constant.distribution);
+                let distribution = distribution(made, constant.default);
                 quote!(.made(#tolerance, #distribution))
             });
         self.constants.place(quote!(Constant::#kind(#quantity, #low, #high) #made))
@@ -308,7 +309,8 @@ fn linkage_entry(
     let dependents = shared.quantities(linkage.dependents.iter().map(|one| &one.quantity));
     let loops = linkage.loops.iter().map(|one| loop_entry(one, origin));
     let tolerances = linkage.ranges.iter().map(|range| {
-        let (half_width, kind) = (number(range.tolerance.0), distribution(range.tolerance.1));
+        let half_width = number(range.tolerance.0);
+        let kind = distribution(range.tolerance, range.start);
         quote!((#half_width, #kind))
     });
     let setter = format_ident!("{setter}");
@@ -355,11 +357,16 @@ fn loop_entry(one: &LoopInfo, origin: &Origin<'_>) -> TokenStream {
     quote!(Loop::new(#line, #name, #unit, #factor))
 }
 
-fn distribution(distribution: Distribution) -> TokenStream {
+/// How what has a half-width errs about a mean.
+fn distribution((half_width, distribution): (f64, Distribution), mean: f64) -> TokenStream {
     match distribution {
         Distribution::Normal => quote!(Distribution::Normal),
         Distribution::Uniform => quote!(Distribution::Uniform),
         Distribution::Truncated => quote!(Distribution::Truncated),
+        Distribution::Lognormal => {
+            let ratio = number(half_width / mean);
+            quote!(Distribution::Lognormal { ratio: #ratio })
+        }
     }
 }
 

@@ -90,16 +90,18 @@ fn constant(info: &ConstantInfo) -> shape::Constant {
         is_dimension: info.is_dimension,
         default: info.default,
         tolerance: info.tolerance,
-        distribution: distribution(info.distribution),
+        distribution: distribution((info.tolerance, info.distribution), info.default),
         range: info.range,
     }
 }
 
-fn distribution(distribution: Distribution) -> shape::Distribution {
+/// How what has a half-width errs about a mean.
+fn distribution((half_width, distribution): (f64, Distribution), mean: f64) -> shape::Distribution {
     match distribution {
         Distribution::Normal => shape::Distribution::Normal,
         Distribution::Uniform => shape::Distribution::Uniform,
         Distribution::Truncated => shape::Distribution::Truncated,
+        Distribution::Lognormal => shape::Distribution::Lognormal { ratio: half_width / mean },
     }
 }
 
@@ -170,7 +172,10 @@ fn linkage_entry(
         unknowns: list(group.unknowns.iter().copied()),
         equations: list(group.equations.iter().copied()),
     });
-    let tolerances = linkage.ranges.iter().map(|range| range.tolerance);
+    let tolerances = linkage
+        .ranges
+        .iter()
+        .map(|range| (range.tolerance.0, distribution(range.tolerance, range.start)));
     shape::LinkageEntry {
         dependents: list(linkage.dependents.iter().map(|one| quantity(&one.quantity))),
         loops: list(linkage.loops.iter().map(|one| loop_entry(one, lines))),
@@ -179,7 +184,7 @@ fn linkage_entry(
         variables: list(variables),
         motion: if closing.rates.is_empty() { 0 } else { closing.rates.len() + 1 },
         second: !closing.second.is_empty(),
-        tolerances: list(tolerances.map(|(width, kind)| (width, distribution(kind)))),
+        tolerances: list(tolerances),
     }
 }
 

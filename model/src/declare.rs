@@ -44,7 +44,7 @@ fn written_unit(term: &Term, diagnostics: &mut Diagnostics) -> Option<Unit> {
     match &term.kind {
         TermKind::Number { unit: Some(written), .. } => unit::resolve(written, diagnostics),
         TermKind::Unary(_, inner) => written_unit(inner, diagnostics),
-        TermKind::Binary(_, left, right) | TermKind::Bound { value: left, instead: right, .. } => {
+        TermKind::Binary(_, left, right) | TermKind::Bound { value: right, instead: left, .. } => {
             written_unit(left, diagnostics).or_else(|| written_unit(right, diagnostics))
         }
         _ => None,
@@ -168,7 +168,7 @@ impl Lowering<'_> {
             range: (f64::NEG_INFINITY, f64::INFINITY),
         };
         if let Some(tolerance) = &constant.tolerance {
-            (info.tolerance, info.distribution) = self.tolerance(tolerance, kind)?;
+            (info.tolerance, info.distribution) = self.tolerance(tolerance, kind, default)?;
         }
         if let Some(range) = &constant.range {
             info.range = self.permitted(range, kind)?;
@@ -194,14 +194,25 @@ impl Lowering<'_> {
         Some((low_value, high_value))
     }
 
-    /// Half-width and distribution of a permitted error.
-    pub fn tolerance(&mut self, tolerance: &Tolerance, kind: Kind) -> Option<(f64, Distribution)> {
+    /// Half-width and distribution of a permitted error about a mean.
+    pub fn tolerance(
+        &mut self,
+        tolerance: &Tolerance,
+        kind: Kind,
+        mean: f64,
+    ) -> Option<(f64, Distribution)> {
         let half_width = self.fixed_of(&tolerance.half_width, kind, "the toleranced size")?;
         if half_width < 0.0 {
             self.diagnostics.push(Diagnostic::error(
                 tolerance.half_width.span,
                 "a tolerance cannot be negative",
             ));
+            return None;
+        }
+        if tolerance.distribution == Distribution::Lognormal && mean <= 0.0 {
+            let message = "only what is above zero is distributed lognormally";
+            let report = Diagnostic::error(tolerance.half_width.span, message);
+            self.diagnostics.push(report.hint("write `normal`, `uniform` or `truncated`"));
             return None;
         }
         Some((half_width, tolerance.distribution))

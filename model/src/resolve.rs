@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::syntax::tree::{
-    Constant, Dependent, Driver, Name, Output, Statement, StatementKind, Target, Term, Unknown,
+    Constant, Dependent, Driver, Name, Output, Statement, StatementKind, Target, Term, TermKind,
+    Unknown,
 };
 use crate::syntax::words::{FUNCTIONS, MEASURING, QUANTITIES};
 use crate::token::Span;
@@ -133,6 +134,21 @@ impl Names {
                 entry.role = role;
             }
         }
+    }
+
+    /// Puts dependent coordinates and drivers together elsewhere than they declare, as a scene states.
+    pub fn start(&mut self, target: &Term, value: &Term) {
+        let TermKind::Name(name) = &target.kind else { return };
+        let start = match self.table.get(name).map(|entry| &entry.role) {
+            Some(Role::Dependent(index)) => &mut self.dependents[*index as usize].what.start,
+            Some(Role::Driver(index)) => &mut self.drivers[*index as usize].what.start,
+            _ => return,
+        };
+        // Its kind and its unit stay those of the declaration.
+        *start = Some(match start.take() {
+            Some(instead) => instead.replaced(name, value),
+            None => value.clone(),
+        });
     }
 
     /// Makes coordinates of all dependent ones, behind the others: closures hold them, and are not solved for them.

@@ -4,7 +4,7 @@
 
 use clap::Args;
 
-use super::values::split;
+use super::values::{split, whole};
 use crate::error::Failure;
 
 /// The options that change a scene. It is shown as one without a name.
@@ -36,21 +36,30 @@ pub struct Changes {
     /// Move drivers over ranges, `phi4=60deg..120deg`, or `phi4` over the range of the file; commas between several.
     #[arg(long, value_name = "DRIVER=FROM..TO", help_heading = "Another scene")]
     pub sweep: Option<String>,
+    /// Put the linkage together in another mode, as `assur modes` numbers them where the drivers start.
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<1, MODES>, allow_hyphen_values = true)]
+    #[arg(help_heading = "Another scene")]
+    pub mode: Option<u64>,
 }
+
+/// Most assembly modes.
+const MODES: u64 = 1_000_000;
 
 impl Changes {
     /// Whether any is asked for.
     pub fn are_given(&self) -> bool {
         let lists = [&self.with, &self.without, &self.choose, &self.start];
         let tasks = [&self.run, &self.periodic, &self.sweep];
-        lists.iter().any(|list| !list.is_empty()) || tasks.iter().any(|task| task.is_some())
+        self.mode.is_some()
+            || lists.iter().any(|list| !list.is_empty())
+            || tasks.iter().any(|task| task.is_some())
     }
 
-    /// The changes as statements.
+    /// The changes as statements, but for the assembly mode.
     ///
     /// # Errors
     /// An option that lacks a part.
-    pub fn text(&self) -> Result<String, Failure> {
+    pub fn statements(&self) -> Result<Vec<String>, Failure> {
         let mut lines = Vec::new();
         lines.extend(self.with.iter().map(|effect| format!("with {effect};")));
         lines.extend(self.without.iter().map(|effect| format!("without {effect};")));
@@ -78,7 +87,7 @@ impl Changes {
             let each = each.collect::<Result<Vec<_>, Failure>>()?;
             lines.push(format!("sweep {};", each.join(", ")));
         }
-        Ok(lines.join("\n") + "\n")
+        Ok(lines)
     }
 }
 
@@ -147,13 +156,16 @@ mod tests {
             ..Changes::default()
         };
         assert_eq!(
-            changes.text().as_deref(),
-            Ok(
-                "with damping;\nwith crank.exact;\nstart dot(w) = 1[m/s];\nsweep phi4 60 deg .. 120 deg, alpha;\n"
-            )
+            changes.statements().expect("statements"),
+            [
+                "with damping;",
+                "with crank.exact;",
+                "start dot(w) = 1[m/s];",
+                "sweep phi4 60 deg .. 120 deg, alpha;"
+            ]
         );
         assert!(!Changes::default().are_given());
         let wrong = Changes { run: Some("2s".into()), ..Changes::default() };
-        assert!(wrong.text().is_err());
+        assert!(wrong.statements().is_err());
     }
 }

@@ -20,8 +20,10 @@ pub struct Constants {
     pub preset: &'static str,
     /// The values, in the order of the scene.
     pub values: Vec<f64>,
+    /// The statements by which the scene differs from that of the file.
+    pub changes: Vec<String>,
     /// Whether the value was given by `--set`.
-    given: Vec<bool>,
+    pub(super) given: Vec<bool>,
 }
 
 impl Constants {
@@ -32,6 +34,7 @@ impl Constants {
             scene,
             preset: scene.preset,
             values: scene.constants.iter().map(|constant| constant.default).collect(),
+            changes: Vec::new(),
             given: vec![false; scene.constants.len()],
         }
     }
@@ -58,7 +61,9 @@ impl Constants {
 
     /// The same values in another form of the scene.
     pub fn in_scene(&self, scene: &'static SceneEntry) -> Self {
-        let mut other = Self { preset: self.preset, ..Self::declared(self.mechanism, scene) };
+        let changes = self.changes.clone();
+        let mut other =
+            Self { preset: self.preset, changes, ..Self::declared(self.mechanism, scene) };
         for (index, constant) in scene.constants.iter().enumerate() {
             if let Some(place) = self.position(constant.quantity.name) {
                 (other.values[index], other.given[index]) = (self.values[place], self.given[place]);

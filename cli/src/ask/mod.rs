@@ -5,9 +5,11 @@ pub mod changes;
 pub mod constants;
 pub mod file;
 pub mod lookup;
+pub mod modes;
 pub mod permitted;
 pub mod place;
 pub mod settings;
+pub mod tolerances;
 pub mod values;
 pub mod variables;
 
@@ -108,35 +110,57 @@ impl Asked {
         command: &str,
         scenes: For,
     ) -> Result<Constants, Failure> {
-        let mechanism = self.mechanism(registry, command, scenes)?;
-        let name = match self.changes.are_given() {
-            true => None,
-            false => self.scene.as_deref(),
-        };
-        self.constants(mechanism, scenes.scene(registry, mechanism, name)?)
+        let file = self.file()?;
+        let statements = self.changes.statements()?;
+        let found = self.with(registry, command, scenes, file.as_ref(), &statements)?;
+        let Some(number) = self.changes.mode else { return Ok(found) };
+        let started = modes::start(found, number)?;
+        self.with(registry, command, scenes, file.as_ref(), &[statements, vec![started]].concat())
     }
 
-    /// The mechanism, of a file those scenes that are asked for; or a scene that is made of one of its own.
+    /// The equation file, if it is one that is asked about.
+    fn file(&self) -> Result<Option<Source>, Failure> {
+        let name = self.name.as_deref();
+        name.filter(|name| file::is_file(name)).map(file::read).transpose()
+    }
+
+    /// The scene with its values, changed by statements.
+    fn with(
+        &self,
+        registry: Registry,
+        command: &str,
+        scenes: For,
+        file: Option<&Source>,
+        statements: &[String],
+    ) -> Result<Constants, Failure> {
+        if statements.is_empty() {
+            let mechanism = self.mechanism(registry, command, scenes, file)?;
+            return self
+                .constants(mechanism, scenes.scene(registry, mechanism, self.scene.as_deref())?);
+        }
+        let mechanism = match file {
+            Some(source) => self.changed(source, scenes, statements, || {
+                file::mechanism(source, Wanted::Scenes(Scenes::All))
+            }),
+            None => {
+                let mechanism = registry.mechanism(self.name.as_deref(), command, scenes)?;
+                let source = Source::of(mechanism)?.call(mechanism.name);
+                self.changed(&source, scenes, statements, || Ok(mechanism))
+            }
+        }?;
+        let found = self.constants(mechanism, scenes.scene(registry, mechanism, None)?)?;
+        Ok(Constants { changes: statements.to_vec(), ..found })
+    }
+
+    /// The mechanism, of a file those scenes that are asked for.
     fn mechanism(
         &self,
         registry: Registry,
         command: &str,
         scenes: For,
+        file: Option<&Source>,
     ) -> Result<&'static Mechanism, Failure> {
         let (name, scene) = (self.name.as_deref(), self.scene.as_deref());
-        let file = name.filter(|name| file::is_file(name)).map(file::read).transpose()?;
-        if self.changes.are_given() {
-            return match file {
-                Some(source) => self.changed(&source, scenes, || {
-                    file::mechanism(&source, Wanted::Scenes(Scenes::All))
-                }),
-                None => {
-                    let mechanism = registry.mechanism(name, command, scenes)?;
-                    let source = Source::of(mechanism)?.call(mechanism.name);
-                    self.changed(&source, scenes, || Ok(mechanism))
-                }
-            };
-        }
         let Some(source) = file else {
             return registry.mechanism(name, command, scenes);
         };
@@ -147,7 +171,7 @@ impl Asked {
             ([], _) => Scenes::All,
             (names, _) => Scenes::Some(names),
         };
-        file::mechanism(&source, Wanted::Scenes(asked))
+        file::mechanism(source, Wanted::Scenes(asked))
     }
 
     /// A mechanism with a scene that is made of another: of that which is named, or the first one that suits.
@@ -155,6 +179,7 @@ impl Asked {
         &self,
         source: &Source,
         scenes: For,
+        statements: &[String],
         whole: impl FnOnce() -> Result<&'static Mechanism, Failure>,
     ) -> Result<&'static Mechanism, Failure> {
         let base = match (self.scene.as_deref(), scenes) {
@@ -165,7 +190,7 @@ impl Asked {
                 all.find(|scene| scenes.suits(scene)).map(|scene| scene.name)
             }
         };
-        file::mechanism(source, Wanted::Changed(base, &self.changes.text()?))
+        file::mechanism(source, Wanted::Changed(base, &(statements.join("\n") + "\n")))
     }
 
     /// The scenes of which names are given, with commas between them, each with its values.
@@ -189,7 +214,7 @@ impl Asked {
                 false => Ok(vec![self.find(registry, command, scenes)?]),
             };
         }
-        let mechanism = self.mechanism(registry, command, scenes)?;
+        let mechanism = self.mechanism(registry, command, scenes, self.file()?.as_ref())?;
         let scene = |name: &str| {
             self.constants(mechanism, scenes.scene(registry, mechanism, Some(name.trim()))?)
         };

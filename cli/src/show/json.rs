@@ -72,6 +72,8 @@ pub struct Scene {
     pub choices: &'static [(&'static str, &'static str)],
     /// Null for the declared values.
     pub preset: Option<&'static str>,
+    /// The statements by which it differs from the scene of the file: `with damping;`.
+    pub changes: Vec<String>,
 }
 
 /// A dimension or parameter.
@@ -179,6 +181,7 @@ impl About {
                 effects: scene.effects,
                 choices: scene.choices,
                 preset: text(constants.preset),
+                changes: constants.changes.clone(),
             },
             parameters: (0..constants.values.len()).map(parameter).collect(),
         }

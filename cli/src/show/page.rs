@@ -72,6 +72,9 @@ impl Page {
             about += &format!(", preset {}", constants.preset);
         }
         self.line(&format!("  {about}"));
+        if !constants.changes.is_empty() {
+            self.line(&format!("  changed: {}", constants.changes.join(" ")));
+        }
         self.line("");
     }
 

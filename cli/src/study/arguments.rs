@@ -16,8 +16,8 @@ pub const EXAMPLES: &str = "Examples:
   assur study table_drive --samples 1000 --tolerance J2=10% --tolerance c=20% --seed 7
 
 --over runs through values from one end to the other, so many of them: one for curves, two for a map.
---samples makes values at random: those with a tolerance in the file, and those that --tolerance gives one (normally
-distributed, the tolerance being three standard deviations).
+--samples makes values at random: those with a tolerance in the file, and those that --tolerance gives one, distributed as
+the file says (normally, the tolerance being three standard deviations) unless a distribution stands behind it.
 
 Csv has one row a run.";
 
@@ -38,7 +38,7 @@ pub struct StudyArguments {
     #[arg(long, value_name = "NUMBER", value_parser = whole::<2, MOST>, conflicts_with = "over")]
     #[arg(allow_hyphen_values = true)]
     pub samples: Option<u64>,
-    /// A tolerance, `J2=10%` or `J2=5e-5[kg m^2]`; may be repeated.
+    /// A tolerance, `J2=10%` or `'J2=5e-5[kg m^2] lognormal'`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE", requires = "samples")]
     pub tolerance: Vec<String>,
     /// Which values are made: the same seed gives the same ones.

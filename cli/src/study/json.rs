@@ -51,7 +51,7 @@ struct Tolerance {
     name: &'static str,
     unit: &'static str,
     tolerance: f64,
-    distribution: String,
+    distribution: &'static str,
 }
 
 #[derive(Serialize)]
@@ -145,7 +145,7 @@ impl Tolerance {
             name: one.quantity.name,
             unit: one.quantity.unit,
             tolerance: unit::stated(one.tolerance, one.quantity.factor),
-            distribution: format!("{:?}", one.distribution).to_lowercase(),
+            distribution: one.distribution.name(),
         });
         made.collect()
     }

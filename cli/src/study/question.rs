@@ -128,8 +128,7 @@ fn random(
     values: &Constants,
     samples: u64,
 ) -> Result<Plan, Failure> {
-    let mut constants = scene.constants.to_vec();
-    tolerance::give(&mut constants, &options.tolerance, scene, values)?;
+    let constants = tolerance::made(&options.tolerance, scene, values)?;
     if constants.iter().all(|one| one.tolerance == 0.0) {
         return Err(Failure::request(format!(
             "nothing in scene `{}` has a tolerance, so all runs would be the same",

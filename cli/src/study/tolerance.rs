@@ -1,56 +1,39 @@
 //! What stands behind `--tolerance` of a study.
 
 use assur::registry::SceneEntry;
-use assur::shape::{Constant, Distribution};
+use assur::shape::Constant;
 
 use super::range;
 use crate::ask::constants::Constants;
-use crate::ask::values::{once, quantity, split};
+use crate::ask::tolerances::{Given, named_in};
+use crate::ask::values::once;
 use crate::error::Failure;
 
-/// Gives constants the tolerances that are asked for, normally distributed.
+/// The constants of a scene as they are made: with the tolerances that are asked for, about the values that they have.
 ///
 /// # Errors
 /// An unknown name, one that is given twice, or what is no tolerance.
-pub fn give(
-    constants: &mut [Constant],
+pub fn made(
     texts: &[String],
     scene: &SceneEntry,
     values: &Constants,
-) -> Result<(), Failure> {
+) -> Result<Vec<Constant>, Failure> {
+    let mut constants = scene.constants.to_vec();
     let mut given = Vec::new();
     for text in texts {
         let place = format!("--tolerance {text}");
-        let (name, width) = split(text, "--tolerance", "J2=10%")?;
+        let (name, width) = named_in(text)?;
         let index = range::constant(scene, name, &place)?;
         let what = format!("the tolerance of `{name}`");
         once(&mut given, index, &what, &place)?;
-        let tolerance = read(width, &constants[index], values.values[index]);
-        constants[index].tolerance = tolerance.map_err(|failure| failure.place(place))?;
-        constants[index].distribution = Distribution::Normal;
+        let constant = &mut constants[index];
+        let asked = Given::read(width, &constant.quantity, values.values[index])
+            .map_err(|failure| failure.place(place))?;
+        constant.tolerance = asked.half_width;
+        constant.distribution = asked.distribution.unwrap_or(constant.distribution);
     }
-    Ok(())
-}
-
-/// A tolerance, SI units: a part of the value in percent, or a value with its unit.
-fn read(width: &str, constant: &Constant, nominal: f64) -> Result<f64, Failure> {
-    let name = constant.quantity.name;
-    let above = |value: f64| match value.is_finite() && value > 0.0 {
-        true => Ok(value),
-        false => Err(none(width, name)),
-    };
-    if let Some(share) = width.strip_suffix('%') {
-        let share: f64 = share.trim().parse().map_err(|_| none(width, name))?;
-        return above(share / 100.0 * nominal.abs());
+    for (constant, value) in constants.iter_mut().zip(&values.values) {
+        constant.distribution = constant.distribution.about(constant.tolerance, *value);
     }
-    if let Ok(bare) = width.parse() {
-        // That its unit lacks is not what to say of a zero.
-        above(bare)?;
-    }
-    quantity(width, &constant.quantity).and_then(above)
-}
-
-fn none(width: &str, name: &str) -> Failure {
-    Failure::request(format!("`{width}` is no tolerance of `{name}`"))
-        .remedy("give a part, `10%`, or a value with its unit, above zero")
+    Ok(constants)
 }

@@ -58,7 +58,7 @@ pub struct ToleranceArguments {
     /// Multiplies all tolerances.
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, allow_hyphen_values = true)]
     pub scale: f64,
-    /// Another tolerance, `l5=0.02mm`; may be repeated.
+    /// Another tolerance, `l5=0.02mm`, `'l5=0.1% uniform'`; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub tolerance: Vec<String>,
     /// Radial play in a joint, as an error of a length, `l5=0.02mm`; may be repeated.

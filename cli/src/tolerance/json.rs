@@ -8,7 +8,6 @@ use serde::Serialize;
 
 use super::answer::{Answer, Second, Unit, label};
 use super::question::Question;
-use super::table::distribution;
 use crate::show::json::{self, Amount, Number, number};
 use crate::show::unit;
 
@@ -296,7 +295,7 @@ impl Page<'_> {
                 play: question.labels[index].is_play,
                 unit: quantity.unit,
                 half_width: number(unit::stated(source.half_width, quantity.factor)),
-                distribution: distribution(source.distribution),
+                distribution: source.distribution.name(),
                 influence: number(one.influence / self.unit.factor * quantity.factor),
                 worst: self.error(one.worst),
                 deviation: self.error(one.deviation),

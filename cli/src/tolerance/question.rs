@@ -3,7 +3,7 @@
 mod names;
 mod wanted;
 
-use assur::shape::Quantity;
+use assur::shape::{Distribution, Quantity};
 use assur::tolerance::{Sampling, Source, Study};
 
 use super::arguments::{Kind, ToleranceArguments};
@@ -65,7 +65,7 @@ impl Question {
         let places = options.places as usize;
         let sampling =
             Sampling { samples: options.samples, seed: options.seed, ..Sampling::default() };
-        let names = Options { scene: case.scene, linkage: case.moved.entry };
+        let names = Options { scene: case.scene, linkage: case.moved.entry, case: &case };
         let (sources, labels) = names.sources(options)?;
         let study = Study {
             output: names.output(options.output.as_deref())?,
@@ -118,9 +118,12 @@ fn beyond(constants: &Constants, labels: &[Label], study: &Study) -> Vec<String>
         let all = constants.scene.constants;
         let index = all.iter().position(|one| one.quantity.name == label.quantity.name)?;
         let (value, half_width) = (constants.values[index], source.half_width);
-        let extremes = [value - half_width, value + half_width];
-        let refused =
-            extremes.into_iter().find_map(|extreme| permitted(&all[index], extreme).err())?;
+        let least = match source.distribution {
+            Distribution::Lognormal { .. } => None,
+            _ => Some(value - half_width),
+        };
+        let mut extremes = least.into_iter().chain([value + half_width]);
+        let refused = extremes.find_map(|extreme| permitted(&all[index], extreme).err())?;
         let half_width = number::declared(half_width / label.quantity.factor);
         Some(format!(
             "{}, which +- {half_width} {} leads to: what lies there is counted all the same",

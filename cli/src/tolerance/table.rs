@@ -5,8 +5,6 @@ mod bands;
 
 use std::path::Path;
 
-use assur::shape::Distribution;
-
 use super::answer::{Answer, Unit, label, place_text};
 use super::question::Question;
 use crate::show::number;
@@ -108,7 +106,7 @@ impl Sheet<'_> {
                 label(question, index),
                 number::significant(source.half_width / quantity.factor, DIGITS),
                 quantity.unit.to_owned(),
-                distribution(source.distribution).to_owned(),
+                source.distribution.name().to_owned(),
                 number::significant(per_unit, 6),
                 self.unit.per(quantity.unit),
                 self.error(one.worst),
@@ -157,14 +155,5 @@ impl Sheet<'_> {
             place_text(question, &question.study.places[worst])
         );
         self.page.section(&heading, &table);
-    }
-}
-
-/// A distribution in a word.
-pub fn distribution(distribution: Distribution) -> &'static str {
-    match distribution {
-        Distribution::Uniform => "uniform",
-        Distribution::Normal => "normal",
-        Distribution::Truncated => "truncated",
     }
 }

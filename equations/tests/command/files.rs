@@ -135,6 +135,41 @@ fn scenes_are_changed_at_the_command_line() {
     assert_eq!(swept["scene"]["name"], "unnamed");
 }
 
+/// An assembly mode is picked by its number, or by where something starts; tolerances have their distribution.
+#[test]
+fn modes_and_tolerances_are_chosen_at_the_command_line() {
+    let here = folder("files-modes");
+    let modes = json(&["modes", "heald_linkage"], &here);
+    let listed = modes["places"][0]["modes"].as_array().expect("a list");
+    assert_eq!(listed.len(), 4);
+    let value = |of: &Value, name: &str| {
+        let all = of["values"].as_array().expect("a list");
+        let found = all.iter().find(|one| one["name"] == name).expect("a value");
+        found["value"].as_f64().expect("a number")
+    };
+    for number in ["1", "2", "3", "4"] {
+        let words = ["run", "heald_linkage", "--mode", number, "--at", "phi4=90deg"];
+        let found = json(&words, &here);
+        let index: usize = number.parse().unwrap();
+        for name in ["phi5", "phi6", "phi7"] {
+            let [found, listed] =
+                [&found["places"][0], &listed[index - 1]].map(|one| value(one, name));
+            assert!((found - listed).abs() < 1e-9, "{number}: {name} = {found}, not {listed}");
+        }
+    }
+    let drawn = answer(&["draw", "heald_linkage", "--mode", "3"], &here);
+    assert!(drawn.contains("changed: start phi5"), "{drawn}");
+    let words = ["tolerance", "heald_linkage", "--mode", "3", "--at", "phi4=90deg"];
+    let other = json(&[&words[..], &["--tolerance", "l4=1% lognormal"]].concat(), &here);
+    let l4 = other["contributions"].as_array().expect("a list").iter();
+    let l4 = l4.clone().find(|one| one["name"] == "l4").expect("a contribution");
+    assert_eq!((&l4["distribution"], &l4["half_width"]), (&"lognormal".into(), &0.9.into()));
+    let study = ["study", "swing.eqn", "--samples", "50", "--tolerance", "k=30% lognormal"];
+    answer(&["new", "swing"], &here);
+    let made = json(&study, &here);
+    assert!(made.to_string().contains("lognormal"), "{made}");
+}
+
 /// What is wrong at the command line is told with an excerpt of it.
 #[test]
 fn wrong_changes_are_told() {
@@ -180,6 +215,12 @@ fn wrong_changes_are_told() {
         (&["run", "swing.eqn", "--scene", "start", "--set", "d=3"], "it belongs to --scene steady"),
         (&["run", "lone.eqn", "--with", "more"], "nothing determines `ddot(y)`"),
         (&["run", "simple_pendulum", "--start", "x=0.5m"], "the closures say"),
+        (&["run", "simple_pendulum", "--mode", "1"], "where start values pick the assembly mode"),
+        (&["run", "heald_linkage", "--mode", "5"], "there are 4 at phi4 = 90 deg"),
+        (&["run", "heald_linkage", "--mode", "0"], "choose from 1"),
+        (&["run", "heald_linkage", "--start", "l4=3mm"], "can be started"),
+        (&["tolerance", "heald_linkage", "--tolerance", "l4=1mm odd"], "is not a value of `l4`"),
+        (&["tolerance", "heald_linkage", "--tolerance", "l4=-1%"], "is no tolerance of `l4`"),
         (&["new", "loop"], "is no word of Rust"),
         (&["run", "binary.eqn"], "binary"),
         (&["run", "long.eqn"], "at most 1 MiB"),

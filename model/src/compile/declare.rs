@@ -42,6 +42,11 @@ pub fn names(here: Here<'_>, diagnostics: &mut Diagnostics) -> (Names, usize) {
         });
     let swept: Vec<&str> = swept.flatten().map(|one| one.driver.text.as_str()).collect();
     names.drive(&swept);
+    for item in here.scene().iter().flat_map(|scene| &scene.items) {
+        if let SceneItem::Start { values } = item {
+            values.iter().for_each(|(target, value)| names.start(target, value));
+        }
+    }
     let shared = names.outputs.len();
     for item in here.scene().iter().flat_map(|scene| &scene.items) {
         if let SceneItem::Output(output) = item {

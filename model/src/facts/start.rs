@@ -51,7 +51,7 @@ pub fn start(
 fn stated(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>) -> Vec<Slot> {
     let coordinates = names.coordinates.len();
     let mut places: Vec<Slot> = Vec::new();
-    let mut said: Vec<(usize, Span)> = Vec::new();
+    let mut said: Vec<(String, Span)> = Vec::new();
     let items = scene.into_iter().flat_map(|scene| &scene.items);
     let values = items.filter_map(|item| match item {
         SceneItem::Start { values } => Some(values),
@@ -61,33 +61,34 @@ fn stated(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>) -> Vec<S
         let Some((started, kind)) = low.scalar(target) else {
             continue;
         };
+        let text = print::term(target);
         let slot = match low.given_symbol(started) {
-            Some(Symbol::Coordinate(index)) => index as usize,
-            Some(Symbol::Speed(index)) => coordinates + index as usize,
-            Some(Symbol::State(index)) => 2 * coordinates + index as usize,
-            // What closures determine is compared with them.
-            Some(Symbol::Dependent(index) | Symbol::DependentRate(index))
-                if names.bound.contains_key(&(index as usize)) =>
-            {
-                continue;
+            Some(Symbol::Coordinate(index)) => Some(index as usize),
+            Some(Symbol::Speed(index)) => Some(coordinates + index as usize),
+            Some(Symbol::State(index)) => Some(2 * coordinates + index as usize),
+            // What closures determine is compared with them, or picks the assembly mode.
+            Some(Symbol::Dependent(_)) => None,
+            Some(Symbol::DependentRate(index)) if names.bound.contains_key(&(index as usize)) => {
+                None
             }
+            Some(Symbol::Driver(_)) if !names.dependents.is_empty() => None,
             _ => {
-                let message = "only a coordinate, its `dot`, or a state can be started";
+                let message = "only a coordinate, its `dot`, a state, or in a linkage a dependent coordinate can be started";
                 let report = Diagnostic::error(target.span, message);
                 low.diagnostics.push(report.hint("the rest follows from them"));
                 continue;
             }
         };
-        if let Some((_, earlier)) = said.iter().find(|(other, _)| *other == slot) {
-            let message = format!("`{}` is started twice", print::term(target));
+        if let Some((_, earlier)) = said.iter().find(|(other, _)| *other == text) {
+            let message = format!("`{text}` is started twice");
             low.diagnostics.push(
                 Diagnostic::error(target.span, message)
                     .related(*earlier, "the first time")
                     .hint("take one of the two away"),
             );
         }
-        said.push((slot, target.span));
-        places.push((slot, value.clone(), kind));
+        said.push((text, target.span));
+        places.extend(slot.map(|slot| (slot, value.clone(), kind)));
     }
     places
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::nearest::nearest;
 use crate::syntax::tree::{
-    Binding, Constant, Dependent, Driver, Statement, StatementKind, Target, Term, TermKind,
-    Unknown, is_unread,
+    Binding, Constant, Dependent, Driver, Statement, StatementKind, Target, Term, Unknown,
+    is_unread,
 };
 
 /// Whose quantities are bound.
@@ -167,16 +167,9 @@ fn limit(constant: &mut Constant, binding: &Binding) {
 
 /// A value in the place of another one.
 fn given(name: &str, value: &Term, instead: Option<&Term>) -> Term {
-    let Some(instead) = instead else {
-        return value.clone();
-    };
-    Term {
-        span: value.span,
-        kind: TermKind::Bound {
-            name: name.to_string(),
-            value: Box::new(value.clone()),
-            instead: Box::new(instead.clone()),
-        },
+    match instead {
+        Some(instead) => instead.clone().replaced(name, value),
+        None => value.clone(),
     }
 }
 

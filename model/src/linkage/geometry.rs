@@ -226,7 +226,7 @@ impl Lowering<'_> {
             (from, to) = (start, start);
         }
         let tolerance = match &driver.what.tolerance {
-            Some(tolerance) => self.tolerance(tolerance, kind)?,
+            Some(tolerance) => self.tolerance(tolerance, kind, start)?,
             None => (0.0, Distribution::default()),
         };
         Some(RangeInfo { from, to, start, period: f64::INFINITY, tolerance })

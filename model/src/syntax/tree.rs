@@ -292,6 +292,8 @@ pub enum Distribution {
     Uniform,
     /// Normal, cut off at the half-width.
     Truncated,
+    /// Of what is above zero, the half-width three standard deviations; its logarithm is normal.
+    Lognormal,
 }
 
 /// A coordinate or state with its unit and start value.

@@ -1,6 +1,6 @@
 //! Files that compile, with what they come to.
 
-use assur_model::checked::{ExpectPlace, SceneModel, SpanKind, Subject};
+use assur_model::checked::{Distribution, ExpectPlace, SceneModel, SpanKind, Subject};
 use assur_model::program::Values;
 
 use super::{SPRING, compiled};
@@ -245,4 +245,29 @@ fn components_of_rates_are_reported_measured_and_published() {
     assert_eq!(facts, expected);
     let found = values(scene, 0.0, &[0.5, 2.0]).all(&scene.program.results.outputs);
     assert_eq!(found, [0.5, 0.0, 4.0, 4.0]);
+}
+
+/// A scene puts a linkage together elsewhere than its file says; units stay those of the declaration.
+#[test]
+fn scenes_start_dependent_coordinates_elsewhere() {
+    let text = "assur::mechanism! { Rocker from \"made up\";
+        dimension a = 25 mm +- 1 mm lognormal, b = 90 mm, c = 60 mm, d = 100 mm;
+        driver phi ~ 90 deg in 0 deg .. 360 deg;
+        dependent gamma ~ 21 deg, psi ~ 106 deg;
+        closure loop: a*dir(phi) + b*dir(gamma) = [d, 0] + c*dir(psi);
+        output psi;
+        scene open { sweep phi; }
+        scene crossed { sweep phi; start gamma = -0.9 rad, psi = 3.9 rad, phi = 1 rad; }
+    }";
+    let scenes = scenes(text);
+    let linkage = |index: usize| scenes[index].linkage.as_ref().expect("a linkage");
+    let start = |index: usize| -> Vec<f64> {
+        let dependents = linkage(index).dependents.iter().map(|one| one.start);
+        dependents.chain([linkage(index).ranges[0].start]).collect()
+    };
+    let degrees = |angles: [f64; 3]| angles.map(f64::to_radians).to_vec();
+    assert_eq!(start(0), degrees([21.0, 106.0, 90.0]));
+    assert_eq!(start(1), [-0.9, 3.9, 1.0]);
+    assert_eq!(linkage(1).dependents[1].quantity.unit, "deg");
+    assert_eq!(scenes[0].constants[0].distribution, Distribution::Lognormal);
 }

@@ -60,7 +60,7 @@ impl Quantity {
 }
 
 /// Distribution of a made size.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Distribution {
     /// Half-width is three standard deviations.
     #[default]
@@ -69,6 +69,32 @@ pub enum Distribution {
     Uniform,
     /// Normal with the half-width as three standard deviations, cut off there.
     Truncated,
+    /// Of what is above zero, with the half-width as three standard deviations about its mean; its logarithm is normal.
+    Lognormal {
+        /// The half-width over the mean.
+        ratio: f64,
+    },
+}
+
+impl Distribution {
+    /// The same about another mean, or with another half-width.
+    #[must_use]
+    pub fn about(self, half_width: f64, mean: f64) -> Self {
+        match self {
+            Self::Lognormal { .. } => Self::Lognormal { ratio: half_width / mean },
+            other => other,
+        }
+    }
+
+    /// In a word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Normal => "normal",
+            Self::Uniform => "uniform",
+            Self::Truncated => "truncated",
+            Self::Lognormal { .. } => "lognormal",
+        }
+    }
 }
 
 /// A dimension or parameter.

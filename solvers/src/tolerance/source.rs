@@ -31,6 +31,11 @@ impl Source {
         self.half_width.powi(2) * self.distribution.variance()
     }
 
+    /// Third central moment of the error.
+    pub fn third_moment(&self) -> f64 {
+        self.half_width.powi(3) * self.distribution.third_moment()
+    }
+
     /// Fourth central moment of the error.
     pub fn fourth_moment(&self) -> f64 {
         self.half_width.powi(4) * self.distribution.fourth_moment()

@@ -7,17 +7,20 @@ use assur::tolerance::Source;
 
 use super::Label;
 use crate::ask::lookup::suggestion;
+use crate::ask::tolerances::{Given, named_in};
 use crate::ask::values::{once, quantity, split};
 use crate::error::Failure;
+use crate::linkage::case::Case;
 use crate::tolerance::arguments::ToleranceArguments;
 
 /// The names of a scene.
-pub(super) struct Options {
+pub(super) struct Options<'a> {
     pub scene: &'static SceneEntry,
     pub linkage: &'static LinkageEntry,
+    pub case: &'a Case,
 }
 
-impl Options {
+impl Options<'_> {
     /// The quantity of a variable, its tolerance and how it is distributed.
     pub fn variable(&self, index: usize) -> (&'static Quantity, f64, Distribution) {
         match self.linkage.variables[index] {
@@ -29,6 +32,14 @@ impl Options {
                 let (tolerance, distribution) = self.linkage.tolerances[index];
                 (&self.scene.drivers[index], tolerance, distribution)
             }
+        }
+    }
+
+    /// The value of a variable; of a driver where it starts.
+    fn value(&self, index: usize) -> f64 {
+        match self.linkage.variables[index] {
+            Variable::Constant(index) => self.case.constants.values[index],
+            Variable::Driver(index) => self.case.moved.ranges[index].start,
         }
     }
 
@@ -67,24 +78,26 @@ impl Options {
                 .remedy("give a positive number"));
         }
         let variables = 0..self.linkage.variables.len();
-        let mut tolerances: Vec<f64> = variables.map(|one| self.variable(one).1).collect();
+        let mut tolerances: Vec<_> = variables.map(|one| self.variable(one)).collect();
         let mut given = Vec::new();
         for text in &options.tolerance {
-            let (index, value) = self.read(text, "--tolerance")?;
-            let what = format!("the tolerance of `{}`", self.variable(index).0.name);
-            once(&mut given, index, &what, &format!("--tolerance {text}"))?;
-            tolerances[index] = value;
+            let (name, width) = named_in(text)?;
+            let index = self.find(name, "--tolerance")?;
+            let place = format!("--tolerance {text}");
+            once(&mut given, index, &format!("the tolerance of `{name}`"), &place)?;
+            let (quantity, tolerance, distribution) = &mut tolerances[index];
+            let asked = Given::read(width, quantity, self.value(index))
+                .map_err(|failure| failure.place(place))?;
+            (*tolerance, *distribution) =
+                (asked.half_width, asked.distribution.unwrap_or(*distribution));
         }
         let mut sources = Vec::new();
         let mut labels = Vec::new();
-        for (variable, tolerance) in tolerances.into_iter().enumerate() {
-            let (quantity, _, distribution) = self.variable(variable);
+        for (variable, (quantity, tolerance, distribution)) in tolerances.into_iter().enumerate() {
             if tolerance > 0.0 {
-                sources.push(Source {
-                    variable,
-                    half_width: tolerance * options.scale,
-                    distribution,
-                });
+                let half_width = tolerance * options.scale;
+                let distribution = distribution.about(half_width, self.value(variable));
+                sources.push(Source { variable, half_width, distribution });
                 labels.push(Label { quantity, is_play: false });
             }
         }

@@ -19,7 +19,7 @@ pub struct Wanted {
     pub candidates: Vec<Candidate>,
 }
 
-impl Options {
+impl Options<'_> {
     /// What is to be chosen.
     pub fn wanted(
         &self,

@@ -51,6 +51,7 @@ impl Parser<'_> {
                 let distribution = match () {
                     () if self.take_word("uniform") => Distribution::Uniform,
                     () if self.take_word("truncated") => Distribution::Truncated,
+                    () if self.take_word("lognormal") => Distribution::Lognormal,
                     () => {
                         let _ = self.take_word("normal");
                         Distribution::Normal

@@ -32,6 +32,7 @@ const NOT_UNITS: &[&str] = &[
     "normal",
     "uniform",
     "truncated",
+    "lognormal",
     "over",
     "else",
     "rises",

@@ -35,6 +35,16 @@ impl Term {
         }
     }
 
+    /// What stands in its place: a value of its kind, for the quantity of a name.
+    pub fn replaced(self, name: &str, value: &Self) -> Self {
+        let kind = TermKind::Bound {
+            name: name.to_owned(),
+            value: Box::new(value.clone()),
+            instead: Box::new(self),
+        };
+        Self { span: value.span, kind }
+    }
+
     /// Whether it is made of numbers, `pi` and functions of them.
     pub fn is_made_of_numbers(&self) -> bool {
         match &self.kind {
@@ -78,8 +88,8 @@ pub enum TermKind {
     Search { name: Name, variable: Name, from: Box<Term>, to: Box<Term>, body: Box<Term> },
     /// `table(x; 0: 1, 1: 3)`, `table("spring.csv", x)`.
     Table(Box<TableTerm>),
-    /// What the quantity `name` of a part is given instead of what its file says, both of one kind. It is not written
-    /// so: the binding `e_v = 6 mm;` of a part makes it.
+    /// What the quantity `name` is given instead of what is declared, both of one kind. It is not written so: the binding
+    /// `e_v = 6 mm;` of a part makes it, or `start psi = 100 deg;` of a scene.
     Bound { name: String, value: Box<Term>, instead: Box<Term> },
 }
 

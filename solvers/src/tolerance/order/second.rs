@@ -1,12 +1,12 @@
 //! Error bands to second order.
 //!
-//! An output errs by `K δ + ½ δᵀ H δ`. For independent errors of symmetric distributions, with variances `v` and fourth
-//! moments `m`,
+//! An output errs by `K δ + ½ δᵀ H δ`. For independent errors without a mean, with variances `v`, third moments `w` (zero of
+//! symmetric distributions) and fourth moments `m`,
 //!
 //! ```text
 //! mean      ½ Σ H_pp v_p
-//! variance  Σ K_p² v_p + ¼ Σ H_pp² (m_p - v_p²) + Σ_{p<q} H_pq² v_p v_q
-//! third     3/2 Σ K_p² H_pp (m_p - v_p²) + 6 Σ_{p<q} K_p K_q H_pq v_p v_q + O(H³)
+//! variance  Σ K_p² v_p + Σ K_p H_pp w_p + ¼ Σ H_pp² (m_p - v_p²) + Σ_{p<q} H_pq² v_p v_q
+//! third     Σ K_p³ w_p + 3/2 Σ K_p² H_pp (m_p - v_p²) + 6 Σ_{p<q} K_p K_q H_pq v_p v_q + O(H²)
 //! ```
 
 use super::influence::influence_at;
@@ -64,10 +64,10 @@ impl Quadratic {
         let (mut mean, mut variance, mut third) = (0.0, 0.0, 0.0);
         for p in 0..n {
             let (k, h, v) = (self.gradient[p], self.hessian[p * n + p], variances[p]);
-            let excess = sources[p].fourth_moment() - v * v;
+            let (skew, excess) = (sources[p].third_moment(), sources[p].fourth_moment() - v * v);
             mean += 0.5 * h * v;
-            variance += k * k * v + 0.25 * h * h * excess;
-            third += 1.5 * k * k * h * excess;
+            variance += k * k * v + k * h * skew + 0.25 * h * h * excess;
+            third += k * k * k * skew + 1.5 * k * k * h * excess;
             for (q, other) in variances[..p].iter().enumerate() {
                 let h = self.hessian[p * n + q];
                 variance += h * h * v * other;

@@ -20,6 +20,7 @@ impl Distribution {
                 let missing = 2.0 * SPREAD * DENSITY / (1.0 - 2.0 * TAIL);
                 (1.0 - missing) / (SPREAD * SPREAD)
             }
+            Self::Lognormal { .. } => 1.0 / (SPREAD * SPREAD),
         }
     }
 
@@ -38,6 +39,21 @@ impl Distribution {
                 let missing = 2.0 * (SPREAD.powi(3) + 3.0 * SPREAD) * DENSITY / (1.0 - 2.0 * TAIL);
                 (3.0 - missing) / fourth
             }
+            Self::Lognormal { ratio } => {
+                let growth = 1.0 + (ratio / SPREAD).powi(2);
+                (growth.powi(4) + 2.0 * growth.powi(3) + 3.0 * growth * growth - 3.0) / fourth
+            }
+        }
+    }
+
+    /// Third central moment for a half-width of one; zero of what errs to both sides alike.
+    pub fn third_moment(self) -> f64 {
+        match self {
+            Self::Uniform | Self::Normal | Self::Truncated => 0.0,
+            Self::Lognormal { ratio } => {
+                let part = ratio / SPREAD;
+                part * (3.0 + part * part) / SPREAD.powi(3)
+            }
         }
     }
 
@@ -48,6 +64,10 @@ impl Distribution {
             Self::Uniform => 2.0 * share - 1.0,
             Self::Normal => normal::quantile(share) * (1.0 / SPREAD),
             Self::Truncated => normal::quantile(TAIL + share * (1.0 - 2.0 * TAIL)) * (1.0 / SPREAD),
+            Self::Lognormal { ratio } => {
+                let variance = (ratio / SPREAD).powi(2).ln_1p();
+                (variance.sqrt() * normal::quantile(share) - 0.5 * variance).exp_m1() / ratio
+            }
         }
     }
 }
@@ -66,11 +86,24 @@ mod tests {
 
     #[test]
     fn moments_are_those_of_the_deviates() {
-        use Distribution::{Normal, Truncated, Uniform};
-        for (of, loss) in [(Uniform, 1e-9), (Normal, 1e-5), (Truncated, 1e-9)] {
-            assert!(mean(of, 1).abs() < 1e-12);
+        use Distribution::{Lognormal, Normal, Truncated, Uniform};
+        let slight = Lognormal { ratio: 0.3 };
+        let much = Lognormal { ratio: 1.5 };
+        let all =
+            [(Uniform, 1e-9), (Normal, 1e-5), (Truncated, 1e-9), (slight, 1e-5), (much, 5e-4)];
+        for (of, loss) in all {
+            assert!(mean(of, 1).abs() < 1e-3 * loss + 1e-12, "{of:?}");
             assert!((mean(of, 2) - of.variance()).abs() < loss, "{of:?}");
+            assert!((mean(of, 3) - of.third_moment()).abs() < loss, "{of:?}");
             assert!((mean(of, 4) - of.fourth_moment()).abs() < 3.0 * loss, "{of:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_above_zero_stays_there() {
+        let of = Distribution::Lognormal { ratio: 3.0 };
+        for share in [1e-15, 1e-3, 0.5, 0.999] {
+            assert!(1.0 + 3.0 * of.quantile(share) > 0.0, "{share}");
         }
     }
 

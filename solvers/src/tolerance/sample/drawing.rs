@@ -106,6 +106,7 @@ impl Run<'_> {
                 Distribution::Uniform => draw!(Distribution::Uniform),
                 Distribution::Normal => draw!(Distribution::Normal),
                 Distribution::Truncated => draw!(Distribution::Truncated),
+                Distribution::Lognormal { ratio } => draw!(Distribution::Lognormal { ratio }),
             }
         }
     }
