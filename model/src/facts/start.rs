@@ -73,7 +73,12 @@ fn stated(low: &mut Lowering<'_>, names: &Names, scene: Option<&Scene>) -> Vec<S
             }
             Some(Symbol::Driver(_)) if !names.dependents.is_empty() => None,
             _ => {
-                let message = "only a coordinate, its `dot`, a state, or in a linkage a dependent coordinate can be started";
+                let message = match names.dependents.is_empty() {
+                    true => "only a coordinate, its `dot`, or a state can be started",
+                    false => {
+                        "only a coordinate, its `dot`, a state, a dependent coordinate or a driver can be started"
+                    }
+                };
                 let report = Diagnostic::error(target.span, message);
                 low.diagnostics.push(report.hint("the rest follows from them"));
                 continue;

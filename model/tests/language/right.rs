@@ -250,15 +250,14 @@ fn components_of_rates_are_reported_measured_and_published() {
 /// A scene puts a linkage together elsewhere than its file says; units stay those of the declaration.
 #[test]
 fn scenes_start_dependent_coordinates_elsewhere() {
-    let text = "assur::mechanism! { Rocker from \"made up\";
+    let text = "Rocker from \"made up\";
         dimension a = 25 mm +- 1 mm lognormal, b = 90 mm, c = 60 mm, d = 100 mm;
         driver phi ~ 90 deg in 0 deg .. 360 deg;
         dependent gamma ~ 21 deg, psi ~ 106 deg;
         closure loop: a*dir(phi) + b*dir(gamma) = [d, 0] + c*dir(psi);
         output psi;
         scene open { sweep phi; }
-        scene crossed { sweep phi; start gamma = -0.9 rad, psi = 3.9 rad, phi = 1 rad; }
-    }";
+        scene crossed { sweep phi; start gamma = -0.9 rad, psi = 3.9 rad, phi = 1 rad; }";
     let scenes = scenes(text);
     let linkage = |index: usize| scenes[index].linkage.as_ref().expect("a linkage");
     let start = |index: usize| -> Vec<f64> {
