@@ -158,12 +158,7 @@ fn of_linkage(
     constants: Constants,
     shown: Shown,
 ) -> Result<linkage::report::Report, Failure> {
-    if let Some((option, text)) = options.accuracy.given().next() {
-        return Err(Failure::request(format!("a linkage takes no {option}"))
-            .place(format!("{option} {text}"))
-            .reason("its loops are closed to rounding; nothing is integrated")
-            .remedy("leave it out"));
-    }
+    options.accuracy.none_for_linkages()?;
     let case = linkage::case::Case::new(constants)?;
     let places = options.at.iter().map(|text| linkage::place::read(&case, text));
     let places = places.collect::<Result<Vec<_>, _>>()?;

@@ -33,6 +33,7 @@ pub fn items(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
         ("points", quote!(values), closing.points.clone()),
     ];
     let lists = lists.iter().map(|(method, target, values)| list(layout, method, target, values));
+    let measures = measures(layout);
     let methods = [
         instants,
         close(layout),
@@ -64,8 +65,30 @@ pub fn items(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
 
             #(#methods)*
             #(#lists)*
+            #measures
         }
     }
+}
+
+/// The methods for measures, where the scene has any.
+fn measures(layout: &Layout<'_>) -> Option<TokenStream> {
+    let results = &layout.program().results;
+    let measured = list(layout, "measured", &quote!(values), &results.measured);
+    let wanted = &results.measures;
+    let body = Body::new(layout, Scope::Evaluation, wanted, &[]);
+    let statements = body.statements(wanted);
+    let values: Vec<TokenStream> = wanted.iter().map(|value| body.value(*value)).collect();
+    let places = (0..wanted.len()).map(size);
+    (!wanted.is_empty()).then(|| {
+        quote! {
+            #measured
+
+            fn measures(&self, found: &[S], values: &mut [S]) {
+                #statements
+                #(values[#places] = #values;)*
+            }
+        }
+    })
 }
 
 /// A match on the number of the group; groups with nothing to do give NaN.

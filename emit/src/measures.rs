@@ -39,6 +39,11 @@ fn primitive(primitive: &Primitive, modes: &[ModeModel]) -> TokenStream {
         PrimitiveKind::Rms => quote!(Rms),
         PrimitiveKind::Integral => quote!(Integral),
         PrimitiveKind::Duration => quote!(Duration),
+        PrimitiveKind::Travel => quote!(Travel),
+        PrimitiveKind::Straightness(along) => {
+            let along = size(*along);
+            quote!(Straightness(#along))
+        }
         PrimitiveKind::Value(when) => {
             let moment = moment(when, modes);
             quote!(Value(#moment))
@@ -63,6 +68,14 @@ fn primitive(primitive: &Primitive, modes: &[ModeModel]) -> TokenStream {
             let number = size(*number as usize);
             quote!(Damping(#number))
         }
+        PrimitiveKind::Multiplier(number) => {
+            let number = size(*number as usize);
+            quote!(Multiplier(#number))
+        }
+        PrimitiveKind::Detuning(number) => {
+            let number = size(*number as usize);
+            quote!(Detuning(#number))
+        }
     };
     quote!(Primitive::of(Kind::#kind, #argument) #window)
 }
@@ -79,6 +92,10 @@ fn moment(moment: &Moment, modes: &[ModeModel]) -> TokenStream {
     let moment = match moment {
         Moment::Start => quote!(Start),
         Moment::End => quote!(End),
+        Moment::Passes(index, last) => {
+            let index = size(*index);
+            quote!(Passes { index: #index, last: #last })
+        }
         Moment::Enter(mode, last) => {
             let fields = of(mode, last);
             quote!(Enter #fields)

@@ -197,6 +197,8 @@ fn primitive(one: &Primitive, modes: &[ModeModel]) -> shape::Primitive {
         PrimitiveKind::Rms => shape::Kind::Rms,
         PrimitiveKind::Integral => shape::Kind::Integral,
         PrimitiveKind::Duration => shape::Kind::Duration,
+        PrimitiveKind::Travel => shape::Kind::Travel,
+        PrimitiveKind::Straightness(along) => shape::Kind::Straightness(*along),
         PrimitiveKind::Value(when) => shape::Kind::Value(moment(when, modes)),
         PrimitiveKind::Count(when) => shape::Kind::Count(moment(when, modes)),
         PrimitiveKind::Cosine(angle, rate, order) => {
@@ -207,6 +209,8 @@ fn primitive(one: &Primitive, modes: &[ModeModel]) -> shape::Primitive {
         }
         PrimitiveKind::Frequency(number) => shape::Kind::Frequency(*number),
         PrimitiveKind::Damping(number) => shape::Kind::Damping(*number),
+        PrimitiveKind::Multiplier(number) => shape::Kind::Multiplier(*number),
+        PrimitiveKind::Detuning(number) => shape::Kind::Detuning(*number),
     };
     shape::Primitive { kind, argument: one.argument, window: one.window }
 }
@@ -223,6 +227,7 @@ fn moment(moment: &Moment, modes: &[ModeModel]) -> shape::Moment {
     match moment {
         Moment::Start => shape::Moment::Start,
         Moment::End => shape::Moment::End,
+        Moment::Passes(index, last) => shape::Moment::Passes { index: *index, last: *last },
         Moment::Enter(mode, last) => shape::Moment::Enter { mode: *mode, last: *last },
         Moment::Leave(mode, last) => shape::Moment::Leave { mode: *mode, last: *last },
         Moment::Before(event, last) => shape::Moment::Before { event: named(event), last: *last },

@@ -10,7 +10,7 @@ pub use linkage::{
     AugmentedInfo, DependentInfo, GroupInfo, GroupKind, LinkInfo, LinkageInfo, LoopInfo, RangeInfo,
     VariableInfo,
 };
-pub use measure::{MeasureInfo, Moment, Primitive, PrimitiveKind};
+pub use measure::{MeasureInfo, Measured, Moment, Primitive, PrimitiveKind};
 pub use mode::{EventInfo, ModeModel};
 
 use crate::diagnostic::Diagnostic;

@@ -1,6 +1,6 @@
 //! The measures of a scene: numbers of a whole run, made of what is found by looking at it.
 
-use crate::checked::{MeasureInfo, Moment, Primitive, PrimitiveKind, QuantityInfo};
+use crate::checked::{MeasureInfo, Measured, Primitive, QuantityInfo};
 use crate::declare::quantity;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Symbol};
@@ -41,16 +41,16 @@ impl Measures {
     }
 }
 
-/// Lowers the measures of a scene that runs through these modes and has events of these names; or that rests, in a file of
-/// which some scene does. A scene has those measures that it can have.
+/// Lowers the measures of a scene that goes through these modes and has events of these names, by what it does and what all
+/// scenes of the file do. A scene has those measures that it can have.
 pub fn read(
     low: &mut Lowering<'_>,
     names: &Names,
     (modes, events): (Vec<String>, Vec<String>),
-    (rests, some_rests): (bool, bool),
+    (task, tasks): (Measured, Vec<Measured>),
 ) -> Measures {
     let mut measures = Measures::default();
-    low.measured = Measuring { modes, events, some_rests, ..Measuring::default() };
+    low.measured = Measuring { modes, events, tasks, ..Measuring::default() };
     for measure in &names.measures {
         let Some(term) = &measure.what.value else {
             continue;
@@ -83,7 +83,7 @@ pub fn read(
             _ => None,
         });
         let uses: Vec<usize> = uses.collect();
-        if !is_of(low, rests, &uses, term) {
+        if !is_of(low, task, &uses, term) {
             continue;
         }
         measures.uses.push(uses);
@@ -101,23 +101,19 @@ pub fn read(
 }
 
 /// Whether a measure is one of what the scene does.
-fn is_of(low: &mut Lowering<'_>, rests: bool, uses: &[usize], term: &Term) -> bool {
-    let kinds = || uses.iter().map(|index| &low.measured.primitives[*index].kind);
-    let of_rest = |kind: &PrimitiveKind| {
-        matches!(kind, PrimitiveKind::Frequency(_) | PrimitiveKind::Damping(_))
+fn is_of(low: &mut Lowering<'_>, task: Measured, uses: &[usize], term: &Term) -> bool {
+    let has = |task: Measured| {
+        let mut kinds = uses.iter().map(|index| &low.measured.primitives[*index].kind);
+        kinds.all(|kind| kind.is_of(task))
     };
-    let of_both = |kind: &PrimitiveKind| matches!(kind, PrimitiveKind::Value(Moment::End));
-    let of_run = |kind: &PrimitiveKind| !of_rest(kind) && !of_both(kind);
-    if kinds().any(of_rest) && kinds().any(of_run) {
+    let all = [Measured::Run, Measured::Periodic, Measured::Rest, Measured::Positions];
+    if !all.into_iter().any(has) {
         let message = "this is a number of a run and of a position of rest";
         let report = Diagnostic::error(term.span, message);
         low.diagnostics.push(report.hint("a scene runs or rests: make two measures of it"));
         return false;
     }
-    match rests {
-        true => !kinds().any(of_run),
-        false => !kinds().any(of_rest),
-    }
+    has(task)
 }
 
 /// The unit in which a measure is printed.

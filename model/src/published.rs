@@ -108,9 +108,9 @@ fn no_subject(low: &Lowering<'_>, expect: &Expect, wanted: &str, model: &SceneMo
         let names = measures().map(|one| one.name.as_str());
         let is_declared = low.names.measures.iter().any(|one| one.name.text == wanted);
         if is_declared && model.linkage.is_some() {
-            let message = format!("the scene `{}` has positions only, and no measures", model.name);
-            let hint =
-                "measures look at a motion: let the scene run, as in `periodic over 2*pi/w;`";
+            let message =
+                format!("the scene `{}` does not have the measure `{wanted}`", model.name);
+            let hint = "it looks at a motion: let the scene run, as in `periodic over 2*pi/w;`; or at positions: sweep one driver";
             return Diagnostic::error(expect.quantity.span, message).hint(hint);
         }
         return no_measure(expect, wanted, nearest(wanted, names));

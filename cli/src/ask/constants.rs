@@ -59,6 +59,11 @@ impl Constants {
         Ok(constants)
     }
 
+    /// The same with other values, SI units.
+    pub fn with_values(&self, values: &[f64]) -> Self {
+        Self { values: values.to_vec(), ..self.clone() }
+    }
+
     /// The same values in another form of the scene.
     pub fn in_scene(&self, scene: &'static SceneEntry) -> Self {
         let changes = self.changes.clone();

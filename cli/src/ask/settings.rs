@@ -55,6 +55,22 @@ impl Accuracy {
     }
 }
 
+impl Accuracy {
+    /// The settings of a linkage, of which none can be chosen.
+    ///
+    /// # Errors
+    /// When one is given all the same.
+    pub fn none_for_linkages(&self) -> Result<Settings, Failure> {
+        match self.given().next() {
+            None => Ok(Settings::default()),
+            Some((option, text)) => Err(Failure::request(format!("a linkage takes no {option}"))
+                .place(format!("{option} {text}"))
+                .reason("its loops are closed to rounding; nothing is integrated")
+                .remedy("leave it out")),
+        }
+    }
+}
+
 /// Reads the absolute tolerance of a state: which, and how much in SI units.
 fn absolute(scene: &SceneEntry, text: &str) -> Result<(usize, f64), Failure> {
     let states = scene.states;

@@ -1,6 +1,6 @@
 //! A linkage with its values: how its drivers move, and what is reported.
 
-use assur::closure::{AnyLinkage, ClosureError, Path, Range, Sample};
+use assur::closure::{AnyLinkage, ClosureError, Measured, Path, Range, Sample};
 use assur::problem::Span;
 use assur::shape::{LinkageEntry, Quantity, Subject};
 
@@ -204,6 +204,17 @@ impl Case {
     pub fn follow(&self, stations: &[Vec<f64>]) -> Result<Path, ClosureError> {
         let places: Vec<_> = stations.iter().map(|station| self.place(station)).collect();
         self.moved.run.follow(&places)
+    }
+
+    /// The measures over the task, which are none over a grid.
+    ///
+    /// # Errors
+    /// Why it does not get through it.
+    pub fn measures(&self) -> Result<Vec<Measured>, ClosureError> {
+        match self.run().way() {
+            Some(way) if !self.scene.measures.is_empty() => self.run().measures(way),
+            _ => Ok(Vec::new()),
+        }
     }
 
     /// The values of the variables, SI units.

@@ -15,6 +15,7 @@ use crate::ask::values::TIME;
 use crate::ask::variables::Variable;
 use crate::error::Failure;
 use crate::published::{Comparison, Known, Stated};
+use crate::show::measures::{self, Measured};
 
 /// A linkage moved through its task.
 pub struct Found {
@@ -24,6 +25,8 @@ pub struct Found {
     pub lines: Vec<Line>,
     /// Strokes over the task where it has one axis, see [`reach::strokes`].
     pub strokes: Option<Vec<Stroke>>,
+    /// Numbers of the whole task; none where it is not gone through.
+    pub measures: Vec<Measured>,
     /// Seconds that the positions took.
     pub seconds: f64,
 }
@@ -47,7 +50,12 @@ impl Found {
         let lines = case.grid(grid);
         let seconds = clock.elapsed().as_secs_f64();
         match lines {
-            Ok(lines) => Ok(Self { strokes: reach::strokes(&case), case, lines, seconds }),
+            Ok(lines) => {
+                let found = case.measures().unwrap_or_default();
+                let found = found.into_iter().map(|one| (one.value, one.error));
+                let measures = measures::of(case.scene, found);
+                Ok(Self { strokes: reach::strokes(&case), measures, case, lines, seconds })
+            }
             Err(error) => Err(Box::new((case, error))),
         }
     }
@@ -107,6 +115,11 @@ impl Case {
     /// A published fact in words; none where no linkage has its place.
     pub fn stated(&self, fact: &'static Expectation) -> Option<Stated> {
         let quantity = self.scene.quantity(fact.subject)?;
+        if let Subject::Measure(_) = fact.subject {
+            let (name, unit) = (quantity.name.to_owned(), quantity.unit.to_owned());
+            let (factor, place) = (quantity.factor, "run".to_owned());
+            return Some(Stated { fact, name, unit, factor, variable: None, place });
+        }
         let named = |variable: &Variable| variable.name == quantity.name;
         let variable = self.variables.iter().position(named)?;
         let printed = &self.variables[variable];
@@ -143,12 +156,19 @@ impl Known for Found {
         // What does not close has no value, which the comparison shows.
         Ok(Self::of(Case::new(constants)?).unwrap_or_else(|apart| {
             let (case, _) = *apart;
-            Self { case, lines: Vec::new(), strokes: None, seconds: 0.0 }
+            let (lines, measures) = (Vec::new(), Vec::new());
+            Self { case, lines, strokes: None, measures, seconds: 0.0 }
         }))
     }
 
     fn compare(&self, fact: &'static Expectation) -> Option<Comparison> {
         let stated = self.case.stated(fact)?;
+        if let Subject::Measure(index) = fact.subject {
+            let found = self.measures.get(index);
+            let (computed, error) = found
+                .map_or((f64::NAN, f64::NAN), |one| (one.value.unwrap_or(f64::NAN), one.error));
+            return Some(Comparison { stated, time: None, computed, error, comparable: true });
+        }
         let quantity = self.case.scene.quantity(fact.subject)?;
         let mut variables = self.case.variables.iter();
         let variable = variables.position(|variable| variable.name == quantity.name)?;

@@ -16,6 +16,7 @@ use super::{group, search};
 use crate::ask::variables::Variable;
 use crate::run::{Found, Run};
 use crate::show::json::{About, Amount, Number, Published, number, path};
+use crate::show::measures::{self, Measure};
 use crate::show::unit;
 
 /// What is found of a linkage.
@@ -31,6 +32,8 @@ pub struct Linkage {
     note: Option<String>,
     /// The limits of every variable over the task.
     results: Vec<Limits>,
+    /// Numbers of the whole task.
+    measures: Vec<Measure>,
     /// At round positions.
     positions: Vec<Position>,
     /// For each group that has a transmission angle.
@@ -316,6 +319,7 @@ impl Linkage {
             stopped: report.stops.iter().map(|one| stop((&one.place, &one.reason))).collect(),
             note: report.note.clone(),
             results: Limits::all(report),
+            measures: measures::objects(case.scene, &report.measures),
             positions,
             transmission: transmissions(report),
             reach: reaches(report),

@@ -25,6 +25,7 @@ use crate::error::{Failure, Told};
 use crate::plot;
 use crate::published::{self, Comparison};
 use crate::run::Shown;
+use crate::show::measures::Measured;
 use crate::show::number;
 use crate::show::page::Page;
 
@@ -42,6 +43,8 @@ pub struct Report {
     pub reach: Vec<Reach>,
     /// Strokes over the task where it has one axis, see [`reach::strokes`].
     pub strokes: Option<Vec<Stroke>>,
+    /// Numbers of the whole task.
+    pub measures: Vec<Measured>,
     /// Where each group transmits worst, its sine being smallest.
     pub transmissions: Vec<(usize, Extreme)>,
     /// That it is put together far from its start values, in words.
@@ -146,7 +149,7 @@ pub fn collect(
     };
     let found = Found::on(grid, case).map_err(|found| apart(&found.0, &found.1))?;
     let published = published::compare(&found)?;
-    let Found { case, lines, strokes, seconds: closing } = found;
+    let Found { case, lines, strokes, measures, seconds: closing } = found;
     let doubt = fault::take_doubt();
     let rows = case.grid(&Grid::coarse(&case)).map_err(|error| apart(&case, &error))?;
     let places: Vec<_> =
@@ -189,6 +192,7 @@ pub fn collect(
         limits,
         reach,
         strokes,
+        measures,
         transmissions,
         note,
         met,

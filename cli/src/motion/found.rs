@@ -7,13 +7,13 @@ use assur::shape::{At, Expectation, Subject};
 
 use super::case::Case;
 use super::curves::{self, Curves};
-use super::measures::{self, Measured};
 use crate::ask::case::amount_of;
 use crate::ask::constants::Constants;
 use crate::ask::values::TIME;
 use crate::ask::variables::Variable;
 use crate::error::Failure;
 use crate::published::{Comparison, Known, Stated};
+use crate::show::measures::{self, Measured};
 
 /// A motion with its errors.
 pub struct Found {
@@ -41,7 +41,9 @@ impl Found {
         let extremes = motion.extremes(&subjects, ALWAYS);
         let curves = curves::sample(&case, &motion, &extremes);
         let estimate = motion.estimate().map_err(|error| case.unanswered(&error))?;
-        let measures = measures::of(&case, &motion, &estimate);
+        let found = motion.measures();
+        let errors = estimate.measures(&found);
+        let measures = measures::of(case.scene, found.into_iter().zip(errors));
         let extremes = estimate.extremes(&motion, &subjects, &curves.samples(), &extremes);
         Ok(Self { case, motion, curves, estimate, extremes, measures })
     }

@@ -12,6 +12,7 @@ use super::report::{Report, Snapshot};
 use super::{events, rest};
 use crate::run::{Found, Run};
 use crate::show::json::{About, Amount, Number, Published, Reading, Settings, number, path, text};
+use crate::show::measures::{self, Measure};
 use crate::show::unit;
 
 /// What is found of a scene that moves by its equations of motion.
@@ -174,17 +175,6 @@ struct Guard {
     unit: &'static str,
 }
 
-/// A number of the whole task.
-#[derive(Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-struct Measure {
-    #[serde(flatten)]
-    found: Reading,
-    /// Why there is no value.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    missing: Option<String>,
-}
-
 /// A Floquet multiplier.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -288,7 +278,7 @@ impl Motion {
         let case = &report.case;
         let results = results(report);
         let at: Vec<_> = report.places.iter().map(|place| Place::of(report, place)).collect();
-        let measures = measures(report);
+        let measures = measures::objects(report.case.scene, &report.measures);
         let places = at.iter().flat_map(|place| &place.results);
         let start = results.iter().map(|result| &result.start);
         let mut values = start.chain(places).chain(measures.iter().map(|one| &one.found));
@@ -393,24 +383,6 @@ impl Event {
             after: Amount::all(states, &event.after),
         }
     }
-}
-
-fn measures(report: &Report) -> Vec<Measure> {
-    let modes: Vec<_> = report.case.scene.modes.iter().map(|mode| mode.name).collect();
-    let one = report.measures.iter().map(|measure| {
-        let quantity = measure.quantity;
-        let stated = |value: f64| number(unit::stated(value, quantity.factor));
-        Measure {
-            found: Reading {
-                name: quantity.name.to_owned(),
-                unit: quantity.unit.to_owned(),
-                value: measure.value.ok().and_then(stated),
-                estimated_error: stated(measure.error),
-            },
-            missing: measure.value.err().map(|missing| missing.text(&modes)),
-        }
-    });
-    one.collect()
 }
 
 fn multipliers(report: &Report) -> Vec<Multiplier> {

@@ -3,7 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `case`, `solve` | a motion with its values, and how it is found |
-//! | `found`, `curves`, `events`, `measures`, `multipliers`, `rest` | what is said of it |
+//! | `found`, `curves`, `events`, `multipliers`, `rest` | what is said of it |
 //! | `report` | all of that together |
 //! | `table`, `json`, `csv` | how it is shown |
 //! | `turn`, `unclosed`, `unfollowed` | periods and errors in words |
@@ -14,7 +14,6 @@ pub mod curves;
 pub mod events;
 pub mod found;
 pub mod json;
-pub mod measures;
 pub mod multipliers;
 pub mod report;
 pub mod rest;

@@ -11,7 +11,6 @@ use serde::Serialize;
 use super::case::Case;
 use super::curves::Curves;
 use super::found::Found;
-use super::measures::Measured;
 use super::multipliers::{self, Multiplier};
 use super::{csv, json, rest, table};
 use crate::answer::Answer;
@@ -22,6 +21,7 @@ use crate::error::Failure;
 use crate::plot;
 use crate::published::{self, Comparison};
 use crate::run::Shown;
+use crate::show::measures::Measured;
 use crate::show::number;
 use crate::show::page::Page;
 

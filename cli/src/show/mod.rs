@@ -2,6 +2,7 @@
 
 pub mod csv;
 pub mod json;
+pub mod measures;
 pub mod number;
 pub mod output;
 pub mod page;

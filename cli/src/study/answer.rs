@@ -4,7 +4,6 @@ use assur::study::{self, Outcome, Spread};
 
 use super::question::{Plan, Question};
 use crate::error::Failure;
-use crate::motion::solve;
 use crate::show::progress::Progress;
 
 /// Shares for which quantiles are found.
@@ -44,9 +43,7 @@ impl Answer {
 
 /// Does one run.
 fn outcome(question: &Question, index: usize) -> Outcome {
-    let run = question.scene.bind.motion(&question.values(index));
-    let run = run.map_err(|refused| refused.to_string())?;
-    solve::measures(question.scene, run, &question.settings)
+    question.measures_with(&question.values(index))
 }
 
 /// Does all runs.

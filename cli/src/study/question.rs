@@ -3,7 +3,7 @@
 use assur::answer::Settings;
 use assur::registry::SceneEntry;
 use assur::shape::Constant;
-use assur::study;
+use assur::study::{self, Outcome};
 
 use super::arguments::{MOST, StudyArguments};
 use super::range::{self, Range};
@@ -13,6 +13,8 @@ use crate::ask::constants::Constants;
 use crate::ask::lookup::Registry;
 use crate::ask::lookup::suggestion;
 use crate::error::Failure;
+use crate::linkage::case::Case;
+use crate::motion::solve;
 
 /// What is asked.
 pub struct Question {
@@ -55,7 +57,10 @@ impl Question {
             constants,
             way,
             measures: measures(scene, options.measure.as_deref())?,
-            settings: options.accuracy.settings(scene)?,
+            settings: match scene.linkage {
+                Some(_) => options.accuracy.none_for_linkages()?,
+                None => options.accuracy.settings(scene)?,
+            },
             threads: options.threads as usize,
         })
     }
@@ -65,6 +70,23 @@ impl Question {
         match &self.way {
             Plan::Grid(ranges) => ranges.iter().map(|range| range.values.len()).product(),
             Plan::Random(_, samples, _) => *samples,
+        }
+    }
+
+    /// The measures with these values (SI units); or why there are none.
+    pub fn measures_with(&self, values: &[f64]) -> Outcome {
+        match self.scene.linkage {
+            Some(_) => {
+                let case = Case::new(self.constants.with_values(values));
+                let case = case.map_err(|failure| failure.why().unwrap_or_default().to_owned())?;
+                let found = case.measures().map_err(|error| case.tell(&error).reason)?;
+                Ok(found.into_iter().map(|one| one.value).collect())
+            }
+            None => {
+                let run = self.scene.bind.motion(values);
+                let run = run.map_err(|refused| refused.to_string())?;
+                solve::measures(self.scene, run, &self.settings)
+            }
         }
     }
 

@@ -23,6 +23,8 @@ pub enum Function {
     Influence,
     SecondInfluence,
     Points,
+    Measured,
+    Measures,
     /// A group in closed form, but for its angles.
     Close(usize),
     Margin(usize),
@@ -31,7 +33,7 @@ pub enum Function {
 }
 
 /// Functions that are not those of a single group.
-const SHARED: usize = 7;
+const SHARED: usize = 9;
 /// Functions of a group.
 const OWN: usize = 3;
 
@@ -51,6 +53,8 @@ impl Function {
             Self::Influence,
             Self::SecondInfluence,
             Self::Points,
+            Self::Measured,
+            Self::Measures,
         ];
         let own = |group| [Self::Close(group), Self::Margin(group)];
         shared.into_iter().chain((0..groups).flat_map(own))
@@ -92,6 +96,8 @@ impl Name for Function {
             Self::Influence => 4,
             Self::SecondInfluence => 5,
             Self::Points => 6,
+            Self::Measured => 7,
+            Self::Measures => 8,
             Self::Close(group) => own(group, 0),
             Self::Margin(group) => own(group, 1),
             Self::Trial(group) => own(group, 2),
@@ -112,6 +118,8 @@ impl Name for Function {
             Self::Influence => closing.influence.clone(),
             Self::SecondInfluence => closing.second.clone(),
             Self::Points => closing.points.clone(),
+            Self::Measured => results.measured.clone(),
+            Self::Measures => results.measures.clone(),
             Self::Close(group) => {
                 let sine = closing.groups[group].iter().map(|closed| closed.sine);
                 others(program, group).map(|entry| entry.1).chain(sine).collect()
@@ -212,6 +220,7 @@ macro_rules! written {
                 Function::Outputs => results.outputs.len(),
                 Function::Influence => closing.influence.len(),
                 Function::SecondInfluence => closing.second.len(),
+                Function::Measured => results.measured.len(),
                 _ => closing.points.len(),
             };
             self.prepared.call(Function::$function, &[instant, position], &mut values[..count]);
@@ -317,5 +326,11 @@ impl<S: Scalar> Closure<S> for Prepare<S> {
         influence: Influence;
         second_influence: SecondInfluence;
         points: Points;
+        measured: Measured;
+    }
+
+    fn measures(&self, found: &[S], values: &mut [S]) {
+        let count = self.program().results.measures.len();
+        self.prepared.call(Function::Measures, &[&[], &[], &[], found], &mut values[..count]);
     }
 }

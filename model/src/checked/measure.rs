@@ -37,6 +37,10 @@ pub enum PrimitiveKind {
     Integral,
     /// How long the quantity is positive.
     Duration,
+    /// The way that the quantity covers, forth and back.
+    Travel,
+    /// The largest distance from the straight line over another quantity, by its place, that is best.
+    Straightness(usize),
     /// The value at a moment.
     Value(Moment),
     /// How often a moment comes.
@@ -49,6 +53,43 @@ pub enum PrimitiveKind {
     Frequency(u32),
     /// Its share of critical damping.
     Damping(u32),
+    /// The modulus of a Floquet multiplier, from 1, the largest first.
+    Multiplier(u32),
+    /// The distance of a Floquet multiplier from 1, the nearest first.
+    Detuning(u32),
+}
+
+/// What a scene does, as far as measures are concerned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measured {
+    /// It runs from a time to a time.
+    Run,
+    /// It seeks a motion that repeats.
+    Periodic,
+    /// It seeks a position of rest.
+    Rest,
+    /// It goes through positions.
+    Positions,
+}
+
+impl PrimitiveKind {
+    /// Whether what a scene does has this number.
+    pub fn is_of(&self, what: Measured) -> bool {
+        match self {
+            Self::Frequency(_) | Self::Damping(_) => what == Measured::Rest,
+            Self::Multiplier(_) | Self::Detuning(_) => what == Measured::Periodic,
+            Self::Value(Moment::End) => true,
+            Self::Peak
+            | Self::Lowest
+            | Self::Mean
+            | Self::Rms
+            | Self::Travel
+            | Self::Straightness(_)
+            | Self::Value(Moment::Start | Moment::Passes(..))
+            | Self::Count(Moment::Passes(..)) => what != Measured::Rest,
+            _ => matches!(what, Measured::Run | Measured::Periodic),
+        }
+    }
 }
 
 /// A moment of a run.
@@ -58,6 +99,8 @@ pub enum Moment {
     Start,
     /// Its end.
     End,
+    /// Where the quantity of this place passes zero; the last time, or the first.
+    Passes(usize, bool),
     /// Just after a mode is entered; the last time, or the first.
     Enter(usize, bool),
     /// Just before a mode is left; the last time, or the first.

@@ -1,7 +1,7 @@
 //! The sixth phase: what a scene asks for, as expressions.
 
 use super::Here;
-use crate::checked::{EventInfo, LiteralInfo, SpanKind};
+use crate::checked::{EventInfo, LiteralInfo, Measured, SpanKind};
 use crate::diagnostic::Diagnostic;
 use crate::expression::Expression;
 use crate::facts::{self, Outputs, TaskValues};
@@ -39,15 +39,15 @@ impl Asked {
         let events = modes::read(low, names, here.phases, here.index);
         let outputs = facts::outputs(low, &names.outputs[reported..]);
         let literal = low.literal.take();
-        let measures = match runs(here) {
-            true => {
+        let measures = match measured(low, scene) {
+            Some(task) => {
                 let modes = here.phases.all.iter().map(|phase| phase.name.clone());
                 let moments = (modes.collect(), here.phases.event_names());
-                let mut scenes = here.task.survey.scenes.iter().map(|(scene, _)| *scene);
-                let resting = (scene.is_some_and(rests), scenes.any(rests));
-                measures::read(low, names, moments, resting)
+                let scenes = here.task.survey.scenes.iter();
+                let tasks = scenes.filter_map(|(scene, _)| task_of(scene)).collect();
+                measures::read(low, names, moments, (task, tasks))
             }
-            false => Measures::default(),
+            None => Measures::default(),
         };
         let span = task(here, low);
         let geometry = Geometry::read(&here.phase().statements, names, &outputs.values, low);
@@ -76,17 +76,35 @@ impl Asked {
     }
 }
 
-/// Whether the scene has a motion or a position of rest, of which there are measures.
-fn runs(here: Here<'_>) -> bool {
-    let mut items = here.scene().into_iter().flat_map(|scene| &scene.items);
-    items.any(|item| {
-        matches!(item, SceneItem::Run { .. } | SceneItem::Periodic { .. } | SceneItem::Rest { .. })
-    })
+/// What measures look at in a scene; none where drivers go over a grid, or nothing is done.
+fn measured(low: &Lowering<'_>, scene: Option<&Scene>) -> Option<Measured> {
+    let task = scene.and_then(task_of);
+    match low.moved {
+        Moved::InTime => task,
+        Moved::Given => task.map(|_| Measured::Positions),
+        Moved::Swept => {
+            let items = scene.into_iter().flat_map(|scene| &scene.items);
+            let swept = items.filter_map(|item| match item {
+                SceneItem::Sweep { drivers } => Some(drivers.len()),
+                _ => None,
+            });
+            let swept: usize = swept.sum();
+            // A linkage without a task sweeps all its drivers.
+            let all = low.names.drivers.len();
+            (swept == 1 || swept == 0 && all == 1).then_some(Measured::Positions)
+        }
+    }
 }
 
-/// Whether the task of a scene is a position of rest.
-fn rests(scene: &Scene) -> bool {
-    scene.items.iter().any(|item| matches!(item, SceneItem::Rest { .. }))
+/// What a scene does.
+fn task_of(scene: &Scene) -> Option<Measured> {
+    scene.items.iter().find_map(|item| match item {
+        SceneItem::Run { .. } => Some(Measured::Run),
+        SceneItem::Periodic { .. } => Some(Measured::Periodic),
+        SceneItem::Rest { .. } => Some(Measured::Rest),
+        SceneItem::Sweep { .. } => Some(Measured::Positions),
+        _ => None,
+    })
 }
 
 fn task(here: Here<'_>, low: &mut Lowering<'_>) -> TaskValues {

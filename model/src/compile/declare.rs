@@ -7,7 +7,8 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Symbol;
 use crate::lower::{Lowering, Moved};
 use crate::resolve::Names;
-use crate::syntax::tree::{EnergyKind, Scene, SceneItem, StatementKind};
+use crate::syntax::tree::{EnergyKind, Output, Scene, SceneItem, StatementKind, Term, TermKind};
+use crate::syntax::words::{MEASURING, POSITIONAL};
 use crate::unit::Unit;
 
 /// The declared quantities.
@@ -105,8 +106,10 @@ fn moved(low: &mut Lowering<'_>, scene: Option<&Scene>) -> Moved {
         (Some(_), _) if !sweeps => Moved::InTime,
         (None, None) if !sweeps => Moved::InTime,
         (None, _) if sweeps || !timed => Moved::Swept,
-        // Measures look at a motion from its begin to its end.
-        (None, _) if !names.measures.is_empty() && !rests => Moved::InTime,
+        // Measures that positions do not have look at a motion from its begin to its end.
+        (None, _) if !rests && names.measures.iter().any(|one| asks_for_motion(&one.what)) => {
+            Moved::InTime
+        }
         (None, _) => Moved::Given,
         (Some(state), _) => {
             let message =
@@ -118,4 +121,19 @@ fn moved(low: &mut Lowering<'_>, scene: Option<&Scene>) -> Moved {
             Moved::InTime
         }
     }
+}
+
+/// Whether a measure has a part that only a motion has.
+fn asks_for_motion(measure: &Output) -> bool {
+    fn asks(term: &Term) -> bool {
+        let own = match &term.kind {
+            TermKind::Call { name, .. } => {
+                let word = name.text.as_str();
+                MEASURING.contains(&word) && !POSITIONAL.contains(&word)
+            }
+            _ => false,
+        };
+        own || term.parts().into_iter().any(asks)
+    }
+    measure.value.as_ref().is_some_and(asks)
 }

@@ -25,6 +25,7 @@ impl Linkage {
     ) -> Closing<Expression> {
         let graph = &mut low.graph;
         request.results.outputs = expand(graph, &request.results.outputs);
+        request.results.measured = expand(graph, &request.results.measured);
         let cosines = self.cosines();
         let place = |slot: Slot| match slot {
             Slot::Value(index) => index,

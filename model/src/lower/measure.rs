@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use super::{Kind, Lowering, Typed};
-use crate::checked::{Moment, Primitive, PrimitiveKind};
+use crate::checked::{Measured, Moment, Primitive, PrimitiveKind};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expression, Node, Symbol};
 use crate::homogeneity::{agree, describe, over, times};
@@ -11,7 +11,7 @@ use crate::lower::second;
 use crate::nearest::nearest;
 use crate::program::Relation;
 use crate::syntax::print;
-use crate::syntax::tree::{Name, Term, TermKind};
+use crate::syntax::tree::{BinaryOperator, Name, Term, TermKind};
 use crate::syntax::words::MEASURING;
 use crate::token::Span;
 
@@ -23,8 +23,8 @@ const HARMONICS: u32 = 1000;
 pub struct Measuring {
     /// Whether a measure is being read.
     pub is_open: bool,
-    /// Whether some scene of the file is a position of rest.
-    pub some_rests: bool,
+    /// What the scenes of the file do.
+    pub tasks: Vec<Measured>,
     /// Names of the modes.
     pub modes: Vec<String>,
     /// Names of the events.
@@ -42,8 +42,12 @@ fn form(word: &str) -> (RangeInclusive<usize>, &'static str) {
         "count" => (1..=1, "count(event), or count(enter(mode))"),
         "value" => (2..=2, "value(x, enter(mode))"),
         "cosine" | "sine" | "amplitude" => (3..=3, "amplitude(x, angle, 1)"),
+        "straightness" => (2..=3, "straightness(y, x), or straightness(y, x, y > z)"),
         "frequency" | "damping" => {
             (1..=1, "frequency(1), the slowest vibration about the position of rest")
+        }
+        "multiplier" | "detuning" => {
+            (1..=1, "multiplier(1), the largest Floquet multiplier of the motion that repeats")
         }
         _ => (1..=2, "peak(x), or peak(x, y > z) where only a part of the run counts"),
     }
@@ -93,13 +97,14 @@ impl Lowering<'_> {
             }
             "count" => {
                 let moment = match first.kind {
-                    TermKind::Call { .. } => self.moment(first)?,
+                    TermKind::Call { .. } | TermKind::Binary(..) => self.moment(first)?,
                     _ => Moment::After(self.event(first)?, false),
                 };
                 let value = self.primitive(Is::Count(moment), 0, None);
                 return Some(Typed::number(value));
             }
-            "frequency" | "damping" => return self.vibration(word, first),
+            "frequency" | "damping" => return self.numbered(word, first, Measured::Rest),
+            "multiplier" | "detuning" => return self.numbered(word, first, Measured::Periodic),
             _ => {}
         }
         let (quantity, kind) = self.scalar(first)?;
@@ -118,9 +123,18 @@ impl Lowering<'_> {
             "lowest" => Is::Lowest,
             "mean" => Is::Mean,
             "rms" => Is::Rms,
+            "travel" => Is::Travel,
+            "straightness" => {
+                let (along, _) = self.scalar(&arguments[1])?;
+                Is::Straightness(self.look_at(along))
+            }
             _ => Is::Integral,
         };
-        let window = match arguments.get(1) {
+        let condition = match simple {
+            Is::Straightness(_) => arguments.get(2),
+            _ => arguments.get(1),
+        };
+        let window = match condition {
             Some(condition) => Some(self.margin(condition)?),
             None => None,
         };
@@ -132,8 +146,12 @@ impl Lowering<'_> {
         Some(Typed::scalar(value, kind))
     }
 
-    /// A number of a vibration about a position of rest.
-    fn vibration(&mut self, word: &str, number: &Term) -> Option<Typed> {
+    /// A number of a vibration about a position of rest, or of a disturbance of a motion that repeats.
+    fn numbered(&mut self, word: &str, number: &Term, of: Measured) -> Option<Typed> {
+        let (what, hint) = match of {
+            Measured::Rest => ("vibration", "number 1 is the slowest"),
+            _ => ("multiplier", "number 1 is the largest, or the nearest to 1"),
+        };
         let index = match number.kind {
             TermKind::Number { value, unit: None }
                 if value.fract() == 0.0 && (1.0..=f64::from(HARMONICS)).contains(&value) =>
@@ -141,25 +159,34 @@ impl Lowering<'_> {
                 value as u32
             }
             _ => {
-                let message = format!("a vibration has a whole number from 1 to {HARMONICS}");
+                let message = format!("a {what} has a whole number from 1 to {HARMONICS}");
                 let report = Diagnostic::error(number.span, message);
-                self.diagnostics.push(report.hint("number 1 is the slowest"));
+                self.diagnostics.push(report.hint(hint));
                 return None;
             }
         };
-        if !self.measured.some_rests {
-            let message = format!(
-                "`{word}` is a number of a position of rest, and no scene of the file is one"
-            );
+        if !self.measured.tasks.contains(&of) {
+            let (what, task) = match of {
+                Measured::Rest => ("a position of rest", "rest;"),
+                _ => ("a motion that repeats", "periodic over 2*pi/n;"),
+            };
+            let message =
+                format!("`{word}` is a number of {what}, and no scene of the file is one");
             let report = Diagnostic::error(number.span, message);
-            self.diagnostics.push(report.hint("write a scene with the task `rest;`"));
+            self.diagnostics.push(report.hint(format!("write a scene with the task `{task}`")));
             return None;
         }
-        if word == "damping" {
-            return Some(Typed::number(self.primitive(PrimitiveKind::Damping(index), 0, None)));
+        let kind = match word {
+            "frequency" => PrimitiveKind::Frequency(index),
+            "damping" => PrimitiveKind::Damping(index),
+            "multiplier" => PrimitiveKind::Multiplier(index),
+            _ => PrimitiveKind::Detuning(index),
+        };
+        let value = self.primitive(kind, 0, None);
+        match word {
+            "frequency" => Some(Typed::scalar(value, over(Kind::NUMBER, Kind::Of(second()))?)),
+            _ => Some(Typed::number(value)),
         }
-        let value = self.primitive(PrimitiveKind::Frequency(index), 0, None);
-        Some(Typed::scalar(value, over(Kind::NUMBER, Kind::Of(second()))?))
     }
 
     /// A quantity that measures look at, by its place. Each has a place of its own: two that are the same in one mode
@@ -227,6 +254,7 @@ impl Lowering<'_> {
         match &term.kind {
             TermKind::Name(word) if word == "start" => return Some(Moment::Start),
             TermKind::Name(word) if word == "end" => return Some(Moment::End),
+            TermKind::Binary(BinaryOperator::Equal, ..) => return self.passage(term),
             TermKind::Call { name, arguments } => {
                 match (name.text.as_str(), arguments.as_slice()) {
                     ("last", [inner]) => {
@@ -253,6 +281,19 @@ impl Lowering<'_> {
         None
     }
 
+    /// `x == y`: where both are equal for the first time.
+    fn passage(&mut self, term: &Term) -> Option<Moment> {
+        let condition = self.condition(term)?;
+        let Node::Compare(Relation::Equal, left, right) = *self.graph.node(condition) else {
+            let report = Diagnostic::error(term.span, "nothing in this changes during the run");
+            self.diagnostics
+                .push(report.hint("compare what moves with a value, as in `x == 1 mm`"));
+            return None;
+        };
+        let difference = self.graph.sub(left, right);
+        Some(Moment::Passes(self.look_at(difference), false))
+    }
+
     /// Which moments there are; of the event or mode that a term names, if it names one.
     fn moments(&self, term: &Term) -> String {
         let measured = &self.measured;
@@ -263,7 +304,7 @@ impl Lowering<'_> {
         if measured.modes.contains(&name) {
             return format!("write `enter({name})` or `leave({name})`");
         }
-        let mut moments = vec!["`start`", "`end`"];
+        let mut moments = vec!["`start`", "`end`", "`x == 1 mm`"];
         if measured.modes.iter().any(|mode| !mode.is_empty()) {
             moments.extend(["`enter(mode)`", "`leave(mode)`"]);
         }
@@ -365,6 +406,7 @@ fn last_time(moment: Moment) -> Option<Moment> {
         Moment::Leave(mode, _) => Some(Moment::Leave(mode, true)),
         Moment::Before(event, _) => Some(Moment::Before(event, true)),
         Moment::After(event, _) => Some(Moment::After(event, true)),
+        Moment::Passes(place, _) => Some(Moment::Passes(place, true)),
         Moment::Start | Moment::End => None,
     }
 }

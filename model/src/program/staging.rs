@@ -67,7 +67,8 @@ impl Program {
         timed.retain(|value| self.stage(*value) == Stage::Instant);
         let mut open: Vec<Value> = results.slopes().collect();
         if !closing.cosines.is_empty() || closing != &Default::default() {
-            open.extend(results.outputs.iter().copied().chain(closing.all()));
+            open.extend(results.outputs.iter().chain(&results.measured).copied());
+            open.extend(closing.all());
         }
         let mut seen: BTreeSet<Value> = BTreeSet::new();
         while let Some(value) = open.pop() {

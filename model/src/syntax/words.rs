@@ -57,7 +57,15 @@ pub const MEASURING: &[&str] = &[
     "amplitude",
     "frequency",
     "damping",
+    "multiplier",
+    "detuning",
+    "travel",
+    "straightness",
 ];
+
+/// Those of them that positions have as well as motions.
+pub const POSITIONAL: &[&str] =
+    &["peak", "lowest", "mean", "rms", "value", "travel", "straightness"];
 
 /// What is found of a formula while a variable goes over a range: `integral(f, x, a .. b)`. Quantities may have these names.
 pub const SEARCHES: &[&str] =

@@ -3,7 +3,6 @@
 use super::Failed;
 use crate::registry::SceneEntry;
 use assur_solvers::closure::{Along, AnyLinkage, Sample, Stroke};
-use assur_solvers::problem::Span;
 use assur_solvers::shape::{At, Expectation, Subject};
 
 /// The computed value of what a fact speaks of.
@@ -30,7 +29,8 @@ pub(super) fn value(
             let place = run.drive(time).ok_or_else(|| nowhere(fact))?;
             at(scene, run, fact, place)
         }
-        At::Driver(..) | At::Run => Err(nowhere(fact)),
+        At::Run => measured(run, fact),
+        At::Driver(..) => Err(nowhere(fact)),
     }
 }
 
@@ -77,16 +77,21 @@ fn along(
     values.ok_or_else(|| nowhere(fact))
 }
 
-/// The stroke of a value over the range of the first driver, or over the time of the task.
+/// A measure of the whole way.
+fn measured(run: &dyn AnyLinkage, fact: &Expectation) -> Result<f64, Failed> {
+    let (Subject::Measure(index), Some(way)) = (fact.subject, run.way()) else {
+        return Err(nowhere(fact));
+    };
+    let found = run.measures(way).map_err(|error| failed(&error))?;
+    let value = found.get(index).and_then(|one| one.value.ok());
+    value.ok_or_else(|| nowhere(fact))
+}
+
+/// The stroke of a value over the range of the driver that is swept, or over the time of the task.
 fn stroke(scene: &SceneEntry, run: &dyn AnyLinkage, fact: &Expectation) -> Result<Stroke, Failed> {
-    let task = match (run.span(), run.ranges().first()) {
-        (Span::Open, Some(range)) => {
-            Along::Driver(0, (range.from.min(range.to), range.from.max(range.to)))
-        }
-        (span, _) => {
-            let (from, to) = span.limits();
-            Along::Time(from, to)
-        }
+    let task = match run.way().ok_or_else(|| nowhere(fact))? {
+        Along::Driver(driver, (from, to)) => Along::Driver(driver, (from.min(to), from.max(to))),
+        way => way,
     };
     let index = match fact.subject {
         Subject::Output(index) => index,

@@ -32,13 +32,23 @@ pub fn runs(
     progress: &(dyn Fn(u64) + Sync),
 ) -> Vec<Outcome> {
     each(count, threads, progress, &|index| {
-        let run = bind.motion(&values(index));
-        let run = run.map_err(|refused| refused.to_string())?;
-        let motion = Question::of(run.into()).solve(settings);
-        let motion = motion.map_err(|error| error.to_string())?;
-        match motion.task() {
-            Span::Open => Err(Error::NoTask.to_string()),
-            _ => Ok(motion.measures()),
+        let failed = |error: &dyn std::fmt::Display| error.to_string();
+        match bind {
+            Bind::Motion(bind) => {
+                let run = bind(&values(index)).map_err(|refused| failed(&refused))?;
+                let motion = Question::of(run.into()).solve(settings);
+                let motion = motion.map_err(|error| failed(&error))?;
+                match motion.task() {
+                    Span::Open => Err(failed(&Error::NoTask)),
+                    _ => Ok(motion.measures()),
+                }
+            }
+            Bind::Linkage(bind) => {
+                let linkage = bind(&values(index)).map_err(|refused| failed(&refused))?;
+                let way = linkage.way().ok_or_else(|| failed(&Error::NoTask))?;
+                let found = linkage.measures(way).map_err(|error| failed(&error))?;
+                Ok(found.into_iter().map(|one| one.value).collect())
+            }
         }
     })
 }

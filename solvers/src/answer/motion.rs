@@ -64,7 +64,8 @@ impl Repeats {
             residual: cycle.residual,
             free: 0,
         };
-        (cycle.motion, Some(repeats))
+        let multipliers = repeats.multipliers.clone();
+        (hybrid::Motion { multipliers, ..cycle.motion }, Some(repeats))
     }
 
     pub(super) fn of_orbit(orbit: Orbit) -> (hybrid::Motion, Option<Self>) {
@@ -76,7 +77,8 @@ impl Repeats {
             residual: orbit.residual,
             free: orbit.free,
         };
-        (hybrid::Motion::of(orbit.trajectory), Some(repeats))
+        let multipliers = repeats.multipliers.clone();
+        (hybrid::Motion { multipliers, ..hybrid::Motion::of(orbit.trajectory) }, Some(repeats))
     }
 }
 

@@ -22,6 +22,7 @@ pub use error::ClosureError;
 pub use extent::breaks::Break;
 pub use extent::extremes::{Extreme, Limit};
 pub use extent::limits::{End, Stretch, stretch};
+pub use extent::measures::Measured;
 pub use extent::strokes::{Stroke, strokes};
 pub use extent::track::Along;
 pub use linkage::any::AnyLinkage;

@@ -1,6 +1,7 @@
 //! A motion through several modes.
 
 use super::numbers::Numbers;
+use crate::floquet::Multiplier;
 use crate::ode::{Basis, Observer, Recorder, Statistics, Step, Trajectory};
 use crate::rest::Rest;
 use crate::stiff::Switch;
@@ -55,6 +56,8 @@ pub struct Motion {
     pub statistics: Statistics,
     /// What is known of a position of rest; none of what moves.
     pub rest: Option<Rest>,
+    /// The Floquet multipliers of a motion that repeats.
+    pub multipliers: Vec<Multiplier>,
 }
 
 impl Motion {
@@ -68,6 +71,7 @@ impl Motion {
             time,
             statistics: Statistics::default(),
             rest: None,
+            multipliers: Vec::new(),
         }
     }
 
@@ -90,6 +94,7 @@ impl Motion {
             statistics: trajectory.statistics,
             pieces: vec![Piece { mode: 0, trajectory, sides: Numbers::default() }],
             rest: None,
+            multipliers: Vec::new(),
         }
     }
 

@@ -15,8 +15,11 @@ mod extreme;
 mod grid;
 mod harmonic;
 mod moment;
+mod passage;
 mod primitive;
 mod quadrature;
+mod straight;
+mod travel;
 mod window;
 
 pub use crate::shape::{Kind, Moment, NamedEvent, Primitive};
@@ -26,6 +29,7 @@ pub use primitive::Missing;
 
 use crate::hybrid::Motion;
 use crate::model::{Bound, Model};
+use crate::periodic::Multiplier;
 use crate::problem::Scene;
 use crate::rest::Vibration;
 use crate::shape::Shape;
@@ -60,10 +64,15 @@ pub fn find(
     found
         .map(|(primitive, tally)| {
             let value = match primitive.kind {
+                Kind::Value(Moment::Passes { .. }) | Kind::Count(Moment::Passes { .. }) => {
+                    tally.result(primitive, &mut sampler)?
+                }
                 Kind::Value(moment) => moment::value(moment, primitive.argument, &mut sampler)?,
                 Kind::Count(moment) => moment::count(moment, motion),
                 Kind::Frequency(number) => vibration(motion, number)?.frequency(),
                 Kind::Damping(number) => vibration(motion, number)?.damping(),
+                Kind::Multiplier(number) => multiplier(motion, number, Multiplier::modulus, false)?,
+                Kind::Detuning(number) => multiplier(motion, number, Multiplier::distance, true)?,
                 _ => tally.result(primitive, &mut sampler)?,
             };
             match value.is_finite() {
@@ -81,6 +90,24 @@ fn vibration(motion: &Motion, number: u32) -> Result<&Vibration, Missing> {
         let vibrations = rest.vibrations.iter().filter(|one| one.vibrates());
         Missing::NoVibration { number, count: vibrations.count() }
     })
+}
+
+/// Something of a Floquet multiplier by its number, the largest first or the least.
+fn multiplier(
+    motion: &Motion,
+    number: u32,
+    of: fn(&Multiplier) -> f64,
+    rises: bool,
+) -> Result<f64, Missing> {
+    let mut all: Vec<f64> = motion.multipliers.iter().map(of).collect();
+    all.sort_by(f64::total_cmp);
+    if !rises {
+        all.reverse();
+    }
+    let count = all.len();
+    all.get((number as usize).wrapping_sub(1))
+        .copied()
+        .ok_or(Missing::NoMultiplier { number, count })
 }
 
 /// Smallest and largest value between two times of a run, of each quantity that `sample` gives, `count` of them; SI units. None

@@ -18,6 +18,8 @@ pub(super) fn value(
             Ok(sampler.at(piece, piece.trajectory.times()[0])[index])
         }
         Moment::End => Ok(sampler.of(motion.mode, motion.time, &motion.end)[index]),
+        // Where that is the run has been looked through for.
+        Moment::Passes { .. } => Err(Missing::NeverPasses),
         Moment::Enter { mode, last } => {
             let event = pick(events(moment, motion), last).ok_or(Missing::NeverEntered(mode))?;
             Ok(sampler.of(event.to, event.time, &event.after)[index])
@@ -64,7 +66,7 @@ fn events(moment: Moment, motion: &Motion) -> impl Iterator<Item = &Happened> {
             Moment::Before { event: named, .. } | Moment::After { event: named, .. } => {
                 named.places.contains(&(event.from, event.event))
             }
-            Moment::Start | Moment::End => false,
+            Moment::Start | Moment::End | Moment::Passes { .. } => false,
         }
     })
 }

@@ -3,9 +3,12 @@
 use super::extreme::Hunt;
 use super::grid::{Grid, Sampler};
 use super::harmonic;
+use super::passage::Passages;
 use super::quadrature::integral;
+use super::straight::Straight;
+use super::travel::travel;
 use super::window::windows;
-use crate::shape::{Kind, Primitive};
+use crate::shape::{Kind, Moment, Primitive};
 use assur_functions::Sense;
 
 /// Why a run has no such number.
@@ -19,6 +22,8 @@ pub enum Missing {
     NeverHappens(&'static str),
     /// The condition holds at no time.
     NeverHolds,
+    /// The two sides are nowhere equal.
+    NeverPasses,
     /// The run has no length.
     Empty,
     /// The angle makes so many turns, which is not a whole number of them.
@@ -27,6 +32,13 @@ pub enum Missing {
     Moves,
     /// There are fewer vibrations.
     NoVibration {
+        /// The one that is asked for.
+        number: u32,
+        /// How many there are.
+        count: usize,
+    },
+    /// There are fewer multipliers.
+    NoMultiplier {
         /// The one that is asked for.
         number: u32,
         /// How many there are.
@@ -45,6 +57,10 @@ impl Missing {
             Self::NeverLeft(mode) => format!("the mode `{}` is never left", name(mode)),
             Self::NeverHappens(event) => format!("the event `{event}` never happens"),
             Self::NeverHolds => "its condition never holds".to_string(),
+            Self::NeverPasses => "its two sides are nowhere equal".to_string(),
+            Self::NoMultiplier { number, count } => {
+                format!("there is no multiplier number {number}: there are {count}")
+            }
             Self::Empty => "the run has no length".to_string(),
             Self::NotWhole(turns) => format!(
                 "the angle makes {turns:.6} turns, and harmonics need a whole number of them"
@@ -63,7 +79,11 @@ impl Missing {
 pub(super) struct Tally {
     /// The search for the extreme, if that is what is to be found.
     hunt: Option<Hunt>,
-    /// The integral.
+    /// Where a quantity passes zero.
+    passages: Passages,
+    /// The curve that is to be straight.
+    straight: Straight,
+    /// The integral, or the way.
     value: f64,
     /// The time that has been looked at.
     time: f64,
@@ -92,7 +112,12 @@ impl Tally {
     ) {
         let index = primitive.argument;
         let window = match primitive.kind {
+            Kind::Value(Moment::Passes { index, .. })
+            | Kind::Count(Moment::Passes { index, .. }) => {
+                return self.passages.look(index, grid, sampler);
+            }
             Kind::Value(_) | Kind::Count(_) | Kind::Frequency(_) | Kind::Damping(_) => return,
+            Kind::Multiplier(_) | Kind::Detuning(_) => return,
             Kind::Duration => Some(index),
             _ => primitive.window,
         };
@@ -103,7 +128,12 @@ impl Tally {
                 hunt.look(times, grid, sampler);
                 continue;
             }
+            if let Kind::Straightness(along) = primitive.kind {
+                self.straight.look((index, along), times, grid, sampler);
+                continue;
+            }
             let sum = match primitive.kind {
+                Kind::Travel => (travel(index, times, grid, sampler), 0.0),
                 Kind::Mean | Kind::Integral => {
                     integral(times, grid, sampler, self.size, &|values| values[index])
                 }
@@ -143,7 +173,18 @@ impl Tally {
         }
         match primitive.kind {
             Kind::Duration => Ok(self.time),
-            Kind::Integral => Ok(self.value),
+            Kind::Integral | Kind::Travel => Ok(self.value),
+            Kind::Straightness(along) => {
+                self.straight.finish((primitive.argument, along), sampler).ok_or(nothing)
+            }
+            Kind::Count(_) => Ok(self.passages.finish().0 as f64),
+            Kind::Value(moment) => {
+                let (first, last) = self.passages.finish().1.ok_or(Missing::NeverPasses)?;
+                let is_last = matches!(moment, Moment::Passes { last: true, .. });
+                let (number, time) = if is_last { last } else { first };
+                let piece = &sampler.motion.pieces[number];
+                Ok(sampler.at(piece, time)[primitive.argument])
+            }
             Kind::Mean if self.time > 0.0 => Ok(self.value / self.time),
             Kind::Rms if self.time > 0.0 => Ok((self.value / self.time).sqrt()),
             Kind::Cosine { angle, order } | Kind::Sine { angle, order } => {

@@ -41,6 +41,11 @@ pub enum Kind {
     Integral,
     /// How long the quantity is positive.
     Duration,
+    /// The way that the quantity covers, forth and back.
+    Travel,
+    /// The largest distance, along the quantity, from that straight line over another quantity, by its index, for which it is
+    /// least.
+    Straightness(usize),
     /// The value at a moment.
     Value(Moment),
     /// How often a moment comes.
@@ -63,6 +68,10 @@ pub enum Kind {
     Frequency(u32),
     /// Its share of critical damping.
     Damping(u32),
+    /// The modulus of a Floquet multiplier, the largest being number 1.
+    Multiplier(u32),
+    /// The distance of a Floquet multiplier from 1, at which a resonance lies, the nearest being number 1.
+    Detuning(u32),
 }
 
 /// A moment of a run.
@@ -72,6 +81,13 @@ pub enum Moment {
     Start,
     /// Its end.
     End,
+    /// Where a quantity passes zero, the first or the last time.
+    Passes {
+        /// The quantity, by index.
+        index: usize,
+        /// The last time.
+        last: bool,
+    },
     /// Just after a mode is entered, the first or the last time. A run that begins in the mode does not enter it there.
     Enter {
         /// The mode, by index.

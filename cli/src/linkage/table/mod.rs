@@ -13,6 +13,7 @@ use super::search::Extreme;
 use crate::ask::case::amount;
 use crate::ask::variables::Variable;
 use crate::published;
+use crate::show::measures;
 use crate::show::number;
 use crate::show::page::{Page, WIDTH, first_line};
 use crate::show::text::{Align, Columns, wrap};
@@ -34,6 +35,7 @@ pub fn render(page: &mut Page, report: &Report, figure: Option<&Path>) {
     page.parameters(constants);
     positions(page, report);
     limits::sections(page, report);
+    measures::section(page, report.case.scene, &report.measures);
     met(page, report);
     for place in &report.places {
         place::section(page, report, place);

@@ -8,9 +8,10 @@ use assur::answer::Method;
 use assur::problem::Span;
 
 use super::report::Report;
-use super::{events, measures, rest};
+use super::{events, rest};
 use crate::ask::settings::given_atol;
 use crate::published;
+use crate::show::measures;
 use crate::show::number;
 use crate::show::page::{Page, WIDTH};
 use crate::show::text::{Align, Columns, wrap};
@@ -30,11 +31,11 @@ pub fn render(page: &mut Page, report: &Report, figure: Option<&Path>) {
         variables::extremes(page, report);
         events::section(page, report);
         changes(page, report);
-        measures::section(page, report);
+        measures::section(page, report.case.scene, &report.measures);
     }
     if let Some(rest) = report.motion.rest() {
         variables::snapshot(page, report, &report.start, "At rest");
-        measures::section(page, report);
+        measures::section(page, report.case.scene, &report.measures);
         rest::section(page, report, rest);
     }
     for place in &report.places {

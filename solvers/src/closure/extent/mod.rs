@@ -3,12 +3,14 @@
 //! | file | what it does |
 //! |---|---|
 //! | `limits` | how far a driver can go |
+//! | `measures` | numbers of a whole way |
 //! | `strokes`, `track`, `rates` | limit positions and strokes of outputs and dependent coordinates |
 //! | `extremes`, `breaks`, `noise`, `root` | where a function turns round, jumps, or goes beyond all bounds |
 
 pub(super) mod breaks;
 pub(super) mod extremes;
 pub(super) mod limits;
+pub(super) mod measures;
 pub(super) mod noise;
 pub(super) mod rates;
 pub(super) mod root;

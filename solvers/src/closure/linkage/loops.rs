@@ -55,6 +55,12 @@ pub trait Loops<S: Scalar>: Answers<S> {
 
     /// See [`Closure::points`].
     fn points(&self, instant: &[S], position: &[S], values: &mut [S]);
+
+    /// See [`Closure::measured`].
+    fn measured(&self, instant: &[S], position: &[S], values: &mut [S]);
+
+    /// See [`Closure::measures`].
+    fn measures(&self, found: &[S], values: &mut [S]);
 }
 
 /// What depends on the independent variables alone, and on how they move where that is known.
@@ -171,7 +177,14 @@ impl<S: Scalar, C: Closure<S>> Answers<S> for Apart<C> {
 }
 
 impl<S: Scalar, C: Closure<S>> Loops<S> for Apart<C> {
-    written!(residual second_influence points);
+    written!(residual second_influence points measured);
+
+    fn measures(&self, found: &[S], values: &mut [S]) {
+        S::outline(
+            #[inline(always)]
+            || self.0.measures(found, values),
+        );
+    }
 
     fn close(&self, group: usize, instant: &[S], mode: S, position: &mut [S]) -> S {
         let instant: C::Instant = stored(instant);

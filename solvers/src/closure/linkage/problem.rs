@@ -114,6 +114,12 @@ pub trait Closure<S: Scalar>: Send + Sync + 'static {
         values: &mut [S],
     );
 
+    /// Writes the quantities that measures look at.
+    fn measured(&self, _instant: &Self::Instant, _position: &Self::Position, _values: &mut [S]) {}
+
+    /// Writes the measures, from what has been found of the positions.
+    fn measures(&self, _found: &[S], _values: &mut [S]) {}
+
     /// Writes the points, x and y of each.
     fn points(&self, instant: &Self::Instant, position: &Self::Position, values: &mut [S]);
 }

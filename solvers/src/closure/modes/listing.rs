@@ -3,11 +3,13 @@
 use std::f64::consts::TAU;
 
 use crate::closure::extent::limits::stretch_of;
+use crate::closure::extent::measures::{Measured, measures_of};
 use crate::closure::extent::strokes::strokes_of;
 use crate::closure::modes::modes_of;
 use crate::closure::{
     Along, AnyLinkage, AssemblyMode, ClosureError, Newton, Search, Stretch, Stroke, instant_at,
 };
+use crate::problem::Span;
 
 /// Solutions nearer to each other than this are the same, in radians, metres or whatever a coordinate is in.
 const SAME: f64 = 1e-6;
@@ -85,6 +87,28 @@ impl dyn AnyLinkage + '_ {
     /// As there.
     pub fn strokes(&self, along: Along) -> Result<Vec<Stroke>, ClosureError> {
         strokes_of(self, along)
+    }
+
+    /// The measures along a way, in the order of the file.
+    ///
+    /// # Errors
+    /// Why the linkage does not get through it.
+    pub fn measures(&self, along: Along) -> Result<Vec<Measured>, ClosureError> {
+        measures_of(self, along)
+    }
+
+    /// The way of the task, where it has one: that of the only driver that is swept, or the time.
+    pub fn way(&self) -> Option<Along> {
+        if !matches!(self.span(), Span::Open) {
+            let (from, to) = self.span().limits();
+            return Some(Along::Time(from, to));
+        }
+        let ranges = self.ranges();
+        let mut swept = ranges.iter().enumerate().filter(|(_, range)| range.from != range.to);
+        match (swept.next(), swept.next()) {
+            (Some((driver, range)), None) => Some(Along::Driver(driver, (range.from, range.to))),
+            _ => None,
+        }
     }
 
     /// How drivers move, if as much is given as they have.
