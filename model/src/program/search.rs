@@ -36,11 +36,23 @@ impl Emitter<'_> {
         self.combine(OperationKind::Search { search, text, captured, lines })
     }
 
-    /// Whether an expression is steady in the line that is written, and so captured.
+    /// Whether an expression is steady in the line that is written, and so captured. What is captured is a number: of
+    /// conditions and systems of equations what they are made of is.
     pub(super) fn is_captured(&self, expression: Expression) -> bool {
+        let is_number = !matches!(
+            self.graph.node(expression),
+            Node::Compare(..)
+                | Node::And(..)
+                | Node::Or(..)
+                | Node::Not(..)
+                | Node::Factor(..)
+                | Node::Solve(..)
+        );
         self.level.as_ref().is_some_and(|(level, _)| {
             let is_own = |symbol: Symbol| symbol == Symbol::Bound(*level);
-            self.graph.as_number(expression).is_none() && !self.graph.depends_on(expression, is_own)
+            is_number
+                && self.graph.as_number(expression).is_none()
+                && !self.graph.depends_on(expression, is_own)
         })
     }
 

@@ -41,6 +41,10 @@ fn integrals_have_their_values() {
     is("integral(integral(x*y, y, 0 .. x), x, 0 .. 2)", 2.0);
     is("integral(f(t)*t, t, 0 .. 1)", 1.0 / 9.0);
     is("integral(w*x, x, 0 .. w)", 13.5);
+    // Conditions that the variable does not change.
+    is("integral(if w < 5 { x } else { 2*x }, x, 0 .. 1)", 0.5);
+    is("integral(if w < 5 && !(w < 2) { x } else { 2*x }, x, 0 .. 1)", 0.5);
+    is("integral(if w < 2 || x < w/6 { x } else { 2*x }, x, 0 .. 1)", 0.125 + 0.75);
     is("sum(k in 1..3, integral(x^k, x, 0 .. 1))", 0.5 + 1.0 / 3.0 + 0.25);
 }
 
