@@ -20,6 +20,8 @@ enum Of {
     Structure,
     Modes,
     Study,
+    Attractors,
+    Sensitivity,
     Tolerance,
 }
 
@@ -30,6 +32,8 @@ impl Of {
             Self::Structure => include_str!("../schema/structure.json"),
             Self::Modes => include_str!("../schema/modes.json"),
             Self::Study => include_str!("../schema/study.json"),
+            Self::Attractors => include_str!("../schema/attractors.json"),
+            Self::Sensitivity => include_str!("../schema/sensitivity.json"),
             Self::Tolerance => include_str!("../schema/tolerance.json"),
         }
     }
@@ -83,8 +87,10 @@ mod tests {
             check::<structure::Object>(Of::Structure, "structure"),
             check::<modes::Object>(Of::Modes, "modes"),
             check::<study::Object>(Of::Study, "study"),
+            check::<study::AttractorsObject>(Of::Attractors, "attractors"),
+            check::<study::SensitivityObject>(Of::Sensitivity, "sensitivity"),
             check::<tolerance::Object>(Of::Tolerance, "tolerance"),
         ];
-        assert_eq!(same, [true; 5], "ASSUR_BLESS=1 writes schema/ anew");
+        assert_eq!(same, [true; 7], "ASSUR_BLESS=1 writes schema/ anew");
     }
 }

@@ -17,6 +17,8 @@ const TOP: f64 = 40.0;
 const PANEL: f64 = 220.0;
 /// Height of the axis and its name below a panel.
 const BELOW: f64 = 56.0;
+/// Radius of a point that stands for itself.
+const DOT: f64 = 1.6;
 /// Steps of the scale of colours.
 const SHADES: usize = 9;
 
@@ -24,6 +26,8 @@ const SHADES: usize = 9;
 pub enum Layer {
     /// Points joined.
     Curve(Sheet),
+    /// Points, each for itself.
+    Points(Sheet),
     /// Values over two others.
     Map(Map),
 }
@@ -71,9 +75,10 @@ pub fn sheets(title: &str, lead: &str, layers: &[Layer]) -> String {
     for (index, layer) in layers.iter().enumerate() {
         let top = begin + index as f64 * (PANEL + BELOW);
         match layer {
-            Layer::Curve(sheet) => {
+            Layer::Curve(sheet) | Layer::Points(sheet) => {
                 names.push(format!("{} over {}", sheet.up, sheet.along));
-                curve(&mut svg, sheet, top);
+                let joined = matches!(layer, Layer::Curve(_));
+                curve(&mut svg, sheet, top, joined);
             }
             Layer::Map(map) => {
                 names.push(format!("{} over {} and {}", map.name, map.along, map.up));
@@ -126,7 +131,7 @@ fn frame(svg: &mut Svg, (x, y): (&Scale, &Scale)) {
     svg.rectangle("frame", (x.pixels.0, y.pixels.1), size);
 }
 
-fn curve(svg: &mut Svg, sheet: &Sheet, top: f64) {
+fn curve(svg: &mut Svg, sheet: &Sheet, top: f64, joined: bool) {
     let (left, right) = ends(sheet.points.iter().map(|point| point.0));
     let (low, high) = ends(sheet.points.iter().map(|point| point.1));
     if low > high {
@@ -137,7 +142,13 @@ fn curve(svg: &mut Svg, sheet: &Sheet, top: f64) {
     let (x, y) = axes(svg, (&along, &up), (&sheet.along, &sheet.up), top, true);
     let points = sheet.points.iter();
     let points: Vec<_> = points.map(|(a, b)| (x.pixel(*a), y.pixel(*b))).collect();
-    svg.path("curve c0", &simplify(&points));
+    match joined {
+        true => svg.path("curve c0", &simplify(&points)),
+        false => {
+            let finite = points.iter().filter(|point| point.0.is_finite() && point.1.is_finite());
+            finite.for_each(|point| svg.circle("f0", *point, DOT));
+        }
+    }
     frame(svg, (&x, &y));
 }
 

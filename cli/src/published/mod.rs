@@ -112,10 +112,11 @@ pub fn compare<K: Known>(own: &K) -> Result<Vec<Comparison>, Failure> {
     let mut list = Vec::new();
     for fact in constants.scene.expectations {
         let preset = preset(constants, fact);
-        let is_own = preset == constants.preset;
+        // With --preset the values may be those of the fact and not those of the file.
+        let is_own = constants.of_preset(preset)?.values == constants.values;
         if is_own || changed {
             let found = own.compare(fact);
-            list.extend(found.map(|one| Comparison { comparable: is_own && !changed, ..one }));
+            list.extend(found.map(|one| Comparison { comparable: is_own, ..one }));
             continue;
         }
         let is_of = |other: &K| other.constants().preset == preset;

@@ -1,17 +1,24 @@
-//! `assur study`: the measures of many runs, over a grid of values or with values made at random.
+//! `assur study`: the measures of many runs, over a grid of values or with values made at random; what attracts over a range;
+//! how measures change with each value.
 
 mod answer;
 mod arguments;
+mod attractors;
 mod csv;
 mod figure;
 mod json;
 mod question;
 mod range;
+mod sensitivity;
 mod table;
 mod tolerance;
 
 pub use arguments::{EXAMPLES, StudyArguments};
+#[cfg(test)]
+pub use attractors::Object as AttractorsObject;
 pub use json::Study as Object;
+#[cfg(test)]
+pub use sensitivity::Object as SensitivityObject;
 
 use std::path::Path;
 
@@ -21,17 +28,27 @@ use crate::answer::{Answer, give};
 use crate::ask::lookup::Registry;
 use crate::error::Failure;
 use crate::show::page::Page;
+use attractors::Attractors;
 use question::Question;
+use sensitivity::Sensitivity;
 
 /// Studies a scene.
 ///
 /// # Errors
 /// A wrong request, or a study of which no run comes out. Nothing is written then.
 pub fn execute(options: &StudyArguments, registry: Registry) -> Result<(), Failure> {
-    give(options.format, options.plot.as_deref(), || {
-        let question = Question::read(options, registry)?;
-        Ok(Study { answer: answer::find(&question)?, question })
-    })
+    let (format, plot) = (options.format, options.plot.as_deref());
+    let question = || Question::read(options, registry);
+    match (options.sensitivity, options.attractors) {
+        (true, _) => give(format, None, || Sensitivity::find(question()?)),
+        (_, true) => give(format, plot, || {
+            Attractors::find(question()?, options.starts as usize, options.seed)
+        }),
+        _ => give(format, plot, || {
+            let question = question()?;
+            Ok(Study { answer: answer::find(&question)?, question })
+        }),
+    }
 }
 
 /// A question with its answer.

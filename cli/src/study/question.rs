@@ -114,6 +114,13 @@ fn grid(
 ) -> Result<Plan, Failure> {
     let ranges = options.over.iter().map(|text| range::read(scene, text));
     let ranges: Vec<Range> = ranges.collect::<Result<_, _>>()?;
+    if options.sensitivity {
+        return Ok(Plan::Grid(ranges));
+    }
+    if options.attractors && ranges.len() != 1 {
+        return Err(Failure::request("what attracts is looked for over one range")
+            .remedy("add --over NAME=FROM..TO:COUNT once"));
+    }
     if ranges.is_empty() || ranges.len() > 2 {
         return Err(Failure::request(
             "a study goes through one range or two, or makes values at random",

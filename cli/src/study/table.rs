@@ -43,7 +43,8 @@ fn percent(share: f64) -> String {
     format!("{} %", number::short((1e3 * share).round() / 10.0))
 }
 
-fn shown(value: f64, quantity: &Quantity) -> String {
+/// A value of a measure.
+pub fn shown(value: f64, quantity: &Quantity) -> String {
     match value.is_finite() {
         true => number::significant(value / quantity.factor, 6),
         false => "none".to_owned(),

@@ -175,6 +175,13 @@ impl Here {
         compare("second influences", second, &|loops, instant, values| {
             loops.second_influence(instant, position, values);
         });
+        compare("measured", shape.measured, &|loops, instant, values| {
+            loops.measured(instant, position, values);
+        });
+        let found: Vec<f64> = (0..shape.primitives.len()).map(|k| 0.3 + 0.7 * k as f64).collect();
+        compare("measures", shape.measures.len(), &|loops, _, values| {
+            loops.measures(&found, values)
+        });
         compare("points", shape.places(), &|loops, instant, values| {
             loops.points(instant, position, values);
         });

@@ -284,13 +284,16 @@ impl Lowering<'_> {
     /// `x == y`: where both are equal for the first time.
     fn passage(&mut self, term: &Term) -> Option<Moment> {
         let condition = self.condition(term)?;
-        let Node::Compare(Relation::Equal, left, right) = *self.graph.node(condition) else {
+        let difference = match *self.graph.node(condition) {
+            Node::Compare(Relation::Equal, left, right) => Some(self.graph.sub(left, right)),
+            _ => None,
+        };
+        let Some(difference) = difference.filter(|one| !self.is_constant(*one)) else {
             let report = Diagnostic::error(term.span, "nothing in this changes during the run");
             self.diagnostics
                 .push(report.hint("compare what moves with a value, as in `x == 1 mm`"));
             return None;
         };
-        let difference = self.graph.sub(left, right);
         Some(Moment::Passes(self.look_at(difference), false))
     }
 

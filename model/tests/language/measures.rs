@@ -89,6 +89,11 @@ fn wrong_measures() {
         ("measure peak = peak(x);", &[("`peak` is a function of measures", "peak", "another name")]),
         ("let mean = 2*x; measure a = mean(x); output mean;", &[("`mean` is a quantity here, which hides the function of measures", "mean", "another name")]),
         ("measure a = dot(peak(x));", &[("a number of the whole run has no derivative", "dot(peak(x))", "`peak(dot(x))`")]),
+        ("measure a = straightness(x);", &[("`straightness` does not take 1 arguments", "straightness(x)", "`straightness(y, x)")]),
+        ("measure a = value(x, l == 2*l);", &[("nothing in this changes during the run", "l == 2*l", "")]),
+        ("measure a = value(x, x == 1 kg);", &[("", "x == 1 kg", "")]),
+        ("measure a = multiplier(1);", &[("`multiplier` is a number of a motion that repeats", "1", "periodic")]),
+        ("measure a = detuning(0);", &[("a multiplier has a whole number", "0", "nearest to 1")]),
         ("measure a = peak(x); measure b = diff(2*a, l);", &[("a number of the whole run has no derivative", "diff(2*a, l)", "")]),
         ("measure a = dot(x);", &[("this changes during the run", "dot(x)", "")]),
         ("expect at run: w = 1 m +- 1 m;", &[("`w` has to be a measure", "w", "declare a `measure`")]),
@@ -106,15 +111,32 @@ const CRANK: &str = "Crank; dimension r = 1 m; parameter w = 2 [rad/s]; driver p
                      dependent x ~ 1 m, y ~ 0 m; closure pin: r*dir(phi) = [x, y]; output x; ";
 
 #[test]
-fn what_drivers_move_in_time_has_measures_and_positions_have_none() {
-    let turning =
-        first_scene(&format!("{CRANK} measure far = rms(x); scene s {{ periodic over 2*pi/w; }}"));
-    assert!(turning.linkage.is_none() && turning.measures.len() == 1);
+fn what_drivers_move_in_time_and_positions_have_measures() {
+    let timed = |measure: &str| {
+        let text = format!("{CRANK} measure far = {measure}; scene s {{ periodic over 2*pi/w; }}");
+        let scene = first_scene(&text);
+        (scene.linkage.is_some(), scene.measures.len())
+    };
+    // Positions have all that is asked for, or a motion alone has.
+    assert_eq!(timed("rms(x)"), (true, 1));
+    assert_eq!(timed("total(x)"), (false, 1));
+    let swept = |measure: &str, task: &str| {
+        let text = format!("{CRANK} measure far = {measure}; scene s {{ {task} }}");
+        let scene = first_scene(&text);
+        (scene.measures.len(), scene.primitives.len(), scene.program.results.measured.len())
+    };
+    assert_eq!(swept("rms(x)", "sweep phi;"), (1, 1, 1));
+    assert_eq!(swept("value(x, last(y == 0.5 m))", "sweep phi;"), (1, 1, 2));
+    assert_eq!(swept("travel(phi, y > 0 m)/(1 rad) + count(x == y)", "sweep phi;"), (1, 2, 3));
+    assert_eq!(swept("straightness(y, x, phi < 1)", "sweep phi;"), (1, 1, 3));
+    assert_eq!(swept("total(x)", "sweep phi;"), (0, 0, 0));
     let shown = first_scene(&format!("{CRANK} scene s {{ periodic over 2*pi/w; }}"));
     assert!(shown.linkage.is_some());
-    let swept = "measure far = rms(x); scene s { sweep phi; } expect at run: far = 1 m +- 1 m;";
+    let facts = "scene s { sweep phi; } expect at run: far = 1 m +- 1 m;";
+    first_scene(&format!("{CRANK} measure far = rms(x); {facts}"));
+    let total = "measure far = total(x)/(1 s);";
     check(
-        &format!("{CRANK}{swept}"),
-        &[("the scene `s` has positions only, and no measures", "far", "let the scene run")],
+        &format!("{CRANK}{total}{facts}"),
+        &[("the scene `s` does not have the measure `far`", "far", "let the scene run")],
     );
 }

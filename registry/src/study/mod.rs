@@ -3,10 +3,14 @@
 //! Runs know nothing of each other, so they go to whichever thread is free. What a run says depends on its number
 //! alone: the answer is the same, bit for bit, for any number of threads.
 
+mod attractors;
 mod draw;
+mod sensitivity;
 mod spread;
 
+pub use attractors::{Attractor, Found, Look, attractors};
 pub use draw::drawn;
+pub use sensitivity::{Slope, slopes};
 pub use spread::{Spread, share, spread};
 
 use std::num::NonZeroUsize;

@@ -47,3 +47,21 @@ fn a_small_spread_around_a_large_value_keeps_its_digits() {
     assert_eq!(found.quantiles[1], (0.25, 1e9 + 1.5));
     assert_eq!(spread(&[f64::NAN], 0.95, &[]), None);
 }
+
+#[test]
+fn slopes_are_those_of_formulas() {
+    let at = |x: f64| Some(vec![x.sin(), x.powi(5), if x < 0.9995 { f64::NAN } else { x.ln() }]);
+    let found = slopes(&at, (1.0, 1.0), 3);
+    for (slope, expected) in found.iter().zip([1f64.cos(), 5.0]) {
+        let slope = slope.expect("a slope");
+        assert!((slope.value - expected).abs() < 1e-10, "{slope:?}");
+        assert!((slope.value - expected).abs() <= 5.0 * slope.error + 1e-14, "{slope:?}");
+    }
+    let near = found[2].expect("a slope from smaller changes");
+    assert!((near.value - 1.0).abs() < 1e-9, "{near:?}");
+    // At a kink there is none, and the error says so.
+    let kink = slopes(&|x| Some(vec![x.max(0.0)]), (0.0, 1.0), 1)[0].expect("a difference");
+    assert!((kink.value - 0.5).abs() < 1e-12 && kink.error > 0.49, "{kink:?}");
+    let lost = slopes(&|x: f64| (x <= 1.0).then(|| vec![x]), (1.0, 1.0), 1);
+    assert_eq!(lost, [None]);
+}

@@ -24,6 +24,8 @@ const ENDS: [f64; 2] = [1e-4, 1e-2];
 const NOISE: f64 = 1e-12;
 /// What is nothing but rounding deviates by no more than this over what it was seen to deviate by where no halving helped.
 const SPREAD: f64 = 4.0;
+/// Roundings of the time by which an event may be away from where it is found.
+const BLUR: f64 = 64.0;
 /// Evaluations that are kept while hills are climbed: quantities of one motion often turn in the same stretches.
 const KEPT: usize = 4096;
 /// Where in a step quantities are looked at: multiples of the golden section, which keep out of step with whatever swings.
@@ -115,11 +117,27 @@ impl<'a> Sampler<'a> {
         value
     }
 
-    /// All quantities at a time in a piece, in the mode of that piece even at its ends.
+    /// All quantities at a time in a piece, in the mode of that piece even at its ends. Where an event ends it the quantities
+    /// are those a few roundings inside, where conditions on what the event watches hold as they do in the piece.
     pub(super) fn at(&mut self, piece: &Piece, time: f64) -> &[f64] {
+        let time = self.inside(piece, time);
         piece.trajectory.at_beside(&mut self.step, time, &mut self.state);
         (self.sample)(piece.mode, time, &self.state, &mut self.values);
         &self.values
+    }
+
+    /// A time in a piece, away from events at its ends.
+    fn inside(&self, piece: &Piece, time: f64) -> f64 {
+        let times = piece.trajectory.times();
+        let (begin, end) = (times[0], times[times.len() - 1]);
+        let blur = BLUR * f64::EPSILON * begin.abs().max(end.abs());
+        if time > begin + blur && time < end - blur || end - begin < 4.0 * blur {
+            return time;
+        }
+        let first = self.motion.pieces.first().map_or(begin, |one| one.trajectory.times()[0]);
+        let least = if begin > first { begin + blur } else { begin };
+        let most = if end < self.motion.time { end - blur } else { end };
+        time.clamp(least, most)
     }
 
     /// All quantities in a mode at a time and state.
