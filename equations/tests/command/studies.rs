@@ -233,3 +233,69 @@ fn wrong_studies_are_refused() {
         check_refused(arguments, words, &directory);
     }
 }
+
+/// Measures of a linkage over its sweep, over a value and made at random.
+#[test]
+fn linkages_are_studied_by_the_measures_of_their_sweep() {
+    let words = ["study", "selvedge_linkage", "--scene", "crank", "--format", "json"];
+    let over = ["--over", "l1=20..30mm:3", "--measure", "swing"];
+    let over = object(&[&words[..], &over].concat());
+    // The limits by the cosine theorem.
+    let swing = |l1: f64| {
+        let chi = |side: f64| {
+            let (l3, a) = (60.0, 100.0);
+            ((a * a + l3 * l3 - side * side) / (2.0 * a * l3) as f64).acos().to_degrees()
+        };
+        chi(90.0 + l1) - chi(90.0 - l1)
+    };
+    let found = named(&over["measures"], "swing")["values"].as_array().unwrap().clone();
+    for (found, l1) in found.iter().zip([20.0, 25.0, 30.0]) {
+        assert!((found.as_f64().unwrap() - swing(l1)).abs() < 1e-9, "{found} at {l1}");
+    }
+    let by = object(&[&words[..], &["--sensitivity", "--measure", "swing"]].concat());
+    let by = named(&by["measures"], "swing")["by"].clone();
+    let l1 = named(&by, "l1");
+    let slope = (swing(25.0 + 1e-4) - swing(25.0 - 1e-4)) / 2e-4;
+    assert!((l1["value"].as_f64().unwrap() - slope).abs() < 1e-6, "{l1}, not {slope}");
+    assert_eq!((l1["unit"].as_str(), by[0]["name"].as_str()), (Some("deg/mm"), Some("l1")));
+    let made = object(&[&words[..], &["--samples", "40", "--measure", "swing"]].concat());
+    let made = named(&made["measures"], "swing");
+    assert!((made["mean"]["value"].as_f64().unwrap() - swing(25.0)).abs() < 0.2, "{made}");
+}
+
+/// Two motions attract at 500 1/s, as a computation in another language has it (the file's preset `fast` and its scene `let_fall`).
+#[test]
+fn coexisting_motions_are_found_over_a_range() {
+    let words = ["study", "presser_foot", "--attractors", "--over", "omega=475..500[1/s]:3"];
+    let found = object(&[&words[..], &["--measure", "F_largest", "--format", "json"]].concat());
+    let last = &found["values"][2];
+    let attractors = last["attractors"].as_array().unwrap();
+    let mut forces: Vec<f64> =
+        attractors.iter().map(|one| one["measures"][0]["value"].as_f64().unwrap()).collect();
+    forces.sort_by(f64::total_cmp);
+    assert_eq!(forces.len(), 2, "{last}");
+    assert!(
+        (forces[0] - 83.7458).abs() < 1e-3 && (forces[1] - 239.5672).abs() < 1e-3,
+        "{forces:?}"
+    );
+    assert!(attractors.iter().all(|one| one["growth"].as_f64().unwrap() < 1.0), "{last}");
+}
+
+#[test]
+fn wrong_studies_of_attractors_and_sensitivities_are_refused() {
+    for (words, expected) in [
+        (&["study", "presser_foot", "--attractors"][..], "over one range"),
+        (&["study", "presser_foot", "--attractors", "--sensitivity"], "cannot be used with"),
+        (
+            &["study", "presser_foot", "--starts", "3", "--over", "omega=3..4[1/s]:2"],
+            "--attractors",
+        ),
+        (&["study", "selvedge_linkage", "--attractors", "--over", "l1=20..30mm:3"], "positions"),
+        (
+            &["study", "selvedge_linkage", "--rtol", "1e-8", "--sensitivity"],
+            "a linkage takes no --rtol",
+        ),
+    ] {
+        check_refused(words, 2, expected);
+    }
+}

@@ -3,7 +3,7 @@
 //! Of the lines `y = a + b x` that is sought from which the curve deviates least at most. For points the deviation is half the
 //! height of their convex hull along `y`, least over slopes that are those of edges of the hull: it is convex in `b`, with
 //! kinks there alone. Between the points the curve may deviate more: where it does so most is found, taken up as points, and
-//! all is done anew until nothing changes (E. W. Cheney, *Introduction to Approximation Theory*, 1966, chapter 1, section 8).
+//! all is done anew until it does not (E. W. Cheney, *Introduction to Approximation Theory*, 1966, chapter 1, section 8).
 
 use assur_functions::{Sense, top};
 
@@ -11,7 +11,7 @@ use super::grid::{Grid, Sampler};
 
 /// How often points are taken up at most.
 const ROUNDS: usize = 30;
-/// Changes of the deviation that are rounding, over the size of the curve.
+/// What the curve deviates more than its points by rounding, over its size.
 const ROUNDING: f64 = 1e-14;
 
 /// A point of the curve: its piece, its time, `x` and `y`.
@@ -64,10 +64,14 @@ impl Straight {
         let mut points: Vec<(f64, f64)> = seen.iter().map(|point| (point.x, point.y)).collect();
         let (mut slope, mut deviation) = best(&mut points)?;
         for _ in 0..ROUNDS {
+            // The points say too little, the curve itself as much as there is.
+            let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+            let mut reached = |off: f64| (low, high) = (low.min(off), high.max(off));
+            let off = |point: &Point| point.y - slope * point.x;
             for stretch in &self.stretches {
+                stretch.iter().for_each(|point| reached(off(point)));
                 for three in stretch.windows(3) {
-                    let off = |point: &Point| point.y - slope * point.x;
-                    let [before, here, after] = [off(&three[0]), off(&three[1]), off(&three[2])];
+                    let [before, here, after] = [&three[0], &three[1], &three[2]].map(off);
                     let sense = match () {
                         () if here >= before && here >= after => Sense::Largest,
                         () if here <= before && here <= after => Sense::Smallest,
@@ -79,17 +83,16 @@ impl Straight {
                         let values = sampler.at(piece, time);
                         values[y] - slope * values[x]
                     };
-                    let place = top(sense, times, &mut at).place;
-                    let values = sampler.at(piece, place);
+                    let top = top(sense, times, &mut at);
+                    reached(top.value);
+                    let values = sampler.at(piece, top.place);
                     points.push((values[x], values[y]));
                 }
             }
-            let (next, found) = best(&mut points)?;
-            let is_settled = found - deviation <= ROUNDING * size;
-            (slope, deviation) = (next, found);
-            if is_settled {
+            if (high - low) / 2.0 - deviation <= ROUNDING * size {
                 break;
             }
+            (slope, deviation) = best(&mut points)?;
         }
         Some(deviation)
     }

@@ -1,5 +1,7 @@
 //! Numbers of runs against closed forms.
 
+mod ways;
+
 use super::*;
 use crate::hybrid::Piece;
 use crate::hybrid::{Happened, Numbers};
@@ -255,6 +257,7 @@ fn through_an_event() -> Motion {
         time: 3.0,
         statistics: Default::default(),
         rest: None,
+        multipliers: Vec::new(),
     }
 }
 
