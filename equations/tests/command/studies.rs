@@ -244,7 +244,8 @@ fn linkages_are_studied_by_the_measures_of_their_sweep() {
     let swing = |l1: f64| {
         let chi = |side: f64| {
             let (l3, a) = (60.0, 100.0);
-            ((a * a + l3 * l3 - side * side) / (2.0 * a * l3) as f64).acos().to_degrees()
+            let cosine: f64 = (a * a + l3 * l3 - side * side) / (2.0 * a * l3);
+            cosine.acos().to_degrees()
         };
         chi(90.0 + l1) - chi(90.0 - l1)
     };
@@ -296,6 +297,6 @@ fn wrong_studies_of_attractors_and_sensitivities_are_refused() {
             "a linkage takes no --rtol",
         ),
     ] {
-        check_refused(words, 2, expected);
+        check_refused(words, &[expected], &folder("wrong_studies"));
     }
 }

@@ -69,7 +69,8 @@ impl Lowering<'_> {
         let Some(declared) = self.names.table.get(&name.text) else {
             return false;
         };
-        if unit.span != number.span {
+        // What is no unit is told as such.
+        if unit.span != number.span || !is_unit(&name.text) {
             return false;
         }
         let name = &name.text;
