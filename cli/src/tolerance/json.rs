@@ -31,6 +31,8 @@ pub struct Tolerance {
     allocation: Option<Allocation>,
     /// The values that were given with --set, in words.
     changed: String,
+    /// The statements by which the scene differs from that of the file.
+    changes: Vec<String>,
     /// What the numbers do not say: a tolerance that leads out of the range of its dimension, a linkage put together far from
     /// its start values.
     notes: Vec<String>,
@@ -257,6 +259,7 @@ impl Page<'_> {
             range: self.range(),
             allocation: answer.allocation.as_ref().map(|one| self.allocation(one)),
             changed: question.changed.clone(),
+            changes: question.case.constants.changes.clone(),
             notes: question.notes.clone(),
             status: match answer.made.as_ref().map(|made| made.places[0].status) {
                 None | Some(Assembled::Complete) => Status::Complete,

@@ -114,6 +114,8 @@ fn scenes_are_changed_at_the_command_line() {
     let found = of(&["--with", "damping", "--run", "0s..1s", "--start", "x=3mm"]);
     assert_eq!(found["scene"]["name"], "unnamed");
     assert_eq!(found["scene"]["effects"], serde_json::json!(["damping"]));
+    let changes = ["with damping;", "start x = 3 mm;", "run time 0 s .. 1 s;"];
+    assert_eq!(found["scene"]["changes"], serde_json::json!(changes));
     // The same as the steady scene of the file without its task, and the other way round.
     // Another kind of scene is looked for where the first one is none.
     answer(&["new", "press", "--like", "linkage"], &here);
