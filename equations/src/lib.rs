@@ -11,6 +11,7 @@ assur::equations! {
     "feed_lift.eqn",
     "feed_stitch.eqn",
     "sewing_feed.eqn",
+    "feed_inverse.eqn",
     "dwell_six_bar.eqn",
     "table_drive.eqn",
     "presser_foot.eqn",
