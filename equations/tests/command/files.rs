@@ -145,7 +145,7 @@ fn modes_and_tolerances_are_chosen_at_the_command_line() {
     let listed = modes["places"][0]["modes"].as_array().expect("a list");
     assert_eq!(listed.len(), 4);
     let value = |of: &Value, name: &str| {
-        let all = of["values"].as_array().expect("a list");
+        let all = of["results"].as_array().expect("a list");
         let found = all.iter().find(|one| one["name"] == name).expect("a value");
         found["value"].as_f64().expect("a number")
     };
@@ -154,8 +154,7 @@ fn modes_and_tolerances_are_chosen_at_the_command_line() {
         let found = json(&words, &here);
         let index: usize = number.parse().unwrap();
         for name in ["phi5", "phi6", "phi7"] {
-            let [found, listed] =
-                [&found["places"][0], &listed[index - 1]].map(|one| value(one, name));
+            let [found, listed] = [&found["at"][0], &listed[index - 1]].map(|one| value(one, name));
             assert!((found - listed).abs() < 1e-9, "{number}: {name} = {found}, not {listed}");
         }
     }

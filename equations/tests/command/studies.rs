@@ -157,7 +157,7 @@ fn values_made_at_random_are_the_same_for_the_same_seed() {
 fn wrong_studies_are_refused() {
     let directory = folder("wrong_studies");
     let cases: &[(&[&str], &[&str])] = &[
-        (&["study", "batten"], &["has no measures", "measure x_max = peak(x);"]),
+        (&["study", "andrews"], &["has no measures", "measure x_max = peak(x);"]),
         (&["study", "presser_foot"], &["--over NAME=FROM..TO:COUNT"]),
         (&["study", "presser_foot", "--over", "omga=1..2:3"], &["`omga`", "omega"]),
         (&["study", "presser_foot", "--over", "omega=200..300"], &["NAME=FROM..TO:COUNT"]),
@@ -267,7 +267,7 @@ fn linkages_are_studied_by_the_measures_of_their_sweep() {
 /// Two motions attract at 500 1/s, as a computation in another language has it (the file's preset `fast` and its scene `let_fall`).
 #[test]
 fn coexisting_motions_are_found_over_a_range() {
-    let words = ["study", "presser_foot", "--attractors", "--over", "omega=475..500[1/s]:3"];
+    let words = ["study", "presser_foot", "--attractors", "--over", "omega=450..700[1/s]:11"];
     let found = object(&[&words[..], &["--measure", "F_largest", "--format", "json"]].concat());
     let last = &found["values"][2];
     let attractors = last["attractors"].as_array().unwrap();

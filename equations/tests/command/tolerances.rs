@@ -153,7 +153,7 @@ fn wrong_questions_are_refused() {
         (&["heald_linkage", "--allocate", "1mrad", "--cost", "s=-1"], &["`s`"]),
         (&["heald_linkage", "--places", "1"], &["choose from 2"]),
         (&["heald_linkage", "--samples", "-5"], &["-5", "--samples"]),
-        (&["heald_linkage", "--tolerance", "l5=-0.1mm"], &["less than nothing"]),
+        (&["heald_linkage", "--tolerance", "l5=-0.1mm"], &["is no tolerance of `l5`"]),
         (&["heald_linkage", "--allocate", "1mm"], &["no band", "1mrad"]),
         (
             &["heald_linkage", "--tolerance", "l5=1mm", "--tolerance", "l5=2mm"],
