@@ -101,13 +101,12 @@ pub fn strokes(case: &Case) -> Option<Vec<Stroke>> {
 
 /// What moves the linkage through a task with one axis.
 fn along(case: &Case) -> Option<Along> {
-    match (&case.moved.task, &case.axes()[..]) {
-        (Task::Time(_), [axis]) => Some(Along::Time(axis.from, axis.to)),
-        (Task::Sweep(drivers), [axis]) => {
-            let bounds = (axis.from.min(axis.to), axis.from.max(axis.to));
-            Some(Along::Driver(*drivers.first()?, bounds))
+    match case.run().way()? {
+        // Limits are those of the range, whichever way it is gone.
+        Along::Driver(driver, (from, to)) => {
+            Some(Along::Driver(driver, (from.min(to), from.max(to))))
         }
-        _ => None,
+        way => Some(way),
     }
 }
 

@@ -7,7 +7,8 @@ use crate::closure::extent::measures::{Measured, measures_of};
 use crate::closure::extent::strokes::strokes_of;
 use crate::closure::modes::modes_of;
 use crate::closure::{
-    Along, AnyLinkage, AssemblyMode, ClosureError, Newton, Search, Stretch, Stroke, instant_at,
+    Along, AnyLinkage, AssemblyMode, ClosureError, Newton, Range, Search, Stretch, Stroke,
+    instant_at,
 };
 use crate::problem::Span;
 
@@ -97,14 +98,15 @@ impl dyn AnyLinkage + '_ {
         measures_of(self, along)
     }
 
-    /// The way of the task, where it has one: that of the only driver that is swept, or the time.
+    /// The way of the task, where it has one: that of the only driver that is swept, or the time. A sweep may go backwards.
     pub fn way(&self) -> Option<Along> {
         if !matches!(self.span(), Span::Open) {
             let (from, to) = self.span().limits();
             return Some(Along::Time(from, to));
         }
         let ranges = self.ranges();
-        let mut swept = ranges.iter().enumerate().filter(|(_, range)| range.from != range.to);
+        let goes = |range: &Range| range.from.is_finite() && range.to != range.from;
+        let mut swept = ranges.iter().enumerate().filter(|(_, range)| goes(range));
         match (swept.next(), swept.next()) {
             (Some((driver, range)), None) => Some(Along::Driver(driver, (range.from, range.to))),
             _ => None,
