@@ -65,6 +65,7 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
             .reason("an arrow is an output that is the `reaction` of a closure in the plane, between places")
             .remedy("report one in the equation file: output pin = reaction(pin) [N];"));
     }
+    let changes = constants.changes.join(" ");
     let shown = Shown::of(options, constants)?;
     let picture = shown.picture();
     still.write(shown.still().as_bytes())?;
@@ -75,6 +76,9 @@ pub fn execute(options: &DrawArguments, registry: Registry) -> Result<(), Failur
         picture.label,
         still.path().display()
     );
+    if !changes.is_empty() {
+        text += &format!("Changed:   {changes}\n");
+    }
     if let Some(note) = &shown.note {
         text += &format!("Note:      {note}\n");
     }

@@ -159,7 +159,7 @@ fn modes_and_tolerances_are_chosen_at_the_command_line() {
         }
     }
     let drawn = answer(&["draw", "heald_linkage", "--mode", "3"], &here);
-    assert!(drawn.contains("changed: start phi5"), "{drawn}");
+    assert!(drawn.contains("Changed:   start phi5"), "{drawn}");
     let words = ["tolerance", "heald_linkage", "--mode", "3", "--at", "phi4=90deg"];
     let other = json(&[&words[..], &["--tolerance", "l4=1% lognormal"]].concat(), &here);
     let l4 = other["contributions"].as_array().expect("a list").iter();

@@ -36,7 +36,7 @@ fn a_page_that_is_out_of_date_is_told_with_the_mechanism_and_the_command() {
     for picture in std::fs::read_dir(root().join("docs/gallery")).expect("pictures").flatten() {
         std::fs::write(folder.join("gallery").join(picture.file_name()), "").expect("a file");
     }
-    let changed = page().replacen("closure loop: l4*dir(phi4)", "closure loop: l5*dir(phi4)", 1);
+    let changed = page().replacen("closure loop: r4*dir(phi4)", "closure loop: r5*dir(phi4)", 1);
     std::fs::write(folder.join("mechanisms.md"), changed).expect("a file");
     let output =
         run(&["gallery", ".", "--files", "../equations/src", "--check", "stated"], &folder);

@@ -97,7 +97,9 @@ impl Lowering<'_> {
             }
             "count" => {
                 let moment = match first.kind {
-                    TermKind::Call { .. } | TermKind::Binary(..) => self.moment(first)?,
+                    TermKind::Call { .. } | TermKind::Binary(BinaryOperator::Equal, ..) => {
+                        self.moment(first)?
+                    }
                     _ => Moment::After(self.event(first)?, false),
                 };
                 let value = self.primitive(Is::Count(moment), 0, None);
