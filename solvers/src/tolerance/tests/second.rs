@@ -1,10 +1,10 @@
 //! When the second order matters.
 
 use super::super::{
-    Sampling, Study, ToleranceError, corners, differences, influences, linear, monte_carlo,
-    quadratics,
+    Quadratic, Sampling, Study, ToleranceError, corners, differences, influences, linear,
+    monte_carlo, quadratics,
 };
-use super::{Heald, study};
+use super::{Heald, Source, study};
 use crate::shape::Distribution;
 
 #[test]
@@ -82,4 +82,30 @@ fn too_many_sources_are_not_combined() {
     study.sources.resize(17, source);
     let expected = ToleranceError::TooManyCorners { sources: 17, most: 16 };
     assert_eq!(corners(&Heald::default(), &study), Err(expected));
+}
+
+/// `y = 2 x - 0.015 x²` of one error that is not symmetric: mean, deviation and skewness against means over its distribution.
+#[test]
+fn errors_to_one_side_make_the_form_skew() {
+    let distribution = Distribution::Lognormal { ratio: 0.6 };
+    let source = Source { variable: 0, half_width: 0.9, distribution };
+    let form = Quadratic { value: 0.0, gradient: vec![2.0], hessian: vec![-0.03] };
+    let found = form.moments(&[source]);
+    let count = 400_000;
+    let share = |index: usize| (index as f64 + 0.5) / f64::from(count);
+    let error = |index: usize| form.error(&[0.9 * distribution.quantile(share(index))]);
+    let mean = |of: &dyn Fn(f64) -> f64| {
+        (0..count as usize).map(|index| of(error(index))).sum::<f64>() / f64::from(count)
+    };
+    let first = mean(&|error| error);
+    let second = mean(&|error| (error - first).powi(2));
+    let third = mean(&|error| (error - first).powi(3));
+    assert!((found.mean - first).abs() < 1e-6, "{found:?} {first}");
+    assert!((found.deviation - second.sqrt()).abs() < 1e-4, "{found:?} {second}");
+    // The third moment leaves out the square of the second derivative.
+    let skewness = third / second.powf(1.5);
+    assert!((found.skewness - skewness).abs() < 2e-3, "{found:?} {skewness}");
+    // Of a symmetric distribution it is that of the second derivative alone, below zero here.
+    let symmetric = form.moments(&[Source { distribution: Distribution::Normal, ..source }]);
+    assert!(symmetric.skewness < 0.0 && found.skewness > 0.3, "{symmetric:?} {found:?}");
 }
