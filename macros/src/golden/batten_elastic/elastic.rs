@@ -18,10 +18,10 @@
 /// * `linearisation.K1`: how the lag enters the travel of the brake-side pin
 ///
 /// ```text
-/// kinetic m1*dot(x1)^2/2 + m2*dot(x2)^2/2 + m3*dot(x3)^2/2 + m4*dot(x4)^2/2   [N m]  batten.eqn:61
-/// kinetic J2*(n - dot(phi2))^2/2                                              [N m]  batten.eqn:70
-/// potential c*phi2^2/2                                                        [N m]  batten.eqn:71
-/// potential stiffness(u3, u4)/2                                               [N m]  batten.eqn:106
+/// kinetic m1*dot(x1)^2/2 + m2*dot(x2)^2/2 + m3*dot(x3)^2/2 + m4*dot(x4)^2/2   [N m]  batten.eqn:66
+/// kinetic J2*(n - dot(phi2))^2/2                                              [N m]  batten.eqn:75
+/// potential c*phi2^2/2                                                        [N m]  batten.eqn:76
+/// potential stiffness(u3, u4)/2                                               [N m]  batten.eqn:111
 /// ```
 ///
 /// Parameters:
@@ -80,13 +80,15 @@
 /// | `ddot(phi2)` | `rad/s^2` |  |
 /// | `F1` | `N` |  |
 /// | `F2` | `N` |  |
+/// | `rod1` | `N` |  |
+/// | `rod2` | `N` |  |
 /// | `drive_torque` | `N m` | Torque at the drive end that keeps the speed. |
 /// | `shaft_torque` | `N m` | Torque in the shaft between its cranks. |
 /// | `x_difference` | `m` | Ends of the bar, drive side ahead of brake side. |
 /// | `v_difference` | `m/s` |  |
 /// | `F_difference` | `N` |  |
 ///
-/// Operations: 70 once per parameter set, 31 per instant, 28 per evaluation, 28 per Jacobian.
+/// Operations: 73 once per parameter set, 31 per instant, 28 per evaluation, 28 per Jacobian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elastic {
     /// Crank: `75 mm`, `in 1 mm .. 1000 mm`; stored in SI units, `mm` is 0.001.
@@ -164,26 +166,52 @@ impl Elastic {
     pub const F1: ::assur::shape::Subject = ::assur::shape::Subject::Output(15);
     /// `F2`
     pub const F2: ::assur::shape::Subject = ::assur::shape::Subject::Output(16);
+    /// `rod1`
+    pub const ROD1: ::assur::shape::Subject = ::assur::shape::Subject::Output(17);
+    /// `rod2`
+    pub const ROD2: ::assur::shape::Subject = ::assur::shape::Subject::Output(18);
     /// `drive_torque`
     pub const DRIVE_TORQUE: ::assur::shape::Subject = ::assur::shape::Subject::Output(
-        17,
+        19,
     );
     /// `shaft_torque`
     pub const SHAFT_TORQUE: ::assur::shape::Subject = ::assur::shape::Subject::Output(
-        18,
+        20,
     );
     /// `x_difference`
     pub const X_DIFFERENCE: ::assur::shape::Subject = ::assur::shape::Subject::Output(
-        19,
+        21,
     );
     /// `v_difference`
     pub const V_DIFFERENCE: ::assur::shape::Subject = ::assur::shape::Subject::Output(
-        20,
+        22,
     );
     /// `F_difference`
     pub const F_DIFFERENCE: ::assur::shape::Subject = ::assur::shape::Subject::Output(
-        21,
+        23,
     );
+    /// `peak_rod1`
+    pub const PEAK_ROD1: ::assur::shape::Subject = ::assur::shape::Subject::Measure(0);
+    /// `peak_rod2`
+    pub const PEAK_ROD2: ::assur::shape::Subject = ::assur::shape::Subject::Measure(1);
+    /// `inequality`
+    pub const INEQUALITY: ::assur::shape::Subject = ::assur::shape::Subject::Measure(2);
+    /// `peak_drive`
+    pub const PEAK_DRIVE: ::assur::shape::Subject = ::assur::shape::Subject::Measure(3);
+    /// `mean_power`
+    pub const MEAN_POWER: ::assur::shape::Subject = ::assur::shape::Subject::Measure(4);
+    /// `nearest_resonance`
+    pub const NEAREST_RESONANCE: ::assur::shape::Subject = ::assur::shape::Subject::Measure(
+        5,
+    );
+    /// `largest_multiplier`
+    pub const LARGEST_MULTIPLIER: ::assur::shape::Subject = ::assur::shape::Subject::Measure(
+        6,
+    );
+    /// `largest_lag`
+    pub const LARGEST_LAG: ::assur::shape::Subject = ::assur::shape::Subject::Measure(7);
+    /// `peak_shaft`
+    pub const PEAK_SHAFT: ::assur::shape::Subject = ::assur::shape::Subject::Measure(8);
     /// What the scene is made of.
     pub const fn shape() -> &'static ::assur::shape::Shape {
         &shapes_::Elastic
@@ -326,14 +354,15 @@ impl ::assur::problem::Scene for Elastic {
             v75_: lambda * m4,
             v76_: lambda * m3,
             v77_: v26_ * m4,
-            v79_: S::from_f64(0.5) * (v30_ * m1),
-            v80_: S::from_f64(0.5) * J2,
-            v81_: S::from_f64(0.5) * m3,
-            v82_: S::from_f64(0.5) * m4,
-            v83_: S::from_f64(0.5) * m2,
-            v84_: S::from_f64(0.5) * c,
-            v85_: S::from_f64(0.5) * v23_,
-            v86_: S::from_f64(2.0) * d34,
+            v80_: v10_ * (S::ONE / (l * l)),
+            v82_: S::from_f64(0.5) * (v30_ * m1),
+            v83_: S::from_f64(0.5) * J2,
+            v84_: S::from_f64(0.5) * m3,
+            v85_: S::from_f64(0.5) * m4,
+            v86_: S::from_f64(0.5) * m2,
+            v87_: S::from_f64(0.5) * c,
+            v88_: S::from_f64(0.5) * v23_,
+            v89_: S::from_f64(2.0) * d34,
         }
     }
     fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {

@@ -83,22 +83,24 @@ pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     v76_: S,
     /// `v26_*m4`
     v77_: S,
-    /// `0.5*(R^2*v29_*m1)`
-    v79_: S,
-    /// `0.5*J2`
+    /// `R^2*(1/(l^2))`
     v80_: S,
-    /// `0.5*m3`
-    v81_: S,
-    /// `0.5*m4`
+    /// `0.5*(R^2*v29_*m1)`
     v82_: S,
-    /// `0.5*m2`
+    /// `0.5*J2`
     v83_: S,
-    /// `0.5*c`
+    /// `0.5*m3`
     v84_: S,
-    /// `0.5*v23_`
+    /// `0.5*m4`
     v85_: S,
-    /// `2*d34`
+    /// `0.5*m2`
     v86_: S,
+    /// `0.5*c`
+    v87_: S,
+    /// `0.5*v23_`
+    v88_: S,
+    /// `2*d34`
+    v89_: S,
 }
 impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquations<S> {
     #[inline(always)]
@@ -137,27 +139,27 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             let (sin_theta_, cos_theta_) = S::sin_cos_all(angle_theta_);
             for (k_, row_) in rows.iter_mut().enumerate() {
                 let time = times[k_];
-                let v94_ = sin_theta_[k_] * sin_theta_[k_];
-                let v96_ = S::mul_add(-self.v16_, cos_theta_[k_], S::ONE);
-                let v101_ = v96_ * sin_theta_[k_];
-                let v105_ = v96_ * cos_theta_[k_];
-                let ddot_x1 = S::mul_add(self.v32_, v105_, self.v31_ * v94_);
+                let v97_ = sin_theta_[k_] * sin_theta_[k_];
+                let v99_ = S::mul_add(-self.v16_, cos_theta_[k_], S::ONE);
+                let v104_ = v99_ * sin_theta_[k_];
+                let v108_ = v99_ * cos_theta_[k_];
+                let ddot_x1 = S::mul_add(self.v32_, v108_, self.v31_ * v97_);
                 row_[..11]
                     .copy_from_slice(
                         &[
                             sin_theta_[k_],
                             cos_theta_[k_],
                             S::ONE
-                                / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2),
-                            self.R * v101_,
-                            self.v27_ * v101_,
-                            self.v28_ * v101_,
+                                / S::mul_add(self.v12_, v97_ * (v99_ * v99_), self.J2),
+                            self.R * v104_,
+                            self.v27_ * v104_,
+                            self.v28_ * v104_,
                             ddot_x1,
                             self.v32_
                                 * (sin_theta_[k_]
                                     * S::mul_add(self.v33_, cos_theta_[k_], -S::ONE)),
                             S::from_f64(2.0)
-                                * S::mul_add(self.v36_, v105_, self.v35_ * v94_),
+                                * S::mul_add(self.v36_, v108_, self.v35_ * v97_),
                             -(self.m3 * ddot_x1),
                             -(self.m4 * ddot_x1),
                         ],
@@ -184,8 +186,8 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let dot_w4 = state[5];
         let u4 = S::mul_add(instant[4], phi2, w4);
         let u3 = S::mul_add(-instant[5], phi2, w3);
-        let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-        let v159_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
+        let v161_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+        let v165_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
         *rates = [
             dot_phi2,
             dot_w3,
@@ -197,10 +199,10 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                     instant[3]
                         * S::mul_add(
                             -self.v26_,
-                            v159_,
+                            v165_,
                             S::mul_add(
                                 self.v25_,
-                                v155_,
+                                v161_,
                                 self.m2
                                     * S::mul_add(
                                         -instant[8],
@@ -210,8 +212,8 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                             ),
                         ),
                 ),
-            self.v40_ * S::mul_add(-self.v23_, v155_, instant[9]),
-            self.v42_ * (instant[10] - v159_),
+            self.v40_ * S::mul_add(-self.v23_, v161_, instant[9]),
+            self.v42_ * (instant[10] - v165_),
         ];
     }
     #[inline(always)]
@@ -236,30 +238,30 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let dot_phi2 = state[3];
         let dot_w3 = state[4];
         let dot_w4 = state[5];
-        let v94_ = instant[0] * instant[0];
-        let v96_ = S::mul_add(-self.v16_, instant[1], S::ONE);
-        let v101_ = v96_ * instant[0];
+        let v97_ = instant[0] * instant[0];
+        let v99_ = S::mul_add(-self.v16_, instant[1], S::ONE);
+        let v104_ = v99_ * instant[0];
         let slope_3_0_ = instant[2]
             * S::mul_add(
-                v96_ * v94_,
+                v99_ * v97_,
                 S::mul_add(
                     -self.v53_,
                     S::mul_add(self.v33_, instant[1], -S::ONE),
-                    self.v52_ * v96_,
+                    self.v52_ * v99_,
                 ),
                 self.v43_,
             );
-        let v123_ = v101_ * instant[2];
-        let slope_3_1_ = -(self.v55_ * v123_);
-        let slope_3_2_ = -(self.v56_ * v123_);
+        let v126_ = v104_ * instant[2];
+        let slope_3_1_ = -(self.v55_ * v126_);
+        let slope_3_2_ = -(self.v56_ * v126_);
         let slope_3_3_ = self.v58_
-            * (v123_ * S::mul_add(self.v36_, v96_ * instant[1], self.v35_ * v94_));
-        let slope_4_0_ = -(self.v60_ * v101_);
-        let slope_5_0_ = -(self.v66_ * v101_);
+            * (v126_ * S::mul_add(self.v36_, v99_ * instant[1], self.v35_ * v97_));
+        let slope_4_0_ = -(self.v60_ * v104_);
+        let slope_5_0_ = -(self.v66_ * v104_);
         let u4 = S::mul_add(instant[4], phi2, w4);
         let u3 = S::mul_add(-instant[5], phi2, w3);
-        let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-        let v159_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
+        let v161_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+        let v165_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
         *rates = [
             dot_phi2,
             dot_w3,
@@ -271,10 +273,10 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                     instant[3]
                         * S::mul_add(
                             -self.v26_,
-                            v159_,
+                            v165_,
                             S::mul_add(
                                 self.v25_,
-                                v155_,
+                                v161_,
                                 self.m2
                                     * S::mul_add(
                                         -instant[8],
@@ -284,8 +286,8 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                             ),
                         ),
                 ),
-            self.v40_ * S::mul_add(-self.v23_, v155_, instant[9]),
-            self.v42_ * (instant[10] - v159_),
+            self.v40_ * S::mul_add(-self.v23_, v161_, instant[9]),
+            self.v42_ * (instant[10] - v165_),
         ];
         for (column_, product_) in columns.iter().zip(&mut *products) {
             product_[0] = column_[3];
@@ -323,32 +325,32 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
     ) {
         ::assur::exact!(state, 6);
         ::assur::exact!(mut columns, 6 by 6);
-        let v94_ = instant[0] * instant[0];
-        let v96_ = S::mul_add(-self.v16_, instant[1], S::ONE);
-        let v101_ = v96_ * instant[0];
-        let v123_ = v101_ * instant[2];
+        let v97_ = instant[0] * instant[0];
+        let v99_ = S::mul_add(-self.v16_, instant[1], S::ONE);
+        let v104_ = v99_ * instant[0];
+        let v126_ = v104_ * instant[2];
         columns[0] = [
             S::ZERO,
             S::ZERO,
             S::ZERO,
             instant[2]
                 * S::mul_add(
-                    v96_ * v94_,
+                    v99_ * v97_,
                     S::mul_add(
                         -self.v53_,
                         S::mul_add(self.v33_, instant[1], -S::ONE),
-                        self.v52_ * v96_,
+                        self.v52_ * v99_,
                     ),
                     self.v43_,
                 ),
-            -(self.v60_ * v101_),
-            -(self.v66_ * v101_),
+            -(self.v60_ * v104_),
+            -(self.v66_ * v104_),
         ];
         columns[1] = [
             S::ZERO,
             S::ZERO,
             S::ZERO,
-            -(self.v55_ * v123_),
+            -(self.v55_ * v126_),
             self.slope_4_1_,
             self.slope_5_1_,
         ];
@@ -356,7 +358,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             S::ZERO,
             S::ZERO,
             S::ZERO,
-            -(self.v56_ * v123_),
+            -(self.v56_ * v126_),
             self.slope_4_2_,
             self.slope_5_2_,
         ];
@@ -365,7 +367,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             S::ZERO,
             S::ZERO,
             self.v58_
-                * (v123_ * S::mul_add(self.v36_, v96_ * instant[1], self.v35_ * v94_)),
+                * (v126_ * S::mul_add(self.v36_, v99_ * instant[1], self.v35_ * v97_)),
             S::ZERO,
             S::ZERO,
         ];
@@ -404,59 +406,59 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             let time_ = ::assur::series::time(k_, time, length);
             let theta = self.n * time_;
             let (sin_theta_, cos_theta_) = memory_0_.next(k_, theta);
-            let v94_ = memory_1_.next(k_, sin_theta_, sin_theta_);
-            let v96_ = one_ - self.v16_ * cos_theta_;
-            let v97_ = memory_2_.next(k_, v96_, v96_);
-            let v99_ = self.v12_
+            let v97_ = memory_1_.next(k_, sin_theta_, sin_theta_);
+            let v99_ = one_ - self.v16_ * cos_theta_;
+            let v100_ = memory_2_.next(k_, v99_, v99_);
+            let v102_ = self.v12_
                 * ::assur::series::unless_zero(
                     self.v12_,
-                    || memory_3_.next(k_, v94_, v97_),
+                    || memory_3_.next(k_, v97_, v100_),
                 ) + one_ * self.J2;
-            let v100_ = memory_4_.next(k_, one_, v99_);
-            let v101_ = memory_5_.next(k_, v96_, sin_theta_);
-            let v102_ = self.R * v101_;
-            let v103_ = self.v27_ * v101_;
-            let v104_ = self.v28_ * v101_;
-            let v105_ = memory_6_.next(k_, v96_, cos_theta_);
-            let v106_ = self.v31_ * v94_;
-            let ddot_x1 = self.v32_ * v105_ + v106_;
-            let v108_ = self.v33_ * cos_theta_ + one_ * -S::ONE;
-            let v110_ = self.v32_
+            let v103_ = memory_4_.next(k_, one_, v102_);
+            let v104_ = memory_5_.next(k_, v99_, sin_theta_);
+            let v105_ = self.R * v104_;
+            let v106_ = self.v27_ * v104_;
+            let v107_ = self.v28_ * v104_;
+            let v108_ = memory_6_.next(k_, v99_, cos_theta_);
+            let v109_ = self.v31_ * v97_;
+            let ddot_x1 = self.v32_ * v108_ + v109_;
+            let v111_ = self.v33_ * cos_theta_ + one_ * -S::ONE;
+            let v113_ = self.v32_
                 * ::assur::series::unless_zero(
                     self.v32_,
-                    || memory_7_.next(k_, sin_theta_, v108_),
+                    || memory_7_.next(k_, sin_theta_, v111_),
                 );
-            let v111_ = self.v35_ * v94_;
-            let v112_ = self.v36_ * v105_ + v111_;
-            let v113_ = S::from_f64(2.0) * v112_;
-            let v114_ = self.m3 * ddot_x1;
-            let v115_ = -v114_;
-            let v116_ = self.m4 * ddot_x1;
-            let v117_ = -v116_;
+            let v114_ = self.v35_ * v97_;
+            let v115_ = self.v36_ * v108_ + v114_;
+            let v116_ = S::from_f64(2.0) * v115_;
+            let v117_ = self.m3 * ddot_x1;
+            let v118_ = -v117_;
+            let v119_ = self.m4 * ddot_x1;
+            let v120_ = -v119_;
             let dot_phi2 = state[3];
             let dot_w3 = state[4];
             let dot_w4 = state[5];
             let phi2 = state[0];
             let w4 = state[2];
-            let u4 = memory_8_.next(k_, v103_, phi2) + w4;
+            let u4 = memory_8_.next(k_, v106_, phi2) + w4;
             let w3 = state[1];
-            let u3 = w3 - memory_9_.next(k_, v104_, phi2);
-            let v154_ = self.d44 * u3;
-            let v155_ = v154_ - self.d34 * u4;
-            let v156_ = ddot_x1 - memory_10_.next(k_, v110_, phi2);
-            let v157_ = v156_ - memory_11_.next(k_, v113_, dot_phi2);
-            let v158_ = self.v37_ * u4;
-            let v159_ = v158_ - self.v38_ * u3;
-            let v160_ = self.m2 * v157_;
-            let v161_ = self.v25_ * v155_ + v160_;
-            let v162_ = v161_ - self.v26_ * v159_;
-            let v163_ = memory_12_.next(k_, v102_, v162_);
-            let v164_ = v163_ - self.c * phi2;
-            let ddot_phi2 = memory_13_.next(k_, v100_, v164_);
-            let v166_ = v115_ - self.v23_ * v155_;
-            let rate_4_ = self.v40_ * v166_;
-            let v168_ = v117_ - v159_;
-            let rate_5_ = self.v42_ * v168_;
+            let u3 = w3 - memory_9_.next(k_, v107_, phi2);
+            let v160_ = self.d44 * u3;
+            let v161_ = v160_ - self.d34 * u4;
+            let v162_ = ddot_x1 - memory_10_.next(k_, v113_, phi2);
+            let v163_ = v162_ - memory_11_.next(k_, v116_, dot_phi2);
+            let v164_ = self.v37_ * u4;
+            let v165_ = v164_ - self.v38_ * u3;
+            let v166_ = self.m2 * v163_;
+            let v167_ = self.v25_ * v161_ + v166_;
+            let v168_ = v167_ - self.v26_ * v165_;
+            let v169_ = memory_12_.next(k_, v105_, v168_);
+            let v170_ = v169_ - self.c * phi2;
+            let ddot_phi2 = memory_13_.next(k_, v103_, v170_);
+            let v172_ = v118_ - self.v23_ * v161_;
+            let rate_4_ = self.v40_ * v172_;
+            let v174_ = v120_ - v165_;
+            let rate_5_ = self.v42_ * v174_;
             let step_ = length * ::assur::series::inverse(k_ + 1);
             let rates_ = [dot_phi2, dot_w3, dot_w4, ddot_phi2, rate_4_, rate_5_];
             for (next_, rate_) in rows_[k_ + 1].iter_mut().zip(rates_) {

@@ -1,5 +1,5 @@
 impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquations<S> {
-    /// 116 operations.
+    /// 128 operations.
     fn outputs(
         &self,
         phase: ::assur::problem::Phase<'_, S>,
@@ -11,7 +11,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
         S::outline(
             #[inline(always)]
             || {
-                ::assur::exact!(mut values, 22);
+                ::assur::exact!(mut values, 24);
                 let phi2 = state[0];
                 let w3 = state[1];
                 let w4 = state[2];
@@ -22,50 +22,51 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                 let shaft = self.c * phi2;
                 let x_difference = w3 - w4;
                 let v_difference = dot_w3 - dot_w4;
-                let ([sin_theta_, sin_v134_], [cos_theta_, _]) = S::sin_cos_all([
+                let ([sin_theta_, sin_v137_, sin_v203_], [cos_theta_, _, _]) = S::sin_cos_all([
                     theta,
                     self.v71_ * time,
+                    theta - phi2,
                 ]);
-                let v94_ = sin_theta_ * sin_theta_;
-                let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-                let v100_ = S::ONE
-                    / S::mul_add(self.v12_, v94_ * (v96_ * v96_), self.J2);
-                let v101_ = v96_ * sin_theta_;
-                let v102_ = self.R * v101_;
-                let v105_ = v96_ * cos_theta_;
-                let ddot_x1 = S::mul_add(self.v32_, v105_, self.v31_ * v94_);
-                let v108_ = S::mul_add(self.v33_, cos_theta_, -S::ONE);
-                let v112_ = S::mul_add(self.v36_, v105_, self.v35_ * v94_);
-                let v113_ = S::from_f64(2.0) * v112_;
+                let v97_ = sin_theta_ * sin_theta_;
+                let v99_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+                let v103_ = S::ONE
+                    / S::mul_add(self.v12_, v97_ * (v99_ * v99_), self.J2);
+                let v104_ = v99_ * sin_theta_;
+                let v105_ = self.R * v104_;
+                let v108_ = v99_ * cos_theta_;
+                let ddot_x1 = S::mul_add(self.v32_, v108_, self.v31_ * v97_);
+                let v111_ = S::mul_add(self.v33_, cos_theta_, -S::ONE);
+                let v115_ = S::mul_add(self.v36_, v108_, self.v35_ * v97_);
+                let v116_ = S::from_f64(2.0) * v115_;
                 let x1 = self.R
                     * S::mul_add(
                         -self.v72_,
-                        v94_,
-                        S::from_f64(2.0) * (sin_v134_ * sin_v134_),
+                        v97_,
+                        S::from_f64(2.0) * (sin_v137_ * sin_v137_),
                     );
-                let dot_x1 = self.v36_ * v101_;
-                let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
-                let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
-                let v155_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-                let v157_ = S::mul_add(
-                    -v113_,
+                let dot_x1 = self.v36_ * v104_;
+                let u4 = S::mul_add(self.v27_ * v104_, phi2, w4);
+                let u3 = S::mul_add(-(self.v28_ * v104_), phi2, w3);
+                let v161_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+                let v163_ = S::mul_add(
+                    -v116_,
                     dot_phi2,
-                    S::mul_add(-(self.v32_ * (sin_theta_ * v108_)), phi2, ddot_x1),
+                    S::mul_add(-(self.v32_ * (sin_theta_ * v111_)), phi2, ddot_x1),
                 );
-                let v159_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
-                let x2 = S::mul_add(-v102_, phi2, x1);
+                let v165_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
+                let x2 = S::mul_add(-v105_, phi2, x1);
                 let x3 = x1 + w3;
                 let x4 = x1 + w4;
-                let v185_ = v96_ * v100_
+                let v191_ = v99_ * v103_
                     * S::mul_add(
-                        v102_,
+                        v105_,
                         S::mul_add(
                             -self.m2,
-                            v157_,
+                            v163_,
                             self.v23_
                                 * S::mul_add(
                                     -self.lambda,
-                                    v155_,
+                                    v161_,
                                     self.v26_ * S::mul_add(-self.d34, u3, self.d33 * u4),
                                 ),
                         ),
@@ -73,17 +74,17 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                     );
                 let ddot_x2 = S::mul_add(
                     self.R * sin_theta_,
-                    S::mul_add(-(self.v29_ * v108_), phi2, v185_),
-                    S::mul_add(-v113_, dot_phi2, ddot_x1),
+                    S::mul_add(-(self.v29_ * v111_), phi2, v191_),
+                    S::mul_add(-v116_, dot_phi2, ddot_x1),
                 );
                 let ddot_x3 = S::mul_add(
                     self.v40_,
-                    S::mul_add(-self.v23_, v155_, -(self.m3 * ddot_x1)),
+                    S::mul_add(-self.v23_, v161_, -(self.m3 * ddot_x1)),
                     ddot_x1,
                 );
                 let ddot_x4 = S::mul_add(
                     self.v42_,
-                    -(self.m4 * ddot_x1) - v159_,
+                    -(self.m4 * ddot_x1) - v165_,
                     ddot_x1,
                 );
                 let F1 = S::mul_add(
@@ -96,7 +97,10 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                     ddot_x2,
                     S::mul_add(-self.v76_, ddot_x3, self.v77_ * ddot_x4),
                 );
-                let drive_torque = S::mul_add(v102_, F1, shaft);
+                let rod1 = S::ONE / S::sqrt(S::mul_add(-self.v80_, v97_, S::ONE)) * F1;
+                let rod2 = F2
+                    / S::sqrt(S::mul_add(-self.v80_, sin_v203_ * sin_v203_, S::ONE));
+                let drive_torque = S::mul_add(v105_, F1, shaft);
                 let F_difference = F1 - F2;
                 values[0] = x1;
                 values[1] = x2;
@@ -104,9 +108,9 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                 values[3] = x4;
                 values[4] = dot_x1;
                 values[5] = S::mul_add(
-                    -v112_,
+                    -v115_,
                     phi2,
-                    S::mul_add(-v102_, dot_phi2, dot_x1),
+                    S::mul_add(-v105_, dot_phi2, dot_x1),
                 );
                 values[6] = dot_x1 + dot_w3;
                 values[7] = dot_x1 + dot_w4;
@@ -116,24 +120,26 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                 values[11] = ddot_x4;
                 values[12] = phi2;
                 values[13] = dot_phi2;
-                values[14] = v100_
+                values[14] = v103_
                     * S::mul_add(
                         -self.c,
                         phi2,
-                        v102_
+                        v105_
                             * S::mul_add(
                                 -self.v26_,
-                                v159_,
-                                S::mul_add(self.v25_, v155_, self.m2 * v157_),
+                                v165_,
+                                S::mul_add(self.v25_, v161_, self.m2 * v163_),
                             ),
                     );
                 values[15] = F1;
                 values[16] = F2;
-                values[17] = drive_torque;
-                values[18] = shaft;
-                values[19] = x_difference;
-                values[20] = v_difference;
-                values[21] = F_difference;
+                values[17] = rod1;
+                values[18] = rod2;
+                values[19] = drive_torque;
+                values[20] = shaft;
+                values[21] = x_difference;
+                values[22] = v_difference;
+                values[23] = F_difference;
             },
         )
     }
@@ -163,44 +169,44 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                 let dot_w3 = state[4];
                 let dot_w4 = state[5];
                 let theta = self.n * time;
-                let v200_ = self.n - dot_phi2;
+                let v213_ = self.n - dot_phi2;
                 let (sin_theta_, cos_theta_) = S::sin_cos(theta);
-                let v94_ = sin_theta_ * sin_theta_;
-                let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-                let v101_ = v96_ * sin_theta_;
-                let dot_x1 = self.v36_ * v101_;
-                let u4 = S::mul_add(self.v27_ * v101_, phi2, w4);
-                let u3 = S::mul_add(-(self.v28_ * v101_), phi2, w3);
+                let v97_ = sin_theta_ * sin_theta_;
+                let v99_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+                let v104_ = v99_ * sin_theta_;
+                let dot_x1 = self.v36_ * v104_;
+                let u4 = S::mul_add(self.v27_ * v104_, phi2, w4);
+                let u3 = S::mul_add(-(self.v28_ * v104_), phi2, w3);
                 let dot_x2 = S::mul_add(
-                    -S::mul_add(self.v36_, v96_ * cos_theta_, self.v35_ * v94_),
+                    -S::mul_add(self.v36_, v99_ * cos_theta_, self.v35_ * v97_),
                     phi2,
-                    S::mul_add(-(self.R * v101_), dot_phi2, dot_x1),
+                    S::mul_add(-(self.R * v104_), dot_phi2, dot_x1),
                 );
                 let dot_x3 = dot_x1 + dot_w3;
                 let dot_x4 = dot_x1 + dot_w4;
-                let v207_ = S::mul_add(
-                    self.v82_,
+                let v220_ = S::mul_add(
+                    self.v85_,
                     dot_x4 * dot_x4,
                     S::mul_add(
-                        self.v81_,
+                        self.v84_,
                         dot_x3 * dot_x3,
                         S::mul_add(
-                            self.v80_,
-                            v200_ * v200_,
-                            self.v79_ * (v94_ * (v96_ * v96_)),
+                            self.v83_,
+                            v213_ * v213_,
+                            self.v82_ * (v97_ * (v99_ * v99_)),
                         ),
                     ),
                 );
                 ::core::option::Option::Some((
-                    S::mul_add(self.v83_, dot_x2 * dot_x2, v207_),
+                    S::mul_add(self.v86_, dot_x2 * dot_x2, v220_),
                     S::mul_add(
-                        self.v85_,
+                        self.v88_,
                         S::mul_add(
                             u3,
-                            S::mul_add(-self.v86_, u4, self.d44 * u3),
+                            S::mul_add(-self.v89_, u4, self.d44 * u3),
                             self.d33 * (u4 * u4),
                         ),
-                        self.v84_ * (phi2 * phi2),
+                        self.v87_ * (phi2 * phi2),
                     ),
                 ))
             },
@@ -220,14 +226,14 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                 ::assur::exact!(mut rows, 9, false);
                 let theta = self.n * time;
                 let (sin_theta_, cos_theta_) = S::sin_cos(theta);
-                let v96_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
-                let v99_ = S::mul_add(
+                let v99_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+                let v102_ = S::mul_add(
                     self.v12_,
-                    sin_theta_ * sin_theta_ * (v96_ * v96_),
+                    sin_theta_ * sin_theta_ * (v99_ * v99_),
                     self.J2,
                 );
                 *rows = [
-                    v99_,
+                    v102_,
                     S::ZERO,
                     S::ZERO,
                     S::ZERO,
@@ -238,6 +244,127 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                     self.m4,
                 ];
                 true
+            },
+        )
+    }
+    fn measured(
+        &self,
+        phase: ::assur::problem::Phase<'_, S>,
+        time: S,
+        state: &[S],
+        values: &mut [S],
+    ) {
+        ::assur::exact!(state, 6);
+        S::outline(
+            #[inline(always)]
+            || {
+                ::assur::exact!(mut values, 7);
+                let phi2 = state[0];
+                let w3 = state[1];
+                let w4 = state[2];
+                let dot_phi2 = state[3];
+                let theta = self.n * time;
+                let shaft = self.c * phi2;
+                let ([sin_theta_, sin_v203_], [cos_theta_, _]) = S::sin_cos_all([
+                    theta,
+                    theta - phi2,
+                ]);
+                let v97_ = sin_theta_ * sin_theta_;
+                let v99_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
+                let v104_ = v99_ * sin_theta_;
+                let v105_ = self.R * v104_;
+                let v108_ = v99_ * cos_theta_;
+                let ddot_x1 = S::mul_add(self.v32_, v108_, self.v31_ * v97_);
+                let v111_ = S::mul_add(self.v33_, cos_theta_, -S::ONE);
+                let v116_ = S::from_f64(2.0)
+                    * S::mul_add(self.v36_, v108_, self.v35_ * v97_);
+                let u4 = S::mul_add(self.v27_ * v104_, phi2, w4);
+                let u3 = S::mul_add(-(self.v28_ * v104_), phi2, w3);
+                let v161_ = S::mul_add(-self.d34, u4, self.d44 * u3);
+                let v189_ = S::mul_add(
+                    -self.m2,
+                    S::mul_add(
+                        -v116_,
+                        dot_phi2,
+                        S::mul_add(-(self.v32_ * (sin_theta_ * v111_)), phi2, ddot_x1),
+                    ),
+                    self.v23_
+                        * S::mul_add(
+                            -self.lambda,
+                            v161_,
+                            self.v26_ * S::mul_add(-self.d34, u3, self.d33 * u4),
+                        ),
+                );
+                let v192_ = S::mul_add(
+                    -(self.v29_ * v111_),
+                    phi2,
+                    v99_
+                        * (S::ONE / S::mul_add(self.v12_, v97_ * (v99_ * v99_), self.J2))
+                        * S::mul_add(v105_, v189_, shaft),
+                );
+                let ddot_x3 = S::mul_add(
+                    self.v40_,
+                    S::mul_add(-self.v23_, v161_, -(self.m3 * ddot_x1)),
+                    ddot_x1,
+                );
+                let ddot_x4 = S::mul_add(
+                    self.v42_,
+                    -(self.m4 * ddot_x1) - S::mul_add(-self.v38_, u3, self.v37_ * u4),
+                    ddot_x1,
+                );
+                let F1 = S::mul_add(
+                    self.v74_,
+                    ddot_x3,
+                    S::mul_add(-self.v75_, ddot_x4, self.m1 * ddot_x1),
+                );
+                let F2 = S::mul_add(
+                    self.m2,
+                    S::mul_add(
+                        self.R * sin_theta_,
+                        v192_,
+                        S::mul_add(-v116_, dot_phi2, ddot_x1),
+                    ),
+                    S::mul_add(-self.v76_, ddot_x3, self.v77_ * ddot_x4),
+                );
+                let rod1 = S::ONE / S::sqrt(S::mul_add(-self.v80_, v97_, S::ONE)) * F1;
+                let rod2 = F2
+                    / S::sqrt(S::mul_add(-self.v80_, sin_v203_ * sin_v203_, S::ONE));
+                let drive_torque = S::mul_add(v105_, F1, shaft);
+                let F_difference = F1 - F2;
+                values[0] = S::abs(rod1);
+                values[1] = S::abs(rod2);
+                values[2] = S::abs(F_difference);
+                values[3] = S::abs(drive_torque);
+                values[4] = drive_torque;
+                values[5] = S::abs(phi2);
+                values[6] = S::abs(shaft);
+            },
+        )
+    }
+    fn measures(&self, found: &[S], values: &mut [S]) {
+        S::outline(
+            #[inline(always)]
+            || {
+                ::assur::exact!(mut values, 9);
+                let found_0_ = found[0];
+                let found_1_ = found[1];
+                let found_2_ = found[2];
+                let found_3_ = found[3];
+                let found_4_ = found[4];
+                let mean_power = self.n * found_4_;
+                let found_5_ = found[5];
+                let found_6_ = found[6];
+                let found_7_ = found[7];
+                let found_8_ = found[8];
+                values[0] = found_0_;
+                values[1] = found_1_;
+                values[2] = found_2_;
+                values[3] = found_3_;
+                values[4] = mean_power;
+                values[5] = found_5_;
+                values[6] = found_6_;
+                values[7] = found_7_;
+                values[8] = found_8_;
             },
         )
     }

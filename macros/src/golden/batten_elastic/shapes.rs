@@ -15,6 +15,8 @@ mod shapes_ {
     const unit_12_: Unit = Unit::new("rad/s^2", 1.0, [0, 0, -2, 0, 0, 0, 0]);
     const unit_13_: Unit = Unit::new("N", 1.0, [1, 1, -2, 0, 0, 0, 0]);
     const unit_14_: Unit = Unit::new("N m", 1.0, [2, 1, -2, 0, 0, 0, 0]);
+    const unit_15_: Unit = Unit::new("W", 1.0, [2, 1, -3, 0, 0, 0, 0]);
+    const unit_16_: Unit = Unit::new("mrad", 0.001, [0, 0, 0, 0, 0, 0, 0]);
     const constants_: [Constant; 13] = [
         Constant::dimension(Quantity::new("R", "Crank.", unit_0_), 0.001, 1.0),
         Constant::dimension(Quantity::new("l", "Connecting rod.", unit_0_), 0.001, 10.0),
@@ -119,6 +121,8 @@ mod shapes_ {
         Quantity::new("ddot(phi2)", "", unit_12_),
         Quantity::new("F1", "", unit_13_),
         Quantity::new("F2", "", unit_13_),
+        Quantity::new("rod1", "", unit_13_),
+        Quantity::new("rod2", "", unit_13_),
         Quantity::new(
             "drive_torque",
             "Torque at the drive end that keeps the speed.",
@@ -157,6 +161,25 @@ mod shapes_ {
         Quantity::new("dot(w3)", "", unit_9_),
         Quantity::new("dot(w4)", "", unit_9_),
     ];
+    static list_3_: &[Quantity] = &[
+        Quantity::new("peak_rod1", "largest force along the drive-side rod", unit_13_),
+        Quantity::new("peak_rod2", "largest force along the brake-side rod", unit_13_),
+        Quantity::new(
+            "inequality",
+            "largest difference of both sides; it shows resonances",
+            unit_13_,
+        ),
+        Quantity::new("peak_drive", "largest torque at the drive end", unit_14_),
+        Quantity::new("mean_power", "what the drive gives on average", unit_15_),
+        Quantity::new(
+            "nearest_resonance",
+            "distance of a Floquet multiplier from 1, at which there is a resonance",
+            unit_3_,
+        ),
+        Quantity::new("largest_multiplier", "above 1 the motion is unstable", unit_3_),
+        Quantity::new("largest_lag", "of the brake-end crank", unit_16_),
+        Quantity::new("peak_shaft", "largest torque in the shaft", unit_14_),
+    ];
     pub static Elastic: Shape = Shape::named("elastic")
         .summary("The paper's model: shaft and bar are elastic, nothing is lost.")
         .effects(&["bending", "coupling", "torsion"])
@@ -187,19 +210,35 @@ mod shapes_ {
         .coordinates(3)
         .linear()
         .outputs(list_1_)
+        .measures(
+            list_3_,
+            &[&[0], &[1], &[2], &[3], &[4], &[5], &[6], &[7], &[8]],
+            &[
+                Primitive::of(Kind::Peak, 0),
+                Primitive::of(Kind::Peak, 1),
+                Primitive::of(Kind::Peak, 2),
+                Primitive::of(Kind::Peak, 3),
+                Primitive::of(Kind::Mean, 4),
+                Primitive::of(Kind::Detuning(1), 0),
+                Primitive::of(Kind::Multiplier(1), 0),
+                Primitive::of(Kind::Peak, 5),
+                Primitive::of(Kind::Peak, 6),
+            ],
+            7,
+        )
         .equations(
             &[
                 EquationText::new(
-                    61,
+                    66,
                     "kinetic m1*dot(x1)^2/2 + m2*dot(x2)^2/2 + m3*dot(x3)^2/2 + m4*dot(x4)^2/2",
                     "N m",
                 ),
-                EquationText::new(70, "kinetic J2*(n - dot(phi2))^2/2", "N m"),
-                EquationText::new(71, "potential c*phi2^2/2", "N m"),
-                EquationText::new(106, "potential stiffness(u3, u4)/2", "N m"),
+                EquationText::new(75, "kinetic J2*(n - dot(phi2))^2/2", "N m"),
+                EquationText::new(76, "potential c*phi2^2/2", "N m"),
+                EquationText::new(111, "potential stiffness(u3, u4)/2", "N m"),
             ],
         )
-        .operations(Operations::of([70, 31, 28, 28, 116]))
+        .operations(Operations::of([73, 31, 28, 28, 128]))
         .marks(
             &[
                 Mark::new("rear dead centre", At::Driver(0, 0.0)),
@@ -210,7 +249,7 @@ mod shapes_ {
         .expectations(
             &[
                 Expectation::new(
-                        194,
+                        239,
                         Subject::Output(13),
                         At::Driver(0, 0.0),
                         0.078796,
@@ -218,7 +257,7 @@ mod shapes_ {
                     )
                     .remark("eq (8), printed 0.076796"),
                 Expectation::new(
-                        195,
+                        240,
                         Subject::Output(2),
                         At::Driver(0, 0.0),
                         -0.00037819,
@@ -226,7 +265,7 @@ mod shapes_ {
                     )
                     .remark("eq (8)"),
                 Expectation::new(
-                        196,
+                        241,
                         Subject::Output(3),
                         At::Driver(0, 0.0),
                         -0.00037682,
@@ -234,7 +273,7 @@ mod shapes_ {
                     )
                     .remark("eq (8)"),
                 Expectation::new(
-                        197,
+                        242,
                         Subject::Output(12),
                         At::Driver(0, 1.9198),
                         -0.000758,
@@ -242,7 +281,7 @@ mod shapes_ {
                     )
                     .remark("start of the blow into the locks"),
                 Expectation::new(
-                        198,
+                        243,
                         Subject::Output(13),
                         At::Driver(0, 1.9198),
                         -0.210545,
@@ -250,7 +289,7 @@ mod shapes_ {
                     )
                     .remark("start of the blow into the locks"),
                 Expectation::new(
-                        199,
+                        244,
                         Subject::Output(2),
                         At::Driver(0, 1.9198),
                         0.09156517,
@@ -258,7 +297,7 @@ mod shapes_ {
                     )
                     .remark("start of the blow into the locks"),
                 Expectation::new(
-                        200,
+                        245,
                         Subject::Output(6),
                         At::Driver(0, 1.9198),
                         2.0326885,
@@ -266,7 +305,7 @@ mod shapes_ {
                     )
                     .remark("printed 2.0826885, which X'ω = 2.02 excludes"),
                 Expectation::new(
-                        201,
+                        246,
                         Subject::Output(3),
                         At::Driver(0, 1.9198),
                         0.09166565,
@@ -274,19 +313,35 @@ mod shapes_ {
                     )
                     .remark("start of the blow into the locks"),
                 Expectation::new(
-                        202,
+                        247,
                         Subject::Output(7),
                         At::Driver(0, 1.9198),
                         2.0608894,
                         0.003,
                     )
                     .remark("start of the blow into the locks"),
-                Expectation::new(203, Subject::Output(12), At::Amplitude, 0.0037, 0.0001)
+                Expectation::new(248, Subject::Output(12), At::Amplitude, 0.0037, 0.0001)
                     .remark("figure 2"),
-                Expectation::new(204, Subject::Output(13), At::Amplitude, 0.24, 0.005)
+                Expectation::new(249, Subject::Output(13), At::Amplitude, 0.24, 0.005)
                     .remark("figure 2"),
-                Expectation::new(205, Subject::Output(14), At::Amplitude, 15.4, 0.3)
+                Expectation::new(250, Subject::Output(14), At::Amplitude, 15.4, 0.3)
                     .remark("text; the scan shows 154"),
+                Expectation::new(253, Subject::Measure(0), At::Run, 2007.36804, 0.0001)
+                    .remark("with the rigid batten 2003.04"),
+                Expectation::new(254, Subject::Measure(1), At::Run, 1964.04675, 0.0001),
+                Expectation::new(255, Subject::Measure(2), At::Run, 48.824093, 1e-5),
+                Expectation::new(
+                    256,
+                    Subject::Measure(7),
+                    At::Run,
+                    0.00377442942,
+                    9.999999999999999e-11,
+                ),
+                Expectation::new(257, Subject::Measure(4), At::Run, 0.0, 1e-9)
+                    .remark("nothing is lost"),
+                Expectation::new(258, Subject::Measure(2), At::Run, 377.806, 0.01)
+                    .preset("resonant"),
+                Expectation::new(269, Subject::Measure(5), At::Run, 0.631639, 2e-6),
             ],
         );
 }
