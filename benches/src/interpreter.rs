@@ -5,7 +5,6 @@ use std::time::Instant;
 
 use assur::answer::{Method, Question, Settings};
 use assur::model::Model;
-use assur::problem::Phase;
 use assur::registry::{Bind, Mechanism};
 use assur_equations::REGISTRY;
 use assur_model::asked::Asked;
@@ -20,10 +19,8 @@ const SCENES: [(&str, &str); 5] = [
     ("presser_foot", "machine"),
     ("table_drive", "table_1"),
 ];
-/// Times of an instant, as a step of DOP853 asks for them.
-const STAGES: usize = 12;
 /// Calls in one measurement.
-const CALLS: usize = 2000;
+const CALLS: usize = 20_000;
 /// Measurements, of which the shortest counts.
 const REPEATS: usize = 9;
 /// Largest ratios to compiled code.
@@ -55,23 +52,9 @@ fn least(mut work: impl FnMut()) -> f64 {
     times.fold(f64::INFINITY, f64::min)
 }
 
-/// Nanoseconds of an evaluation, with its share of the instants of a step.
+/// Nanoseconds of an evaluation with its share of the instants of a step, as the steps of the explicit methods make them.
 fn evaluation(model: &dyn Model) -> f64 {
-    let (equations, state) = (model.equations(), model.start());
-    let width = equations.instant();
-    let (mut rows, mut rates) = (vec![0.0; STAGES * width], vec![0.0; state.len()]);
-    let times: Vec<f64> = (0..STAGES).map(|stage| 1e-3 * stage as f64).collect();
-    let phase = Phase::of(model.shape().first);
-    let seconds = least(|| {
-        for _ in 0..CALLS {
-            equations.instants(phase, &times, &mut rows);
-            for stage in 0..STAGES {
-                equations.rates(phase, &rows[stage * width..][..width], &state, &mut rates);
-            }
-            black_box(&rates);
-        }
-    });
-    1e9 * seconds / (CALLS * STAGES) as f64
+    (0..REPEATS).map(|_| model.time_evaluation(CALLS)).fold(f64::INFINITY, f64::min)
 }
 
 /// Prints the table.

@@ -8,7 +8,6 @@ mod correction;
 mod flow;
 #[cfg(test)]
 pub(crate) mod hand;
-mod staged;
 mod varied;
 
 pub use bound::Bound;
@@ -19,9 +18,8 @@ pub use flow::Flow;
 pub use varied::Varied;
 
 use crate::ode::{Explicit, Room, system};
-use crate::problem::{Equations, Events, Phase, Reports, Span};
+use crate::problem::{Alone, Beside, Equations, Events, Phase, Reports, Span};
 use crate::shape::Shape;
-use staged::{Alone, Beside};
 
 /// The steps of a method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,8 +78,8 @@ fn attempt_each(
     room: &mut Room,
 ) {
     match steps.varied {
-        false => system::attempt_any(&Alone { equations, phase }, steps.method, room),
-        true => system::attempt_any(&Beside { equations, phase }, steps.method, room),
+        false => system::attempt_any(&mut Alone { equations, phase }, steps.method, room),
+        true => system::attempt_any(&mut Beside { equations, phase }, steps.method, room),
     }
 }
 
@@ -94,7 +92,7 @@ fn finish_each(
     dense: bool,
 ) {
     match steps.varied {
-        false => system::finish_any(&Alone { equations, phase }, steps.method, room, dense),
-        true => system::finish_any(&Beside { equations, phase }, steps.method, room, dense),
+        false => system::finish_any(&mut Alone { equations, phase }, steps.method, room, dense),
+        true => system::finish_any(&mut Beside { equations, phase }, steps.method, room, dense),
     }
 }

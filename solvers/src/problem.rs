@@ -10,8 +10,10 @@
 
 mod exact;
 mod span;
+mod staged;
 
 pub use span::Span;
+pub use staged::{Alone, Beside, Staged};
 
 use crate::scalar::Scalar;
 use crate::shape::Shape;
@@ -102,6 +104,24 @@ pub trait Equations<S: Scalar>: Send + Sync {
     /// equations have none, and for scalars that are not [`Scalar::SINGLE`].
     fn series(&self, _phase: Phase<'_, S>, _time: S, _length: S, _rows: &mut [S]) -> bool {
         false
+    }
+
+    /// The motion in a phase, for the stages of a step.
+    #[inline(always)]
+    fn alone<'a>(&'a self, phase: Phase<'a, S>) -> impl Staged<S>
+    where
+        Self: Sized,
+    {
+        Alone { equations: self, phase }
+    }
+
+    /// The same with its variations behind it.
+    #[inline(always)]
+    fn beside<'a>(&'a self, phase: Phase<'a, S>) -> impl Staged<S>
+    where
+        Self: Sized,
+    {
+        Beside { equations: self, phase }
     }
 }
 

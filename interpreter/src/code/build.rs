@@ -7,7 +7,7 @@ use assur_model::program::{Fused, Line, OperationKind as Kind, Program, Value};
 use super::order::{self, Step};
 use super::registers::Registers;
 use super::scope::Storage;
-use super::{Angle, CannotRun, Code, Instruction, Register, Scope, Slot};
+use super::{Angle, CannotRun, Checked, Code, Instruction, Register, Scope, Slot};
 
 /// The list of the caller's in which columns are.
 pub const COLUMN: usize = 3;
@@ -40,7 +40,7 @@ impl Code {
         scope: Scope,
         wanted: &Wanted,
         prepared: &BTreeMap<Value, Slot>,
-    ) -> Result<Self, CannotRun> {
+    ) -> Result<Checked, CannotRun> {
         let outside = |value: Value| storage.outside(program, scope, value);
         let all: Vec<Value> = wanted.results.iter().chain(&wanted.columns).copied().collect();
         let roots: Vec<Value> = wanted.results.iter().chain(&wanted.named).copied().collect();
@@ -54,6 +54,7 @@ impl Code {
         let mut steps = order::steps(program, &once, &roots);
         let begin = steps.len();
         steps.extend(order::steps(program, &changing, &wanted.columns));
+        let (last, again) = last_reads(program, &steps, begin, &all);
         let mut builder = Builder {
             program,
             code: Self::default(),
@@ -62,7 +63,7 @@ impl Code {
             one: 0,
             numbers: Registers::default(),
             conditions: Registers::default(),
-            last: last_reads(program, &steps, begin, &all),
+            last,
             fixed: BTreeSet::new(),
         };
         builder.fix(&needed, &all, &outside, prepared)?;
@@ -76,11 +77,12 @@ impl Code {
         if begin == steps.len() {
             builder.code.once = builder.code.instructions.len();
         }
-        builder.finish(wanted)
+        builder.again(&again)?;
+        Checked::new(builder.finish(wanted)?)
     }
 
     /// The function that the line of a search is.
-    pub(super) fn of_line(line: &Line) -> Result<Self, CannotRun> {
+    pub(super) fn of_line(line: &Line) -> Result<Checked, CannotRun> {
         let program = line.program();
         let storage = Storage::of(&program, 0);
         let wanted = Wanted::of([line.result]);
@@ -88,19 +90,20 @@ impl Code {
     }
 }
 
-/// The last step that reads each value; none of those that are results, or that columns read again and again.
+/// The last step that reads each value; none of those that are results, or that columns read again and again. And these.
 fn last_reads(
     program: &Program,
     steps: &[Step],
     begin: usize,
     results: &[Value],
-) -> BTreeMap<Value, usize> {
-    let mut last = BTreeMap::new();
+) -> (BTreeMap<Value, usize>, BTreeSet<Value>) {
+    let (mut last, mut again) = (BTreeMap::new(), BTreeSet::new());
     let mut written = BTreeMap::new();
     for (place, step) in steps.iter().enumerate() {
         for value in step.reads(program) {
             let is_again = place >= begin && written.get(&value).is_none_or(|own| *own < begin);
             last.insert(value, if is_again { usize::MAX } else { place });
+            again.extend(is_again.then_some(value));
         }
         match step {
             Step::Operation(value) | Step::Fused(value, _) => {
@@ -116,7 +119,7 @@ fn last_reads(
         }
     }
     last.extend(results.iter().map(|value| (*value, usize::MAX)));
-    last
+    (last, again)
 }
 
 /// A register, or the place of something that an instruction names.
@@ -202,6 +205,22 @@ impl Builder<'_> {
                 self.code.instructions.push(batch);
             }
             Step::Operation(value) => self.operation(place, *value, &read)?,
+        }
+        Ok(())
+    }
+
+    /// Keeps where those values stand that columns read again and again.
+    fn again(&mut self, values: &BTreeSet<Value>) -> Result<(), CannotRun> {
+        for value in values {
+            match self.slots.get(value) {
+                Some(Slot::Number(at)) => {
+                    for register in *at..at + self.length(*value) {
+                        self.code.again.numbers.push(index(register)?);
+                    }
+                }
+                Some(Slot::Condition(at)) => self.code.again.conditions.push(index(*at)?),
+                _ => {}
+            }
         }
         Ok(())
     }

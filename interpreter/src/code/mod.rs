@@ -6,6 +6,7 @@
 
 mod begin;
 mod build;
+mod checked;
 mod operation;
 mod order;
 mod registers;
@@ -18,6 +19,7 @@ use std::sync::Arc;
 use assur_model::program::{Form, Function, Search, Spline, Value};
 
 pub use build::{COLUMN, Wanted};
+pub use checked::Checked;
 pub use scope::{Kept, Scope, Storage};
 
 /// A register of numbers, or of conditions.
@@ -165,6 +167,15 @@ pub struct Fixed {
     pub count: usize,
 }
 
+/// Registers that are read again and again.
+#[derive(Clone, Debug, Default)]
+pub struct Again {
+    /// Of numbers.
+    pub numbers: Vec<Register>,
+    /// Of conditions.
+    pub conditions: Vec<Register>,
+}
+
 /// A function of a program.
 #[derive(Clone, Debug, Default)]
 pub struct Code {
@@ -187,11 +198,13 @@ pub struct Code {
     /// What is searched for.
     pub searches: Vec<Finding>,
     /// Functions inside of searches; they are given what is captured, and the place.
-    pub lines: Vec<Code>,
+    pub lines: Vec<Checked>,
     /// The registers of the results, one number after the other.
     pub results: Vec<Register>,
     /// How many of these are done once.
     pub first: usize,
+    /// What is done once and read again for each column.
+    pub again: Again,
     /// Where values of other shapes are kept, for those that prepare.
     pub kept: BTreeMap<Value, Slot>,
     /// Number of registers.

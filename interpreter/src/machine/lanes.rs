@@ -1,5 +1,8 @@
 //! Several numbers that are computed alike, side by side.
 
+// Iterators over several arrays side by side are not packed by the compiler; places are.
+#![allow(clippy::needless_range_loop)]
+
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use assur_solvers::scalar::{Scalar, Table};
@@ -43,8 +46,8 @@ impl<S: Scalar> Lanes<S> {
     #[inline(always)]
     fn zip(self, other: Self, value: impl Fn(S, S) -> S) -> Self {
         let mut all = self;
-        for (lane, other) in all.0.iter_mut().zip(other.0) {
-            *lane = value(*lane, other);
+        for lane in 0..WIDTH {
+            all.0[lane] = value(self.0[lane], other.0[lane]);
         }
         all
     }
@@ -52,8 +55,8 @@ impl<S: Scalar> Lanes<S> {
     #[inline(always)]
     fn compare(self, other: Self, holds: impl Fn(S, S) -> S::Mask) -> Masks<S::Mask> {
         let mut masks = [holds(self.0[0], other.0[0]); WIDTH];
-        for (mask, (own, other)) in masks.iter_mut().zip(self.0.into_iter().zip(other.0)) {
-            *mask = holds(own, other);
+        for lane in 0..WIDTH {
+            masks[lane] = holds(self.0[lane], other.0[lane]);
         }
         Masks(masks)
     }
@@ -96,8 +99,8 @@ impl<M: Copy + BitAnd<Output = M>> BitAnd for Masks<M> {
     type Output = Self;
     #[inline(always)]
     fn bitand(mut self, other: Self) -> Self {
-        for (own, other) in self.0.iter_mut().zip(other.0) {
-            *own = *own & other;
+        for lane in 0..WIDTH {
+            self.0[lane] = self.0[lane] & other.0[lane];
         }
         self
     }
@@ -107,8 +110,8 @@ impl<M: Copy + BitOr<Output = M>> BitOr for Masks<M> {
     type Output = Self;
     #[inline(always)]
     fn bitor(mut self, other: Self) -> Self {
-        for (own, other) in self.0.iter_mut().zip(other.0) {
-            *own = *own | other;
+        for lane in 0..WIDTH {
+            self.0[lane] = self.0[lane] | other.0[lane];
         }
         self
     }
@@ -155,8 +158,8 @@ impl<S: Scalar> Scalar for Lanes<S> {
     #[inline(always)]
     fn mul_add(self, factor: Self, term: Self) -> Self {
         let mut all = self;
-        for (lane, (factor, term)) in all.0.iter_mut().zip(factor.0.into_iter().zip(term.0)) {
-            *lane = lane.mul_add(factor, term);
+        for lane in 0..WIDTH {
+            all.0[lane] = self.0[lane].mul_add(factor.0[lane], term.0[lane]);
         }
         all
     }
@@ -179,8 +182,8 @@ impl<S: Scalar> Scalar for Lanes<S> {
     #[inline(always)]
     fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self {
         let mut all = then;
-        for (lane, (mask, otherwise)) in all.0.iter_mut().zip(mask.0.into_iter().zip(otherwise.0)) {
-            *lane = S::select(mask, *lane, otherwise);
+        for lane in 0..WIDTH {
+            all.0[lane] = S::select(mask.0[lane], then.0[lane], otherwise.0[lane]);
         }
         all
     }

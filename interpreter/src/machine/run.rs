@@ -1,118 +1,55 @@
 //! The loop over instructions.
 
+use std::ops::Range;
+
 use assur_model::program::Function;
-use assur_solvers::dense::BoundRows;
 use assur_solvers::scalar::Scalar;
 
+use super::files::Files;
 use super::memory::Image;
-use crate::code::{Angle, Code, Instruction, Register};
+use crate::code::{Angle, Instruction};
 
 /// Angles whose sines are taken together.
 const PACK: usize = 4;
 
-/// The registers of a call. There is a power of two of them, so that no index leads outside.
-pub(super) struct Files<'a, S: Scalar, const N: usize> {
-    pub numbers: &'a mut [S; N],
-    pub conditions: &'a mut [S::Mask; N],
-    pub bounds: &'a mut [BoundRows<S>],
-}
-
-impl<S: Scalar, const N: usize> Files<'_, S, N> {
-    /// Copies what the caller gives.
-    #[inline(always)]
-    pub fn load(&mut self, code: &Code, given: &[&[S]]) {
-        for load in &code.loads {
-            let list = given.get(load.list).copied().unwrap_or_default();
-            self.copy(load.at, load.count, list.get(load.from..).unwrap_or_default());
-        }
-    }
-
-    /// Copies one of the lists anew.
-    #[inline(always)]
-    pub fn load_list(&mut self, code: &Code, list: usize, given: &[S]) {
-        for load in code.loads.iter().filter(|load| load.list == list) {
-            self.copy(load.at, load.count, given.get(load.from..).unwrap_or_default());
-        }
-    }
-
-    /// Copies so many numbers; those that are not given are zero.
-    #[inline(always)]
-    fn copy(&mut self, at: usize, count: usize, list: &[S]) {
-        let target = &mut self.numbers[at..][..count];
-        let known = count.min(list.len());
-        target[..known].copy_from_slice(&list[..known]);
-        target[known..].fill(S::ZERO);
-    }
-
-    /// Copies registers into a list of the caller's.
-    #[inline(always)]
-    pub fn store(&self, registers: &[Register], list: &mut [S]) {
-        for (value, register) in list.iter_mut().zip(registers) {
-            *value = self.numbers[Self::place(*register)];
-        }
-    }
-
-    #[inline(always)]
-    const fn place(register: Register) -> usize {
-        register as usize & (N - 1)
-    }
-
-    #[inline(always)]
-    pub(super) fn at(&self, register: Register) -> S {
-        self.numbers[Self::place(register)]
-    }
-
-    #[inline(always)]
-    fn put(&mut self, register: Register, value: S) {
-        self.numbers[Self::place(register)] = value;
-    }
-
-    #[inline(always)]
-    fn holds(&self, register: Register) -> S::Mask {
-        self.conditions[Self::place(register)]
-    }
-
-    #[inline(always)]
-    fn decide(&mut self, register: Register, mask: S::Mask) {
-        self.conditions[Self::place(register)] = mask;
-    }
-
+impl<S: Scalar> Files<'_, S> {
     /// Does some instructions, one after the other.
     #[inline(always)]
-    pub fn run(&mut self, code: &Code, instructions: &[Instruction], lines: &[Image<S>]) {
+    pub fn run(&mut self, instructions: Range<usize>, lines: &[Image<S>]) {
         use Instruction as Do;
-        for instruction in instructions {
+        let (code, all) = (self.code, self.registers);
+        for instruction in &code.instructions[instructions] {
             match instruction {
-                Do::Add([d, a, b]) => self.put(*d, self.at(*a) + self.at(*b)),
-                Do::Subtract([d, a, b]) => self.put(*d, self.at(*a) - self.at(*b)),
-                Do::Multiply([d, a, b]) => self.put(*d, self.at(*a) * self.at(*b)),
-                Do::Divide([d, a, b]) => self.put(*d, self.at(*a) / self.at(*b)),
-                Do::Negate([d, a]) => self.put(*d, -self.at(*a)),
+                Do::Add([d, a, b]) => all.put(*d, all.at(*a) + all.at(*b)),
+                Do::Subtract([d, a, b]) => all.put(*d, all.at(*a) - all.at(*b)),
+                Do::Multiply([d, a, b]) => all.put(*d, all.at(*a) * all.at(*b)),
+                Do::Divide([d, a, b]) => all.put(*d, all.at(*a) / all.at(*b)),
+                Do::Negate([d, a]) => all.put(*d, -all.at(*a)),
                 Do::MultiplyAdd([d, a, b, c]) => {
-                    self.put(*d, S::mul_add(self.at(*a), self.at(*b), self.at(*c)));
+                    all.put(*d, S::mul_add(all.at(*a), all.at(*b), all.at(*c)));
                 }
                 Do::MultiplySubtract([d, a, b, c]) => {
-                    self.put(*d, S::mul_add(self.at(*a), self.at(*b), -self.at(*c)));
+                    all.put(*d, S::mul_add(all.at(*a), all.at(*b), -all.at(*c)));
                 }
                 Do::SubtractProduct([d, a, b, c]) => {
-                    self.put(*d, S::mul_add(-self.at(*a), self.at(*b), self.at(*c)));
+                    all.put(*d, S::mul_add(-all.at(*a), all.at(*b), all.at(*c)));
                 }
-                Do::Root([d, a]) => self.put(*d, self.at(*a).sqrt()),
-                Do::Less([d, a, b]) => self.decide(*d, S::less(self.at(*a), self.at(*b))),
+                Do::Root([d, a]) => all.put(*d, all.at(*a).sqrt()),
+                Do::Less([d, a, b]) => all.decide(*d, S::less(all.at(*a), all.at(*b))),
                 Do::LessEqual([d, a, b]) => {
-                    self.decide(*d, S::less_equal(self.at(*a), self.at(*b)))
+                    all.decide(*d, S::less_equal(all.at(*a), all.at(*b)))
                 }
-                Do::Equal([d, a, b]) => self.decide(*d, S::equal(self.at(*a), self.at(*b))),
-                Do::And([d, a, b]) => self.decide(*d, S::and(self.holds(*a), self.holds(*b))),
-                Do::Or([d, a, b]) => self.decide(*d, S::or(self.holds(*a), self.holds(*b))),
-                Do::Not([d, a]) => self.decide(*d, S::not(self.holds(*a))),
+                Do::Equal([d, a, b]) => all.decide(*d, S::equal(all.at(*a), all.at(*b))),
+                Do::And([d, a, b]) => all.decide(*d, S::and(all.holds(*a), all.holds(*b))),
+                Do::Or([d, a, b]) => all.decide(*d, S::or(all.holds(*a), all.holds(*b))),
+                Do::Not([d, a]) => all.decide(*d, S::not(all.holds(*a))),
                 Do::Select([d, condition, a, b]) => {
-                    self.put(*d, S::select(self.holds(*condition), self.at(*a), self.at(*b)));
+                    all.put(*d, S::select(all.holds(*condition), all.at(*a), all.at(*b)));
                 }
                 // Apart, so that the loop stays short enough for its values to stay where they are.
                 rare => S::outline(
                     #[inline(always)]
-                    || self.rare(code, rare, lines),
+                    || self.rare(rare, lines),
                 ),
             }
         }
@@ -120,12 +57,13 @@ impl<S: Scalar, const N: usize> Files<'_, S, N> {
 
     /// What takes so long that a call more does not count.
     #[inline(always)]
-    fn rare(&mut self, code: &Code, instruction: &Instruction, lines: &[Image<S>]) {
+    fn rare(&mut self, instruction: &Instruction, lines: &[Image<S>]) {
         use Instruction as Do;
+        let (code, all) = (self.code, self.registers);
         match instruction {
-            Do::Call(function, [d, a]) => self.put(*d, one(*function, self.at(*a))),
+            Do::Call(function, [d, a]) => all.put(*d, one(*function, all.at(*a))),
             Do::CallTwo(function, [d, a, b]) => {
-                self.put(*d, two(*function, self.at(*a), self.at(*b)));
+                all.put(*d, two(*function, all.at(*a), all.at(*b)));
             }
             Do::Sines(begin, count) => {
                 self.sines(&code.angles[usize::from(*begin)..][..usize::from(*count)]);
@@ -133,7 +71,7 @@ impl<S: Scalar, const N: usize> Files<'_, S, N> {
             Do::Factor(index) => self.factor(&code.factors[usize::from(*index)]),
             Do::Solve(index) => self.solve(&code.solves[usize::from(*index)]),
             Do::Table(index) => self.table(&code.lookups[usize::from(*index)]),
-            Do::Search(index) => self.search(code, &code.searches[usize::from(*index)], lines),
+            Do::Search(index) => self.search(&code.searches[usize::from(*index)], lines),
             _ => {}
         }
     }
@@ -143,13 +81,13 @@ impl<S: Scalar, const N: usize> Files<'_, S, N> {
     fn sines(&mut self, angles: &[Angle]) {
         for pack in angles.chunks(PACK) {
             if let [one] = pack {
-                let (sine, cosine) = self.at(one.angle).sin_cos();
+                let (sine, cosine) = self.registers.at(one.angle).sin_cos();
                 self.trigonometric(one, sine, cosine);
                 continue;
             }
             let mut arguments = [S::ZERO; PACK];
             for (argument, angle) in arguments.iter_mut().zip(pack) {
-                *argument = self.at(angle.angle);
+                *argument = self.registers.at(angle.angle);
             }
             let (sines, cosines) = S::sin_cos_all(arguments);
             for (angle, (sine, cosine)) in pack.iter().zip(sines.into_iter().zip(cosines)) {
@@ -161,10 +99,10 @@ impl<S: Scalar, const N: usize> Files<'_, S, N> {
     #[inline(always)]
     fn trigonometric(&mut self, angle: &Angle, sine: S, cosine: S) {
         if let Some(register) = angle.sine {
-            self.put(register, sine);
+            self.registers.put(register, sine);
         }
         if let Some(register) = angle.cosine {
-            self.put(register, cosine);
+            self.registers.put(register, cosine);
         }
     }
 }

@@ -4,59 +4,62 @@ use assur_model::program::{Form, Search};
 use assur_solvers::dense::{factor_rows, pivot_rows, solve_pivoted, solve_rows};
 use assur_solvers::scalar::Scalar;
 
+use super::files::Files;
 use super::memory::Image;
-use super::run::Files;
 use crate::code::{Code, Factor, Finding, Lookup, Solve};
 
-impl<S: Scalar, const N: usize> Files<'_, S, N> {
+impl<S: Scalar> Files<'_, S> {
     #[inline(always)]
     pub(super) fn factor(&mut self, factor: &Factor) {
         let n = factor.rows;
         if let Form::Bound { .. } = factor.form {
-            let numbers = &*self.numbers;
+            let registers = self.registers;
             self.bounds[factor.target].factor(|matrix| {
                 for (row, column, register) in &factor.entries {
-                    let value = numbers[usize::from(*register) & (N - 1)];
-                    matrix.put(usize::from(*row), usize::from(*column), value);
+                    matrix.put(usize::from(*row), usize::from(*column), registers.at(*register));
                 }
             });
             return;
         }
         for (row, column, register) in &factor.entries {
             let at = factor.target + usize::from(*row) * n + usize::from(*column);
-            self.numbers[at] = self.at(*register);
+            let entry = self.registers.at(*register);
+            self.numbers()[at] = entry;
         }
-        factor_block(factor.form, &mut self.numbers[factor.target..][..n * (n + 2)]);
+        factor_block(factor.form, &mut self.numbers()[factor.target..][..n * (n + 2)]);
     }
 
     #[inline(always)]
     pub(super) fn solve(&mut self, solve: &Solve) {
         let n = solve.right.len();
         for (index, register) in solve.right.iter().enumerate() {
-            self.numbers[solve.target + index] = self.at(*register);
+            let value = self.registers.at(*register);
+            self.numbers()[solve.target + index] = value;
         }
         if let Form::Bound { .. } = solve.form {
-            let (x, room) = self.numbers[solve.target..][..2 * n].split_at_mut(n);
-            self.bounds[solve.factor].solve(x, room);
+            let bounds = std::mem::take(&mut self.bounds);
+            let (x, room) = self.numbers()[solve.target..][..2 * n].split_at_mut(n);
+            bounds[solve.factor].solve(x, room);
+            self.bounds = bounds;
             return;
         }
         // What is factored stands before its solution, or was prepared.
-        let (before, behind) = self.numbers.split_at_mut(solve.target);
+        let (before, behind) = self.numbers().split_at_mut(solve.target);
         let (x, room) = behind[..2 * n].split_at_mut(n);
         solve_block(solve.form, &before[solve.factor..][..n * (n + 2)], x, room);
     }
 
     #[inline(always)]
     pub(super) fn table(&mut self, lookup: &Lookup) {
-        let found = self.at(lookup.at).table(&lookup.spline.table());
-        self.numbers[lookup.target..][..found.len()].copy_from_slice(&found);
+        let found = self.registers.at(lookup.at).table(&lookup.spline.table());
+        self.numbers()[lookup.target..][..found.len()].copy_from_slice(&found);
     }
 
     #[inline(always)]
-    pub(super) fn search(&mut self, code: &Code, finding: &Finding, lines: &[Image<S>]) {
-        let captured: Vec<S> = finding.captured.iter().map(|register| self.at(*register)).collect();
-        let found = find(code, finding, lines, &captured);
-        self.numbers[usize::from(finding.target)] = found;
+    pub(super) fn search(&mut self, finding: &Finding, lines: &[Image<S>]) {
+        let captured: Vec<S> = finding.captured.iter().map(|register| self.registers.at(*register)).collect();
+        let found = find(self.code, finding, lines, &captured);
+        self.registers.put(finding.target, found);
     }
 }
 

@@ -3,12 +3,13 @@
 use std::sync::{Arc, OnceLock};
 
 use assur_model::program::Program;
-use assur_solvers::problem::{Equations, Phase};
+use assur_solvers::problem::{Equations, Phase, Staged};
 use assur_solvers::scalar::Scalar;
 
 use super::functions::{Functions, Name, Prepared};
 use super::motion::Motion;
 use super::room::room;
+use super::staged::{Alone, Beside};
 use crate::code::{Scope, Wanted};
 
 /// The functions of a motion in a mode.
@@ -183,7 +184,7 @@ impl<S: Scalar> Prepare<S> {
         self.mode(self.motion.first)
     }
 
-    fn states(&self) -> usize {
+    pub(super) fn states(&self) -> usize {
         self.motion.shape.states.len()
     }
 }
@@ -230,19 +231,15 @@ impl<S: Scalar> Equations<S> for Prepare<S> {
         columns: &[S],
         products: &mut [S],
     ) {
-        let Some(mode) = self.mode(phase.mode) else { return };
-        let (given, program) = (&[instant, state, phase.sides], mode.program());
-        products.copy_from_slice(columns);
-        if !program.results.along.is_empty() {
-            return mode.call_columns(Function::Along, given, rates, products);
-        }
-        let states = Self::states(self);
-        room(states + program.results.jacobian.len(), |all| {
-            mode.call(Function::Slopes, given, all);
-            let (own, entries) = all.split_at(states);
-            rates.copy_from_slice(own);
-            mode.multiply(entries, products);
-        });
+        Beside::new(self, phase).variation(instant, state, rates, columns, products);
+    }
+
+    fn alone<'a>(&'a self, phase: Phase<'a, S>) -> impl Staged<S> {
+        Alone::new(self, phase)
+    }
+
+    fn beside<'a>(&'a self, phase: Phase<'a, S>) -> impl Staged<S> {
+        Beside::new(self, phase)
     }
 
     fn series(&self, phase: Phase<'_, S>, time: S, length: S, rows: &mut [S]) -> bool {
@@ -264,7 +261,7 @@ impl<S: Scalar> Equations<S> for Prepare<S> {
         if !program.results.along.is_empty() {
             columns.iter_mut().step_by(states + 1).for_each(|own| *own = S::ONE);
             return room(states, |rates| {
-                mode.call_columns(Function::Along, given, rates, columns);
+                mode.columns(Function::Along).call(given, rates, columns);
             });
         }
         room(program.results.jacobian.len(), |entries| {

@@ -1,15 +1,15 @@
 //! The functions of a program.
 
-use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
-use assur_model::program::{OperationKind, Program, Value};
+use assur_model::program::{Program, Value};
 use assur_solvers::scalar::Scalar;
 
+use super::products::Terms;
 use super::room::room;
 use crate::code::series::Plan;
-use crate::code::{CannotRun, Code, Scope, Storage, Wanted};
-use crate::machine::{Image, Kept, Lanes, WIDTH, series};
+use crate::code::{CannotRun, Checked, Code, Scope, Storage, Wanted};
+use crate::machine::{Calls, Columns, Image, Kept, Lanes, WIDTH, series};
 
 /// A function of a program, by its number.
 pub trait Name: Copy {
@@ -21,7 +21,7 @@ pub trait Name: Copy {
 }
 
 /// A function as instructions, or why there is none.
-type Built = Result<Code, CannotRun>;
+type Built = Result<Checked, CannotRun>;
 
 /// Operations of a program from which on a function may need more numbers than there are registers: of most operations each
 /// needs one, of a system of equations more.
@@ -35,10 +35,10 @@ pub struct Functions {
     pub storage: Storage,
     prepare: OnceLock<Built>,
     /// How the entries of the Jacobian go into its products with columns.
-    terms: Vec<Term>,
+    pub terms: Terms,
     codes: Vec<OnceLock<Built>>,
     /// What stands for a function that cannot be run: it has no results.
-    none: Code,
+    none: Checked,
     /// The series of the rates; none where there is none.
     series: OnceLock<Option<Plan>>,
 }
@@ -48,13 +48,13 @@ impl Functions {
     pub fn new(program: Program, drivers: usize, count: usize) -> Self {
         let storage = Storage::of(&program, drivers);
         let codes = (0..count).map(|_| OnceLock::new()).collect();
-        let terms = terms(&program);
-        let (prepare, series, none) = (OnceLock::new(), OnceLock::new(), Code::default());
+        let terms = Terms::of(&program);
+        let (prepare, series, none) = (OnceLock::new(), OnceLock::new(), Checked::default());
         Self { program, storage, prepare, terms, codes, none, series }
     }
 
     /// The function that prepares values.
-    fn prepare(&self) -> &Code {
+    fn prepare(&self) -> &Checked {
         let built = self.prepare.get_or_init(|| {
             let prepared: Vec<Value> = self.storage.staging.prepared.iter().copied().collect();
             let wanted = Wanted { keeps: true, ..Wanted::of(prepared) };
@@ -74,7 +74,7 @@ impl Functions {
     }
 
     /// A function.
-    pub fn code(&self, name: impl Name) -> &Code {
+    pub fn code(&self, name: impl Name) -> &Checked {
         self.built(name).as_ref().unwrap_or(&self.none)
     }
 
@@ -99,56 +99,6 @@ impl Functions {
     pub fn bare<S: Scalar>(&self, name: impl Name, given: &[&[S]], results: &mut [S]) {
         let code = self.code(name);
         Image::bare(code).call(code, given, results);
-        lose(code, results);
-    }
-}
-
-/// How an entry of the Jacobian goes into a row of a product.
-struct Term {
-    row: usize,
-    column: usize,
-    kind: Kind,
-}
-
-/// What an entry is: the first of its row or not, a number or not.
-enum Kind {
-    Nothing,
-    First,
-    FirstOne,
-    FirstMinus,
-    One,
-    Minus,
-    Other,
-}
-
-fn terms(program: &Program) -> Vec<Term> {
-    let mut begun = BTreeSet::new();
-    let entries = program.results.jacobian.iter();
-    let term = entries.map(|(row, column, value)| {
-        let number = match program.kind(*value) {
-            OperationKind::Number(number) => *number,
-            _ => f64::NAN,
-        };
-        let is_first = number != 0.0 && begun.insert(*row);
-        let kind = match (is_first, number) {
-            (_, 0.0) => Kind::Nothing,
-            (true, 1.0) => Kind::FirstOne,
-            (true, -1.0) => Kind::FirstMinus,
-            (true, _) => Kind::First,
-            (false, 1.0) => Kind::One,
-            (false, -1.0) => Kind::Minus,
-            (false, _) => Kind::Other,
-        };
-        Term { row: *row as usize, column: *column as usize, kind }
-    });
-    term.collect()
-}
-
-/// Results of a function that cannot be run are no numbers.
-#[inline]
-fn lose<S: Scalar>(code: &Code, results: &mut [S]) {
-    if code.results.len() < results.len() {
-        results.fill(S::from_f64(f64::NAN));
     }
 }
 
@@ -158,8 +108,8 @@ pub struct Prepared<S: Scalar> {
     pub functions: Arc<Functions>,
     kept: Kept<S>,
     images: Vec<OnceLock<Image<S>>>,
-    /// The same for several numbers side by side, of the function of instants.
-    wide: OnceLock<Option<Image<Lanes<S>>>>,
+    /// The same for several numbers side by side; none where these would have to go separate ways.
+    wide: Vec<OnceLock<Option<Image<Lanes<S>>>>>,
 }
 
 impl<S: Scalar> Prepared<S> {
@@ -170,7 +120,7 @@ impl<S: Scalar> Prepared<S> {
             functions: functions.clone(),
             kept: Image::bare(code).keep(code, &[values]),
             images: functions.codes.iter().map(|_| OnceLock::new()).collect(),
-            wide: OnceLock::new(),
+            wide: functions.codes.iter().map(|_| OnceLock::new()).collect(),
         }
     }
 
@@ -181,7 +131,7 @@ impl<S: Scalar> Prepared<S> {
     }
 
     #[inline]
-    fn of(&self, name: impl Name) -> (&Code, &Image<S>) {
+    fn of(&self, name: impl Name) -> (&Checked, &Image<S>) {
         let code = self.functions.code(name);
         let image = &self.images[name.number(&self.functions.program)];
         (code, image.get_or_init(|| Image::of(code, &self.kept)))
@@ -192,7 +142,26 @@ impl<S: Scalar> Prepared<S> {
     pub fn call(&self, name: impl Name, given: &[&[S]], results: &mut [S]) {
         let (code, image) = self.of(name);
         image.call(code, given, results);
-        lose(code, results);
+    }
+
+    /// A function that is called again and again.
+    #[inline]
+    pub fn calls(&self, name: impl Name) -> Calls<'_, S> {
+        let (code, image) = self.of(name);
+        Calls::new(code, image)
+    }
+
+    /// A function that is called for several columns.
+    pub fn columns(&self, name: impl Name) -> Columns<'_, S> {
+        let (code, image) = self.of(name);
+        Columns::new(code, image, self.wide(name).map(|(_, wide)| wide))
+    }
+
+    /// A function on several numbers side by side; none where these would have to go separate ways.
+    fn wide(&self, name: impl Name) -> Option<(&Checked, &Image<Lanes<S>>)> {
+        let (code, image) = self.of(name);
+        let wide = &self.wide[name.number(&self.functions.program)];
+        Some((code, wide.get_or_init(|| image.widen(code)).as_ref()?))
     }
 
     /// Writes rows of a function of one number, the time, for several of them; `stride` is the length of a row.
@@ -202,13 +171,14 @@ impl<S: Scalar> Prepared<S> {
         if length < self.functions.storage.length {
             return rows.fill(S::from_f64(f64::NAN));
         }
-        let wide = (times.len() > 1).then(|| self.wide.get_or_init(|| image.widen(code)).as_ref());
-        if let Some(wide) = wide.flatten() {
+        let wide = if times.len() > 1 { self.wide(name) } else { None };
+        if let Some((code, wide)) = wide {
+            let mut calls = Calls::new(code, wide);
             room(length, |row| {
                 for (times, rows) in times.chunks(WIDTH).zip(rows.chunks_mut(WIDTH * stride)) {
                     let mut pack = Lanes::splat(times[0]);
                     pack.0[..times.len()].copy_from_slice(times);
-                    wide.call(code, &[&[pack]], row);
+                    calls.call(&[&[pack]], row);
                     for (lane, own) in rows.chunks_exact_mut(stride).enumerate() {
                         own.iter_mut().zip(&*row).for_each(|(own, all)| *own = all.0[lane]);
                     }
@@ -219,35 +189,6 @@ impl<S: Scalar> Prepared<S> {
         for (time, row) in times.iter().zip(rows.chunks_exact_mut(stride)).skip(done) {
             image.call(code, &[std::slice::from_ref(time)], &mut row[..length]);
         }
-    }
-
-    /// Writes the products of the Jacobian, from its entries, with columns, which they take the places of: in the order in
-    /// which emitted code adds them up.
-    pub fn multiply(&self, entries: &[S], products: &mut [S]) {
-        let (terms, states) = (&self.functions.terms, self.program().states.max(1));
-        S::outline(
-            #[inline(always)]
-            || {
-                room(states, |sums: &mut [S]| {
-                    for product in products.chunks_exact_mut(states) {
-                        sums.fill(S::ZERO);
-                        for (term, entry) in terms.iter().zip(entries) {
-                            let (sum, other) = (&mut sums[term.row], product[term.column]);
-                            *sum = match term.kind {
-                                Kind::Nothing => *sum,
-                                Kind::First => *entry * other,
-                                Kind::FirstOne => other,
-                                Kind::FirstMinus => -other,
-                                Kind::One => *sum + other,
-                                Kind::Minus => *sum - other,
-                                Kind::Other => entry.mul_add(other, *sum),
-                            };
-                        }
-                        product.copy_from_slice(sums);
-                    }
-                });
-            },
-        );
     }
 
     /// Writes the Taylor series of a motion. False where there is none.
@@ -261,18 +202,6 @@ impl<S: Scalar> Prepared<S> {
         true
     }
 
-    /// Calls a function for several columns, which its products take the places of.
-    pub fn call_columns(
-        &self,
-        name: impl Name,
-        given: &[&[S]],
-        results: &mut [S],
-        products: &mut [S],
-    ) {
-        let (code, image) = self.of(name);
-        image.call_columns(code, given, results, products);
-        lose(code, results);
-    }
 }
 
 impl<S: Scalar> std::fmt::Debug for Prepared<S> {

@@ -1,6 +1,5 @@
 //! A scene of emitted code behind the pointer.
 
-use super::staged::{Alone, Beside};
 use super::{Model, Steps, attempt_each, finish_each};
 use crate::dispatch::is_fused;
 use crate::ode::step::{self, Coefficients, Dop853, Tsit5};
@@ -8,6 +7,10 @@ use crate::ode::{Explicit, Room};
 use crate::problem::{Equations, Events, Phase, Reports, Scene, Span};
 use crate::scalar::{Fused, Real};
 use crate::shape::Shape;
+
+/// Whether stages are written out one by one, see [`step::attempt`]. What is compiled for finding mistakes need not be as
+/// fast as that.
+const WRITTEN: bool = !cfg!(debug_assertions);
 
 /// A scene with its values: on plain numbers for all that asks for one evaluation at a time, on fused ones for the steps of
 /// the explicit methods where the processor has them. Elsewhere these ask for one evaluation after the other too, and take
@@ -122,7 +125,7 @@ unsafe fn attempt<C: Scene, T: Coefficients>(
     phase: Phase<'_, Fused>,
     room: &mut Room,
 ) {
-    step::attempt::<Fused, T, _, true>(&Alone { equations, phase }, room);
+    step::attempt::<Fused, T, _, WRITTEN>(&mut equations.alone(phase), room);
 }
 
 /// A step of a motion with its variations, all its stages.
@@ -135,7 +138,7 @@ unsafe fn attempt_beside<C: Scene, T: Coefficients>(
 ) {
     // Without events alone is a motion integrated with its variations.
     if C::SMOOTH {
-        step::attempt::<Fused, T, _, false>(&Beside { equations, phase }, room);
+        step::attempt::<Fused, T, _, false>(&mut equations.beside(phase), room);
     }
 }
 
@@ -148,7 +151,7 @@ unsafe fn finish<C: Scene, T: Coefficients>(
     room: &mut Room,
     dense: bool,
 ) {
-    step::finish::<Fused, T, _>(&Alone { equations, phase }, room, dense);
+    step::finish::<Fused, T, _>(&mut equations.alone(phase), room, dense);
 }
 
 /// The slope at the end of a step of a motion with its variations.
@@ -160,6 +163,6 @@ unsafe fn finish_beside<C: Scene, T: Coefficients>(
     room: &mut Room,
 ) {
     if C::SMOOTH {
-        step::finish::<Fused, T, _>(&Beside { equations, phase }, room, false);
+        step::finish::<Fused, T, _>(&mut equations.beside(phase), room, false);
     }
 }

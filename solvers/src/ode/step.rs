@@ -4,6 +4,7 @@
 
 use super::combine::combine;
 use super::tableau::{Explicit, Row, Tableau};
+use crate::problem::Staged;
 use crate::scalar::Real;
 
 /// No method has more stages, or times of stages, than this.
@@ -70,21 +71,6 @@ impl Room {
     }
 }
 
-/// What the stages of a step ask for.
-pub(crate) trait Staged<S> {
-    /// Length of the state.
-    fn length(&self) -> usize;
-
-    /// Length of what depends on the time alone.
-    fn instant(&self) -> usize;
-
-    /// Writes that for several times, a row each.
-    fn instants(&self, times: &[S], rows: &mut [S]);
-
-    /// Writes the rates of a state.
-    fn rates(&self, instant: &[S], state: &[S], rates: &mut [S]);
-}
-
 /// A method as a type, so that its coefficients are constants where steps are compiled.
 pub(crate) trait Coefficients {
     const TABLEAU: &'static Tableau;
@@ -114,7 +100,7 @@ const fn row(method: &Tableau, stage: usize) -> Row {
 /// With `WRITTEN` each stage is written out, with its coefficients as constants: 17 % less time, and more to compile.
 #[inline(always)]
 pub(crate) fn attempt<S: Real, C: Coefficients, E: Staged<S> + ?Sized, const WRITTEN: bool>(
-    staged: &E,
+    staged: &mut E,
     room: &mut Room,
 ) {
     let (length, width) = (staged.length(), staged.instant());
@@ -170,7 +156,7 @@ pub(crate) fn attempt<S: Real, C: Coefficients, E: Staged<S> + ?Sized, const WRI
 /// coefficients of the continuous solution.
 #[inline(always)]
 pub(crate) fn finish<S: Real, C: Coefficients, E: Staged<S> + ?Sized>(
-    staged: &E,
+    staged: &mut E,
     room: &mut Room,
     dense: bool,
 ) {

@@ -1,8 +1,9 @@
 //! What the explicit methods integrate.
 
 use super::error::OdeError;
-use super::step::{self, Dop853, Room, Staged, Tsit5};
+use super::step::{self, Dop853, Room, Tsit5};
 use super::tableau::Explicit;
+use crate::problem::Staged;
 
 /// Right-hand sides `y' = f(t, y)`, behind a pointer where it need not be known which: the steps of a scene are compiled
 /// for it ([`Flow`](crate::model::Flow)), those of anything else ask for one evaluation after the other.
@@ -50,20 +51,20 @@ pub(crate) type Rates<'a> = dyn Fn(f64, &[f64], &mut [f64]) + 'a;
 
 /// The stages of a step, one evaluation after the other.
 pub(crate) fn attempt_each(rates: &Rates<'_>, method: Explicit, room: &mut Room) {
-    let each = Each { rates, length: room.state.len() };
-    attempt_any(&each, method, room);
+    let mut each = Each { rates, length: room.state.len() };
+    attempt_any(&mut each, method, room);
 }
 
 /// What is missing of a step, likewise.
 pub(crate) fn finish_each(rates: &Rates<'_>, method: Explicit, room: &mut Room, dense: bool) {
-    let each = Each { rates, length: room.state.len() };
+    let mut each = Each { rates, length: room.state.len() };
     // What has tried the step may have kept its instants in another way.
     room.keep_end(method.tableau());
-    finish_any(&each, method, room, dense);
+    finish_any(&mut each, method, room, dense);
 }
 
 /// The stages of a step of anything, compiled once.
-pub(crate) fn attempt_any(staged: &dyn Staged<f64>, method: Explicit, room: &mut Room) {
+pub(crate) fn attempt_any(staged: &mut dyn Staged<f64>, method: Explicit, room: &mut Room) {
     match method {
         Explicit::Tsit5 => step::attempt::<f64, Tsit5, _, false>(staged, room),
         Explicit::Dop853 => step::attempt::<f64, Dop853, _, false>(staged, room),
@@ -71,7 +72,7 @@ pub(crate) fn attempt_any(staged: &dyn Staged<f64>, method: Explicit, room: &mut
 }
 
 /// What is missing of a step of anything, compiled once.
-pub(crate) fn finish_any(staged: &dyn Staged<f64>, method: Explicit, room: &mut Room, dense: bool) {
+pub(crate) fn finish_any(staged: &mut dyn Staged<f64>, method: Explicit, room: &mut Room, dense: bool) {
     match method {
         Explicit::Tsit5 => step::finish::<f64, Tsit5, _>(staged, room, dense),
         Explicit::Dop853 => step::finish::<f64, Dop853, _>(staged, room, dense),
@@ -93,11 +94,11 @@ impl Staged<f64> for Each<'_> {
         1
     }
 
-    fn instants(&self, times: &[f64], rows: &mut [f64]) {
+    fn instants(&mut self, times: &[f64], rows: &mut [f64]) {
         rows.copy_from_slice(times);
     }
 
-    fn rates(&self, instant: &[f64], state: &[f64], rates: &mut [f64]) {
+    fn rates(&mut self, instant: &[f64], state: &[f64], rates: &mut [f64]) {
         (self.rates)(instant[0], state, rates);
     }
 }
