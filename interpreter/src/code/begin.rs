@@ -39,7 +39,13 @@ impl Builder<'_> {
                 Slot::Number(from) => {
                     let length = self.length(value);
                     let at = self.numbers.block(length)?;
-                    self.code.fixed.kept.push((from, length, at));
+                    // Blocks that stand side by side in both places are one.
+                    match self.code.fixed.kept.last_mut() {
+                        Some(last) if (last.0 + last.1, last.2 + last.1) == (from, at) => {
+                            last.1 += length;
+                        }
+                        _ => self.code.fixed.kept.push((from, length, at)),
+                    }
                     Slot::Number(at)
                 }
                 Slot::Condition(from) => {

@@ -57,6 +57,19 @@ impl<S: Scalar> Drop for Calls<'_, S> {
     }
 }
 
+/// Does all instructions of a function that needs nothing prepared and gives no results.
+pub(super) fn prepare<S: Scalar>(code: &Checked, memory: &mut Memory<S>, given: &[&[S]]) {
+    let lines: Vec<Image<S>> = code.lines.iter().map(|line| Image::bare(line)).collect();
+    S::outline(
+        #[inline(always)]
+        || {
+            let Some(mut files) = Files::of(code, memory) else { return };
+            files.load(given);
+            files.run(0..code.instructions.len(), &lines);
+        },
+    );
+}
+
 /// A function some results of which are asked for once, and the others for each column of a matrix.
 pub struct Columns<'a, S: Scalar> {
     once: Calls<'a, S>,

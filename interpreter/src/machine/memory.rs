@@ -5,10 +5,10 @@ use assur_solvers::dense::BoundRows;
 use assur_solvers::scalar::Scalar;
 
 use super::lanes::{Lanes, Masks};
-use super::calls::Calls;
+use super::calls::{self, Calls};
 use super::idle::Idle;
 use super::systems::solve_block;
-use crate::code::{Checked, Slot};
+use crate::code::{Checked, Fixed, Slot};
 
 /// The registers of a function with their files, and in the first of them what stands there at each call.
 pub(super) struct Memory<S: Scalar> {
@@ -54,18 +54,21 @@ impl<S: Scalar> Image<S> {
         let mut bounds: Vec<_> =
             sizes.map(|[rows, unknowns, rank]| BoundRows::new(*rows, *unknowns, *rank)).collect();
         if let Some(kept) = kept {
-            for (from, length, at) in &fixed.kept {
-                numbers[*at..][..*length].copy_from_slice(&kept.numbers[*from..][..*length]);
-            }
-            for (from, at) in &fixed.conditions {
-                conditions[*at] = kept.conditions[*from];
-            }
-            for (from, at) in &fixed.bounds {
-                bounds[*at] = kept.bounds[*from].clone();
-            }
+            kept.copy(fixed, (&mut numbers, &mut conditions, &mut bounds));
         }
         let lines = code.lines.iter().map(Self::bare).collect();
         Self { numbers, conditions, bounds, lines, idle: Idle::new() }
+    }
+
+    /// Takes other prepared values.
+    pub fn renew(&mut self, code: &Checked, kept: &Kept<S>) {
+        let fixed = &code.fixed;
+        kept.0.copy(fixed, (&mut self.numbers, &mut self.conditions, &mut self.bounds));
+        if let Some(mut idle) = self.idle.take() {
+            let Memory { numbers, conditions, bounds } = &mut *idle;
+            kept.0.copy(fixed, (numbers, conditions, bounds));
+            self.idle.give(idle);
+        }
     }
 
     /// The same on several numbers side by side; none where they would have to go separate ways.
@@ -119,7 +122,33 @@ impl<S: Scalar> Image<S> {
     }
 }
 
+impl<S: Scalar> Memory<S> {
+    /// Copies what a function reads of prepared values into its first registers.
+    fn copy(
+        &self,
+        fixed: &Fixed,
+        (numbers, conditions, bounds): (&mut [S], &mut [S::Mask], &mut [BoundRows<S>]),
+    ) {
+        for (from, length, at) in &fixed.kept {
+            for (target, value) in numbers[*at..][..*length].iter_mut().zip(&self.numbers[*from..]) {
+                *target = *value;
+            }
+        }
+        for (from, at) in &fixed.conditions {
+            conditions[*at] = self.conditions[*from];
+        }
+        for (from, at) in &fixed.bounds {
+            bounds[*at].clone_from(&self.bounds[*from]);
+        }
+    }
+}
+
 impl<S: Scalar> Kept<S> {
+    /// Prepares from other values, in the same memory.
+    pub fn renew(&mut self, code: &Checked, given: &[&[S]]) {
+        calls::prepare(code, &mut self.0, given);
+    }
+
     /// The number that stands in a slot; none where it is no number.
     pub fn number(&self, slot: Slot) -> Option<S> {
         match slot {

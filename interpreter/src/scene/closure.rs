@@ -4,9 +4,11 @@ use std::sync::Arc;
 
 use assur_model::program::{Program, Value};
 use assur_solvers::closure::Closure;
+use assur_solvers::problem::Storage;
 use assur_solvers::scalar::Scalar;
 use assur_solvers::shape::Shape;
 
+use super::few::Few;
 use super::functions::{Name, Prepared};
 use super::linkage::Loops;
 use super::room::room;
@@ -127,7 +129,7 @@ impl Name for Function {
             Self::Margin(group) => {
                 closing.groups[group].iter().map(|closed| closed.margin).collect()
             }
-            // Of the equations of the group, which the shape knows: see `Prepare::trial`.
+            // Of the equations of the group, which the shape knows: see `Trial`.
             Self::Trial(_) => Vec::new(),
         };
         (Scope::Position, Wanted::of(list))
@@ -135,34 +137,37 @@ impl Name for Function {
 }
 
 /// Residuals and Jacobian of a group.
-#[derive(Clone, Copy)]
-struct Trial<'a> {
+#[derive(Clone, Debug)]
+pub(super) struct Trial {
     group: usize,
-    equations: &'a [usize],
-    unknowns: &'a [usize],
+    wanted: Vec<Value>,
+    /// For each entry of the Jacobian where it stands among the results; none where it is zero.
+    entries: Vec<Option<usize>>,
 }
 
-impl Trial<'_> {
-    fn slopes(self, program: &Program) -> impl Iterator<Item = Option<Value>> {
-        let slopes = &program.results.closing.slopes;
-        self.equations.iter().flat_map(move |row| {
-            self.unknowns.iter().map(move |column| {
-                let found = slopes.iter().find(|entry| (entry.0, entry.1) == (*row, *column));
-                found.map(|entry| entry.2)
-            })
-        })
+impl Trial {
+    /// Of a group with these equations and unknowns.
+    pub fn of(program: &Program, group: usize, equations: &[usize], unknowns: &[usize]) -> Self {
+        let closing = &program.results.closing;
+        let mut wanted: Vec<Value> = equations.iter().map(|row| closing.residuals[*row]).collect();
+        let places = equations.iter().flat_map(|row| unknowns.iter().map(move |one| (*row, *one)));
+        let entries = places.map(|place| {
+            let found = closing.slopes.iter().find(|entry| (entry.0, entry.1) == place)?;
+            wanted.push(found.2);
+            Some(wanted.len() - 1)
+        });
+        let entries = entries.collect();
+        Self { group, wanted, entries }
     }
 }
 
-impl Name for Trial<'_> {
+impl Name for &Trial {
     fn number(self, program: &Program) -> usize {
         Function::Trial(self.group).number(program)
     }
 
-    fn wanted(self, program: &Program) -> (Scope, Wanted) {
-        let residuals = &program.results.closing.residuals;
-        let residuals = self.equations.iter().map(|row| residuals[*row]);
-        (Scope::Position, Wanted::of(residuals.chain(self.slopes(program).flatten())))
+    fn wanted(self, _: &Program) -> (Scope, Wanted) {
+        (Scope::Position, Wanted::of(self.wanted.iter().copied()))
     }
 }
 
@@ -186,6 +191,10 @@ impl<S: Scalar> Prepare<S> {
     pub(super) fn new(loops: &Arc<Loops>, values: &[S]) -> Self {
         let prepared = Prepared::new(&loops.functions, values);
         Self { loops: Shared(loops.clone()), prepared }
+    }
+
+    pub(super) fn renew(&mut self, values: &[S]) {
+        self.prepared.renew(values);
     }
 
     fn program(&self) -> &Program {
@@ -213,7 +222,7 @@ impl<S: Scalar> Prepare<S> {
 /// Implements methods that write values at a closed position.
 macro_rules! written {
     ($($method:ident: $function:ident;)*) => {$(
-        fn $method(&self, instant: &Vec<S>, position: &Vec<S>, values: &mut [S]) {
+        fn $method(&self, instant: &Few<S>, position: &Few<S>, values: &mut [S]) {
             let (results, closing) = (&self.program().results, &self.program().results.closing);
             let count = match Function::$function {
                 Function::Residual => closing.residuals.len(),
@@ -223,44 +232,48 @@ macro_rules! written {
                 Function::Measured => results.measured.len(),
                 _ => closing.points.len(),
             };
-            self.prepared.call(Function::$function, &[instant, position], &mut values[..count]);
+            self.prepared.call(Function::$function, &[instant.as_ref(), position.as_ref()], &mut values[..count]);
         }
     )*};
 }
 
 impl<S: Scalar> Closure<S> for Prepare<S> {
-    type Position = Vec<S>;
-    type Instant = Vec<S>;
-    type Row = Vec<S>;
-    type Matrix = Vec<S>;
+    type Position = Few<S>;
+    type Instant = Few<S>;
+    type Row = Few<S>;
+    type Matrix = Few<S>;
 
     #[inline]
     fn shape(&self) -> &'static Shape {
         self.loops.0.shape
     }
 
-    fn zeros(&self) -> Vec<S> {
-        vec![S::ZERO; self.program().results.closing.position()]
+    fn zeros(&self) -> Few<S> {
+        Few::zeros(self.program().results.closing.position())
     }
 
-    fn instant(&self, independents: &[S]) -> Vec<S> {
+    fn instant(&self, independents: &[S]) -> Few<S> {
         let motion = self.shape().loops().motion;
-        self.moving(independents, &vec![S::from_f64(f64::NAN); motion])
+        room(motion, |unknown| {
+            unknown.fill(S::from_f64(f64::NAN));
+            self.moving(independents, unknown)
+        })
     }
 
-    fn moving(&self, independents: &[S], motion: &[S]) -> Vec<S> {
-        let mut row = vec![S::ZERO; self.prepared.functions.storage.length];
-        self.prepared.call(Function::Instant, &[independents, motion], &mut row);
+    fn moving(&self, independents: &[S], motion: &[S]) -> Few<S> {
+        let mut row = Few::zeros(self.prepared.functions.storage.length);
+        self.prepared.call(Function::Instant, &[independents, motion], row.as_mut());
         row
     }
 
-    fn close(&self, group: usize, instant: &Vec<S>, mode: S, position: &mut Vec<S>) -> S {
+    fn close(&self, group: usize, instant: &Few<S>, mode: S, position: &mut Few<S>) -> S {
         if self.program().results.closing.groups[group].is_none() {
             return S::from_f64(f64::NAN);
         }
         let (others, angles) = &self.loops.0.forms[group];
         room(others.len() + 1, |all| {
-            self.prepared.call(Function::Close(group), &[instant, position, &[mode]], all);
+            self.prepared.call(Function::Close(group), &[instant.as_ref(), position.as_ref(), &[mode]], all);
+            let position = position.as_mut();
             for (place, value) in others.iter().zip(&*all) {
                 position[*place] = *value;
             }
@@ -276,10 +289,10 @@ impl<S: Scalar> Closure<S> for Prepare<S> {
         })
     }
 
-    fn margin(&self, group: usize, instant: &Vec<S>, position: &Vec<S>) -> S {
+    fn margin(&self, group: usize, instant: &Few<S>, position: &Few<S>) -> S {
         let mut margin = [S::from_f64(f64::NAN)];
         if self.program().results.closing.groups[group].is_some() {
-            self.prepared.call(Function::Margin(group), &[instant, position], &mut margin);
+            self.prepared.call(Function::Margin(group), &[instant.as_ref(), position.as_ref()], &mut margin);
         }
         margin[0]
     }
@@ -287,35 +300,32 @@ impl<S: Scalar> Closure<S> for Prepare<S> {
     fn trial(
         &self,
         group: usize,
-        instant: &Vec<S>,
-        position: &mut Vec<S>,
-        residual: &mut Vec<S>,
-        jacobian: &mut Vec<S>,
+        instant: &Few<S>,
+        position: &mut Few<S>,
+        residual: &mut Few<S>,
+        jacobian: &mut Few<S>,
     ) {
-        let own = &self.shape().loops().groups[group];
-        let trial = Trial { group, equations: own.equations, unknowns: own.unknowns };
-        self.sines(group, position);
-        let rows = own.equations.len();
-        let slopes: usize = trial.slopes(self.program()).flatten().count();
-        room(rows + slopes, |all| {
-            self.prepared.call(trial, &[instant, position], all);
+        let trial = &self.loops.0.trials[group];
+        self.sines(group, position.as_mut());
+        let (residual, jacobian) = (residual.as_mut(), jacobian.as_mut());
+        let rows = self.shape().loops().groups[group].equations.len();
+        room(trial.wanted.len(), |all| {
+            self.prepared.call(trial, &[instant.as_ref(), position.as_ref()], all);
             residual[..rows].copy_from_slice(&all[..rows]);
-            let mut found = all[rows..].iter();
-            let entries = jacobian.iter_mut().zip(trial.slopes(self.program()));
-            for (entry, slope) in entries {
-                *entry = slope.and_then(|_| found.next().copied()).unwrap_or(S::ZERO);
+            for (entry, found) in jacobian.iter_mut().zip(&trial.entries) {
+                *entry = found.map_or(S::ZERO, |found| all[found]);
             }
         });
     }
 
-    fn coefficients(&self, instant: &Vec<S>, position: &Vec<S>, columns: &mut [Vec<S>]) {
+    fn coefficients(&self, instant: &Few<S>, position: &Few<S>, columns: &mut [Few<S>]) {
         let entries = &self.program().results.closing.coefficients;
         let dependents = self.shape().loops().dependents.len();
         room(entries.len(), |all| {
-            self.prepared.call(Function::Coefficients, &[instant, position], all);
-            columns.iter_mut().for_each(|column| column[..dependents].fill(S::ZERO));
+            self.prepared.call(Function::Coefficients, &[instant.as_ref(), position.as_ref()], all);
+            columns.iter_mut().for_each(|column| column.as_mut()[..dependents].fill(S::ZERO));
             for ((dependent, driver, _), value) in entries.iter().zip(&*all) {
-                columns[*driver][*dependent] = *value;
+                columns[*driver].as_mut()[*dependent] = *value;
             }
         });
     }

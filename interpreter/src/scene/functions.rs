@@ -124,6 +124,18 @@ impl<S: Scalar> Prepared<S> {
         }
     }
 
+    /// The same from other values of the constants, in the same memory.
+    pub fn renew(&mut self, values: &[S]) {
+        let functions = &self.functions;
+        self.kept.renew(functions.prepare(), &[values]);
+        for (image, code) in self.images.iter_mut().zip(&functions.codes) {
+            if let (Some(image), Some(Ok(code))) = (image.get_mut(), code.get()) {
+                image.renew(code, &self.kept);
+            }
+        }
+        self.wide.iter_mut().for_each(|wide| *wide = OnceLock::new());
+    }
+
     /// The program.
     #[inline]
     pub fn program(&self) -> &Program {

@@ -8,7 +8,7 @@ use assur_solvers::problem::{Refused, Span};
 use assur_solvers::scalar::Scalar;
 use assur_solvers::shape::Shape;
 
-use super::closure::{Form, Function, Prepare, form};
+use super::closure::{Form, Function, Prepare, Trial, form};
 use super::functions::Functions;
 use super::values::{OfValues, too_large};
 
@@ -20,6 +20,8 @@ pub struct Loops {
     pub(super) angles: Vec<Vec<(usize, usize)>>,
     /// What each group in closed form writes.
     pub(super) forms: Vec<Form>,
+    /// Residuals and Jacobian of each group.
+    pub(super) trials: Vec<Trial>,
     ranges: Vec<Range>,
     start: Vec<f64>,
     values: OfValues,
@@ -35,6 +37,11 @@ impl Loops {
             let kept = group.unknowns.iter().filter_map(|one| Some((*one, cosines[*one]?)));
             kept.collect()
         });
+        let groups = linkage.groups.iter().enumerate();
+        let trials = groups.map(|(group, one)| {
+            Trial::of(&scene.program, group, &one.equations, &one.unknowns)
+        });
+        let trials = trials.collect();
         let ranges = linkage.ranges.iter().map(|range| Range {
             from: range.from,
             to: range.to,
@@ -46,6 +53,7 @@ impl Loops {
             functions: Arc::new(Functions::new(program, scene.drivers.len(), count)),
             forms: (0..linkage.groups.len()).map(|group| form(&scene.program, group)).collect(),
             angles: angles.collect(),
+            trials,
             ranges: ranges.collect(),
             start: linkage.dependents.iter().map(|one| one.start).collect(),
             values: OfValues::new(scene, shape),
@@ -85,6 +93,10 @@ impl Linkage for Moved {
 
     fn prepare<S: Scalar>(&self, values: &[S]) -> Prepare<S> {
         Prepare::new(&self.loops, values)
+    }
+
+    fn renew<S: Scalar>(&self, closure: &mut Prepare<S>, values: &[S]) {
+        closure.renew(values);
     }
 
     fn check(&self) -> Result<(), Refused> {

@@ -7,11 +7,13 @@
 //! | `equations`, `reports`, `events` | what it gives on numbers of any kind |
 //! | `staged`, `products` | it for the stages of a step, with products of its Jacobian |
 //! | `linkage`, `closure` | a linkage: [`Linkage`](assur_solvers::closure::Linkage) |
+//! | `few`, `room` | room for numbers whose count the run knows |
 //! | `values` | what depends on the values of the constants alone |
 
 mod closure;
 mod equations;
 mod events;
+mod few;
 mod functions;
 mod linkage;
 mod motion;

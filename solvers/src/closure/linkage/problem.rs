@@ -154,6 +154,12 @@ pub trait Linkage: Clone + Send + Sync + 'static {
     /// Computes what depends on the constants alone, from constants of any scalar type.
     fn prepare<S: Scalar>(&self, values: &[S]) -> Self::Closure<S>;
 
+    /// The same for other constants, in the place of what has been prepared.
+    #[inline(always)]
+    fn renew<S: Scalar>(&self, closure: &mut Self::Closure<S>, values: &[S]) {
+        *closure = self.prepare(values);
+    }
+
     /// Checks the conditions that the mechanism puts on its values.
     ///
     /// # Errors

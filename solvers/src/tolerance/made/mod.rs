@@ -58,14 +58,22 @@ impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
         }
     }
 
+    /// What depends on the nominal dimensions alone.
+    pub fn nominal(&self) -> L::Closure<S> {
+        S::outline(
+            #[inline(always)]
+            || self.linkage.prepare(&self.values),
+        )
+    }
+
     /// Computes what depends on the dimensions alone, for one of the samples.
     #[inline(always)]
-    pub fn prepare(&mut self, sample: usize) -> L::Closure<S> {
+    pub fn prepare(&mut self, closure: &mut L::Closure<S>, sample: usize) {
         for constant in &self.constants {
             self.values[constant.index] = constant.made[sample];
         }
         // Of a length that is known, what reads them is not checked again.
-        self.linkage.prepare(&self.values[..self.linkage.shape().constants.len()])
+        self.linkage.renew(closure, &self.values[..self.linkage.shape().constants.len()]);
     }
 
     /// Closes the made linkage at a place and gives the error of its output; no number if the mode is not certain, or

@@ -52,6 +52,7 @@ impl<L: Linkage> Task for Drawing<'_, '_, L> {
         let (run, sources) = (self.run, &self.run.study.sources);
         let output = run.study.output;
         let mut maker = Maker::<L, S, BATCH>::new(self.linkage, run.nominals, sources, output);
+        let mut closure = maker.nominal();
         let mut block = Block { places: vec![Sums::NONE; run.nominals.len()], whole: 0 };
         let mut errors = vec![[S::ZERO; BATCH]; sources.len()];
         let mut found = vec![[f64::NAN; BATCH]; run.nominals.len()];
@@ -60,7 +61,7 @@ impl<L: Linkage> Task for Drawing<'_, '_, L> {
             run.draw(first, &mut errors);
             maker.make(&errors);
             for sample in 0..count {
-                let closure = maker.prepare(sample);
+                maker.prepare(&mut closure, sample);
                 let mut whole = true;
                 for (place, found) in found.iter_mut().enumerate() {
                     let mut error = maker.error(&closure, place, sample).to_f64();
