@@ -50,6 +50,11 @@ pub enum Command {
         after_help = "Example:\n  assur check my_linkage.eqn\n\nExit codes: 0 no error, 2 at least one error."
     )]
     Check(CheckArguments),
+    /// Test a mechanism: its derivatives, energies, loops and units, and its published numbers.
+    #[command(
+        after_help = "Examples:\n  assur test my_linkage.eqn\n  assur test batten --scene elastic\n\nThe tests are those that the compiler generates from the model. Exit codes: 0 all passed, 1 at least one failed."
+    )]
+    Test(TestArguments),
     /// Print the Rust that an equation file becomes.
     #[command(
         after_help = "Examples:\n  assur expand batten --scene elastic\n  assur expand my_linkage.eqn"
@@ -224,6 +229,16 @@ pub struct ScenesArguments {
     pub name: Option<String>,
     #[command(flatten)]
     pub values: Values,
+}
+
+/// Options of `assur test`.
+#[derive(Args, Debug)]
+pub struct TestArguments {
+    /// The mechanism, or an equation file.
+    pub name: Option<String>,
+    /// The scene; all unless given.
+    #[arg(long)]
+    pub scene: Option<String>,
 }
 
 #[cfg(test)]

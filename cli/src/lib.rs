@@ -36,6 +36,7 @@ mod show;
 mod source;
 mod structure;
 mod study;
+mod test;
 mod tolerance;
 mod watch;
 
@@ -65,6 +66,7 @@ pub fn main(mechanisms: &'static [Mechanism]) -> ExitCode {
         Command::Draw(options) => draw::execute(options, registry),
         Command::Structure(options) => structure::execute(options, registry),
         Command::Check(options) => check::execute(options),
+        Command::Test(options) => test::execute(options, registry),
         Command::Gallery(options) => gallery::execute(options, registry),
         Command::Expand(options) => expand::execute(options, registry),
         Command::Scenes(options) => scenes::execute(options, registry),

@@ -1,7 +1,7 @@
 //! The generated unit tests: a module for each scene, a test for its derivatives, for its energy, for its units, and
 //! for each published fact. The checks themselves are `assur::check`.
 
-use assur_model::checked::SpanKind;
+use assur_model::checked::Test;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -28,93 +28,65 @@ pub fn module(layouts: &[Layout<'_>], origin: &Origin<'_>) -> TokenStream {
 }
 
 fn scene(layout: &Layout<'_>, module: &Ident, origin: &Origin<'_>) -> TokenStream {
-    let own = [jacobian(layout), energy(layout), closure(layout), scaling(layout)];
-    let tests: TokenStream = own.into_iter().flatten().chain([facts(layout, origin)]).collect();
-    if tests.is_empty() {
-        return tests;
-    }
-    quote!(mod #module { #tests })
-}
-
-fn jacobian(layout: &Layout<'_>) -> Option<TokenStream> {
-    let name = &layout.parameters;
-    (layout.states() > 0).then(|| {
-        quote! {
-            #[test]
-            fn jacobian_() -> ::core::result::Result<(), ::assur::check::Failed> {
-                ::assur::check::jacobian::<super::super::#name>()
-            }
-        }
-    })
-}
-
-fn closure(layout: &Layout<'_>) -> Option<TokenStream> {
-    let name = &layout.parameters;
-    layout.scene.linkage.as_ref().map(|_| {
-        quote! {
-            #[test]
-            fn closure_() -> ::core::result::Result<(), ::assur::check::Failed> {
-                ::assur::check::closure::<super::super::#name>()
-            }
-        }
-    })
-}
-
-fn energy(layout: &Layout<'_>) -> Option<TokenStream> {
-    let name = &layout.parameters;
-    let has_energy = layout.program().results.energy.len() == 2;
-    let moves = layout.states() > 0 && layout.scene.span != SpanKind::Rest;
-    (layout.scene.conservative && has_energy && moves).then(|| {
-        quote! {
-            #[test]
-            fn energy_() -> ::core::result::Result<(), ::assur::check::Failed> {
-                ::assur::check::energy::<super::super::#name>()
-            }
-        }
-    })
-}
-
-/// A test that other units give the same motion, where they can be chosen: the equations hold no number that has one.
-fn scaling(layout: &Layout<'_>) -> Option<TokenStream> {
-    let (name, scene) = (&layout.parameters, &layout.scene.name);
-    let is_something = layout.states() + layout.scene.outputs.len() > 0;
-    let check = match layout.scene.linkage {
-        None => quote! {
-            ::assur::check::scaling(&super::super::MECHANISM, #scene, super::super::#name::from_values)
-        },
-        Some(_) => quote! {
-            ::assur::check::closure_scaling::<super::super::#name>(&super::super::MECHANISM, #scene)
-        },
-    };
-    (layout.scene.literal.is_none() && is_something).then(|| {
-        quote! {
-            /// The same mechanism stated in mm, g, ms gives the same motion.
-            #[test]
-            fn scaling_() -> ::core::result::Result<(), ::assur::check::Failed> {
-                #check
-            }
-        }
-    })
-}
-
-/// A test for each published fact, called after it: `phi2_at_theta_0_rad`.
-fn facts(layout: &Layout<'_>, origin: &Origin<'_>) -> TokenStream {
-    let scene = layout.scene;
-    let facts = &scene.expectations;
+    let facts = &layout.scene.expectations;
     let functions = names::distinct(facts.iter().map(|fact| fact.label.as_str()));
-    let tests = facts.iter().zip(functions).enumerate();
-    tests
-        .map(|(index, (fact, function))| {
-            let text =
-                format!(" `{}`, {}:{}", fact.label, origin.file, (origin.line_of)(fact.span));
-            let (scene, index) = (&scene.name, size(index));
-            quote! {
-                #[doc = #text]
-                #[test]
-                fn #function() -> ::core::result::Result<(), ::assur::check::Failed> {
-                    ::assur::check::fact(&super::super::MECHANISM, #scene, #index)
-                }
-            }
-        })
-        .collect()
+    let tests = layout.scene.tests();
+    if tests.is_empty() {
+        return TokenStream::new();
+    }
+    let tests = tests.into_iter().map(|test| match test {
+        Test::Fact(index) => fact(layout, origin, (index, &functions[index])),
+        own => generated(layout, own),
+    });
+    quote!(mod #module { #(#tests)* })
+}
+
+/// A test of what has been derived.
+fn generated(layout: &Layout<'_>, test: Test) -> TokenStream {
+    let (name, scene) = (&layout.parameters, &layout.scene.name);
+    let default = quote!(&<super::super::#name as ::core::default::Default>::default());
+    let mechanism = quote!(&super::super::MECHANISM);
+    let (text, function, check) = match test {
+        Test::Jacobian => (None, "jacobian_", quote!(jacobian(#default))),
+        Test::Energy => (None, "energy_", quote!(energy(#default))),
+        Test::Closure => (None, "closure_", quote!(closure(#default))),
+        Test::Scaling | Test::Fact(_) => {
+            let text = " The same mechanism stated in mm, g, ms gives the same motion.";
+            let check = match layout.scene.linkage {
+                None => quote! {
+                    scaling(#mechanism, #scene, &|values| {
+                        ::core::option::Option::Some(super::super::#name::from_values(values.try_into().ok()?))
+                    })
+                },
+                Some(_) => quote!(closure_scaling(#mechanism, #scene, #default)),
+            };
+            (Some(text), "scaling_", check)
+        }
+    };
+    let (text, function) = (text.iter(), names::identifier(function));
+    quote! {
+        #(#[doc = #text])*
+        #[test]
+        fn #function() -> ::core::result::Result<(), ::assur::check::Failed> {
+            ::assur::check::#check
+        }
+    }
+}
+
+/// A test for a published fact, called after it: `phi2_at_theta_0_rad`.
+fn fact(
+    layout: &Layout<'_>,
+    origin: &Origin<'_>,
+    (index, function): (usize, &Ident),
+) -> TokenStream {
+    let (scene, fact) = (&layout.scene.name, &layout.scene.expectations[index]);
+    let text = format!(" `{}`, {}:{}", fact.label, origin.file, (origin.line_of)(fact.span));
+    let index = size(index);
+    quote! {
+        #[doc = #text]
+        #[test]
+        fn #function() -> ::core::result::Result<(), ::assur::check::Failed> {
+            ::assur::check::fact(&super::super::MECHANISM, #scene, #index)
+        }
+    }
 }

@@ -7,6 +7,7 @@ use assur_registry::registry::{
     Bind, Choice, Mechanism, Named, Preset, SceneEntry, bind, bind_linkage,
 };
 use assur_solvers::problem::Refused;
+use assur_solvers::shape::Shape;
 
 use crate::scene::{Loops, Motion, Moved, Moving};
 use crate::shape::{Lines, list, shape, text};
@@ -55,33 +56,42 @@ pub fn mechanism(model: &Model, origin: &Origin<'_>) -> Mechanism {
     }
 }
 
+/// A scene that values may be bound to.
+pub(crate) enum Made {
+    Motion(Arc<Motion>),
+    Loops(Arc<Loops>),
+}
+
+impl Made {
+    /// A scene with its shape, and that of the same with all positions as coordinates.
+    pub fn of(scene: &SceneModel, shape: &'static Shape, other: Option<&'static Shape>) -> Self {
+        match &scene.linkage {
+            Some(linkage) => Self::Loops(Arc::new(Loops::new(scene, linkage, shape))),
+            None => Self::Motion(Arc::new(Motion::new(scene, shape, other))),
+        }
+    }
+}
+
 /// A scene, and what goes on where it comes to a dead point.
 fn entry(scene: &SceneModel, lines: Lines<'_>) -> SceneEntry {
     let shape = shape(scene, lines);
     let expected = shape.constants.len();
-    if let Some(linkage) = &scene.linkage {
-        let loops = Arc::new(Loops::new(scene, linkage, shape));
-        let bound = move |values: &[f64]| {
-            counted(values, expected)?;
-            bind_linkage(Moved::new(&loops, values))
-        };
-        return SceneEntry {
-            shape,
-            bind: Bind::Linkage(Box::leak(Box::new(bound))),
-            unreduced: None,
-        };
-    }
     let unreduced: Option<&'static SceneEntry> =
         scene.unreduced.as_ref().map(|other| &*Box::leak(Box::new(entry(other, lines))));
-    let motion = Arc::new(Motion::new(scene, shape, unreduced.map(|other| other.shape)));
-    let bound = move |values: &[f64]| {
-        counted(values, expected)?;
-        match motion.is_smooth() {
-            true => bind(Moving::<true>::new(&motion, values)),
-            false => bind(Moving::<false>::new(&motion, values)),
-        }
+    let bind = match Made::of(scene, shape, unreduced.map(|other| other.shape)) {
+        Made::Loops(loops) => Bind::Linkage(Box::leak(Box::new(move |values: &[f64]| {
+            counted(values, expected)?;
+            bind_linkage(Moved::new(&loops, values))
+        }))),
+        Made::Motion(motion) => Bind::Motion(Box::leak(Box::new(move |values: &[f64]| {
+            counted(values, expected)?;
+            match motion.is_smooth() {
+                true => bind(Moving::<true>::new(&motion, values)),
+                false => bind(Moving::<false>::new(&motion, values)),
+            }
+        }))),
     };
-    SceneEntry { shape, bind: Bind::Motion(Box::leak(Box::new(bound))), unreduced }
+    SceneEntry { shape, bind, unreduced }
 }
 
 /// That there are as many values as the scene has constants.

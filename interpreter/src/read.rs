@@ -1,7 +1,7 @@
 //! A mechanism from texts that are at hand.
 
 use assur_model::asked::Asked;
-use assur_model::checked::Compiled;
+use assur_model::checked::{Compiled, Model};
 use assur_model::lexer::{self, Unreadable};
 use assur_model::texts::Texts;
 use assur_model::token::Span;
@@ -15,6 +15,15 @@ use crate::mechanism::{Origin, mechanism};
 /// # Errors
 /// The text is none of an equation file.
 pub fn again(of: &Mechanism, asked: Asked<'_>) -> Result<Option<Mechanism>, Unreadable> {
+    with_model(of, asked, mechanism)
+}
+
+/// Does something with the model of a mechanism, likewise.
+pub(crate) fn with_model<R>(
+    of: &Mechanism,
+    asked: Asked<'_>,
+    work: impl FnOnce(&Model, &Origin<'_>) -> R,
+) -> Result<Option<R>, Unreadable> {
     let lexed = lexer::lex_file(of.text)?;
     let mut texts = Texts::default();
     let compiled = assur_model::compile_asked(&lexed.tokens, asked, &mut |wanted| {
@@ -31,5 +40,5 @@ pub fn again(of: &Mechanism, asked: Asked<'_>) -> Result<Option<Mechanism>, Unre
     };
     let (name, file, text) = (of.name, of.file, of.text);
     let origin = Origin { name, file, text, parts: of.parts.to_vec(), lines: &lines };
-    Ok(Some(mechanism(&model, &origin)))
+    Ok(Some(work(&model, &origin)))
 }

@@ -5,6 +5,7 @@
 mod linkage;
 mod measure;
 mod mode;
+mod tests;
 
 pub use linkage::{
     AugmentedInfo, DependentInfo, GroupInfo, GroupKind, LinkInfo, LinkageInfo, LoopInfo, RangeInfo,
@@ -12,6 +13,7 @@ pub use linkage::{
 };
 pub use measure::{MeasureInfo, Measured, Moment, Primitive, PrimitiveKind};
 pub use mode::{EventInfo, ModeModel};
+pub use tests::Test;
 
 use crate::diagnostic::Diagnostic;
 use crate::program::{Counts, Program, Staging, Value};

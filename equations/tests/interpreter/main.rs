@@ -1,4 +1,5 @@
-//! What runs without being compiled is what is compiled: every scene of every mechanism, bit for bit.
+//! What runs without being compiled is what is compiled: every scene of every mechanism, bit for bit. And the tests that the
+//! models generate: of what has been derived as it is interpreted, of published facts as they are compiled.
 
 mod linkages;
 mod motions;
@@ -55,12 +56,33 @@ fn compare_scene(place: &str, emitted: &SceneEntry, interpreted: &SceneEntry) {
     }
 }
 
-/// A test for each mechanism, and that there is one.
+/// Runs the tests of a mechanism, and says of all that fail why.
+#[track_caller]
+fn test(name: &str) {
+    let mechanism = REGISTRY.iter().find(|one| one.name == name).expect("a mechanism");
+    let tests = assur_interpreter::tests(mechanism, Asked::All).expect("tokens");
+    let tests = tests.expect("a file without errors");
+    assert!(!tests.is_empty());
+    let failed = tests.iter().filter_map(|test| {
+        let why = test.run().err()?;
+        Some(format!("{}: {}: {why}\n", test.scene, test.name))
+    });
+    assert_eq!(failed.collect::<String>(), "");
+}
+
+/// Tests of each mechanism, and that there are some.
 macro_rules! mechanisms {
     ($($name:ident)*) => {
-        $(#[test]
-        fn $name() {
-            compare(stringify!($name));
+        $(mod $name {
+            #[test]
+            fn runs_as_it_is_compiled() {
+                super::compare(stringify!($name));
+            }
+
+            #[test]
+            fn does_what_it_states() {
+                super::test(stringify!($name));
+            }
         })*
 
         #[test]

@@ -42,9 +42,10 @@ impl Checked {
             Do::Sines(..) | Do::Factor(_) | Do::Solve(_) | Do::Table(_) | Do::Search(_) => true,
         };
         let is_there = code.instructions.iter().all(is_within)
-            && code.angles.iter().all(|one| {
-                number(&one.angle) && one.sine.iter().chain(&one.cosine).all(number)
-            })
+            && code
+                .angles
+                .iter()
+                .all(|one| number(&one.angle) && one.sine.iter().chain(&one.cosine).all(number))
             && code.factors.iter().all(|one| one.entries.iter().all(|entry| number(&entry.2)))
             && code.solves.iter().all(|one| all(&one.right))
             && code.lookups.iter().all(|one| number(&one.at))

@@ -102,7 +102,8 @@ fn columns<S: Scalar>(
 ) {
     let (code, lines) = (once.code, &once.image.lines[..]);
     let Some(mut files) = once.files() else { return };
-    let (count, first, last) = (code.instructions.len(), 0..code.first, code.first..code.results.len());
+    let (count, first, last) =
+        (code.instructions.len(), 0..code.first, code.first..code.results.len());
     files.load(given);
     files.run(0..code.once, lines);
     files.store(first, results);

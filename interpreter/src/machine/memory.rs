@@ -4,9 +4,9 @@ use assur_model::program::Form;
 use assur_solvers::dense::BoundRows;
 use assur_solvers::scalar::Scalar;
 
-use super::lanes::{Lanes, Masks};
 use super::calls::{self, Calls};
 use super::idle::Idle;
+use super::lanes::{Lanes, Masks};
 use super::systems::solve_block;
 use crate::code::{Checked, Fixed, Slot};
 
@@ -130,7 +130,8 @@ impl<S: Scalar> Memory<S> {
         (numbers, conditions, bounds): (&mut [S], &mut [S::Mask], &mut [BoundRows<S>]),
     ) {
         for (from, length, at) in &fixed.kept {
-            for (target, value) in numbers[*at..][..*length].iter_mut().zip(&self.numbers[*from..]) {
+            for (target, value) in numbers[*at..][..*length].iter_mut().zip(&self.numbers[*from..])
+            {
                 *target = *value;
             }
         }
@@ -178,4 +179,3 @@ impl<S: Scalar> Kept<S> {
         }
     }
 }
-

@@ -36,9 +36,7 @@ impl<S: Scalar> Files<'_, S> {
                 }
                 Do::Root([d, a]) => all.put(*d, all.at(*a).sqrt()),
                 Do::Less([d, a, b]) => all.decide(*d, S::less(all.at(*a), all.at(*b))),
-                Do::LessEqual([d, a, b]) => {
-                    all.decide(*d, S::less_equal(all.at(*a), all.at(*b)))
-                }
+                Do::LessEqual([d, a, b]) => all.decide(*d, S::less_equal(all.at(*a), all.at(*b))),
                 Do::Equal([d, a, b]) => all.decide(*d, S::equal(all.at(*a), all.at(*b))),
                 Do::And([d, a, b]) => all.decide(*d, S::and(all.holds(*a), all.holds(*b))),
                 Do::Or([d, a, b]) => all.decide(*d, S::or(all.holds(*a), all.holds(*b))),

@@ -57,7 +57,8 @@ impl<S: Scalar> Files<'_, S> {
 
     #[inline(always)]
     pub(super) fn search(&mut self, finding: &Finding, lines: &[Image<S>]) {
-        let captured: Vec<S> = finding.captured.iter().map(|register| self.registers.at(*register)).collect();
+        let captured: Vec<S> =
+            finding.captured.iter().map(|register| self.registers.at(*register)).collect();
         let found = find(self.code, finding, lines, &captured);
         self.registers.put(finding.target, found);
     }

@@ -272,7 +272,11 @@ impl<S: Scalar> Closure<S> for Prepare<S> {
         }
         let (others, angles) = &self.loops.0.forms[group];
         room(others.len() + 1, |all| {
-            self.prepared.call(Function::Close(group), &[instant.as_ref(), position.as_ref(), &[mode]], all);
+            self.prepared.call(
+                Function::Close(group),
+                &[instant.as_ref(), position.as_ref(), &[mode]],
+                all,
+            );
             let position = position.as_mut();
             for (place, value) in others.iter().zip(&*all) {
                 position[*place] = *value;
@@ -292,7 +296,11 @@ impl<S: Scalar> Closure<S> for Prepare<S> {
     fn margin(&self, group: usize, instant: &Few<S>, position: &Few<S>) -> S {
         let mut margin = [S::from_f64(f64::NAN)];
         if self.program().results.closing.groups[group].is_some() {
-            self.prepared.call(Function::Margin(group), &[instant.as_ref(), position.as_ref()], &mut margin);
+            self.prepared.call(
+                Function::Margin(group),
+                &[instant.as_ref(), position.as_ref()],
+                &mut margin,
+            );
         }
         margin[0]
     }

@@ -213,7 +213,6 @@ impl<S: Scalar> Prepared<S> {
         series::run(plan, (&self.kept, &slot), sides, along, rows);
         true
     }
-
 }
 
 impl<S: Scalar> std::fmt::Debug for Prepared<S> {

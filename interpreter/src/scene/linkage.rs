@@ -38,9 +38,8 @@ impl Loops {
             kept.collect()
         });
         let groups = linkage.groups.iter().enumerate();
-        let trials = groups.map(|(group, one)| {
-            Trial::of(&scene.program, group, &one.equations, &one.unknowns)
-        });
+        let trials = groups
+            .map(|(group, one)| Trial::of(&scene.program, group, &one.equations, &one.unknowns));
         let trials = trials.collect();
         let ranges = linkage.ranges.iter().map(|range| Range {
             from: range.from,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use assur_model::checked::{SceneModel, SpanKind};
 use assur_model::program::Idle;
 use assur_solvers::model;
-use assur_solvers::problem::{Events, Refused, Scene, Span};
+use assur_solvers::problem::{Events, Refused, Scene, Smooth, Span};
 use assur_solvers::scalar::Scalar;
 use assur_solvers::shape::Shape;
 
@@ -67,6 +67,8 @@ pub struct Moving<const SMOOTH: bool> {
     motion: Arc<Motion>,
     values: Vec<f64>,
 }
+
+impl Smooth for Moving<true> {}
 
 impl<const SMOOTH: bool> Moving<SMOOTH> {
     /// The scene with these values, of which there are as many as it has constants.

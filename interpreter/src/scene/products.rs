@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 use assur_model::program::{OperationKind, Program};
 use assur_solvers::scalar::Scalar;
 
-
 /// How an entry goes into a row of a product.
 struct Term {
     row: usize,
@@ -94,7 +93,8 @@ impl<S: Scalar> Products<'_, S> {
     /// The product with each column, from what it has been and from what of the column the entry is multiplied with.
     #[inline(always)]
     fn each(&mut self, new: impl Fn(S, S) -> S) {
-        let (sums, others) = (&mut self.products[self.term.row..], &self.columns[self.term.column..]);
+        let (sums, others) =
+            (&mut self.products[self.term.row..], &self.columns[self.term.column..]);
         let (length, mut at) = (self.length, 0);
         while let (Some(sum), Some(other)) = (sums.get_mut(at), others.get(at)) {
             *sum = new(*sum, *other);

@@ -17,8 +17,7 @@ const ROUNDING: f64 = 1e-12;
 ///
 /// # Errors
 /// The first entry that deviates, with both values; or that no state was found at which all are finite.
-pub fn jacobian<C: Scene + Default>() -> Result<(), Failed> {
-    let scene = C::default();
+pub fn jacobian<C: Scene>(scene: &C) -> Result<(), Failed> {
     let (plain, dual) = (scene.prepare::<f64>(), scene.prepare::<Dual>());
     for mode in 0..scene.shape().modes.len().max(1) {
         let point = Point {
@@ -29,7 +28,7 @@ pub fn jacobian<C: Scene + Default>() -> Result<(), Failed> {
             from: scene.span().limits().0,
         };
         let mut finite = 0;
-        for (time, values) in places(&scene) {
+        for (time, values) in places(scene) {
             finite += usize::from(point.check(time, &values)?);
         }
         if finite == 0 {

@@ -2,7 +2,7 @@
 
 use super::Failed;
 use super::resolve::resolved;
-use assur_solvers::closure::{Answers, AnyLinkage, Guide, Linkage, Square, Variable, instant_at};
+use assur_solvers::closure::{Answers, AnyLinkage, Guide, Square, Variable, instant_at};
 use assur_solvers::dense::Lu;
 use assur_solvers::scalar::Dual;
 use assur_solvers::shape::LinkageEntry;
@@ -23,11 +23,7 @@ pub(super) const PLACES: usize = 7;
 ///
 /// # Errors
 /// The first value that deviates with what was expected, or why a position was not found.
-pub fn closure<L: Linkage + Default>() -> Result<(), Failed> {
-    closure_of(&L::default())
-}
-
-fn closure_of(linkage: &dyn AnyLinkage) -> Result<(), Failed> {
+pub fn closure(linkage: &dyn AnyLinkage) -> Result<(), Failed> {
     let mut assembly = linkage.assemble();
     let started = assembly.guide().start();
     started.map_err(|error| Failed(error.to_string()))?;

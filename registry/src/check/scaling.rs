@@ -52,27 +52,28 @@ const SYSTEMS: [Units; 2] = [
 ///
 /// # Errors
 /// The first component that deviates, with both values and their unit; or that there was none to compare.
-pub fn scaling<C: Scene, const N: usize>(
+pub fn scaling<C: Scene>(
     mechanism: &Mechanism,
     scene: &str,
-    from_values: fn(&[f64; N]) -> C,
+    from_values: &dyn Fn(&[f64]) -> Option<C>,
 ) -> Result<(), Failed> {
     let entry = mechanism.scenes.iter().find(|entry| entry.name == scene);
     let entry = entry.ok_or_else(|| Failed("there is no such scene".into()))?;
-    let constants: &[Constant; N] =
-        entry.constants.try_into().map_err(|_| Failed("the scene has other constants".into()))?;
+    // Past the ranges of the values, which are in SI units.
+    let stated = |value: &dyn Fn(&Constant) -> f64| {
+        let values: Vec<f64> = entry.constants.iter().map(value).collect();
+        from_values(&values).ok_or_else(|| Failed("the scene has other constants".into()))
+    };
     // Which of closures that depend on each other is left out where they contradict each other, as at places that no motion
     // comes to, depends on their sizes.
     if entry.augmented.is_some_and(|held| held.rank < held.loops.len()) {
         return Ok(());
     }
     let components = components(entry);
-    let scene = from_values(&constants.map(|constant| constant.default));
+    let scene = stated(&|constant| constant.default)?;
     let mut compared = 0;
     for units in &SYSTEMS {
-        // Past the ranges of the values, which are in SI units.
-        let restated =
-            from_values(&constants.map(|one| one.default * units.factor(&one.quantity.dimension)));
+        let restated = stated(&|one| one.default * units.factor(&one.quantity.dimension))?;
         for (time, state) in places(&scene) {
             let there = units.place(entry, time, &state);
             let expected = values(&scene, time, &state);

@@ -72,7 +72,12 @@ pub(crate) fn attempt_any(staged: &mut dyn Staged<f64>, method: Explicit, room: 
 }
 
 /// What is missing of a step of anything, compiled once.
-pub(crate) fn finish_any(staged: &mut dyn Staged<f64>, method: Explicit, room: &mut Room, dense: bool) {
+pub(crate) fn finish_any(
+    staged: &mut dyn Staged<f64>,
+    method: Explicit,
+    room: &mut Room,
+    dense: bool,
+) {
     match method {
         Explicit::Tsit5 => step::finish::<f64, Tsit5, _>(staged, room, dense),
         Explicit::Dop853 => step::finish::<f64, Dop853, _>(staged, room, dense),

@@ -13,15 +13,15 @@ use assur_solvers::shape::Quantity;
 ///
 /// # Errors
 /// The first value that deviates, with both values and their unit; or that there was none to compare.
-pub fn closure_scaling<L: Linkage + Default>(
+pub fn closure_scaling<L: Linkage>(
     mechanism: &Mechanism,
     scene: &str,
+    linkage: &L,
 ) -> Result<(), Failed> {
-    let linkage = L::default();
     let prepare = |values: &[Bounded]| -> Box<dyn Answers<Bounded>> {
-        Box::new(Apart(Linkage::prepare(&linkage, values)))
+        Box::new(Apart(Linkage::prepare(linkage, values)))
     };
-    restated(mechanism, scene, &linkage, &prepare)
+    restated(mechanism, scene, linkage, &prepare)
 }
 
 /// Loops with the bounds of their errors, from constants.

@@ -131,7 +131,9 @@ fn check<const HIDDEN: u8>(stiffness: [(i8, i8); 3]) -> Result<(), Failed> {
     };
     let scenes = Box::leak(Box::new([SceneEntry { shape: Box::leak(Box::new(shape)), ..FREE }]));
     let mechanism = Mechanism { scenes, ..OSCILLATOR };
-    scaling(&mechanism, "free", Spring::<HIDDEN>::from_values)
+    scaling(&mechanism, "free", &|values| {
+        Some(Spring::<HIDDEN>::from_values(values.try_into().ok()?))
+    })
 }
 
 const STIFFNESS: [(i8, i8); 3] = [(0, 1), (1, 1), (-2, 1)];
