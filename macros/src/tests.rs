@@ -152,7 +152,7 @@ fn a_scene_with_a_number_of_its_own_is_not_stated_in_other_units() {
     }";
     let rust = prettyplease::unparse(&emitted(text, "spring.eqn", |_| true));
     assert_eq!(rust.matches("check::scaling(").count(), 1, "{rust}");
-    assert!(rust.contains("Plain::from_values,"), "{rust}");
+    assert!(rust.contains("Plain::from_values(values.try_into()"), "{rust}");
     let line = "/// Units: `3 mm` in spring.eqn:8 is no constant, so no test states the scene in other units.";
     assert_eq!(rust.matches(line).count(), 1, "{rust}");
 }

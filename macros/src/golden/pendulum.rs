@@ -404,11 +404,15 @@ mod pendulum_ {
         mod swing {
             #[test]
             fn jacobian_() -> ::core::result::Result<(), ::assur::check::Failed> {
-                ::assur::check::jacobian::<super::super::Swing>()
+                ::assur::check::jacobian(
+                    &<super::super::Swing as ::core::default::Default>::default(),
+                )
             }
             #[test]
             fn energy_() -> ::core::result::Result<(), ::assur::check::Failed> {
-                ::assur::check::energy::<super::super::Swing>()
+                ::assur::check::energy(
+                    &<super::super::Swing as ::core::default::Default>::default(),
+                )
             }
             /// The same mechanism stated in mm, g, ms gives the same motion.
             #[test]
@@ -416,7 +420,11 @@ mod pendulum_ {
                 ::assur::check::scaling(
                     &super::super::MECHANISM,
                     "swing",
-                    super::super::Swing::from_values,
+                    &|values| {
+                        ::core::option::Option::Some(
+                            super::super::Swing::from_values(values.try_into().ok()?),
+                        )
+                    },
                 )
             }
             /// `pull, maximum`, pendulum.eqn:19
