@@ -9,6 +9,7 @@ mod dual;
 mod found;
 mod fused;
 mod interval;
+mod lanes;
 mod plain;
 pub(crate) mod processor;
 mod sine;
@@ -21,6 +22,7 @@ pub use bounded::Bounded;
 pub use dual::Dual;
 pub(crate) use fused::Fused;
 pub use interval::{Interval, Perhaps};
+pub use lanes::{Lanes, Masks, WIDTH};
 
 /// A number that is an `f64` in memory, so that plain slices can be read as slices of it.
 pub(crate) trait Real: Scalar {
@@ -92,6 +94,10 @@ pub trait Scalar:
     }
     /// The mask as a truth value (that of the first lane).
     fn holds(mask: Self::Mask) -> bool;
+    /// Whether the mask holds in any lane.
+    fn any(mask: Self::Mask) -> bool {
+        Self::holds(mask)
+    }
     /// `then` where the mask holds, `otherwise` elsewhere.
     fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
 

@@ -34,7 +34,7 @@ impl Wanted {
 
 impl Code {
     /// The function of a program that computes some values. `prepared` says where those stand that are prepared.
-    pub fn new(
+    pub fn build(
         program: &Program,
         storage: &Storage,
         scope: Scope,
@@ -86,7 +86,7 @@ impl Code {
         let program = line.program();
         let storage = Storage::of(&program, 0);
         let wanted = Wanted::of([line.result]);
-        Self::new(&program, &storage, Scope::Line, &wanted, &BTreeMap::new())
+        Self::build(&program, &storage, Scope::Line, &wanted, &BTreeMap::new())
     }
 }
 

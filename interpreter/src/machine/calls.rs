@@ -1,9 +1,8 @@
 //! Functions that are called again and again: what stands in their registers at each call is put there once.
 
-use assur_solvers::scalar::Scalar;
+use assur_solvers::scalar::{Lanes, Masks, Scalar, WIDTH};
 
 use super::files::Files;
-use super::lanes::{Lanes, Masks, WIDTH};
 use super::memory::{Image, Memory};
 use crate::code::{COLUMN, Checked};
 

@@ -2,11 +2,10 @@
 
 use assur_model::program::Form;
 use assur_solvers::dense::BoundRows;
-use assur_solvers::scalar::Scalar;
+use assur_solvers::scalar::{Lanes, Masks, Scalar};
 
 use super::calls::{self, Calls};
 use super::idle::Idle;
-use super::lanes::{Lanes, Masks};
 use super::systems::solve_block;
 use crate::code::{Checked, Fixed, Slot};
 

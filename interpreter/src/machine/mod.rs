@@ -3,12 +3,10 @@
 mod calls;
 mod files;
 mod idle;
-mod lanes;
 mod memory;
 mod run;
 pub(crate) mod series;
 mod systems;
 
 pub use calls::{Calls, Columns};
-pub use lanes::{Lanes, WIDTH};
 pub use memory::{Image, Kept};

@@ -3,13 +3,13 @@
 use std::sync::{Arc, OnceLock};
 
 use assur_model::program::{Program, Value};
-use assur_solvers::scalar::Scalar;
+use assur_solvers::scalar::{Lanes, Scalar, WIDTH};
 
 use super::products::Terms;
 use super::room::room;
 use crate::code::series::Plan;
 use crate::code::{CannotRun, Checked, Code, Scope, Storage, Wanted};
-use crate::machine::{Calls, Columns, Image, Kept, Lanes, WIDTH, series};
+use crate::machine::{Calls, Columns, Image, Kept, series};
 
 /// A function of a program, by its number.
 pub trait Name: Copy {
@@ -58,7 +58,7 @@ impl Functions {
         let built = self.prepare.get_or_init(|| {
             let prepared: Vec<Value> = self.storage.staging.prepared.iter().copied().collect();
             let wanted = Wanted { keeps: true, ..Wanted::of(prepared) };
-            Code::new(&self.program, &self.storage, Scope::Values, &wanted, &Default::default())
+            Code::build(&self.program, &self.storage, Scope::Values, &wanted, &Default::default())
         });
         built.as_ref().unwrap_or(&self.none)
     }
@@ -67,7 +67,7 @@ impl Functions {
     fn built(&self, name: impl Name) -> &Built {
         let built = self.codes[name.number(&self.program)].get_or_init(|| {
             let (scope, wanted) = name.wanted(&self.program);
-            Code::new(&self.program, &self.storage, scope, &wanted, &self.prepare().kept)
+            Code::build(&self.program, &self.storage, scope, &wanted, &self.prepare().kept)
         });
         debug_assert_ne!(built.as_ref().err(), Some(&CannotRun::Missing));
         built

@@ -22,6 +22,7 @@ pub struct Loops {
     pub(super) forms: Vec<Form>,
     /// Residuals and Jacobian of each group.
     pub(super) trials: Vec<Trial>,
+    is_apart: bool,
     ranges: Vec<Range>,
     start: Vec<f64>,
     values: OfValues,
@@ -53,6 +54,7 @@ impl Loops {
             forms: (0..linkage.groups.len()).map(|group| form(&scene.program, group)).collect(),
             angles: angles.collect(),
             trials,
+            is_apart: scene.program.is_apart(),
             ranges: ranges.collect(),
             start: linkage.dependents.iter().map(|one| one.start).collect(),
             values: OfValues::new(scene, shape),
@@ -96,6 +98,10 @@ impl Linkage for Moved {
 
     fn renew<S: Scalar>(&self, closure: &mut Prepare<S>, values: &[S]) {
         closure.renew(values);
+    }
+
+    fn is_apart(&self) -> bool {
+        self.loops.is_apart
     }
 
     fn check(&self) -> Result<(), Refused> {

@@ -30,6 +30,13 @@ impl Program {
         self.operations[value.0 as usize].stage
     }
 
+    /// Whether it goes separate ways for different numbers: where it searches, or solves loops that contradict each other.
+    pub fn is_apart(&self) -> bool {
+        self.operations.iter().any(|one| {
+            matches!(one.kind, Kind::Search { .. } | Kind::Factor { form: Form::Bound { .. }, .. })
+        })
+    }
+
     /// What kind of thing a value is.
     pub fn shape(&self, value: Value) -> Shape {
         match self.kind(value) {

@@ -160,6 +160,13 @@ pub trait Linkage: Clone + Send + Sync + 'static {
         *closure = self.prepare(values);
     }
 
+    /// Whether what it computes goes separate ways for different numbers, so that there is nothing to be won by several of them
+    /// side by side, nor always the same result: where it searches, or solves loops that contradict each other.
+    #[inline(always)]
+    fn is_apart(&self) -> bool {
+        false
+    }
+
     /// Checks the conditions that the mechanism puts on its values.
     ///
     /// # Errors

@@ -83,10 +83,8 @@ impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
         let (place, shape) = (&self.places[place], closure.shape());
         let independents = &mut self.independents[..shape.drivers.len()];
         let outputs = &mut self.outputs[..shape.outputs.len()];
-        if !place.close(closure, sample, independents, outputs) {
-            return S::from_f64(f64::NAN);
-        }
-        outputs[self.output] - place.nominal
+        let closed = place.close(closure, sample, independents, outputs);
+        S::select(closed, outputs[self.output] - place.nominal, S::from_f64(f64::NAN))
     }
 }
 

@@ -98,7 +98,7 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
         }
     }
 
-    /// Closes a sample, if it has certainly kept its modes, and writes its outputs.
+    /// Closes a sample, writes its outputs, and says whether it has certainly kept its modes.
     #[inline(always)]
     pub fn close(
         &self,
@@ -106,7 +106,7 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
         sample: usize,
         independents: &mut [S],
         outputs: &mut [S],
-    ) -> bool {
+    ) -> S::Mask {
         independents.copy_from_slice(&self.independents[..closure.shape().drivers.len()]);
         for driver in &self.drivers {
             independents[driver.index] = driver.made[sample];
@@ -117,7 +117,7 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
         };
         let mut position = self.position.clone();
         let is_closed = self.close_all(closure, &instant, sample, &mut position);
-        if is_closed {
+        if S::any(is_closed) {
             closure.outputs(&instant, &position, outputs);
         }
         is_closed
@@ -131,14 +131,16 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
         instant: &Instant<L, S>,
         sample: usize,
         position: &mut Position<L, S>,
-    ) -> bool {
+    ) -> S::Mask {
         let groups = closure.shape().loops().groups.len();
+        let mut closed = S::equal(S::ZERO, S::ZERO);
         for index in 0..groups {
-            if !self.close_one(index, closure, instant, sample, position) {
-                return false;
+            closed = S::and(closed, self.close_one(index, closure, instant, sample, position));
+            if !S::any(closed) {
+                break;
             }
         }
-        true
+        closed
     }
 
     #[inline(always)]
@@ -149,7 +151,7 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
         instant: &Instant<L, S>,
         sample: usize,
         position: &mut Position<L, S>,
-    ) -> bool {
+    ) -> S::Mask {
         let entry = closure.shape().loops();
         let kind = entry.groups[index].kind;
         if let GroupKind::General = kind {
@@ -160,10 +162,11 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
         if kind.has_modes() {
             unwrap(entry, index, position.as_mut(), self.position.as_ref());
         }
-        S::holds(S::equal(sine, sine))
+        S::equal(sine, sine)
     }
 
-    /// Closes a group by Newton's method from where it is predicted.
+    /// Closes a group by Newton's method from where it is predicted. Samples side by side go together until the last has
+    /// come to its end; those that have are left as they are.
     #[inline(always)]
     fn iterate(
         &self,
@@ -172,7 +175,7 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
         instant: &Instant<L, S>,
         sample: usize,
         position: &mut Position<L, S>,
-    ) -> bool {
+    ) -> S::Mask {
         let entry = closure.shape().loops();
         let unknowns = entry.groups[index].unknowns;
         let (n, largest) = (unknowns.len(), entry.largest());
@@ -183,41 +186,44 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
             position.as_mut()[j] = self.position.as_ref()[j] + moved;
             before = larger(before, (moved * scales[j]).abs());
         }
-        if !S::holds(S::less_equal(before, S::from_f64(LONGEST))) {
-            return false;
-        }
         let (nothing, contraction) = (S::from_f64(NOTHING), S::from_f64(CONTRACTION));
         let enough = S::from_f64(ACCURACY) * before + nothing;
+        let mut going = S::less_equal(before, S::from_f64(LONGEST));
+        let mut closed = S::less(S::ZERO, S::ZERO);
         let mut residual = <L::Closure<S> as Closure<S>>::Row::zeros(largest);
         let mut jacobian = <L::Closure<S> as Closure<S>>::Matrix::zeros(largest.pow(2));
         for _ in 0..ITERATIONS {
+            if !S::any(going) {
+                break;
+            }
             closure.trial(index, instant, position, &mut residual, &mut jacobian);
             let determinant = small::solve(n, jacobian.as_mut(), residual.as_mut());
             let mut length = S::ZERO;
             for (k, &j) in unknowns.iter().enumerate() {
-                let step = residual.as_ref()[k];
-                position.as_mut()[j] = position.as_ref()[j] - step;
+                let (step, here) = (residual.as_ref()[k], position.as_ref()[j]);
+                position.as_mut()[j] = S::select(going, here - step, here);
                 length = larger(length, (step * scales[j]).abs());
             }
             let certain = S::and(
                 S::less_equal(length, contraction.mul_add(before, nothing)),
                 S::less(S::ZERO, determinant * self.signs.as_ref()[index]),
             );
-            if !S::holds(certain) {
-                return false;
-            }
+            going = S::and(going, certain);
             // The next correction would be the square of this one over its own square root before.
             let left = length * length * length;
-            if S::holds(S::less_equal(left, enough * (before * before)))
-                || S::holds(S::less_equal(length, nothing))
-            {
-                // Completes what is kept beside the unknowns.
-                closure.trial(index, instant, position, &mut residual, &mut jacobian);
-                return true;
-            }
+            let done = S::or(
+                S::less_equal(left, enough * (before * before)),
+                S::less_equal(length, nothing),
+            );
+            closed = S::or(closed, S::and(going, done));
+            going = S::and(going, S::not(done));
             before = length;
         }
-        false
+        if S::any(closed) {
+            // Completes what is kept beside the unknowns.
+            closure.trial(index, instant, position, &mut residual, &mut jacobian);
+        }
+        closed
     }
 }
 

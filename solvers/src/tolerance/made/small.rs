@@ -70,19 +70,22 @@ fn three<S: Scalar>(m: &[S], right: &mut [S]) -> S {
 fn eliminate<S: Scalar>(n: usize, matrix: &mut [S], right: &mut [S]) -> S {
     let mut determinant = S::ONE;
     for column in 0..n {
-        let mut best = column;
+        // Each lane chooses for itself: a row that is larger comes to the place of the pivot.
         for row in column + 1..n {
-            let (here, there) = (matrix[row * n + column], matrix[best * n + column]);
-            if S::holds(S::less(there.abs(), here.abs())) {
-                best = row;
+            let (here, there) = (matrix[row * n + column], matrix[column * n + column]);
+            let larger = S::less(there.abs(), here.abs());
+            let swap = |a: &mut S, b: &mut S| {
+                (*a, *b) = (S::select(larger, *b, *a), S::select(larger, *a, *b));
+            };
+            if !S::any(larger) {
+                continue;
             }
-        }
-        if best != column {
-            for k in 0..n {
-                matrix.swap(column * n + k, best * n + k);
-            }
-            right.swap(column, best);
-            determinant = -determinant;
+            let (above, below) = matrix.split_at_mut(row * n);
+            let pivots = &mut above[column * n..][..n];
+            pivots.iter_mut().zip(below).for_each(|(a, b)| swap(a, b));
+            let (above, below) = right.split_at_mut(row);
+            swap(&mut above[column], &mut below[0]);
+            determinant = S::select(larger, -determinant, determinant);
         }
         let pivot = matrix[column * n + column];
         determinant = determinant * pivot;

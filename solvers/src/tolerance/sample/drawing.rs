@@ -1,12 +1,12 @@
 //! The drawing of one block of samples.
 //!
-//! Errors are drawn and their first order is added up for a batch of samples at once, which the compiler packs; the
-//! linkages are then closed one by one, and what they give is tallied for the whole batch.
+//! Errors are drawn and their first order is added up for a batch of samples at once; the linkages are then closed some side
+//! by side, and what they give is tallied for the whole batch.
 
 use super::tally::{CLASSES, Classes, Sums};
 use crate::closure::{AnyLinkage, Linkage};
 use crate::dispatch::Task;
-use crate::scalar::Scalar;
+use crate::scalar::{Lanes, Scalar, WIDTH};
 use crate::shape::Distribution;
 use crate::tolerance::made::Maker;
 use crate::tolerance::made::lead::Lead;
@@ -16,6 +16,8 @@ use crate::tolerance::source::Study;
 
 /// Samples in a batch.
 const BATCH: usize = 64;
+/// Packs of samples in a batch.
+const PACKS: usize = BATCH / WIDTH;
 
 /// The samples of a block.
 #[derive(Clone, Debug)]
@@ -49,29 +51,61 @@ impl<L: Linkage> Task for Drawing<'_, '_, L> {
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> Block {
+        match self.linkage.is_apart() {
+            true => self.run_of::<S, S, BATCH, 1>(|errors| *errors, |error| [*error; 1]),
+            false => self.run_of::<S, Lanes<S>, PACKS, WIDTH>(packed, |error| error.0),
+        }
+    }
+}
+
+/// The errors of a batch, some samples side by side.
+#[inline(always)]
+fn packed<S: Scalar>(errors: &[S; BATCH]) -> [Lanes<S>; PACKS] {
+    let mut all = [Lanes::splat(S::ZERO); PACKS];
+    for (pack, errors) in all.iter_mut().zip(errors.as_chunks().0) {
+        pack.0 = *errors;
+    }
+    all
+}
+
+impl<L: Linkage> Drawing<'_, '_, L> {
+    /// On numbers that hold several samples each: so many that there are `PACKS` of them in a batch.
+    #[inline(always)]
+    fn run_of<S: Scalar, P: Scalar, const PACKS: usize, const WIDTH: usize>(
+        self,
+        pack: impl Fn(&[S; BATCH]) -> [P; PACKS],
+        unpack: impl Fn(&P) -> [S; WIDTH],
+    ) -> Block {
         let (run, sources) = (self.run, &self.run.study.sources);
         let output = run.study.output;
-        let mut maker = Maker::<L, S, BATCH>::new(self.linkage, run.nominals, sources, output);
+        let mut maker = Maker::<L, P, PACKS>::new(self.linkage, run.nominals, sources, output);
         let mut closure = maker.nominal();
         let mut block = Block { places: vec![Sums::NONE; run.nominals.len()], whole: 0 };
         let mut errors = vec![[S::ZERO; BATCH]; sources.len()];
+        let mut packs = vec![[P::ZERO; PACKS]; sources.len()];
         let mut found = vec![[f64::NAN; BATCH]; run.nominals.len()];
         for first in (self.samples.0..self.samples.1).step_by(BATCH) {
             let count = BATCH.min((self.samples.1 - first) as usize);
             run.draw(first, &mut errors);
-            maker.make(&errors);
-            for sample in 0..count {
-                maker.prepare(&mut closure, sample);
-                let mut whole = true;
+            packs.iter_mut().zip(&errors).for_each(|(packs, errors)| *packs = pack(errors));
+            maker.make(&packs);
+            for number in 0..count.div_ceil(WIDTH) {
+                maker.prepare(&mut closure, number);
+                let mut whole = [true; WIDTH];
+                let samples = number * WIDTH..count.min((number + 1) * WIDTH);
                 for (place, found) in found.iter_mut().enumerate() {
-                    let mut error = maker.error(&closure, place, sample).to_f64();
-                    if !error.is_finite() {
-                        error = run.lead(place, &errors, sample);
-                        whole &= !error.is_nan();
+                    let all = unpack(&maker.error(&closure, place, number));
+                    for (lane, sample) in samples.clone().enumerate() {
+                        let mut error = all[lane].to_f64();
+                        if !error.is_finite() {
+                            error = run.lead(place, &errors, sample);
+                            whole[lane] &= !error.is_nan();
+                        }
+                        found[sample] = error;
                     }
-                    found[sample] = error;
                 }
-                block.whole += u64::from(whole);
+                let whole = whole[..samples.len()].iter().filter(|whole| **whole);
+                block.whole += whole.count() as u64;
             }
             for (place, found) in found.iter().enumerate() {
                 let found = &found[..count];

@@ -5,7 +5,7 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use assur_solvers::scalar::{Scalar, Table};
+use super::{Scalar, Table};
 
 /// Numbers side by side.
 pub const WIDTH: usize = 8;
@@ -178,6 +178,10 @@ impl<S: Scalar> Scalar for Lanes<S> {
     #[inline(always)]
     fn holds(mask: Self::Mask) -> bool {
         S::holds(mask.0[0])
+    }
+    #[inline(always)]
+    fn any(mask: Self::Mask) -> bool {
+        mask.0.iter().any(|mask| S::holds(*mask))
     }
     #[inline(always)]
     fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self {
