@@ -37,6 +37,24 @@ fn a_right_file_is_summed_up() {
 }
 
 #[test]
+fn a_file_is_tested_without_being_compiled() {
+    let directory = folder("tested");
+    let file = with("    output x;", "    output x;\n    expect at time = 0 s: x = 10 mm +- 1 um;");
+    std::fs::write(directory.join("right.eqn"), &file).expect("writable");
+    let text = answer(&["test", "right.eqn"], &directory);
+    let tests = "free: jacobian ... ok\nfree: scaling ... ok\nfree: x at time = 0 s ... ok\n";
+    assert_eq!(text, format!("{tests}\n3 tests, all passed\n"));
+    let wrong = String::from_utf8(file).expect("text").replace("x = 10 mm +-", "x = 11 mm +-");
+    std::fs::write(directory.join("wrong.eqn"), wrong).expect("writable");
+    let output = run(&["test", "wrong.eqn", "--scene", "free"], &directory);
+    assert_eq!(output.status.code(), Some(1));
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(text.contains("x at time = 0 s ... FAILED\n"), "{text}");
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    assert!(complaint.starts_with("error: 1 of 3 tests failed"), "{complaint}");
+}
+
+#[test]
 fn a_warning_is_no_error() {
     let directory = folder("warning");
     let file = with("    output x;", "    let unused = 2*x;\n    output x;");

@@ -56,10 +56,21 @@ fn compare_scene(place: &str, emitted: &SceneEntry, interpreted: &SceneEntry) {
     }
 }
 
+/// What goes on at a dead point goes on uncompiled too.
+#[test]
+fn dead_points_are_passed_as_interpreted() {
+    let emitted = REGISTRY.iter().find(|one| one.name == "simple_pendulum").expect("a mechanism");
+    let again = assur_interpreter::again(emitted, Asked::All).expect("tokens");
+    test_all(Box::leak(Box::new(again.expect("a file without errors"))));
+}
+
+fn test(name: &str) {
+    test_all(REGISTRY.iter().find(|one| one.name == name).expect("a mechanism"));
+}
+
 /// Runs the tests of a mechanism, and says of all that fail why.
 #[track_caller]
-fn test(name: &str) {
-    let mechanism = REGISTRY.iter().find(|one| one.name == name).expect("a mechanism");
+fn test_all(mechanism: &'static Mechanism) {
     let tests = assur_interpreter::tests(mechanism, Asked::All).expect("tokens");
     let tests = tests.expect("a file without errors");
     assert!(!tests.is_empty());

@@ -95,7 +95,8 @@ impl<const SMOOTH: bool> Scene for Moving<SMOOTH> {
     }
 
     fn events<S: Scalar>(equations: &Prepare<S>) -> Option<&dyn Events<S>> {
-        match SMOOTH {
+        // What goes on for a smooth motion at a dead point is smooth too, which its type does not say.
+        match SMOOTH || equations.motion.is_smooth() {
             true => None,
             false => Some(equations),
         }
