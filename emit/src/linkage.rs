@@ -22,13 +22,6 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
     });
     let starts = linkage.dependents.iter().map(|one| number(one.start));
     let span = crate::parameters::span(layout);
-    let apart = layout.program().is_apart().then(|| {
-        quote! {
-            fn is_apart(&self) -> bool {
-                true
-            }
-        }
-    });
     quote! {
         impl ::assur::closure::Linkage for #name {
             type Closure<S: ::assur::scalar::Scalar> = #closure<S>;
@@ -52,7 +45,6 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
             #check
             #span
             #drive
-            #apart
 
             fn ranges(&self) -> ::std::vec::Vec<::assur::closure::Range> {
                 ::std::vec![#(#ranges),*]

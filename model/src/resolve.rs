@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::nearest::nearest;
 use crate::syntax::tree::{
     Constant, Dependent, Driver, Name, Output, Statement, StatementKind, Target, Term, TermKind,
     Unknown,
@@ -110,6 +111,38 @@ impl Names {
                 Role::Coordinate(self.coordinates.len() as u32 - 1)
             };
             if let Some(entry) = self.table.get_mut(&declared.name.text) {
+                entry.role = role;
+            }
+        }
+    }
+
+    /// Makes a constant of a driver that a scene holds, where it stands as it is declared.
+    pub fn hold(&mut self, name: &Name, diagnostics: &mut Diagnostics) {
+        let place = self.drivers.iter().position(|one| one.name.text == name.text);
+        let Some(place) = place else {
+            let all = self.drivers.iter().map(|one| one.name.text.as_str());
+            let report =
+                Diagnostic::error(name.span, format!("there is no driver `{}`", name.text));
+            diagnostics.push(match nearest(&name.text, all) {
+                Some(near) => report.hint(format!("did you mean `{near}`?")),
+                None => report.hint("what is held is a driver; a parameter is a value anyway"),
+            });
+            return;
+        };
+        let Declared { name: own, summary, what } = self.drivers.remove(place);
+        if what.start.is_none() {
+            let report = Diagnostic::error(name.span, format!("`{}` stands nowhere", name.text));
+            let report = report.related(own.span, "it is declared without a start value");
+            diagnostics.push(report.hint("write where it starts, `driver phi ~ 0 deg;`"));
+        }
+        let Driver { target, start: value, tolerance, range, .. } = what;
+        let what = Constant { is_dimension: false, target, value, tolerance, range };
+        self.constants.push(Declared { name: own, summary, what });
+        let roles = self.drivers.iter().enumerate();
+        let roles = roles.map(|(index, one)| (&one.name.text, Role::Driver(index as u32)));
+        let held = Role::Constant(self.constants.len() as u32 - 1);
+        for (name, role) in roles.chain([(&name.text, held)]) {
+            if let Some(entry) = self.table.get_mut(name) {
                 entry.role = role;
             }
         }
@@ -257,7 +290,9 @@ impl Names {
         let Some(name) = target_name(target, diagnostics) else {
             return;
         };
-        if self.insert(&name, Role::Measure(value.clone()), diagnostics) {
+        // That of a part is there for the whole to ask for.
+        let is_own = !name.text.contains('.');
+        if self.insert(&name, Role::Measure(value.clone()), diagnostics) && is_own {
             self.measures.push(Declared { name, summary: summary.to_string(), what: what.clone() });
         }
     }

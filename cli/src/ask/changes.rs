@@ -24,6 +24,9 @@ pub struct Changes {
         help_heading = "Another scene"
     )]
     pub choose: Vec<String>,
+    /// Let a driver stand where its value says, as a parameter: --set gives it another, a study goes --over it.
+    #[arg(long, value_name = "DRIVERS", value_delimiter = ',', help_heading = "Another scene")]
+    pub hold: Vec<String>,
     /// Begin elsewhere, `--start 'w=-0.3mm'`, `--start 'dot(w)=1[m/s]'`; may be repeated.
     #[arg(long, value_name = "STATE=VALUE", help_heading = "Another scene")]
     pub start: Vec<String>,
@@ -48,7 +51,7 @@ const MODES: u64 = 1_000_000;
 impl Changes {
     /// Whether any is asked for.
     pub fn are_given(&self) -> bool {
-        let lists = [&self.with, &self.without, &self.choose, &self.start];
+        let lists = [&self.with, &self.without, &self.choose, &self.hold, &self.start];
         let tasks = [&self.run, &self.periodic, &self.sweep];
         self.mode.is_some()
             || lists.iter().any(|list| !list.is_empty())
@@ -67,6 +70,7 @@ impl Changes {
             let (choice, alternative) = split(text, "--choose", "crank=exact")?;
             lines.push(format!("with {choice}.{alternative};"));
         }
+        lines.extend(self.hold.iter().map(|driver| format!("hold {driver};")));
         for text in &self.start {
             let (state, value) = split(text, "--start", "w=-0.3mm")?;
             lines.push(format!("start {state} = {};", spaced(value)));

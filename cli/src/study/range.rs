@@ -26,6 +26,12 @@ pub struct Range {
 pub fn constant(scene: &SceneEntry, name: &str, option: &str) -> Result<usize, Failure> {
     let names: Vec<&str> = scene.constants.iter().map(|one| one.quantity.name).collect();
     names.iter().position(|one| *one == name).ok_or_else(|| {
+        if scene.drivers.iter().any(|driver| driver.name == name) {
+            return Failure::request(format!("`{name}` is a driver of scene `{}`", scene.name))
+                .place(option.to_owned())
+                .reason("a study goes over dimensions and parameters")
+                .remedy(format!("let it stand where its value says: add --hold {name}"));
+        }
         Failure::request(format!("scene `{}` has no dimension or parameter `{name}`", scene.name))
             .place(option.to_owned())
             .remedy(suggestion(name, &names))

@@ -266,6 +266,46 @@ fn standard_input_and_parts_elsewhere() {
 
 /// What is no file is told at once: of a pipe nobody may ever write the end.
 #[cfg(unix)]
+/// A four-bar whose rocker swings between the two positions in which crank and coupler are in line.
+const BAR: &str = "assur::mechanism! {
+    Bar from \"a test\";
+    dimension a = 20 mm, b = 60 mm, c = 50 mm, d = 70 mm;
+    driver phi ~ 0 deg in -180 deg .. 180 deg;
+    dependent theta ~ 30 deg, psi ~ 90 deg;
+    closure loops: a*dir(phi) + b*dir(theta) = [d, 0 mm] + c*dir(psi);
+    output psi;
+    measure swing = peak(psi) - lowest(psi) [deg], last = value(psi, end) [deg];
+    scene turn { sweep phi; }
+}
+";
+
+#[test]
+fn measures_of_parts_are_there_for_the_whole() {
+    let directory = folder("measured_parts");
+    std::fs::write(directory.join("bar.eqn"), BAR).expect("writable");
+    let whole = "assur::mechanism! {
+    Two from \"a test\";
+    driver phi ~ 0 deg in -180 deg .. 180 deg;
+    part first: Bar from \"bar.eqn\" { phi = phi; }
+    part second: Bar from \"bar.eqn\" { phi = -phi; a = 15 mm; }
+    output psi = first.psi;
+    measure swing = first.swing [deg], ratio = first.swing/second.swing;
+    scene turn { sweep phi; }
+}
+";
+    std::fs::write(directory.join("two.eqn"), whole).expect("writable");
+    let found = json(&["run", "two.eqn", "--format", "json"], &directory);
+    let measures = found["measures"].as_array().expect("measures");
+    let [swing, ratio] = [0, 1].map(|index| measures[index]["value"].as_f64().expect("a number"));
+    let swing_of = |a: f64| {
+        let angle = |side: f64| ((7400.0 - side * side) / 7000.0).acos().to_degrees();
+        angle(60.0 + a) - angle(60.0 - a)
+    };
+    assert!((swing - swing_of(20.0)).abs() < 1e-9, "{swing}");
+    assert!((ratio - swing_of(20.0) / swing_of(15.0)).abs() < 1e-11, "{ratio}");
+    assert_eq!(measures.len(), 2);
+}
+
 #[test]
 fn pipes_are_no_files() {
     let here = folder("files-pipe");

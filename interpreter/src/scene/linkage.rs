@@ -79,6 +79,8 @@ impl Moved {
 impl Linkage for Moved {
     type Closure<S: Scalar> = Prepare<S>;
 
+    const PACKED: bool = true;
+
     #[inline]
     fn shape(&self) -> &'static Shape {
         self.loops.shape

@@ -42,6 +42,18 @@ pub fn names(here: Here<'_>, diagnostics: &mut Diagnostics) -> (Names, usize) {
             _ => None,
         });
     let swept: Vec<&str> = swept.flatten().map(|one| one.driver.text.as_str()).collect();
+    for item in here.scene().iter().flat_map(|scene| &scene.items) {
+        let SceneItem::Hold { drivers } = item else { continue };
+        for driver in drivers {
+            match swept.contains(&driver.text.as_str()) {
+                true => diagnostics.push(
+                    Diagnostic::error(driver.span, format!("`{}` is held and swept", driver.text))
+                        .hint("leave one of the two out"),
+                ),
+                false => names.hold(driver, diagnostics),
+            }
+        }
+    }
     names.drive(&swept);
     for item in here.scene().iter().flat_map(|scene| &scene.items) {
         if let SceneItem::Start { values } = item {

@@ -189,6 +189,7 @@ impl Flattener<'_, '_> {
         let mut placed = Vec::new();
         for statement in statements {
             let mut statement = statement.clone();
+            scope.measures = matches!(statement.kind, StatementKind::Measure { .. });
             if scope.is_part() && !is_kept(&mut statement.kind) {
                 continue;
             }
@@ -234,7 +235,7 @@ impl Flattener<'_, '_> {
     }
 }
 
-/// Whether a statement of a part belongs to the whole. What it reports is named.
+/// Whether a statement of a part belongs to the whole. What it reports or measures is named, for the whole to ask for it.
 fn is_kept(kind: &mut StatementKind) -> bool {
     match kind {
         StatementKind::Scene(_)
@@ -249,7 +250,7 @@ fn is_kept(kind: &mut StatementKind) -> bool {
             };
             true
         }
-        StatementKind::Output(_) | StatementKind::Measure { .. } => false,
+        StatementKind::Output(_) => false,
         _ => true,
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::syntax::tree::{
     Name, Selection, Statement, StatementKind, Target, Term, TermKind, Visitor,
 };
-use crate::syntax::words::{COMPONENTS, FUNCTIONS, QUANTITIES};
+use crate::syntax::words::{COMPONENTS, FUNCTIONS, MEASURING, MOMENTS, QUANTITIES};
 
 /// The names of a file.
 pub struct Scope<'a> {
@@ -19,6 +19,8 @@ pub struct Scope<'a> {
     quantities: BTreeSet<String>,
     /// Indices of repetitions and arguments of functions.
     locals: Vec<String>,
+    /// Whether a measure is being named, which has words of its own.
+    pub measures: bool,
 }
 
 impl<'a> Scope<'a> {
@@ -30,6 +32,7 @@ impl<'a> Scope<'a> {
             choices: BTreeSet::new(),
             quantities: BTreeSet::new(),
             locals: Vec::new(),
+            measures: false,
         }
     }
 
@@ -91,7 +94,9 @@ impl Visitor for Scope<'_> {
         match &mut term.kind {
             // What is bound has been named where it stands.
             TermKind::Bound { .. } => return,
+            TermKind::Name(name) if self.measures && name == "end" => {}
             TermKind::Name(name) => self.used(name),
+            TermKind::Call { name, .. } if self.measures && is_of_measure(&name.text) => {}
             TermKind::Index { name, .. } | TermKind::Call { name, .. } => self.used(&mut name.text),
             TermKind::Member { base, name } => {
                 if let Some(path) = dotted(base).filter(|path| self.is_of_part(path)) {
@@ -148,6 +153,11 @@ impl Visitor for Scope<'_> {
             };
         }
     }
+}
+
+/// Whether a function is one that only measures know.
+fn is_of_measure(name: &str) -> bool {
+    [MEASURING, MOMENTS].iter().any(|list| list.contains(&name))
 }
 
 /// `feed.lift`, as one text.

@@ -198,8 +198,8 @@ fn table(table: &TableTerm) -> String {
 }
 
 fn number(value: f64) -> String {
-    let plain = format!("{value}");
-    if plain.len() <= 8 { plain } else { format!("{value:e}") }
+    let (plain, short) = (format!("{value}"), format!("{value:e}"));
+    if plain.len() <= short.len().max(8) { plain } else { short }
 }
 
 /// A unit as it is written after a number.

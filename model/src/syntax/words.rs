@@ -63,6 +63,9 @@ pub const MEASURING: &[&str] = &[
     "straightness",
 ];
 
+/// What says when, in a measure: `value(x, end)`, `value(x, last(y == z))`.
+pub const MOMENTS: &[&str] = &["end", "last", "enter", "leave"];
+
 /// Those of them that positions have as well as motions.
 pub const POSITIONAL: &[&str] =
     &["peak", "lowest", "mean", "rms", "value", "travel", "straightness"];

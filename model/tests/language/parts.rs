@@ -353,6 +353,8 @@ fn names_of_parts() {
         ("part bar: FourBar { phi = theta; } output y = bar.raech(1 m);", &[("there is no function `bar.raech`", "bar.raech", "did you mean `bar.reach`?")]),
         ("part bar: FourBar { phi = theta; } link bar.A - bar.E;", &[("there is no point `bar.E`", "bar.E", "")]),
         ("part bar: FourBar; scene s { sweep bar.ph; }", &[("there is no driver `bar.ph`", "bar.ph", "did you mean `bar.phi`?")]),
+        ("part bar: FourBar; scene s { hold bar.ph; }", &[("there is no driver `bar.ph`", "bar.ph", "did you mean `bar.phi`?")]),
+        ("part bar: FourBar; scene s { hold bar.phi; sweep bar.phi; }", &[("`bar.phi` is held and swept", "bar.phi", "leave one of the two out")]),
         ("part bar: FourBar { phi = theta; } preset p { bar.crnk = 3 mm; }", &[("there is no dimension or parameter `bar.crnk`", "bar.crnk", "did you mean `bar.crank`?")]),
         ("part plain: Plain { } scene s = plain.friction;", &[("the scene `s` selects an unknown effect `plain.friction`", "plain.friction", "")]),
         ("part plain: Plain { } output plain.gain = 3;", &[("a name is expected before `=`", "plain.gain", "")]),

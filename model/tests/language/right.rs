@@ -270,3 +270,29 @@ fn scenes_start_dependent_coordinates_elsewhere() {
     assert_eq!(linkage(1).dependents[1].quantity.unit, "deg");
     assert_eq!(scenes[0].constants[0].distribution, Distribution::Lognormal);
 }
+
+/// A driver that a scene holds is a parameter in it, with the value, range and tolerance that it has.
+#[test]
+fn scenes_hold_drivers() {
+    let text = "Slide from \"made up\";
+        driver phi ~ 0 deg in 0 deg .. 90 deg, nu ~ 20 deg in -30 deg .. 30 deg +- 0.1 deg, chi ~ 1 deg in 0 deg .. 2 deg;
+        dimension r = 2 m;
+        output x = r*cos(phi + nu)*cos(chi);
+        measure far = peak(x) [m];
+        scene grid { sweep phi, nu, chi; }
+        scene turn { sweep phi; hold nu, chi; }";
+    let scenes = scenes(text);
+    let names = |scene: &SceneModel| -> (Vec<String>, Vec<String>) {
+        let drivers = scene.drivers.iter().map(|one| one.name.clone());
+        let constants = scene.constants.iter().map(|one| one.quantity.name.clone());
+        (drivers.collect(), constants.collect())
+    };
+    let all = |list: &[&str]| -> Vec<String> { list.iter().map(|one| one.to_string()).collect() };
+    assert_eq!(names(&scenes[0]), (all(&["phi", "nu", "chi"]), all(&["r"])));
+    assert_eq!(names(&scenes[1]), (all(&["phi"]), all(&["r", "nu", "chi"])));
+    assert_eq!((scenes[0].measures.len(), scenes[1].measures.len()), (0, 1));
+    let held = &scenes[1].constants[1];
+    assert_eq!((held.default, held.quantity.unit.as_str()), (20f64.to_radians(), "deg"));
+    assert_eq!(held.tolerance, 0.1f64.to_radians());
+    assert_eq!(held.range, (-30f64.to_radians(), 30f64.to_radians()));
+}

@@ -55,7 +55,7 @@ impl Parser<'_> {
     pub(super) fn item(&mut self) -> Read<Vec<SceneItem>> {
         let _ = self.documentation();
         let keyword = self.name(
-            "what the scene does: `periodic`, `run`, `rest`, `sweep`, `preset`, `output` or `start`",
+            "what the scene does: `periodic`, `run`, `rest`, `sweep`, `hold`, `preset`, `output` or `start`",
         )?;
         let items = match keyword.text.as_str() {
             "periodic" => {
@@ -90,6 +90,10 @@ impl Parser<'_> {
                 let drivers = self.commas(Self::sweep_range)?;
                 vec![SceneItem::Sweep { drivers }]
             }
+            "hold" => {
+                let drivers = self.commas(|parser| parser.path("a driver"))?;
+                vec![SceneItem::Hold { drivers }]
+            }
             "measure" => {
                 return self.wrong_at(
                     keyword.span,
@@ -99,7 +103,7 @@ impl Parser<'_> {
             }
             other => {
                 let message = format!("`{other}` is nothing that a scene does");
-                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `rest`, `sweep`, `preset`, `output` or `start`"));
+                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `rest`, `sweep`, `hold`, `preset`, `output` or `start`"));
             }
         };
         self.operator(";")?;

@@ -43,6 +43,8 @@ pub enum SceneItem {
     Output(Output),
     /// `start phi2 = 0.1 rad, dot(phi2) = 0;`
     Start { values: Vec<(Term, Term)> },
+    /// `hold nu;`: drivers that are values in the scene, as parameters are.
+    Hold { drivers: Vec<Name> },
     /// `start run;`: the mode in which the motion begins.
     StartIn { mode: Name },
 }

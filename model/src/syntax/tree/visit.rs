@@ -116,7 +116,7 @@ impl Scene {
                     let ranges = drivers.iter_mut().filter_map(|one| one.range.as_mut());
                     ranges.for_each(|(from, to)| pair((from, to), visitor));
                 }
-                SceneItem::Preset { .. } | SceneItem::Rest { .. } => {}
+                SceneItem::Preset { .. } | SceneItem::Rest { .. } | SceneItem::Hold { .. } => {}
                 SceneItem::StartIn { mode } => visitor.name(mode),
                 SceneItem::Output(output) => output.visit(visitor),
                 SceneItem::Start { values } => pairs(values, visitor),

@@ -51,10 +51,11 @@ impl<L: Linkage> Task for Drawing<'_, '_, L> {
 
     #[inline(always)]
     fn run<S: Scalar>(self) -> Block {
-        match self.linkage.is_apart() {
-            true => self.run_of::<S, S, BATCH, 1>(|errors| *errors, |error| [*error; 1]),
-            false => self.run_of::<S, Lanes<S>, PACKS, WIDTH>(packed, |error| error.0),
+        // Of those that are not packed, packs are not even compiled.
+        if L::PACKED && !self.linkage.is_apart() {
+            return self.run_of::<S, Lanes<S>, PACKS, WIDTH>(packed, |error| error.0);
         }
+        self.run_of::<S, S, BATCH, 1>(|errors| *errors, |error| [*error; 1])
     }
 }
 
