@@ -282,7 +282,7 @@ const BAR: &str = "assur::mechanism! {
 #[test]
 fn measures_of_parts_are_there_for_the_whole() {
     let directory = folder("measured_parts");
-    std::fs::write(directory.join("bar.eqn"), BAR).expect("writable");
+    fs::write(directory.join("bar.eqn"), BAR).expect("writable");
     let whole = "assur::mechanism! {
     Two from \"a test\";
     driver phi ~ 0 deg in -180 deg .. 180 deg;
@@ -293,7 +293,7 @@ fn measures_of_parts_are_there_for_the_whole() {
     scene turn { sweep phi; }
 }
 ";
-    std::fs::write(directory.join("two.eqn"), whole).expect("writable");
+    fs::write(directory.join("two.eqn"), whole).expect("writable");
     let found = json(&["run", "two.eqn", "--format", "json"], &directory);
     let measures = found["measures"].as_array().expect("measures");
     let [swing, ratio] = [0, 1].map(|index| measures[index]["value"].as_f64().expect("a number"));
