@@ -52,7 +52,7 @@ pub enum Command {
     Check(CheckArguments),
     /// Test a mechanism: its derivatives, energies, loops and units, and its published numbers.
     #[command(
-        after_help = "Examples:\n  assur test my_linkage.eqn\n  assur test batten --scene elastic\n\nThe tests are those that the compiler generates from the model. Exit codes: 0 all passed, 1 at least one failed."
+        after_help = "Examples:\n  assur test my_linkage.eqn\n  assur test my_linkage.eqn --scene turn\n\nThe tests are those that the compiler generates from the model. Exit codes: 0 all passed, 1 at least one failed."
     )]
     Test(TestArguments),
     /// Print the Rust that an equation file becomes.

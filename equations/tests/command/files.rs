@@ -294,7 +294,7 @@ fn measures_of_parts_are_there_for_the_whole() {
 }
 ";
     fs::write(directory.join("two.eqn"), whole).expect("writable");
-    let found = json(&["run", "two.eqn", "--format", "json"], &directory);
+    let found = json(&["run", "two.eqn"], &directory);
     let measures = found["measures"].as_array().expect("measures");
     let [swing, ratio] = [0, 1].map(|index| measures[index]["value"].as_f64().expect("a number"));
     let swing_of = |a: f64| {
