@@ -5,11 +5,15 @@
 
 mod attractors;
 mod draw;
+mod resonances;
 mod sensitivity;
 mod spread;
 
 pub use attractors::{Attractor, Found, Look, attractors};
 pub use draw::drawn;
+pub use resonances::{
+    GROWTH, Meets, NEAR, Resonance, Resonances, Spectrum, Unstable, resonances, spectrum,
+};
 pub use sensitivity::{Slope, slopes};
 pub use spread::{Spread, share, spread};
 

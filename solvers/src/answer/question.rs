@@ -4,7 +4,7 @@ use super::error::Error;
 use super::motion::{Motion, Repeats};
 use crate::hybrid::{self, HybridError, Request};
 use crate::model::{Bound, Flow, Model, assemble_beside};
-use crate::periodic;
+use crate::periodic::{self, Multiplier};
 use crate::problem::{Refused, Scene, Span};
 use crate::settings::Settings;
 use crate::shape::find;
@@ -123,6 +123,31 @@ impl Question {
         Ok(Self { start: Some(start.map_err(Error::Refused)?), model, ..self.clone() })
     }
 
+    /// The Floquet multipliers of the motion that repeats, the largest modulus first, and after how many periods it does. Where
+    /// equations are affine all motions have the same ones, and none is looked for: a resonance has multipliers too.
+    ///
+    /// # Errors
+    /// [`Error`], with the figures.
+    pub fn multipliers(&self, settings: &Settings) -> Result<(Vec<Multiplier>, usize), Error> {
+        match self.span {
+            Span::Periodic(period)
+                if self.refused.is_none() && self.is_smooth() && self.model.shape().is_linear =>
+            {
+                Ok((periodic::multipliers_of(self.model.as_ref(), period, settings)?, 1))
+            }
+            _ => {
+                let motion = self.solve(settings)?;
+                Ok((motion.multipliers().to_vec(), motion.multiple()))
+            }
+        }
+    }
+
+    /// Whether shooting knows all that there is: no events, and no closures that hold the coordinates, which leave them fewer
+    /// directions than there are states.
+    fn is_smooth(&self) -> bool {
+        self.model.events().is_none() && self.model.shape().augmented.is_none()
+    }
+
     /// [`Question::solve`] by the equations of the scene as they are: dead points are errors.
     ///
     /// # Errors
@@ -161,10 +186,7 @@ impl Question {
                 Ok((hybrid::Motion::without_states(self.mode, span.limits(), hybrid::STILL), None))
             }
             Span::Rest => Ok((hybrid::rest_of(model, self.mode, &start)?, None)),
-            // Closures that hold the coordinates leave them fewer directions than there are states, which shooting does not know.
-            Span::Periodic(period)
-                if model.events().is_some() || model.shape().augmented.is_some() =>
-            {
+            Span::Periodic(period) if !self.is_smooth() => {
                 let cycle = hybrid::cycle_of(model, place, period, settings)?;
                 Ok(Repeats::of_cycle(cycle))
             }

@@ -107,6 +107,27 @@ pub(crate) fn of(
     begin(&period, settings.rtol)
 }
 
+/// The multipliers of the motion that repeats after a period where the equations are affine: they are those of all motions, so
+/// there are some at a resonance too.
+///
+/// # Errors
+/// See [`PeriodicError`].
+pub(crate) fn multipliers_of(
+    model: &dyn Model,
+    period: f64,
+    settings: &Settings,
+) -> Result<Vec<Multiplier>, PeriodicError> {
+    let period = Period { model, start: &[], period, settings };
+    let rest = DVector::zeros(period.scales().len());
+    let [coarse, fine] = tolerances(settings.rtol).map(|rtol| period.turn(&rest, rtol));
+    Ok(multipliers(&fine?.matrix, Some(&coarse?.matrix), SMALLEST_RTOL))
+}
+
+/// The tolerances of the two computations.
+fn tolerances(rtol: f64) -> [f64; 2] {
+    [rtol, (rtol / REFINEMENT).max(SMALLEST_RTOL)]
+}
+
 /// Finds where to begin, and closes the motion.
 fn begin(period: &Period<'_>, rtol: f64) -> Result<Orbit, PeriodicError> {
     if period.is_linear() {
@@ -140,7 +161,7 @@ fn is_lossless(back: &Return, rtol: f64) -> bool {
 /// The motion that repeats, by superposition or by shooting from a guess.
 fn close(period: &Period<'_>, mut guess: DVector<f64>, rtol: f64) -> Result<Orbit, PeriodicError> {
     let scales = period.scales();
-    let tolerances = [rtol, (rtol / REFINEMENT).max(SMALLEST_RTOL)];
+    let tolerances = tolerances(rtol);
     let mut iterations = 0;
     let mut returns = Vec::with_capacity(tolerances.len());
     for rtol in tolerances {
