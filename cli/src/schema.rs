@@ -21,6 +21,7 @@ enum Of {
     Modes,
     Study,
     Attractors,
+    Resonances,
     Sensitivity,
     Tolerance,
 }
@@ -33,6 +34,7 @@ impl Of {
             Self::Modes => include_str!("../schema/modes.json"),
             Self::Study => include_str!("../schema/study.json"),
             Self::Attractors => include_str!("../schema/attractors.json"),
+            Self::Resonances => include_str!("../schema/resonances.json"),
             Self::Sensitivity => include_str!("../schema/sensitivity.json"),
             Self::Tolerance => include_str!("../schema/tolerance.json"),
         }
@@ -88,9 +90,10 @@ mod tests {
             check::<modes::Object>(Of::Modes, "modes"),
             check::<study::Object>(Of::Study, "study"),
             check::<study::AttractorsObject>(Of::Attractors, "attractors"),
+            check::<study::ResonancesObject>(Of::Resonances, "resonances"),
             check::<study::SensitivityObject>(Of::Sensitivity, "sensitivity"),
             check::<tolerance::Object>(Of::Tolerance, "tolerance"),
         ];
-        assert_eq!(same, [true; 7], "ASSUR_BLESS=1 writes schema/ anew");
+        assert_eq!(same, [true; 8], "ASSUR_BLESS=1 writes schema/ anew");
     }
 }

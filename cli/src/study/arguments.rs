@@ -14,6 +14,7 @@ pub const EXAMPLES: &str = "Examples:
   assur study presser_foot --over 'omega=150..420[1/s]:55' --measure free,F_smallest --plot lift_off.svg
   assur study presser_foot --over 'omega=200..420[1/s]:23' --over F10=10..80N:15 --measure free --plot map.svg
   assur study presser_foot --attractors --over 'omega=450..700[1/s]:26' --measure F_largest --plot attractors.svg
+  assur study batten --resonances --over n=150..400rpm:251
   assur study batten --scene damped --sensitivity --measure peak_rod1,mean_loss
   assur study heald_linkage --over 's=30..50mm:21'
   assur study table_drive --samples 1000 --tolerance J2=10% --tolerance c=20% --seed 7
@@ -24,10 +25,12 @@ the file says (normally, the tolerance being three standard deviations) unless a
 
 --attractors finds all motions that attract at each value: from the start of the scene, from starts made at random about its
 motion, and from what attracts at the neighbouring values, from below and from above.
+--resonances follows the Floquet multipliers: where one passes 1 there is a resonance; where one passes -1, or two meet,
+motions may begin to grow, and the ranges in which they do are found however narrow they are.
 --sensitivity finds the derivatives of the measures by every dimension and parameter, from differences whose steps go to
 nothing, with their errors.
 
-Csv has one row a run, a motion that attracts, or a dimension or parameter.";
+Csv has one row a run, a motion that attracts, a resonance, or a dimension or parameter.";
 
 /// Most runs of a study.
 pub const MOST: u64 = 10_000_000;
@@ -53,6 +56,9 @@ pub struct StudyArguments {
     #[arg(long, value_name = "NUMBER", value_parser = whole::<0, 10_000>, requires = "attractors")]
     #[arg(default_value = "4", allow_hyphen_values = true)]
     pub starts: u64,
+    /// Find the resonances over a range, and where motions grow.
+    #[arg(long, conflicts_with_all = ["samples", "sensitivity", "attractors", "measure"])]
+    pub resonances: bool,
     /// Find how measures change with every dimension and parameter.
     #[arg(long, conflicts_with_all = ["samples", "over", "plot"])]
     pub sensitivity: bool,

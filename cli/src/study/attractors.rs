@@ -7,8 +7,7 @@ use assur::shape::Quantity;
 use assur::study::{Attractor, Found, Look, attractors};
 use serde::Serialize;
 
-use super::question::{Plan, Question};
-use super::range::Range;
+use super::question::Question;
 use super::table::{headed, shown};
 use crate::answer::Answer;
 use crate::error::Failure;
@@ -103,21 +102,9 @@ impl Attractors {
         Ok(Self { question, found, seconds: clock.elapsed().as_secs_f64() })
     }
 
-    fn range(&self) -> (&'static Quantity, &[f64]) {
-        match &self.question.way {
-            Plan::Grid(ranges) => match ranges.first() {
-                Some(Range { constant, values }) => {
-                    (&self.question.scene.constants[*constant].quantity, values)
-                }
-                None => (&crate::ask::values::TIME, &[]),
-            },
-            Plan::Random(..) => (&crate::ask::values::TIME, &[]),
-        }
-    }
-
     /// Each value with each motion that attracts there.
     fn rows(&self) -> impl Iterator<Item = (f64, &Found, &Attractor)> {
-        let values = self.range().1.iter().zip(&self.found);
+        let values = self.question.over().1.iter().zip(&self.found);
         values
             .flat_map(|(value, found)| found.attractors.iter().map(move |one| (*value, found, one)))
     }
@@ -134,7 +121,7 @@ impl Answer for Attractors {
             "{}, scene {}: what attracts",
             self.question.constants.mechanism.title, scene.name
         );
-        let (constant, _) = self.range();
+        let (constant, _) = self.question.over();
         let layers = self.question.measures.iter().map(|index| {
             let measure = &scene.measures[*index];
             let point = |(value, _, one): (f64, &Found, &Attractor)| {
@@ -147,7 +134,7 @@ impl Answer for Attractors {
     }
 
     fn table(&self, page: &mut Page, figure: Option<&Path>) {
-        let (scene, (constant, values)) = (self.question.scene, self.range());
+        let (scene, (constant, values)) = (self.question.scene, self.question.over());
         page.about(&self.question.constants, &format!("what attracts at {} values", values.len()));
         let measures =
             || self.question.measures.iter().map(|index| (*index, &scene.measures[*index]));
@@ -192,7 +179,7 @@ impl Answer for Attractors {
     }
 
     fn csv(&self) -> String {
-        let (scene, (constant, _)) = (self.question.scene, self.range());
+        let (scene, (constant, _)) = (self.question.scene, self.question.over());
         let measures =
             || self.question.measures.iter().map(|index| (*index, &scene.measures[*index]));
         let names = [
@@ -223,7 +210,7 @@ impl Answer for Attractors {
     }
 
     fn json(&self, figure: Option<&Path>) -> impl Serialize {
-        let (scene, (constant, values)) = (self.question.scene, self.range());
+        let (scene, (constant, values)) = (self.question.scene, self.question.over());
         let quantities: Vec<Quantity> =
             self.question.measures.iter().map(|index| scene.measures[*index]).collect();
         let one = |one: &Attractor| One {

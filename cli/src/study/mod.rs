@@ -1,5 +1,5 @@
-//! `assur study`: the measures of many runs, over a grid of values or with values made at random; what attracts over a range;
-//! how measures change with each value.
+//! `assur study`: the measures of many runs, over a grid of values or with values made at random; what attracts over a range,
+//! and its resonances; how measures change with each value.
 
 mod answer;
 mod arguments;
@@ -9,6 +9,7 @@ mod figure;
 mod json;
 mod question;
 mod range;
+mod resonances;
 mod sensitivity;
 mod table;
 mod tolerance;
@@ -17,6 +18,8 @@ pub use arguments::{EXAMPLES, StudyArguments};
 #[cfg(test)]
 pub use attractors::Object as AttractorsObject;
 pub use json::Study as Object;
+#[cfg(test)]
+pub use resonances::Object as ResonancesObject;
 #[cfg(test)]
 pub use sensitivity::Object as SensitivityObject;
 
@@ -30,6 +33,7 @@ use crate::error::Failure;
 use crate::show::page::Page;
 use attractors::Attractors;
 use question::Question;
+use resonances::Resonances;
 use sensitivity::Sensitivity;
 
 /// Studies a scene.
@@ -39,16 +43,20 @@ use sensitivity::Sensitivity;
 pub fn execute(options: &StudyArguments, registry: Registry) -> Result<(), Failure> {
     let (format, plot) = (options.format, options.plot.as_deref());
     let question = || Question::read(options, registry);
-    match (options.sensitivity, options.attractors) {
-        (true, _) => give(format, None, || Sensitivity::find(question()?)),
-        (_, true) => give(format, plot, || {
-            Attractors::find(question()?, options.starts as usize, options.seed)
-        }),
-        _ => give(format, plot, || {
-            let question = question()?;
-            Ok(Study { answer: answer::find(&question)?, question })
-        }),
+    if options.sensitivity {
+        return give(format, None, || Sensitivity::find(question()?));
     }
+    if options.attractors {
+        let (starts, seed) = (options.starts as usize, options.seed);
+        return give(format, plot, || Attractors::find(question()?, starts, seed));
+    }
+    if options.resonances {
+        return give(format, plot, || Resonances::find(question()?));
+    }
+    give(format, plot, || {
+        let question = question()?;
+        Ok(Study { answer: answer::find(&question)?, question })
+    })
 }
 
 /// A question with its answer.

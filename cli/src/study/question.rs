@@ -2,7 +2,7 @@
 
 use assur::answer::Settings;
 use assur::registry::SceneEntry;
-use assur::shape::Constant;
+use assur::shape::{Constant, Quantity};
 use assur::study::{self, Outcome};
 
 use super::arguments::{MOST, StudyArguments};
@@ -12,6 +12,7 @@ use crate::ask::For;
 use crate::ask::constants::Constants;
 use crate::ask::lookup::Registry;
 use crate::ask::lookup::suggestion;
+use crate::ask::values::TIME;
 use crate::error::Failure;
 use crate::linkage::case::Case;
 use crate::motion::solve;
@@ -63,6 +64,19 @@ impl Question {
             },
             threads: options.threads as usize,
         })
+    }
+
+    /// The value that is gone through, with its values in SI units.
+    pub fn over(&self) -> (&'static Quantity, &[f64]) {
+        match &self.way {
+            Plan::Grid(ranges) => match ranges.first() {
+                Some(Range { constant, values }) => {
+                    (&self.scene.constants[*constant].quantity, values)
+                }
+                None => (&TIME, &[]),
+            },
+            Plan::Random(..) => (&TIME, &[]),
+        }
     }
 
     /// Number of runs.
@@ -117,9 +131,13 @@ fn grid(
     if options.sensitivity {
         return Ok(Plan::Grid(ranges));
     }
-    if options.attractors && ranges.len() != 1 {
-        return Err(Failure::request("what attracts is looked for over one range")
-            .remedy("add --over NAME=FROM..TO:COUNT once"));
+    for (is_asked, what) in
+        [(options.attractors, "what attracts is"), (options.resonances, "resonances are")]
+    {
+        if is_asked && ranges.len() != 1 {
+            return Err(Failure::request(format!("{what} looked for over one range"))
+                .remedy("add --over NAME=FROM..TO:COUNT once"));
+        }
     }
     if ranges.is_empty() || ranges.len() > 2 {
         return Err(Failure::request(

@@ -285,6 +285,23 @@ fn coexisting_motions_are_found_over_a_range() {
     assert!(attractors.iter().all(|one| one["growth"].as_f64().unwrap() < 1.0), "{last}");
 }
 
+/// The speeds at 248.1683 and 252.98 rpm were computed outside, from the maps of half a turn, and that there are four.
+#[test]
+fn resonances_are_found_over_a_range() {
+    let words =
+        ["study", "batten", "--resonances", "--over", "n=240..260rpm:11", "--format", "json"];
+    let found = object(&words);
+    let all = found["resonances"].as_array().unwrap();
+    let ones: Vec<f64> = { all.iter() }
+        .filter(|one| one["meets"] == "1")
+        .map(|one| one["value"].as_f64().unwrap())
+        .collect();
+    assert_eq!(ones.len(), 4, "{ones:?}");
+    assert!((ones[1] - 248.1683).abs() < 5e-5 && (ones[2] - 252.98).abs() < 5e-4, "{ones:?}");
+    assert!(all.iter().all(|one| one["distance"].as_f64().unwrap() < 1e-6), "{all:?}");
+    assert!(found["unstable"].as_array().unwrap().is_empty());
+}
+
 #[test]
 fn wrong_studies_of_attractors_and_sensitivities_are_refused() {
     for (words, expected) in [
@@ -293,6 +310,12 @@ fn wrong_studies_of_attractors_and_sensitivities_are_refused() {
         (
             &["study", "presser_foot", "--starts", "3", "--over", "omega=3..4[1/s]:2"],
             "--attractors",
+        ),
+        (&["study", "batten", "--resonances"], "over one range"),
+        (&["study", "table_drive", "--resonances", "--over", "c=1..2[N m/rad]:3"], "repeats"),
+        (
+            &["study", "batten", "--scene", "rigid", "--resonances", "--over", "n=3..4rpm:2"],
+            "freely",
         ),
         (&["study", "selvedge_linkage", "--attractors", "--over", "l1=20..30mm:3"], "positions"),
         (

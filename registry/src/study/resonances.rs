@@ -76,12 +76,12 @@ pub struct Unstable {
 }
 
 /// What a range has.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Resonances {
     /// Where multipliers come nearer than [`NEAR`] to 1 or -1, and where two meet and grow; in the order of the values.
     pub all: Vec<Resonance>,
-    /// The nearest to 1 that comes no nearer than that, if it comes nearer than beside it.
-    pub passing: Option<Resonance>,
+    /// The smallest distance of a multiplier from 1, and at what value.
+    pub nearest: (f64, f64),
     /// Where motions grow.
     pub unstable: Vec<Unstable>,
     /// All multipliers that were computed on the way, in the order of the values.
@@ -92,8 +92,7 @@ pub struct Resonances {
     pub lost: Vec<(f64, String)>,
 }
 
-/// The multipliers of a scene with these values (SI units), `value` being the one that is gone through. Where nothing drives
-/// a motion, the one that is 1 because it may begin at any time is left out.
+/// The multipliers of a scene with these values (SI units), `value` being the one that is gone through.
 ///
 /// # Errors
 /// Why there are none, with the figures.
@@ -109,17 +108,12 @@ pub fn spectrum(
         Span::Periodic(_) | Span::Autonomous => question.multipliers(settings),
         _ => Err(Error::NoTask),
     };
-    let (mut multipliers, periods) = found.map_err(|error| error.to_string())?;
-    if question.model().span() == Span::Autonomous {
-        let distances = multipliers.iter().map(Multiplier::distance).enumerate();
-        if let Some((index, _)) = distances.min_by(|a, b| a.1.total_cmp(&b.1)) {
-            multipliers.remove(index);
-        }
-    }
+    let (multipliers, periods) = found.map_err(|error| error.to_string())?;
     Ok(Spectrum { value, multipliers, periods })
 }
 
-/// Follows the multipliers through these values, at first in these steps. `progress` hears of each that is done.
+/// Follows the multipliers through these values, at first in these steps. `progress` hears
+/// of some four parts of the work for each of these.
 pub fn resonances(
     at: &(dyn Fn(f64) -> Result<Spectrum, String> + Sync),
     values: &[f64],
@@ -128,8 +122,13 @@ pub fn resonances(
 ) -> Resonances {
     let track = Track::follow(at, values, threads, progress);
     let sections = track.sections();
-    let found =
-        each(sections.len(), threads, &|_| {}, &|index| nearest::find(at, &sections[index]));
+    // As much again as the values have taken.
+    let share = |index: usize| (2 * index * values.len() / sections.len()) as u64;
+    let found = each(sections.len(), threads, &|_| {}, &|index| {
+        let found = nearest::find(at, &sections[index]);
+        progress(share(index + 1) - share(index));
+        found
+    });
     let mut spectra: Vec<&Spectrum> = track.spectra.iter().collect();
     spectra.extend(found.iter().flatten().map(|(_, spectrum)| spectrum));
     spectra.sort_by(|a, b| a.value.total_cmp(&b.value));
@@ -137,12 +136,16 @@ pub fn resonances(
     let mut all: Vec<Resonance> = found.iter().flatten().map(|(one, _)| *one).collect();
     all.sort_by(|a, b| a.value.total_cmp(&b.value));
     all.dedup_by(|a, b| a.meets == b.meets && a.value - b.value <= 4.0 * (a.error + b.error));
-    let (near, passing): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| one.distance <= NEAR);
     let grows = |one: &Resonance| one.growth > 1.0 + GROWTH.max(one.multiplier.error);
-    let passing = passing.into_iter().filter(|one| one.meets == Meets::One);
+    all.retain(|one| one.distance <= NEAR && (one.meets != Meets::Another || grows(one)));
+    let distances = spectra.iter().map(|one| {
+        let distances = one.multipliers.iter().map(Multiplier::distance);
+        (distances.fold(f64::INFINITY, f64::min), one.value)
+    });
+    let nearest = distances.min_by(|a, b| a.0.total_cmp(&b.0));
     Resonances {
-        all: near.into_iter().filter(|one| one.meets != Meets::Another || grows(one)).collect(),
-        passing: passing.min_by(|a, b| a.distance.total_cmp(&b.distance)),
+        all,
+        nearest: nearest.unwrap_or((f64::NAN, f64::NAN)),
         unstable,
         gaps: track.gaps,
         lost: track.lost,

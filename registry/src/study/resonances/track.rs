@@ -105,12 +105,15 @@ impl Track {
                     sections.push(section);
                 }
             };
+            // What dies out soon does not grow, whatever it meets.
+            let lasts = |pair: &&[usize; 2]| here.multipliers[pair[0]].modulus() > 1.0 - MOVE;
+            let pairs: Vec<_> = pairs.iter().filter(lasts).collect();
             for (place, pair) in pairs.iter().enumerate() {
-                put(Meets::One, *pair, *pair);
-                put(Meets::MinusOne, *pair, *pair);
+                put(Meets::One, **pair, **pair);
+                put(Meets::MinusOne, **pair, **pair);
                 for other in &pairs[place + 1..] {
                     if pair[0] != pair[1] && other[0] != other[1] {
-                        put(Meets::Another, *pair, *other);
+                        put(Meets::Another, **pair, **other);
                     }
                 }
             }
