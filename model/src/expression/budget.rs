@@ -9,7 +9,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 use crate::token::Span;
 
-/// Steps that a file may take: six seconds of a release build, three times what the largest mechanism of
+/// Steps that a file may take: six seconds of a release build, more than what the largest mechanism of
 /// `equations/` takes.
 pub const STEPS: u64 = 64_000_000;
 

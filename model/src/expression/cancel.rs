@@ -62,23 +62,25 @@ fn parts(graph: &mut Graph, terms: &[Expression]) -> Vec<Part> {
     parts
 }
 
-/// Whether two parts may be taken together: those of one term are left to that term.
+/// Whether two parts of opposite coefficients may be taken together: those of one term are left to that term.
 fn may_cancel(a: &Part, b: &Part) -> bool {
-    a.coefficient == -b.coefficient && (a.place != b.place || a.alone)
+    a.place != b.place || a.alone
 }
 
 /// Two parts `c*f` and `-c*g`, and `c*(f - g)`, if `f - g` has a stable form.
 fn alike(graph: &mut Graph, parts: &[Part]) -> Option<(usize, usize, Expression)> {
     let mut places: Map<u64, Vec<usize>> = Map::default();
     for (j, part) in parts.iter().enumerate() {
-        let here = places.entry(part.coefficient.abs().to_bits()).or_default();
-        for &i in here.iter().filter(|i| may_cancel(&parts[**i], part)) {
+        let opposite = places.get(&(-part.coefficient).to_bits()).into_iter().flatten();
+        for &i in opposite {
             graph.budget().spend(1);
-            if let Some(stable) = signed(graph, &parts[i], parts[i].factor, part.factor) {
+            if may_cancel(&parts[i], part)
+                && let Some(stable) = signed(graph, &parts[i], parts[i].factor, part.factor)
+            {
                 return Some((i, j, stable));
             }
         }
-        here.push(j);
+        places.entry(part.coefficient.to_bits()).or_default().push(j);
     }
     None
 }
@@ -95,15 +97,18 @@ fn beside_equal_factors(graph: &mut Graph, parts: &[Part]) -> Option<(usize, usi
         for (own, g) in factors.iter().enumerate() {
             let mut others = factors.to_vec();
             others.remove(own);
-            let key = (part.coefficient.abs().to_bits(), others);
             graph.budget().spend(1);
-            let here = places.get(&key).into_iter().flatten();
-            for &(i, f) in here.filter(|(i, _)| may_cancel(&parts[*i], part)) {
-                if let Some(stable) = signed(graph, &parts[i], f, *g) {
+            let mut key = ((-part.coefficient).to_bits(), others);
+            for &(i, f) in places.get(&key).into_iter().flatten() {
+                graph.budget().spend(1);
+                if may_cancel(&parts[i], part)
+                    && let Some(stable) = signed(graph, &parts[i], f, *g)
+                {
                     let others = graph.product(&key.1);
                     return Some((i, j, graph.mul(others, stable)));
                 }
             }
+            key.0 = part.coefficient.to_bits();
             places.entry(key).or_default().push((j, *g));
         }
     }
