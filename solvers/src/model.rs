@@ -15,6 +15,7 @@ use correction::Correction;
 pub(crate) use correction::assemble_beside;
 pub use correction::{assemble, begin};
 pub use flow::Flow;
+pub(crate) use flow::held;
 pub use varied::Varied;
 
 use crate::ode::{Explicit, Room, system};

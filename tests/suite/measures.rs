@@ -3,6 +3,7 @@
 use approx::assert_relative_eq;
 use assur::measure::{self, ALWAYS, Missing};
 use assur::prelude::*;
+use assur::problem::Phase;
 
 assur::mechanism! {
     Ball from "free fall";
@@ -130,8 +131,8 @@ fn extremes_of_a_long_run_are_found_in_its_short_beginning() {
         let settings = Settings::new(method).rtol(1e-9);
         let motion = run.follow((0.0, 60.0), &run.start(), &settings);
         let motion = motion.expect("a motion");
-        let sample = |mode: usize, time: f64, state: &[f64], values: &mut [f64]| {
-            values.copy_from_slice(&run.outputs_in(mode, time, state));
+        let sample = |phase: Phase<'_, f64>, time: f64, state: &[f64], values: &mut [f64]| {
+            values.copy_from_slice(&run.outputs_in(phase.mode, time, state));
         };
         let found = measure::extremes(&motion, ALWAYS, 1, &sample)[0].clone();
         let found = found.expect("there are some");

@@ -108,7 +108,9 @@ fn freeze(graph: &mut Graph, request: &mut Request, program: &mut Program) {
     let bound = request.results.all();
     let derivative = request.results.derivative.clone();
     let often = request.results.often();
-    let mut frozen = surfaces::freeze(graph, &bound[..often], &derivative, request);
+    let reported = request.results.reported();
+    let asked: Vec<Expression> = reported.iter().map(|place| bound[*place]).collect();
+    let mut frozen = surfaces::freeze(graph, &bound[..often], &asked, &derivative, request);
     if request.cycle {
         let rates = &frozen.roots[..derivative.len()];
         sensitivity::add(graph, &mut frozen.surfaces, rates, request);
@@ -119,8 +121,12 @@ fn freeze(graph: &mut Graph, request: &mut Request, program: &mut Program) {
     let turns = surfaces::turns(graph, &guards, &derivative, request);
     (program.kinks, program.turns) = (kinks.len(), turns.len());
     program.surfaces = frozen.texts;
-    let roots = frozen.roots.into_iter().chain(bound.into_iter().skip(often));
-    request.results = request.results.with(roots.collect());
+    let mut roots = bound;
+    roots[..often].copy_from_slice(&frozen.roots);
+    for (place, value) in reported.into_iter().zip(frozen.asked) {
+        roots[place] = value;
+    }
+    request.results = request.results.with(roots);
     let events = &mut request.results.events;
     events.extend(frozen.surfaces.into_iter().chain(kinks).chain(turns));
 }

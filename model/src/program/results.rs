@@ -94,6 +94,17 @@ impl<T: Copy> Results<T> {
         self.derivative.len() + self.jacobian.len() + self.along.len()
     }
 
+    /// The places of what positions are asked for, among all values.
+    pub(super) fn reported(&self) -> Vec<usize> {
+        // The numbers of these functions, as below.
+        const OUTPUTS: usize = 3;
+        const ENERGY: usize = 6;
+        const MEASURED: usize = 10;
+        let functions = self.functions().into_iter().enumerate();
+        let reported = functions.filter(|(_, of)| [OUTPUTS, ENERGY, MEASURED].contains(of));
+        reported.map(|(place, _)| place).collect()
+    }
+
     /// For each of all values the function that computes it, as a number.
     pub(super) fn functions(&self) -> Vec<usize> {
         let lists = [

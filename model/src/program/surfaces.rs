@@ -12,16 +12,20 @@ use crate::expression::{Expression, Graph, Map, Node, Set, Symbol};
 pub struct Frozen {
     /// The roots.
     pub roots: Vec<Expression>,
+    /// What else is asked of positions.
+    pub asked: Vec<Expression>,
     /// For each side the guard that passes zero where it changes: it is positive on side 1.
     pub surfaces: Vec<Event<Expression>>,
     /// What passes zero there, in the words of the file.
     pub texts: Vec<String>,
 }
 
-/// Makes the sides of all branches inputs. `derivative` are the rates of the state, everything bound.
+/// Makes the sides of all branches inputs. `derivative` are the rates of the state, everything bound. Of what else is asked of
+/// positions only branches that go over to the other side with one of these do the same: so both speak of the same motion.
 pub fn freeze(
     graph: &mut Graph,
     roots: &[Expression],
+    asked: &[Expression],
     derivative: &[Expression],
     request: &mut Request,
 ) -> Frozen {
@@ -30,29 +34,22 @@ pub fn freeze(
         texts: Vec::new(),
         known: Map::default(),
         new: Map::default(),
+        is_closed: false,
     };
-    for old in graph.reachable(roots) {
-        let node = graph.node(old).clone();
-        let value = match request.stage(graph, old) {
-            Stage::Constant | Stage::Parameter => old,
-            // Of what a search tries the sides change from trial to trial.
-            _ if graph.is_tried(old) => graph.rebuild_with(&node, &freezer.new),
-            _ => freezer.rebuild(graph, old, &node),
-        };
-        graph.carry(old, value);
-        freezer.new.insert(old, value);
-    }
+    freezer.renew(graph, roots, request);
+    freezer.is_closed = true;
+    freezer.renew(graph, asked, request);
     let renew = |list: &[Expression]| -> Vec<Expression> {
         let new = |one: &Expression| freezer.new.get(one).copied().unwrap_or(*one);
         list.iter().map(new).collect()
     };
-    let roots = renew(roots);
+    let (roots, asked) = (renew(roots), renew(asked));
     let rates = renew(derivative);
     let surfaces = moving(graph, &freezer.guards, &rates, request);
     for index in 0..freezer.guards.len() as u32 {
         request.inputs.insert(Symbol::Side(index), Input::Side(index));
     }
-    Frozen { roots, surfaces, texts: freezer.texts }
+    Frozen { roots, asked, surfaces, texts: freezer.texts }
 }
 
 /// The kinks of guards: where a branch that a guard sees goes over to its other side, and is no surface. Between the ends
@@ -141,9 +138,29 @@ struct Freezer {
     /// Place of each guard.
     known: Map<Expression, usize>,
     new: Map<Expression, Expression>,
+    /// Whether there are no more surfaces: other branches stay as they are.
+    is_closed: bool,
 }
 
 impl Freezer {
+    /// Renews all that roots are made of.
+    fn renew(&mut self, graph: &mut Graph, roots: &[Expression], request: &Request) {
+        for old in graph.reachable(roots) {
+            if self.new.contains_key(&old) {
+                continue;
+            }
+            let node = graph.node(old).clone();
+            let value = match request.stage(graph, old) {
+                Stage::Constant | Stage::Parameter => old,
+                // Of what a search tries the sides change from trial to trial.
+                _ if graph.is_tried(old) => graph.rebuild_with(&node, &self.new),
+                _ => self.rebuild(graph, old, &node),
+            };
+            graph.carry(old, value);
+            self.new.insert(old, value);
+        }
+    }
+
     fn rebuild(&mut self, graph: &mut Graph, old: Expression, node: &Node) -> Expression {
         let at = |new: &Map<Expression, Expression>, one: &Expression| {
             new.get(one).copied().unwrap_or(*one)
@@ -153,13 +170,15 @@ impl Freezer {
                 let (a, b) = (at(&self.new, a), at(&self.new, b));
                 let guard = graph.sub(b, a);
                 let free = graph.compare(*relation, a, b);
-                self.condition(graph, old, guard, free)
+                self.condition(graph, old, guard, free).unwrap_or(free)
             }
             Node::Call(function @ (Function::Abs | Function::Sign), arguments) => {
                 let x = at(&self.new, &arguments[0]);
                 let (zero, one) = (graph.zero(), graph.one());
                 let free = graph.compare(Relation::Less, zero, x);
-                let is_positive = self.condition(graph, old, x, free);
+                let Some(is_positive) = self.condition(graph, old, x, free) else {
+                    return graph.rebuild_with(node, &self.new);
+                };
                 let (above, below) = match function {
                     Function::Abs => (x, graph.neg(x)),
                     _ => (one, graph.number(-1.0)),
@@ -170,7 +189,9 @@ impl Freezer {
                 let (a, b) = (at(&self.new, &arguments[0]), at(&self.new, &arguments[1]));
                 let guard = graph.sub(a, b);
                 let free = graph.compare(Relation::Less, b, a);
-                let is_first_larger = self.condition(graph, old, guard, free);
+                let Some(is_first_larger) = self.condition(graph, old, guard, free) else {
+                    return graph.rebuild_with(node, &self.new);
+                };
                 match function {
                     Function::Max => graph.select(is_first_larger, a, b),
                     _ => graph.select(is_first_larger, b, a),
@@ -180,16 +201,17 @@ impl Freezer {
         }
     }
 
-    /// Whether the guard of a branch is positive: as its side says, or as its values say where no side is given.
+    /// Whether the guard of a branch is positive: as its side says, or as its values say where no side is given. None of a branch
+    /// that has no side.
     fn condition(
         &mut self,
         graph: &mut Graph,
         branch: Expression,
         guard: Expression,
         free: Expression,
-    ) -> Expression {
+    ) -> Option<Expression> {
         if graph.as_number(guard).is_some() {
-            return free;
+            return Some(free);
         }
         // A guard and its negative are one surface.
         let turned = graph.neg(guard);
@@ -197,6 +219,9 @@ impl Freezer {
             true => (turned, -1.0),
             false => (guard, 1.0),
         };
+        if self.is_closed && !self.known.contains_key(&kept) {
+            return None;
+        }
         let index = *self.known.entry(kept).or_insert_with(|| {
             let words = graph.switch_of(branch).map(|words| words.to_string());
             self.texts.push(words.unwrap_or_else(|| graph.display(kept)));
@@ -209,9 +234,9 @@ impl Freezer {
         let is_free = graph.compare(Relation::Equal, side, zero);
         let by_values = graph.select(free, one, other);
         let effective = graph.select(is_free, by_values, side);
-        match sign > 0.0 {
+        Some(match sign > 0.0 {
             true => graph.compare(Relation::Less, zero, effective),
             false => graph.compare(Relation::Less, effective, zero),
-        }
+        })
     }
 }

@@ -7,6 +7,7 @@ use super::estimate::{Estimate, ROUNDINGS, near};
 use super::motion::Motion;
 use crate::measure::{self, Extreme, Extremes};
 use crate::ode::larger;
+use crate::problem::Phase;
 use crate::shape::Subject;
 
 /// An extreme with its errors.
@@ -60,9 +61,9 @@ impl Motion {
     }
 
     /// What measures ask some subjects by.
-    fn probe(&self, subjects: &[Subject]) -> impl Fn(usize, f64, &[f64], &mut [f64]) {
-        |mode, time, state, values| {
-            values.copy_from_slice(&self.values_in(subjects, mode, time, state))
+    fn probe(&self, subjects: &[Subject]) -> impl Fn(Phase<'_, f64>, f64, &[f64], &mut [f64]) {
+        |phase, time, state, values| {
+            values.copy_from_slice(&self.values_on(subjects, phase, time, state))
         }
     }
 }

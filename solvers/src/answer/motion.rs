@@ -229,10 +229,11 @@ impl Motion {
     /// The position at a time of the task, of which the end is not the begin.
     pub fn at_exactly(&self, time: f64) -> Position {
         let (mode, state) = self.place(time);
+        let phase = Phase { mode, sides: self.path.sides(time) };
         let model = self.model();
         Position {
-            rates: model.rates_in(mode, time, &state),
-            outputs: model.outputs_in(mode, time, &state),
+            rates: model.rates_on(phase, time, &state),
+            outputs: model.outputs_on(phase, time, &state),
             time,
             mode,
             state,
@@ -242,30 +243,31 @@ impl Motion {
     /// Some subjects at a time of the task, SI units; NaN where a subject has no value at one time.
     pub fn values(&self, subjects: &[Subject], time: f64) -> Vec<f64> {
         let (mode, state) = self.place(time);
-        self.values_in(subjects, mode, time, &state)
+        let phase = Phase { mode, sides: self.path.sides(time) };
+        self.values_on(subjects, phase, time, &state)
     }
 
-    /// Some subjects in a mode at a time and state.
-    pub(super) fn values_in(
+    /// Some subjects in a phase at a time and state.
+    pub(super) fn values_on(
         &self,
         subjects: &[Subject],
-        mode: usize,
+        phase: Phase<'_, f64>,
         time: f64,
         state: &[f64],
     ) -> Vec<f64> {
         let asks = |kind: fn(&Subject) -> bool| subjects.iter().any(kind);
         let model = self.model();
         let rates = match asks(|one| matches!(one, Subject::Rate(_))) {
-            true => model.rates_in(mode, time, state),
+            true => model.rates_on(phase, time, state),
             false => Vec::new(),
         };
         let outputs = match asks(|one| matches!(one, Subject::Output(_))) {
-            true => model.outputs_in(mode, time, state),
+            true => model.outputs_on(phase, time, state),
             false => Vec::new(),
         };
-        let position = Position { time, mode, state: state.to_vec(), rates, outputs };
+        let position = Position { time, mode: phase.mode, state: state.to_vec(), rates, outputs };
         let energy = |which: Energy| {
-            let (kinetic, potential) = model.reports().energy(Phase::of(mode), time, state)?;
+            let (kinetic, potential) = model.reports().energy(phase, time, state)?;
             Some(match which {
                 Energy::Kinetic => kinetic,
                 Energy::Potential => potential,

@@ -2,7 +2,7 @@
 
 use crate::hybrid::{self, Cycle, CycleError, HybridError, Motion, Request};
 use crate::measure::{self, Missing};
-use crate::model::{Flow, Model};
+use crate::model::{Flow, Model, held};
 use crate::ode::{self, OdeError, Trajectory};
 use crate::periodic::{self, Orbit, PeriodicError};
 use crate::problem::Phase;
@@ -38,8 +38,15 @@ impl dyn Model + '_ {
 
     /// All outputs in a mode at a time and state.
     pub fn outputs_in(&self, mode: usize, time: f64, state: &[f64]) -> Vec<f64> {
+        self.outputs_on(Phase::of(mode), time, state)
+    }
+
+    /// All outputs in a phase at a time and state: on which side of a switching surface that is, values beside it do not say.
+    pub(super) fn outputs_on(&self, phase: Phase<'_, f64>, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; self.shape().outputs.len()];
-        self.reports().outputs(Phase::of(mode), time, state, &mut values);
+        held(phase, &mut values, |phase, values| {
+            self.reports().outputs(phase, time, state, values);
+        });
         values
     }
 
@@ -50,8 +57,13 @@ impl dyn Model + '_ {
 
     /// Time derivative of the state in a mode.
     pub fn rates_in(&self, mode: usize, time: f64, state: &[f64]) -> Vec<f64> {
+        self.rates_on(Phase::of(mode), time, state)
+    }
+
+    /// Time derivative of the state in a phase.
+    pub(super) fn rates_on(&self, phase: Phase<'_, f64>, time: f64, state: &[f64]) -> Vec<f64> {
         let mut rates = vec![0.0; state.len()];
-        Flow::new(self, mode).rates(time, state, &mut rates);
+        Flow::on(self, phase.mode, phase.sides).rates(time, state, &mut rates);
         rates
     }
 
@@ -136,8 +148,8 @@ impl dyn Model + '_ {
     /// The measures of a run, in the order of the file, SI units.
     pub fn measure(&self, motion: &Motion) -> Vec<Result<f64, Missing>> {
         let reports = self.reports();
-        let sample = |mode: usize, time: f64, state: &[f64], values: &mut [f64]| {
-            reports.measured(Phase::of(mode), time, state, values);
+        let sample = |phase: Phase<'_, f64>, time: f64, state: &[f64], values: &mut [f64]| {
+            held(phase, values, |phase, values| reports.measured(phase, time, state, values));
         };
         let measures = |found: &[f64], values: &mut [f64]| reports.measures(found, values);
         measure::all(motion, self.shape(), &sample, &measures)

@@ -129,6 +129,26 @@ impl Motion {
         }
     }
 
+    /// The sides of the switching surfaces on which it is at a time; at an event, those after it. None where that is not known:
+    /// after the last event of all.
+    pub fn sides(&self, time: f64) -> &[f64] {
+        let passed = self.pieces.partition_point(|piece| piece.trajectory.times()[0] <= time);
+        match self.pieces.get(passed.saturating_sub(1)) {
+            _ if time >= self.time => self.sides_beside(self.mode, self.time, false),
+            Some(piece) => &piece.sides,
+            None => &[],
+        }
+    }
+
+    /// The sides of the piece in a mode that begins at a time, or ends at it; none where there is none.
+    pub(crate) fn sides_beside(&self, mode: usize, time: f64, begins: bool) -> &[f64] {
+        let is_there = |piece: &&Piece| {
+            let (from, to) = Self::ends(piece);
+            piece.mode == mode && time == if begins { from } else { to }
+        };
+        self.pieces.iter().find(is_there).map_or(&[], |piece| &piece.sides)
+    }
+
     /// The last time in a piece.
     pub fn ends(piece: &Piece) -> (f64, f64) {
         let times = piece.trajectory.times();

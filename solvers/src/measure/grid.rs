@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::GRID;
 use crate::hybrid::{Motion, Piece};
 use crate::ode::larger;
+use crate::problem::Phase;
 
 /// Halvings of a step at most where quantities do something that the state does not feel.
 const DEEPEST: usize = 10;
@@ -55,8 +56,8 @@ const fn quartic() -> [[f64; GRID / 2 + 1]; GRID / 2] {
     weights
 }
 
-/// Writes the quantities in a mode at a time and state.
-pub type Probe<'a> = dyn Fn(usize, f64, &[f64], &mut [f64]) + 'a;
+/// Writes the quantities in a phase at a time and state.
+pub type Probe<'a> = dyn Fn(Phase<'_, f64>, f64, &[f64], &mut [f64]) + 'a;
 
 /// Looks at quantities along a run.
 pub(super) struct Sampler<'a> {
@@ -122,7 +123,8 @@ impl<'a> Sampler<'a> {
     pub(super) fn at(&mut self, piece: &Piece, time: f64) -> &[f64] {
         let time = self.inside(piece, time);
         piece.trajectory.at_beside(&mut self.step, time, &mut self.state);
-        (self.sample)(piece.mode, time, &self.state, &mut self.values);
+        let phase = Phase { mode: piece.mode, sides: &piece.sides };
+        (self.sample)(phase, time, &self.state, &mut self.values);
         &self.values
     }
 
@@ -140,9 +142,10 @@ impl<'a> Sampler<'a> {
         time.clamp(least, most)
     }
 
-    /// All quantities in a mode at a time and state.
-    pub(super) fn of(&mut self, mode: usize, time: f64, state: &[f64]) -> &[f64] {
-        (self.sample)(mode, time, state, &mut self.values);
+    /// All quantities at a time and state beside a piece that ends there or begins there, in the mode of an event.
+    pub(super) fn of(&mut self, mode: usize, (time, begins): (f64, bool), state: &[f64]) -> &[f64] {
+        let sides = self.motion.sides_beside(mode, time, begins);
+        (self.sample)(Phase { mode, sides }, time, state, &mut self.values);
         &self.values
     }
 

@@ -17,26 +17,26 @@ pub(super) fn value(
             let piece = motion.pieces.first().ok_or(Missing::Empty)?;
             Ok(sampler.at(piece, piece.trajectory.times()[0])[index])
         }
-        Moment::End => Ok(sampler.of(motion.mode, motion.time, &motion.end)[index]),
+        Moment::End => Ok(sampler.of(motion.mode, (motion.time, false), &motion.end)[index]),
         // Where that is the run has been looked through for.
         Moment::Passes { .. } => Err(Missing::NeverPasses),
         Moment::Enter { mode, last } => {
             let event = pick(events(moment, motion), last).ok_or(Missing::NeverEntered(mode))?;
-            Ok(sampler.of(event.to, event.time, &event.after)[index])
+            Ok(sampler.of(event.to, (event.time, true), &event.after)[index])
         }
         Moment::After { event: named, last } => {
             let event = pick(events(moment, motion), last);
             let event = event.ok_or(Missing::NeverHappens(named.name))?;
-            Ok(sampler.of(event.to, event.time, &event.after)[index])
+            Ok(sampler.of(event.to, (event.time, true), &event.after)[index])
         }
         Moment::Before { event: named, last } => {
             let event = pick(events(moment, motion), last);
             let event = event.ok_or(Missing::NeverHappens(named.name))?;
-            Ok(sampler.of(event.from, event.time, &event.before)[index])
+            Ok(sampler.of(event.from, (event.time, false), &event.before)[index])
         }
         Moment::Leave { mode, last } => {
             let event = pick(events(moment, motion), last).ok_or(Missing::NeverLeft(mode))?;
-            Ok(sampler.of(event.from, event.time, &event.before)[index])
+            Ok(sampler.of(event.from, (event.time, false), &event.before)[index])
         }
     }
 }

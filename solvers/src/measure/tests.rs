@@ -6,6 +6,7 @@ use super::*;
 use crate::hybrid::Piece;
 use crate::hybrid::{Happened, Numbers};
 use crate::ode::{Basis, Observer, Recorder, Step};
+use crate::problem::Phase;
 use std::f64::consts::PI;
 
 /// A run through steps of this length, in which nothing moves: quantities are functions of the time.
@@ -31,7 +32,7 @@ fn found(
     primitive: Primitive,
     of: &[&dyn Fn(f64) -> f64],
 ) -> Result<f64, Missing> {
-    let sample = |_: usize, time: f64, _: &[f64], values: &mut [f64]| {
+    let sample = |_: Phase<'_, f64>, time: f64, _: &[f64], values: &mut [f64]| {
         for (value, of) in values.iter_mut().zip(of) {
             *value = of(time);
         }
@@ -79,7 +80,7 @@ fn a_peak_is_found_wherever_it_lies_in_a_step() {
 
 /// The largest value of a function of the time, with its time.
 fn highest(motion: &Motion, of: &dyn Fn(f64) -> f64) -> Extreme {
-    let sample = |_: usize, time: f64, _: &[f64], values: &mut [f64]| values[0] = of(time);
+    let sample = |_: Phase<'_, f64>, time: f64, _: &[f64], values: &mut [f64]| values[0] = of(time);
     let found = extremes(motion, ALWAYS, 1, &sample)[0].clone();
     found.unwrap().highest
 }
@@ -115,7 +116,8 @@ fn where_it_is_flat_the_time_of_an_extreme_says_so() {
 fn places_at_which_a_quantity_is_as_large_are_rivals() {
     let motion = run(0.0, 3.0, 7);
     let wave = |time: f64| (2.0 * PI * (time - 0.3)).cos();
-    let sample = |_: usize, time: f64, _: &[f64], values: &mut [f64]| values[0] = wave(time);
+    let sample =
+        |_: Phase<'_, f64>, time: f64, _: &[f64], values: &mut [f64]| values[0] = wave(time);
     let found = extremes(&motion, ALWAYS, 1, &sample)[0].clone().unwrap();
     let mut rivals: Vec<f64> = found.high_rivals.iter().map(|one| one.time).collect();
     rivals.sort_by(f64::total_cmp);
@@ -262,8 +264,8 @@ fn through_an_event() -> Motion {
 }
 
 /// The state, a hundred more in the mode 1.
-fn state_and_mode(mode: usize, _: f64, state: &[f64], values: &mut [f64]) {
-    values[0] = state[0] + 100.0 * mode as f64;
+fn state_and_mode(phase: Phase<'_, f64>, _: f64, state: &[f64], values: &mut [f64]) {
+    values[0] = state[0] + 100.0 * phase.mode as f64;
 }
 
 #[test]
@@ -347,7 +349,7 @@ fn rounding(time: f64) -> f64 {
 fn extremes_of_what_is_nothing_but_rounding_take_few_evaluations() {
     let motion = run(0.0, 3.0, 500);
     let count = std::cell::Cell::new(0);
-    let sample = |_: usize, time: f64, _: &[f64], values: &mut [f64]| {
+    let sample = |_: Phase<'_, f64>, time: f64, _: &[f64], values: &mut [f64]| {
         count.set(count.get() + 1);
         values[0] = rounding(time);
         values[1] = time.sin();
@@ -364,7 +366,8 @@ fn extremes_of_what_is_nothing_but_rounding_take_few_evaluations() {
 fn beside_a_jump_small_waves_are_still_resolved() {
     let motion = run(0.0, 3.0, 3);
     let waves = |time: f64| if time < 0.3 { 5.0 } else { 1e-3 * (300.0 * time).sin() };
-    let sample = |_: usize, time: f64, _: &[f64], values: &mut [f64]| values[0] = waves(time);
+    let sample =
+        |_: Phase<'_, f64>, time: f64, _: &[f64], values: &mut [f64]| values[0] = waves(time);
     let found = extremes(&motion, ALWAYS, 1, &sample)[0].clone().unwrap();
     assert!((found.lowest.value + 1e-3).abs() < 1e-14, "{:?}", found.lowest);
 }
@@ -372,7 +375,7 @@ fn beside_a_jump_small_waves_are_still_resolved() {
 #[test]
 fn extremes_near_places_are_those_of_their_windows() {
     let motion = run(0.0, 10.0, 50);
-    let sample = |_: usize, time: f64, _: &[f64], values: &mut [f64]| {
+    let sample = |_: Phase<'_, f64>, time: f64, _: &[f64], values: &mut [f64]| {
         values.copy_from_slice(&[time.sin(), 2.0 * time.cos() + 0.01 * time]);
     };
     let windows = [[(4.0, 5.0), (7.5, 8.2)], [(3.0, 3.4), (5.9, 6.4)]];

@@ -75,26 +75,20 @@ impl<'a> Flow<'a> {
         Phase { mode: self.mode, sides: &self.sides }
     }
 
-    /// Computes numbers; where they do not exist though they might, with the sides left to the values. A branch that is
-    /// held beyond its surface, where the step that ends on the surface tries the equations, may not exist there, `sqrt(x)`
-    /// of a negative number: they are those of the branch that does, then.
+    /// [`held`] in the phase.
     #[inline]
     fn held<R: Copy>(
         &self,
         numbers: &mut [f64],
-        mut compute: impl FnMut(Phase<'_, f64>, &mut [f64]) -> R,
+        compute: impl FnMut(Phase<'_, f64>, &mut [f64]) -> R,
     ) -> R {
-        let done = compute(self.phase(), numbers);
-        match self.is_lost(numbers) {
-            true => compute(Phase::of(self.mode), numbers),
-            false => done,
-        }
+        held(self.phase(), numbers, compute)
     }
 
     /// Whether sides are held, and numbers do not exist.
     #[inline]
     fn is_lost(&self, numbers: &[f64]) -> bool {
-        !self.sides.is_empty() && first_bad(numbers, 1).is_some()
+        is_lost(self.phase(), numbers)
     }
 
     /// Writes `f(t, y)`.
@@ -272,6 +266,28 @@ impl System for Flow<'_> {
             system::finish_each(rates, method, room, dense);
         }
     }
+}
+
+/// Computes numbers; where they do not exist though they might, with the sides left to the values. A branch that is
+/// held beyond its surface, where the step that ends on the surface tries the equations, may not exist there, `sqrt(x)`
+/// of a negative number: they are those of the branch that does, then.
+#[inline]
+pub(crate) fn held<R: Copy>(
+    phase: Phase<'_, f64>,
+    numbers: &mut [f64],
+    mut compute: impl FnMut(Phase<'_, f64>, &mut [f64]) -> R,
+) -> R {
+    let done = compute(phase, numbers);
+    match is_lost(phase, numbers) {
+        true => compute(Phase::of(phase.mode), numbers),
+        false => done,
+    }
+}
+
+/// Whether sides are held, and numbers do not exist.
+#[inline]
+fn is_lost(phase: Phase<'_, f64>, numbers: &[f64]) -> bool {
+    !phase.sides.is_empty() && first_bad(numbers, 1).is_some()
 }
 
 #[cfg(test)]

@@ -42,6 +42,26 @@ fn steps_end_where_a_branch_changes() {
     assert!(6 * ours < theirs, "{ours} {theirs}");
 }
 
+/// On a surface the values do not say on which side of it the motion is: `sign` of a speed of zero is zero. Outputs take the
+/// side from the motion, as its rates do.
+#[test]
+fn outputs_are_on_the_side_of_the_motion() {
+    let scene = rub::Pushed::default();
+    let motion = scene.from([0.0, 0.0]).run().expect("it slides");
+    let times = std::iter::once(0.0).chain(motion.events().iter().map(|event| event.time));
+    let (mut there, mut naive) = (Vec::new(), Vec::new());
+    for time in times {
+        let here = motion.at_exactly(time);
+        let expected = here.rates[1] - 5.0 * (3.0 * time).cos();
+        assert!((here.outputs[1] - expected).abs() < 1e-12, "{time}: {here:?} {expected}");
+        there.push(here.outputs[1]);
+        naive.push(motion.model().outputs(time, &here.state)[1]);
+    }
+    assert!(there.len() > 8 && there.windows(2).all(|pair| pair[0] == -pair[1]), "{there:?}");
+    // As the speed is zero to rounding, its sign is that of the rounding, or of what side is guessed.
+    assert_ne!(naive, there);
+}
+
 /// Without a push the block comes to rest, and friction holds it.
 #[test]
 fn friction_that_holds_is_reported() {

@@ -8,6 +8,7 @@ use crate::closure::linkage::any::AnyLinkage;
 use crate::closure::linkage::loops::instant_at;
 use crate::hybrid::Motion;
 use crate::measure::{self, Missing};
+use crate::problem::Phase;
 
 /// Parts in which a way is looked through, and once more for the error. Each is looked at in eight places and halved where they
 /// do not say what lies between.
@@ -80,7 +81,7 @@ fn measured(
         loops.measured(&instant, assembly.guide().position, values);
         Ok(())
     };
-    let sample = |_: usize, at: f64, _: &[f64], values: &mut [f64]| {
+    let sample = |_: Phase<'_, f64>, at: f64, _: &[f64], values: &mut [f64]| {
         if let Err(error) = look(at, values) {
             values.fill(f64::NAN);
             stopped.borrow_mut().get_or_insert(error);
