@@ -47,7 +47,8 @@ impl Question {
     /// # Errors
     /// Whatever is unknown, cannot be, or does not go together.
     pub fn read(options: &StudyArguments, registry: Registry) -> Result<Self, Failure> {
-        let constants = options.asked.find(registry, "study", For::Measured)?;
+        let scenes = if options.resonances { For::All } else { For::Measured };
+        let constants = options.asked.find(registry, "study", scenes)?;
         let scene = constants.scene;
         let way = match options.samples {
             Some(samples) => random(options, scene, &constants, samples)?,
