@@ -72,6 +72,9 @@ pub enum Command {
     /// Measure many runs: over a range of values, over two of them, or with values made at random.
     #[command(after_help = crate::study::EXAMPLES)]
     Study(crate::study::StudyArguments),
+    /// Find what accuracy costs in time: each method at each tolerance against a reference.
+    #[command(after_help = crate::cost::EXAMPLES)]
+    Cost(crate::cost::CostArguments),
     /// Find how an output errs by the tolerances, and tolerances of least cost.
     #[command(after_help = crate::tolerance::EXAMPLES)]
     Tolerance(crate::tolerance::ToleranceArguments),

@@ -47,6 +47,7 @@ pub struct Failure {
 enum Kind {
     Request,
     Numerical,
+    Interrupted,
     /// Everything has been said already; only the exit code is left.
     Said,
 }
@@ -60,6 +61,11 @@ impl Failure {
     /// The request is right but the numbers did not come out: exit code 1.
     pub fn numerical(what: impl Into<String>) -> Self {
         Self { kind: Kind::Numerical, ..Self::request(what) }
+    }
+
+    /// Only a part was done, as it was stopped: exit code 130.
+    pub fn interrupted(what: impl Into<String>) -> Self {
+        Self { kind: Kind::Interrupted, ..Self::request(what) }
     }
 
     /// The request is wrong and every message about it is already printed: exit code 2.
@@ -119,6 +125,7 @@ impl Failure {
     pub fn code(&self) -> u8 {
         match self.kind {
             Kind::Numerical => 1,
+            Kind::Interrupted => 130,
             Kind::Request | Kind::Said => 2,
         }
     }

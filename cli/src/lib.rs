@@ -18,6 +18,7 @@ mod answer;
 mod arguments;
 mod ask;
 mod check;
+mod cost;
 mod draw;
 mod error;
 mod expand;
@@ -63,6 +64,7 @@ pub fn main(mechanisms: &'static [Mechanism]) -> ExitCode {
         Command::List(options) => list::execute(options, registry),
         Command::Run(options) => run::execute(options, registry),
         Command::New(options) => new::execute(options),
+        Command::Cost(options) => cost::execute(options, registry),
         Command::Draw(options) => draw::execute(options, registry),
         Command::Structure(options) => structure::execute(options, registry),
         Command::Check(options) => check::execute(options),

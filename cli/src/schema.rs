@@ -21,6 +21,7 @@ enum Of {
     Modes,
     Study,
     Attractors,
+    Cost,
     Resonances,
     Sensitivity,
     Tolerance,
@@ -34,6 +35,7 @@ impl Of {
             Self::Modes => include_str!("../schema/modes.json"),
             Self::Study => include_str!("../schema/study.json"),
             Self::Attractors => include_str!("../schema/attractors.json"),
+            Self::Cost => include_str!("../schema/cost.json"),
             Self::Resonances => include_str!("../schema/resonances.json"),
             Self::Sensitivity => include_str!("../schema/sensitivity.json"),
             Self::Tolerance => include_str!("../schema/tolerance.json"),
@@ -52,7 +54,7 @@ pub fn execute(options: &SchemaArguments) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use super::Of;
-    use crate::{modes, run, structure, study, tolerance};
+    use crate::{cost, modes, run, structure, study, tolerance};
     use schemars::{JsonSchema, schema_for};
     use serde_json::Value;
 
@@ -90,10 +92,11 @@ mod tests {
             check::<modes::Object>(Of::Modes, "modes"),
             check::<study::Object>(Of::Study, "study"),
             check::<study::AttractorsObject>(Of::Attractors, "attractors"),
+            check::<cost::Object>(Of::Cost, "cost"),
             check::<study::ResonancesObject>(Of::Resonances, "resonances"),
             check::<study::SensitivityObject>(Of::Sensitivity, "sensitivity"),
             check::<tolerance::Object>(Of::Tolerance, "tolerance"),
         ];
-        assert_eq!(same, [true; 8], "ASSUR_BLESS=1 writes schema/ anew");
+        assert_eq!(same, [true; 9], "ASSUR_BLESS=1 writes schema/ anew");
     }
 }

@@ -7,6 +7,7 @@
 //! | [`batten`] | a mechanism against an independent computation, closed forms, limits, energy |
 //! | [`linkages`] | loops against an independent computation, and the misprints of a paper |
 //! | [`closures`] | linkages that have mass and are not reduced: dead points, change points, space, pins that come and go |
+//! | [`cost`] | what accuracy costs, against closed forms |
 //! | [`dynamics`] | linkages that have mass: two ways to write one, forces against work, drift |
 //! | [`pumping_jack`] | a linkage with masses and its gear against closed forms, and naive ways beside them |
 //! | [`hybrid`] | modes and events against closed forms |
@@ -19,6 +20,7 @@ mod answers;
 mod batten;
 mod boundaries;
 mod closures;
+mod cost;
 mod dynamics;
 mod friction;
 mod hard;

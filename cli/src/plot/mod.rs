@@ -9,6 +9,7 @@ mod column;
 mod contour;
 mod contributions;
 pub mod curve;
+mod decades;
 pub mod figure;
 mod kind;
 pub mod legend;
@@ -23,6 +24,7 @@ mod study;
 pub mod svg;
 
 pub use contributions::{Band, Chart, contributions};
+pub use decades::{Decades, Line, decades};
 pub use linkage::draw as draw_linkage;
 pub use motion::draw;
 pub use selection::Selection;

@@ -7,7 +7,7 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::error::Failure;
@@ -22,6 +22,32 @@ static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 /// Number of temporary files so far.
 static CREATED: AtomicUsize = AtomicUsize::new(0);
 
+/// Whether an interrupt is to be heard rather than to end the command, and whether there was one.
+static LISTENS: AtomicBool = AtomicBool::new(false);
+static STOPPED: AtomicBool = AtomicBool::new(false);
+
+/// Work of which a part is worth something: until this is dropped the first interrupt ends the work alone.
+pub struct Stoppable;
+
+impl Stoppable {
+    /// From now on.
+    pub fn begin() -> Self {
+        LISTENS.store(true, Ordering::SeqCst);
+        Self
+    }
+
+    /// Whether the work is to end.
+    pub fn is_stopped(&self) -> bool {
+        STOPPED.load(Ordering::SeqCst)
+    }
+}
+
+impl Drop for Stoppable {
+    fn drop(&mut self) {
+        LISTENS.store(false, Ordering::SeqCst);
+    }
+}
+
 fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
     PENDING.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -30,6 +56,10 @@ fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
 pub fn clean_up_on_interrupt() {
     // Without a handler an interrupt ends the command as well; only a temporary file could then stay behind.
     let _ = ctrlc::set_handler(|| {
+        if LISTENS.load(Ordering::SeqCst) && !STOPPED.swap(true, Ordering::SeqCst) {
+            let _ = io::stderr().write_all(b"\nstops with what there is; once more ends at once\n");
+            return;
+        }
         let list = pending();
         for path in list.iter() {
             let _ = fs::remove_file(path);

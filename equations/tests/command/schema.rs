@@ -142,6 +142,10 @@ fn other_answers_are_as_their_schemas_say() {
     check(&tolerance, &[&["tolerance", heald, "--output", "phi7"][..], &chosen].concat());
     let study = Schema::of("study");
     check(&study, &["study", foot, "--over", "omega=200..300[1/s]:2"]);
+    let cost = ["cost", foot, "--rtol", "1e-6..1e-5", "--seconds", "0"];
+    check(&Schema::of("cost"), &cost);
+    let over = ["study", "batten", "--resonances", "--over", "n=248..249rpm:3"];
+    check(&Schema::of("resonances"), &over);
     check(&study, &["study", foot, "--samples", "4", "--tolerance", "omega=1%"]);
 }
 

@@ -34,6 +34,27 @@ fn an_interrupt_leaves_no_file() {
     assert!(entries(&directory).is_empty(), "{:?}", entries(&directory));
 }
 
+/// What has been measured so far is printed, and that it is not all.
+#[test]
+fn an_interrupted_cost_says_what_there_is() {
+    let directory = folder("interrupted_cost");
+    let arguments = ["cost", "batten", "--seconds", "3000", "--rtol", "1e-6..1e-4"];
+    let child = command(&arguments, &directory)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    std::thread::sleep(Duration::from_secs(3));
+    let number = child.id().to_string();
+    let sent = Command::new("kill").args(["-INT", &number]).status();
+    assert!(sent.expect("kill is there").success());
+    let output = child.wait_with_output().expect("it ends");
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(130), "{complaint}");
+    assert!(complaint.contains("not all that was asked for"), "{complaint}");
+    assert!(String::from_utf8_lossy(&output.stdout).contains("dop853"));
+}
+
 #[test]
 fn a_closed_pipe_is_no_mistake() {
     let directory = folder("pipe");

@@ -4,6 +4,7 @@
 //! alone: the answer is the same, bit for bit, for any number of threads.
 
 mod attractors;
+pub mod cost;
 mod draw;
 mod resonances;
 mod sensitivity;

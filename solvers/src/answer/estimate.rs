@@ -87,6 +87,12 @@ impl Estimate {
         Ok(Self { others: others.into_iter().flatten().collect(), tenfold, is_cut_off })
     }
 
+    /// What a motion differs by from another solution of the same task, which is so much better that it counts as exact.
+    pub fn against(exact: &Motion) -> Self {
+        let exact = Other { motion: exact.clone(), share: 1.0 / SAFETY };
+        Self { others: vec![exact], tenfold: None, is_cut_off: false }
+    }
+
     /// The error of a value for which the others have these.
     pub(super) fn differ(&self, value: f64, others: &[f64]) -> f64 {
         let pairs = self.others.iter().zip(others);
