@@ -64,7 +64,9 @@ pub enum Command {
     #[command(after_help = crate::gallery::EXAMPLES)]
     Gallery(crate::gallery::GalleryArguments),
     /// Compare the scenes of a mechanism: size, cost, and what each effect changes.
-    #[command(after_help = "Example:\n  assur scenes batten")]
+    #[command(
+        after_help = "Examples:\n  assur scenes batten\n  assur scenes batten --against exact --plot effects.svg"
+    )]
     Scenes(ScenesArguments),
     /// List all assembly modes of a linkage at a position.
     #[command(after_help = crate::modes::EXAMPLES)]
@@ -232,6 +234,12 @@ pub struct ScenesArguments {
     pub name: Option<String>,
     #[command(flatten)]
     pub values: Values,
+    /// The scene that the others are compared with; the one with most effects unless given.
+    #[arg(long, value_name = "SCENE")]
+    pub against: Option<String>,
+    /// File for a figure: what each scene costs and by how much it differs from that one.
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<PathBuf>,
 }
 
 /// Options of `assur test`.

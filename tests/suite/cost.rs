@@ -23,7 +23,7 @@ mod swing {
 #[test]
 fn errors_are_those_of_the_closed_form() {
     let scene = swing::Free::default();
-    let model: Arc<dyn assur::model::Model> = Arc::new(Bound::new(&scene));
+    let model: Arc<dyn Model> = Arc::new(Bound::new(&scene));
     let methods = [Method::Dop853, Method::Tsit5, Method::Radau];
     let settings: Vec<Settings> = { methods.iter() }
         .flat_map(|method| [1e-4, 1e-7].map(|rtol| Settings::new(*method).rtol(rtol)))
@@ -66,7 +66,7 @@ fn errors_are_those_of_the_closed_form() {
 /// What stops is told, and what may go on goes on.
 #[test]
 fn a_task_that_fails_at_a_tolerance_is_told() {
-    let model: Arc<dyn assur::model::Model> = Arc::new(Bound::new(&swing::Free::default()));
+    let model: Arc<dyn Model> = Arc::new(Bound::new(&swing::Free::default()));
     let few = Settings { max_steps: Some(10), ..Settings::new(Method::Dop853).rtol(1e-9) };
     let settings = [few, Settings::new(Method::Tsit5).rtol(1e-6)];
     let look = Look { settings: &settings, subjects: &[Subject::Output(0)], seconds: 0.0 };

@@ -27,5 +27,7 @@ pub fn draw(cost: &Cost) -> String {
         up: "largest error over size".to_owned(),
         lines: Method::ALL.iter().map(of).filter(|line| !line.points.is_empty()).collect(),
         front: front.iter().filter_map(point).collect(),
+        labels: Vec::new(),
+        mark: None,
     })
 }

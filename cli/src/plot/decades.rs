@@ -25,6 +25,10 @@ pub struct Decades {
     pub lines: Vec<Line>,
     /// The points that nothing is better than in both, in their order.
     pub front: Vec<(f64, f64)>,
+    /// Points with names.
+    pub labels: Vec<(String, (f64, f64))>,
+    /// A place along with its name.
+    pub mark: Option<(String, f64)>,
 }
 
 /// Points joined.
@@ -46,10 +50,13 @@ pub fn decades(figure: &Decades) -> String {
     };
     let lines: Vec<(&str, Vec<(f64, f64)>)> =
         figure.lines.iter().map(|line| (line.name.as_str(), logs(&line.points))).collect();
-    let all = || lines.iter().flat_map(|line| &line.1);
+    let labels: Vec<(f64, f64)> = figure.labels.iter().map(|label| label.1).collect();
+    let (labelled, marked) = (logs(&labels), figure.mark.as_ref().map(|mark| mark.1.log10()));
+    let all = || lines.iter().flat_map(|line| &line.1).chain(&labelled);
     let scale = |of: fn(&(f64, f64)) -> f64, pixels: (f64, f64)| {
-        let low = all().map(of).fold(f64::INFINITY, f64::min).floor();
-        let high = all().map(of).fold(f64::NEG_INFINITY, f64::max).ceil();
+        let more = marked.filter(|_| pixels.0 < pixels.1);
+        let low = all().map(of).chain(more).fold(f64::INFINITY, f64::min).floor();
+        let high = all().map(of).chain(more).fold(f64::NEG_INFINITY, f64::max).ceil();
         let values = if low < high { (low, high) } else { (low.min(0.0), low.min(0.0) + 1.0) };
         Scale { values, pixels }
     };
@@ -71,6 +78,21 @@ pub fn decades(figure: &Decades) -> String {
         svg.path(&format!("curve {class}"), &[(place, 38.0), (place + 24.0, 38.0)]);
         svg.text("unit", (place + 30.0, 42.0), Anchor::Start, name);
         place += 44.0 + text::width(name) as f64 * CHARACTER;
+    }
+    if let (Some(at), Some((name, _))) = (marked, &figure.mark) {
+        let at = x.pixel(at);
+        svg.line("place", (at, PANEL[2]), (at, PANEL[3]));
+        svg.text("named", (at + 5.0, PANEL[2] + 14.0), Anchor::Start, name);
+    }
+    let named = figure.labels.iter().filter(|label| label.1.0 > 0.0 && label.1.1 > 0.0);
+    for ((name, _), (a, b)) in named.zip(&labelled) {
+        let at = (x.pixel(*a), y.pixel(*b));
+        svg.circle("f0", at, DOT);
+        let (anchor, off) = match at.0 > 0.75 * PANEL[1] {
+            true => (Anchor::End, -6.0),
+            false => (Anchor::Start, 6.0),
+        };
+        svg.text("mark", (at.0 + off, at.1 + 4.0), anchor, name);
     }
     if !figure.front.is_empty() {
         svg.path("front", &[(place + 4.0, 38.0), (place + 20.0, 38.0)]);

@@ -13,7 +13,7 @@ use assur::answer::Motion;
 /// Instants of a cycle at which scenes are compared.
 const INSTANTS: usize = 720;
 /// A change below this share of the amplitude is rounding and tolerance.
-const NOISE: f64 = 1e-8;
+pub const NOISE: f64 = 1e-8;
 
 /// A scene over its task, sampled.
 pub struct Cycle<'a> {
@@ -47,7 +47,7 @@ impl<'a> Cycle<'a> {
     }
 
     /// Largest difference of a variable, and the larger of its amplitudes.
-    fn change(&self, other: &Self, name: &str) -> Option<(f64, f64)> {
+    pub fn change(&self, other: &Self, name: &str) -> Option<(f64, f64)> {
         let pairs = self.column(name)?.zip(other.column(name)?);
         let largest = pairs.fold((0.0, 0.0), |(change, amplitude): (f64, f64), (a, b)| {
             (change.max((a - b).abs()), amplitude.max(a.abs()).max(b.abs()))

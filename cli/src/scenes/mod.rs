@@ -1,5 +1,6 @@
 //! `assur scenes`: how large the scenes of a mechanism are, what they cost, and what each effect changes.
 
+mod against;
 mod effects;
 
 use assur::answer::Settings;
@@ -11,14 +12,14 @@ use assur::shape::LinkageEntry;
 use crate::arguments::ScenesArguments;
 use crate::ask::For;
 use crate::ask::constants::Constants;
-use crate::ask::lookup::Registry;
+use crate::ask::lookup::{self, Registry};
 use crate::error::Failure;
 use crate::linkage::line::{Grid, Line};
 use crate::linkage::{self, group};
 use crate::list::composition;
 use crate::motion::case::Case;
 use crate::show::number;
-use crate::show::output;
+use crate::show::output::{self, Destination};
 use crate::show::progress::Progress;
 use crate::show::style::{self, Style};
 use crate::show::text::{Align, Columns};
@@ -46,7 +47,16 @@ fn going_on(case: Case, settings: &Settings) -> Result<Case, Failure> {
 /// # Errors
 /// A wrong request; or a scene that does not come out, after the others have been printed.
 pub fn execute(options: &ScenesArguments, registry: Registry) -> Result<(), Failure> {
+    let destination = options.plot.as_deref().map(Destination::figure).transpose()?;
     let mechanism = registry.mechanism(options.name.as_deref(), "scenes", For::All)?;
+    if let Some(name) = &options.against {
+        let known: Vec<&str> = mechanism.scenes.iter().map(|scene| scene.name).collect();
+        if !known.contains(&name.as_str()) {
+            return Err(Failure::request(format!("`{}` has no scene `{name}`", mechanism.name))
+                .place(format!("--against {name}"))
+                .remedy(lookup::suggestion(name, &known)));
+        }
+    }
     let settings = Settings::default();
     let of_kind = |linkages: bool| {
         let scenes = mechanism.scenes.iter();
@@ -82,6 +92,30 @@ pub fn execute(options: &ScenesArguments, registry: Registry) -> Result<(), Fail
     let cycles = measured.iter().filter_map(|one| one.cycle.as_ref());
     let cycles = cycles.chain(moved.iter().filter_map(|one| one.cycle.as_ref()));
     text += &effects::render(mechanism, &cycles.collect::<Vec<_>>(), style);
+    let compared =
+        { measured.iter() }.filter_map(|one| Some((one.cycle.as_ref()?, one.seconds))).chain(
+            moved.iter().filter_map(|one| Some((one.cycle.as_ref()?, Some(one.position * 1e-9)))),
+        );
+    let compared: Vec<_> = compared.collect();
+    if let Some(fullest) = against::fullest(&compared, options.against.as_deref()) {
+        let all = against::compare(&compared, fullest);
+        let name = fullest.0.scene.name;
+        if !all.is_empty() {
+            let heading = format!("What the scenes save, and how far they are from {name}");
+            text += &format!("\n{}\n", style.heading(&heading));
+            text += &against::table(&all, fullest).render(style);
+            let note = "  the largest difference of an output, of its amplitude in the scene where that is larger; scenes with the same task";
+            text += &format!("{}\n", style.faint(note));
+        }
+        if let Some(destination) = &destination {
+            let title = format!(
+                "{}: what its scenes cost, and how far they are from {name}",
+                mechanism.title
+            );
+            destination.write(against::figure(title, &all, fullest).as_bytes())?;
+            text += &format!("\nFigure: {}\n", destination.path().display());
+        }
+    }
     output::print(&text)?;
     let failures = measured.into_iter().filter_map(|one| one.failure);
     let mut failures = failures.chain(moved.into_iter().filter_map(|one| one.failure));

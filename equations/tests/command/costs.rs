@@ -37,6 +37,25 @@ fn smaller_tolerances_cost_more_and_err_less() {
     }
 }
 
+/// Scenes beside the one with most effects, or one that is named.
+#[test]
+fn scenes_are_compared_with_the_fullest() {
+    let directory = folder("cost_of_scenes");
+    let text = answer(&["scenes", "batten", "--plot", "effects.svg"], &directory);
+    let at = text.find("how far they are from damped").expect("a table");
+    let row = |name: &str| {
+        let line = text[at..].lines().find(|line| line.trim_start().starts_with(name));
+        let words: Vec<_> = line.expect("a row").split_whitespace().map(str::to_owned).collect();
+        words
+    };
+    // Losses that are left out are felt less than a shaft that is rigid.
+    let off = |name: &str| row(name)[4].parse::<f64>().expect("a share");
+    assert!(off("damped_linear") < off("elastic") && off("elastic") < off("bending"));
+    assert!(std::fs::read_to_string(directory.join("effects.svg")).unwrap().contains("elastic"));
+    let text = answer(&["scenes", "batten", "--against", "exact"], &folder("cost_against"));
+    assert!(text.contains("how far they are from exact"));
+}
+
 #[test]
 fn wrong_questions_are_refused() {
     let directory = folder("wrong_costs");
@@ -51,6 +70,7 @@ fn wrong_questions_are_refused() {
         (&["cost", "batten", "--rtol", "1e-20..1e-3"], "out of range"),
         (&["cost", "batten", "--rtol", "3"], "between 0 and 1"),
         (&["cost", "batten", "--method", "euler"], "euler"),
+        (&["scenes", "batten", "--against", "nope"], "--against nope"),
     ] {
         check_refused(words, &[expected], &directory);
     }

@@ -1,0 +1,117 @@
+//! What leaving effects out saves, and by how much it errs: each scene against one that has more.
+
+use assur::registry::SceneEntry;
+
+use super::effects::{Cycle, NOISE};
+use crate::plot::{Decades, decades};
+use crate::show::number;
+use crate::show::text::{Align, Columns};
+
+/// A scene beside the one that it is compared with.
+pub struct Beside {
+    /// The scene.
+    pub scene: &'static SceneEntry,
+    /// Seconds that its motion takes; none where nothing is integrated.
+    seconds: Option<f64>,
+    /// The output that differs most: its name, the difference, the larger amplitude, both in SI units, and its unit.
+    worst: Option<(String, f64, f64)>,
+    /// Outputs that both have.
+    common: usize,
+}
+
+/// The scene that others are compared with: that of a name, or the one with most effects, the first of several with most
+/// states.
+pub fn fullest<'a, 'b>(
+    measured: &'a [(&'a Cycle<'b>, Option<f64>)],
+    name: Option<&str>,
+) -> Option<&'a (&'a Cycle<'b>, Option<f64>)> {
+    let rank = |cycle: &Cycle<'_>| (cycle.scene.effects.len(), cycle.scene.states.len());
+    match name {
+        Some(name) => measured.iter().find(|one| one.0.scene.name == name),
+        None => measured.iter().rev().max_by_key(|one| rank(one.0)),
+    }
+}
+
+/// All scenes with the task of the fullest, beside it.
+pub fn compare(
+    measured: &[(&Cycle<'_>, Option<f64>)],
+    fullest: &(&Cycle<'_>, Option<f64>),
+) -> Vec<Beside> {
+    let others = measured
+        .iter()
+        .filter(|one| one.0.task == fullest.0.task && !std::ptr::eq(one.0.scene, fullest.0.scene));
+    let beside = |(cycle, seconds): &(&Cycle<'_>, Option<f64>)| {
+        let outputs = cycle.scene.outputs.iter().map(|output| output.name);
+        let changes = outputs.filter_map(|name| Some((name, cycle.change(fullest.0, name)?)));
+        let changes: Vec<_> = changes.collect();
+        let share = |(change, amplitude): (f64, f64)| change / amplitude;
+        let known = changes.iter().filter(|one| share(one.1).is_finite());
+        let worst = known.max_by(|a, b| share(a.1).total_cmp(&share(b.1)));
+        Beside {
+            scene: cycle.scene,
+            seconds: *seconds,
+            worst: worst
+                .map(|(name, (change, amplitude))| ((*name).to_owned(), *change, *amplitude)),
+            common: changes.len(),
+        }
+    };
+    let mut all: Vec<Beside> = others.map(beside).collect();
+    all.sort_by(|a, b| a.error().total_cmp(&b.error()));
+    all
+}
+
+impl Beside {
+    /// The largest difference of an output over its amplitude; zero where it is nothing but rounding and tolerance.
+    fn error(&self) -> f64 {
+        let share =
+            self.worst.as_ref().map_or(f64::NAN, |(_, change, amplitude)| change / amplitude);
+        if share <= NOISE { 0.0 } else { share }
+    }
+}
+
+/// The table.
+pub fn table(all: &[Beside], fullest: &(&Cycle<'_>, Option<f64>)) -> Columns {
+    let mut table = Columns::new([
+        ("", Align::Left),
+        ("time", Align::Right),
+        ("times as fast", Align::Point),
+        ("largest difference, %", Align::Point),
+        ("of", Align::Left),
+        ("of outputs", Align::Right),
+    ]);
+    for one in all {
+        let faster = fullest.1.zip(one.seconds).map(|(full, own)| full / own);
+        table.row([
+            one.scene.name.to_owned(),
+            one.seconds.map_or("-".to_owned(), number::duration),
+            faster.map_or(String::new(), |faster| number::significant(faster, 3)),
+            match one.error() {
+                0.0 => "-".to_owned(),
+                error => number::significant(100.0 * error, 3),
+            },
+            one.worst.as_ref().map_or(String::new(), |worst| worst.0.clone()),
+            one.common.to_string(),
+        ]);
+    }
+    table
+}
+
+/// The figure: differences over times.
+pub fn figure(title: String, all: &[Beside], fullest: &(&Cycle<'_>, Option<f64>)) -> String {
+    let points = all.iter().filter_map(|one| {
+        let seconds = one.seconds?;
+        Some((one.scene.name.to_owned(), (seconds, one.error())))
+    });
+    decades(&Decades {
+        title,
+        along: "time of a motion, s".to_owned(),
+        up: format!(
+            "largest difference of an output from {}, over its amplitude",
+            fullest.0.scene.name
+        ),
+        lines: Vec::new(),
+        front: Vec::new(),
+        labels: points.collect(),
+        mark: fullest.1.map(|seconds| (fullest.0.scene.name.to_owned(), seconds)),
+    })
+}
