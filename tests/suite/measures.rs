@@ -3,7 +3,6 @@
 use approx::assert_relative_eq;
 use assur::measure::{self, ALWAYS, Missing};
 use assur::prelude::*;
-use assur::problem::Phase;
 
 assur::mechanism! {
     Ball from "free fall";
