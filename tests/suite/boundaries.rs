@@ -228,6 +228,7 @@ fn is_example(line: &str) -> bool {
         "assur draw ",
         "assur modes ",
         "assur study ",
+        "assur cost ",
         "assur tolerance ",
         "list of equation files",
     ]

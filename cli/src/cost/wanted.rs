@@ -101,6 +101,8 @@ impl Wanted {
             let of = &cost.shown[*index];
             match self.limit {
                 Limit::Absolute(value) => error(of) / value,
+                // What is nothing but rounding has no relative error.
+                Limit::Relative(_) if !cost.is_known(of) => f64::NAN,
                 Limit::Relative(share) => error(of) / (share * cost.size(of)),
             }
         });
