@@ -9,8 +9,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 use crate::token::Span;
 
-/// Steps that a file may take: six seconds of a release build, more than what the largest mechanism of
-/// `equations/` takes.
+/// Steps that a file may take: six seconds of a release build, twenty where sums are long; more than what the largest
+/// mechanism of `equations/` takes.
 pub const STEPS: u64 = 64_000_000;
 
 /// The steps that are left, and which statement has taken most of them.

@@ -96,13 +96,12 @@ impl<T: Copy> Results<T> {
 
     /// The places of what positions are asked for, among all values.
     pub(super) fn reported(&self) -> Vec<usize> {
-        // The numbers of these functions, as below.
-        const OUTPUTS: usize = 3;
-        const ENERGY: usize = 6;
-        const MEASURED: usize = 10;
-        let functions = self.functions().into_iter().enumerate();
-        let reported = functions.filter(|(_, of)| [OUTPUTS, ENERGY, MEASURED].contains(of));
-        reported.map(|(place, _)| place).collect()
+        let mut marks = self.map(|_| false);
+        for list in [&mut marks.outputs, &mut marks.energy, &mut marks.measured] {
+            list.fill(true);
+        }
+        let marks = marks.all().into_iter().enumerate();
+        marks.filter(|(_, is_marked)| *is_marked).map(|(place, _)| place).collect()
     }
 
     /// For each of all values the function that computes it, as a number.
