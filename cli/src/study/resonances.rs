@@ -229,7 +229,7 @@ impl Resonances {
         let over = self.question.over().0;
         if self.found.unstable.is_empty() {
             page.line(&format!(
-                "Nowhere in it small disturbances grow by more than {GROWTH:e} a period, nor between the values where multipliers meet."
+                "At none of these values, nor where multipliers meet between them, small disturbances grow by more than {GROWTH:e} a period."
             ));
             return;
         }

@@ -90,7 +90,7 @@ pub(super) fn find(
     let [found, ..] = best;
     let resonance = Resonance {
         value: found.value,
-        error: known + 0.5 * (high - low).min(2.0 * known),
+        error: known.max(0.5 * (high - low)),
         meets: section.meets,
         distance: found.square.abs().sqrt(),
         multiplier: found.spectrum.multipliers[section.pair[0]],
