@@ -10,13 +10,11 @@ use assur::prelude::*;
 use assur::problem::Span;
 use assur::registry::SceneEntry;
 use assur::shape::Subject;
+use assur::study::cost::references;
 use std::sync::Arc;
 use std::time::Instant;
 
 const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
-/// Ways to the reference: the first two that come out, of which the second says how well the first is known.
-const EXACT: [(Method, f64); 3] =
-    [(Method::Taylor, 1e-14), (Method::Dop853, 1e-14), (Method::Radau, 1e-13)];
 /// Samples of a task.
 const SAMPLES: usize = 360;
 /// Seconds after which a scene is given up.
@@ -85,16 +83,8 @@ fn of_scene(mechanism: &str, scene: &SceneEntry) -> Result<Vec<Ratio>, String> {
     if scene.states.is_empty() || !moves {
         return Ok(Vec::new());
     }
-    let solve = |method: Method, rtol: f64| {
-        Question::of(model.clone()).solve(&Settings::new(method).rtol(rtol))
-    };
     let clock = Instant::now();
-    let exact = EXACT.iter().filter_map(|(method, rtol)| solve(*method, *rtol).ok());
-    let exact: Vec<Motion> = exact.take(2).collect();
-    let [first, second] = &exact[..] else { return Err("no two references".to_owned()) };
-    if !first.is_like(second) {
-        return Err("the references take different courses".to_owned());
-    }
+    let (first, second) = &references(&model)?;
     let states = (0..scene.states.len()).map(Subject::State);
     let subjects: Vec<Subject> =
         states.chain((0..scene.outputs.len()).map(Subject::Output)).collect();
@@ -115,7 +105,8 @@ fn of_scene(mechanism: &str, scene: &SceneEntry) -> Result<Vec<Ratio>, String> {
             return Err(format!("given up after {PATIENCE} s"));
         }
         // What does not come out at a loose tolerance is an error that is told.
-        let Ok(motion) = solve(Method::Dop853, rtol) else { continue };
+        let settings = Settings::new(Method::Dop853).rtol(rtol);
+        let Ok(motion) = Question::of(model.clone()).solve(&settings) else { continue };
         let Ok(estimate) = motion.estimate() else { continue };
         if !motion.is_like(first) {
             println!("  {mechanism} {} takes another course at rtol {rtol:e}", scene.name);

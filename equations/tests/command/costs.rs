@@ -12,7 +12,7 @@ fn object(arguments: &[&str]) -> Value {
 
 /// Errors shrink with the tolerance down to what the reference is known by, and what is cheapest reaches what is asked for.
 #[test]
-fn smaller_tolerances_cost_more_and_err_less() {
+fn smaller_tolerances_err_less() {
     for name in ["batten", "presser_foot", "table_drive"] {
         let words = ["cost", name, "--rtol", "1e-9..1e-4", "--seconds", "0", "--for", "0.01%"];
         let found = object(&words);

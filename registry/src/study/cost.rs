@@ -1,8 +1,8 @@
 //! What accuracy costs: one task by each method at each tolerance, what each takes and by how much it errs.
 //!
 //! Errors are differences from a reference far below them. How well that is known is what it differs by from the nearest
-//! solution by another method, a second reference or one of those that are tried. Times are those of whole solutions, repeated and interleaved, so that whatever else the machine does falls on all of
-//! them alike.
+//! solution by another method, a second reference or one of those that are tried. Times are those of whole solutions,
+//! repeated and interleaved, so that whatever else the machine does falls on all of them alike.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -94,7 +94,7 @@ pub fn cost(
     if model.span() == Span::Open {
         return Err(Error::NoTask.to_string());
     }
-    let (exact, second) = references(&solve)?;
+    let (exact, second) = references(model)?;
     let against = Estimate::against(&exact);
     let (from, to) = exact.task().limits();
     let parts = INSTANTS * THINNED;
@@ -180,14 +180,16 @@ pub fn cost(
     })
 }
 
-/// The first two solutions that there are, by different methods.
-fn references(
-    solve: &dyn Fn(&Settings) -> Result<Motion, Error>,
-) -> Result<(Motion, Motion), String> {
+/// Two solutions of the task at the limit of double precision, by different methods: by what they differ they are not known.
+///
+/// # Errors
+/// Why there are no two.
+pub fn references(model: &Arc<dyn Model>) -> Result<(Motion, Motion), String> {
     let mut found: Vec<Motion> = Vec::new();
     let mut failed = None;
     for (method, rtol) in EXACT {
-        match solve(&Settings::new(method).rtol(rtol)) {
+        let settings = Settings::new(method).rtol(rtol);
+        match Question::of(model.clone()).solve(&settings) {
             Ok(motion) if found.first().is_none_or(|first| first.is_like(&motion)) => {
                 found.push(motion);
             }
