@@ -65,7 +65,7 @@ pub enum Command {
     Gallery(crate::gallery::GalleryArguments),
     /// Compare the scenes of a mechanism: size, cost, and what each effect changes.
     #[command(
-        after_help = "Examples:\n  assur scenes batten\n  assur scenes batten --against exact --plot effects.svg"
+        after_help = "Examples:\n  assur scenes batten\n  assur scenes batten --against exact --plot effects.svg\n  assur scenes batten --within F2=5% --over n=150..400rpm"
     )]
     Scenes(ScenesArguments),
     /// List all assembly modes of a linkage at a position.
@@ -237,6 +237,16 @@ pub struct ScenesArguments {
     /// The scene that the others are compared with; the one with most effects unless given.
     #[arg(long, value_name = "SCENE")]
     pub against: Option<String>,
+    /// By how much outputs and measures may differ from that scene, `1%`, `'F2=2N'`, `'peak_F=5%'`; may be repeated. Which
+    /// combination of effects and choices, with a name or not, is the cheapest one that keeps this.
+    #[arg(long, value_name = "[NAME=]VALUE")]
+    pub within: Vec<String>,
+    /// The effects and choices that may differ, `bending,crank`; unless given all those of that scene.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', requires = "within")]
+    pub among: Vec<String>,
+    /// A range of a parameter that it is to keep this over, `n=150..400rpm`, at five values or as many as `:9` says.
+    #[arg(long, value_name = "NAME=FROM..TO[:COUNT]", requires = "within")]
+    pub over: Option<String>,
     /// File for a figure: what each scene costs and by how much it differs from that one.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,

@@ -24,6 +24,9 @@ pub enum Asked<'a> {
     /// The scene of a name, or the first one, with changes: `with damping; without coupling; with crank.exact;`, and
     /// statements of scenes, `run time 0 s .. 2 s;`, that take the places of its own.
     Changed(Option<&'a str>, &'a [Token]),
+    /// The scene of a name, or the first one, as each of the combinations that its effects and all choices make possible and
+    /// that balance; those of the names of a list alone, if it has any. What is wrong in the others is not told.
+    Combinations(Option<&'a str>, &'a [&'a str]),
 }
 
 impl Asked<'_> {
@@ -38,7 +41,7 @@ impl Asked<'_> {
             Self::All => true,
             Self::Some([]) => index == 0,
             Self::Some(names) => names.contains(&name),
-            Self::Changed(..) => false,
+            Self::Changed(..) | Self::Combinations(..) => false,
         }
     }
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::asked::{self, Asked};
 use crate::checked::{ChoiceInfo, Compiled, Described, Model, PartFile, SceneModel};
+use crate::combinations;
 use crate::compile::{Seen, Task};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{self, Budget};
@@ -43,7 +44,9 @@ pub fn compile(tokens: &[Token], asked: Asked<'_>, loader: &mut Loader<'_>) -> C
     }
     let mut seen = Seen::new();
     let base = match asked {
-        Asked::Changed(Some(name), _) => scenes.iter().find(|(one, _)| one.name.text == name),
+        Asked::Changed(Some(name), _) | Asked::Combinations(Some(name), _) => {
+            scenes.iter().find(|(one, _)| one.name.text == name)
+        }
         _ => scenes.first(),
     };
     let other = match (changes, base) {
@@ -53,7 +56,12 @@ pub fn compile(tokens: &[Token], asked: Asked<'_>, loader: &mut Loader<'_>) -> C
         _ => None,
     };
     let which = (&scenes[..], other.as_ref(), asked);
-    let models = compile_scenes(&file, &survey, which, &mut seen, &mut diagnostics);
+    let models = match (asked, base) {
+        (Asked::Combinations(_, among), Some((base, _))) => {
+            combined(&file, &survey, (base, among), &mut seen, &mut diagnostics)
+        }
+        _ => compile_scenes(&file, &survey, which, &mut seen, &mut diagnostics),
+    };
     presets::check_facts(&file, &scenes, &mut diagnostics);
     let presets =
         expression::within(|| presets::read(&file, (&seen, asked.is_all()), &mut diagnostics));
@@ -130,6 +138,42 @@ fn compile_scenes(
         check_unshown(file, survey, &shown, seen, diagnostics);
     }
     models
+}
+
+/// Compiles the combinations that a scene makes possible. One that does not balance, or does not have what the scene reports,
+/// is none.
+fn combined(
+    file: &File,
+    survey: &Survey<'_>,
+    (base, among): (&Scene, &[&str]),
+    seen: &mut Seen,
+    diagnostics: &mut Diagnostics,
+) -> Vec<SceneModel> {
+    let all = combinations::of(base, among, survey).unwrap_or_else(|count| {
+        let most = combinations::MOST;
+        let message = format!("`{}` has {count} combinations or more", base.name.text);
+        let hint =
+            format!("at most {most} are compiled: name those effects and choices that may differ");
+        diagnostics.push(Diagnostic::error(base.name.span, message).hint(hint));
+        Vec::new()
+    });
+    let models = all.iter().filter_map(|scene| {
+        let selected = Selected::by(scene, survey, diagnostics)?;
+        let task = Task {
+            file,
+            survey,
+            selected: &selected,
+            scene: Some((scene, &[])),
+            is_first: false,
+            is_unreduced: false,
+        };
+        // Each of them may take as much as a file, and what is wrong in one is not wrong in the file.
+        let (mut own, mut told) = (Seen::new(), Diagnostics::default());
+        let model = scene_within(&task, &mut own, &mut told);
+        seen.constants.extend(own.constants);
+        model.filter(|_| !told.has_errors())
+    });
+    models.collect()
 }
 
 /// Compiles one scene, unless the file has come to more than is allowed.

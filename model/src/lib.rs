@@ -16,6 +16,7 @@
 
 pub mod asked;
 pub mod checked;
+pub mod combinations;
 mod compile;
 mod declare;
 pub mod diagnostic;

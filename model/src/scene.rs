@@ -102,6 +102,28 @@ impl<'a> Survey<'a> {
         }
     }
 
+    /// Names of its effects and choices, in the order of the file.
+    pub fn names(&self) -> impl Iterator<Item = &'a str> + use<'a, '_> {
+        let effects = self.effects.iter().map(|effect| effect.0.text.as_str());
+        effects.chain(self.choices.iter().map(|choice| choice.0.text.as_str()))
+    }
+
+    /// Names of the effects and choices that one stands in.
+    pub fn around(&self, name: &str) -> impl Iterator<Item = &str> {
+        let around = self.around.get(name).into_iter().flatten();
+        around.map(|around| match around {
+            Around::Effect(effect) => effect.as_str(),
+            Around::Alternative(choice, _) => choice.as_str(),
+        })
+    }
+
+    /// Alternatives of a choice; none of what is no choice.
+    pub fn alternatives(&self, name: &str) -> impl Iterator<Item = &'a str> + use<'a> {
+        let choice = self.choices.iter().find(|choice| choice.0.text == name);
+        let all = choice.map_or(&[][..], |choice| choice.3);
+        all.iter().map(|alternative| alternative.name.text.as_str())
+    }
+
     /// Whether a name that is missing may have been declared by a statement that could not be read.
     pub fn is_unread(&self, name: &str) -> bool {
         self.unread.is_some_and(|words| is_unread(words, name))
@@ -293,6 +315,30 @@ impl Selected {
                 }
             }
         }
+    }
+
+    /// Whether all holds that an effect or choice stands in.
+    pub fn holds_around(&self, name: &str, survey: &Survey<'_>) -> bool {
+        survey.around.get(name).into_iter().flatten().all(|around| match around {
+            Around::Effect(effect) => self.effects.contains(effect),
+            Around::Alternative(choice, alternative) => {
+                self.choices.get(choice) == Some(alternative)
+            }
+        })
+    }
+
+    /// The same with an effect.
+    pub fn showing(&self, effect: &str) -> Self {
+        let mut other = self.clone();
+        other.effects.insert(effect.to_owned());
+        other
+    }
+
+    /// The same with another alternative of a choice.
+    pub fn choosing(&self, choice: &str, alternative: &str) -> Self {
+        let mut other = self.clone();
+        other.choices.insert(choice.to_owned(), alternative.to_owned());
+        other
     }
 
     /// What a scene selects; reports what the file does not have.

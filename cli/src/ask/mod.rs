@@ -8,10 +8,12 @@ pub mod lookup;
 pub mod modes;
 pub mod permitted;
 pub mod place;
+pub mod range;
 pub mod settings;
 pub mod tolerances;
 pub mod values;
 pub mod variables;
+pub mod wanted;
 
 use assur::registry::{Mechanism, SceneEntry};
 use assur_model::asked::Asked as Scenes;

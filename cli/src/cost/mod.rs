@@ -4,7 +4,6 @@ mod arguments;
 mod figure;
 mod json;
 mod table;
-mod wanted;
 
 pub use arguments::{CostArguments, EXAMPLES};
 pub use json::Object;
@@ -21,6 +20,7 @@ use crate::answer::{Answer, give};
 use crate::ask::For;
 use crate::ask::lookup::{Registry, suggestion};
 use crate::ask::settings::RTOL;
+use crate::ask::wanted::{Difference, Wanted};
 use crate::error::Failure;
 use crate::motion::case::Case;
 use crate::show::csv::{cell, line, quoted, title};
@@ -28,7 +28,6 @@ use crate::show::output::Stoppable;
 use crate::show::page::Page;
 use crate::show::progress::Progress;
 use crate::show::unit;
-use wanted::Wanted;
 
 /// What is not known to this part of its size is nothing but rounding.
 const KNOWN: f64 = 1e-3;
@@ -77,8 +76,9 @@ impl Cost {
                 .remedy("name a scene that moves by its equations of motion"));
         }
         let (subjects, shown) = shown(scene, options.of.as_deref())?;
-        let wanted =
-            options.wanted.as_deref().map(|text| Wanted::read(text, &shown)).transpose()?;
+        let quantities: Vec<Quantity> = shown.iter().map(|of| of.quantity).collect();
+        let wanted = options.wanted.as_deref();
+        let wanted = wanted.map(|text| Wanted::read("--for", text, &quantities)).transpose()?;
         let case = Case::new(constants)?;
         let methods =
             if options.method.is_empty() { Method::ALL.to_vec() } else { options.method.clone() };
@@ -162,11 +162,27 @@ impl Cost {
         self.ways(wanted).min_by(|a, b| a.2.total_cmp(&b.2))
     }
 
+    /// The largest error over what is permitted.
+    fn share(&self, wanted: &Wanted, work: &Work) -> f64 {
+        wanted.share(|index| self.differs(index, |of| self.error(work, of)))
+    }
+
+    /// The same of what the reference is not known by.
+    fn limit(&self, wanted: &Wanted) -> f64 {
+        wanted.share(|index| self.differs(index, |of| self.doubt(of)))
+    }
+
+    fn differs(&self, index: usize, error: impl Fn(&Shown) -> f64) -> Difference {
+        let of = &self.shown[index];
+        let size = if self.is_known(of) { self.size(of) } else { f64::NAN };
+        Difference { error: error(of), size }
+    }
+
     /// All ways, each with its error over what is permitted.
     fn ways(&self, wanted: &Wanted) -> impl Iterator<Item = (Settings, Work, f64)> {
         let ways = self.costs.trials.iter().filter_map(|trial| {
             let work = trial.outcome.as_ref().ok()?;
-            Some((trial.settings.clone(), work.clone(), wanted.share(self, work)))
+            Some((trial.settings.clone(), work.clone(), self.share(wanted, work)))
         });
         ways.filter(|one| one.2.is_finite())
     }

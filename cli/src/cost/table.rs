@@ -6,7 +6,7 @@ use assur::answer::Settings;
 use assur::study::cost::Work;
 
 use super::Cost;
-use super::wanted::Wanted;
+use crate::ask::wanted::Wanted;
 use crate::show::number;
 use crate::show::page::Page;
 use crate::show::text::{Align, Columns};
@@ -96,7 +96,7 @@ fn spread(work: &Work) -> String {
 
 /// What is cheapest for the accuracy that is asked for.
 fn answer(page: &mut Page, cost: &Cost, wanted: &Wanted) {
-    let words = wanted.words(cost);
+    let words = wanted.words(&{ cost.shown.iter() }.map(|of| of.quantity).collect::<Vec<_>>());
     let told = |(settings, work, share): &(Settings, Work, f64)| {
         format!(
             "{settings}, with an error of {} of what is permitted, in {} ({})",
@@ -129,7 +129,7 @@ fn answer(page: &mut Page, cost: &Cost, wanted: &Wanted) {
         },
     }
     if let Some(nearest) = cost.nearest(wanted) {
-        let limit = match wanted.doubt(cost) {
+        let limit = match cost.limit(wanted) {
             doubt if nearest.2 <= 3.0 * doubt => {
                 "rounding limits it, of which the reference has as much"
             }

@@ -19,19 +19,6 @@ pub struct Beside {
     common: usize,
 }
 
-/// The scene that others are compared with: that of a name, or the one with most effects, the first of several with most
-/// states.
-pub fn fullest<'a, 'b>(
-    measured: &'a [(&'a Cycle<'b>, Option<f64>)],
-    name: Option<&str>,
-) -> Option<&'a (&'a Cycle<'b>, Option<f64>)> {
-    let rank = |cycle: &Cycle<'_>| (cycle.scene.effects.len(), cycle.scene.states.len());
-    match name {
-        Some(name) => measured.iter().find(|one| one.0.scene.name == name),
-        None => measured.iter().rev().max_by_key(|one| rank(one.0)),
-    }
-}
-
 /// All scenes with the task of the fullest, beside it.
 pub fn compare(
     measured: &[(&Cycle<'_>, Option<f64>)],

@@ -1,7 +1,11 @@
 //! `assur scenes`: how large the scenes of a mechanism are, what they cost, and what each effect changes.
 
+mod advice;
 mod against;
+mod combination;
+mod contrast;
 mod effects;
+mod within;
 
 use assur::answer::Settings;
 use assur::closure::ClosureError;
@@ -20,10 +24,12 @@ use crate::list::composition;
 use crate::motion::case::Case;
 use crate::show::number;
 use crate::show::output::{self, Destination};
+use crate::show::page::Page;
 use crate::show::progress::Progress;
 use crate::show::style::{self, Style};
 use crate::show::text::{Align, Columns};
 use effects::Cycle;
+use within::Advice;
 
 /// Evaluations in one measurement of the time that they take.
 const CALLS: usize = 5000;
@@ -49,13 +55,9 @@ fn going_on(case: Case, settings: &Settings) -> Result<Case, Failure> {
 pub fn execute(options: &ScenesArguments, registry: Registry) -> Result<(), Failure> {
     let destination = options.plot.as_deref().map(Destination::figure).transpose()?;
     let mechanism = registry.mechanism(options.name.as_deref(), "scenes", For::All)?;
-    if let Some(name) = &options.against {
-        let known: Vec<&str> = mechanism.scenes.iter().map(|scene| scene.name).collect();
-        if !known.contains(&name.as_str()) {
-            return Err(Failure::request(format!("`{}` has no scene `{name}`", mechanism.name))
-                .place(format!("--against {name}"))
-                .remedy(lookup::suggestion(name, &known)));
-        }
+    let base = fullest(mechanism, options.against.as_deref())?;
+    if !options.within.is_empty() {
+        return advise(options, mechanism, destination.as_ref());
     }
     let settings = Settings::default();
     let of_kind = |linkages: bool| {
@@ -97,7 +99,7 @@ pub fn execute(options: &ScenesArguments, registry: Registry) -> Result<(), Fail
             moved.iter().filter_map(|one| Some((one.cycle.as_ref()?, Some(one.position * 1e-9)))),
         );
     let compared: Vec<_> = compared.collect();
-    if let Some(fullest) = against::fullest(&compared, options.against.as_deref()) {
+    if let Some(fullest) = compared.iter().find(|one| std::ptr::eq(one.0.scene, base)) {
         let all = against::compare(&compared, fullest);
         let name = fullest.0.scene.name;
         if !all.is_empty() {
@@ -120,6 +122,48 @@ pub fn execute(options: &ScenesArguments, registry: Registry) -> Result<(), Fail
     let failures = measured.into_iter().filter_map(|one| one.failure);
     let mut failures = failures.chain(moved.into_iter().filter_map(|one| one.failure));
     failures.next().map_or(Ok(()), Err)
+}
+
+/// The scene that others are compared with: that of a name, or the one with most effects; of several the first with most
+/// states.
+///
+/// # Errors
+/// When there is no scene of this name.
+fn fullest(
+    mechanism: &'static Mechanism,
+    name: Option<&str>,
+) -> Result<&'static SceneEntry, Failure> {
+    let rank = |scene: &SceneEntry| (scene.effects.len(), scene.states.len());
+    if let Some(name) = name {
+        let known: Vec<&str> = mechanism.scenes.iter().map(|scene| scene.name).collect();
+        let found = mechanism.scenes.iter().find(|scene| scene.name == name);
+        return found.ok_or_else(|| {
+            Failure::request(format!("`{}` has no scene `{name}`", mechanism.name))
+                .place(format!("--against {name}"))
+                .remedy(lookup::suggestion(name, &known))
+        });
+    }
+    let scenes = mechanism.scenes.iter().rev();
+    scenes
+        .max_by_key(|scene| rank(scene))
+        .ok_or_else(|| Failure::request(format!("`{}` has no scenes", mechanism.name)))
+}
+
+/// Says which combination to take.
+fn advise(
+    options: &ScenesArguments,
+    mechanism: &'static Mechanism,
+    figure: Option<&Destination>,
+) -> Result<(), Failure> {
+    let advice = Advice::find(options, mechanism)?;
+    let mut page = Page::new(style::stdout());
+    advice::render(&mut page, &advice);
+    if let Some(destination) = figure {
+        destination.write(advice::figure(&advice).as_bytes())?;
+        page.line("");
+        page.figure(Some(destination.path()));
+    }
+    output::print(&page.text)
 }
 
 /// The values of a scene: of those given, the ones that it has.

@@ -2,8 +2,8 @@
 
 use super::answer::Answer;
 use super::question::{Plan, Question};
-use super::range::Range;
 use super::table::headed;
+use crate::ask::range::Range;
 use crate::plot::{self, Layer, Map, Sheet};
 
 /// Draws it: a panel for each measure, one below the other.

@@ -8,7 +8,6 @@ mod csv;
 mod figure;
 mod json;
 mod question;
-mod range;
 mod resonances;
 mod sensitivity;
 mod table;

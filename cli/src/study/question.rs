@@ -6,12 +6,12 @@ use assur::shape::{Constant, Quantity};
 use assur::study::{self, Outcome};
 
 use super::arguments::{MOST, StudyArguments};
-use super::range::{self, Range};
 use super::tolerance;
 use crate::ask::For;
 use crate::ask::constants::Constants;
 use crate::ask::lookup::Registry;
 use crate::ask::lookup::suggestion;
+use crate::ask::range::{self, Range};
 use crate::ask::values::TIME;
 use crate::error::Failure;
 use crate::linkage::case::Case;
@@ -127,7 +127,7 @@ fn grid(
     scene: &SceneEntry,
     constants: &Constants,
 ) -> Result<Plan, Failure> {
-    let ranges = options.over.iter().map(|text| range::read(scene, text));
+    let ranges = options.over.iter().map(|text| range::read(scene, text, None));
     let ranges: Vec<Range> = ranges.collect::<Result<_, _>>()?;
     if options.sensitivity {
         return Ok(Plan::Grid(ranges));

@@ -7,7 +7,7 @@ use assur::study;
 
 use super::answer::{Answer, CONFIDENCE};
 use super::question::{Plan, Question};
-use super::range::Range;
+use crate::ask::range::Range;
 use crate::show::number;
 use crate::show::page::Page;
 use crate::show::text::{Align, Columns};

@@ -3,8 +3,8 @@
 use assur::registry::SceneEntry;
 use assur::shape::Constant;
 
-use super::range;
 use crate::ask::constants::Constants;
+use crate::ask::range;
 use crate::ask::tolerances::{Given, named_in};
 use crate::ask::values::once;
 use crate::error::Failure;

@@ -56,6 +56,70 @@ fn scenes_are_compared_with_the_fullest() {
     assert!(text.contains("how far they are from exact"));
 }
 
+/// The cells of a row of a table below a heading, by the start of the row.
+fn row(text: &str, heading: &str, begin: &str) -> Vec<String> {
+    let at = text.find(heading).unwrap_or_else(|| panic!("no {heading} in {text}"));
+    let line = text[at..].lines().find(|line| line.trim_start().starts_with(begin));
+    line.expect("a row").split_whitespace().map(str::to_owned).collect()
+}
+
+/// A rigid shaft suffices for five per cent of a force; for what only the shaft can do it does not; and what it takes depends
+/// on the speed.
+#[test]
+fn the_cheapest_combination_that_suffices_is_found_among_all() {
+    let directory = folder("within");
+    let ask = |words: &[&str]| answer(&[&["scenes", "batten"], words].concat(), &directory);
+    let text = ask(&["--within", "F2=5%", "--plot", "within.svg"]);
+    assert!(text.contains("all 72 combinations"), "{text}");
+    let command = text.lines().find(|line| line.contains("assur run batten")).expect("a command");
+    assert!(
+        command.contains("--scene rigid") || command.contains("--without torsion"),
+        "{command}"
+    );
+    assert!(directory.join("within.svg").exists());
+    // A torque of the shaft needs the shaft, and its losses.
+    let text = ask(&["--within", "phi2=1%", "--within", "F2=1%"]);
+    assert!(row(&text, "Combinations", "*").len() > 4);
+    let enough = text.lines().filter(|line| line.starts_with("  *"));
+    assert!(enough.clone().count() > 1);
+    for line in enough {
+        assert!(line.contains("torsion") && line.contains("damping"), "{line}");
+    }
+    // Fewer may differ: damping, or not.
+    let text = ask(&["--within", "F2=5%", "--among", "damping"]);
+    assert!(text.contains("all 2 combinations"), "{text}");
+    // The faster it turns, the more counts.
+    let text = ask(&["--within", "F2=2N", "--over", "n=150..400rpm:3"]);
+    let shares = row(&text, "What leaving an effect out", "torsion");
+    let shares: Vec<f64> = shares[1..].iter().map(|cell| cell.parse().expect("a share")).collect();
+    assert!(shares[0] < shares[1] && shares[1] < shares[2] && shares[2] > 100.0, "{shares:?}");
+    assert!(
+        row(&text, "What suffices at each value", "150")
+            .join(" ")
+            .starts_with("150 torsion + crank")
+    );
+}
+
+/// What a table says an effect does is what two runs differ by.
+#[test]
+fn shares_are_those_of_two_runs() {
+    let text = answer(&["scenes", "batten", "--within", "peak_rod2=1%"], &folder("within_shares"));
+    let peak = |scene: &[&str]| {
+        let words = [&["run", "batten", "--format", "json"], scene].concat();
+        let found: Value = serde_json::from_str(&answer(&words, &folder("within_run"))).unwrap();
+        let measures = found["measures"].as_array().expect("measures").clone();
+        let one = measures.iter().find(|one| one["name"] == "peak_rod2").expect("the measure");
+        one["value"].as_f64().expect("a number")
+    };
+    let whole = peak(&["--scene", "damped"]);
+    let without = peak(&["--scene", "damped", "--without", "torsion"]);
+    let heads = row(&text, "all the rest being there", "bending");
+    let place = heads.iter().position(|head| head == "torsion").expect("a column") + 1;
+    let told: f64 = row(&text, "all the rest being there", "peak_rod2")[place].parse().unwrap();
+    let share = 100.0 * (whole - without).abs() / whole.abs();
+    assert!((told - share).abs() < 0.02 * share, "{told} {share}");
+}
+
 #[test]
 fn wrong_questions_are_refused() {
     let directory = folder("wrong_costs");
@@ -71,6 +135,14 @@ fn wrong_questions_are_refused() {
         (&["cost", "batten", "--rtol", "3"], "between 0 and 1"),
         (&["cost", "batten", "--method", "euler"], "euler"),
         (&["scenes", "batten", "--against", "nope"], "--against nope"),
+        (&["scenes", "batten", "--within", "F3=1%"], "`F3`"),
+        (&["scenes", "batten", "--within", "F2=1mm"], "wrong unit"),
+        (&["scenes", "batten", "--within", "F2=0N"], "above 0"),
+        (&["scenes", "batten", "--within", "1%", "--among", "wobble"], "`wobble`"),
+        (&["scenes", "batten", "--within", "1%", "--over", "n=1..2mm"], "wrong unit"),
+        (&["scenes", "batten", "--within", "1%", "--over", "n=9rpm"], "NAME=FROM..TO[:COUNT]"),
+        (&["scenes", "batten", "--over", "n=150..400rpm"], "--within"),
+        (&["scenes", "needle_impact", "--within", "1%"], "combinations or more"),
     ] {
         check_refused(words, &[expected], &directory);
     }

@@ -27,7 +27,7 @@ fn wrong_names() {
         (&["run", "batten", "--method", "dop583"], &["--method dop583", "did you mean `dop853`?"]),
         (
             &["run", "batten", "--method", "euler"],
-            &["dop853, tsit5, taylor, radau, rosenbrock, auto"],
+            &["auto, dop853, tsit5, taylor, radau, rosenbrock"],
         ),
         (&["run", "batten_table", "--preset", "idenity"], &["did you mean `identity`?"]),
         (&["run", "batten", "--curves", "phi"], &["--curves phi", "did you mean `phi2`?"]),

@@ -19,13 +19,17 @@ pub fn scene(
     documentation: &[String],
     low: &mut Lowering<'_>,
 ) -> SceneModel {
-    let (asked, selected) = (&mode.asked, mode.here.task.selected);
+    let (asked, task) = (&mode.asked, mode.here.task);
+    // What stands inside an effect that is absent is absent as well.
+    let holds = |name: &str| task.selected.holds_around(name, task.survey);
+    let effects = task.selected.effects.iter().filter(|effect| holds(effect));
+    let choices = task.selected.choices.iter().filter(|(choice, _)| holds(choice));
     let states = state_quantities(low.names, &mode.declared.units);
     SceneModel {
         name: scene.name.text.clone(),
         summary: summary(scene.text.as_deref(), documentation),
-        effects: selected.effects.iter().cloned().collect(),
-        choices: selected.choices.clone().into_iter().collect(),
+        effects: effects.cloned().collect(),
+        choices: choices.map(|(choice, made)| (choice.clone(), made.clone())).collect(),
         drivers: driver_quantities(low, low.names),
         scales: states.iter().map(|state| SCALE * state.factor).collect(),
         states,

@@ -1,5 +1,8 @@
 //! Effects, choices and scenes: what is wrong with them, and that a mistake in several scenes is said once.
 
+use assur_model::asked::Asked;
+use assur_model::lexer::lex_plain;
+
 use super::{Expected, SPRING, check, compiled};
 
 #[test]
@@ -170,4 +173,29 @@ fn the_order_of_statements_does_not_matter() {
         names
     };
     assert_eq!(names(&forward), names(&backward));
+}
+
+/// Effects inside effects, and choices inside them, are only there together; what does not balance is no combination.
+#[test]
+fn all_combinations_of_a_scene() {
+    const TEXT: &str = "choice path { straight { let p = 1; } bent { let p = 2; } }
+        effect a { effect inner { force 1 N on x; } choice c { one { } two { } } }
+        effect b { force p*1 N on x; }
+        effect missing { let q = unknown; output q; }
+        scene whole = a + inner + b + missing { start x = 1 m; }";
+    let tokens = lex_plain(&format!("{SPRING}{TEXT}")).expect("tokens").tokens;
+    let names = |among: &[&str]| {
+        let asked = Asked::Combinations(Some("whole"), among);
+        let compiled = assur_model::compile_asked(&tokens, asked, &mut |_| unreachable!());
+        let model = compiled.model.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
+        model.scenes.into_iter().map(|scene| scene.name).collect::<Vec<_>>()
+    };
+    let all = names(&[]);
+    // Two paths, with b or not; without a one way, with it inner or not and one or two.
+    assert_eq!(all.len(), 2 * 2 * (1 + 2 * 2), "{all:?}");
+    assert!(all.iter().all(|name| !name.contains("missing")), "{all:?}");
+    assert!(all.iter().filter(|name| name.contains("inner")).all(|name| name.contains("a + ")));
+    assert!(all.contains(&"a + inner + c.two + path.bent".to_owned()), "{all:?}");
+    // What is not named stays, and `missing` with it.
+    assert_eq!(names(&["b", "path"]), Vec::<String>::new());
 }

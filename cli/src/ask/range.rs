@@ -38,22 +38,25 @@ pub fn constant(scene: &SceneEntry, name: &str, option: &str) -> Result<usize, F
     })
 }
 
-/// Reads an `--over`.
+/// Reads an `--over`, of so many values unless it says how many.
 ///
 /// # Errors
 /// An unknown name, a wrong unit or number, a value out of its range.
-pub fn read(scene: &SceneEntry, text: &str) -> Result<Range, Failure> {
+pub fn read(scene: &SceneEntry, text: &str, unless_said: Option<usize>) -> Result<Range, Failure> {
     const EXAMPLE: &str = "'omega=200..400[1/s]:41'";
     let place = format!("--over {text}");
     let (name, rest) = split(text, "--over", EXAMPLE)?;
     let index = constant(scene, name, &place)?;
     let entry = &scene.constants[index];
-    let parts = rest.rsplit_once(':').and_then(|(range, count)| {
+    let usual = unless_said.map(|count| count.to_string());
+    let parts = rest.rsplit_once(':').or_else(|| Some((rest, usual.as_deref()?)));
+    let parts = parts.and_then(|(range, count)| {
         let (from, to) = range.split_once("..")?;
         Some((from.trim(), to.trim(), count.trim()))
     });
     let Some((from, to, count)) = parts else {
-        return Err(Failure::request("--over takes NAME=FROM..TO:COUNT")
+        let count = if usual.is_some() { "[:COUNT]" } else { ":COUNT" };
+        return Err(Failure::request(format!("--over takes NAME=FROM..TO{count}"))
             .place(place)
             .remedy(format!("for example: --over {EXAMPLE}")));
     };

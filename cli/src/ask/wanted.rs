@@ -1,9 +1,7 @@
-//! The accuracy that is asked for, behind `--for`.
+//! By how much quantities may differ at most, behind `--for` and `--within`.
 
 use assur::shape::Quantity;
-use assur::study::cost::Work;
 
-use super::{Cost, Shown};
 use crate::ask::lookup::suggestion;
 use crate::ask::values;
 use crate::error::Failure;
@@ -14,8 +12,17 @@ pub struct Wanted {
     /// As it is written.
     pub text: String,
     /// Whose errors count, by place.
-    of: Vec<usize>,
+    pub of: Vec<usize>,
     limit: Limit,
+}
+
+/// What differs, SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Difference {
+    /// By how much.
+    pub error: f64,
+    /// How large it is; not a number where it is nothing but rounding, and has no relative error.
+    pub size: f64,
 }
 
 /// What errors are to stay below.
@@ -31,13 +38,13 @@ impl Wanted {
     ///
     /// # Errors
     /// An unknown name, a wrong unit, a number that is no accuracy.
-    pub fn read(text: &str, shown: &[Shown]) -> Result<Self, Failure> {
-        let place = || format!("--for {text}");
+    pub fn read(option: &str, text: &str, shown: &[Quantity]) -> Result<Self, Failure> {
+        let place = || format!("{option} {text}");
         let (name, value) = match text.split_once('=') {
             Some((name, value)) => (Some(name.trim()), value.trim()),
             None => (None, text.trim()),
         };
-        let known: Vec<&str> = shown.iter().map(|one| one.quantity.name).collect();
+        let known: Vec<&str> = shown.iter().map(|one| one.name).collect();
         let named = name.map(|name| {
             known.iter().position(|one| *one == name).ok_or_else(|| {
                 Failure::request(format!("`{name}` is not looked at"))
@@ -52,7 +59,7 @@ impl Wanted {
                 let share = share.trim().parse::<f64>().map_err(|_| {
                     Failure::request(format!("`{value}` is no share"))
                         .place(place())
-                        .remedy("for example: --for 0.1%")
+                        .remedy(format!("for example: {option} 0.1%"))
                 })?;
                 (all(), Limit::Relative(share / 100.0))
             }
@@ -61,7 +68,7 @@ impl Wanted {
                 let of: Vec<usize> = match named {
                     Some(index) => vec![index],
                     None => {
-                        let suits = |index: &usize| reads(&shown[*index].quantity).is_ok();
+                        let suits = |index: &usize| reads(&shown[*index]).is_ok();
                         (0..shown.len()).filter(suits).collect()
                     }
                 };
@@ -72,7 +79,7 @@ impl Wanted {
                     .place(place())
                     .remedy(format!("looked at: {}", known.join(", "))));
                 };
-                let value = reads(&shown[*first].quantity);
+                let value = reads(&shown[*first]);
                 (of, Limit::Absolute(value.map_err(|failure| failure.place(place()))?))
             }
         };
@@ -80,39 +87,27 @@ impl Wanted {
         if value.is_nan() || value <= 0.0 {
             return Err(Failure::request("an accuracy is a number above 0")
                 .place(place())
-                .remedy("for example: --for 'F=0.1N', --for 1um, --for 0.1%"));
+                .remedy(format!("for example: {option} 'F=0.1N', {option} 1um, {option} 0.1%")));
         }
         Ok(Self { text: text.to_owned(), of, limit })
     }
 
     /// The largest error over what is permitted: at most 1 where the accuracy is reached. Not a number where nothing of it is
     /// known.
-    pub fn share(&self, cost: &Cost, work: &Work) -> f64 {
-        self.largest(cost, |of| cost.error(work, of))
-    }
-
-    /// The same of what the reference is not known by.
-    pub fn doubt(&self, cost: &Cost) -> f64 {
-        self.largest(cost, |of| cost.doubt(of))
-    }
-
-    fn largest(&self, cost: &Cost, error: impl Fn(&Shown) -> f64) -> f64 {
-        let shares = self.of.iter().map(|index| {
-            let of = &cost.shown[*index];
+    pub fn share(&self, differs: impl Fn(usize) -> Difference) -> f64 {
+        let shares = self.of.iter().map(|&index| {
+            let Difference { error, size } = differs(index);
             match self.limit {
-                Limit::Absolute(value) => error(of) / value,
-                // What is nothing but rounding has no relative error.
-                Limit::Relative(_) if !cost.is_known(of) => f64::NAN,
-                Limit::Relative(share) => error(of) / (share * cost.size(of)),
+                Limit::Absolute(value) => error / value,
+                Limit::Relative(share) => error / (share * size),
             }
         });
-        shares.filter(|share| share.is_finite()).fold(f64::NAN, f64::max)
+        shares.filter(|share| !share.is_nan()).fold(f64::NAN, f64::max)
     }
 
     /// What is asked for in words, `F2 to 0.1N`.
-    pub fn words(&self, cost: &Cost) -> String {
-        let names: Vec<&str> =
-            self.of.iter().map(|index| cost.shown[*index].quantity.name).collect();
+    pub fn words(&self, shown: &[Quantity]) -> String {
+        let names: Vec<&str> = self.of.iter().map(|index| shown[*index].name).collect();
         let value = self.text.split_once('=').map_or(self.text.as_str(), |(_, value)| value);
         match names.len() {
             0..=4 => format!("{} to {}", names.join(", "), value.trim()),
