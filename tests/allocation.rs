@@ -190,14 +190,15 @@ fn variational_equations_allocate_nothing_per_step() {
     assert!(counts[0] <= 1 && counts[1] == 0, "{counts:?}");
 }
 
+/// Where nothing is known to be stiff, the memory of a stiff method is taken when one is first tried, and then kept.
 #[test]
 fn stiff_methods_allocate_nothing_per_step() {
-    for method in [stiff::Implicit::Radau, stiff::Implicit::Rosenbrock, stiff::Implicit::Automatic]
-    {
+    use stiff::Implicit::{Automatic, Radau, Rosenbrock};
+    for (method, once) in [(Radau, 0), (Rosenbrock, 0), (Automatic, 12)] {
         let flow = Flow::new(&Oscillator, 0);
         let mut workspace = stiff::Workspace::new(method, &flow);
         let options = Options::default();
-        for end in [2.0, 6.0] {
+        for (end, allowed) in [(2.0, once), (6.0, 0)] {
             let mut steps = 0;
             let count = allocations(|| {
                 let (times, start) = ((0.0, end), [2.0, 0.0]);
@@ -205,7 +206,7 @@ fn stiff_methods_allocate_nothing_per_step() {
                     stiff::integrate(&flow, times, &start, &options, &mut workspace, &mut ());
                 steps = done.unwrap().steps;
             });
-            assert_eq!(count, 0, "{method:?}");
+            assert!(count <= allowed, "{method:?}: {count}");
             assert!(steps > 500, "{method:?} {steps}");
         }
     }

@@ -10,7 +10,6 @@ pub enum Method {
     /// Explicit Runge–Kutta pair of order 5(4), Tsitouras.
     Tsit5,
     /// Explicit Runge–Kutta method of order 8 with errors of order 5 and 3, Dormand and Prince.
-    #[default]
     Dop853,
     /// Taylor series of the motion, of an order that follows from the tolerance.
     Taylor,
@@ -19,13 +18,14 @@ pub enum Method {
     /// Rosenbrock method of order 5 for stiff motions, Rodas5P.
     Rosenbrock,
     /// The method of Dormand and Prince, and a stiff one where the motion turns out to be stiff.
+    #[default]
     Auto,
 }
 
 impl Method {
     /// All methods, the default one first.
     pub const ALL: [Self; 6] =
-        [Self::Dop853, Self::Tsit5, Self::Taylor, Self::Radau, Self::Rosenbrock, Self::Auto];
+        [Self::Auto, Self::Dop853, Self::Tsit5, Self::Taylor, Self::Radau, Self::Rosenbrock];
 
     /// Its name, as the command takes it and [`Method::from_str`] reads it.
     pub const fn name(self) -> &'static str {
@@ -123,9 +123,9 @@ impl Settings {
 }
 
 impl Default for Settings {
-    /// The explicit method of order 8 at the tolerance of `assur run`, 1e-10.
+    /// The automatic choice at the tolerance of `assur run`, 1e-10.
     fn default() -> Self {
-        Self::new(Method::Dop853)
+        Self::new(Method::Auto)
     }
 }
 
@@ -146,7 +146,7 @@ mod tests {
             assert_eq!(method.to_string().parse(), Ok(method));
         }
         let unknown = "tsit".parse::<Method>().unwrap_err().to_string();
-        assert!(unknown.starts_with("there is no method `tsit`; there are: dop853, tsit5"));
+        assert!(unknown.starts_with("there is no method `tsit`; there are: auto, dop853, tsit5"));
         assert_eq!(Method::default(), Settings::default().method);
         let fine = Settings::new(Method::Taylor).rtol(1e-12);
         assert_eq!(fine.to_string(), "taylor with rtol 1e-12");

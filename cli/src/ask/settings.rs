@@ -21,7 +21,7 @@ pub struct Accuracy {
     /// Absolute tolerance of a state, `x=1nm`, `dot(x)=1[um/s]`; may be repeated. Else rtol times the scale of the state.
     #[arg(long, value_name = "NAME=VALUE")]
     pub atol: Vec<String>,
-    /// Integration method: dop853, tsit5 or taylor, for stiff motions radau or rosenbrock, or auto, which finds out.
+    /// Integration method: dop853, tsit5 or taylor, for stiff motions radau or rosenbrock; unless given auto, which finds out.
     #[arg(long, value_name = "METHOD", value_parser = method)]
     pub method: Option<Method>,
 }

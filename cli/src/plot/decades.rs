@@ -92,7 +92,9 @@ pub fn decades(figure: &Decades) -> String {
             true => (Anchor::End, -6.0),
             false => (Anchor::Start, 6.0),
         };
-        svg.text("mark", (at.0 + off, at.1 + 4.0), anchor, name);
+        if !name.is_empty() {
+            svg.text("mark", (at.0 + off, at.1 + 4.0), anchor, name);
+        }
     }
     if !figure.front.is_empty() {
         svg.path("front", &[(place + 4.0, 38.0), (place + 20.0, 38.0)]);

@@ -4,8 +4,9 @@
 //! fastest change that the equations know, from the last two stages, which both lie at its end (Hairer, Wanner II,
 //! section IV.2, (2.25) and program DOP853). At the border of stability it is about 6; but beside a stiff part an explicit
 //! method of high order loses its accuracy long before, and hovers anywhere from 0.4 (at `rtol = 1e-9`) up. A resolved
-//! oscillation gives the same figures. So the measure only says where a stiff method might be worth trying. Whether it
-//! is, is found by trying: if after a few steps its steps are no longer than those of the explicit method were, the
+//! oscillation gives the same figures. So the measure only says where a stiff method might be worth trying. It is not where a
+//! state itself goes to and fro within a few of those steps: what is fast is motion then, and no method takes longer ones. Else it
+//! is found by trying: if after a few steps its steps are no longer than those of the explicit method were, the
 //! explicit one goes on, and it takes twice as long until the next trial. Otherwise the stiff method stays, for as long as
 //! its steps are longer, by the spectral radius of the Jacobian, than those of the explicit method would be.
 //!
@@ -29,13 +30,13 @@ const TRIAL: usize = 40;
 const PROOF: f64 = 4.0;
 /// Relative tolerance above which Radau is the stiff method, below Rodas5P.
 const LOOSE: f64 = 1e-5;
-
 /// The memory of the methods.
 pub(super) struct Automatic {
     explicit: ode::Workspace,
-    radau: Radau,
-    rosenbrock: Rosenbrock,
-    calm: Calm,
+    /// Those of the stiff methods, once there is something stiff.
+    radau: Option<Radau>,
+    rosenbrock: Option<Rosenbrock>,
+    calm: Option<Calm>,
     suspicion: Suspicion,
     /// What goes on now. Kept from one integration to the next: events do not change how stiff a mechanism is.
     phase: Phase,
@@ -62,13 +63,12 @@ impl Automatic {
 
     /// Room for the states of a system.
     pub fn new(flow: &Flow<'_>) -> Self {
-        let states = flow.states();
         Self {
             explicit: ode::Workspace::new(Explicit::Dop853, flow),
-            radau: Radau::new(states),
-            rosenbrock: Rosenbrock::new(states),
-            calm: Calm::new(states),
-            suspicion: Suspicion::new(),
+            radau: None,
+            rosenbrock: None,
+            calm: None,
+            suspicion: Suspicion::new(flow.states()),
             phase: Phase::Explicit,
             switches: Vec::with_capacity(64),
         }
@@ -109,8 +109,9 @@ impl Automatic {
             options.first_step = (step != 0.0).then_some(step.abs());
             match self.phase {
                 Phase::Explicit => {
+                    here.statistics = Statistics::default();
                     self.consider(flow, here);
-                    total.jacobians += 1;
+                    total.add(&here.statistics);
                 }
                 // Where the stiff method fails, the explicit one has the last word.
                 Phase::Trial { step, .. } => {
@@ -138,8 +139,11 @@ impl Automatic {
         options: &Options,
         observe: &mut dyn Observer,
     ) -> (Result<(), OdeError>, f64, f64) {
-        let mut gauge =
-            Gauge { inner: observe, suspicion: Some(&mut self.suspicion), last: (times.0, 0.0) };
+        let mut gauge = Gauge {
+            inner: observe,
+            suspicion: Some((&mut self.suspicion, options)),
+            last: (times.0, 0.0),
+        };
         let explicit = &mut self.explicit;
         let done = ode::integrate(flow, times, &here.state, options, explicit, &mut gauge);
         let (time, step) = gauge.last;
@@ -160,11 +164,19 @@ impl Automatic {
         let mut gauge = Gauge { inner: observe, suspicion: None, last: (times.0, 0.0) };
         // The rows of higher degree stay zero.
         here.polynomial.fill(0.0);
-        self.calm.restart();
-        let calm = Some(&mut self.calm);
+        let states = here.state.len();
+        let calm = self.calm.get_or_insert_with(|| Calm::new(states));
+        calm.restart();
+        let calm = Some(calm);
         let done = match options.rtol > LOOSE {
-            true => drive(&mut self.radau, flow, here, times, options, &mut gauge, calm),
-            false => drive(&mut self.rosenbrock, flow, here, times, options, &mut gauge, calm),
+            true => {
+                let radau = self.radau.get_or_insert_with(|| Radau::new(states));
+                drive(radau, flow, here, times, options, &mut gauge, calm)
+            }
+            false => {
+                let rosenbrock = self.rosenbrock.get_or_insert_with(|| Rosenbrock::new(states));
+                drive(rosenbrock, flow, here, times, options, &mut gauge, calm)
+            }
         };
         let (time, step) = gauge.last;
         if let Phase::Trial { since, steps, step: explicit } = &mut self.phase {
@@ -173,7 +185,7 @@ impl Automatic {
                 let (time, stiff) = (*since, true);
                 self.switches.push(Switch { time, stiff });
                 self.phase = Phase::Stiff;
-                self.suspicion = Suspicion::new();
+                self.suspicion.restart();
             }
         }
         (done, time, step)
@@ -182,7 +194,8 @@ impl Automatic {
     /// Tries the stiff method where the Jacobian agrees that it may be worth it.
     fn consider(&mut self, flow: &Flow<'_>, here: &mut Here) {
         let step = self.suspicion.step();
-        let product = self.calm.begin(flow, here, step);
+        let calm = self.calm.get_or_insert_with(|| Calm::new(here.state.len()));
+        let product = calm.begin(flow, here, step);
         // One that does not exist says nothing.
         if !product.is_ok_and(|product| product >= STIFF) {
             self.suspicion.was_wrong();

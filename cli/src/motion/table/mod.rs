@@ -179,14 +179,18 @@ fn atol_part(report: &Report) -> String {
     parts.collect::<String>().replace("  ", " ")
 }
 
-/// How many of the steps were stiff ones, where `auto` chose.
+/// What `auto` chose, and why.
 fn stiff_part(report: &Report) -> String {
-    if report.motion.settings.method != Method::Auto {
+    let motion = &report.motion;
+    if motion.settings.method != Method::Auto {
         return String::new();
     }
-    let stiff = number::count(report.motion.statistics().stiff_steps);
-    match report.motion.switches().first() {
-        Some(first) => format!(", {stiff} of them stiff, from t = {:.3e} s on", first.time),
-        None => format!(", {stiff} of them stiff"),
+    let stiff = number::count(motion.statistics().stiff_steps);
+    match (motion.statistics().stiff_steps, motion.switches().first()) {
+        // A steady state has no transient that would die out.
+        (0, _) if matches!(motion.task(), Span::Periodic(_)) => " by dop853".to_owned(),
+        (0, _) => " by dop853, as nothing is stiff".to_owned(),
+        (_, Some(first)) => format!(", {stiff} of them stiff, from t = {:.3e} s on", first.time),
+        (_, None) => format!(", {stiff} of them stiff, on trial"),
     }
 }

@@ -1,6 +1,7 @@
 //! What the steps of the explicit method say about the stiffness.
 
-use crate::ode::{Observer, Step};
+use crate::ode::{Observer, Options, Step};
+use crate::stiff::here::tolerance;
 
 /// `h|λ|` below which a motion is not suspected to be stiff.
 pub(super) const STIFF: f64 = 0.3;
@@ -8,6 +9,13 @@ pub(super) const STIFF: f64 = 0.3;
 /// later one.
 const STEPS: (usize, usize) = (15, 1000);
 const CALM: usize = 6;
+/// The last of them, over which it is looked whether a state goes to and fro:
+const WINDOW: usize = 30;
+/// by how much of its size,
+const WIDE: f64 = 0.05;
+/// and of its tolerance, as errors at the border of stability go to and fro too.
+const SEEN: f64 = 100.0;
+
 /// What the explicit steps say about the stiffness.
 pub(super) struct Suspicion {
     /// Suspicious steps and the sum of their lengths, and others since the last of them.
@@ -16,11 +24,21 @@ pub(super) struct Suspicion {
     calm: usize,
     /// So many are to be explained.
     limit: usize,
+    /// States at the begin and in the middle of the last of them.
+    places: [Vec<f64>; 2],
 }
 
 impl Suspicion {
-    pub fn new() -> Self {
-        Self { steps: 0, lengths: 0.0, calm: 0, limit: STEPS.0 }
+    /// Room for so many states.
+    pub fn new(states: usize) -> Self {
+        let places = [vec![0.0; states], vec![0.0; states]];
+        Self { steps: 0, lengths: 0.0, calm: 0, limit: STEPS.0, places }
+    }
+
+    /// Forgets what was wrong.
+    pub fn restart(&mut self) {
+        self.clear();
+        self.limit = STEPS.0;
     }
 
     /// Begins to count.
@@ -43,6 +61,37 @@ impl Suspicion {
         self.steps >= self.limit
     }
 
+    /// Looks at the state after a step. Where one goes to and fro nothing is to be explained.
+    fn look(&mut self, state: &[f64], options: &Options) {
+        if self.is_enough() && self.is_fast(state, options) {
+            self.clear();
+            return;
+        }
+        let left = self.limit.saturating_sub(self.steps);
+        let window = WINDOW.min(self.limit);
+        for (place, at) in self.places.iter_mut().zip([window - 1, window / 2]) {
+            if left == at {
+                place.copy_from_slice(state);
+            }
+        }
+    }
+
+    /// Whether a state has gone to and fro in the last steps up to here. One that comes to rest has not, however fast it does.
+    fn is_fast(&self, here: &[f64], options: &Options) -> bool {
+        let [begin, middle] = &self.places;
+        here.iter().zip(begin.iter().zip(middle)).enumerate().any(
+            |(index, (end, (begin, middle)))| {
+                let size = end.abs().max(begin.abs()).max(middle.abs());
+                let (first, second) = (middle - begin, end - middle);
+                let bend = (second - first).abs();
+                let comes_to_rest = first * second > 0.0 && second.abs() < first.abs();
+                !comes_to_rest
+                    && bend > WIDE * size
+                    && bend > SEEN * tolerance(options, index, size)
+            },
+        )
+    }
+
     /// Counts a step.
     fn count(&mut self, length: f64, product: f64) {
         if product > STIFF {
@@ -61,7 +110,7 @@ impl Suspicion {
 /// An observer that notes where the motion is, and measures the stiffness on the way.
 pub(super) struct Gauge<'a> {
     pub inner: &'a mut dyn Observer,
-    pub suspicion: Option<&'a mut Suspicion>,
+    pub suspicion: Option<(&'a mut Suspicion, &'a Options)>,
     /// End and length of the last step.
     pub last: (f64, f64),
 }
@@ -76,17 +125,20 @@ impl Observer for Gauge<'_> {
     }
 
     fn stiffness(&mut self, length: f64, rate: f64) {
-        if let Some(suspicion) = &mut self.suspicion {
+        if let Some((suspicion, _)) = &mut self.suspicion {
             suspicion.count(length.abs(), length.abs() * rate);
         }
     }
 
     fn step(&mut self, step: &Step<'_>) {
         self.last = (step.to, step.to - step.from);
+        if let Some((suspicion, options)) = &mut self.suspicion {
+            suspicion.look(step.after, options);
+        }
         self.inner.step(step);
     }
 
     fn has_enough(&self) -> bool {
-        self.suspicion.as_ref().is_some_and(|one| one.is_enough()) || self.inner.has_enough()
+        self.suspicion.as_ref().is_some_and(|(one, _)| one.is_enough()) || self.inner.has_enough()
     }
 }
