@@ -9,6 +9,7 @@ mod draw;
 mod resonances;
 mod sensitivity;
 mod spread;
+mod trust;
 
 pub use attractors::{Attractor, Found, Look, attractors};
 pub use draw::drawn;
@@ -17,6 +18,7 @@ pub use resonances::{
 };
 pub use sensitivity::{Slope, slopes};
 pub use spread::{Spread, share, spread};
+pub use trust::{Told, Trust, trust};
 
 use std::num::NonZeroUsize;
 use std::sync::Mutex;
