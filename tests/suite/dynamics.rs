@@ -1,6 +1,7 @@
 //! Linkages that have mass: two ways to write one mechanism, forces against work, periodic motions that turn, pins that
 //! lift off.
 
+use crate::stability::{Row, told};
 use assur::answer::{Error, Motion};
 use assur::model::{Bound, Flow, Model};
 use assur::ode::{Explicit, Options, Workspace, integrate};
@@ -94,6 +95,16 @@ fn loops_do_not_drift_and_constraints_differentiated_twice_do() {
     let naive = naive::Run::default().run().expect("a motion");
     let gap = |time: f64| naive.value("gap", time).unwrap().abs();
     assert!(gap(0.0) < 1e-15 && gap(60.0) > 1e-8, "{:e} {:e}", gap(0.0), gap(60.0));
+    told(&Row {
+        case: "Drift of constraints",
+        tried: "a slider-crank with masses for 200 s, and a pendulum by a constraint differentiated twice for 60 s",
+        naive: format!("the rope is off by {:.0e} of its length, and grows", gap(60.0)),
+        ours: format!(
+            "the loop is open by less than {:.0e} m, energy kept to {lost:.0e}",
+            open.abs().max(1e-16)
+        ),
+        cost: "1.05 times: dependent positions are corrected once a step".to_owned(),
+    });
     // Nor does it feel that it starts a millimetre off.
     let off = naive::Run::default().from([1.001, 0.0, 0.0, 0.0, 0.0]).run().expect("a motion");
     let gap = |time: f64| off.value("gap", time).unwrap();
@@ -351,6 +362,7 @@ fn naive_pin(m_r: f64, m_p: f64, j_r: f64) -> Option<[f64; 2]> {
 
 #[test]
 fn forces_have_all_their_digits_whatever_the_masses() {
+    let mut worst = [0.0_f64; 2];
     for [m_r, m_p, x, y] in PIN {
         let j_r = if m_r == 0.0 { 0.0 } else { 1.5e-3 };
         let equations = chain::Run { m_r, m_p, J_r: j_r, ..Default::default() }.prepare::<f64>();
@@ -362,7 +374,15 @@ fn forces_have_all_their_digits_whatever_the_masses() {
         assert!(ours < 1e-11, "{m_r:e} {m_p:e}: {ours:e}");
         let is_worse = naive.is_nan() || naive > 100.0 * ours;
         assert!(is_worse, "{m_r:e} {m_p:e}: {naive:e} {ours:e}");
+        worst = [worst[0].max(ours), worst[1].max(naive)];
     }
+    told(&Row {
+        case: "Masses far apart",
+        tried: "forces of a slider-crank whose rod and piston weigh 1e-9 and 1e6 kg, or nothing",
+        naive: format!("`J A⁻¹ Jᵀ` of the closures: off by {:.0e}, or singular", worst[1]),
+        ours: format!("off by {:.0e}: masses are reduced along the loops", worst[0]),
+        cost: "less: one equation instead of six".to_owned(),
+    });
 }
 
 /// Both cranks of a drag link turn all round, written with angles from x and from each other.

@@ -3,7 +3,9 @@
 mod absurd;
 mod cancellation;
 mod long;
+mod loops;
 mod masses;
 mod resonance;
+mod stiff;
 mod tolerances;
 mod units;

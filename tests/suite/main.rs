@@ -14,6 +14,7 @@
 //! | [`series`] | Taylor series against the other method |
 //! | [`sheets`] | formulas without motion: integrals, roots and extremes in them |
 //! | [`tables`] | sampled curves in motions |
+//! | [`stability`] | the page of hard cases, which their tests write |
 //! | [`hard`] | cases in which the naive way fails, beside ours |
 
 mod answers;
@@ -32,4 +33,6 @@ mod rest;
 mod series;
 mod sheets;
 mod solved;
+mod stability;
 mod tables;
+mod trust;

@@ -1,6 +1,7 @@
 //! Small differences of large terms.
 
 use crate::solved::{RPM, Solved, entry};
+use crate::stability::{Row, told};
 use assur::answer::{Method, Settings};
 
 /// The angle of the crank at the start of the blow into the locks.
@@ -19,14 +20,27 @@ fn change(mechanism: &str, scene: &str, names: &[&str]) -> f64 {
 /// terms. One per cent of one of them is more than the answer. Masses and flexibilities have no such terms.
 #[test]
 fn the_table_form_cancels_the_deflection_form_does_not() {
+    let mut worst = [0.0_f64; 2];
     for names in [&["Q"][..], &["W"], &["K", "Q"], &["P", "W"]] {
         let change = change("batten_table", "table", names);
         assert!((0.8..2.0).contains(&change), "{names:?}: {change}");
+        worst[0] = worst[0].max(change);
     }
     for name in ["c", "J2", "m2", "m3", "m4", "d33", "d44", "d34", "lambda", "R", "l"] {
         let change = change("batten", "elastic", &[name]);
         assert!(change < 0.03, "{name}: {change}");
+        worst[1] = worst[1].max(change);
     }
+    told(&Row {
+        case: "Cancellation",
+        tried: "the lag of the batten at the blow when a constant grows by one per cent",
+        naive: format!(
+            "forces as `K x3 - M x4 - P X`, as printed: it changes by up to {:.0} %",
+            100.0 * worst[0]
+        ),
+        ours: format!("by deflections: by {:.1} % at most", 100.0 * worst[1]),
+        cost: "none".to_owned(),
+    });
 }
 
 /// The travel of the brake-side pin is a difference of two positions of the crank that are 1e-4 rad apart. Written as such

@@ -2,6 +2,7 @@
 
 use crate::batten::bending_alone;
 use crate::solved::{FINE, RPM, Solved, USUAL, bind, entry};
+use crate::stability::{Row, told};
 use assur::dense::Lu;
 use assur::model::Model;
 use assur::periodic::{Orbit, PeriodicError};
@@ -110,6 +111,17 @@ fn a_driven_resonance_is_an_error_and_not_a_vector() {
     let vector = naive(elastic(speed).as_ref());
     assert!(vector.iter().all(|value| value.is_finite()));
     assert!(vector[0].abs() > 10.0, "{vector:?}");
+    let Err(error) = solve(speed) else { panic!("an answer in the resonance") };
+    told(&Row {
+        case: "Resonance",
+        tried: "the batten without losses at the speed of a resonance, 248.168 rpm",
+        naive: format!(
+            "`I - P` solved as it stands: a lag of {:.0} rad, and nothing that tells",
+            vector[0].abs()
+        ),
+        ours: format!("an error: {}", error.to_string().replace('\n', " ")),
+        cost: "none".to_owned(),
+    });
 }
 
 #[test]

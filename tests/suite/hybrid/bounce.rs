@@ -3,6 +3,8 @@
 use assur::hybrid::{HybridError, march};
 use assur::prelude::*;
 
+use crate::stability::{Row, told};
+
 assur::mechanism! {
     /// A ball that falls on a floor and springs back.
     Ball from "any textbook";
@@ -49,6 +51,29 @@ fn a_ball_that_comes_to_rest_is_reported_as_chatter() {
         "{events} of {}",
         motion.events.len()
     );
+    // The naive way, steps of a millisecond: turn the speed about where the height is below zero.
+    let (mut height, mut speed, mut lowest) = (1.0_f64, 0.0_f64, 0.0_f64);
+    for _ in 0..10_000 {
+        speed -= 9.80665e-3;
+        height += 1e-3 * speed;
+        if height < 0.0 {
+            speed *= -0.8;
+        }
+        lowest = lowest.min(height);
+    }
+    assert!(lowest < -1e-3, "{lowest}");
+    told(&Row {
+        case: "Chatter and Zeno",
+        tried: "a ball that keeps 0.8 of its speed at each impact, beyond the 4 s after which it rests",
+        naive: format!(
+            "steps of 1 ms with the speed turned below the floor: {lowest:.0e} m, through the floor"
+        ),
+        ours: format!(
+            "reported at {time:.7} s (exactly {rest:.7} s), after {} impacts",
+            motion.events.len()
+        ),
+        cost: format!("{} evaluations", motion.statistics.evaluations),
+    });
 }
 
 /// Without a loss the impacts keep their phase over many cycles.

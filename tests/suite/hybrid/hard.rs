@@ -1,5 +1,6 @@
 //! Events of which the signs at the ends of steps say nothing, and events that meet.
 
+use crate::stability::{Row, told};
 use assur::hybrid::{HybridError, Motion, march};
 use assur::prelude::*;
 use assur::shape::Shape;
@@ -47,6 +48,16 @@ fn pairs_of_crossings_within_a_step_are_found() {
     let ends = motion.pieces.iter().flat_map(|piece| piece.trajectory.times());
     let seen = ends.filter(|time| time.sin() > 0.999999 + 1e-12).count();
     assert_eq!(seen, 0);
+    told(&Row {
+        case: "Grazing",
+        tried: "a level that is passed and left within 2.8 ms, in steps of more than a second, seven times",
+        naive: format!("signs at the ends of steps: {seen} of 14 crossings"),
+        ours: format!(
+            "{} of 14, to 1e-12 s; a touch from inside changes nothing",
+            motion.events.len()
+        ),
+        cost: "values of the guard along the dense output, no more steps".to_owned(),
+    });
 }
 
 /// The state is a straight line, so that steps grow without end, over many turns of the mark. What the guard does
