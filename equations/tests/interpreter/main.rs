@@ -1,8 +1,11 @@
 //! What runs without being compiled is what is compiled: every scene of every mechanism, bit for bit. And the tests that the
 //! models generate: of what has been derived as it is interpreted, of published facts as they are compiled.
 
+mod absent;
 mod linkages;
 mod motions;
+mod octuple;
+mod roundings;
 
 use assur::registry::{Bind, Mechanism, SceneEntry};
 use assur_equations::REGISTRY;
