@@ -42,7 +42,7 @@ impl Found {
         let curves = curves::sample(&case, &motion, &extremes);
         let estimate = motion.estimate().map_err(|error| case.unanswered(&error))?;
         let found = motion.measures();
-        let errors = estimate.measures(&found);
+        let errors = estimate.measures(&motion, &found);
         let measures = measures::of(case.scene, found.into_iter().zip(errors));
         let extremes = estimate.extremes(&motion, &subjects, &curves.samples(), &extremes);
         Ok(Self { case, motion, curves, estimate, extremes, measures })

@@ -239,7 +239,7 @@ fn errors(constants: &Constants) -> Result<Vec<f64>, Failure> {
         let outputs: Vec<_> = (0..scene.outputs.len()).map(Subject::Output).collect();
         let times: Vec<f64> = times(motion.task()).collect();
         let mut errors = estimate.largest(&motion, &outputs, &times);
-        errors.extend(estimate.measures(&motion.measures()));
+        errors.extend(estimate.measures(&motion, &motion.measures()));
         Ok(errors)
     })
 }

@@ -103,7 +103,7 @@ pub fn cost(
     let measures = exact.measures();
     let errors = |motion: &Motion| {
         let measured = motion.measures();
-        (against.largest(motion, look.subjects, &times), against.measures(&measured))
+        (against.largest(motion, look.subjects, &times), against.measures(motion, &measured))
     };
     let mut sizes = vec![0.0; look.subjects.len()];
     for time in times.iter().step_by(THINNED) {

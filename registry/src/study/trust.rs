@@ -63,7 +63,7 @@ pub fn trust(
     let times: Vec<f64> = (0..=SAMPLES).map(time).collect();
     let errors = |estimate: &Estimate, motion: &Motion| {
         let moving = estimate.largest(motion, &subjects, &times);
-        [moving, estimate.measures(&motion.measures())].concat()
+        [moving, estimate.measures(motion, &motion.measures())].concat()
     };
     let against = Estimate::against(first);
     let doubt = errors(&against, second);

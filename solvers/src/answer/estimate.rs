@@ -203,15 +203,16 @@ impl Estimate {
         errors.collect()
     }
 
-    /// The errors of measures; NaN where a solution does not have one.
-    pub fn measures(&self, measures: &[Result<f64, Missing>]) -> Vec<f64> {
+    /// The errors of the measures of a motion; NaN where a solution does not have one. What they are made of is rounded.
+    pub fn measures(&self, motion: &Motion, measures: &[Result<f64, Missing>]) -> Vec<f64> {
+        let rounded = motion.model().disturbed(&motion.path, ROUNDINGS);
         let others = self.others.iter();
         let others: Vec<_> = others.map(|other| other.motion.measures()).collect();
         let errors = measures.iter().enumerate().map(|(index, value)| {
             let theirs = others.iter().map(|other| other[index]);
             let theirs: Option<Vec<f64>> = theirs.map(Result::ok).collect();
             match (value, theirs) {
-                (Ok(value), Some(theirs)) => self.differ(*value, &theirs),
+                (Ok(value), Some(theirs)) => larger(self.differ(*value, &theirs), rounded[index]),
                 _ => f64::NAN,
             }
         });

@@ -1,12 +1,13 @@
 //! What is asked of a scene with its values, whichever it is.
 
 use crate::hybrid::{self, Cycle, CycleError, HybridError, Motion, Request};
-use crate::measure::{self, Missing};
+use crate::measure::{self, Missing, Probe};
 use crate::model::{Flow, Model, held};
 use crate::ode::{self, OdeError, Trajectory};
 use crate::periodic::{self, Orbit, PeriodicError};
 use crate::problem::Phase;
 use crate::settings::Settings;
+use crate::shape::Shape;
 use crate::smooth;
 
 impl dyn Model + '_ {
@@ -147,12 +148,26 @@ impl dyn Model + '_ {
 
     /// The measures of a run, in the order of the file, SI units.
     pub fn measure(&self, motion: &Motion) -> Vec<Result<f64, Missing>> {
+        self.measured(|shape, sample, measures| measure::all(motion, shape, sample, measures))
+    }
+
+    /// By how much each measure differs where one of its primitives is off by a part of itself, see [`measure::disturbed`].
+    pub fn disturbed(&self, motion: &Motion, part: f64) -> Vec<f64> {
+        self.measured(|shape, sample, measures| {
+            measure::disturbed(motion, shape, sample, measures, part)
+        })
+    }
+
+    /// Something of the measures: from the shape, what they look at, and what they make of it.
+    fn measured<T>(
+        &self,
+        of: impl FnOnce(&Shape, &Probe<'_>, &dyn Fn(&[f64], &mut [f64])) -> T,
+    ) -> T {
         let reports = self.reports();
         let sample = |phase: Phase<'_, f64>, time: f64, state: &[f64], values: &mut [f64]| {
             held(phase, values, |phase, values| reports.measured(phase, time, state, values));
         };
-        let measures = |found: &[f64], values: &mut [f64]| reports.measures(found, values);
-        measure::all(motion, self.shape(), &sample, &measures)
+        of(self.shape(), &sample, &|found, values| reports.measures(found, values))
     }
 
     /// Nanoseconds of one evaluation of the derivative with its time-only values, as the steps of the explicit methods make

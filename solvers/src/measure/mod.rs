@@ -182,10 +182,7 @@ pub fn all(
     measures: &dyn Fn(&[f64], &mut [f64]),
 ) -> Vec<Result<f64, Missing>> {
     let found = find(motion, shape.primitives, shape.measured, sample);
-    let numbers: Vec<f64> = found.iter().map(|one| one.unwrap_or(f64::NAN)).collect();
-    let mut values = vec![0.0; shape.uses.len()];
-    measures(&numbers, &mut values);
-    let measures = shape.uses.iter().zip(values);
+    let measures = shape.uses.iter().zip(of_primitives(shape, &found, measures));
     measures
         .map(|(uses, value)| {
             if let Some(missing) = uses.iter().find_map(|index| found[*index].err()) {
@@ -197,6 +194,42 @@ pub fn all(
             }
         })
         .collect()
+}
+
+/// By how much each measure of a run differs where one of its primitives is off by a part of itself, for the one that makes
+/// the most of it.
+pub fn disturbed(
+    motion: &Motion,
+    shape: &Shape,
+    sample: &Probe<'_>,
+    measures: &dyn Fn(&[f64], &mut [f64]),
+    part: f64,
+) -> Vec<f64> {
+    let mut found = find(motion, shape.primitives, shape.measured, sample);
+    let right = of_primitives(shape, &found, measures);
+    let mut most = vec![0.0; right.len()];
+    for index in 0..found.len() {
+        let Ok(value) = found[index] else { continue };
+        found[index] = Ok(value * (1.0 + part));
+        let other = of_primitives(shape, &found, measures);
+        for ((most, right), other) in most.iter_mut().zip(&right).zip(other) {
+            *most = f64::max(*most, (right - other).abs());
+        }
+        found[index] = Ok(value);
+    }
+    most
+}
+
+/// The measures, not a number where a primitive is missing.
+fn of_primitives(
+    shape: &Shape,
+    found: &[Result<f64, Missing>],
+    measures: &dyn Fn(&[f64], &mut [f64]),
+) -> Vec<f64> {
+    let numbers: Vec<f64> = found.iter().map(|one| one.unwrap_or(f64::NAN)).collect();
+    let mut values = vec![0.0; shape.uses.len()];
+    measures(&numbers, &mut values);
+    values
 }
 
 /// The measures of a run of a scene, in the order of its file, SI units.
