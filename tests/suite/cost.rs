@@ -48,7 +48,10 @@ fn errors_are_those_of_the_closed_form() {
         assert!((work.errors[0] - expected).abs() < 1e-11, "{:?} {expected}", trial);
         let end = (motion.measure("last_x").expect("an end") - 20f64.cos()).abs();
         assert!((work.measures[0] - end).abs() < 1e-11, "{:?} {end}", trial);
-        assert!(work.quartiles.0 <= work.seconds && work.seconds <= work.quartiles.1);
+        assert!(
+            work.times.quartiles.0 <= work.times.median
+                && work.times.median <= work.times.quartiles.1
+        );
     }
     // Of each method the smaller tolerance costs more and errs less.
     for pair in found.trials.chunks(2) {
@@ -59,7 +62,7 @@ fn errors_are_those_of_the_closed_form() {
     let of = |at: &usize| found.trials[*at].outcome.as_ref().expect("a motion");
     assert!(front.windows(2).all(|pair| {
         let [a, b] = [of(&pair[0]), of(&pair[1])];
-        a.seconds <= b.seconds && a.errors[0] > b.errors[0]
+        a.times.median <= b.times.median && a.errors[0] > b.errors[0]
     }));
 }
 

@@ -8,7 +8,7 @@ use super::values::{split, whole};
 use crate::error::Failure;
 
 /// The options that change a scene. It is shown as one without a name.
-#[derive(Args, Debug, Default)]
+#[derive(Args, Clone, Debug, Default)]
 pub struct Changes {
     /// Switch an effect on, `--with damping,coupling`; may be repeated.
     #[arg(long, value_name = "EFFECTS", value_delimiter = ',', help_heading = "Another scene")]

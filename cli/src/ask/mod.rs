@@ -27,7 +27,7 @@ use constants::Constants;
 use lookup::Registry;
 
 /// The options that say so.
-#[derive(Args, Debug, Default)]
+#[derive(Args, Clone, Debug, Default)]
 pub struct Asked {
     /// The mechanism, as `assur list` names it; or an equation file, `my.eqn`, or `-` for standard input.
     pub name: Option<String>,
@@ -41,7 +41,7 @@ pub struct Asked {
 }
 
 /// The options that change values.
-#[derive(Args, Debug, Default)]
+#[derive(Args, Clone, Debug, Default)]
 pub struct Values {
     /// A named set of values to start from.
     #[arg(long, value_name = "PRESET")]

@@ -95,14 +95,20 @@ impl Wanted {
     /// The largest error over what is permitted: at most 1 where the accuracy is reached. Not a number where nothing of it is
     /// known.
     pub fn share(&self, differs: impl Fn(usize) -> Difference) -> f64 {
+        self.worst(differs).map_or(f64::NAN, |(_, share)| share)
+    }
+
+    /// The same, and of which it is, by place.
+    pub fn worst(&self, differs: impl Fn(usize) -> Difference) -> Option<(usize, f64)> {
         let shares = self.of.iter().map(|&index| {
             let Difference { error, size } = differs(index);
-            match self.limit {
+            let share = match self.limit {
                 Limit::Absolute(value) => error / value,
                 Limit::Relative(share) => error / (share * size),
-            }
+            };
+            (index, share)
         });
-        shares.filter(|share| !share.is_nan()).fold(f64::NAN, f64::max)
+        shares.filter(|(_, share)| !share.is_nan()).max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// What is asked for in words, `F2 to 0.1N`.

@@ -14,6 +14,7 @@ pub const EXAMPLES: &str = "Examples:
   assur cost batten --for 'F2=0.1N' --plot cost.svg
   assur cost presser_foot --of F,F_largest --method dop853,taylor,auto
   assur cost my.eqn --scene run --rtol 1e-9..1e-3 --for 1um
+  assur cost heald_linkage --for 1%
 
 The task of the scene is solved by each method at each tolerance, several times in turns. Errors are differences from a
 reference at the limit of double precision, by how much that is not known itself being told; of what moves, the largest over the

@@ -9,7 +9,7 @@ use crate::plot::{Decades, Line, decades};
 pub fn draw(cost: &Cost) -> String {
     let point = |index: &usize| {
         let work = cost.costs.trials[*index].outcome.as_ref().ok()?;
-        Some((work.seconds, cost.worst(work).0))
+        Some((work.times.median, cost.worst(work).0))
     };
     let of = |method: &Method| {
         let trials = cost.costs.trials.iter().enumerate();

@@ -46,6 +46,8 @@ struct Quantity {
     size: Number,
     /// By how much the reference differs from the nearest solution by another method.
     doubt: Number,
+    /// Its standard deviation by the tolerances of dimensions; null where nothing has one or no accuracy is asked for.
+    spread: Number,
 }
 
 /// A way to solve the task.
@@ -79,6 +81,7 @@ impl Object {
             unit: of.quantity.unit,
             size: finite(unit::stated(cost.size(of), of.quantity.factor)),
             doubt: finite(unit::stated(cost.doubt(of), of.quantity.factor)),
+            spread: finite(unit::stated(cost.deviation(of), of.quantity.factor)),
         });
         let trials = costs.trials.iter().enumerate();
         let cheapest = cost.wanted.as_ref().and_then(|wanted| cost.cheapest(wanted, 1.0));
@@ -113,8 +116,11 @@ impl One {
             method: trial.settings.method.name(),
             rtol: trial.settings.rtol,
             reason: trial.outcome.as_ref().err().cloned(),
-            seconds: number(|work| work.seconds),
-            quartiles: [number(|work| work.quartiles.0), number(|work| work.quartiles.1)],
+            seconds: number(|work| work.times.median),
+            quartiles: [
+                number(|work| work.times.quartiles.0),
+                number(|work| work.times.quartiles.1),
+            ],
             steps: work.map(|work| work.steps),
             evaluations: work.map(|work| work.evaluations),
             errors: work.map(errors).unwrap_or_default(),

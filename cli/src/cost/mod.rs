@@ -3,10 +3,11 @@
 mod arguments;
 mod figure;
 mod json;
+mod linkage;
+mod made;
 mod table;
 
 pub use arguments::{CostArguments, EXAMPLES};
-pub use json::Object;
 
 use std::path::Path;
 use std::time::Instant;
@@ -18,6 +19,7 @@ use serde::Serialize;
 
 use crate::answer::{Answer, give};
 use crate::ask::For;
+use crate::ask::constants::Constants;
 use crate::ask::lookup::{Registry, suggestion};
 use crate::ask::settings::RTOL;
 use crate::ask::wanted::{Difference, Wanted};
@@ -28,6 +30,16 @@ use crate::show::output::Stoppable;
 use crate::show::page::Page;
 use crate::show::progress::Progress;
 use crate::show::unit;
+use made::Spread;
+
+/// The answers as objects.
+#[cfg(test)]
+#[derive(Serialize, schemars::JsonSchema)]
+#[serde(untagged)]
+pub enum Object {
+    Motion(json::Object),
+    Linkage(linkage::Object),
+}
 
 /// What is not known to this part of its size is nothing but rounding.
 const KNOWN: f64 = 1e-3;
@@ -37,7 +49,22 @@ const KNOWN: f64 = 1e-3;
 /// # Errors
 /// A wrong request, or a task of which no reference comes out.
 pub fn execute(options: &CostArguments, registry: Registry) -> Result<(), Failure> {
-    give(options.format, options.plot.as_deref(), || Cost::find(options, registry))
+    let constants = options.asked.find(registry, "cost", For::All)?;
+    let (format, plot) = (options.format, options.plot.as_deref());
+    match constants.scene.linkage {
+        Some(_) => give(format, plot, || linkage::Cost::find(options, constants)),
+        None => give(format, plot, || Cost::find(options, constants)),
+    }
+}
+
+/// Whether it is all that was asked for.
+fn whole(is_whole: bool) -> Result<(), Failure> {
+    match is_whole {
+        true => Ok(()),
+        false => {
+            Err(Failure::interrupted("it was stopped: what is told is not all that was asked for"))
+        }
+    }
 }
 
 /// What is looked at: a variable of the motion or a measure.
@@ -60,20 +87,24 @@ pub struct Cost {
     shown: Vec<Shown>,
     costs: Costs,
     wanted: Option<Wanted>,
+    /// What mechanisms as they are made differ by, where an accuracy is asked for.
+    made: Option<Spread>,
     /// Whether nobody stopped it.
     is_whole: bool,
     seconds: f64,
 }
 
 impl Cost {
-    fn find(options: &CostArguments, registry: Registry) -> Result<Self, Failure> {
+    fn find(options: &CostArguments, constants: Constants) -> Result<Self, Failure> {
         let clock = Instant::now();
-        let constants = options.asked.find(registry, "cost", For::All)?;
         let scene = constants.scene;
-        if scene.linkage.is_some() || scene.states.is_empty() {
-            return Err(Failure::request(format!("nothing is integrated in scene `{}`", scene.name))
-                .reason("what has no states is evaluated, and loops are closed to rounding, each at one cost")
-                .remedy("name a scene that moves by its equations of motion"));
+        if scene.states.is_empty() {
+            return Err(Failure::request(format!(
+                "nothing is integrated in scene `{}`",
+                scene.name
+            ))
+            .reason("what has no states is evaluated to rounding, at one cost")
+            .remedy("name a scene that moves by its equations of motion"));
         }
         let (subjects, shown) = shown(scene, options.of.as_deref())?;
         let quantities: Vec<Quantity> = shown.iter().map(|of| of.quantity).collect();
@@ -91,6 +122,8 @@ impl Cost {
             bar.advance();
             !stoppable.is_stopped()
         });
+        let made = wanted.as_ref().filter(|_| !stoppable.is_stopped());
+        let made = made.and_then(|_| Spread::of(&case, &subjects));
         let is_whole = !stoppable.is_stopped();
         drop((bar, stoppable));
         let costs = costs.map_err(|reason| {
@@ -98,7 +131,8 @@ impl Cost {
                 .reason(reason)
                 .remedy("look at the scene with `assur run`, at a small --rtol")
         })?;
-        Ok(Self { case, shown, costs, wanted, is_whole, seconds: clock.elapsed().as_secs_f64() })
+        let seconds = clock.elapsed().as_secs_f64();
+        Ok(Self { case, shown, costs, wanted, made, is_whole, seconds })
     }
 
     /// The error of what is shown, SI units: at least that of the reference.
@@ -123,6 +157,15 @@ impl Cost {
         match of.place {
             Place::Variable(index) => self.costs.doubt.0[index],
             Place::Measure(index) => self.costs.doubt.1[index],
+        }
+    }
+
+    /// Its standard deviation over mechanisms as they are made, SI units; not a number where that is not known.
+    fn deviation(&self, of: &Shown) -> f64 {
+        match (&self.made, of.place) {
+            (Some(made), Place::Variable(index)) => made.subjects[index],
+            (Some(made), Place::Measure(index)) => made.measures[index],
+            (None, _) => f64::NAN,
         }
     }
 
@@ -154,7 +197,7 @@ impl Cost {
     /// The cheapest way to a part of the permitted error.
     fn cheapest(&self, wanted: &Wanted, part: f64) -> Option<(Settings, Work, f64)> {
         let reaching = self.ways(wanted).filter(|one| one.2 <= part);
-        reaching.min_by(|a, b| a.1.seconds.total_cmp(&b.1.seconds))
+        reaching.min_by(|a, b| a.1.times.median.total_cmp(&b.1.times.median))
     }
 
     /// The most accurate way.
@@ -170,6 +213,12 @@ impl Cost {
     /// The same of what the reference is not known by.
     fn limit(&self, wanted: &Wanted) -> f64 {
         wanted.share(|index| self.differs(index, |of| self.doubt(of)))
+    }
+
+    /// The same of what mechanisms as they are made differ by, and of what; none where nothing has a tolerance.
+    fn spread(&self, wanted: &Wanted) -> Option<(&'static str, f64)> {
+        let worst = wanted.worst(|index| self.differs(index, |of| self.deviation(of)));
+        worst.map(|(index, share)| (self.shown[index].quantity.name, share))
     }
 
     fn differs(&self, index: usize, error: impl Fn(&Shown) -> f64) -> Difference {
@@ -286,9 +335,9 @@ impl Answer for Cost {
                 format!("{:e}", trial.settings.rtol),
                 work.steps.to_string(),
                 work.evaluations.to_string(),
-                cell(work.seconds),
-                cell(work.quartiles.0),
-                cell(work.quartiles.1),
+                cell(work.times.median),
+                cell(work.times.quartiles.0),
+                cell(work.times.quartiles.1),
             ];
             let errors = self
                 .shown
@@ -300,15 +349,10 @@ impl Answer for Cost {
     }
 
     fn json(&self, figure: Option<&Path>) -> impl Serialize {
-        Object::of(self, figure)
+        json::Object::of(self, figure)
     }
 
     fn outcome(&self) -> Result<(), Failure> {
-        match self.is_whole {
-            true => Ok(()),
-            false => Err(Failure::interrupted(
-                "it was stopped: what is told is not all that was asked for",
-            )),
-        }
+        whole(self.is_whole)
     }
 }

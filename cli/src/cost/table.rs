@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use assur::answer::Settings;
-use assur::study::cost::Work;
+use assur::study::cost::{Times, Work};
 
 use super::Cost;
 use crate::ask::wanted::Wanted;
@@ -76,8 +76,8 @@ fn trials(page: &mut Page, cost: &Cost) {
             format!("{:e}", trial.settings.rtol),
             number::count(work.steps),
             number::count(work.evaluations),
-            number::duration(work.seconds),
-            spread(work),
+            number::duration(work.times.median),
+            spread(&work.times),
             number::error(error),
             of.to_owned(),
         ];
@@ -89,8 +89,8 @@ fn trials(page: &mut Page, cost: &Cost) {
 }
 
 /// The quartiles of a time.
-fn spread(work: &Work) -> String {
-    let (low, high) = work.quartiles;
+pub(super) fn spread(times: &Times) -> String {
+    let (low, high) = times.quartiles;
     format!("{} to {}", number::duration(low), number::duration(high))
 }
 
@@ -101,8 +101,8 @@ fn answer(page: &mut Page, cost: &Cost, wanted: &Wanted) {
         format!(
             "{settings}, with an error of {} of what is permitted, in {} ({})",
             number::significant(*share, 2),
-            number::duration(work.seconds),
-            spread(work)
+            number::duration(work.times.median),
+            spread(&work.times)
         )
     };
     match cost.cheapest(wanted, 1.0) {
@@ -113,9 +113,9 @@ fn answer(page: &mut Page, cost: &Cost, wanted: &Wanted) {
             {
                 page.line(&format!(
                     "Ten times more accuracy takes {:.2} times as long: {} in {}.",
-                    finer.1.seconds / found.1.seconds,
+                    finer.1.times.median / found.1.times.median,
                     finer.0,
-                    number::duration(finer.1.seconds)
+                    number::duration(finer.1.times.median)
                 ));
             }
         }
@@ -128,6 +128,11 @@ fn answer(page: &mut Page, cost: &Cost, wanted: &Wanted) {
             None => page.warn(&format!("of {words} nothing is known")),
         },
     }
+    limits(page, cost, wanted);
+}
+
+/// What limits the accuracy in the end.
+fn limits(page: &mut Page, cost: &Cost, wanted: &Wanted) {
     if let Some(nearest) = cost.nearest(wanted) {
         let limit = match cost.limit(wanted) {
             doubt if nearest.2 <= 3.0 * doubt => {
@@ -141,4 +146,13 @@ fn answer(page: &mut Page, cost: &Cost, wanted: &Wanted) {
             number::significant(nearest.2, 2)
         ));
     }
+    let (Some(made), Some((worst, share))) = (&cost.made, cost.spread(wanted)) else { return };
+    let (names, times) = (made.names.join(", "), number::significant(share, 2));
+    let said = format!(
+        "The tolerances of {names} make {worst} differ by {times} times what is permitted (standard deviation)"
+    );
+    page.line(&match share >= 1.0 {
+        true => format!("{said}: such an accuracy is of no use."),
+        false => format!("{said}: more accuracy than that is of no use."),
+    });
 }

@@ -1,5 +1,6 @@
 //! A figure of lines over two axes in powers of ten.
 
+use super::labels::Labels;
 use super::legend::{CHARACTER, colour};
 use super::name::raise;
 use super::scale::Scale;
@@ -85,16 +86,15 @@ pub fn decades(figure: &Decades) -> String {
         svg.text("named", (at + 5.0, PANEL[2] + 14.0), Anchor::Start, name);
     }
     let named = figure.labels.iter().filter(|label| label.1.0 > 0.0 && label.1.1 > 0.0);
-    for ((name, _), (a, b)) in named.zip(&labelled) {
-        let at = (x.pixel(*a), y.pixel(*b));
-        svg.circle("f0", at, DOT);
-        let (anchor, off) = match at.0 > 0.75 * PANEL[1] {
-            true => (Anchor::End, -6.0),
-            false => (Anchor::Start, 6.0),
-        };
-        if !name.is_empty() {
-            svg.text("mark", (at.0 + off, at.1 + 4.0), anchor, name);
-        }
+    let named: Vec<_> = named.zip(pixels(&labelled)).collect();
+    let mut labels = Labels::default();
+    for (_, at) in &named {
+        svg.circle("f0", *at, DOT);
+        labels.avoid(*at, DOT);
+    }
+    for ((name, _), at) in named.into_iter().filter(|one| !one.0.0.is_empty()) {
+        let (anchor, at) = labels.place(at, name, (PANEL[0], PANEL[1]));
+        svg.text("mark", at, anchor, name);
     }
     if !figure.front.is_empty() {
         svg.path("front", &[(place + 4.0, 38.0), (place + 20.0, 38.0)]);

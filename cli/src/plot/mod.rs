@@ -12,6 +12,7 @@ pub mod curve;
 mod decades;
 pub mod figure;
 mod kind;
+mod labels;
 pub mod legend;
 mod linkage;
 mod marks;

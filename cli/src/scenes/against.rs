@@ -1,11 +1,21 @@
 //! What leaving effects out saves, and by how much it errs: each scene against one that has more.
 
+use assur::answer::{Estimate, Settings};
 use assur::registry::SceneEntry;
+use assur::shape::Subject;
+use assur::study::cost::references;
 
+use super::REPEATS;
 use super::effects::{Cycle, NOISE};
-use crate::plot::{Decades, decades};
+use crate::motion::case::Case;
+use crate::plot::{Decades, Line, decades};
 use crate::show::number;
 use crate::show::text::{Align, Columns};
+
+/// Powers of ten of the tolerances whose errors are shown beside those of leaving effects out.
+const TOLERANCES: [i32; 7] = [-3, -4, -5, -6, -7, -8, -9];
+/// Samples of the task, of which [`Estimate::largest`] looks at each third.
+const SAMPLES: usize = 720;
 
 /// A scene beside the one that it is compared with.
 pub struct Beside {
@@ -83,8 +93,37 @@ pub fn table(all: &[Beside], fullest: &(&Cycle<'_>, Option<f64>)) -> Columns {
     table
 }
 
+/// What following the same motion costs at other tolerances, and by how much its outputs err then: errors of the solver, beside
+/// which those of leaving effects out can be seen. Nothing where there is no reference, or no motion.
+pub fn by_tolerance(case: &Case, of: &Cycle<'_>) -> Option<Line> {
+    let (exact, _) = references(&case.model()).ok()?;
+    let against = Estimate::against(&exact);
+    let subjects: Vec<_> = (0..case.scene.outputs.len()).map(Subject::Output).collect();
+    let sizes = case.scene.outputs.iter().map(|output| Some(of.change(of, output.name)?.1));
+    let sizes: Vec<f64> = sizes.collect::<Option<_>>()?;
+    let (from, to) = exact.task().limits();
+    let times: Vec<f64> =
+        (0..=SAMPLES).map(|sample| from + (to - from) * sample as f64 / SAMPLES as f64).collect();
+    let point = |power: i32| {
+        let motion = case.solve(&Settings::default().rtol(10f64.powi(power))).ok()?;
+        let taken = (0..REPEATS).filter_map(|_| case.time_cycle(&motion).ok());
+        let errors = against.largest(&motion, &subjects, &times);
+        let shares = errors.iter().zip(&sizes).map(|(error, size)| error / size);
+        let worst = shares.filter(|share| share.is_finite()).fold(0.0, f64::max);
+        Some((taken.fold(f64::NAN, f64::min), worst))
+    };
+    let ends = [TOLERANCES[0], TOLERANCES[TOLERANCES.len() - 1]];
+    let name = format!("{}, rtol 1e{} to 1e{}", case.scene.name, ends[0], ends[1]);
+    Some(Line { name, points: TOLERANCES.into_iter().filter_map(point).collect() })
+}
+
 /// The figure: differences over times.
-pub fn figure(title: String, all: &[Beside], fullest: &(&Cycle<'_>, Option<f64>)) -> String {
+pub fn figure(
+    title: String,
+    all: &[Beside],
+    fullest: &(&Cycle<'_>, Option<f64>),
+    solver: Option<Line>,
+) -> String {
     let points = all.iter().filter_map(|one| {
         let seconds = one.seconds?;
         Some((one.scene.name.to_owned(), (seconds, one.error())))
@@ -96,7 +135,7 @@ pub fn figure(title: String, all: &[Beside], fullest: &(&Cycle<'_>, Option<f64>)
             "largest difference of an output from {}, over its amplitude",
             fullest.0.scene.name
         ),
-        lines: Vec::new(),
+        lines: solver.into_iter().collect(),
         front: Vec::new(),
         labels: points.collect(),
         mark: fullest.1.map(|seconds| (fullest.0.scene.name.to_owned(), seconds)),

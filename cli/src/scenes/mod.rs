@@ -114,7 +114,9 @@ pub fn execute(options: &ScenesArguments, registry: Registry) -> Result<(), Fail
                 "{}: what its scenes cost, and how far they are from {name}",
                 mechanism.title
             );
-            destination.write(against::figure(title, &all, fullest).as_bytes())?;
+            let own = cases.iter().find(|case| std::ptr::eq(case.scene, base));
+            let solver = own.and_then(|own| against::by_tolerance(own, fullest.0));
+            destination.write(against::figure(title, &all, fullest, solver).as_bytes())?;
             text += &format!("\nFigure: {}\n", destination.path().display());
         }
     }

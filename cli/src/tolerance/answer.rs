@@ -7,6 +7,8 @@ use assur::tolerance::{
     Study, ToleranceError,
 };
 
+use assur::shape::Quantity;
+
 use super::arguments::Kind;
 use super::question::{Label, Question};
 use crate::error::Failure;
@@ -178,7 +180,7 @@ fn out_of_reach(question: &Question, error: AllocationError) -> Failure {
         let own = question.labels.iter().filter(|one| !one.is_play);
         own.map(|one| one.quantity.name).nth(candidate).unwrap_or("?")
     };
-    let unit = Unit::of(question);
+    let unit = Unit::of(question.output());
     match error {
         AllocationError::Tolerance(error) => said(question, error),
         AllocationError::OutOfReach {
@@ -256,8 +258,7 @@ pub struct Unit {
 
 impl Unit {
     /// That of the output.
-    pub fn of(question: &Question) -> Self {
-        let output = question.output();
+    pub fn of(output: &Quantity) -> Self {
         match output.unit {
             "deg" | "rad" => Self { name: "mrad", factor: 1e-3 },
             name => Self { name, factor: output.factor },
@@ -287,7 +288,7 @@ impl Unit {
 impl Answer {
     /// What the figure shows.
     pub fn chart(&self, question: &Question) -> Chart {
-        let unit = Unit::of(question);
+        let unit = Unit::of(question.output());
         let driver = question.case.drivers.first();
         let along = self.along.as_ref().unwrap_or(&self.range);
         let places = question.along.as_ref().unwrap_or(&question.study.places);

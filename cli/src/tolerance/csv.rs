@@ -7,7 +7,7 @@ use crate::show::unit;
 
 /// The whole table.
 pub fn render(question: &Question, answer: &Answer) -> String {
-    let (unit, output) = (Unit::of(question), question.output());
+    let (unit, output) = (Unit::of(question.output()), question.output());
     let drivers = &question.case.drivers;
     let errors = ["worst case", "standard deviation"].map(|name| title(name, unit.name));
     let sources = 0..question.study.sources.len();

@@ -222,7 +222,7 @@ enum Status {
 impl Tolerance {
     /// The object.
     pub fn of(question: &Question, answer: &Answer, figure: Option<&Path>) -> Self {
-        Page { question, answer, unit: Unit::of(question) }.whole(figure)
+        Page { question, answer, unit: Unit::of(question.output()) }.whole(figure)
     }
 }
 

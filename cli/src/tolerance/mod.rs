@@ -8,8 +8,11 @@ mod places;
 mod question;
 mod table;
 
+pub use answer::Unit;
 pub use arguments::{EXAMPLES, ToleranceArguments};
 pub use json::Tolerance as Object;
+pub use places::range;
+pub use question::Names;
 
 use std::path::Path;
 

@@ -17,7 +17,7 @@ use crate::linkage::case::Case;
 use crate::linkage::place;
 use crate::linkage::wording::contradiction;
 use crate::show::number;
-use names::Options;
+pub use names::Names;
 pub use wanted::Wanted;
 
 /// A question, and what its numbers are called.
@@ -65,10 +65,10 @@ impl Question {
         let places = options.places as usize;
         let sampling =
             Sampling { samples: options.samples, seed: options.seed, ..Sampling::default() };
-        let names = Options { scene: case.scene, linkage: case.moved.entry, case: &case };
+        let names = Names { scene: case.scene, linkage: case.moved.entry, case: &case };
         let (sources, labels) = names.sources(options)?;
         let study = Study {
-            output: names.output(options.output.as_deref())?,
+            output: names.output(options.output.as_deref(), "--output")?,
             places: range(case.run(), places),
             sources,
         };

@@ -16,7 +16,7 @@ const DIGITS: usize = 5;
 
 /// All tables.
 pub fn render(page: &mut Page, question: &Question, answer: &Answer, figure: Option<&Path>) {
-    Sheet { page, question, answer, unit: Unit::of(question) }.whole(figure);
+    Sheet { page, question, answer, unit: Unit::of(question.output()) }.whole(figure);
 }
 
 /// The page with what stands on it.

@@ -37,6 +37,64 @@ fn smaller_tolerances_err_less() {
     }
 }
 
+/// Linkages made at random err by one over the root of their number; what is told of the orders is what many of them say.
+#[test]
+fn spreads_of_linkages_have_their_price() {
+    for name in ["heald_linkage", "dwell_six_bar", "gear_flank"] {
+        let found = object(&["cost", name, "--seconds", "0", "--for", "1%"]);
+        let spread = &found["spread"];
+        let number = |of: &Value, name: &str| of[name].as_f64().expect("a number");
+        let deviation = number(spread, "standard_deviation");
+        let ways = spread["ways"].as_array().unwrap();
+        let [first, second] = [&ways[0], &ways[1]];
+        assert!(number(second, "error") < number(first, "error"), "{name}: {spread}");
+        assert!(number(first, "error") < 0.01 * deviation, "{name}: {spread}");
+        let (few, many) = (&ways[4], &ways[6]);
+        assert_eq!(
+            (few["linkages"].as_u64(), many["linkages"].as_u64()),
+            (Some(10_000), Some(1_000_000))
+        );
+        let ratio = number(few, "error") / number(many, "error");
+        assert!((8.0..12.5).contains(&ratio), "{name}: {ratio}");
+        let off = (number(many, "standard_deviation") - deviation).abs();
+        assert!(off < 1.5 * number(many, "error"), "{name}: {many}");
+        let cheapest = &ways[spread["cheapest"].as_u64().expect("a way") as usize];
+        assert!(number(cheapest, "error") <= 0.01 * deviation, "{name}: {cheapest}");
+        assert!(number(&found, "position") > 0.0, "{name}");
+    }
+}
+
+/// An accuracy beyond what mechanisms as they are made have is said to be of no use.
+#[test]
+fn dimensions_as_they_are_made_limit_what_accuracy_is_for() {
+    let words = ["cost", "engine", "--scene", "run", "--method", "auto", "--rtol", "1e-9..1e-6"];
+    let words = [&words[..], &["--of", "irregularity", "--seconds", "0", "--for"]].concat();
+    let text = answer(&[&words[..], &["1%"]].concat(), &folder("made_loosely"));
+    assert!(text.contains("r, l, e, bore make irregularity differ by 0."), "{text}");
+    let text = answer(&[&words[..], &["1e-6%"]].concat(), &folder("made_finely"));
+    assert!(text.contains("such an accuracy is of no use"), "{text}");
+    // A bore that is larger by one standard deviation, and so on.
+    let found = object(&[&words[..], &["1%"]].concat());
+    let told = found["quantities"][0]["spread"].as_f64().expect("a spread");
+    let at = |set: &str| {
+        let words = ["run", "engine", "--scene", "run", "--format", "json", "--set", set];
+        let found: Value = serde_json::from_str(&answer(&words, &folder("made_run"))).unwrap();
+        let measures = found["measures"].as_array().expect("measures").clone();
+        let one = measures.iter().find(|one| one["name"] == "irregularity").expect("the measure");
+        one["value"].as_f64().expect("a number")
+    };
+    let third = 1.0 / 3.0;
+    let (base, wide) = (
+        at("bore=80mm"),
+        [("r", 40.0, 0.02), ("l", 140.0, 0.02), ("e", 0.0, 0.02), ("bore", 80.0, 0.01)],
+    );
+    let squares = wide.map(|(name, value, width)| {
+        (at(&format!("{name}={}mm", value + third * width)) - base).powi(2)
+    });
+    let root = squares.iter().sum::<f64>().sqrt();
+    assert!((told - root).abs() < 0.01 * root, "{told} {root}");
+}
+
 /// Scenes beside the one with most effects, or one that is named.
 #[test]
 fn scenes_are_compared_with_the_fullest() {
@@ -124,7 +182,10 @@ fn shares_are_those_of_two_runs() {
 fn wrong_questions_are_refused() {
     let directory = folder("wrong_costs");
     for (words, expected) in [
-        (&["cost", "heald_linkage"][..], "nothing is integrated"),
+        (&["cost", "heald_linkage", "--method", "radau"][..], "nothing is integrated"),
+        (&["cost", "heald_linkage", "--of", "phi9"], "`phi9`"),
+        (&["cost", "heald_linkage", "--for", "0rad"], "above 0"),
+        (&["cost", "heald_linkage", "--for", "1mm"], "has the unit of `1mm`"),
         (&["cost", "batten", "--of", "F3"], "`F3`"),
         (&["cost", "batten", "--for", "F2=0N"], "above 0"),
         (&["cost", "batten", "--for", "F2=-1N"], "above 0"),

@@ -4,6 +4,13 @@
 //! solution by another method, a second reference or one of those that are tried. Times are those of whole solutions,
 //! repeated and interleaved, so that whatever else the machine does falls on all of them alike.
 
+mod made;
+mod times;
+
+pub use made::{Found, Made, Trial as MadeTrial, Way, made};
+pub use times::{Times, front};
+
+use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -11,6 +18,7 @@ use assur_solvers::answer::{Error, Estimate, Method, Motion, Question, Settings}
 use assur_solvers::model::Model;
 use assur_solvers::problem::Span;
 use assur_solvers::shape::Subject;
+use times::in_turns;
 
 /// Methods that are asked for the reference, and their tolerances: the first two that answer count.
 const EXACT: [(Method, f64); 4] = [
@@ -23,8 +31,6 @@ const EXACT: [(Method, f64); 4] = [
 const INSTANTS: usize = 240;
 /// [`Estimate::largest`] looks at one of so many samples.
 const THINNED: usize = 3;
-/// Fewest and most rounds of times.
-const ROUNDS: (usize, usize) = (3, 40);
 
 /// What is tried.
 #[derive(Clone, Debug)]
@@ -40,10 +46,8 @@ pub struct Look<'a> {
 /// What a way to solve the task takes and gives.
 #[derive(Clone, Debug)]
 pub struct Work {
-    /// Median of the times, in seconds, with the quartiles around it.
-    pub seconds: f64,
-    /// The quartiles.
-    pub quartiles: (f64, f64),
+    /// How long it takes.
+    pub times: Times,
     /// Steps.
     pub steps: usize,
     /// Evaluations of the rates.
@@ -112,12 +116,11 @@ pub fn cost(
             *size = f64::max(*size, value.abs());
         }
     }
-    let (mut trials, mut goes_on) = (Vec::new(), true);
-    let mut taken: Vec<Vec<f64>> = Vec::new();
+    let (mut trials, mut first) = (Vec::new(), Vec::new());
     for settings in look.settings {
         let clock = Instant::now();
         let solved = solve(settings);
-        taken.push(vec![clock.elapsed().as_secs_f64()]);
+        first.push(clock.elapsed().as_secs_f64());
         let outcome = solved.map_err(|error| error.to_string()).and_then(|motion| {
             if !motion.is_like(&exact) {
                 return Err(other_course(&motion, &exact));
@@ -125,8 +128,7 @@ pub fn cost(
             let (errors, measures) = errors(&motion);
             let statistics = motion.statistics();
             Ok(Work {
-                seconds: f64::NAN,
-                quartiles: (f64::NAN, f64::NAN),
+                times: Times { median: f64::NAN, quartiles: (f64::NAN, f64::NAN) },
                 steps: statistics.steps,
                 evaluations: statistics.evaluations,
                 errors,
@@ -134,31 +136,19 @@ pub fn cost(
             })
         });
         trials.push(Trial { settings: settings.clone(), outcome });
-        goes_on = progress();
-        if !goes_on {
+        if !progress() {
             break;
         }
     }
-    let pass: f64 = taken.iter().flatten().sum();
-    let rounds = ((look.seconds / pass) as usize).clamp(ROUNDS.0, ROUNDS.1);
-    let mut done = 1;
-    while goes_on && done < rounds {
-        for (trial, taken) in trials.iter().zip(&mut taken) {
-            if trial.outcome.is_ok() {
-                let clock = Instant::now();
-                let _ = std::hint::black_box(solve(&trial.settings));
-                taken.push(clock.elapsed().as_secs_f64());
-            }
+    let again = |index: usize| {
+        if trials[index].outcome.is_ok() {
+            let _ = black_box(solve(&trials[index].settings));
         }
-        done += 1;
-        goes_on = progress();
-    }
-    for (trial, mut taken) in trials.iter_mut().zip(taken) {
-        taken.sort_by(f64::total_cmp);
-        let at = |part: f64| taken[((taken.len() - 1) as f64 * part).round() as usize];
+    };
+    let (times, rounds) = in_turns(&first, look.seconds, &again, progress);
+    for (trial, times) in trials.iter_mut().zip(times) {
         if let Ok(work) = &mut trial.outcome {
-            work.seconds = at(0.5);
-            work.quartiles = (at(0.25), at(0.75));
+            work.times = times;
         }
     }
     let mut doubt = errors(&second);
@@ -176,7 +166,7 @@ pub fn cost(
         doubt,
         sizes: (sizes, measures.iter().map(|one| one.map_or(f64::NAN, f64::abs)).collect()),
         trials,
-        rounds: done,
+        rounds,
     })
 }
 
@@ -222,19 +212,9 @@ fn other_course(motion: &Motion, exact: &Motion) -> String {
 impl Costs {
     /// The trials that nothing cheaper is better than, by a number of each; the cheapest first.
     pub fn front(&self, error: impl Fn(&Work) -> f64) -> Vec<usize> {
-        let works = self.trials.iter().enumerate();
-        let works = works.filter_map(|(index, trial)| {
-            let work = trial.outcome.as_ref().ok()?;
-            Some((index, work.seconds, error(work)))
-        });
-        let mut works: Vec<_> = works.filter(|one| one.2.is_finite()).collect();
-        works.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.2.total_cmp(&b.2)));
-        let mut best = f64::INFINITY;
-        works.retain(|(_, _, error)| {
-            let is_better = *error < best;
-            best = best.min(*error);
-            is_better
-        });
-        works.into_iter().map(|one| one.0).collect()
+        front(self.trials.iter().map(|trial| match &trial.outcome {
+            Ok(work) => (work.times.median, error(work)),
+            Err(_) => (f64::NAN, f64::NAN),
+        }))
     }
 }

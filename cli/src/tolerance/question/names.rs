@@ -14,13 +14,13 @@ use crate::linkage::case::Case;
 use crate::tolerance::arguments::ToleranceArguments;
 
 /// The names of a scene.
-pub(super) struct Options<'a> {
+pub struct Names<'a> {
     pub scene: &'static SceneEntry,
     pub linkage: &'static LinkageEntry,
     pub case: &'a Case,
 }
 
-impl Options<'_> {
+impl Names<'_> {
     /// The quantity of a variable, its tolerance and how it is distributed.
     pub fn variable(&self, index: usize) -> (&'static Quantity, f64, Distribution) {
         match self.linkage.variables[index] {
@@ -91,16 +91,10 @@ impl Options<'_> {
             (*tolerance, *distribution) =
                 (asked.half_width, asked.distribution.unwrap_or(*distribution));
         }
-        let mut sources = Vec::new();
-        let mut labels = Vec::new();
-        for (variable, (quantity, tolerance, distribution)) in tolerances.into_iter().enumerate() {
-            if tolerance > 0.0 {
-                let half_width = tolerance * options.scale;
-                let distribution = distribution.about(half_width, self.value(variable));
-                sources.push(Source { variable, half_width, distribution });
-                labels.push(Label { quantity, is_play: false });
-            }
-        }
+        let mut sources = self.toleranced(&tolerances, options.scale);
+        let label =
+            |source: &Source| Label { quantity: tolerances[source.variable].0, is_play: false };
+        let mut labels: Vec<_> = sources.iter().map(label).collect();
         for text in &options.play {
             let (variable, radial) = self.read(text, "--play")?;
             sources.push(Source::play(variable, radial));
@@ -113,8 +107,29 @@ impl Options<'_> {
         }
     }
 
-    /// The index of the output.
-    pub fn output(&self, name: Option<&str>) -> Result<usize, Failure> {
+    /// What errs by the tolerances of the file.
+    pub fn declared(&self) -> Vec<Source> {
+        let variables = 0..self.linkage.variables.len();
+        self.toleranced(&variables.map(|one| self.variable(one)).collect::<Vec<_>>(), 1.0)
+    }
+
+    /// What errs by tolerances that are given for all variables.
+    fn toleranced(
+        &self,
+        tolerances: &[(&'static Quantity, f64, Distribution)],
+        scale: f64,
+    ) -> Vec<Source> {
+        let source =
+            |(variable, (_, tolerance, distribution)): (usize, &(_, f64, Distribution))| {
+                let half_width = tolerance * scale;
+                let distribution = distribution.about(half_width, self.value(variable));
+                (half_width > 0.0).then_some(Source { variable, half_width, distribution })
+            };
+        tolerances.iter().enumerate().filter_map(source).collect()
+    }
+
+    /// The index of the output that an option names.
+    pub fn output(&self, name: Option<&str>, option: &str) -> Result<usize, Failure> {
         let names: Vec<_> = self.scene.outputs.iter().map(|one| one.name).collect();
         let Some(name) = name else {
             return names.len().checked_sub(1).ok_or_else(|| {
@@ -123,7 +138,7 @@ impl Options<'_> {
         };
         names.iter().position(|one| *one == name).ok_or_else(|| {
             Failure::request(format!("scene `{}` has no output `{name}`", self.scene.name))
-                .place(format!("--output {name}"))
+                .place(format!("{option} {name}"))
                 .remedy(suggestion(name, &names))
         })
     }

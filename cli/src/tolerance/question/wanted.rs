@@ -4,7 +4,7 @@ use assur::shape::Quantity;
 use assur::tolerance::{Candidate, Cost, Rule, Study};
 
 use super::Label;
-use super::names::Options;
+use super::names::Names;
 use crate::ask::values::{once, quantity, split};
 use crate::error::Failure;
 use crate::tolerance::arguments::{Kind, ToleranceArguments};
@@ -19,7 +19,7 @@ pub struct Wanted {
     pub candidates: Vec<Candidate>,
 }
 
-impl Options<'_> {
+impl Names<'_> {
     /// What is to be chosen.
     pub fn wanted(
         &self,
