@@ -34,6 +34,7 @@ use made::Spread;
 
 /// The answers as objects.
 #[cfg(test)]
+#[expect(dead_code, reason = "the schema is derived from it")]
 #[derive(Serialize, schemars::JsonSchema)]
 #[serde(untagged)]
 pub enum Object {
