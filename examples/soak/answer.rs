@@ -20,11 +20,20 @@ pub enum Kind {
     ExtremeTime,
     EventTime,
     Measure,
+    Energy,
+    Closure,
 }
 
 impl Kind {
-    pub const ALL: [Self; 5] =
-        [Self::Value, Self::Extreme, Self::ExtremeTime, Self::EventTime, Self::Measure];
+    pub const ALL: [Self; 7] = [
+        Self::Value,
+        Self::Extreme,
+        Self::ExtremeTime,
+        Self::EventTime,
+        Self::Measure,
+        Self::Energy,
+        Self::Closure,
+    ];
 
     pub fn name(self) -> &'static str {
         match self {
@@ -33,6 +42,8 @@ impl Kind {
             Self::ExtremeTime => "times of extremes",
             Self::EventTime => "times of events",
             Self::Measure => "measures",
+            Self::Energy => "energies that stay",
+            Self::Closure => "closed loops",
         }
     }
 }

@@ -2,20 +2,27 @@
 //! with that of a far more accurate run by another method: values at times, extremes and their times, events, measures.
 //! A number is judged by the error that stands beside it, as its reader does: the command itself is asked, for its JSON.
 //!
-//! What is found is printed as a command line that shows it. A case follows from its number and the seed alone, so
-//! that a soak goes on with `--from` where another ended, and `--case` repeats one.
+//! Beside them it is watched that loops stay closed, and that energy stays where nothing takes or gives any.
+//!
+//! What is found is made as simple as it can be, with as few values changed and as few digits, and printed as a command line
+//! that shows it. A case follows from its number and the seed alone, so that a soak goes on with `--from` where another
+//! ended, and `--case` repeats one.
 //!
 //! | file | what it holds |
 //! |---|---|
 //! | `case` | a scene with values, a method and a tolerance made at random |
 //! | `answer` | what the command says of it, as numbers with their errors |
+//! | `watch` | what stays in a motion: closed loops, energy |
+//! | `judge` | what is to be said of a case, and the simplest one of which the same is to be said |
 //! | `tally` | how errors compare with their estimates, and what was worst |
 //!
 //!     cargo run --release --example soak -- --minutes 10
 
 mod answer;
 mod case;
+mod judge;
 mod tally;
+mod watch;
 
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
@@ -23,7 +30,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use case::{Case, Precision};
+use case::Case;
+use judge::{judge, simplest};
 use tally::Tally;
 
 const USAGE: &str =
@@ -91,11 +99,15 @@ fn main() -> ExitCode {
                         break;
                     }
                     let case = Case::make(options.seed, number, options.only.as_deref());
-                    let answer = answer::ask(&command, &case, Precision::Tried);
-                    let reference =
-                        answer.is_ok().then(|| answer::ask(&command, &case, Precision::Reference));
+                    let mut verdict = judge(&command, &case);
+                    let finding = verdict.finding.take();
+                    let found = finding.map(|finding| simplest(&command, case, finding));
                     let mut tally = tally.lock().unwrap_or_else(|broken| broken.into_inner());
-                    tally.add(&case, answer, reference);
+                    tally.add(&verdict);
+                    if let Some((case, finding)) = found {
+                        eprintln!("case {number}: {}", finding.what);
+                        tally.find(finding, &case);
+                    }
                     if number % 100 == 99 {
                         eprintln!("{} cases, {}", number + 1, tally.line());
                     }

@@ -3,15 +3,12 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::answer::{Answer, Kind, Refusal};
+use crate::answer::Kind;
 use crate::case::{Case, Precision};
+use crate::judge::{Compared, Finding, SHARE, Verdict};
 
-/// An estimate below this share of the true error is too small.
-const SHARE: f64 = 5.0;
 /// Share of the estimates that may be too small.
 const PERMITTED: f64 = 0.1;
-/// An error so many times its estimate is a finding by itself.
-const FINDING: f64 = 1e3;
 /// Findings that are printed.
 const SHOWN: usize = 25;
 
@@ -25,11 +22,11 @@ struct Count {
     worst: f64,
 }
 
-/// What is to be looked at.
+/// What is to be looked at, and how to see it.
 #[derive(Debug)]
-struct Finding {
-    weight: f64,
-    what: String,
+struct Shown {
+    finding: Finding,
+    case: u64,
     line: String,
     beside: String,
 }
@@ -41,87 +38,32 @@ pub struct Tally {
     counts: BTreeMap<Kind, Count>,
     /// Cases by status, and refusals by their first line.
     ends: BTreeMap<String, usize>,
-    findings: Vec<Finding>,
+    findings: Vec<Shown>,
 }
 
 impl Tally {
-    /// Adds a case with its two answers; there is no reference where the first was refused.
-    pub fn add(
-        &mut self,
-        case: &Case,
-        tried: Result<Answer, Refusal>,
-        reference: Option<Result<Answer, Refusal>>,
-    ) {
+    /// Adds what is said of a case, but for what was found.
+    pub fn add(&mut self, verdict: &Verdict) {
         self.cases += 1;
-        let tried = match tried {
-            Ok(tried) => tried,
-            Err(refusal) => return self.refused(case, Precision::Tried, &refusal),
-        };
-        *self.ends.entry(tried.status.clone()).or_default() += 1;
-        match reference {
-            Some(Ok(reference)) => self.compare(case, &tried, &reference),
-            Some(Err(refusal)) => self.refused(case, Precision::Reference, &refusal),
-            None => {}
+        for end in &verdict.ends {
+            *self.ends.entry(end.clone()).or_default() += 1;
         }
-    }
-
-    fn refused(&mut self, case: &Case, precision: Precision, refusal: &Refusal) {
-        let first = refusal.text.lines().next().unwrap_or("no words");
-        let which = match precision {
-            Precision::Tried => "refused",
-            Precision::Reference => "reference refused",
-        };
-        *self.ends.entry(format!("{which}: {first}")).or_default() += 1;
-        // A panic, a kill, no words at all.
-        if !matches!(refusal.code, Some(1 | 2)) || refusal.text.contains("panicked") {
-            self.find(f64::INFINITY, format!("ended with {:?}: {first}", refusal.code), case);
-        }
-    }
-
-    fn compare(&mut self, case: &Case, tried: &Answer, reference: &Answer) {
-        if tried.status != "complete" || reference.status != "complete" {
-            return;
-        }
-        if tried.events != reference.events {
-            let (a, b) = (tried.events.len(), reference.events.len());
-            self.find(FINDING, format!("events differ: {a} and {b}"), case);
-            return;
-        }
-        let mut worst: Option<(f64, String)> = None;
-        for (a, b) in tried.numbers.iter().zip(&reference.numbers) {
-            if a.value.is_nan() && b.value.is_nan() {
-                continue;
-            }
-            let count = self.counts.entry(a.kind).or_default();
-            if a.error.is_nan() {
+        for Compared { kind, ratio, .. } in &verdict.numbers {
+            let count = self.counts.entry(*kind).or_default();
+            let Some(ratio) = ratio else {
                 count.bare += 1;
                 continue;
-            }
-            // What the reference says of itself may be the whole difference.
-            let known = if b.error.is_nan() { 0.0 } else { SHARE * b.error };
-            let excess = ((a.value - b.value).abs() - known).max(0.0);
-            let ratio = if excess == 0.0 { 0.0 } else { excess / a.error };
+            };
             count.compared += 1;
-            count.too_small += usize::from(ratio > SHARE || ratio.is_nan());
-            count.worst = count.worst.max(ratio);
-            if worst.as_ref().is_none_or(|(most, _)| ratio > *most) {
-                let what =
-                    format!("{}: {} against {}, said {:.1e}", a.name, a.value, b.value, a.error);
-                worst = Some((ratio, what));
-            }
-        }
-        if let Some((ratio, what)) = worst.filter(|(ratio, _)| *ratio > FINDING) {
-            self.find(ratio, what, case);
+            count.too_small += usize::from(*ratio > SHARE || ratio.is_nan());
+            count.worst = count.worst.max(*ratio);
         }
     }
 
-    fn find(&mut self, weight: f64, what: String, case: &Case) {
-        self.findings.push(Finding {
-            weight,
-            what: format!("case {}: {what}", case.number),
-            line: case.line(Precision::Tried),
-            beside: case.line(Precision::Reference),
-        });
+    /// Adds what was found with a case.
+    pub fn find(&mut self, finding: Finding, case: &Case) {
+        let (line, beside) = (case.line(Precision::Tried), case.line(Precision::Reference));
+        self.findings.push(Shown { finding, case: case.number, line, beside });
     }
 
     /// A line of the state.
@@ -173,9 +115,9 @@ impl fmt::Display for Tally {
             writeln!(f, "{count:>8}  {end}")?;
         }
         let mut findings: Vec<_> = self.findings.iter().collect();
-        findings.sort_by(|a, b| b.weight.total_cmp(&a.weight));
-        for finding in findings.iter().take(SHOWN) {
-            writeln!(f, "\n{}\n  {}\n  {}", finding.what, finding.line, finding.beside)?;
+        findings.sort_by(|a, b| b.finding.weight.total_cmp(&a.finding.weight));
+        for Shown { finding, case, line, beside } in findings.into_iter().take(SHOWN) {
+            writeln!(f, "\ncase {case}: {}\n  {line}\n  {beside}", finding.what)?;
         }
         Ok(())
     }
