@@ -10,7 +10,7 @@ use serde_json::Value;
 use crate::case::{Case, Precision};
 
 /// A run that takes longer is a finding.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(240);
 
 /// What a number is, for the tally.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

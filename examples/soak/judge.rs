@@ -14,7 +14,7 @@ const FINDING: f64 = 1e3;
 /// A number beside a more accurate one.
 pub struct Compared {
     pub kind: Kind,
-    /// What it errs by, over what is told of that; none where nothing is told.
+    /// What it errs by, over the larger error that either answer tells; none where nothing is told.
     pub ratio: Option<f64>,
     /// The number, in words.
     pub what: String,
@@ -95,10 +95,10 @@ impl Verdict {
             if a.value.is_nan() && b.value.is_nan() {
                 continue;
             }
-            // What the reference says of itself may be the whole difference.
+            // What the reference says of itself may be the whole difference, and may be as wrong.
             let known = if b.error.is_nan() { 0.0 } else { SHARE * b.error };
             let excess = ((a.value - b.value).abs() - known).max(0.0);
-            let ratio = if excess == 0.0 { 0.0 } else { excess / a.error };
+            let ratio = if excess == 0.0 { 0.0 } else { excess / a.error.max(b.error) };
             let what = format!("{}: {} against {}, said {:.1e}", a.name, a.value, b.value, a.error);
             let ratio = (!a.error.is_nan()).then_some(ratio);
             self.numbers.push(Compared { kind: a.kind, ratio, what });
