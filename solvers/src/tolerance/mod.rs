@@ -40,7 +40,7 @@ pub use order::second::{Moments, Quadratic, quadratics};
 pub use random::Random;
 #[doc(hidden)]
 pub use random::normal::quantile as normal_quantile;
-pub(crate) use sample::drawing::{Block, Drawing, Run};
+pub(crate) use sample::drawing::{Block, Blocks, Drawing, Run};
 #[doc(hidden)]
 pub use sample::estimate::share;
 pub use sample::estimate::{Estimate, Quantile, Sampled, Status};

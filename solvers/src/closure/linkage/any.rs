@@ -11,7 +11,7 @@ use crate::dispatch::dispatch;
 use crate::problem::Span;
 use crate::scalar::{Dual, Interval};
 use crate::shape::Shape;
-use crate::tolerance::{Block, Drawing, Run};
+use crate::tolerance::{Block, Blocks, Drawing, Run};
 
 /// A linkage with its values.
 pub trait AnyLinkage: Send + Sync {
@@ -52,9 +52,9 @@ pub trait AnyLinkage: Send + Sync {
     #[doc(hidden)]
     fn enclose(&self, values: &[Interval]) -> Box<dyn Trials<Interval>>;
 
-    /// Makes linkages at random, from one sample to another, and counts the classes of their errors.
+    /// Makes linkages at random, block after block until none waits, and counts the classes of their errors.
     #[doc(hidden)]
-    fn draw(&self, run: &Run<'_>, samples: (u64, u64), counts: &mut [u64]) -> Block;
+    fn draw(&self, run: &Run<'_>, blocks: &Blocks<'_>, counts: &mut [u64]) -> Vec<(u64, Block)>;
 }
 
 impl<L: Linkage> AnyLinkage for L {
@@ -102,7 +102,7 @@ impl<L: Linkage> AnyLinkage for L {
         Box::new(Apart(Linkage::prepare(self, values)))
     }
 
-    fn draw(&self, run: &Run<'_>, samples: (u64, u64), counts: &mut [u64]) -> Block {
-        dispatch(Drawing { run, samples, counts, linkage: self })
+    fn draw(&self, run: &Run<'_>, blocks: &Blocks<'_>, counts: &mut [u64]) -> Vec<(u64, Block)> {
+        dispatch(Drawing { run, blocks, counts, linkage: self })
     }
 }

@@ -1,4 +1,4 @@
-//! The drawing of one block of samples.
+//! The drawing of blocks of samples by one thread.
 //!
 //! Errors are drawn and their first order is added up for a batch of samples at once; the linkages are then closed some side
 //! by side, and what they give is tallied for the whole batch.
@@ -13,9 +13,10 @@ use crate::tolerance::made::lead::Lead;
 use crate::tolerance::made::nominal::Nominal;
 use crate::tolerance::random::Random;
 use crate::tolerance::source::Study;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Samples in a batch.
-const BATCH: usize = 64;
+pub(super) const BATCH: usize = 64;
 /// Packs of samples in a batch.
 const PACKS: usize = BATCH / WIDTH;
 
@@ -37,20 +38,46 @@ pub struct Run<'a> {
     pub(super) classes: Vec<Classes>,
 }
 
-/// The drawing of one block.
+/// Blocks that wait: each is drawn by the thread that comes first.
+pub struct Blocks<'a> {
+    samples: u64,
+    size: u64,
+    next: AtomicU64,
+    /// Hears how many samples more are drawn.
+    progress: &'a (dyn Fn(u64) + Sync),
+}
+
+impl<'a> Blocks<'a> {
+    pub fn new(samples: u64, size: u64, progress: &'a (dyn Fn(u64) + Sync)) -> Self {
+        Self { samples, size, next: AtomicU64::new(0), progress }
+    }
+
+    /// How many there are in all.
+    pub fn count(&self) -> u64 {
+        self.samples.div_ceil(self.size)
+    }
+
+    /// The index of the next one, its first sample, and the one behind its last.
+    fn take(&self) -> Option<(u64, u64, u64)> {
+        let index = self.next.fetch_add(1, Ordering::Relaxed);
+        let first = index.checked_mul(self.size).filter(|first| *first < self.samples)?;
+        Some((index, first, self.samples.min(first + self.size)))
+    }
+}
+
+/// The drawing of blocks by one thread, until none waits; each comes with its index.
 pub(crate) struct Drawing<'a, 'b, L: Linkage> {
     pub run: &'a Run<'a>,
-    /// The first sample, and the one behind the last.
-    pub samples: (u64, u64),
+    pub blocks: &'a Blocks<'a>,
     pub counts: &'b mut [u64],
     pub linkage: &'a L,
 }
 
 impl<L: Linkage> Task for Drawing<'_, '_, L> {
-    type Output = Block;
+    type Output = Vec<(u64, Block)>;
 
     #[inline(always)]
-    fn run<S: Scalar>(self) -> Block {
+    fn run<S: Scalar>(self) -> Vec<(u64, Block)> {
         // Of those that are not packed, packs are not even compiled.
         if L::PACKED && !self.linkage.is_apart() {
             return self.run_of::<S, Lanes<S>, PACKS, WIDTH>(packed, |error| error.0);
@@ -76,47 +103,52 @@ impl<L: Linkage> Drawing<'_, '_, L> {
         self,
         pack: impl Fn(&[S; BATCH]) -> [P; PACKS],
         unpack: impl Fn(&P) -> [S; WIDTH],
-    ) -> Block {
+    ) -> Vec<(u64, Block)> {
         let (run, sources) = (self.run, &self.run.study.sources);
         let output = run.study.output;
         let mut maker = Maker::<L, P, PACKS>::new(self.linkage, run.nominals, sources, output);
         let mut closure = maker.nominal();
-        let mut block = Block { places: vec![Sums::NONE; run.nominals.len()], whole: 0 };
         let mut errors = vec![[S::ZERO; BATCH]; sources.len()];
         let mut packs = vec![[P::ZERO; PACKS]; sources.len()];
         let mut found = vec![[f64::NAN; BATCH]; run.nominals.len()];
-        for first in (self.samples.0..self.samples.1).step_by(BATCH) {
-            let count = BATCH.min((self.samples.1 - first) as usize);
-            run.draw(first, &mut errors);
-            packs.iter_mut().zip(&errors).for_each(|(packs, errors)| *packs = pack(errors));
-            maker.make(&packs);
-            for number in 0..count.div_ceil(WIDTH) {
-                maker.prepare(&mut closure, number);
-                let mut whole = [true; WIDTH];
-                let samples = number * WIDTH..count.min((number + 1) * WIDTH);
-                for (place, found) in found.iter_mut().enumerate() {
-                    let all = unpack(&maker.error(&closure, place, number));
-                    for (lane, sample) in samples.clone().enumerate() {
-                        let mut error = all[lane].to_f64();
-                        if !error.is_finite() {
-                            error = run.lead(place, &errors, sample);
-                            whole[lane] &= !error.is_nan();
+        let mut done = Vec::new();
+        while let Some((index, from, to)) = self.blocks.take() {
+            let mut block = Block { places: vec![Sums::NONE; run.nominals.len()], whole: 0 };
+            for first in (from..to).step_by(BATCH) {
+                let count = BATCH.min((to - first) as usize);
+                run.draw(first, &mut errors);
+                packs.iter_mut().zip(&errors).for_each(|(packs, errors)| *packs = pack(errors));
+                maker.make(&packs);
+                for number in 0..count.div_ceil(WIDTH) {
+                    maker.prepare(&mut closure, number);
+                    let mut whole = [true; WIDTH];
+                    let samples = number * WIDTH..count.min((number + 1) * WIDTH);
+                    for (place, found) in found.iter_mut().enumerate() {
+                        let all = unpack(&maker.error(&closure, place, number));
+                        for (lane, sample) in samples.clone().enumerate() {
+                            let mut error = all[lane].to_f64();
+                            if !error.is_finite() {
+                                error = run.lead(place, &errors, sample);
+                                whole[lane] &= !error.is_nan();
+                            }
+                            found[sample] = error;
                         }
-                        found[sample] = error;
+                    }
+                    let whole = whole[..samples.len()].iter().filter(|whole| **whole);
+                    block.whole += whole.count() as u64;
+                }
+                for (place, found) in found.iter().enumerate() {
+                    let found = &found[..count];
+                    block.places[place].add_all(found);
+                    if let Some(classes) = run.classes.get(place) {
+                        classes.count(found, &mut self.counts[place * CLASSES..][..CLASSES]);
                     }
                 }
-                let whole = whole[..samples.len()].iter().filter(|whole| **whole);
-                block.whole += whole.count() as u64;
             }
-            for (place, found) in found.iter().enumerate() {
-                let found = &found[..count];
-                block.places[place].add_all(found);
-                if let Some(classes) = run.classes.get(place) {
-                    classes.count(found, &mut self.counts[place * CLASSES..][..CLASSES]);
-                }
-            }
+            done.push((index, block));
+            (self.blocks.progress)(to - from);
         }
-        block
+        done
     }
 }
 

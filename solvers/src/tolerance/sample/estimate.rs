@@ -70,7 +70,8 @@ pub(super) struct Counted<'a> {
     pub drawn: u64,
     pub sums: &'a Sums,
     pub classes: &'a Classes,
-    pub counts: &'a [u64],
+    /// Samples of each class and of those before.
+    pub up_to: &'a [u64],
 }
 
 impl Counted<'_> {
@@ -122,7 +123,7 @@ impl Counted<'_> {
 
     /// A quantile. The number of samples below it is binomial, which says between which of them it lies.
     fn quantile(&self, level: f64, z: f64) -> Quantile {
-        let at = |share: f64| self.classes.quantile(self.counts, share, self.sums.extremes);
+        let at = |share: f64| self.classes.quantile(self.up_to, share, self.sums.extremes);
         let half = z * (level * (1.0 - level) / self.sums.count as f64).sqrt();
         Quantile {
             level,
@@ -170,7 +171,7 @@ mod tests {
             drawn: 10,
             sums: &Sums::NONE,
             classes: &Classes::around((0.0, 1.0)),
-            counts: &[0; crate::tolerance::sample::tally::CLASSES],
+            up_to: &[0; crate::tolerance::sample::tally::CLASSES],
         };
         let sampled = counted.judge(0.95, &[0.5]);
         assert_eq!(sampled.status, Status::Empty);

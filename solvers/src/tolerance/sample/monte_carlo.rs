@@ -3,9 +3,9 @@
 //! Blocks of samples go to whichever thread is free. The numbers of a sample depend on the seed and on its own number
 //! alone, and sums are joined in the order of the blocks: the answer is the same, bit for bit, for any number of threads.
 
-use super::drawing::{Block, Run};
+use super::drawing::{BATCH, Block, Blocks, Run};
 use super::estimate::{Counted, Estimate, Sampled, share};
-use super::tally::{CLASSES, Classes, Sums};
+use super::tally::{CLASSES, Classes, Sums, cumulate};
 use crate::closure::{AnyLinkage, Linkage};
 use crate::tolerance::error::ToleranceError;
 use crate::tolerance::made::nominal::Nominal;
@@ -13,18 +13,19 @@ use crate::tolerance::random::normal;
 use crate::tolerance::source::Study;
 use std::num::NonZeroUsize;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Fewest samples: one has no spread.
 const LEAST: u64 = 2;
 /// Most samples: hours.
 const MOST: u64 = 100_000_000_000;
-/// Smallest block.
-const BLOCK: u64 = 4096;
+/// Smallest block, and the largest that is not for the sake of their number.
+const BLOCK: (u64, u64) = (256, 4096);
+/// Blocks that are enough for threads to end at about the same time.
+const SHARES: u64 = 64;
 /// Largest number of blocks.
 const BLOCKS: u64 = 4096;
-/// Samples from which the classes are chosen.
-const PILOT: u64 = 1024;
+/// Samples from which the classes are chosen: a part of all, within bounds.
+const PILOT: (u64, u64, u64) = (32, 256, 1024);
 
 /// How samples are drawn and what is made of them.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,11 +92,12 @@ pub(crate) fn monte_carlo_of(
     let nominals = Nominal::along(linkage, &study.places, &study.sources)?;
     let mut run =
         Run { linkage, nominals: &nominals, study, seed: sampling.seed, classes: Vec::new() };
-    let pilot = linkage.draw(&run, (0, PILOT.min(sampling.samples)), &mut []);
-    let classes = pilot.places.iter().map(|one| Classes::around(one.extremes));
-    run.classes = classes.collect();
+    let pilot = Blocks::new(sampling.pilot(), sampling.pilot(), &|_| ());
+    for (_, block) in linkage.draw(&run, &pilot, &mut []) {
+        run.classes = block.places.iter().map(|one| Classes::around(one.extremes)).collect();
+    }
     let (blocks, counts) = run.all(sampling, progress);
-    Ok(run.judge(sampling, &blocks, &counts))
+    Ok(run.judge(sampling, &blocks, counts))
 }
 
 impl Sampling {
@@ -115,6 +117,19 @@ impl Sampling {
         Ok(())
     }
 
+    /// How many samples are drawn to choose the classes.
+    fn pilot(&self) -> u64 {
+        let (part, least, most) = PILOT;
+        self.samples.min((self.samples / part).clamp(least, most))
+    }
+
+    /// How many samples are drawn together: whole batches.
+    fn block(&self) -> u64 {
+        let (least, most) = BLOCK;
+        let shared = self.samples.div_ceil(SHARES).next_multiple_of(BATCH as u64);
+        shared.clamp(least, most).max(self.samples.div_ceil(BLOCKS))
+    }
+
     fn threads(&self, blocks: u64) -> u64 {
         let machine = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
         let wanted = if self.threads == 0 { machine() } else { self.threads };
@@ -125,25 +140,13 @@ impl Sampling {
 impl Run<'_> {
     /// Draws all blocks. Gives them in their order, and the classes counted.
     fn all(&self, sampling: &Sampling, progress: &(dyn Fn(u64) + Sync)) -> (Vec<Block>, Vec<u64>) {
-        let samples = sampling.samples;
-        let size = BLOCK.max(samples.div_ceil(BLOCKS));
-        let blocks = samples.div_ceil(size);
-        let next = AtomicU64::new(0);
-        let gathered = Mutex::new((Vec::new(), vec![0; CLASSES * self.nominals.len()]));
+        let blocks = Blocks::new(sampling.samples, sampling.block(), progress);
+        let threads = sampling.threads(blocks.count());
+        let none = vec![0; CLASSES * self.nominals.len()];
+        let gathered = Mutex::new((Vec::new(), none.clone()));
         let work = || {
-            let mut counts = vec![0; CLASSES * self.nominals.len()];
-            let mut done = Vec::new();
-            loop {
-                let index = next.fetch_add(1, Ordering::Relaxed);
-                if index >= blocks {
-                    break;
-                }
-                let from = index * size;
-                let to = samples.min(from + size);
-                let block = self.linkage.draw(self, (from, to), &mut counts);
-                done.push((index, block));
-                progress(to - from);
-            }
+            let mut counts = none.clone();
+            let done = self.linkage.draw(self, &blocks, &mut counts);
             let mut all = gathered.lock().unwrap_or_else(|poison| poison.into_inner());
             all.0.extend(done);
             for (sum, count) in all.1.iter_mut().zip(counts) {
@@ -151,7 +154,7 @@ impl Run<'_> {
             }
         };
         std::thread::scope(|scope| {
-            for _ in 1..sampling.threads(blocks) {
+            for _ in 1..threads {
                 scope.spawn(work);
             }
             work();
@@ -162,7 +165,8 @@ impl Run<'_> {
         (blocks.into_iter().map(|(_, block)| block).collect(), counts)
     }
 
-    fn judge(&self, sampling: &Sampling, blocks: &[Block], counts: &[u64]) -> MonteCarlo {
+    fn judge(&self, sampling: &Sampling, blocks: &[Block], mut counts: Vec<u64>) -> MonteCarlo {
+        counts.chunks_mut(CLASSES).for_each(cumulate);
         let place = |(index, nominal): (usize, &Nominal)| {
             let mut sums = Sums::NONE;
             for block in blocks {
@@ -173,7 +177,7 @@ impl Run<'_> {
                 drawn: sampling.samples,
                 sums: &sums,
                 classes: &self.classes[index],
-                counts: &counts[index * CLASSES..(index + 1) * CLASSES],
+                up_to: &counts[index * CLASSES..(index + 1) * CLASSES],
             };
             counted.judge(sampling.confidence, &sampling.levels)
         };

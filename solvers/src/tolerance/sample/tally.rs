@@ -104,23 +104,28 @@ impl Classes {
         (((error - self.low) * self.scale) as usize).min(CLASSES - 1)
     }
 
-    /// The error below which a share of the samples lies, by straight lines within the classes.
-    pub fn quantile(&self, counts: &[u64], share: f64, (least, greatest): (f64, f64)) -> f64 {
-        let all: u64 = counts.iter().sum();
+    /// The error below which a share of the samples lies, by straight lines within the classes; `up_to` counts the samples
+    /// of each class and of those before.
+    pub fn quantile(&self, up_to: &[u64], share: f64, (least, greatest): (f64, f64)) -> f64 {
+        let all = up_to.last().copied().unwrap_or(0);
         let wanted = share.clamp(0.0, 1.0) * all as f64;
-        let mut below = 0.0;
-        for (class, count) in counts.iter().enumerate() {
-            let count = *count as f64;
-            if below + count >= wanted && count > 0.0 {
-                let from = (self.low + class as f64 * self.width).max(least);
-                let to = (self.low + (class + 1) as f64 * self.width).min(greatest);
-                let from = if class == 0 { least } else { from };
-                let to = if class + 1 == CLASSES { greatest } else { to };
-                return from + (to - from) * ((wanted - below) / count);
-            }
-            below += count;
-        }
-        f64::NAN
+        let class = up_to.partition_point(|count| *count == 0 || (*count as f64) < wanted);
+        let Some(&reached) = up_to.get(class) else { return f64::NAN };
+        let below = class.checked_sub(1).map_or(0, |before| up_to[before]);
+        let from = (self.low + class as f64 * self.width).max(least);
+        let to = (self.low + (class + 1) as f64 * self.width).min(greatest);
+        let from = if class == 0 { least } else { from };
+        let to = if class + 1 == CLASSES { greatest } else { to };
+        from + (to - from) * ((wanted - below as f64) / (reached - below) as f64)
+    }
+}
+
+/// Adds to each count those before it.
+pub(super) fn cumulate(counts: &mut [u64]) {
+    let mut sum = 0;
+    for count in counts {
+        sum += *count;
+        *count = sum;
     }
 }
 
@@ -151,6 +156,7 @@ mod tests {
         for k in 0..100_000 {
             counts[classes.class((f64::from(k) + 0.5) / 1e5)] += 1;
         }
+        cumulate(&mut counts);
         for share in [0.001, 0.1, 0.5, 0.9, 0.999] {
             let found = classes.quantile(&counts, share, (0.0, 1.0));
             assert!((found - share).abs() < 2e-5, "{share}: {found}");
