@@ -9,6 +9,8 @@ use std::hint::black_box;
 use std::process::Command;
 use std::time::Instant;
 
+use crate::spread::Spread;
+
 /// A piece of work that is measured.
 pub struct Case<'a> {
     /// Its name, by which the program that runs under valgrind finds it again.
@@ -27,12 +29,14 @@ impl<'a> Case<'a> {
 }
 
 /// What a piece of work takes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Measure {
     /// Instructions, where they could be counted.
     pub instructions: Option<f64>,
-    /// Seconds.
+    /// Seconds, the shortest of all rounds.
     pub seconds: f64,
+    /// Seconds of each round.
+    rounds: Vec<f64>,
 }
 
 impl Measure {
@@ -44,6 +48,11 @@ impl Measure {
     /// Time in microseconds.
     pub fn microseconds(&self) -> Option<f64> {
         Some(self.seconds * 1e6)
+    }
+
+    /// Time over that of another in the same rounds, with its spread.
+    pub fn over(&self, reference: &Self) -> String {
+        Spread::text(Spread::of(&self.rounds, &reference.rounds).as_ref())
     }
 }
 
@@ -57,24 +66,33 @@ pub fn assur_measured(work: &mut dyn FnMut()) {
 
 /// Measures the cases of a group, the times over so many rounds.
 pub fn measure(group: &str, cases: &mut [Case<'_>], rounds: usize) -> Vec<Measure> {
-    let seconds = shortest(cases, rounds);
+    let seconds = timed(cases, rounds);
     let counted = cases.iter().map(|case| instructions(group, case));
-    let pairs = counted.zip(seconds);
-    pairs.map(|(instructions, seconds)| Measure { instructions, seconds }).collect()
+    let measure = |(instructions, rounds): (_, Vec<f64>)| Measure {
+        instructions,
+        seconds: rounds.iter().copied().fold(f64::INFINITY, f64::min),
+        rounds,
+    };
+    counted.zip(seconds).map(measure).collect()
 }
 
 /// Shortest time of one piece of each case, in seconds.
 pub fn shortest(cases: &mut [Case<'_>], rounds: usize) -> Vec<f64> {
-    let mut shortest = vec![f64::INFINITY; cases.len()];
+    let least = |rounds: Vec<f64>| rounds.into_iter().fold(f64::INFINITY, f64::min);
+    timed(cases, rounds).into_iter().map(least).collect()
+}
+
+/// Times of one piece of each case in each round, in seconds.
+fn timed(cases: &mut [Case<'_>], rounds: usize) -> Vec<Vec<f64>> {
+    let mut all = vec![Vec::new(); cases.len()];
     for _ in 0..rounds {
-        for (case, shortest) in cases.iter_mut().zip(&mut shortest) {
+        for (case, times) in cases.iter_mut().zip(&mut all) {
             let start = Instant::now();
             assur_measured(&mut case.work);
-            let seconds = start.elapsed().as_secs_f64() / case.pieces as f64;
-            *shortest = shortest.min(seconds);
+            times.push(start.elapsed().as_secs_f64() / case.pieces as f64);
         }
     }
-    shortest
+    all
 }
 
 /// What this program does under valgrind: one case of a group, once before the count and once in it.

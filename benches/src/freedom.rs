@@ -58,7 +58,7 @@ pub fn print(title: &str, exact: [f64; 2], kinds: &[Kind], measures: &[Measure])
             number(each(one, &run)),
             ratio(each(one, &run), each(&measures[0], &first)),
             number(one.microseconds()),
-            ratio(one.microseconds(), measures[0].microseconds()),
+            one.over(&measures[0]),
         ]);
     }
     table.print();

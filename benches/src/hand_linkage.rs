@@ -67,6 +67,7 @@ struct Dyad<S> {
 }
 
 impl<S: Scalar> Dyad<S> {
+    #[inline(always)]
     fn new(a: S, b: S, mode: f64) -> Self {
         let (sum, difference) = (a + b, a - b);
         Self {
@@ -115,28 +116,34 @@ pub struct Pose<S> {
 
 impl<S: Scalar> SixBar<S> {
     /// Prepares a six-bar; the modes are the signs of `sin(ρ − θ)` and `sin(Ψ − σ)`.
-    pub fn new(dimensions: [f64; DIMENSIONS], modes: [f64; 2]) -> Self {
-        let [l1, l2, l3, l4, eta, x, y, l6, l7, x3, y3, phase] = dimensions;
-        let number = S::from_f64;
-        let frame = [eta.cos(), eta.sin()].map(number);
+    #[inline(always)]
+    pub fn new(dimensions: [S; DIMENSIONS], modes: [f64; 2]) -> Self {
+        let [crank, l2, l3, l4, eta, x, y, l6, l7, x3, y3, phase] = dimensions;
+        let (sine, cosine) = eta.sin_cos();
         Self {
-            crank: number(l1),
-            coupler: number(l2),
-            base: number(l4),
-            rocker: number(l7),
-            point: [number(x), number(y)],
-            phase: number(phase),
-            pivots: [[number(l4) * frame[0], number(l4) * frame[1]], [number(x3), number(y3)]],
-            frame,
-            first: Dyad::new(number(l2), number(l3), modes[0]),
-            second: Dyad::new(number(l6), number(l7), modes[1]),
+            crank,
+            coupler: l2,
+            base: l4,
+            rocker: l7,
+            point: [x, y],
+            phase,
+            pivots: [[l4 * cosine, l4 * sine], [x3, y3]],
+            frame: [cosine, sine],
+            first: Dyad::new(l2, l3, modes[0]),
+            second: Dyad::new(l6, l7, modes[1]),
         }
     }
 
-    /// Closes both dyads.
+    /// Closes both dyads at an angle of the shaft.
     #[inline(always)]
     pub fn pose<F: Functions<S>>(&self, phi: S) -> Pose<S> {
         let (sine, cosine) = F::sin_cos(phi + self.phase);
+        self.closed([cosine, sine])
+    }
+
+    /// Closes both dyads, the crank along a unit vector.
+    #[inline(always)]
+    pub fn closed(&self, [cosine, sine]: [S; 2]) -> Pose<S> {
         let a = [self.crank * cosine, self.crank * sine];
         let [o2, o3] = self.pivots;
         let [theta, rho] = self.first.close([o2[0] - a[0], o2[1] - a[1]]);
@@ -182,18 +189,25 @@ impl<S: Scalar> SixBar<S> {
     }
 }
 
+/// The inner product of two vectors.
 #[inline(always)]
-fn inner<S: Scalar>(a: [S; 2], b: [S; 2]) -> S {
+pub fn inner<S: Scalar>(a: [S; 2], b: [S; 2]) -> S {
     a[0].mul_add(b[0], a[1] * b[1])
 }
 
 /// The inner product of `a` with `b` turned by a right angle.
 #[inline(always)]
-fn turned<S: Scalar>(a: [S; 2], b: [S; 2]) -> S {
+pub fn turned<S: Scalar>(a: [S; 2], b: [S; 2]) -> S {
     a[1].mul_add(b[0], -(a[0] * b[1]))
 }
 
 impl<S: Scalar> Pose<S> {
+    /// The unit vector of the output Ψ.
+    #[inline(always)]
+    pub fn output(&self) -> [S; 2] {
+        self.links[3]
+    }
+
     /// The angles θ, ρ, σ, Ψ.
     #[inline(always)]
     pub fn angles<F: Functions<S>>(&self) -> [S; 4] {

@@ -105,7 +105,7 @@ const C: [f64; 2] = [0.014, 0.072];
 
 /// Acceleration of the crank.
 #[inline(always)]
-fn acceleration<S: Scalar>(angle: S, speed: S) -> S {
+pub fn acceleration<S: Scalar>(angle: S, speed: S) -> S {
     let number = S::from_f64;
     let [(sine, cosine)] = {
         let ([s], [c]) = S::sin_cos_all([angle]);

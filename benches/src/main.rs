@@ -5,6 +5,7 @@
 mod bars;
 mod chain;
 mod count;
+mod equal;
 mod evaluate;
 mod foot;
 mod freedom;
@@ -22,19 +23,25 @@ mod hand_linkage;
 mod hand_loop;
 mod hand_map;
 mod hand_modes;
+mod hand_radau;
+mod hand_random;
 mod hand_run_up;
 mod hand_squeezer;
 mod hand_system;
 mod hand_walk;
 mod interpreter;
 mod linkage;
+mod monte_carlo;
+mod page;
 #[cfg(feature = "peers")]
 mod peers;
 mod revolutions;
 mod row;
 mod run_ups;
 mod sheets;
+mod spread;
 mod squeezer;
+mod stiff;
 mod table;
 mod tolerance;
 
@@ -45,76 +52,85 @@ const USAGE: &str = "\
 usage: assur-benches [COMMAND]
 
   evaluate      one evaluation of emitted and of hand-written code
+  linkage       positions and influence coefficients of a six-bar
   revolutions   ten revolutions and the periodic motion
-  peers         other libraries on the same equations; needs `--features peers`
-  foot          a turn of the presser foot, with its events
-  foot-peers    other libraries on it; needs `--features peers`, and SciPy for its part
-  run-ups       a thousand run-ups of a table on one thread and on two
+  stiff         van der Pol and Robertson, against Radau by hand
   squeezer      Andrews' squeezing mechanism, three loops with masses
+  chain         how long a chain of 30 pendulums takes to derive
+  monte-carlo   ten thousand six-bars made at random
+  foot          a turn of the presser foot, with its events
+  run-ups       a thousand run-ups of a table on one thread and on two
   bars          a slider-crank and a four-bar with masses
   row           forty windows in a row, through flat positions
   interpreter   equation files that nobody has compiled
-  linkage       positions and influence coefficients of a six-bar
   sheets        a map, a gear flank and curves, at many places
   tolerance     a million heald linkages made at random
-  chain         how long a chain of 30 pendulums takes to derive
   all           all of these (default)
+  peers [WORKLOAD]
+                other libraries on linkage, revolutions, stiff, squeezer, monte-carlo, foot
+                (all, if none is named); needs `--features peers`, and Python with SciPy
+                and CasADi for their part
+  page          docs/benchmarks.md, to standard output; needs what `peers` needs
   brief         the times of `revolutions` alone, as numbers";
+
+/// A command with its report.
+type Report = (&'static str, fn());
+
+/// Reports that count instructions.
+const COUNTED: [Report; 9] = [
+    ("evaluate", evaluate::report),
+    ("linkage", linkage::report),
+    ("revolutions", revolutions::report),
+    ("stiff", stiff::report),
+    ("squeezer", squeezer::report),
+    ("foot", foot::report),
+    ("run-ups", run_ups::report),
+    ("bars", bars::report),
+    ("sheets", sheets::report),
+];
+/// Reports of times alone.
+const TIMED: [Report; 5] = [
+    ("chain", chain::report),
+    ("monte-carlo", monte_carlo::report),
+    ("row", row::report),
+    ("interpreter", interpreter::report),
+    ("tolerance", tolerance::report),
+];
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match words.as_slice() {
-        ["evaluate"] => with_counts(&[evaluate::report]),
-        ["revolutions"] => with_counts(&[revolutions::report]),
-        ["foot"] => with_counts(&[foot::report]),
-        ["run-ups"] => with_counts(&[run_ups::report]),
-        ["squeezer"] => with_counts(&[squeezer::report]),
-        ["bars"] => with_counts(&[bars::report]),
-        ["peers"] => return run_peers(Peers::Batten),
-        ["foot-peers"] => return run_peers(Peers::Foot),
-        ["row"] => row::report(),
-        ["chain"] => chain::report(),
-        ["linkage"] => with_counts(&[linkage::report]),
-        ["sheets"] => with_counts(&[sheets::report]),
-        ["interpreter"] => interpreter::report(),
-        ["tolerance"] => tolerance::report(),
-        ["brief"] => revolutions::brief(),
         [] | ["all"] => {
-            with_counts(&[
-                evaluate::report,
-                revolutions::report,
-                foot::report,
-                linkage::report,
-                sheets::report,
-                run_ups::report,
-                squeezer::report,
-                bars::report,
-            ]);
-            row::report();
-            interpreter::report();
-            tolerance::report();
-            chain::report();
+            count::announce();
+            COUNTED.iter().chain(&TIMED).for_each(|(_, report)| report());
             if cfg!(feature = "peers") {
-                return run_peers(Peers::All);
+                return run_peers(None);
             }
             println!("\nOther libraries are compared with `--features peers`.");
         }
+        ["peers"] => return run_peers(None),
+        ["peers", workload] => return run_peers(Some(workload)),
+        ["page"] => return page::print(),
+        ["brief"] => revolutions::brief(),
         ["count", group, name] => return run_counted(group, name),
-        _ => {
-            eprintln!("{USAGE}");
-            return ExitCode::from(2);
-        }
+        [word] => match COUNTED.iter().chain(&TIMED).find(|(name, _)| name == word) {
+            Some((name, report)) => {
+                if COUNTED.iter().any(|(counted, _)| counted == name) {
+                    count::announce();
+                }
+                report();
+            }
+            None => return wrong(),
+        },
+        _ => return wrong(),
     }
     ExitCode::SUCCESS
 }
 
-/// Prints reports that count instructions.
-fn with_counts(reports: &[fn()]) {
-    count::announce();
-    for report in reports {
-        report();
-    }
+fn wrong() -> ExitCode {
+    eprintln!("{USAGE}");
+    ExitCode::from(2)
 }
 
 /// What the program does under valgrind.
@@ -128,6 +144,7 @@ fn run_counted(group: &str, name: &str) -> ExitCode {
         "run-ups" => run_ups::cases(),
         "squeezer" => squeezer::cases(),
         "bars" => bars::cases(),
+        "stiff" => stiff::cases(),
         _ => Vec::new(),
     };
     if count::run_counted(&mut cases, name) {
@@ -138,28 +155,13 @@ fn run_counted(group: &str, name: &str) -> ExitCode {
     }
 }
 
-/// What other libraries are compared on.
-#[derive(Clone, Copy, PartialEq)]
-enum Peers {
-    Batten,
-    Foot,
-    All,
-}
-
 #[cfg(feature = "peers")]
-fn run_peers(which: Peers) -> ExitCode {
-    if which != Peers::Foot {
-        peers::report();
-    }
-    if which != Peers::Batten {
-        peers::foot::report();
-    }
-    ExitCode::SUCCESS
+fn run_peers(workload: Option<&str>) -> ExitCode {
+    if peers::compare(workload) { ExitCode::SUCCESS } else { wrong() }
 }
 
 #[cfg(not(feature = "peers"))]
-fn run_peers(which: Peers) -> ExitCode {
-    let word = if which == Peers::Foot { "foot-peers" } else { "peers" };
-    eprintln!("the libraries are not built in: cargo run --release --features peers {word}");
+fn run_peers(_workload: Option<&str>) -> ExitCode {
+    eprintln!("the libraries are not built in: cargo run --release --features peers -- peers");
     ExitCode::from(2)
 }

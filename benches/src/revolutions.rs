@@ -143,7 +143,7 @@ pub fn report() {
             ratio(one.instructions, measures[1].instructions),
             number(each),
             number(one.microseconds()),
-            ratio(one.microseconds(), measures[1].microseconds()),
+            one.over(&measures[1]),
         ]);
     }
     table.print();

@@ -13,13 +13,13 @@ use crate::hand_squeezer;
 use crate::table::number;
 
 /// End, in seconds.
-const END: f64 = 0.03;
+pub const END: f64 = 0.03;
 /// Relative tolerance of the comparison.
 const RTOL: f64 = 1e-6;
 /// Absolute tolerance per unit of the relative one, that of the emitted code too.
-const SCALE: f64 = 1e-3;
+pub const SCALE: f64 = 1e-3;
 /// The end, from the IVP test set.
-const REFERENCE: [f64; 2] = [15.8107711951537, 1139.92030225911];
+pub const REFERENCE: [f64; 2] = [15.8107711951537, 1139.92030225911];
 /// Largest ratio of the emitted code to the hand-written one.
 const GOAL: f64 = 1.15;
 

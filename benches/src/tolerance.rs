@@ -5,8 +5,6 @@
 //! of three equations, one output and one distribution.
 
 use std::hint::black_box;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use assur::closure::{Assembly, Linkage};
@@ -16,12 +14,14 @@ use assur::shape::Distribution;
 use assur::tolerance::{Sampling, Source, Study, monte_carlo};
 use assur_equations::heald_linkage::Printed;
 
+use crate::hand_random::{Blocks, Draw, Sums, drawn};
 use crate::table::{Table, number, verdict};
 
 const SAMPLES: u64 = 1_000_000;
 const ROUNDS: usize = 9;
 const BLOCK: u64 = 4096;
-const CLASSES: usize = 4096;
+/// Classes of errors reach so far from zero, in radians.
+const REACH: f64 = 2.5e-3;
 /// Largest ratio of the solvers to the loop.
 const GOAL: f64 = 1.2;
 /// Constants `l4, l5, l6, l7, a, b, s` and the drive angle.
@@ -31,66 +31,6 @@ const NOMINAL: [f64; 8] = [0.09, 0.23, 0.18, 0.12, 0.08, 0.105, 0.04, std::f64::
 fn tolerances() -> [f64; 8] {
     let angle = 0.1f64.to_radians();
     [5e-5, 5e-5, 5e-5, 5e-5, 1e-4, 1e-4, 1e-4, angle]
-}
-
-/// What the loop adds up.
-#[derive(Clone)]
-struct Sums {
-    count: u64,
-    powers: [f64; 4],
-    least: f64,
-    greatest: f64,
-    classes: Vec<u64>,
-}
-
-impl Sums {
-    fn new() -> Self {
-        Self {
-            count: 0,
-            powers: [0.0; 4],
-            least: f64::INFINITY,
-            greatest: f64::NEG_INFINITY,
-            classes: vec![0; CLASSES],
-        }
-    }
-
-    #[inline(always)]
-    fn add(&mut self, error: f64) {
-        let square = error * error;
-        self.count += 1;
-        self.powers[0] += error;
-        self.powers[1] += square;
-        self.powers[2] += square * error;
-        self.powers[3] += square * square;
-        self.least = self.least.min(error);
-        self.greatest = self.greatest.max(error);
-        let class = ((error + 2.5e-3) * (CLASSES as f64 / 5e-3)) as usize;
-        self.classes[class.min(CLASSES - 1)] += 1;
-    }
-
-    fn join(&mut self, other: &Self) {
-        self.count += other.count;
-        for (sum, more) in self.powers.iter_mut().zip(other.powers) {
-            *sum += more;
-        }
-        self.least = self.least.min(other.least);
-        self.greatest = self.greatest.max(other.greatest);
-        for (sum, more) in self.classes.iter_mut().zip(&other.classes) {
-            *sum += more;
-        }
-    }
-
-    fn deviation(&self) -> f64 {
-        let n = self.count as f64;
-        (self.powers[1] / n - (self.powers[0] / n).powi(2)).sqrt()
-    }
-}
-
-#[inline(always)]
-fn mix(mut z: u64) -> u64 {
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 /// Residuals and Jacobian of the loops.
@@ -140,14 +80,11 @@ impl Task for Hand<'_> {
         let tolerances = tolerances();
         let nominal = NOMINAL.map(S::from_f64);
         let start = self.start.map(S::from_f64);
-        let mut state = mix(1u64.wrapping_add(0x9e37_79b9_7f4a_7c15))
-            .wrapping_add((self.from * 8).wrapping_mul(0x9e37_79b9_7f4a_7c15));
+        let mut draw = Draw::from(self.from * 8);
         for _ in self.from..self.to {
             let (mut p, mut errors) = (nominal, [S::ZERO; 8]);
             for k in 0..8 {
-                state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-                let share = ((mix(state) >> 12) as f64 + 0.5) * f64::EPSILON;
-                errors[k] = S::from_f64((2.0 * share - 1.0) * tolerances[k]);
+                errors[k] = S::from_f64(draw.error(tolerances[k]));
                 p[k] = p[k] + errors[k];
             }
             let drive = p[7].sin_cos();
@@ -181,31 +118,15 @@ impl Task for Hand<'_> {
 
 /// The loop on so many threads.
 fn by_hand(threads: u64, start: [f64; 3], tangents: &[[f64; 8]; 3], fused: bool) -> Sums {
-    let next = AtomicU64::new(0);
-    let all = Mutex::new(Sums::new());
-    let work = || {
-        let mut sums = Sums::new();
-        loop {
-            let from = next.fetch_add(BLOCK, Ordering::Relaxed);
-            if from >= SAMPLES {
-                break;
-            }
-            let task =
-                Hand { from, to: SAMPLES.min(from + BLOCK), start, tangents, sums: &mut sums };
-            match fused {
-                true => dispatch(task),
-                false => task.run::<f64>(),
-            }
+    let blocks = Blocks { samples: SAMPLES, size: BLOCK };
+    let mut sums = drawn(threads, &blocks, &[Sums::new(REACH)], |(from, to), sums| {
+        let task = Hand { from, to, start, tangents, sums: &mut sums[0] };
+        match fused {
+            true => dispatch(task),
+            false => task.run::<f64>(),
         }
-        all.lock().expect("no thread panics").join(&sums);
-    };
-    std::thread::scope(|scope| {
-        for _ in 1..threads {
-            scope.spawn(work);
-        }
-        work();
     });
-    all.into_inner().expect("no thread panics")
+    sums.remove(0)
 }
 
 /// The nominal angles and their derivatives by the errors.

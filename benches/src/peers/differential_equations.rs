@@ -24,20 +24,20 @@ impl ODE<f64, State> for Equations {
 }
 
 /// Keeps no states.
-struct Silent;
+pub struct Silent;
 
-impl Solout<f64, State> for Silent {
+impl<Y: differential_equations::traits::State<f64>> Solout<f64, Y> for Silent {
     fn solout<I>(
         &mut self,
         _now: f64,
         _before: f64,
-        _state: &State,
-        _state_before: &State,
+        _state: &Y,
+        _state_before: &Y,
         _interpolator: &mut I,
-        _solution: &mut Solution<f64, State>,
-    ) -> ControlFlag<f64, State>
+        _solution: &mut Solution<f64, Y>,
+    ) -> ControlFlag<f64, Y>
     where
-        I: Interpolation<f64, State> + ?Sized,
+        I: Interpolation<f64, Y> + ?Sized,
     {
         ControlFlag::Continue
     }

@@ -6,7 +6,8 @@
 
 use assur::answer::Method;
 
-use super::{Peer, Point, all_runs, foot_diffsol, foot_scipy, peer, points, time_at};
+use super::{foot_diffsol, scripts};
+use crate::equal::{Peer, Point, all_runs, peer, points, time_at};
 use crate::foot::{Run, START, assur_by, error, hand};
 use crate::table::{Table, at_least, number, ratio};
 
@@ -34,7 +35,7 @@ pub fn report() {
     let mut names: Vec<[&str; 2]> = PEERS.map(|peer| [peer.library, peer.method]).to_vec();
     let said = |run: &Run| (error(&run.end, &START), run.evaluations);
     let mut all: Vec<Vec<Option<Point>>> = points(&PEERS, said);
-    let scipy = foot_scipy::points();
+    let scipy = scripts::points(&["foot.py"], &["DOP853", "RK45", "LSODA", "Radau"]);
     if scipy.is_empty() {
         println!("SciPy is not compared: `python3 foot.py` does not run.");
     }
@@ -42,7 +43,7 @@ pub fn report() {
         names.push(["SciPy", method]);
         all.push(points);
     }
-    all_runs("Ten turns of the presser foot, all runs", &names, &all);
+    all_runs("Ten turns of the presser foot, all runs", "error, m", &names, &all);
     for error in ERRORS {
         let columns = ["library", "method", "time, us", "/ Assur"];
         let title = format!("Ten turns of the presser foot, time for an error of {error:e} m");
