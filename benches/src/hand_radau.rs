@@ -120,8 +120,9 @@ impl<V: Number, const N: usize> Decomposed<V, N> {
             for i in k + 1..N {
                 let factor = rows[i][k] / rows[k][k];
                 rows[i][k] = factor;
-                for j in k + 1..N {
-                    rows[i][j] = rows[i][j] - factor * rows[k][j];
+                let above = rows[k];
+                for (entry, above) in rows[i].iter_mut().zip(above).skip(k + 1) {
+                    *entry = *entry - factor * above;
                 }
             }
         }
@@ -192,7 +193,7 @@ pub fn run<const N: usize>(
     let mut is_fresh = true;
     let mut decomposed = None;
     for _ in 0..1_000_000 {
-        if !(h > ROUNDING * time) {
+        if h <= ROUNDING * time || h.is_nan() {
             return None;
         }
         let (real, pair) = decomposed.get_or_insert_with(|| {
@@ -252,7 +253,7 @@ pub fn run<const N: usize>(
                 let ratio = change / before;
                 theta = if iteration == 2 { ratio } else { (ratio * last_ratio).sqrt() };
                 last_ratio = ratio;
-                if !(theta < 0.99) {
+                if theta >= 0.99 || theta.is_nan() {
                     break Some(0.5);
                 }
                 contraction = theta / (1.0 - theta);
@@ -299,7 +300,7 @@ pub fn run<const N: usize>(
         let most = (1 + 2 * MOST) as f64;
         let factor = SAFE.min(SAFE * most / (iteration + 2 * MOST) as f64);
         let mut quotient = (error.powf(0.25) / factor).clamp(0.125, 5.0);
-        if !(error < 1.0) {
+        if error >= 1.0 || error.is_nan() {
             h = if accepted == 0 { 0.1 * h } else { h / quotient };
             is_rejected = true;
             decomposed = None;

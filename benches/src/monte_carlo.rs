@@ -241,9 +241,9 @@ pub fn report() {
         ]);
     }
     table.print();
-    for threads in 0..2 {
-        let what = format!("W5, solvers / best hand-written loop, {} threads", threads + 1);
-        verdict(&what, least(&all[2][threads]), least(&all[0][threads]), GOAL);
+    for (threads, (found, limit)) in (1..).zip(all[2].iter().zip(&all[0])) {
+        let what = format!("W5, solvers / best hand-written loop, {threads} threads");
+        verdict(&what, least(found), least(limit), GOAL);
     }
     at_least("W5, solvers, one thread / two", least(&all[2][0]), least(&all[2][1]), TWO);
 }

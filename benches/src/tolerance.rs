@@ -190,10 +190,11 @@ pub fn report() {
         table.row([name.to_string(), number(Some(one)), number(Some(two)), deviation]);
     }
     table.print();
-    for threads in 0..2 {
-        let limit = f64::min(best[0][threads], best[1][threads]);
-        let what = format!("solvers / best hand-written loop, {} threads", threads + 1);
-        verdict(&what, Some(best[2][threads]), Some(limit), GOAL);
+    let [plain, dispatched, solved] = best;
+    for (i, found) in solved.into_iter().enumerate() {
+        let (threads, limit) = (i + 1, f64::min(plain[i], dispatched[i]));
+        let what = format!("solvers / best hand-written loop, {threads} threads");
+        verdict(&what, Some(found), Some(limit), GOAL);
     }
 }
 
