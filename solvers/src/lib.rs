@@ -38,4 +38,5 @@ mod settings;
 pub mod shape;
 pub mod smooth;
 pub mod stiff;
+mod taylor;
 pub mod tolerance;

@@ -17,7 +17,8 @@ pub enum Method {
     Radau,
     /// Rosenbrock method of order 5 for stiff motions, Rodas5P.
     Rosenbrock,
-    /// The method of Dormand and Prince, and a stiff one where the motion turns out to be stiff.
+    /// The method of Dormand and Prince, the Taylor series where that takes less time, and Radau where the motion turns out to be
+    /// stiff.
     #[default]
     Auto,
 }

@@ -1,7 +1,7 @@
 //! The method of Taylor series beside the method of Dormand and Prince: two ways from the same equations.
 
 use crate::solved::bind;
-use assur::answer::{Method, Settings};
+use assur::answer::{Method, Settings, Solve};
 use assur::hybrid::{self, HybridError};
 use assur::ode::{self, OdeError};
 use assur_equations::REGISTRY;
@@ -138,5 +138,57 @@ fn tolerances_that_make_no_sense_are_refused() {
         let ended = ode::march(&go, (0.0, 3.0), &[2.0, 1.0, 0.0, 0.0], &settings);
         let message = ended.expect_err("no such tolerance").to_string();
         assert!(message.contains("rtol"), "{rtol}: {message}");
+    }
+}
+
+mod relaxation {
+    assur::mechanism! {
+        /// An oscillator that goes to and fro between two states, at once.
+        VanDerPol from "Hairer, Wanner: Solving ordinary differential equations II, (IV.10.3)";
+        parameter T = 1 s, epsilon = 1e-6;
+        state x: 1 = 2, v: 1 = 0;
+        motion T*dot(x) = v;
+        motion epsilon*T*dot(v) = (1 - x^2)*v - x;
+        output x, v;
+        scene relaxation "a good period" { run time 0 s .. 2 s; }
+    }
+}
+
+/// Currents that build up in a motor: what `auto` chooses goes twenty times as far as the explicit method, and is no less accurate
+/// anywhere between the steps of both.
+#[test]
+fn the_series_is_chosen_where_it_goes_further() {
+    let scene = assur_equations::table_drive::Transient::default();
+    let by = |method, rtol| scene.solve(&Settings::new(method).rtol(rtol)).expect("a motion");
+    let (exact, auto) = (by(Method::Taylor, 1e-14), by(Method::Auto, 1e-10));
+    let explicit = by(Method::Dop853, 1e-10);
+    assert_eq!(auto.switches().first().map(|one| one.to), Some(Method::Taylor));
+    let [ours, naive] = [&auto, &explicit].map(|motion| motion.statistics().steps);
+    assert!(10 * ours < naive, "{ours} {naive}");
+    for part in 0..500 {
+        let time = 0.1 * (f64::from(part) + 0.37) / 500.0;
+        for (own, known) in auto.at(time).state.iter().zip(exact.at(time).state) {
+            assert!((own - known).abs() <= 1e-10 * (1.0 + known.abs()), "{time}: {own} {known}");
+        }
+    }
+}
+
+/// Where something is far too stiff for it, the series alone takes half a million steps, and `auto` changes to Radau, however
+/// little its steps cost.
+#[test]
+fn the_series_is_left_where_stability_holds_it_back() {
+    let scene = relaxation::Relaxation::default();
+    for rtol in [1e-5, 1e-8, 1e-11] {
+        let by = |method| {
+            let settings = Settings { max_steps: Some(20_000), ..Settings::new(method).rtol(rtol) };
+            scene.solve(&settings)
+        };
+        assert!(by(Method::Taylor).is_err());
+        let auto = by(Method::Auto).expect("a motion");
+        assert!(auto.switches().iter().any(|one| one.to == Method::Radau), "{rtol:e}");
+        // The published end.
+        let off = (auto.at(2.0).state[0] - 1.706_167_732_170_483).abs();
+        assert!(off < 100.0 * rtol + 1e-11, "{rtol:e} {off:e}");
+        assert!(auto.statistics().steps < 6_000, "{rtol:e} {:?}", auto.statistics());
     }
 }

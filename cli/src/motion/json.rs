@@ -200,6 +200,8 @@ struct Statistics {
     jacobians: usize,
     /// Steps by a stiff method.
     stiff_steps: usize,
+    /// Steps by the Taylor series.
+    series_steps: usize,
     /// Steps whose error is that of rounding, above the tolerance.
     rounded_steps: usize,
     /// Where the method `auto` changed.
@@ -221,7 +223,7 @@ struct Statistics {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 struct Switch {
     time: f64,
-    /// `stiff` or `explicit`.
+    /// The method that goes on.
     to: &'static str,
 }
 
@@ -437,15 +439,15 @@ impl Statistics {
         let (effort, cost) = (report.motion.statistics(), &report.cost);
         let repeats = report.motion.repeats();
         let switches = report.motion.switches().into_iter();
-        let word = |stiff: bool| if stiff { "stiff" } else { "explicit" };
         Self {
             steps: effort.steps,
             rejected: effort.rejected,
             evaluations: effort.evaluations,
             jacobians: effort.jacobians,
             stiff_steps: effort.stiff_steps,
+            series_steps: effort.series_steps,
             rounded_steps: effort.rounded_steps,
-            switches: switches.map(|one| Switch { time: one.time, to: word(one.stiff) }).collect(),
+            switches: switches.map(|one| Switch { time: one.time, to: one.to.name() }).collect(),
             condition: repeats.and_then(|repeats| number(repeats.condition)),
             residual: repeats.and_then(|repeats| number(repeats.residual)),
             seconds: cost.solve,

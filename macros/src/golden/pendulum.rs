@@ -358,7 +358,7 @@ mod pendulum_ {
                     EquationText::new(12, "potential -m*g*l*cos(phi)", "N m"),
                 ],
             )
-            .operations(Operations::of([7, 0, 3, 3, 6]))
+            .operations(Operations::of([7, 0, 3, 3, 6, 0, 3, 1]))
             .expectations(
                 &[
                     Expectation::new(

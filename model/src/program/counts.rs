@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Form, OperationKind as Kind, Program, Stage, Staging, Value};
+use super::{Form, Function, OperationKind as Kind, Program, Stage, Staging, Value};
 
 /// Operations of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,12 +17,20 @@ pub struct Counts {
     pub jacobian: usize,
     /// Per evaluation of all outputs.
     pub outputs: usize,
+    /// Those among an instant and the derivative that are functions of the long kind: exponentials, logarithms, powers, arcs,
+    /// hyperbolic functions and tangents.
+    pub functions: usize,
+    /// Per term of the Taylor series of the motion; none where there is no series.
+    pub term: usize,
+    /// Sums over all terms so far that each term of the series takes.
+    pub sums: usize,
 }
 
 impl Counts {
     /// All of them.
-    pub fn all(&self) -> [usize; 5] {
-        [self.prepare, self.instant, self.derivative, self.jacobian, self.outputs]
+    pub fn all(&self) -> [usize; 8] {
+        let Self { prepare, instant, derivative, jacobian, outputs, functions, term, sums } = *self;
+        [prepare, instant, derivative, jacobian, outputs, functions, term, sums]
     }
 }
 
@@ -35,13 +43,28 @@ impl Program {
         };
         let list = |values: &BTreeSet<Value>| values.iter().copied().collect::<Vec<Value>>();
         let there = |value: Value| stored(value, Stage::Instant) || staging.timed.contains(&value);
+        let series = self.series(&self.results.derivative);
+        let (term, sums) = series.map_or((0, 0), |series| series.counts());
+        let moving = self.needed(evaluated, &|value| self.stage(value) < Stage::Instant);
         Counts {
+            functions: moving.iter().filter(|value| self.is_long(**value)).count(),
+            term,
+            sums,
             prepare: count(&list(&staging.prepared), Stage::Constant),
             instant: count(&list(&staging.timed), Stage::Instant),
             derivative: count(evaluated, Stage::State),
             jacobian: self.operations_of(&self.needed(slopes, &there)),
             outputs: count(&self.results.outputs, Stage::Instant),
         }
+    }
+
+    /// Whether a value is a function that takes much longer than arithmetic, sines and cosines do.
+    fn is_long(&self, value: Value) -> bool {
+        use Function::{Abs, Cos, Floor, Hypot, Max, Min, Sign, Sin, Sqrt};
+        let is_short = |function: &Function| {
+            matches!(function, Abs | Cos | Floor | Hypot | Max | Min | Sign | Sin | Sqrt)
+        };
+        matches!(self.kind(value), Kind::Call(function, _) if !is_short(function))
     }
 
     /// Arithmetic operations, functions and selections among some values.

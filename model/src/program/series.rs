@@ -56,6 +56,43 @@ impl Series<'_> {
         self.needed.len()
     }
 
+    /// How many operations each term takes, one at least, and how many sums over all terms so far.
+    pub fn counts(&self) -> (usize, usize) {
+        let values = || self.needed.iter().copied();
+        let operations = values().map(|value| self.program.kind(value).weight());
+        (operations.sum::<usize>().max(1), values().map(|value| self.sums(value)).sum())
+    }
+
+    /// How many sums over all terms so far a value takes.
+    fn sums(&self, value: Value) -> usize {
+        let kind = self.program.kind(value);
+        if kind.operands().into_iter().all(|operand| self.is_steady(operand)) {
+            return 0;
+        }
+        match kind {
+            Kind::Multiply(a, b)
+            | Kind::MultiplyAdd(a, b, _)
+            | Kind::MultiplySubtract(a, b, _)
+            | Kind::NegateMultiplyAdd(a, b, _) => usize::from(self.scaled(*a, *b).is_none()),
+            Kind::Divide(_, below) => usize::from(!self.is_steady(*below)),
+            Kind::Solve { factor, right } => match self.is_constant(*factor) {
+                true => 0,
+                false => right.len() * right.len(),
+            },
+            Kind::Call(function, operands) => match function {
+                Function::Abs | Function::Min | Function::Max => 0,
+                Function::Sign | Function::Floor => 0,
+                // One for each of a pair.
+                Function::Sin | Function::Cos => usize::from(!self.is_even(operands[0])),
+                Function::Exp | Function::ExpM1 | Function::Sqrt => 1,
+                Function::Power if self.is_steady(operands[1]) => 2,
+                Function::Asin | Function::Acos | Function::Atan2 => 5,
+                _ => 3,
+            },
+            _ => 0,
+        }
+    }
+
     /// What is done for each order. `wanted` are the values whose terms are read in the end.
     pub fn steps(&self, wanted: &[Value]) -> Vec<Step> {
         let mut steps = Vec::new();

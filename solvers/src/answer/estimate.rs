@@ -13,7 +13,7 @@ use crate::measure::Missing;
 use crate::ode::larger;
 use crate::problem::Span;
 use crate::rest::Rest;
-use crate::settings::Settings;
+use crate::settings::{Method, Settings};
 use crate::shape::Subject;
 
 /// The smallest relative tolerance: double precision leaves no room for less.
@@ -75,7 +75,7 @@ impl Estimate {
         let (question, settings) = (&motion.question, &motion.settings);
         let rtol = settings.rtol;
         let finer = (rtol / 10.0 >= SMALLEST).then(|| finest(motion));
-        let coarser = question.solve(&settings.at(10.0 * rtol));
+        let coarser = question.solve(&as_chosen(motion).at(10.0 * rtol));
         let is_cut_off = matches!(finer, Some(Err(_)));
         let (finer, coarser) = match (finer, coarser) {
             (Some(Err(_)) | None, Err(failure)) => return Err(failure),
@@ -245,12 +245,29 @@ fn finest(motion: &Motion) -> Result<(Motion, usize), Error> {
     let mut part = 0.1;
     let mut found = motion.question.solve(&finer(motion, part))?;
     let work = found.statistics().evaluations;
-    while tried(&found) as f64 <= enough && part / 100.0 * motion.settings.rtol >= SMALLEST {
+    // A series of higher order takes as many.
+    let is_fixed = |found: &Motion| tried(found) as f64 <= enough && !is_by_series(found);
+    while is_fixed(&found) && part / 100.0 * motion.settings.rtol >= SMALLEST {
         part /= 100.0;
         let Ok(next) = motion.question.solve(&finer(motion, part)) else { break };
         found = next;
     }
     Ok((found, work))
+}
+
+/// Whether most of a motion comes from its Taylor series.
+fn is_by_series(motion: &Motion) -> bool {
+    let statistics = motion.statistics();
+    2 * statistics.series_steps > statistics.steps
+}
+
+/// The settings of a motion: where it was chosen to take the series, a looser tolerance is not to choose anything else, whose errors
+/// are much larger.
+fn as_chosen(motion: &Motion) -> Settings {
+    match is_by_series(motion) {
+        true => Settings { method: Method::Taylor, ..motion.settings.clone() },
+        false => motion.settings.clone(),
+    }
 }
 
 /// The settings for a part of the tolerance: so much work at most, and of a run a first step of its own.

@@ -24,6 +24,8 @@ pub struct Statistics {
     pub factorizations: usize,
     /// Those of the accepted steps that a stiff method took.
     pub stiff_steps: usize,
+    /// Those of the accepted steps that the Taylor series took.
+    pub series_steps: usize,
     /// Those of the accepted steps whose error is that of rounding and above the tolerance: how large the state is leaves
     /// no room for so many digits. A smaller tolerance changes nothing there.
     pub rounded_steps: usize,
@@ -45,6 +47,7 @@ impl Default for Statistics {
             jacobians: 0,
             factorizations: 0,
             stiff_steps: 0,
+            series_steps: 0,
             rounded_steps: 0,
             largest_step: 0.0,
             smallest_step: f64::INFINITY,
@@ -73,6 +76,7 @@ impl Statistics {
         self.jacobians += more.jacobians;
         self.factorizations += more.factorizations;
         self.stiff_steps += more.stiff_steps;
+        self.series_steps += more.series_steps;
         self.rounded_steps += more.rounded_steps;
         self.largest_step = self.largest_step.max(more.largest_step);
         self.smallest_step = self.smallest_step.min(more.smallest_step);

@@ -1,7 +1,10 @@
 //! A motion that was computed, as a function of time.
 
+mod powers;
+
 use super::explicit::Statistics;
 use super::observer::{Basis, Observer, Step};
+use crate::settings::Method;
 
 /// Steps for which there is room at first.
 const FIRST_STEPS: usize = 12;
@@ -15,8 +18,8 @@ const SHORT: usize = 512;
 pub struct Switch {
     /// When, in seconds.
     pub time: f64,
-    /// Whether it was to the stiff method; otherwise it was back to the explicit one.
-    pub stiff: bool,
+    /// To which one.
+    pub to: Method,
 }
 
 /// A motion that was computed: a polynomial for each step.
@@ -24,7 +27,7 @@ pub struct Switch {
 pub struct Trajectory {
     /// What the integration took.
     pub statistics: Statistics,
-    /// Where an automatic choice changed between the explicit and the stiff method.
+    /// Where an automatic choice changed the method.
     pub switches: Vec<Switch>,
     /// Number of states.
     states: usize,
@@ -243,8 +246,12 @@ impl Observer for Recorder {
     fn step(&mut self, step: &Step<'_>) {
         let trajectory = &mut self.trajectory;
         let states = step.before.len();
-        trajectory.degree = step.polynomial.len() / states.max(1);
-        trajectory.basis = step.basis;
+        let degree = step.polynomial.len() / states.max(1);
+        if trajectory.times.len() == 1 {
+            (trajectory.degree, trajectory.basis) = (degree, step.basis);
+        } else if (trajectory.degree, trajectory.basis) != (degree, step.basis) {
+            return self.step_of_another_kind(step);
+        }
         trajectory.times.push(step.to);
         trajectory.last = step.to - step.from;
         let begin = trajectory.coefficients.len() - states;

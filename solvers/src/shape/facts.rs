@@ -26,6 +26,13 @@ pub struct Operations {
     pub jacobian: usize,
     /// Per evaluation of all outputs.
     pub outputs: usize,
+    /// Those among an instant and the derivative that are functions of the long kind: exponentials, logarithms, powers, arcs,
+    /// hyperbolic functions and tangents.
+    pub functions: usize,
+    /// Per term of the Taylor series of the motion; none where there is no series.
+    pub term: usize,
+    /// Sums over all terms so far that each term of the series takes.
+    pub sums: usize,
 }
 
 /// A place that plots show.
@@ -112,10 +119,12 @@ impl EquationText {
 }
 
 impl Operations {
-    /// Those of preparing, an instant, the derivative, its Jacobian, and the outputs.
+    /// In the order of the fields.
     #[doc(hidden)]
-    pub const fn of([prepare, instant, derivative, jacobian, outputs]: [usize; 5]) -> Self {
-        Self { prepare, instant, derivative, jacobian, outputs }
+    pub const fn of(
+        [prepare, instant, derivative, jacobian, outputs, functions, term, sums]: [usize; 8],
+    ) -> Self {
+        Self { prepare, instant, derivative, jacobian, outputs, functions, term, sums }
     }
 }
 

@@ -126,7 +126,7 @@ impl Shape {
             primitives: &[],
             measured: 0,
             equations: &[],
-            operations: Operations::of([0; 5]),
+            operations: Operations::of([0; 8]),
             marks: &[],
             expectations: &[],
             is_linear: false,

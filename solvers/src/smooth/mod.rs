@@ -1,16 +1,14 @@
 //! The motion of a scene without events from a start, in one piece, by whichever method is asked for.
 
-mod taylor;
 #[cfg(test)]
 mod tests;
-
-pub(crate) use taylor::Taylor;
 
 use crate::model::{Bound, Flow, Model};
 use crate::ode::{Observer, OdeError, Options, Recorder, Trajectory, Workspace, integrate};
 use crate::problem::Smooth;
 use crate::settings::Settings;
 use crate::stiff;
+use crate::taylor::Taylor;
 
 /// The motion of a scene without events from a start. Where the settings give no absolute tolerances they are `rtol` times
 /// the scales of the shape.

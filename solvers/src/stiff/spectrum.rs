@@ -7,6 +7,10 @@ use crate::ode::OdeError;
 /// Squarings of the Jacobian. Of its power 2⁶ the 64th root of the norm is left, so that a badly scaled Jacobian
 /// (of a mass and a spring: entries 1 and `ω²`, eigenvalues `±iω`) is measured by its eigenvalues.
 const SQUARINGS: u32 = 6;
+/// Steps that are so many times longer are far longer,
+const NEAR: f64 = 4.0;
+/// unless the Jacobian has been evaluated so often since it was measured.
+const OLD: usize = 16;
 /// Steps in a row after which it is believed.
 const STEPS: usize = 20;
 
@@ -60,7 +64,10 @@ impl Calm {
 
     /// Counts a step; whether there were enough that are no longer than those of the explicit method would be.
     pub fn is_enough(&mut self, here: &Here, length: f64) -> bool {
-        if self.jacobians != here.statistics.jacobians {
+        // Where the steps are far longer it need not be known better.
+        let is_near = length.abs() * self.radius < NEAR * self.product;
+        let is_old = here.statistics.jacobians >= self.jacobians + OLD;
+        if is_old || is_near && self.jacobians != here.statistics.jacobians {
             self.jacobians = here.statistics.jacobians;
             self.radius = self.spectral_radius(&here.jacobian, here.state.len());
         }

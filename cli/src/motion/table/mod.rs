@@ -146,7 +146,7 @@ fn last_line(report: &Report) -> String {
             report.motion.settings.rtol,
             atol_part(report),
             number::count(effort.steps),
-            stiff_part(report),
+            choice_part(report),
             number::count(effort.evaluations)
         )
     } else {
@@ -180,17 +180,34 @@ fn atol_part(report: &Report) -> String {
 }
 
 /// What `auto` chose, and why.
-fn stiff_part(report: &Report) -> String {
+fn choice_part(report: &Report) -> String {
     let motion = &report.motion;
     if motion.settings.method != Method::Auto {
         return String::new();
     }
-    let stiff = number::count(motion.statistics().stiff_steps);
-    match (motion.statistics().stiff_steps, motion.switches().first()) {
-        // A steady state has no transient that would die out.
-        (0, _) if matches!(motion.task(), Span::Periodic(_)) => " by dop853".to_owned(),
-        (0, _) => " by dop853, as nothing is stiff".to_owned(),
-        (_, Some(first)) => format!(", {stiff} of them stiff, from t = {:.3e} s on", first.time),
+    let took = motion.statistics();
+    let switches = motion.switches();
+    let from = |is: fn(Method) -> bool| {
+        let first = switches.iter().find(|switch| is(switch.to));
+        first.map(|switch| format!("from t = {:.3e} s on", switch.time))
+    };
+    let stiff = number::count(took.stiff_steps);
+    let stiff = match (took.stiff_steps, from(|to| to.stiff().is_some())) {
+        (0, _) => String::new(),
+        (_, Some(from)) => format!(", {stiff} of them stiff, {from}"),
         (_, None) => format!(", {stiff} of them stiff, on trial"),
+    };
+    let series = match from(|to| to == Method::Taylor) {
+        Some(from) => {
+            let series = number::count(took.series_steps);
+            format!(", {series} of them by Taylor series, which take less time {from}")
+        }
+        None => String::new(),
+    };
+    match (series + &stiff, motion.task()) {
+        // A steady state has no transient that would die out.
+        (none, Span::Periodic(_)) if none.is_empty() => " by dop853".to_owned(),
+        (none, _) if none.is_empty() => " by dop853, as nothing is stiff".to_owned(),
+        (some, _) => some,
     }
 }

@@ -4,8 +4,8 @@ use crate::hybrid::event::watch::Watch;
 use crate::model::Flow;
 use crate::ode::{self, Observer, OdeError, Options, Statistics};
 use crate::settings::Settings;
-use crate::smooth::Taylor;
 use crate::stiff::{self, Switch};
+use crate::taylor::Taylor;
 
 /// A method with its memory. A stiff one, and the automatic choice, keep it from event to event, and what they have found
 /// out about the stiffness with it.

@@ -1,5 +1,6 @@
 //! What the steps of the explicit method say about the stiffness.
 
+use super::prospect::Prospect;
 use crate::ode::{Observer, Options, Step};
 use crate::stiff::here::tolerance;
 
@@ -57,7 +58,7 @@ impl Suspicion {
         self.lengths / self.steps as f64
     }
 
-    fn is_enough(&self) -> bool {
+    pub fn is_enough(&self) -> bool {
         self.steps >= self.limit
     }
 
@@ -107,10 +108,20 @@ impl Suspicion {
     }
 }
 
+/// What is looked at beside where the motion is.
+pub(super) enum Look<'a> {
+    /// Nothing.
+    Nothing,
+    /// What the explicit method says about the stiffness, and how long its steps are.
+    Explicit(&'a mut Suspicion, &'a mut Prospect, &'a Options),
+    /// Whether the series is still worth it.
+    Series(&'a mut Prospect),
+}
+
 /// An observer that notes where the motion is, and measures the stiffness on the way.
 pub(super) struct Gauge<'a> {
     pub inner: &'a mut dyn Observer,
-    pub suspicion: Option<(&'a mut Suspicion, &'a Options)>,
+    pub look: Look<'a>,
     /// End and length of the last step.
     pub last: (f64, f64),
 }
@@ -121,24 +132,38 @@ impl Observer for Gauge<'_> {
     }
 
     fn wants_stiffness(&self) -> bool {
-        self.suspicion.is_some()
+        !matches!(self.look, Look::Nothing)
     }
 
     fn stiffness(&mut self, length: f64, rate: f64) {
-        if let Some((suspicion, _)) = &mut self.suspicion {
-            suspicion.count(length.abs(), length.abs() * rate);
+        let (length, product) = (length.abs(), length.abs() * rate);
+        match &mut self.look {
+            Look::Nothing => {}
+            Look::Explicit(suspicion, ..) => suspicion.count(length, product),
+            Look::Series(prospect) => prospect.feel(product),
         }
     }
 
     fn step(&mut self, step: &Step<'_>) {
-        self.last = (step.to, step.to - step.from);
-        if let Some((suspicion, options)) = &mut self.suspicion {
-            suspicion.look(step.after, options);
+        let length = step.to - step.from;
+        self.last = (step.to, length);
+        match &mut self.look {
+            Look::Nothing => {}
+            Look::Explicit(suspicion, prospect, options) => {
+                suspicion.look(step.after, options);
+                prospect.count_explicit(length.abs());
+            }
+            Look::Series(prospect) => prospect.count(length.abs()),
         }
         self.inner.step(step);
     }
 
     fn has_enough(&self) -> bool {
-        self.suspicion.as_ref().is_some_and(|(one, _)| one.is_enough()) || self.inner.has_enough()
+        let is_over = match &self.look {
+            Look::Nothing => false,
+            Look::Explicit(suspicion, prospect, _) => suspicion.is_enough() || prospect.is_due(),
+            Look::Series(prospect) => prospect.is_over(),
+        };
+        is_over || self.inner.has_enough()
     }
 }

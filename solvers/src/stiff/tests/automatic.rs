@@ -2,6 +2,7 @@
 
 use super::problems::VAN_DER_POL;
 use super::{Hand, Implicit, march, tolerances};
+use crate::settings::Method;
 
 const OSCILLATOR: Hand<2> =
     Hand::new(|_, [place, speed]| [speed, -place], |_, _| [[0.0, 1.0], [-1.0, 0.0]]);
@@ -27,7 +28,7 @@ fn van_der_pol_becomes_stiff_at_once() {
         march(&VAN_DER_POL, Implicit::Automatic, (0.0, 2.0), [2.0, 0.0], &options).unwrap();
     let took = motion.statistics;
     println!("{took:?} {:?}", motion.switches);
-    assert!(motion.switches[0].stiff && motion.switches[0].time < 1e-3);
+    assert!(motion.switches[0].to == Method::Radau && motion.switches[0].time < 1e-3);
     assert!(took.stiff_steps * 2 > took.steps, "{took:?}");
     assert!(took.evaluations < 20_000, "{took:?}");
 }
@@ -53,8 +54,8 @@ fn where_stiffness_ends_the_explicit_method_returns() {
     println!("{:?} {:?}", motion.statistics, motion.switches);
     println!("{:?}", reference.statistics);
     println!("{:?}", march(Implicit::Radau).statistics);
-    let kinds: Vec<bool> = motion.switches.iter().map(|switch| switch.stiff).collect();
-    assert_eq!(kinds, [true, false]);
+    let kinds: Vec<Method> = motion.switches.iter().map(|switch| switch.to).collect();
+    assert_eq!(kinds, [Method::Radau, Method::Dop853]);
     assert!(motion.switches[1].time > 1.0 && motion.switches[1].time < 4.0);
     assert!(motion.statistics.evaluations < reference.statistics.evaluations);
     for (a, b) in motion.end().iter().zip(reference.end()) {
@@ -80,5 +81,5 @@ fn a_fast_oscillation_that_has_died_is_stiffness() {
     println!("{:?} {:?}", motion.statistics, motion.switches);
     assert!((motion.end()[1] / (-10.0_f64).exp() - 1.0).abs() < 1e-2);
     assert!(motion.statistics.evaluations < 20_000);
-    assert!(motion.switches.first().is_some_and(|switch| switch.stiff));
+    assert!(motion.switches.first().is_some_and(|switch| switch.to == Method::Radau));
 }

@@ -24,11 +24,13 @@ const FIRST: f64 = 1e-3;
 const SHORTER: f64 = 1e6;
 /// Slopes of slopes by which the fastest rate of change is estimated.
 const POWERS: usize = 4;
-/// How often.
+/// Whoever wants to know the stiffness hears of it once in so many steps.
+const FELT: usize = 16;
+/// How often a shorter length is tried.
 const ATTEMPTS: usize = 60;
 
 /// The order for a tolerance: a third more than the digits asked for, and even.
-fn order(rtol: f64) -> usize {
+pub(crate) fn order(rtol: f64) -> usize {
     let digits = -rtol.log10();
     let order = 2.0 * (2.0 + 2.0 / 3.0 * digits).round();
     order.max(8.0).min(TERMS as f64) as usize
@@ -63,6 +65,26 @@ impl Taylor {
             slopes: vec![0.0; states],
             rate: vec![0.0; states],
         }
+    }
+
+    /// The state where the last integration ended, or failed.
+    pub fn state(&self) -> &[f64] {
+        &self.before
+    }
+
+    /// The length of the step that the series permits at a state, where about a length would be usual; none where there is
+    /// no series.
+    pub fn reach(
+        &mut self,
+        flow: &Flow<'_>,
+        (time, usual): (f64, f64),
+        state: &[f64],
+        options: &Options,
+    ) -> Option<f64> {
+        self.before.copy_from_slice(state);
+        let mut unit = usual;
+        self.begin(flow, time, &mut unit).ok()?;
+        Some(self.permitted(unit, f64::INFINITY, options))
     }
 
     /// Integrates from one time to another, forwards or backwards.
@@ -139,10 +161,17 @@ impl Taylor {
             });
             let counted = if is_fixed { 0.0 } else { error };
             statistics.count(length, counted, to == times.1);
+            statistics.series_steps += 1;
             clock.now = to;
             std::mem::swap(&mut self.before, &mut self.after);
             if observe.has_enough() || to == times.1 {
                 break;
+            }
+            if statistics.steps % FELT == FELT / 2 && observe.wants_stiffness() {
+                observe.stiffness(length, self.fastest_rate(flow, to, options));
+                if observe.has_enough() {
+                    break;
+                }
             }
             if doubt.is_due(statistics.steps) && !is_fixed {
                 let rate = self.fastest_rate(flow, to, options);
@@ -183,29 +212,28 @@ impl Taylor {
     /// About the fastest rate of change that the equations know where the motion stands: by their slopes along its rates,
     /// and along what those give, and so on.
     #[cold]
-    fn fastest_rate(&mut self, flow: &Flow<'_>, time: f64, options: &Options) -> f64 {
-        let state = &self.before[..];
+    pub fn fastest_rate(&mut self, flow: &Flow<'_>, time: f64, options: &Options) -> f64 {
+        let Self { before: state, after: shifted, slopes: along, rate: first, .. } = self;
         let weight = |index: usize| options.atol.of(index) + options.rtol * state[index].abs();
         let size = |values: &[f64]| {
             let terms = values.iter().enumerate();
             terms.map(|(index, value)| (value / weight(index)).abs()).fold(0.0, f64::max)
         };
-        let mut first = vec![0.0; state.len()];
-        flow.rates(time, state, &mut first);
-        let (mut along, mut shifted) = (first.clone(), vec![0.0; state.len()]);
+        flow.rates(time, state, first);
+        along.copy_from_slice(first);
         let mut fastest = 0.0;
         for _ in 0..POWERS {
             // Far above rounding and far below the state.
-            let part = 1.0 / (options.rtol.sqrt() * size(&along)).max(f64::MIN_POSITIVE);
+            let before = size(along);
+            let part = 1.0 / (options.rtol.sqrt() * before).max(f64::MIN_POSITIVE);
             for (index, value) in shifted.iter_mut().enumerate() {
                 *value = state[index] + part * along[index];
             }
-            let before = size(&along);
-            flow.rates(time, &shifted, &mut along);
-            for (value, first) in along.iter_mut().zip(&first) {
+            flow.rates(time, shifted, along);
+            for (value, first) in along.iter_mut().zip(&*first) {
                 *value = (*value - first) / part;
             }
-            fastest = size(&along) / before;
+            fastest = size(along) / before;
         }
         fastest
     }
