@@ -1,5 +1,7 @@
 //! What comes with Assur works as it is.
 
+use assur::registry::MechanismEntry;
+use assur::study::each;
 use assur_equations::REGISTRY;
 use serde_json::Value;
 
@@ -9,34 +11,36 @@ use super::{answer, folder, gallery};
 /// gallery shows.
 #[test]
 fn every_scene_that_comes_with_assur_runs() {
-    let folder = folder("shipped");
-    let page = gallery::page();
-    for mechanism in REGISTRY {
-        for scene in mechanism.scenes {
-            let asked = ["run", mechanism.name, "--scene", scene.name, "--format", "json"];
-            let object: Value = serde_json::from_str(&answer(&asked, &folder)).expect("JSON");
-            // A measure may have no value, and says why; everything else has one.
-            let lacks = |one: &Value| one["value"].is_null() && one["missing"].is_null();
-            let measures = object["measures"].as_array().into_iter().flatten();
-            // Where modes of a linkage meet outputs may have no value.
-            let meets = object["events"].to_string().contains("change point of");
-            let positions = object["positions"].as_array().into_iter().flatten();
-            let results = positions.flat_map(|one| one["results"].as_array().into_iter().flatten());
-            let has_gaps = meets && { results }.any(|one| one["value"].is_null());
-            let has_all = measures.clone().all(|one| one["missing"].is_null());
-            let status = match has_all && !has_gaps {
-                true => "complete",
-                false => "incomplete",
-            };
-            assert_eq!(object["status"], status, "{asked:?}");
-            assert!(!measures.chain(&motions(&object)).any(lacks), "{asked:?}");
-            let published = object["published"].as_array().expect("a list");
-            for published in published {
-                assert_ne!(published["within"], false, "{asked:?}: {published}");
-            }
-            gallery::check_numbers(&page, mechanism.title, scene.name, published);
+    let (folder, page) = (folder("shipped"), gallery::page());
+    let of = |mechanism: &'static MechanismEntry| {
+        mechanism.scenes.iter().map(move |one| (mechanism, one))
+    };
+    let scenes: Vec<_> = REGISTRY.iter().flat_map(|one| of(one)).collect();
+    each(scenes.len(), 0, &|_| (), &|index| {
+        let (mechanism, scene) = scenes[index];
+        let asked = ["run", mechanism.name, "--scene", scene.name, "--format", "json"];
+        let object: Value = serde_json::from_str(&answer(&asked, &folder)).expect("JSON");
+        // A measure may have no value, and says why; everything else has one.
+        let lacks = |one: &Value| one["value"].is_null() && one["missing"].is_null();
+        let measures = object["measures"].as_array().into_iter().flatten();
+        // Where modes of a linkage meet outputs may have no value.
+        let meets = object["events"].to_string().contains("change point of");
+        let positions = object["positions"].as_array().into_iter().flatten();
+        let results = positions.flat_map(|one| one["results"].as_array().into_iter().flatten());
+        let has_gaps = meets && { results }.any(|one| one["value"].is_null());
+        let has_all = measures.clone().all(|one| one["missing"].is_null());
+        let status = match has_all && !has_gaps {
+            true => "complete",
+            false => "incomplete",
+        };
+        assert_eq!(object["status"], status, "{asked:?}");
+        assert!(!measures.chain(&motions(&object)).any(lacks), "{asked:?}");
+        let published = object["published"].as_array().expect("a list");
+        for published in published {
+            assert_ne!(published["within"], false, "{asked:?}: {published}");
         }
-    }
+        gallery::check_numbers(&page, mechanism.title, scene.name, published);
+    });
 }
 
 /// The results of a motion; none of a linkage, whose positions decide its status.
