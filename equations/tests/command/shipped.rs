@@ -1,6 +1,5 @@
 //! What comes with Assur works as it is.
 
-use assur::registry::MechanismEntry;
 use assur::study::each;
 use assur_equations::REGISTRY;
 use serde_json::Value;
@@ -12,10 +11,8 @@ use super::{answer, folder, gallery};
 #[test]
 fn every_scene_that_comes_with_assur_runs() {
     let (folder, page) = (folder("shipped"), gallery::page());
-    let of = |mechanism: &'static MechanismEntry| {
-        mechanism.scenes.iter().map(move |one| (mechanism, one))
-    };
-    let scenes: Vec<_> = REGISTRY.iter().flat_map(|one| of(one)).collect();
+    let scenes: Vec<_> =
+        REGISTRY.iter().flat_map(|of| of.scenes.iter().map(move |scene| (of, scene))).collect();
     each(scenes.len(), 0, &|_| (), &|index| {
         let (mechanism, scene) = scenes[index];
         let asked = ["run", mechanism.name, "--scene", scene.name, "--format", "json"];
