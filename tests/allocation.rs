@@ -190,7 +190,8 @@ fn variational_equations_allocate_nothing_per_step() {
     assert!(counts[0] <= 1 && counts[1] == 0, "{counts:?}");
 }
 
-/// Where nothing is known to be stiff, the memory of a stiff method is taken when one is first tried, and then kept.
+/// Where nothing is known to be stiff, the memory of a stiff method, Radau's 14 lists with that of the spectrum, is taken when it is
+/// first tried, and then kept.
 #[test]
 fn stiff_methods_allocate_nothing_per_step() {
     use stiff::Implicit::{Automatic, Radau, Rosenbrock};

@@ -154,8 +154,8 @@ mod relaxation {
     }
 }
 
-/// Currents that build up in a motor: what `auto` chooses goes twenty times as far as the explicit method, and is no less accurate
-/// anywhere between the steps of both.
+/// Currents that build up in a motor: what `auto` chooses takes less than a tenth of the steps of the explicit method, and is accurate
+/// between them too, where polynomials of several methods stand in one motion.
 #[test]
 fn the_series_is_chosen_where_it_goes_further() {
     let scene = assur_equations::table_drive::Transient::default();
@@ -173,7 +173,7 @@ fn the_series_is_chosen_where_it_goes_further() {
     }
 }
 
-/// Where something is far too stiff for it, the series alone takes half a million steps, and `auto` changes to Radau, however
+/// Where something is far too stiff for it, the series alone does not get through in 20 000 steps, and `auto` changes to Radau, however
 /// little its steps cost.
 #[test]
 fn the_series_is_left_where_stability_holds_it_back() {

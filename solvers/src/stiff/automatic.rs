@@ -1,9 +1,8 @@
 //! The choice between an explicit method, the Taylor series and a stiff method while the motion goes on.
 //!
 //! The motion begins with the explicit method of order 8, or with the series where that is cheap (`prospect`). Each step of the
-//! former measures `h|λ|`, the step in terms of the
-//! fastest change that the equations know, from the last two stages, which both lie at its end (Hairer, Wanner II,
-//! section IV.2, (2.25) and program DOP853). At the border of stability it is about 6; but beside a stiff part an explicit
+//! former measures `h|λ|`, the step in terms of the fastest change that the equations know, from the last two stages, which both
+//! lie at its end (Hairer, Wanner II, section IV.2, (2.25) and program DOP853). At the border of stability it is about 6; but beside a stiff part an explicit
 //! method of high order loses its accuracy long before, and hovers anywhere from 0.4 (at `rtol = 1e-9`) up. A resolved
 //! oscillation gives the same figures. So the measure only says where a stiff method might be worth trying. It is not where a
 //! state itself goes to and fro within a few of those steps: what is fast is motion then, and no method takes longer ones. Else it
@@ -29,7 +28,7 @@ use prospect::Prospect;
 
 /// Steps up to which the stiff method is on trial.
 const TRIAL: usize = 40;
-/// A last step so many times longer than those of the explicit method ends the trial too.
+/// A last step so many times longer than those of the method before it ends the trial too.
 const PROOF: f64 = 4.0;
 
 /// The memory of the methods.

@@ -58,6 +58,7 @@ impl Suspicion {
         self.lengths / self.steps as f64
     }
 
+    /// Whether there are enough for a trial.
     pub fn is_enough(&self) -> bool {
         self.steps >= self.limit
     }
