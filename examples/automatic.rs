@@ -3,7 +3,7 @@
 //! more than `auto` does. How far an answer is off is its largest difference from a reference at the limit of double precision,
 //! over the size of each state.
 //!
-//!     cargo run --release --example automatic            all of them, in some ten minutes
+//!     cargo run --release --example automatic            all of them, in four minutes
 //!     cargo run --release --example automatic batten     one mechanism
 
 use assur::prelude::*;
