@@ -261,8 +261,8 @@ fn is_by_series(motion: &Motion) -> bool {
     2 * statistics.series_steps > statistics.steps
 }
 
-/// The settings of a motion: where it was chosen to take the series, a looser tolerance is not to choose anything else, whose errors
-/// are much larger.
+/// The settings of a motion: where it was chosen to take the series, another tolerance is not to choose anything else. A looser
+/// one would have much larger errors, and a finer one would begin with the very steps that the choice was made by.
 fn as_chosen(motion: &Motion) -> Settings {
     match is_by_series(motion) {
         true => Settings { method: Method::Taylor, ..motion.settings.clone() },
@@ -272,9 +272,9 @@ fn as_chosen(motion: &Motion) -> Settings {
 
 /// The settings for a part of the tolerance: so much work at most, and of a run a first step of its own.
 fn finer(motion: &Motion, part: f64) -> Settings {
-    let settings = motion.settings.at(motion.settings.rtol * part);
+    let rtol = motion.settings.rtol * part;
     let Span::Run(..) = motion.task() else {
-        return settings;
+        return motion.settings.at(rtol);
     };
     let statistics = motion.statistics();
     let steps = motion.steps();
@@ -282,7 +282,7 @@ fn finer(motion: &Motion, part: f64) -> Settings {
         max_steps: Some(MOST.0 * (statistics.steps + statistics.rejected) + MOST.1),
         // Else the first steps, which do not grow any faster, would be the same whatever the tolerance.
         first_step: steps.get(..2).map(|steps| FIRST * (steps[1] - steps[0])),
-        ..settings
+        ..as_chosen(motion).at(rtol)
     }
 }
 
