@@ -10,6 +10,9 @@ use crate::ode::larger;
 use crate::problem::Phase;
 use crate::shape::Subject;
 
+/// Values that differ by so many times their errors may be the same: some errors are told that many times too small.
+const ALIKE: f64 = 5.0;
+
 /// An extreme with its errors.
 #[derive(Clone, Copy, Debug)]
 pub struct End {
@@ -144,8 +147,9 @@ fn widen(
     samples: &Samples<'_>,
     index: usize,
 ) {
-    let is_like = |value: f64| (value - end.value).abs() <= end.error;
-    let may_be_like = |rival: &Extreme| (rival.value - end.value).abs() <= end.error + error(rival);
+    let is_like = |value: f64| (value - end.value).abs() <= ALIKE * end.error;
+    let may_be_like =
+        |rival: &Extreme| (rival.value - end.value).abs() <= ALIKE * (end.error + error(rival));
     let tops = rivals.iter().filter(|rival| may_be_like(rival));
     let tops: Vec<f64> = tops.map(|rival| rival.time).collect();
     let samples = samples.times.iter().zip(samples.values);
