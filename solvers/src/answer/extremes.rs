@@ -139,7 +139,8 @@ impl Estimate {
     }
 }
 
-/// Takes the first of the places that cannot be told from an extreme by their values, which have errors of their own.
+/// Takes the first of the places that cannot be told from an extreme by their values. Their errors are their own: where the
+/// extreme is the start, which is given, any of them may lie further out.
 fn widen(
     end: &mut End,
     rivals: &[Extreme],
@@ -147,16 +148,20 @@ fn widen(
     samples: &Samples<'_>,
     index: usize,
 ) {
-    let is_like = |value: f64| (value - end.value).abs() <= ALIKE * end.error;
-    let may_be_like =
-        |rival: &Extreme| (rival.value - end.value).abs() <= ALIKE * (end.error + error(rival));
-    let tops = rivals.iter().filter(|rival| may_be_like(rival));
-    let tops: Vec<f64> = tops.map(|rival| rival.time).collect();
+    let below = |value: f64| (value - end.value).abs();
+    let rivals = rivals.iter().map(|rival| (rival.time, below(rival.value), error(rival)));
+    let rivals: Vec<(f64, f64, f64)> = rivals.collect();
+    let further = rivals.iter().map(|(_, below, error)| error - below);
+    let own = further.fold(end.error, larger);
+    let is_like = |value: f64| below(value) <= ALIKE * own;
+    let tops = rivals.iter().filter(|(_, below, error)| *below <= ALIKE * (own + error));
+    let tops: Vec<f64> = tops.map(|rival| rival.0).collect();
     let samples = samples.times.iter().zip(samples.values);
     let samples = samples.filter(|(_, values)| is_like(values[index]));
     let times = samples.map(|(time, _)| *time).chain(tops.iter().copied());
     let (from, to) =
         times.fold((end.time, end.time), |(from, to), time| (from.min(time), to.max(time)));
+    end.error = own;
     end.time = tops.into_iter().fold(end.time, f64::min);
     end.reach = end.blur.max(to - end.time).max(end.time - from);
 }
