@@ -94,10 +94,14 @@ fn time_of(error: f64, points: &[Option<Point>], seconds: impl Fn(&Point) -> f64
     pairs.chain(better.map(|point| seconds(point))).reduce(f64::min)
 }
 
-/// What [`time_at`] gives in each round that all runs have.
+/// What [`time_at`] gives in each round. Runs that take too long for so many rounds count with their shortest time.
 fn times_at(error: f64, points: &[Option<Point>]) -> Vec<f64> {
-    let rounds = points.iter().flatten().map(|point| point.rounds.len()).min().unwrap_or(0);
-    (0..rounds).filter_map(|round| time_of(error, points, |point| point.rounds[round])).collect()
+    let rounds = points.iter().flatten().map(|point| point.rounds.len()).max().unwrap_or(0);
+    let seconds = |point: &Point, round: usize| match point.rounds.get(round) {
+        Some(seconds) => *seconds,
+        None => point.seconds,
+    };
+    (0..rounds).filter_map(|round| time_of(error, points, |point| seconds(point, round))).collect()
 }
 
 /// The time for an error over that of another method: with its spread, where both ran in turn.
@@ -166,5 +170,16 @@ mod tests {
         assert!((time_at(1e-9, &points).unwrap() - 2.0).abs() < 1e-12);
         assert_eq!(time_at(1e-12, &points), None);
         assert_eq!(over(1e-9, &points, &points), "1.00 (1.00–1.00)");
+    }
+
+    #[test]
+    fn a_run_that_is_too_long_for_many_rounds_does_not_end_those_of_others() {
+        let point = |error, rounds: &[f64]| {
+            let (seconds, rounds) =
+                (rounds.iter().copied().fold(f64::MAX, f64::min), rounds.to_vec());
+            Some(Point { rtol: 0.0, error, evaluations: 1, seconds, rounds })
+        };
+        let points = [point(1e-5, &[9.0, 1.0, 1.0]), point(1e-9, &[50.0])];
+        assert_eq!(times_at(1e-5, &points), [9.0, 1.0, 1.0]);
     }
 }
