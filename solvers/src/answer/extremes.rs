@@ -188,3 +188,35 @@ fn around(steps: &[f64], extreme: Extreme) -> (f64, f64) {
     let after = steps.partition_point(|step| *step <= extreme.time + extreme.blur);
     (steps[first.saturating_sub(2)], steps[(after + 1).min(last)])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Widens an extreme that is given, one at zero, beside a rival at a later time with a value and an error.
+    fn beside(value: f64, error: f64) -> End {
+        let mut end = End { value: 1.0, error: 0.0, time: 0.0, blur: 0.0, reach: 0.0 };
+        let rival = Extreme { value, time: 3.0, blur: 0.0 };
+        let samples = Samples { times: &[], values: &[] };
+        widen(&mut end, &[rival], &|_| error, &samples, 0);
+        end
+    }
+
+    #[test]
+    fn a_place_that_may_lie_further_out_makes_an_extreme_uncertain() {
+        let end = beside(0.75, 1.0);
+        assert_eq!((end.error, end.time, end.reach), (0.75, 0.0, 3.0));
+    }
+
+    #[test]
+    fn a_place_that_cannot_lie_as_far_out_does_not_count() {
+        let end = beside(0.0, 0.125);
+        assert_eq!((end.error, end.time, end.reach), (0.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn errors_may_be_told_too_small_by_so_much_that_a_place_is_as_far_out() {
+        let end = beside(0.5, 0.125);
+        assert_eq!((end.error, end.time, end.reach), (0.0, 0.0, 3.0));
+    }
+}
