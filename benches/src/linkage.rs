@@ -106,7 +106,7 @@ impl<S: Scalar> Side<S> for Emitted<S> {
         let mut position = self.loops.zeros();
         let instant = self.loops.instant(&[angle]);
         let mut sines = [S::ZERO; 2];
-        self.loops.close_all(&instant, &self.modes, &mut position, &mut sines);
+        self.loops.close_all(&instant, &self.modes, &mut position, &mut sines, true);
         angles.copy_from_slice(&position[..4]);
         if influence {
             self.loops.influence(&instant, &position, values);

@@ -8,8 +8,8 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::time::Instant;
 
-use assur::dispatch::{Task, dispatch};
-use assur::scalar::{Lanes, Scalar, WIDTH};
+use assur::dispatch::{Task, dispatch, dispatch_packs};
+use assur::scalar::{Pack, Scalar};
 use assur::shape::Distribution;
 use assur::tolerance::{Sampling, Source, Study, monte_carlo};
 
@@ -26,6 +26,8 @@ const BLOCK: u64 = 256;
 const ROUNDS: usize = 101;
 /// Classes of errors reach so far from zero, in radians.
 const REACH: f64 = 0.03;
+/// Most linkages side by side.
+const WIDEST: usize = 8;
 /// Largest ratio of the solvers to the loop, and least of one thread to two.
 const GOAL: f64 = 1.1;
 const TWO: f64 = 1.9;
@@ -72,30 +74,28 @@ struct Drawn<'a> {
     sums: &'a mut [Sums],
 }
 
-impl Drawn<'_> {
-    /// Draws them on numbers that hold `SIDE` samples each.
+impl Task for Drawn<'_> {
+    type Output = ();
+
+    /// Draws as many side by side as a pack holds.
     #[inline(always)]
-    fn along<P: Scalar, const SIDE: usize>(
-        self,
-        pack: impl Fn([f64; SIDE]) -> P,
-        unpack: impl Fn(P) -> [f64; SIDE],
-    ) {
+    fn run<P: Pack>(self) {
         let ((dimensions, modes), tolerances) = (nominal(), tolerances());
-        for first in (self.samples.0..self.samples.1).step_by(SIDE) {
-            let mut made = [[0.0; SIDE]; DIMENSIONS];
+        for first in (self.samples.0..self.samples.1).step_by(P::WIDTH) {
+            let mut made = [[0.0; WIDEST]; DIMENSIONS];
             let mut draw = Draw::from(first * DIMENSIONS as u64);
-            for lane in 0..SIDE {
+            for lane in 0..P::WIDTH {
                 for (k, made) in made.iter_mut().enumerate() {
                     made[lane] = dimensions[k] + draw.error(tolerances[k]);
                 }
             }
             let mut numbers = [P::ZERO; DIMENSIONS];
             for (number, made) in numbers.iter_mut().zip(made) {
-                *number = pack(made);
+                *number = P::load(&made);
             }
             let bar = Hand::new(numbers, modes);
             let (sine, cosine) = numbers[11].sin_cos();
-            let count = SIDE.min((self.samples.1 - first) as usize);
+            let count = P::WIDTH.min((self.samples.1 - first) as usize);
             for (place, sums) in self.places.iter().zip(&mut *self.sums) {
                 let turn = place.turn.map(P::from_f64);
                 let crank = [
@@ -103,60 +103,13 @@ impl Drawn<'_> {
                     turn[0].mul_add(sine, turn[1] * cosine),
                 ];
                 let (made, output) = (bar.closed(crank).output(), place.output.map(P::from_f64));
-                let error = small_angle(turned(made, output) / inner(made, output));
-                for error in &unpack(error)[..count] {
+                let mut errors = [0.0; WIDEST];
+                small_angle(turned(made, output) / inner(made, output)).store(&mut errors);
+                for error in &errors[..count] {
                     sums.add(*error);
                 }
             }
         }
-    }
-}
-
-#[inline(always)]
-fn packed<S: Scalar>(all: [f64; WIDTH]) -> Lanes<S> {
-    let mut lanes = Lanes::splat(S::ZERO);
-    for (lane, value) in lanes.0.iter_mut().zip(all) {
-        *lane = S::from_f64(value);
-    }
-    lanes
-}
-
-#[inline(always)]
-fn unpacked<S: Scalar>(lanes: Lanes<S>) -> [f64; WIDTH] {
-    lanes.0.map(S::to_f64)
-}
-
-#[inline(always)]
-fn one<S: Scalar>([value]: [f64; 1]) -> S {
-    S::from_f64(value)
-}
-
-#[inline(always)]
-fn of_one<S: Scalar>(value: S) -> [f64; 1] {
-    [value.to_f64()]
-}
-
-/// Eight linkages side by side.
-struct Side<'a>(Drawn<'a>);
-
-impl Task for Side<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<S: Scalar>(self) {
-        self.0.along(packed::<S>, unpacked::<S>);
-    }
-}
-
-/// One linkage after the other.
-struct Single<'a>(Drawn<'a>);
-
-impl Task for Single<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<S: Scalar>(self) {
-        self.0.along(one::<S>, of_one::<S>);
     }
 }
 
@@ -166,8 +119,8 @@ fn by_hand(threads: u64, places: &[Place; PLACES], side: bool) -> Vec<f64> {
     let sums = drawn(threads, &blocks, &vec![Sums::new(REACH); PLACES], |samples, sums| {
         let drawn = Drawn { samples, places, sums };
         match side {
-            true => dispatch(Side(drawn)),
-            false => dispatch(Single(drawn)),
+            true => dispatch_packs(drawn),
+            false => dispatch(drawn),
         }
     });
     sums.iter().map(Sums::deviation).collect()

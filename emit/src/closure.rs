@@ -117,12 +117,13 @@ fn close(layout: &Layout<'_>) -> TokenStream {
     }
 }
 
-/// All groups in one, with their angles taken together; nothing where one is iterated or reads an angle of another.
+/// All groups in one, with their angles taken together or not at all; nothing where one is iterated or reads an angle of
+/// another.
 fn close_all(layout: &Layout<'_>) -> TokenStream {
     let groups = &layout.program().results.closing.groups;
     let forms: Option<Vec<Form>> =
         groups.iter().map(|closed| Some(form(layout, closed.as_ref()?))).collect();
-    let Some(forms) = forms.filter(|forms| forms.len() > 1) else {
+    let Some(forms) = forms else {
         return TokenStream::new();
     };
     let mut found = Vec::new();
@@ -132,7 +133,13 @@ fn close_all(layout: &Layout<'_>) -> TokenStream {
         }
         found.extend(&form.angles);
     }
-    let angles = angles(layout, &found);
+    let angles = match found.is_empty() {
+        true => TokenStream::new(),
+        false => {
+            let angles = angles(layout, &found);
+            quote!(if angles { #angles })
+        }
+    };
     let blocks = forms.iter().enumerate().map(|(group, form)| {
         let (group, statements, sine) = (size(group), &form.statements, &form.sine);
         quote!({ let mode = modes[#group]; #statements sines[#group] = #sine; })
@@ -141,7 +148,14 @@ fn close_all(layout: &Layout<'_>) -> TokenStream {
     let first = crate::equations::exact(&[(quote!(mut sines), forms.len())]);
     quote! {
         #[inline(always)]
-        fn close_all(&self, instant: &Self::Instant, modes: &[S], position: &mut Self::Position, sines: &mut [S]) {
+        fn close_all(
+            &self,
+            instant: &Self::Instant,
+            modes: &[S],
+            position: &mut Self::Position,
+            sines: &mut [S],
+            angles: bool,
+        ) {
             #first
             ::assur::exact!(modes, #count);
             #(#blocks)*

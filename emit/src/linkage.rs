@@ -22,9 +22,16 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
     });
     let starts = linkage.dependents.iter().map(|one| number(one.start));
     let span = crate::parameters::span(layout);
+    let packing = layout.program().is_apart().then(|| {
+        quote!(
+            const PACKING: ::assur::closure::Packing = ::assur::closure::Packing::Never;
+        )
+    });
     quote! {
         impl ::assur::closure::Linkage for #name {
             type Closure<S: ::assur::scalar::Scalar> = #closure<S>;
+
+            #packing
 
             #[inline(always)]
             fn shape(&self) -> &'static ::assur::shape::Shape {

@@ -296,6 +296,10 @@ fn linkage_entry(
     };
     let (motion, second) = (size(motion), !closing.second.is_empty());
     let (angles, groups) = (linkage.dependents.iter().map(|one| one.is_angle), groups(linkage));
+    let cosines = closing.cosines.iter().map(|place| match place.map(size) {
+        Some(place) => quote!(Some(#place)),
+        None => quote!(None),
+    });
     let variables = linkage.variables.iter().map(|variable| match variable {
         VariableInfo::Constant(index) => {
             let index = size(*index);
@@ -319,6 +323,7 @@ fn linkage_entry(
             dependents: #dependents,
             loops: &[#(#loops),*],
             angles: &[#(#angles),*],
+            cosines: &[#(#cosines),*],
             groups: &[#(#groups),*],
             variables: &[#(#variables),*],
             motion: #motion,

@@ -180,6 +180,7 @@ fn linkage_entry(
         dependents: list(linkage.dependents.iter().map(|one| quantity(&one.quantity))),
         loops: list(linkage.loops.iter().map(|one| loop_entry(one, lines))),
         angles: list(linkage.dependents.iter().map(|one| one.is_angle)),
+        cosines: list(closing.cosines.iter().copied()),
         groups: list(groups),
         variables: list(variables),
         motion: if closing.rates.is_empty() { 0 } else { closing.rates.len() + 1 },

@@ -3,8 +3,10 @@
 //! A program is compiled for the oldest machine that it shall run on. Work that is worth it goes through [`dispatch`],
 //! which asks the processor once and, where it has fused and packed instructions, runs a copy compiled for them.
 
+#[cfg(target_arch = "x86_64")]
+use crate::scalar::F64x8;
 pub use crate::scalar::processor::is_fused;
-use crate::scalar::{Fused, Scalar};
+use crate::scalar::{Fused, Pack};
 
 /// Work that may run on any scalar type.
 ///
@@ -15,8 +17,8 @@ pub trait Task {
     /// What the work gives.
     type Output;
 
-    /// Does the work.
-    fn run<S: Scalar>(self) -> Self::Output;
+    /// Does the work; most is written for any [`Scalar`](crate::scalar::Scalar).
+    fn run<S: Pack>(self) -> Self::Output;
 }
 
 /// Runs the task on numbers whose products and sums are fused where these are fast, on `f64` elsewhere.
@@ -47,6 +49,30 @@ unsafe fn run_fused<T: Task>(task: T) -> T::Output {
     task.run::<Fused>()
 }
 
+/// Runs the task on packs of several numbers where the processor has instructions for them, on single ones elsewhere.
+#[inline]
+pub fn dispatch_packs<T: Task>(task: T) -> T::Output {
+    #[cfg(target_arch = "x86_64")]
+    {
+        if is_fused() {
+            // SAFETY: the processor has the instructions that the function is compiled for.
+            return unsafe { run_packed(task) };
+        }
+        task.run::<f64>()
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    {
+        dispatch(task)
+    }
+}
+
+/// The copy of a task for packs.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+unsafe fn run_packed<T: Task>(task: T) -> T::Output {
+    task.run::<F64x8>()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -58,7 +84,7 @@ mod tests {
         type Output = (f64, &'static str);
 
         #[inline(always)]
-        fn run<S: Scalar>(self) -> Self::Output {
+        fn run<S: Pack>(self) -> Self::Output {
             let x = S::from_f64(self.0);
             (x.mul_add(x, -(x * x)).to_f64(), std::any::type_name::<S>())
         }
@@ -84,7 +110,7 @@ mod tests {
         type Output = [f64; 4];
 
         #[inline(always)]
-        fn run<S: Scalar>(self) -> Self::Output {
+        fn run<S: Pack>(self) -> Self::Output {
             S::sin_cos_all(self.0.map(S::from_f64)).0.map(S::to_f64)
         }
     }

@@ -13,6 +13,8 @@ mod lanes;
 mod plain;
 pub(crate) mod processor;
 mod sine;
+#[cfg(target_arch = "x86_64")]
+mod x86;
 
 pub use assur_functions::Table;
 pub use assur_functions::fault;
@@ -23,6 +25,8 @@ pub use dual::Dual;
 pub(crate) use fused::Fused;
 pub use interval::{Interval, Perhaps};
 pub use lanes::{Lanes, Masks, WIDTH};
+#[cfg(target_arch = "x86_64")]
+pub(crate) use x86::F64x8;
 
 /// A number that is an `f64` in memory, so that plain slices can be read as slices of it.
 pub(crate) trait Real: Scalar {
@@ -30,6 +34,29 @@ pub(crate) trait Real: Scalar {
     fn of(numbers: &[f64]) -> &[Self];
     /// A list of numbers as numbers of this type, to be written.
     fn of_mut(numbers: &mut [f64]) -> &mut [Self];
+}
+
+/// Some `f64` side by side, or one.
+pub trait Pack: Scalar {
+    /// How many.
+    const WIDTH: usize;
+    /// The first ones of a list.
+    fn load(numbers: &[f64]) -> Self;
+    /// Writes them to the begin of a list.
+    fn store(self, numbers: &mut [f64]);
+
+    /// A function of two numbers, one by one.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn each(self, other: Self, value: impl Fn(f64, f64) -> f64) -> Self {
+        let (mut all, mut others) = ([0.0; WIDTH], [0.0; WIDTH]);
+        self.store(&mut all);
+        other.store(&mut others);
+        for (lane, other) in all.iter_mut().zip(others).take(Self::WIDTH) {
+            *lane = value(*lane, other);
+        }
+        Self::load(&all)
+    }
 }
 
 /// A number: `f64`, `f32`, fused `f64`, a pack of lanes, a dual number, an interval, a number with the bound of its

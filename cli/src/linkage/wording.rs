@@ -231,6 +231,7 @@ mod tests {
         dependents: &[Quantity { name: "phi5", ..TIME }, Quantity { name: "phi6", ..TIME }],
         loops: &[length("loop.x"), length("loop.y")],
         angles: &[true, true],
+        cosines: &[],
         groups: &[Group { kind: GroupKind::Rrr, unknowns: &[0, 1], equations: &[0, 1] }],
         variables: &[],
         motion: 0,

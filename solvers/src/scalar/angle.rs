@@ -45,14 +45,13 @@ pub(super) fn atan2_all<S: Bits, const K: usize>(y: [S; K], x: [S; K]) -> [S; K]
     for k in 0..K {
         angles[k] = lane(y[k], x[k]);
     }
-    let mut within = true;
+    let mut all = S::equal(S::ZERO, S::ZERO);
     for k in 0..K {
-        within &= is_within(y[k].to_f64(), x[k].to_f64());
+        all = S::and(all, is_within(y[k], x[k]));
     }
-    if !within {
+    if S::any(S::not(all)) {
         for k in 0..K {
-            let angle = repair(y[k].to_f64(), x[k].to_f64(), angles[k].to_f64());
-            angles[k] = S::from_f64(angle);
+            angles[k] = S::select(is_within(y[k], x[k]), angles[k], by_library(y[k], x[k]));
         }
     }
     angles
@@ -60,23 +59,24 @@ pub(super) fn atan2_all<S: Bits, const K: usize>(y: [S; K], x: [S; K]) -> [S; K]
 
 /// Whether the kernel serves for a point.
 #[inline(always)]
-fn is_within(y: f64, x: f64) -> bool {
+fn is_within<S: Bits>(y: S, x: S) -> S::Mask {
     let (width, height) = (x.abs(), y.abs());
-    let longer = if width < height { height } else { width };
-    (SMALLEST..=LARGEST).contains(&longer)
+    let longer = S::select(S::less(width, height), height, width);
+    let small = S::less(longer, S::from_f64(SMALLEST));
+    S::and(S::not(small), S::less_equal(longer, S::from_f64(LARGEST)))
 }
 
-/// Replaces what the kernel gave for a point that it does not serve.
+/// For points that the kernel does not serve.
 #[cold]
 #[inline(never)]
-fn repair(y: f64, x: f64, angle: f64) -> f64 {
-    if is_within(y, x) { angle } else { y.atan2(x) }
+fn by_library<S: Bits>(y: S, x: S) -> S {
+    y.each(x, f64::atan2)
 }
 
 /// The sign of a number, as 1 or -1, and 1 of zero unless it is negative.
 #[inline(always)]
 fn sense_of<S: Bits>(number: S) -> S {
-    S::of_bits(1.0f64.to_bits() | (number.bits() & SIGN))
+    S::of_bits(S::word(1.0f64.to_bits()) | (number.bits() & S::word(SIGN)))
 }
 
 /// The kernel for one point within the limits. Which eighth it is in comes as signs that are multiplied, because the
@@ -102,7 +102,7 @@ fn lane<S: Bits>(y: S, x: S) -> S {
     let eighths = sense.mul_add(near, right);
     let middle = S::from_f64(FRAC_PI_2) - S::from_f64(FRAC_PI_4) * eighths;
     let angle = middle + middle.mul_add(S::from_f64(LEFT_OUT), turn);
-    S::of_bits(angle.bits() | (y.bits() & SIGN))
+    S::of_bits(angle.bits() | (y.bits() & S::word(SIGN)))
 }
 
 /// The angle with this tangent, up to 1/2.

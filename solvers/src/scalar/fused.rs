@@ -1,7 +1,7 @@
 //! `f64` whose products and sums are fused.
 
 use super::processor::is_fused;
-use super::{Real, Scalar, angle, sine};
+use super::{Pack, Real, Scalar, angle, sine};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An `f64` whose [`Scalar::mul_add`] is rounded once.
@@ -144,7 +144,26 @@ impl Real for Fused {
     }
 }
 
+impl Pack for Fused {
+    const WIDTH: usize = 1;
+
+    #[inline(always)]
+    fn load(numbers: &[f64]) -> Self {
+        Self(numbers[0])
+    }
+    #[inline(always)]
+    fn store(self, numbers: &mut [f64]) {
+        numbers[0] = self.0;
+    }
+}
+
 impl sine::Bits for Fused {
+    type Word = u64;
+
+    #[inline(always)]
+    fn word(bits: u64) -> u64 {
+        bits
+    }
     #[inline(always)]
     fn of_bits(bits: u64) -> Self {
         Self(f64::from_bits(bits))
@@ -152,6 +171,14 @@ impl sine::Bits for Fused {
     #[inline(always)]
     fn bits(self) -> u64 {
         self.0.to_bits()
+    }
+    #[inline(always)]
+    fn raised<const PLACES: i32>(word: u64) -> u64 {
+        word << PLACES
+    }
+    #[inline(always)]
+    fn spread(word: u64) -> u64 {
+        word.wrapping_neg()
     }
 }
 

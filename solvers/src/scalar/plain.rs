@@ -1,6 +1,6 @@
 //! Plain `f64` and `f32`: every operation is rounded by itself, on every machine.
 
-use super::{Real, Scalar, angle, sine};
+use super::{Pack, Real, Scalar, angle, sine};
 
 /// What a type does by calling the function of the same name on its value.
 macro_rules! elementary {
@@ -122,7 +122,26 @@ pub(super) fn apart<R>(mut work: impl FnMut() -> R) -> R {
     work()
 }
 
+impl Pack for f64 {
+    const WIDTH: usize = 1;
+
+    #[inline(always)]
+    fn load(numbers: &[f64]) -> Self {
+        numbers[0]
+    }
+    #[inline(always)]
+    fn store(self, numbers: &mut [f64]) {
+        numbers[0] = self;
+    }
+}
+
 impl sine::Bits for f64 {
+    type Word = u64;
+
+    #[inline(always)]
+    fn word(bits: u64) -> u64 {
+        bits
+    }
     #[inline(always)]
     fn of_bits(bits: u64) -> Self {
         Self::from_bits(bits)
@@ -130,6 +149,14 @@ impl sine::Bits for f64 {
     #[inline(always)]
     fn bits(self) -> u64 {
         self.to_bits()
+    }
+    #[inline(always)]
+    fn raised<const PLACES: i32>(word: u64) -> u64 {
+        word << PLACES
+    }
+    #[inline(always)]
+    fn spread(word: u64) -> u64 {
+        word.wrapping_neg()
     }
 }
 

@@ -4,14 +4,34 @@
 //! `[-π/4, π/4]` with π/2 in three parts, then the polynomials of fdlibm (Sun Microsystems, 1993) are evaluated and
 //! exchanged by quadrant. Angles beyond [`LIMIT`] take the standard library's path, lane by lane.
 
-use super::Scalar;
+use std::ops::{BitAnd, BitOr, BitXor};
 
-/// Scalars that are one `f64` with the bits of it.
-pub(super) trait Bits: Scalar {
+use super::{Pack, Scalar};
+
+/// Scalars that are `f64` with the bits of them.
+pub(super) trait Bits: Pack {
+    /// The bits of a number.
+    type Word: Copy
+        + BitAnd<Output = Self::Word>
+        + BitOr<Output = Self::Word>
+        + BitXor<Output = Self::Word>;
+    /// The same bits in all lanes.
+    fn word(bits: u64) -> Self::Word;
     /// The number with these bits.
-    fn of_bits(bits: u64) -> Self;
+    fn of_bits(bits: Self::Word) -> Self;
     /// The bits of the number.
-    fn bits(self) -> u64;
+    fn bits(self) -> Self::Word;
+    /// All bits moved up by so many places.
+    fn raised<const PLACES: i32>(word: Self::Word) -> Self::Word;
+    /// All bits set of a word that is one, none of zero.
+    fn spread(word: Self::Word) -> Self::Word;
+}
+
+/// A function of the standard library, lane by lane.
+#[cold]
+#[inline(never)]
+pub(super) fn each<S: Pack>(number: S, value: fn(f64) -> f64) -> S {
+    number.each(number, |lane, _| value(lane))
 }
 
 /// Largest absolute angle of the branch-free kernel. A quarter turn number below it has at most 16 bits.
@@ -51,10 +71,9 @@ const COSINE: [f64; 6] = [
 pub(super) fn sin_cos_all<S: Bits, const K: usize>(angles: [S; K]) -> ([S; K], [S; K]) {
     let mut sines = [S::ZERO; K];
     let mut cosines = [S::ZERO; K];
-    let mut within = true;
     // Whole packs of four, the last one filled up with its first angle, come out faster than odd numbers of lanes.
     for start in (0..K).step_by(4) {
-        if K - start < 3 {
+        if K - start < 3 || S::WIDTH > 1 {
             for k in start..K {
                 (sines[k], cosines[k]) = lane(angles[k]);
             }
@@ -69,23 +88,19 @@ pub(super) fn sin_cos_all<S: Bits, const K: usize>(angles: [S; K]) -> ([S; K], [
             }
         }
     }
+    let within = |angle: S| S::less_equal(angle.abs(), S::from_f64(LIMIT));
+    let mut all = S::equal(S::ZERO, S::ZERO);
     for angle in angles {
-        within &= angle.to_f64().abs() <= LIMIT;
+        all = S::and(all, within(angle));
     }
-    if !within {
-        for k in 0..K {
-            let (sine, cosine) = repair(angles[k].to_f64(), sines[k].to_f64(), cosines[k].to_f64());
-            (sines[k], cosines[k]) = (S::from_f64(sine), S::from_f64(cosine));
+    if S::any(S::not(all)) {
+        for (k, angle) in angles.into_iter().enumerate() {
+            let far = |value: fn(f64) -> f64| each(angle, value);
+            sines[k] = S::select(within(angle), sines[k], far(f64::sin));
+            cosines[k] = S::select(within(angle), cosines[k], far(f64::cos));
         }
     }
     (sines, cosines)
-}
-
-/// Replaces what the kernel gave for an angle that is too large, infinite or NaN.
-#[cold]
-#[inline(never)]
-fn repair(angle: f64, sine: f64, cosine: f64) -> (f64, f64) {
-    if angle.abs() <= LIMIT { (sine, cosine) } else { angle.sin_cos() }
 }
 
 /// The kernel for one angle within the limit.
@@ -107,11 +122,12 @@ fn lane<S: Bits>(angle: S) -> (S, S) {
     let (sine, cosine) = (sine_near_zero(high, low), cosine_near_zero(high, low));
 
     let quadrant = shifted.bits();
-    let swap = 0u64.wrapping_sub(quadrant & 1);
+    let swap = S::spread(quadrant & S::word(1));
     let (s, c) = (sine.bits(), cosine.bits());
     let exchanged = (s ^ c) & swap;
-    let sine_sign = (quadrant & 2) << 62;
-    let cosine_sign = (quadrant.wrapping_add(1) & 2) << 62;
+    // The second bit of the quarter turns is the sign of the sine, that of one more the sign of the cosine.
+    let sine_sign = S::raised::<62>(quadrant & S::word(2));
+    let cosine_sign = sine_sign ^ S::raised::<63>(quadrant);
     (S::of_bits((s ^ exchanged) ^ sine_sign), S::of_bits((c ^ exchanged) ^ cosine_sign))
 }
 

@@ -13,6 +13,8 @@ pub struct LinkageEntry {
     pub loops: List<Loop>,
     /// Which dependent coordinates are angles, the same after a turn.
     pub angles: List<bool>,
+    /// Where a position keeps the cosine of each, the sine behind it, if it does; none for those that are not listed.
+    pub cosines: List<Option<usize>>,
     /// Equations that are closed together, each group after those it needs.
     pub groups: List<Group>,
     /// What influence coefficients are taken by.
@@ -31,6 +33,7 @@ impl LinkageEntry {
         dependents: &[],
         loops: &[],
         angles: &[],
+        cosines: &[],
         groups: &[],
         variables: &[],
         motion: 0,

@@ -45,4 +45,5 @@ pub(crate) use sample::drawing::{Block, Blocks, Drawing, Run};
 pub use sample::estimate::share;
 pub use sample::estimate::{Estimate, Quantile, Sampled, Status};
 pub use sample::monte_carlo::{MonteCarlo, Sampling, monte_carlo};
+pub(crate) use sample::tally::Counts;
 pub use source::{Source, Study};

@@ -69,6 +69,7 @@ mod shapes_ {
                 Loop::new(10, "frame.y", "m", 1.0),
             ],
             angles: &[true, true],
+            cosines: &[Some(2), Some(4)],
             groups: &[
                 Group {
                     kind: GroupKind::Rrr,

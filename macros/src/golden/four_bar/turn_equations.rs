@@ -111,6 +111,36 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         }
     }
     #[inline(always)]
+    fn close_all(
+        &self,
+        instant: &Self::Instant,
+        modes: &[S],
+        position: &mut Self::Position,
+        sines: &mut [S],
+        angles: bool,
+    ) {
+        ::assur::exact!(mut sines, 1);
+        ::assur::exact!(modes, 1);
+        {
+            let mode = modes[0];
+            let v70_ = instant[5] * mode;
+            let v73_ = instant[7] * mode;
+            position[2] = self.v5_ * (instant[6] + v73_);
+            position[3] = self.v5_ * (instant[4] + v70_);
+            position[4] = self.v21_ * (instant[9] + v73_);
+            position[5] = self.v21_ * (instant[8] + v70_);
+            sines[0] = instant[10] * mode;
+        }
+        if angles {
+            let angles_ = S::atan2_all(
+                [position[3], position[5]],
+                [position[2], position[4]],
+            );
+            position[0] = angles_[0];
+            position[1] = angles_[1];
+        }
+    }
+    #[inline(always)]
     fn margin(
         &self,
         group: usize,

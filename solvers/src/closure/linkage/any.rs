@@ -4,14 +4,14 @@
 //! of linkages made at random.
 
 use super::loops::{Answers, Apart, Loops, Trials};
-use super::problem::{Linkage, Range};
+use super::problem::{Linkage, Packing, Range};
 use crate::closure::position::assembly::Assembly;
 use crate::closure::position::guide::Moves;
-use crate::dispatch::dispatch;
+use crate::dispatch::{dispatch, dispatch_packs};
 use crate::problem::Span;
 use crate::scalar::{Dual, Interval};
 use crate::shape::Shape;
-use crate::tolerance::{Block, Blocks, Drawing, Run};
+use crate::tolerance::{Block, Blocks, Counts, Drawing, Run};
 
 /// A linkage with its values.
 pub trait AnyLinkage: Send + Sync {
@@ -54,7 +54,7 @@ pub trait AnyLinkage: Send + Sync {
 
     /// Makes linkages at random, block after block until none waits, and counts the classes of their errors.
     #[doc(hidden)]
-    fn draw(&self, run: &Run<'_>, blocks: &Blocks<'_>, counts: &mut [u64]) -> Vec<(u64, Block)>;
+    fn draw(&self, run: &Run<'_>, blocks: &Blocks<'_>, counts: &mut [Counts]) -> Vec<(u64, Block)>;
 }
 
 impl<L: Linkage> AnyLinkage for L {
@@ -102,7 +102,13 @@ impl<L: Linkage> AnyLinkage for L {
         Box::new(Apart(Linkage::prepare(self, values)))
     }
 
-    fn draw(&self, run: &Run<'_>, blocks: &Blocks<'_>, counts: &mut [u64]) -> Vec<(u64, Block)> {
-        dispatch(Drawing { run, blocks, counts, linkage: self })
+    fn draw(&self, run: &Run<'_>, blocks: &Blocks<'_>, counts: &mut [Counts]) -> Vec<(u64, Block)> {
+        let drawing = Drawing { run, blocks, counts, linkage: self };
+        match L::PACKING {
+            Packing::Always => dispatch_packs(drawing),
+            Packing::Never => dispatch(drawing),
+            Packing::Asked if self.is_apart() => dispatch(drawing),
+            Packing::Asked => dispatch_packs(drawing),
+        }
     }
 }

@@ -55,7 +55,8 @@ pub trait Closure<S: Scalar>: Send + Sync + 'static {
     ) -> S;
 
     /// Closes all groups of a linkage of which none is iterated, with their modes, and writes the sine of each: the same
-    /// values as from [`Closure::close`], group after group. Shape of both: the number of groups.
+    /// values as from [`Closure::close`], group after group. Shape of both: the number of groups. Angles of which a position
+    /// keeps cosine and sine ([`LinkageEntry::cosines`](crate::shape::LinkageEntry::cosines)) may be left out.
     #[inline(always)]
     fn close_all(
         &self,
@@ -63,6 +64,7 @@ pub trait Closure<S: Scalar>: Send + Sync + 'static {
         modes: &[S],
         position: &mut Self::Position,
         sines: &mut [S],
+        _angles: bool,
     ) {
         for (group, (mode, sine)) in modes.iter().zip(sines).enumerate() {
             *sine = self.close(group, instant, *mode, position);
@@ -137,6 +139,19 @@ pub struct Range {
     pub period: f64,
 }
 
+/// Whether there is anything to be won by several numbers side by side: not where a linkage searches, or solves loops that
+/// contradict each other, which goes separate ways for each and gives other results than one by one. What is not
+/// asked for is not compiled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Packing {
+    /// There is.
+    Always,
+    /// There is not.
+    Never,
+    /// It depends on the linkage, see [`Linkage::is_apart`].
+    Asked,
+}
+
 /// A linkage with its dimensions: the type that a user fills in and hands to a solver.
 pub trait Linkage: Clone + Send + Sync + 'static {
     /// The loops, prepared for a scalar type.
@@ -160,13 +175,10 @@ pub trait Linkage: Clone + Send + Sync + 'static {
         *closure = self.prepare(values);
     }
 
-    /// Whether samples may be computed several side by side. Compiled for each linkage that would take many times as long to
-    /// build, for a third less time a sample.
-    const PACKED: bool = false;
+    /// Whether samples may be computed several side by side.
+    const PACKING: Packing = Packing::Always;
 
-    /// Whether what it computes goes separate ways for different numbers, so that there is nothing to be won by several of them
-    /// side by side, nor always the same result: where it searches, or solves loops that contradict each other. Asked of those
-    /// that are [`Linkage::PACKED`].
+    /// Whether what it computes goes separate ways for different numbers. Asked where [`Linkage::PACKING`] says so.
     fn is_apart(&self) -> bool {
         false
     }

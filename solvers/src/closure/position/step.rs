@@ -45,7 +45,7 @@ impl<L: Linkage, S: Scalar> Assembly<L, S> {
         let (mut position, mut sines) = (loops.zeros(), loops.zeros());
         let modes = &self.groups.modes.as_ref()[..groups];
         let found = &mut sines.as_mut()[..groups];
-        loops.close_all(&instant, modes, &mut position, found);
+        loops.close_all(&instant, modes, &mut position, found, true);
         let mut certain = true;
         for index in 0..groups {
             certain &= self.keeps(index, sines.as_ref()[index], ratio, &mut position);

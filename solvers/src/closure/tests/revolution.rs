@@ -22,7 +22,7 @@ impl Task for ByHand {
         for k in 0..360 {
             let at = S::from_f64(TAU * k as f64 / 360.0);
             let instant = loops.instant(&[at]);
-            loops.close_all(&instant, &modes, &mut z, &mut [S::ZERO; 2]);
+            loops.close_all(&instant, &modes, &mut z, &mut [S::ZERO; 2], true);
             sum = sum + (z[0] + z[1] + z[2] + z[3]);
         }
         sum.to_f64()

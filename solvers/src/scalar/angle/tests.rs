@@ -34,7 +34,7 @@ fn points() -> Vec<(f64, f64)> {
     points
 }
 
-fn largest<S: Bits>() -> f64 {
+fn largest<S: Bits<Word = u64>>() -> f64 {
     let angle = |(y, x)| S::atan2(S::from_f64(y), S::from_f64(x)).to_f64();
     let errors = points().into_iter().map(|(y, x)| error(angle((y, x)), y, x));
     errors.fold(0.0, f64::max)
@@ -59,7 +59,7 @@ fn the_measure_agrees_with_the_standard_library() {
 }
 
 /// Checks single points and lanes against each other and the standard library.
-fn check_lanes<S: Bits>() {
+fn check_lanes<S: Bits<Word = u64>>() {
     let values = [
         0.0,
         -0.0,

@@ -1,4 +1,4 @@
-//! Made linkages: prepared with other dimensions and closed near the nominal one, many samples at a time.
+//! Made linkages: prepared with other dimensions and closed near the nominal one; on packs of numbers, several samples at a time.
 
 pub(super) mod exact;
 pub(super) mod lead;
@@ -12,21 +12,21 @@ use crate::closure::{Closure, Linkage};
 use crate::scalar::Scalar;
 use nominal::Nominal;
 use place::Station;
-use varied::{Lanes, Varied};
+use varied::Varied;
 
-/// Makes linkages, `W` samples at a time; keeps the memory for it.
-pub(super) struct Maker<L: Linkage, S: Scalar, const W: usize> {
+/// Makes linkages; keeps the memory for it.
+pub(super) struct Maker<L: Linkage, S: Scalar> {
     linkage: L,
     values: Vec<S>,
     /// The constants that err.
-    constants: Vec<Varied<S, W>>,
+    constants: Vec<Varied<S>>,
     output: usize,
     outputs: Vec<S>,
     independents: Vec<S>,
-    places: Vec<Station<L, S, W>>,
+    places: Vec<Station<L, S>>,
 }
 
-impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
+impl<L: Linkage, S: Scalar> Maker<L, S> {
     pub fn new(linkage: &L, nominals: &[Nominal], sources: &[Source], output: usize) -> Self {
         let values = nominals.first().map_or(&[][..], |one| &one.values);
         let (values, shape) = (numbers::<S>(values), linkage.shape());
@@ -47,17 +47,6 @@ impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
         }
     }
 
-    /// Takes the errors of the sources, source by source.
-    #[inline(always)]
-    pub fn make(&mut self, errors: &[Lanes<S, W>]) {
-        for constant in &mut self.constants {
-            constant.make(errors);
-        }
-        for place in &mut self.places {
-            place.make(errors);
-        }
-    }
-
     /// What depends on the nominal dimensions alone.
     pub fn nominal(&self) -> L::Closure<S> {
         S::outline(
@@ -66,11 +55,11 @@ impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
         )
     }
 
-    /// Computes what depends on the dimensions alone, for one of the samples.
+    /// Computes what depends on the dimensions alone, from the errors of the sources.
     #[inline(always)]
-    pub fn prepare(&mut self, closure: &mut L::Closure<S>, sample: usize) {
+    pub fn prepare(&mut self, closure: &mut L::Closure<S>, errors: &[S]) {
         for constant in &self.constants {
-            self.values[constant.index] = constant.made[sample];
+            self.values[constant.index] = constant.made(errors);
         }
         // Of a length that is known, what reads them is not checked again.
         self.linkage.renew(closure, &self.values[..self.linkage.shape().constants.len()]);
@@ -79,11 +68,11 @@ impl<L: Linkage, S: Scalar, const W: usize> Maker<L, S, W> {
     /// Closes the made linkage at a place and gives the error of its output; no number if the mode is not certain, or
     /// does not exist.
     #[inline(always)]
-    pub fn error(&mut self, closure: &L::Closure<S>, place: usize, sample: usize) -> S {
+    pub fn error(&mut self, closure: &L::Closure<S>, place: usize, errors: &[S]) -> S {
         let (place, shape) = (&self.places[place], closure.shape());
         let independents = &mut self.independents[..shape.drivers.len()];
         let outputs = &mut self.outputs[..shape.outputs.len()];
-        let closed = place.close(closure, sample, independents, outputs);
+        let closed = place.close(closure, errors, independents, outputs);
         S::select(closed, outputs[self.output] - place.nominal, S::from_f64(f64::NAN))
     }
 }

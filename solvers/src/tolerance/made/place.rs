@@ -8,7 +8,7 @@
 
 use super::nominal::Nominal;
 use super::small;
-use super::varied::{self, Lanes, Varied};
+use super::varied::Varied;
 use crate::closure::{Closure, GroupKind, Linkage, Variable};
 use crate::problem::Storage;
 use crate::scalar::Scalar;
@@ -28,17 +28,22 @@ const LONGEST: f64 = 0.5;
 /// Largest number of corrections.
 const ITERATIONS: usize = 6;
 
+/// Largest tangent of which the angle is taken from its series.
+const SMALL: f64 = 1.0 / 16.0;
+/// Terms of `(atan t - t)/t^3` in powers of `t^2`, the last one first: the next one is below half a unit in the last place.
+const SERIES: [f64; 6] = [1.0 / 13.0, -1.0 / 11.0, 1.0 / 9.0, -1.0 / 7.0, 1.0 / 5.0, -1.0 / 3.0];
+
 /// Position of a linkage.
 type Position<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Position;
 /// What depends on the independent variables of a linkage alone.
 type Instant<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Instant;
 
-/// The nominal linkage at one place, ready for `W` samples of a type of number.
-pub(super) struct Station<L: Linkage, S: Scalar, const W: usize> {
+/// The nominal linkage at one place, ready for samples on a type of number.
+pub(super) struct Station<L: Linkage, S: Scalar> {
     independents: Vec<S>,
     motion: Vec<S>,
     /// The positions of the drivers that err.
-    drivers: Vec<Varied<S, W>>,
+    drivers: Vec<Varied<S>>,
     position: Position<L, S>,
     /// Of each group; there are no more groups than unknowns, so that a position holds them.
     modes: Position<L, S>,
@@ -48,13 +53,11 @@ pub(super) struct Station<L: Linkage, S: Scalar, const W: usize> {
     scales: Position<L, S>,
     /// Derivatives of the dependent coordinates by the sources; empty if no group is iterated.
     tangents: Vec<S>,
-    /// The moves of the dependent coordinates that those predict.
-    moved: Vec<Lanes<S, W>>,
     /// The output that is looked at.
     pub nominal: S,
 }
 
-impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
+impl<L: Linkage, S: Scalar> Station<L, S> {
     /// The nominal linkage with its position; `zeros` is one with nothing in it.
     pub fn new(
         nominal: &Nominal,
@@ -78,23 +81,7 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
             signs: all(&nominal.sines),
             scales: all(&scales),
             tangents: numbers(&nominal.tangents),
-            moved: vec![[S::ZERO; W]; nominal.units.len()],
             nominal: S::from_f64(nominal.outputs[output]),
-        }
-    }
-
-    /// Takes the errors of the sources.
-    #[inline(always)]
-    pub fn make(&mut self, errors: &[Lanes<S, W>]) {
-        for driver in &mut self.drivers {
-            driver.make(errors);
-        }
-        let rows = self.tangents.chunks_exact(errors.len().max(1));
-        for (moved, row) in self.moved.iter_mut().zip(rows) {
-            *moved = [S::ZERO; W];
-            for (slope, errors) in row.iter().zip(errors) {
-                varied::add(*slope, errors, moved);
-            }
         }
     }
 
@@ -103,24 +90,52 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
     pub fn close(
         &self,
         closure: &L::Closure<S>,
-        sample: usize,
+        errors: &[S],
         independents: &mut [S],
         outputs: &mut [S],
     ) -> S::Mask {
         independents.copy_from_slice(&self.independents[..closure.shape().drivers.len()]);
         for driver in &self.drivers {
-            independents[driver.index] = driver.made[sample];
+            independents[driver.index] = driver.made(errors);
         }
         let instant = match self.motion.is_empty() {
             true => closure.instant(independents),
             false => closure.moving(independents, &self.motion),
         };
+        if !closure.shape().loops().is_iterated() {
+            return self.close_at_once(closure, &instant, outputs);
+        }
         let mut position = self.position.clone();
-        let is_closed = self.close_all(closure, &instant, sample, &mut position);
+        let is_closed = self.close_all(closure, &instant, errors, &mut position);
         if S::any(is_closed) {
             closure.outputs(&instant, &position, outputs);
         }
         is_closed
+    }
+
+    /// The same where all groups keep their modes by themselves: in one piece, so that the compiler leaves out what no
+    /// output needs.
+    #[inline(always)]
+    fn close_at_once(
+        &self,
+        closure: &L::Closure<S>,
+        instant: &Instant<L, S>,
+        outputs: &mut [S],
+    ) -> S::Mask {
+        let entry = closure.shape().loops();
+        let groups = entry.groups.len();
+        let (mut position, mut sines) = (closure.zeros(), closure.zeros());
+        let (modes, sines) = (&self.modes.as_ref()[..groups], &mut sines.as_mut()[..groups]);
+        closure.close_all(instant, modes, &mut position, sines, false);
+        let mut closed = S::equal(S::ZERO, S::ZERO);
+        for (index, group) in entry.groups.iter().enumerate() {
+            closed = S::and(closed, S::equal(sines[index], sines[index]));
+            if group.kind.has_modes() {
+                near(entry, index, position.as_mut(), self.position.as_ref());
+            }
+        }
+        closure.outputs(instant, &position, outputs);
+        closed
     }
 
     /// Closes all groups and says whether they have certainly kept their modes.
@@ -129,13 +144,13 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
         &self,
         closure: &L::Closure<S>,
         instant: &Instant<L, S>,
-        sample: usize,
+        errors: &[S],
         position: &mut Position<L, S>,
     ) -> S::Mask {
         let groups = closure.shape().loops().groups.len();
         let mut closed = S::equal(S::ZERO, S::ZERO);
         for index in 0..groups {
-            closed = S::and(closed, self.close_one(index, closure, instant, sample, position));
+            closed = S::and(closed, self.close_one(index, closure, instant, errors, position));
             if !S::any(closed) {
                 break;
             }
@@ -149,13 +164,13 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
         index: usize,
         closure: &L::Closure<S>,
         instant: &Instant<L, S>,
-        sample: usize,
+        errors: &[S],
         position: &mut Position<L, S>,
     ) -> S::Mask {
         let entry = closure.shape().loops();
         let kind = entry.groups[index].kind;
         if let GroupKind::General = kind {
-            return self.iterate(index, closure, instant, sample, position);
+            return self.iterate(index, closure, instant, errors, position);
         }
         let mode = self.modes.as_ref()[index];
         let sine = closure.close(index, instant, mode, position);
@@ -173,16 +188,20 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
         index: usize,
         closure: &L::Closure<S>,
         instant: &Instant<L, S>,
-        sample: usize,
+        errors: &[S],
         position: &mut Position<L, S>,
     ) -> S::Mask {
         let entry = closure.shape().loops();
         let unknowns = entry.groups[index].unknowns;
         let (n, largest) = (unknowns.len(), entry.largest());
         let mut before = S::ZERO;
-        let (moves, scales) = (&self.moved[..entry.dependents.len()], self.scales.as_ref());
+        let scales = self.scales.as_ref();
         for &j in unknowns {
-            let moved = moves[j][sample];
+            let slopes = &self.tangents[j * errors.len()..][..errors.len()];
+            let moved = slopes
+                .iter()
+                .zip(errors)
+                .fold(S::ZERO, |sum, (slope, error)| slope.mul_add(*error, sum));
             position.as_mut()[j] = self.position.as_ref()[j] + moved;
             before = larger(before, (moved * scales[j]).abs());
         }
@@ -227,6 +246,44 @@ impl<L: Linkage, S: Scalar, const W: usize> Station<L, S, W> {
     }
 }
 
+/// Puts the angles of a group within half a turn of others, as [`unwrap`] does: where their cosines and sines are known, by
+/// what they turn from there, which is little. The angles themselves are then not needed.
+#[inline(always)]
+fn near<S: Scalar>(entry: &LinkageEntry, group: usize, position: &mut [S], near: &[S]) {
+    for &j in entry.groups[group].unknowns {
+        if !entry.angles[j] {
+            continue;
+        }
+        position[j] = match entry.cosines.get(j).copied().flatten() {
+            Some(at) => {
+                let [made, drawn] = [&position[at..at + 2], &near[at..at + 2]];
+                near[j] + turned([drawn[0], drawn[1]], [made[0], made[1]])
+            }
+            None => unwrapped(position[j], near[j]),
+        };
+    }
+}
+
+/// The angle by which a direction is turned against another; both have length one, cosine first.
+#[inline(always)]
+fn turned<S: Scalar>(from: [S; 2], to: [S; 2]) -> S {
+    let along = from[0].mul_add(to[0], from[1] * to[1]);
+    let across = from[0].mul_add(to[1], -(from[1] * to[0]));
+    let tangent = across / along;
+    let square = tangent * tangent;
+    let mut sum = S::from_f64(SERIES[0]);
+    for term in &SERIES[1..] {
+        sum = sum.mul_add(square, S::from_f64(*term));
+    }
+    let turned = (tangent * square).mul_add(sum, tangent);
+    // Of no direction neither holds.
+    let far = S::or(S::less(S::from_f64(SMALL), tangent.abs()), S::less(along, S::ZERO));
+    if S::any(far) {
+        return S::select(far, S::atan2(across, along), turned);
+    }
+    turned
+}
+
 /// Puts the angles of a group within half a turn of others.
 #[inline(always)]
 pub(super) fn unwrap<S: Scalar>(
@@ -235,14 +292,18 @@ pub(super) fn unwrap<S: Scalar>(
     position: &mut [S],
     near: &[S],
 ) {
-    let (turn, half) = (S::from_f64(TAU), S::from_f64(0.5));
     for &j in entry.groups[group].unknowns {
         if entry.angles[j] {
-            let angle = position[j];
-            let turns = ((near[j] - angle) / turn + half).floor();
-            position[j] = turns.mul_add(turn, angle);
+            position[j] = unwrapped(position[j], near[j]);
         }
     }
+}
+
+/// An angle within half a turn of another.
+#[inline(always)]
+fn unwrapped<S: Scalar>(angle: S, near: S) -> S {
+    let turns = (near - angle).mul_add(S::from_f64(1.0 / TAU), S::from_f64(0.5)).floor();
+    turns.mul_add(S::from_f64(TAU), angle)
 }
 
 #[inline(always)]

@@ -3,10 +3,10 @@
 //! Errors are drawn and their first order is added up for a batch of samples at once; the linkages are then closed some side
 //! by side, and what they give is tallied for the whole batch.
 
-use super::tally::{CLASSES, Classes, Sums};
+use super::tally::{Classes, Counts, Sums};
 use crate::closure::{AnyLinkage, Linkage};
 use crate::dispatch::Task;
-use crate::scalar::{Lanes, Scalar, WIDTH};
+use crate::scalar::Pack;
 use crate::shape::Distribution;
 use crate::tolerance::made::Maker;
 use crate::tolerance::made::lead::Lead;
@@ -17,8 +17,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Samples in a batch.
 pub(super) const BATCH: usize = 64;
-/// Packs of samples in a batch.
-const PACKS: usize = BATCH / WIDTH;
 
 /// The samples of a block.
 #[derive(Clone, Debug)]
@@ -69,7 +67,8 @@ impl<'a> Blocks<'a> {
 pub(crate) struct Drawing<'a, 'b, L: Linkage> {
     pub run: &'a Run<'a>,
     pub blocks: &'a Blocks<'a>,
-    pub counts: &'b mut [u64],
+    /// Of each place.
+    pub counts: &'b mut [Counts],
     pub linkage: &'a L,
 }
 
@@ -77,39 +76,13 @@ impl<L: Linkage> Task for Drawing<'_, '_, L> {
     type Output = Vec<(u64, Block)>;
 
     #[inline(always)]
-    fn run<S: Scalar>(self) -> Vec<(u64, Block)> {
-        // Of those that are not packed, packs are not even compiled.
-        if L::PACKED && !self.linkage.is_apart() {
-            return self.run_of::<S, Lanes<S>, PACKS, WIDTH>(packed, |error| error.0);
-        }
-        self.run_of::<S, S, BATCH, 1>(|errors| *errors, |error| [*error; 1])
-    }
-}
-
-/// The errors of a batch, some samples side by side.
-#[inline(always)]
-fn packed<S: Scalar>(errors: &[S; BATCH]) -> [Lanes<S>; PACKS] {
-    let mut all = [Lanes::splat(S::ZERO); PACKS];
-    for (pack, errors) in all.iter_mut().zip(errors.as_chunks().0) {
-        pack.0 = *errors;
-    }
-    all
-}
-
-impl<L: Linkage> Drawing<'_, '_, L> {
-    /// On numbers that hold several samples each: so many that there are `PACKS` of them in a batch.
-    #[inline(always)]
-    fn run_of<S: Scalar, P: Scalar, const PACKS: usize, const WIDTH: usize>(
-        self,
-        pack: impl Fn(&[S; BATCH]) -> [P; PACKS],
-        unpack: impl Fn(&P) -> [S; WIDTH],
-    ) -> Vec<(u64, Block)> {
+    fn run<P: Pack>(self) -> Vec<(u64, Block)> {
         let (run, sources) = (self.run, &self.run.study.sources);
         let output = run.study.output;
-        let mut maker = Maker::<L, P, PACKS>::new(self.linkage, run.nominals, sources, output);
+        let mut maker = Maker::<L, P>::new(self.linkage, run.nominals, sources, output);
         let mut closure = maker.nominal();
-        let mut errors = vec![[S::ZERO; BATCH]; sources.len()];
-        let mut packs = vec![[P::ZERO; PACKS]; sources.len()];
+        let mut errors = vec![[0.0; BATCH]; sources.len()];
+        let mut pack = vec![P::ZERO; sources.len()];
         let mut found = vec![[f64::NAN; BATCH]; run.nominals.len()];
         let mut done = Vec::new();
         while let Some((index, from, to)) = self.blocks.take() {
@@ -117,31 +90,30 @@ impl<L: Linkage> Drawing<'_, '_, L> {
             for first in (from..to).step_by(BATCH) {
                 let count = BATCH.min((to - first) as usize);
                 run.draw(first, &mut errors);
-                packs.iter_mut().zip(&errors).for_each(|(packs, errors)| *packs = pack(errors));
-                maker.make(&packs);
-                for number in 0..count.div_ceil(WIDTH) {
-                    maker.prepare(&mut closure, number);
-                    let mut whole = [true; WIDTH];
-                    let samples = number * WIDTH..count.min((number + 1) * WIDTH);
+                let mut whole = [true; BATCH];
+                for from in (0..count).step_by(P::WIDTH) {
+                    for (pack, errors) in pack.iter_mut().zip(&errors) {
+                        *pack = P::load(&errors[from..]);
+                    }
+                    maker.prepare(&mut closure, &pack);
                     for (place, found) in found.iter_mut().enumerate() {
-                        let all = unpack(&maker.error(&closure, place, number));
-                        for (lane, sample) in samples.clone().enumerate() {
-                            let mut error = all[lane].to_f64();
+                        let found = &mut found[from..][..P::WIDTH];
+                        maker.error(&closure, place, &pack).store(found);
+                        for (lane, error) in found.iter_mut().enumerate() {
                             if !error.is_finite() {
-                                error = run.lead(place, &errors, sample);
-                                whole[lane] &= !error.is_nan();
+                                let sample = from + lane;
+                                *error = run.lead(place, &errors, sample);
+                                whole[sample] &= !error.is_nan();
                             }
-                            found[sample] = error;
                         }
                     }
-                    let whole = whole[..samples.len()].iter().filter(|whole| **whole);
-                    block.whole += whole.count() as u64;
                 }
-                for (place, found) in found.iter().enumerate() {
-                    let found = &found[..count];
-                    block.places[place].add_all(found);
+                block.whole += whole[..count].iter().filter(|whole| **whole).count() as u64;
+                for (place, found) in found.iter_mut().enumerate() {
+                    found[count..].fill(f64::NAN);
+                    block.places[place].add_all::<P>(found);
                     if let Some(classes) = run.classes.get(place) {
-                        classes.count(found, &mut self.counts[place * CLASSES..][..CLASSES]);
+                        classes.count::<P>(found, &mut self.counts[place]);
                     }
                 }
             }
@@ -155,7 +127,7 @@ impl<L: Linkage> Drawing<'_, '_, L> {
 impl Run<'_> {
     /// Draws the errors of the samples of a batch, source by source, so that each distribution is chosen once.
     #[inline(always)]
-    fn draw<S: Scalar>(&self, first: u64, errors: &mut [[S; BATCH]]) {
+    fn draw(&self, first: u64, errors: &mut [[f64; BATCH]]) {
         let sources = &self.study.sources;
         let stride = sources.len() as u64;
         let random = Random::new(self.seed, first.wrapping_mul(stride));
@@ -166,7 +138,7 @@ impl Run<'_> {
                     for (sample, error) in errors.iter_mut().enumerate() {
                         let share = random.ahead(sample as u64 * stride + k as u64);
                         let quantile = $distribution.quantile(share);
-                        *error = S::from_f64(quantile * source.half_width);
+                        *error = quantile * source.half_width;
                     }
                 };
             }
@@ -182,11 +154,11 @@ impl Run<'_> {
     /// The careful way to a made linkage; no number if there is none.
     #[cold]
     #[inline(never)]
-    fn lead<S: Scalar>(&self, place: usize, errors: &[[S; BATCH]], sample: usize) -> f64 {
+    fn lead(&self, place: usize, errors: &[[f64; BATCH]], sample: usize) -> f64 {
         if !self.linkage.shape().loops().is_iterated() {
             return f64::NAN;
         }
-        let errors: Vec<f64> = errors.iter().map(|one| one[sample].to_f64()).collect();
+        let errors: Vec<f64> = errors.iter().map(|one| one[sample]).collect();
         let lead = Lead::new(self.linkage, self.study, &self.nominals[place]);
         lead.error(&errors).unwrap_or(f64::NAN)
     }

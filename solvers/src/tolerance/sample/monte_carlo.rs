@@ -5,7 +5,7 @@
 
 use super::drawing::{BATCH, Block, Blocks, Run};
 use super::estimate::{Counted, Estimate, Sampled, share};
-use super::tally::{CLASSES, Classes, Sums, cumulate};
+use super::tally::{CLASSES, Classes, Counts, Sums, cumulate};
 use crate::closure::{AnyLinkage, Linkage};
 use crate::tolerance::error::ToleranceError;
 use crate::tolerance::made::nominal::Nominal;
@@ -139,17 +139,24 @@ impl Sampling {
 
 impl Run<'_> {
     /// Draws all blocks. Gives them in their order, and the classes counted.
-    fn all(&self, sampling: &Sampling, progress: &(dyn Fn(u64) + Sync)) -> (Vec<Block>, Vec<u64>) {
+    fn all(
+        &self,
+        sampling: &Sampling,
+        progress: &(dyn Fn(u64) + Sync),
+    ) -> (Vec<Block>, Vec<Counts>) {
         let blocks = Blocks::new(sampling.samples, sampling.block(), progress);
         let threads = sampling.threads(blocks.count());
-        let none = vec![0; CLASSES * self.nominals.len()];
-        let gathered = Mutex::new((Vec::new(), none.clone()));
+        let gathered = Mutex::new((Vec::new(), Vec::<Counts>::new()));
         let work = || {
-            let mut counts = none.clone();
+            let mut counts = vec![[0; CLASSES]; self.nominals.len()];
             let done = self.linkage.draw(self, &blocks, &mut counts);
             let mut all = gathered.lock().unwrap_or_else(|poison| poison.into_inner());
             all.0.extend(done);
-            for (sum, count) in all.1.iter_mut().zip(counts) {
+            if all.1.is_empty() {
+                all.1 = counts;
+                return;
+            }
+            for (sum, count) in all.1.as_flattened_mut().iter_mut().zip(counts.as_flattened()) {
                 *sum += count;
             }
         };
@@ -165,8 +172,8 @@ impl Run<'_> {
         (blocks.into_iter().map(|(_, block)| block).collect(), counts)
     }
 
-    fn judge(&self, sampling: &Sampling, blocks: &[Block], mut counts: Vec<u64>) -> MonteCarlo {
-        counts.chunks_mut(CLASSES).for_each(cumulate);
+    fn judge(&self, sampling: &Sampling, blocks: &[Block], mut counts: Vec<Counts>) -> MonteCarlo {
+        counts.iter_mut().for_each(|counts| cumulate(counts));
         let place = |(index, nominal): (usize, &Nominal)| {
             let mut sums = Sums::NONE;
             for block in blocks {
@@ -177,7 +184,7 @@ impl Run<'_> {
                 drawn: sampling.samples,
                 sums: &sums,
                 classes: &self.classes[index],
-                up_to: &counts[index * CLASSES..(index + 1) * CLASSES],
+                up_to: &counts[index],
             };
             counted.judge(sampling.confidence, &sampling.levels)
         };

@@ -1,10 +1,29 @@
 //! What is kept of the samples at one place: sums of powers, extremes, and how many fell into each class.
 
+use crate::scalar::Pack;
+
 /// Number of classes.
 pub(super) const CLASSES: usize = 4096;
 
+/// How many errors fell into each class.
+pub(crate) type Counts = [u64; CLASSES];
+
+/// 2⁵²: the last bits of a sum with it are those of a whole number.
+const WHOLE: f64 = 4_503_599_627_370_496.0;
+
 /// Least width of a class: it has a reciprocal.
 const SMALLEST: f64 = 1e-300;
+
+/// Most numbers in a pack.
+const WIDEST: usize = 8;
+
+/// Joins the lanes of a pack, one after the other.
+#[inline(always)]
+fn fold<P: Pack>(pack: P, first: f64, join: impl Fn(f64, f64) -> f64) -> f64 {
+    let mut lanes = [0.0; WIDEST];
+    pack.store(&mut lanes);
+    lanes[..P::WIDTH].iter().fold(first, |one, other| join(one, *other))
+}
 
 /// Sums over samples. They are added up in the order of the samples, so that they do not depend on who drew them.
 #[derive(Clone, Copy, Debug)]
@@ -21,26 +40,33 @@ impl Sums {
     pub const NONE: Self =
         Self { count: 0, powers: [0.0; 4], extremes: (f64::INFINITY, f64::NEG_INFINITY) };
 
-    /// Adds errors; one that is no number is none.
+    /// Adds errors, of which there are whole packs; one that is no number is none. Each lane is added up by itself.
     #[inline(always)]
-    pub fn add_all(&mut self, errors: &[f64]) {
-        // In a copy, which the compiler keeps in registers.
-        let mut sums = *self;
-        for &error in errors {
-            if error.is_nan() {
-                continue;
-            }
+    pub fn add_all<P: Pack>(&mut self, errors: &[f64]) {
+        let (mut count, mut powers) = (P::ZERO, [P::ZERO; 4]);
+        let (mut least, mut greatest) =
+            (P::from_f64(f64::INFINITY), P::from_f64(f64::NEG_INFINITY));
+        for errors in errors.chunks_exact(P::WIDTH) {
+            let error = P::load(errors);
+            let is = P::equal(error, error);
+            count = count + P::select(is, P::ONE, P::ZERO);
+            least = P::select(P::less(error, least), error, least);
+            greatest = P::select(P::less(greatest, error), error, greatest);
+            let error = P::select(is, error, P::ZERO);
             let square = error * error;
-            sums.count += 1;
-            sums.powers[0] += error;
-            sums.powers[1] += square;
-            sums.powers[2] += square * error;
-            sums.powers[3] += square * square;
-            let (least, greatest) = sums.extremes;
-            sums.extremes.0 = if error < least { error } else { least };
-            sums.extremes.1 = if error > greatest { error } else { greatest };
+            powers = [
+                powers[0] + error,
+                powers[1] + square,
+                square.mul_add(error, powers[2]),
+                square.mul_add(square, powers[3]),
+            ];
         }
-        *self = sums;
+        self.count += fold(count, 0.0, |sum, more| sum + more) as u64;
+        for (sum, power) in self.powers.iter_mut().zip(powers) {
+            *sum = fold(power, *sum, |sum, more| sum + more);
+        }
+        self.extremes.0 = fold(least, self.extremes.0, f64::min);
+        self.extremes.1 = fold(greatest, self.extremes.1, f64::max);
     }
 
     pub fn join(&mut self, other: &Self) {
@@ -87,21 +113,27 @@ impl Classes {
         Self { low, width, scale: 1.0 / width }
     }
 
-    /// Counts errors in their classes; one that is no number in none.
+    /// Counts errors in their classes, of which there are whole packs; one that is no number in none.
     #[inline(always)]
-    pub fn count(&self, errors: &[f64], counts: &mut [u64]) {
-        for &error in errors {
-            if !error.is_nan() {
-                counts[self.class(error)] += 1;
+    pub fn count<P: Pack>(&self, errors: &[f64], counts: &mut Counts) {
+        let mut classes = [0.0; WIDEST];
+        for errors in errors.chunks_exact(P::WIDTH) {
+            self.class(P::load(errors)).store(&mut classes);
+            for (error, class) in errors.iter().zip(classes) {
+                if !error.is_nan() {
+                    counts[(class + WHOLE).to_bits() as usize % CLASSES] += 1;
+                }
             }
         }
     }
 
     /// The class of an error; the first and the last also take what lies beyond them.
     #[inline(always)]
-    pub fn class(&self, error: f64) -> usize {
-        // The conversion cuts off at zero.
-        (((error - self.low) * self.scale) as usize).min(CLASSES - 1)
+    pub fn class<P: Pack>(&self, error: P) -> P {
+        let last = P::from_f64((CLASSES - 1) as f64);
+        let class = ((error - P::from_f64(self.low)) * P::from_f64(self.scale)).floor();
+        let class = P::select(P::less(class, P::ZERO), P::ZERO, class);
+        P::select(P::less(last, class), last, class)
     }
 
     /// The error below which a share of the samples lies, by straight lines within the classes; `up_to` counts the samples
@@ -137,9 +169,9 @@ mod tests {
     fn moments_are_central() {
         let mut sums = Sums::NONE;
         let mut halves = [Sums::NONE; 2];
-        sums.add_all(&[1.0, 2.0, f64::NAN, 4.0, 9.0]);
-        halves[0].add_all(&[1.0, 2.0]);
-        halves[1].add_all(&[4.0, 9.0, f64::NAN]);
+        sums.add_all::<f64>(&[1.0, 2.0, f64::NAN, 4.0, 9.0]);
+        halves[0].add_all::<f64>(&[1.0, 2.0]);
+        halves[1].add_all::<f64>(&[4.0, 9.0, f64::NAN]);
         let [mut first, second] = halves;
         first.join(&second);
         for sums in [sums, first] {
@@ -152,9 +184,9 @@ mod tests {
     #[test]
     fn quantiles_of_an_even_spread() {
         let classes = Classes::around((0.0, 1.0));
-        let mut counts = vec![0; CLASSES];
+        let mut counts = [0; CLASSES];
         for k in 0..100_000 {
-            counts[classes.class((f64::from(k) + 0.5) / 1e5)] += 1;
+            counts[classes.class((f64::from(k) + 0.5) / 1e5) as usize] += 1;
         }
         cumulate(&mut counts);
         for share in [0.001, 0.1, 0.5, 0.9, 0.999] {
@@ -166,10 +198,10 @@ mod tests {
     #[test]
     fn what_lies_beyond_the_classes_is_counted() {
         let classes = Classes::around((0.0, 1.0));
-        assert_eq!(classes.class(-1e9), 0);
-        assert_eq!(classes.class(1e9), CLASSES - 1);
-        assert_eq!(Classes::around((0.5, 0.5)).class(0.5), 0);
+        assert_eq!(classes.class(-1e9), 0.0);
+        assert_eq!(classes.class(1e9) as usize, CLASSES - 1);
+        assert_eq!(Classes::around((0.5, 0.5)).class(0.5), 0.0);
         let empty = Classes::around((f64::INFINITY, f64::NEG_INFINITY));
-        assert!(empty.class(0.0) > 0);
+        assert!(empty.class(0.0) > 0.0);
     }
 }

@@ -127,7 +127,7 @@ impl<S: Scalar> Closure<S> for Loops<S> {
         }
     }
     #[inline(always)]
-    fn close_all(&self, instant: &[S; 2], modes: &[S], z: &mut [S; 12], sines: &mut [S]) {
+    fn close_all(&self, instant: &[S; 2], modes: &[S], z: &mut [S; 12], sines: &mut [S], _: bool) {
         for (group, dyad) in [self.first, self.second].into_iter().enumerate() {
             let (sine, all) = dyad.close(self.span(group, instant, z), modes[group]);
             sines[group] = sine;
