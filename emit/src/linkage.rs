@@ -22,7 +22,7 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
     });
     let starts = linkage.dependents.iter().map(|one| number(one.start));
     let span = crate::parameters::span(layout);
-    let packing = layout.program().is_apart().then(|| {
+    let packing = (!is_packed(layout, linkage)).then(|| {
         quote!(
             const PACKING: ::assur::closure::Packing = ::assur::closure::Packing::Never;
         )
@@ -62,6 +62,14 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
             }
         }
     }
+}
+
+/// Whether linkages made at random are closed several side by side: where a tolerance says that they are made, since it takes
+/// as long to compile as all else, and where they do not go separate ways.
+fn is_packed(layout: &Layout<'_>, linkage: &LinkageInfo) -> bool {
+    let is_made = layout.scene.constants.iter().any(|constant| constant.tolerance != 0.0)
+        || linkage.ranges.iter().any(|range| range.tolerance.0 != 0.0);
+    is_made && !layout.program().is_apart()
 }
 
 /// What depends on the constants alone, from constants of any scalar type.

@@ -139,14 +139,14 @@ pub struct Range {
     pub period: f64,
 }
 
-/// Whether there is anything to be won by several numbers side by side: not where a linkage searches, or solves loops that
-/// contradict each other, which goes separate ways for each and gives other results than one by one. What is not
-/// asked for is not compiled.
+/// Whether linkages made at random are closed several side by side. Not where a linkage searches, or solves loops that
+/// contradict each other: that goes separate ways for each and gives other results than one by one. Compiled for each linkage it
+/// takes as long as all else that is, so that emitted linkages do where they state a tolerance; others are closed one by one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Packing {
-    /// There is.
+    /// They are.
     Always,
-    /// There is not.
+    /// They are not.
     Never,
     /// It depends on the linkage, see [`Linkage::is_apart`].
     Asked,

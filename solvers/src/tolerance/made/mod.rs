@@ -62,7 +62,11 @@ impl<L: Linkage, S: Scalar> Maker<L, S> {
             self.values[constant.index] = constant.made(errors);
         }
         // Of a length that is known, what reads them is not checked again.
-        self.linkage.renew(closure, &self.values[..self.linkage.shape().constants.len()]);
+        let values = &self.values[..self.linkage.shape().constants.len()];
+        S::outline(
+            #[inline(always)]
+            || self.linkage.renew(closure, values),
+        );
     }
 
     /// Closes the made linkage at a place and gives the error of its output; no number if the mode is not certain, or

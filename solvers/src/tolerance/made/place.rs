@@ -108,7 +108,10 @@ impl<L: Linkage, S: Scalar> Station<L, S> {
         let mut position = self.position.clone();
         let is_closed = self.close_all(closure, &instant, errors, &mut position);
         if S::any(is_closed) {
-            closure.outputs(&instant, &position, outputs);
+            S::outline(
+                #[inline(always)]
+                || closure.outputs(&instant, &position, outputs),
+            );
         }
         is_closed
     }
@@ -173,7 +176,10 @@ impl<L: Linkage, S: Scalar> Station<L, S> {
             return self.iterate(index, closure, instant, errors, position);
         }
         let mode = self.modes.as_ref()[index];
-        let sine = closure.close(index, instant, mode, position);
+        let sine = S::outline(
+            #[inline(always)]
+            || closure.close(index, instant, mode, position),
+        );
         if kind.has_modes() {
             unwrap(entry, index, position.as_mut(), self.position.as_ref());
         }
@@ -211,11 +217,17 @@ impl<L: Linkage, S: Scalar> Station<L, S> {
         let mut closed = S::less(S::ZERO, S::ZERO);
         let mut residual = <L::Closure<S> as Closure<S>>::Row::zeros(largest);
         let mut jacobian = <L::Closure<S> as Closure<S>>::Matrix::zeros(largest.pow(2));
+        let trial = |position: &mut _, residual: &mut _, jacobian: &mut _| {
+            S::outline(
+                #[inline(always)]
+                || closure.trial(index, instant, position, residual, jacobian),
+            );
+        };
         for _ in 0..ITERATIONS {
             if !S::any(going) {
                 break;
             }
-            closure.trial(index, instant, position, &mut residual, &mut jacobian);
+            trial(position, &mut residual, &mut jacobian);
             let determinant = small::solve(n, jacobian.as_mut(), residual.as_mut());
             let mut length = S::ZERO;
             for (k, &j) in unknowns.iter().enumerate() {
@@ -240,7 +252,7 @@ impl<L: Linkage, S: Scalar> Station<L, S> {
         }
         if S::any(closed) {
             // Completes what is kept beside the unknowns.
-            closure.trial(index, instant, position, &mut residual, &mut jacobian);
+            trial(position, &mut residual, &mut jacobian);
         }
         closed
     }
