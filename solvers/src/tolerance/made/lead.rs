@@ -1,8 +1,9 @@
 //! The careful way to a made linkage: its errors grow from nothing, in steps short enough that no mode can be left.
 
 use super::nominal::Nominal;
-use super::place::{CONTRACTION, NOTHING, unwrap};
+use super::place::{CONTRACTION, NOTHING};
 use super::small;
+use super::turn::unwrap;
 use crate::closure::{AnyLinkage, GroupKind, Loops, Square, Variable, instant_at};
 use crate::shape::LinkageEntry;
 use crate::tolerance::source::Study;

@@ -5,6 +5,7 @@ pub(super) mod lead;
 pub(super) mod nominal;
 pub(super) mod place;
 pub(crate) mod small;
+mod turn;
 pub(super) mod varied;
 
 use super::source::Source;

@@ -8,14 +8,13 @@
 
 use super::nominal::Nominal;
 use super::small;
+use super::turn::{near, unwrap};
 use super::varied::Varied;
 use crate::closure::{Closure, GroupKind, Linkage, Variable};
 use crate::problem::Storage;
 use crate::scalar::Scalar;
-use crate::shape::LinkageEntry;
 use crate::tolerance::made::numbers;
 use crate::tolerance::source::Source;
-use std::f64::consts::TAU;
 
 /// Largest ratio of successive corrections.
 pub(super) const CONTRACTION: f64 = 0.25;
@@ -27,11 +26,6 @@ pub(super) const NOTHING: f64 = 1e-11;
 const LONGEST: f64 = 0.5;
 /// Largest number of corrections.
 const ITERATIONS: usize = 6;
-
-/// Largest tangent of which the angle is taken from its series.
-const SMALL: f64 = 1.0 / 16.0;
-/// Terms of `(atan t - t)/t^3` in powers of `t^2`, the last one first: the next one is below half a unit in the last place.
-const SERIES: [f64; 6] = [1.0 / 13.0, -1.0 / 11.0, 1.0 / 9.0, -1.0 / 7.0, 1.0 / 5.0, -1.0 / 3.0];
 
 /// Position of a linkage.
 type Position<L, S> = <<L as Linkage>::Closure<S> as Closure<S>>::Position;
@@ -256,66 +250,6 @@ impl<L: Linkage, S: Scalar> Station<L, S> {
         }
         closed
     }
-}
-
-/// Puts the angles of a group within half a turn of others, as [`unwrap`] does: where their cosines and sines are known, by
-/// what they turn from there, which is little. The angles themselves are then not needed.
-#[inline(always)]
-fn near<S: Scalar>(entry: &LinkageEntry, group: usize, position: &mut [S], near: &[S]) {
-    for &j in entry.groups[group].unknowns {
-        if !entry.angles[j] {
-            continue;
-        }
-        position[j] = match entry.cosines.get(j).copied().flatten() {
-            Some(at) => {
-                let [made, drawn] = [&position[at..at + 2], &near[at..at + 2]];
-                near[j] + turned([drawn[0], drawn[1]], [made[0], made[1]])
-            }
-            None => unwrapped(position[j], near[j]),
-        };
-    }
-}
-
-/// The angle by which a direction is turned against another; both have length one, cosine first.
-#[inline(always)]
-fn turned<S: Scalar>(from: [S; 2], to: [S; 2]) -> S {
-    let along = from[0].mul_add(to[0], from[1] * to[1]);
-    let across = from[0].mul_add(to[1], -(from[1] * to[0]));
-    let tangent = across / along;
-    let square = tangent * tangent;
-    let mut sum = S::from_f64(SERIES[0]);
-    for term in &SERIES[1..] {
-        sum = sum.mul_add(square, S::from_f64(*term));
-    }
-    let turned = (tangent * square).mul_add(sum, tangent);
-    // Of no direction neither holds.
-    let far = S::or(S::less(S::from_f64(SMALL), tangent.abs()), S::less(along, S::ZERO));
-    if S::any(far) {
-        return S::select(far, S::atan2(across, along), turned);
-    }
-    turned
-}
-
-/// Puts the angles of a group within half a turn of others.
-#[inline(always)]
-pub(super) fn unwrap<S: Scalar>(
-    entry: &LinkageEntry,
-    group: usize,
-    position: &mut [S],
-    near: &[S],
-) {
-    for &j in entry.groups[group].unknowns {
-        if entry.angles[j] {
-            position[j] = unwrapped(position[j], near[j]);
-        }
-    }
-}
-
-/// An angle within half a turn of another.
-#[inline(always)]
-fn unwrapped<S: Scalar>(angle: S, near: S) -> S {
-    let turns = (near - angle).mul_add(S::from_f64(1.0 / TAU), S::from_f64(0.5)).floor();
-    turns.mul_add(S::from_f64(TAU), angle)
 }
 
 #[inline(always)]
