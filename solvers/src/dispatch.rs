@@ -11,7 +11,8 @@ use crate::scalar::{Fused, Pack};
 /// Work that may run on any scalar type.
 ///
 /// Mark [`Task::run`] and everything below it `#[inline(always)]`: only what is inlined into the copy for newer
-/// processors uses their instructions. What is too long for that goes through [`Scalar::outline`], as all does that the
+/// processors uses their instructions. What is too long for that goes through
+/// [`Scalar::outline`](crate::scalar::Scalar::outline), as all does that the
 /// macros emit. Arithmetic inside `array::map` may escape; write a loop instead.
 pub trait Task {
     /// What the work gives.
