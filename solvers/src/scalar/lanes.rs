@@ -7,7 +7,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use super::{Scalar, Table};
 
-/// Numbers side by side.
+/// Most numbers side by side, in a pack or in lanes.
 pub const WIDTH: usize = 8;
 
 /// Some numbers side by side.

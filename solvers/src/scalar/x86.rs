@@ -7,10 +7,7 @@ use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
 use super::sine::Bits;
-use super::{Fused, Pack, Scalar, Table, angle, sine};
-
-/// How many there are.
-const WIDTH: usize = 8;
+use super::{Fused, Pack, Scalar, Table, WIDTH, angle, sine};
 
 /// Eight numbers. As [`Fused`], there are such numbers inside of [`crate::dispatch::dispatch_packs`] alone, which has asked
 /// the processor; what is said to be safe here rests on that.

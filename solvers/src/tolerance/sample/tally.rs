@@ -1,6 +1,6 @@
 //! What is kept of the samples at one place: sums of powers, extremes, and how many fell into each class.
 
-use crate::scalar::Pack;
+use crate::scalar::{Pack, WIDTH};
 
 /// Number of classes.
 pub(super) const CLASSES: usize = 4096;
@@ -14,13 +14,10 @@ const WHOLE: f64 = 4_503_599_627_370_496.0;
 /// Least width of a class: it has a reciprocal.
 const SMALLEST: f64 = 1e-300;
 
-/// Most numbers in a pack.
-const WIDEST: usize = 8;
-
 /// Joins the lanes of a pack, one after the other.
 #[inline(always)]
 fn fold<P: Pack>(pack: P, first: f64, join: impl Fn(f64, f64) -> f64) -> f64 {
-    let mut lanes = [0.0; WIDEST];
+    let mut lanes = [0.0; WIDTH];
     pack.store(&mut lanes);
     lanes[..P::WIDTH].iter().fold(first, |one, other| join(one, *other))
 }
@@ -116,7 +113,7 @@ impl Classes {
     /// Counts errors in their classes, of which there are whole packs; one that is no number in none.
     #[inline(always)]
     pub fn count<P: Pack>(&self, errors: &[f64], counts: &mut Counts) {
-        let mut classes = [0.0; WIDEST];
+        let mut classes = [0.0; WIDTH];
         for errors in errors.chunks_exact(P::WIDTH) {
             self.class(P::load(errors)).store(&mut classes);
             for (error, class) in errors.iter().zip(classes) {
