@@ -163,3 +163,43 @@ impl Run<'_> {
         lead.error(&errors).unwrap_or(f64::NAN)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dispatch::{dispatch, dispatch_packs};
+    use crate::tolerance::tests::{Heald, study};
+
+    /// Samples that do not fill the last pack, of a linkage that is iterated.
+    #[test]
+    fn packs_draw_what_single_numbers_draw() {
+        let (heald, study) =
+            (Heald::default(), study(&[70.0, 90.0], 10.0, Distribution::Truncated));
+        let nominals = Nominal::along(&heald, &study.places, &study.sources).expect("it closes");
+        let run = Run {
+            linkage: &heald,
+            nominals: &nominals,
+            study: &study,
+            seed: 7,
+            classes: Vec::new(),
+        };
+        let drawn = |packs: bool| {
+            let blocks = Blocks::new(1003, 256, &|_| ());
+            let drawing = Drawing { run: &run, blocks: &blocks, counts: &mut [], linkage: &heald };
+            if packs { dispatch_packs(drawing) } else { dispatch(drawing) }
+        };
+        let (single, packed) = (drawn(false), drawn(true));
+        assert_eq!(single.len(), 4);
+        assert_eq!(packed.len(), 4);
+        for ((_, one), (_, other)) in single.iter().zip(&packed) {
+            assert_eq!(one.whole, other.whole);
+            for (one, other) in one.places.iter().zip(&other.places) {
+                assert_eq!(one.count, other.count);
+                for (one, other) in one.powers.iter().zip(other.powers) {
+                    assert!((one - other).abs() <= 1e-6 * one.abs(), "{one} {other}");
+                }
+            }
+        }
+        assert_eq!(single.iter().map(|(_, block)| block.places[0].count).sum::<u64>(), 1003);
+    }
+}
