@@ -22,16 +22,12 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
     });
     let starts = linkage.dependents.iter().map(|one| number(one.start));
     let span = crate::parameters::span(layout);
-    let packing = (!is_packed(layout, linkage)).then(|| {
-        quote!(
-            const PACKING: ::assur::closure::Packing = ::assur::closure::Packing::Never;
-        )
-    });
+    let packing = packing(layout, linkage);
     quote! {
         impl ::assur::closure::Linkage for #name {
             type Closure<S: ::assur::scalar::Scalar> = #closure<S>;
 
-            #packing
+            const PACKING: ::assur::closure::Packing = #packing;
 
             #[inline(always)]
             fn shape(&self) -> &'static ::assur::shape::Shape {
@@ -64,12 +60,19 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
     }
 }
 
-/// Whether linkages made at random are closed several side by side: where a tolerance says that they are made, since it takes
-/// as long to compile as all else, and where they do not go separate ways.
-fn is_packed(layout: &Layout<'_>, linkage: &LinkageInfo) -> bool {
+/// Whether linkages made at random are closed several side by side: where a tolerance says that they are made and they do not
+/// go separate ways. It takes as long to compile as all else, which builds for debugging spare.
+fn packing(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
     let is_made = layout.scene.constants.iter().any(|constant| constant.tolerance != 0.0)
         || linkage.ranges.iter().any(|range| range.tolerance.0 != 0.0);
-    is_made && !layout.program().is_apart()
+    if !is_made || layout.program().is_apart() {
+        return quote!(::assur::closure::Packing::Never);
+    }
+    quote!(if cfg!(debug_assertions) {
+        ::assur::closure::Packing::Never
+    } else {
+        ::assur::closure::Packing::Always
+    })
 }
 
 /// What depends on the constants alone, from constants of any scalar type.

@@ -69,6 +69,11 @@ impl Turn {
 }
 impl ::assur::closure::Linkage for Turn {
     type Closure<S: ::assur::scalar::Scalar> = TurnEquations<S>;
+    const PACKING: ::assur::closure::Packing = if cfg!(debug_assertions) {
+        ::assur::closure::Packing::Never
+    } else {
+        ::assur::closure::Packing::Always
+    };
     #[inline(always)]
     fn shape(&self) -> &'static ::assur::shape::Shape {
         &shapes_::Turn

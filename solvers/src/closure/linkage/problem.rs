@@ -141,7 +141,8 @@ pub struct Range {
 
 /// Whether linkages made at random are closed several side by side. Not where a linkage searches, or solves loops that
 /// contradict each other: that goes separate ways for each and gives other results than one by one. Compiled for each linkage it
-/// takes as long as all else that is, so that emitted linkages do where they state a tolerance; others are closed one by one.
+/// takes as long as all else that is, so that emitted linkages do where they state a tolerance, in builds without
+/// `debug_assertions`; others are closed one by one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Packing {
     /// They are.
