@@ -147,6 +147,7 @@ impl<'a> Position<'a> {
         };
         let slope = |output: usize, row: usize| slopes[row].outputs[output].abs();
         for output in 0..self.outputs() {
+            let level = self.level(output, slopes);
             for row in 0..count {
                 for column in 0..=row {
                     let found = self.second[output * triangle + row * (row + 1) / 2 + column];
@@ -162,7 +163,6 @@ impl<'a> Position<'a> {
                     let size = self.size(self.entry.variables[column]);
                     let flat = if size > 0.0 { slope / size } else { 0.0 };
                     let area = size * self.size(self.entry.variables[row]);
-                    let level = self.reported[output].abs();
                     let flat = if area > 0.0 { flat.max(level / area) } else { flat };
                     let scale = largest(row, column).max(mean);
                     if is_off(found, wanted, (SECOND * scale).max(ROUNDING * flat)) {
@@ -176,6 +176,13 @@ impl<'a> Position<'a> {
             }
         }
         Ok(())
+    }
+
+    /// The size of what an output is a sum of: one that is zero may be the difference of large terms.
+    fn level(&self, output: usize, slopes: &[Slopes]) -> f64 {
+        let terms = self.entry.variables.iter().zip(slopes);
+        let terms = terms.map(|(one, slope)| (self.size(*one) * slope.outputs[output]).abs());
+        terms.fold(self.reported[output].abs(), f64::max)
     }
 
     /// What rounding may leave of the change of each output, over the change of a variable: so many times the output.
