@@ -21,8 +21,9 @@ pub fn collect(
                 let terms: Vec<Term> = terms
                     .iter()
                     .map(|term| {
-                        // What is used elsewhere as well is left whole.
-                        let whole = uses.get(term).copied().unwrap_or(0) > 1;
+                        // What is used elsewhere as well, with a minus maybe, is left whole.
+                        let used = |term: &Expression| uses.get(term).copied().unwrap_or(0);
+                        let whole = used(term) + used(&graph.neg(*term)) > 1;
                         Term::read(graph, new[term], whole)
                     })
                     .collect();
@@ -185,4 +186,33 @@ fn most_common(graph: &Graph, counts: &Counts, request: &Request) -> Option<Fact
         (stage, **count, *above, std::cmp::Reverse(*base))
     })?;
     Some(*factor)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::share::share;
+    use super::*;
+    use crate::expression::Symbol;
+
+    /// The rates of the kinetics of Robertson add up to zero: rounded as they are, if the parts that two of them have in
+    /// common are the same numbers. A factor of such a part is not pulled out beside it.
+    #[test]
+    fn what_rows_have_in_common_is_left_whole() {
+        let mut graph = Graph::new();
+        let [y1, y2, y3] = [0, 1, 2].map(|index| graph.symbol(Symbol::Parameter(index)));
+        let slow = graph.scale(0.04, y1);
+        let both = graph.mul(y2, y3);
+        let both = graph.scale(-1e4, both);
+        let square = graph.powi(y2, 2);
+        let fast = graph.scale(3e7, square);
+        let minus = [slow, both, fast].map(|one| graph.neg(one));
+        let roots =
+            [graph.sum(&minus[..2]), graph.sum(&[slow, both, minus[2]]), graph.sum(&[fast])];
+        let request = Request::default();
+        let collected = collect(&mut graph, &roots, roots.len(), &request);
+        let shared = share(&mut graph, &collected, &[0; 3], &request);
+        let Node::Sum(terms) = graph.node(shared[1]).clone() else { panic!("no sum") };
+        let opposite = graph.neg(shared[0]);
+        assert!(terms.contains(&opposite), "{}", graph.display(shared[1]));
+    }
 }

@@ -88,7 +88,7 @@
 /// | `v_difference` | `m/s` |  |
 /// | `F_difference` | `N` |  |
 ///
-/// Operations: 73 once per parameter set, 31 per instant, 28 per evaluation, 28 per Jacobian.
+/// Operations: 73 once per parameter set, 31 per instant, 27 per evaluation, 28 per Jacobian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elastic {
     /// Crank: `75 mm`, `in 1 mm .. 1000 mm`; stored in SI units, `mm` is 0.001.
@@ -256,10 +256,10 @@ impl Elastic {
     fn requirements_<S: ::assur::scalar::Scalar>(&self) -> [S::Mask; 2] {
         let R = <S as ::assur::scalar::Scalar>::from_f64(self.R);
         let l = <S as ::assur::scalar::Scalar>::from_f64(self.l);
-        let d33 = <S as ::assur::scalar::Scalar>::from_f64(self.d33);
         let d44 = <S as ::assur::scalar::Scalar>::from_f64(self.d44);
+        let d33 = <S as ::assur::scalar::Scalar>::from_f64(self.d33);
         let d34 = <S as ::assur::scalar::Scalar>::from_f64(self.d34);
-        [S::less(R, l), S::less(d34 * d34, d33 * d44)]
+        [S::less(R, l), S::less(d34 * d34, d44 * d33)]
     }
     /// The period, or the first and the last time.
     fn span_<S: ::assur::scalar::Scalar>(&self) -> [S; 1] {
@@ -289,22 +289,23 @@ impl ::assur::problem::Scene for Elastic {
         let v15_ = S::ONE / l;
         let v16_ = R * v15_;
         let c = <S as ::assur::scalar::Scalar>::from_f64(self.c);
-        let d33 = <S as ::assur::scalar::Scalar>::from_f64(self.d33);
-        let d44 = <S as ::assur::scalar::Scalar>::from_f64(self.d44);
-        let d34 = <S as ::assur::scalar::Scalar>::from_f64(self.d34);
-        let v23_ = S::ONE / S::mul_add(d33, d44, -(d34 * d34));
         let lambda = <S as ::assur::scalar::Scalar>::from_f64(self.lambda);
+        let d44 = <S as ::assur::scalar::Scalar>::from_f64(self.d44);
+        let d33 = <S as ::assur::scalar::Scalar>::from_f64(self.d33);
+        let d34 = <S as ::assur::scalar::Scalar>::from_f64(self.d34);
+        let v24_ = S::ONE / S::mul_add(d44, d33, -(d34 * d34));
+        let v25_ = v24_ * d34;
         let v26_ = S::ONE + lambda;
-        let v29_ = n * n;
-        let v30_ = v10_ * v29_;
-        let v38_ = v23_ * d34;
+        let v31_ = n * n;
+        let v32_ = v10_ * v15_;
         let m3 = <S as ::assur::scalar::Scalar>::from_f64(self.m3);
-        let v40_ = S::ONE / m3;
+        let v39_ = S::ONE / m3;
         let m4 = <S as ::assur::scalar::Scalar>::from_f64(self.m4);
-        let v42_ = S::ONE / m4;
-        let v46_ = -S::mul_add(lambda, d44, v26_ * d34);
-        let v48_ = S::mul_add(lambda, d34, v26_ * d33);
-        let v54_ = R * v23_;
+        let v41_ = S::ONE / m4;
+        let v45_ = -S::mul_add(lambda, d44, d34 * v26_);
+        let v47_ = S::mul_add(d34, lambda, v26_ * d33);
+        let v52_ = v10_ * v31_;
+        let v54_ = R * v24_;
         let m1 = <S as ::assur::scalar::Scalar>::from_f64(self.m1);
         ElasticEquations {
             J2,
@@ -314,54 +315,51 @@ impl ::assur::problem::Scene for Elastic {
             n,
             v16_,
             c,
-            d33,
-            d44,
-            d34,
-            v23_,
             lambda,
-            v25_: v23_ * lambda,
+            d44,
+            d33,
+            v25_,
             v26_,
             v27_: R * v26_,
-            v28_: R * lambda,
-            v29_,
-            v31_: v30_ * v15_,
-            v32_: R * v29_,
-            v33_: S::from_f64(4.0) * v16_,
-            v35_: v10_ * v15_ * n,
-            v36_: R * n,
-            v37_: v23_ * d33,
-            v38_,
+            v28_: v24_ * d44,
+            v29_: R * lambda,
+            v30_: v24_ * d33,
+            v33_: v32_ * v31_,
+            v34_: R * v31_,
+            v35_: S::from_f64(4.0) * v16_,
+            v36_: v32_ * n,
+            v37_: R * n,
             m3,
-            v40_,
+            v39_,
             m4,
-            v42_,
-            v43_: -c,
-            v52_: v23_ * v10_ * S::mul_add(-v26_, v48_, lambda * v46_),
-            v53_: v30_ * m2,
-            v55_: v54_ * v46_,
-            v56_: v54_ * v48_,
+            v41_,
+            v42_: -c,
+            v51_: v24_ * v10_ * S::mul_add(-v26_, v47_, lambda * v45_),
+            v53_: v52_ * m2,
+            v55_: v54_ * v45_,
+            v56_: v54_ * v47_,
             v58_: -S::from_f64(2.0) * (R * m2),
-            v60_: v54_ * v40_ * v46_,
-            slope_4_1_: -(v23_ * v40_ * d44),
-            slope_4_2_: v38_ * v40_,
-            v66_: v54_ * v42_ * v48_,
-            slope_5_1_: v38_ * v42_,
-            slope_5_2_: -(v23_ * v42_ * d33),
+            v60_: v54_ * v39_ * v45_,
+            slope_4_1_: -(v24_ * v39_ * d44),
+            slope_4_2_: v25_ * v39_,
+            v66_: v54_ * v41_ * v47_,
+            slope_5_1_: v25_ * v41_,
+            slope_5_2_: -(v24_ * v41_ * d33),
             v71_: S::from_f64(0.5) * n,
             v72_: S::from_f64(0.5) * v16_,
             m1,
             v74_: v26_ * m3,
             v75_: lambda * m4,
-            v76_: lambda * m3,
-            v77_: v26_ * m4,
+            v76_: v26_ * m4,
+            v77_: lambda * m3,
             v80_: v10_ * (S::ONE / (l * l)),
-            v82_: S::from_f64(0.5) * (v30_ * m1),
+            v82_: S::from_f64(0.5) * (v52_ * m1),
             v83_: S::from_f64(0.5) * J2,
             v84_: S::from_f64(0.5) * m3,
             v85_: S::from_f64(0.5) * m4,
             v86_: S::from_f64(0.5) * m2,
             v87_: S::from_f64(0.5) * c,
-            v88_: S::from_f64(0.5) * v23_,
+            v88_: S::from_f64(0.5) * v24_,
             v89_: S::from_f64(2.0) * d34,
         }
     }

@@ -10,65 +10,60 @@ pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     /// `R*(1/l)`
     v16_: S,
     c: S,
-    d33: S,
-    d44: S,
-    d34: S,
-    /// `1/(d33*d44 - d34^2)`
-    v23_: S,
     lambda: S,
-    /// `v23_*lambda`
+    d44: S,
+    d33: S,
+    /// `1/(d44*d33 - d34^2)*d34`
     v25_: S,
     /// `1 + lambda`
     v26_: S,
     /// `R*v26_`
     v27_: S,
-    /// `R*lambda`
+    /// `1/(d44*d33 - d34^2)*d44`
     v28_: S,
-    /// `n^2`
+    /// `R*lambda`
     v29_: S,
-    /// `R^2*v29_*(1/l)`
-    v31_: S,
-    /// `R*v29_`
-    v32_: S,
-    /// `4*v16_`
+    /// `1/(d44*d33 - d34^2)*d33`
+    v30_: S,
+    /// `R^2*(1/l)*n^2`
     v33_: S,
-    /// `R^2*(1/l)*n`
+    /// `R*n^2`
+    v34_: S,
+    /// `4*v16_`
     v35_: S,
-    /// `R*n`
+    /// `R^2*(1/l)*n`
     v36_: S,
-    /// `v23_*d33`
+    /// `R*n`
     v37_: S,
-    /// `v23_*d34`
-    v38_: S,
     m3: S,
     /// `1/m3`
-    v40_: S,
+    v39_: S,
     m4: S,
     /// `1/m4`
-    v42_: S,
+    v41_: S,
     /// `-c`
-    v43_: S,
-    /// `v23_*R^2*(lambda*(-(lambda*d44 + v26_*d34)) - v26_*(lambda*d34 + v26_*d33))`
-    v52_: S,
-    /// `R^2*v29_*m2`
+    v42_: S,
+    /// `1/(d44*d33 - d34^2)*R^2*(lambda*(-(lambda*d44 + d34*v26_)) - v26_*(d34*lambda + v26_*d33))`
+    v51_: S,
+    /// `R^2*n^2*m2`
     v53_: S,
-    /// `R*v23_*(-(lambda*d44 + v26_*d34))`
+    /// `R*(1/(d44*d33 - d34^2))*(-(lambda*d44 + d34*v26_))`
     v55_: S,
-    /// `R*v23_*(lambda*d34 + v26_*d33)`
+    /// `R*(1/(d44*d33 - d34^2))*(d34*lambda + v26_*d33)`
     v56_: S,
     /// `(-2)*(R*m2)`
     v58_: S,
-    /// `R*v23_*v40_*(-(lambda*d44 + v26_*d34))`
+    /// `R*(1/(d44*d33 - d34^2))*v39_*(-(lambda*d44 + d34*v26_))`
     v60_: S,
-    /// Jacobian, rate of `dot(w3)` by `w3`: `-v23_*v40_*d44`
+    /// Jacobian, rate of `dot(w3)` by `w3`: `-1/(d44*d33 - d34^2)*v39_*d44`
     slope_4_1_: S,
-    /// Jacobian, rate of `dot(w3)` by `w4`: `v38_*v40_`
+    /// Jacobian, rate of `dot(w3)` by `w4`: `v25_*v39_`
     slope_4_2_: S,
-    /// `R*v23_*v42_*(lambda*d34 + v26_*d33)`
+    /// `R*(1/(d44*d33 - d34^2))*v41_*(d34*lambda + v26_*d33)`
     v66_: S,
-    /// Jacobian, rate of `dot(w4)` by `w3`: `v38_*v42_`
+    /// Jacobian, rate of `dot(w4)` by `w3`: `v25_*v41_`
     slope_5_1_: S,
-    /// Jacobian, rate of `dot(w4)` by `w4`: `-v23_*v42_*d33`
+    /// Jacobian, rate of `dot(w4)` by `w4`: `-1/(d44*d33 - d34^2)*v41_*d33`
     slope_5_2_: S,
     /// `0.5*n`
     v71_: S,
@@ -79,13 +74,13 @@ pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     v74_: S,
     /// `lambda*m4`
     v75_: S,
-    /// `lambda*m3`
-    v76_: S,
     /// `v26_*m4`
+    v76_: S,
+    /// `lambda*m3`
     v77_: S,
     /// `R^2*(1/(l^2))`
     v80_: S,
-    /// `0.5*(R^2*v29_*m1)`
+    /// `0.5*(R^2*n^2*m1)`
     v82_: S,
     /// `0.5*J2`
     v83_: S,
@@ -97,7 +92,7 @@ pub struct ElasticEquations<S: ::assur::scalar::Scalar> {
     v86_: S,
     /// `0.5*c`
     v87_: S,
-    /// `0.5*v23_`
+    /// `0.5*(1/(d44*d33 - d34^2))`
     v88_: S,
     /// `2*d34`
     v89_: S,
@@ -116,12 +111,12 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
     /// - `instant[2]`: `1/(v12_*(sin(n*time)^2*(1 - v16_*cos(n*time))^2) + J2)`
     /// - `instant[3]`: `R*((1 - v16_*cos(n*time))*sin(n*time))`
     /// - `instant[4]`: `v27_*((1 - v16_*cos(n*time))*sin(n*time))`
-    /// - `instant[5]`: `v28_*((1 - v16_*cos(n*time))*sin(n*time))`
-    /// - `instant[6]`: `v32_*((1 - v16_*cos(n*time))*cos(n*time)) + v31_*sin(n*time)^2`
-    /// - `instant[7]`: `v32_*(sin(n*time)*(v33_*cos(n*time) + (-1)))`
-    /// - `instant[8]`: `2*(v36_*((1 - v16_*cos(n*time))*cos(n*time)) + v35_*sin(n*time)^2)`
-    /// - `instant[9]`: `-m3*(v32_*((1 - v16_*cos(n*time))*cos(n*time)) + v31_*sin(n*time)^2)`
-    /// - `instant[10]`: `-m4*(v32_*((1 - v16_*cos(n*time))*cos(n*time)) + v31_*sin(n*time)^2)`
+    /// - `instant[5]`: `v29_*((1 - v16_*cos(n*time))*sin(n*time))`
+    /// - `instant[6]`: `v34_*((1 - v16_*cos(n*time))*cos(n*time)) + v33_*sin(n*time)^2`
+    /// - `instant[7]`: `v34_*(sin(n*time)*(v35_*cos(n*time) + (-1)))`
+    /// - `instant[8]`: `2*(v37_*((1 - v16_*cos(n*time))*cos(n*time)) + v36_*sin(n*time)^2)`
+    /// - `instant[9]`: `-m3*(v34_*((1 - v16_*cos(n*time))*cos(n*time)) + v33_*sin(n*time)^2)`
+    /// - `instant[10]`: `-m4*(v34_*((1 - v16_*cos(n*time))*cos(n*time)) + v33_*sin(n*time)^2)`
     #[inline(always)]
     fn instants(
         &self,
@@ -143,7 +138,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                 let v99_ = S::mul_add(-self.v16_, cos_theta_[k_], S::ONE);
                 let v104_ = v99_ * sin_theta_[k_];
                 let v108_ = v99_ * cos_theta_[k_];
-                let ddot_x1 = S::mul_add(self.v32_, v108_, self.v31_ * v97_);
+                let ddot_x1 = S::mul_add(self.v34_, v108_, self.v33_ * v97_);
                 row_[..11]
                     .copy_from_slice(
                         &[
@@ -153,13 +148,13 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                                 / S::mul_add(self.v12_, v97_ * (v99_ * v99_), self.J2),
                             self.R * v104_,
                             self.v27_ * v104_,
-                            self.v28_ * v104_,
+                            self.v29_ * v104_,
                             ddot_x1,
-                            self.v32_
+                            self.v34_
                                 * (sin_theta_[k_]
-                                    * S::mul_add(self.v33_, cos_theta_[k_], -S::ONE)),
+                                    * S::mul_add(self.v35_, cos_theta_[k_], -S::ONE)),
                             S::from_f64(2.0)
-                                * S::mul_add(self.v36_, v108_, self.v35_ * v97_),
+                                * S::mul_add(self.v37_, v108_, self.v36_ * v97_),
                             -(self.m3 * ddot_x1),
                             -(self.m4 * ddot_x1),
                         ],
@@ -167,7 +162,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             }
         }
     }
-    /// 28 operations.
+    /// 27 operations.
     #[inline(always)]
     fn rates(
         &self,
@@ -186,34 +181,32 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
         let dot_w4 = state[5];
         let u4 = S::mul_add(instant[4], phi2, w4);
         let u3 = S::mul_add(-instant[5], phi2, w3);
-        let v161_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-        let v165_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
+        let v159_ = S::mul_add(-self.v25_, u4, self.v28_ * u3);
+        let v161_ = S::mul_add(-self.v25_, u3, self.v30_ * u4);
+        let ddot_phi2 = instant[2]
+            * S::mul_add(
+                -self.c,
+                phi2,
+                instant[3]
+                    * S::mul_add(
+                        -self.v26_,
+                        v161_,
+                        S::mul_add(
+                            self.lambda,
+                            v159_,
+                            self.m2
+                                * (instant[6]
+                                    - S::mul_add(instant[8], dot_phi2, instant[7] * phi2)),
+                        ),
+                    ),
+            );
         *rates = [
             dot_phi2,
             dot_w3,
             dot_w4,
-            instant[2]
-                * S::mul_add(
-                    -self.c,
-                    phi2,
-                    instant[3]
-                        * S::mul_add(
-                            -self.v26_,
-                            v165_,
-                            S::mul_add(
-                                self.v25_,
-                                v161_,
-                                self.m2
-                                    * S::mul_add(
-                                        -instant[8],
-                                        dot_phi2,
-                                        S::mul_add(-instant[7], phi2, instant[6]),
-                                    ),
-                            ),
-                        ),
-                ),
-            self.v40_ * S::mul_add(-self.v23_, v161_, instant[9]),
-            self.v42_ * (instant[10] - v165_),
+            ddot_phi2,
+            self.v39_ * (instant[9] - v159_),
+            self.v41_ * (instant[10] - v161_),
         ];
     }
     #[inline(always)]
@@ -246,48 +239,46 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                 v99_ * v97_,
                 S::mul_add(
                     -self.v53_,
-                    S::mul_add(self.v33_, instant[1], -S::ONE),
-                    self.v52_ * v99_,
+                    S::mul_add(self.v35_, instant[1], -S::ONE),
+                    self.v51_ * v99_,
                 ),
-                self.v43_,
+                self.v42_,
             );
         let v126_ = v104_ * instant[2];
         let slope_3_1_ = -(self.v55_ * v126_);
         let slope_3_2_ = -(self.v56_ * v126_);
         let slope_3_3_ = self.v58_
-            * (v126_ * S::mul_add(self.v36_, v99_ * instant[1], self.v35_ * v97_));
+            * (v126_ * S::mul_add(self.v37_, v99_ * instant[1], self.v36_ * v97_));
         let slope_4_0_ = -(self.v60_ * v104_);
         let slope_5_0_ = -(self.v66_ * v104_);
         let u4 = S::mul_add(instant[4], phi2, w4);
         let u3 = S::mul_add(-instant[5], phi2, w3);
-        let v161_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-        let v165_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
+        let v159_ = S::mul_add(-self.v25_, u4, self.v28_ * u3);
+        let v161_ = S::mul_add(-self.v25_, u3, self.v30_ * u4);
+        let ddot_phi2 = instant[2]
+            * S::mul_add(
+                -self.c,
+                phi2,
+                instant[3]
+                    * S::mul_add(
+                        -self.v26_,
+                        v161_,
+                        S::mul_add(
+                            self.lambda,
+                            v159_,
+                            self.m2
+                                * (instant[6]
+                                    - S::mul_add(instant[8], dot_phi2, instant[7] * phi2)),
+                        ),
+                    ),
+            );
         *rates = [
             dot_phi2,
             dot_w3,
             dot_w4,
-            instant[2]
-                * S::mul_add(
-                    -self.c,
-                    phi2,
-                    instant[3]
-                        * S::mul_add(
-                            -self.v26_,
-                            v165_,
-                            S::mul_add(
-                                self.v25_,
-                                v161_,
-                                self.m2
-                                    * S::mul_add(
-                                        -instant[8],
-                                        dot_phi2,
-                                        S::mul_add(-instant[7], phi2, instant[6]),
-                                    ),
-                            ),
-                        ),
-                ),
-            self.v40_ * S::mul_add(-self.v23_, v161_, instant[9]),
-            self.v42_ * (instant[10] - v165_),
+            ddot_phi2,
+            self.v39_ * (instant[9] - v159_),
+            self.v41_ * (instant[10] - v161_),
         ];
         for (column_, product_) in columns.iter().zip(&mut *products) {
             product_[0] = column_[3];
@@ -338,10 +329,10 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
                     v99_ * v97_,
                     S::mul_add(
                         -self.v53_,
-                        S::mul_add(self.v33_, instant[1], -S::ONE),
-                        self.v52_ * v99_,
+                        S::mul_add(self.v35_, instant[1], -S::ONE),
+                        self.v51_ * v99_,
                     ),
-                    self.v43_,
+                    self.v42_,
                 ),
             -(self.v60_ * v104_),
             -(self.v66_ * v104_),
@@ -367,7 +358,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             S::ZERO,
             S::ZERO,
             self.v58_
-                * (v126_ * S::mul_add(self.v36_, v99_ * instant[1], self.v35_ * v97_)),
+                * (v126_ * S::mul_add(self.v37_, v99_ * instant[1], self.v36_ * v97_)),
             S::ZERO,
             S::ZERO,
         ];
@@ -418,18 +409,18 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             let v104_ = memory_5_.next(k_, v99_, sin_theta_);
             let v105_ = self.R * v104_;
             let v106_ = self.v27_ * v104_;
-            let v107_ = self.v28_ * v104_;
+            let v107_ = self.v29_ * v104_;
             let v108_ = memory_6_.next(k_, v99_, cos_theta_);
-            let v109_ = self.v31_ * v97_;
-            let ddot_x1 = self.v32_ * v108_ + v109_;
-            let v111_ = self.v33_ * cos_theta_ + one_ * -S::ONE;
-            let v113_ = self.v32_
+            let v109_ = self.v33_ * v97_;
+            let ddot_x1 = self.v34_ * v108_ + v109_;
+            let v111_ = self.v35_ * cos_theta_ + one_ * -S::ONE;
+            let v113_ = self.v34_
                 * ::assur::series::unless_zero(
-                    self.v32_,
+                    self.v34_,
                     || memory_7_.next(k_, sin_theta_, v111_),
                 );
-            let v114_ = self.v35_ * v97_;
-            let v115_ = self.v36_ * v108_ + v114_;
+            let v114_ = self.v36_ * v97_;
+            let v115_ = self.v37_ * v108_ + v114_;
             let v116_ = S::from_f64(2.0) * v115_;
             let v117_ = self.m3 * ddot_x1;
             let v118_ = -v117_;
@@ -443,22 +434,23 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Equations<S> for ElasticEquat
             let u4 = memory_8_.next(k_, v106_, phi2) + w4;
             let w3 = state[1];
             let u3 = w3 - memory_9_.next(k_, v107_, phi2);
-            let v160_ = self.d44 * u3;
-            let v161_ = v160_ - self.d34 * u4;
-            let v162_ = ddot_x1 - memory_10_.next(k_, v113_, phi2);
-            let v163_ = v162_ - memory_11_.next(k_, v116_, dot_phi2);
-            let v164_ = self.v37_ * u4;
-            let v165_ = v164_ - self.v38_ * u3;
-            let v166_ = self.m2 * v163_;
-            let v167_ = self.v25_ * v161_ + v166_;
-            let v168_ = v167_ - self.v26_ * v165_;
-            let v169_ = memory_12_.next(k_, v105_, v168_);
-            let v170_ = v169_ - self.c * phi2;
-            let ddot_phi2 = memory_13_.next(k_, v103_, v170_);
-            let v172_ = v118_ - self.v23_ * v161_;
-            let rate_4_ = self.v40_ * v172_;
-            let v174_ = v120_ - v165_;
-            let rate_5_ = self.v42_ * v174_;
+            let v158_ = self.v28_ * u3;
+            let v159_ = v158_ - self.v25_ * u4;
+            let v160_ = self.v30_ * u4;
+            let v161_ = v160_ - self.v25_ * u3;
+            let v162_ = memory_10_.next(k_, v113_, phi2);
+            let v163_ = memory_11_.next(k_, v116_, dot_phi2) + v162_;
+            let v164_ = ddot_x1 - v163_;
+            let v165_ = self.m2 * v164_;
+            let v166_ = self.lambda * v159_ + v165_;
+            let v167_ = v166_ - self.v26_ * v161_;
+            let v168_ = memory_12_.next(k_, v105_, v167_);
+            let v169_ = v168_ - self.c * phi2;
+            let ddot_phi2 = memory_13_.next(k_, v103_, v169_);
+            let v171_ = v118_ - v159_;
+            let rate_4_ = self.v39_ * v171_;
+            let v173_ = v120_ - v161_;
+            let rate_5_ = self.v41_ * v173_;
             let step_ = length * ::assur::series::inverse(k_ + 1);
             let rates_ = [dot_phi2, dot_w3, dot_w4, ddot_phi2, rate_4_, rate_5_];
             for (next_, rate_) in rows_[k_ + 1].iter_mut().zip(rates_) {

@@ -1,5 +1,5 @@
 impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquations<S> {
-    /// 128 operations.
+    /// 112 operations.
     fn outputs(
         &self,
         phase: ::assur::problem::Phase<'_, S>,
@@ -22,7 +22,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                 let shaft = self.c * phi2;
                 let x_difference = w3 - w4;
                 let v_difference = dot_w3 - dot_w4;
-                let ([sin_theta_, sin_v137_, sin_v203_], [cos_theta_, _, _]) = S::sin_cos_all([
+                let ([sin_theta_, sin_v137_, sin_v193_], [cos_theta_, _, _]) = S::sin_cos_all([
                     theta,
                     self.v71_ * time,
                     theta - phi2,
@@ -34,72 +34,63 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                 let v104_ = v99_ * sin_theta_;
                 let v105_ = self.R * v104_;
                 let v108_ = v99_ * cos_theta_;
-                let ddot_x1 = S::mul_add(self.v32_, v108_, self.v31_ * v97_);
-                let v111_ = S::mul_add(self.v33_, cos_theta_, -S::ONE);
-                let v115_ = S::mul_add(self.v36_, v108_, self.v35_ * v97_);
-                let v116_ = S::from_f64(2.0) * v115_;
+                let ddot_x1 = S::mul_add(self.v34_, v108_, self.v33_ * v97_);
+                let v115_ = S::mul_add(self.v37_, v108_, self.v36_ * v97_);
                 let x1 = self.R
                     * S::mul_add(
                         -self.v72_,
                         v97_,
                         S::from_f64(2.0) * (sin_v137_ * sin_v137_),
                     );
-                let dot_x1 = self.v36_ * v104_;
+                let dot_x1 = self.v37_ * v104_;
                 let u4 = S::mul_add(self.v27_ * v104_, phi2, w4);
-                let u3 = S::mul_add(-(self.v28_ * v104_), phi2, w3);
-                let v161_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-                let v163_ = S::mul_add(
-                    -v116_,
-                    dot_phi2,
-                    S::mul_add(-(self.v32_ * (sin_theta_ * v111_)), phi2, ddot_x1),
+                let u3 = S::mul_add(-(self.v29_ * v104_), phi2, w3);
+                let v159_ = S::mul_add(-self.v25_, u4, self.v28_ * u3);
+                let v161_ = S::mul_add(-self.v25_, u3, self.v30_ * u4);
+                let v164_ = ddot_x1
+                    - S::mul_add(
+                        S::from_f64(2.0) * v115_,
+                        dot_phi2,
+                        self.v34_
+                            * (sin_theta_ * S::mul_add(self.v35_, cos_theta_, -S::ONE))
+                            * phi2,
+                    );
+                let v167_ = S::mul_add(
+                    -self.v26_,
+                    v161_,
+                    S::mul_add(self.lambda, v159_, self.m2 * v164_),
                 );
-                let v165_ = S::mul_add(-self.v38_, u3, self.v37_ * u4);
                 let x2 = S::mul_add(-v105_, phi2, x1);
                 let x3 = x1 + w3;
                 let x4 = x1 + w4;
-                let v191_ = v99_ * v103_
-                    * S::mul_add(
-                        v105_,
-                        S::mul_add(
-                            -self.m2,
-                            v163_,
-                            self.v23_
-                                * S::mul_add(
-                                    -self.lambda,
-                                    v161_,
-                                    self.v26_ * S::mul_add(-self.d34, u3, self.d33 * u4),
-                                ),
-                        ),
-                        shaft,
-                    );
                 let ddot_x2 = S::mul_add(
-                    self.R * sin_theta_,
-                    S::mul_add(-(self.v29_ * v111_), phi2, v191_),
-                    S::mul_add(-v116_, dot_phi2, ddot_x1),
+                    self.R * (v104_ * v103_),
+                    S::mul_add(-v105_, v167_, shaft),
+                    v164_,
                 );
                 let ddot_x3 = S::mul_add(
-                    self.v40_,
-                    S::mul_add(-self.v23_, v161_, -(self.m3 * ddot_x1)),
+                    self.v39_,
+                    -(self.m3 * ddot_x1) - v159_,
                     ddot_x1,
                 );
                 let ddot_x4 = S::mul_add(
-                    self.v42_,
-                    -(self.m4 * ddot_x1) - v165_,
+                    self.v41_,
+                    -(self.m4 * ddot_x1) - v161_,
                     ddot_x1,
                 );
                 let F1 = S::mul_add(
-                    self.v74_,
-                    ddot_x3,
-                    S::mul_add(-self.v75_, ddot_x4, self.m1 * ddot_x1),
+                    -self.v75_,
+                    ddot_x4,
+                    S::mul_add(self.v74_, ddot_x3, self.m1 * ddot_x1),
                 );
                 let F2 = S::mul_add(
                     self.m2,
                     ddot_x2,
-                    S::mul_add(-self.v76_, ddot_x3, self.v77_ * ddot_x4),
+                    S::mul_add(-self.v77_, ddot_x3, self.v76_ * ddot_x4),
                 );
                 let rod1 = S::ONE / S::sqrt(S::mul_add(-self.v80_, v97_, S::ONE)) * F1;
                 let rod2 = F2
-                    / S::sqrt(S::mul_add(-self.v80_, sin_v203_ * sin_v203_, S::ONE));
+                    / S::sqrt(S::mul_add(-self.v80_, sin_v193_ * sin_v193_, S::ONE));
                 let drive_torque = S::mul_add(v105_, F1, shaft);
                 let F_difference = F1 - F2;
                 values[0] = x1;
@@ -120,17 +111,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                 values[11] = ddot_x4;
                 values[12] = phi2;
                 values[13] = dot_phi2;
-                values[14] = v103_
-                    * S::mul_add(
-                        -self.c,
-                        phi2,
-                        v105_
-                            * S::mul_add(
-                                -self.v26_,
-                                v165_,
-                                S::mul_add(self.v25_, v161_, self.m2 * v163_),
-                            ),
-                    );
+                values[14] = v103_ * S::mul_add(-self.c, phi2, v105_ * v167_);
                 values[15] = F1;
                 values[16] = F2;
                 values[17] = rod1;
@@ -169,22 +150,22 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                 let dot_w3 = state[4];
                 let dot_w4 = state[5];
                 let theta = self.n * time;
-                let v213_ = self.n - dot_phi2;
+                let v203_ = self.n - dot_phi2;
                 let (sin_theta_, cos_theta_) = S::sin_cos(theta);
                 let v97_ = sin_theta_ * sin_theta_;
                 let v99_ = S::mul_add(-self.v16_, cos_theta_, S::ONE);
                 let v104_ = v99_ * sin_theta_;
-                let dot_x1 = self.v36_ * v104_;
+                let dot_x1 = self.v37_ * v104_;
                 let u4 = S::mul_add(self.v27_ * v104_, phi2, w4);
-                let u3 = S::mul_add(-(self.v28_ * v104_), phi2, w3);
+                let u3 = S::mul_add(-(self.v29_ * v104_), phi2, w3);
                 let dot_x2 = S::mul_add(
-                    -S::mul_add(self.v36_, v99_ * cos_theta_, self.v35_ * v97_),
+                    -S::mul_add(self.v37_, v99_ * cos_theta_, self.v36_ * v97_),
                     phi2,
                     S::mul_add(-(self.R * v104_), dot_phi2, dot_x1),
                 );
                 let dot_x3 = dot_x1 + dot_w3;
                 let dot_x4 = dot_x1 + dot_w4;
-                let v220_ = S::mul_add(
+                let v210_ = S::mul_add(
                     self.v85_,
                     dot_x4 * dot_x4,
                     S::mul_add(
@@ -192,13 +173,13 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                         dot_x3 * dot_x3,
                         S::mul_add(
                             self.v83_,
-                            v213_ * v213_,
+                            v203_ * v203_,
                             self.v82_ * (v97_ * (v99_ * v99_)),
                         ),
                     ),
                 );
                 ::core::option::Option::Some((
-                    S::mul_add(self.v86_, dot_x2 * dot_x2, v220_),
+                    S::mul_add(self.v86_, dot_x2 * dot_x2, v210_),
                     S::mul_add(
                         self.v88_,
                         S::mul_add(
@@ -265,7 +246,7 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                 let dot_phi2 = state[3];
                 let theta = self.n * time;
                 let shaft = self.c * phi2;
-                let ([sin_theta_, sin_v203_], [cos_theta_, _]) = S::sin_cos_all([
+                let ([sin_theta_, sin_v193_], [cos_theta_, _]) = S::sin_cos_all([
                     theta,
                     theta - phi2,
                 ]);
@@ -274,61 +255,59 @@ impl<S: ::assur::scalar::Scalar> ::assur::problem::Reports<S> for ElasticEquatio
                 let v104_ = v99_ * sin_theta_;
                 let v105_ = self.R * v104_;
                 let v108_ = v99_ * cos_theta_;
-                let ddot_x1 = S::mul_add(self.v32_, v108_, self.v31_ * v97_);
-                let v111_ = S::mul_add(self.v33_, cos_theta_, -S::ONE);
-                let v116_ = S::from_f64(2.0)
-                    * S::mul_add(self.v36_, v108_, self.v35_ * v97_);
+                let ddot_x1 = S::mul_add(self.v34_, v108_, self.v33_ * v97_);
                 let u4 = S::mul_add(self.v27_ * v104_, phi2, w4);
-                let u3 = S::mul_add(-(self.v28_ * v104_), phi2, w3);
-                let v161_ = S::mul_add(-self.d34, u4, self.d44 * u3);
-                let v189_ = S::mul_add(
-                    -self.m2,
-                    S::mul_add(
-                        -v116_,
+                let u3 = S::mul_add(-(self.v29_ * v104_), phi2, w3);
+                let v159_ = S::mul_add(-self.v25_, u4, self.v28_ * u3);
+                let v161_ = S::mul_add(-self.v25_, u3, self.v30_ * u4);
+                let v164_ = ddot_x1
+                    - S::mul_add(
+                        S::from_f64(2.0)
+                            * S::mul_add(self.v37_, v108_, self.v36_ * v97_),
                         dot_phi2,
-                        S::mul_add(-(self.v32_ * (sin_theta_ * v111_)), phi2, ddot_x1),
-                    ),
-                    self.v23_
-                        * S::mul_add(
-                            -self.lambda,
+                        self.v34_
+                            * (sin_theta_ * S::mul_add(self.v35_, cos_theta_, -S::ONE))
+                            * phi2,
+                    );
+                let ddot_x2 = S::mul_add(
+                    self.R
+                        * (v104_
+                            * (S::ONE
+                                / S::mul_add(self.v12_, v97_ * (v99_ * v99_), self.J2))),
+                    S::mul_add(
+                        -v105_,
+                        S::mul_add(
+                            -self.v26_,
                             v161_,
-                            self.v26_ * S::mul_add(-self.d34, u3, self.d33 * u4),
+                            S::mul_add(self.lambda, v159_, self.m2 * v164_),
                         ),
-                );
-                let v192_ = S::mul_add(
-                    -(self.v29_ * v111_),
-                    phi2,
-                    v99_
-                        * (S::ONE / S::mul_add(self.v12_, v97_ * (v99_ * v99_), self.J2))
-                        * S::mul_add(v105_, v189_, shaft),
+                        shaft,
+                    ),
+                    v164_,
                 );
                 let ddot_x3 = S::mul_add(
-                    self.v40_,
-                    S::mul_add(-self.v23_, v161_, -(self.m3 * ddot_x1)),
+                    self.v39_,
+                    -(self.m3 * ddot_x1) - v159_,
                     ddot_x1,
                 );
                 let ddot_x4 = S::mul_add(
-                    self.v42_,
-                    -(self.m4 * ddot_x1) - S::mul_add(-self.v38_, u3, self.v37_ * u4),
+                    self.v41_,
+                    -(self.m4 * ddot_x1) - v161_,
                     ddot_x1,
                 );
                 let F1 = S::mul_add(
-                    self.v74_,
-                    ddot_x3,
-                    S::mul_add(-self.v75_, ddot_x4, self.m1 * ddot_x1),
+                    -self.v75_,
+                    ddot_x4,
+                    S::mul_add(self.v74_, ddot_x3, self.m1 * ddot_x1),
                 );
                 let F2 = S::mul_add(
                     self.m2,
-                    S::mul_add(
-                        self.R * sin_theta_,
-                        v192_,
-                        S::mul_add(-v116_, dot_phi2, ddot_x1),
-                    ),
-                    S::mul_add(-self.v76_, ddot_x3, self.v77_ * ddot_x4),
+                    ddot_x2,
+                    S::mul_add(-self.v77_, ddot_x3, self.v76_ * ddot_x4),
                 );
                 let rod1 = S::ONE / S::sqrt(S::mul_add(-self.v80_, v97_, S::ONE)) * F1;
                 let rod2 = F2
-                    / S::sqrt(S::mul_add(-self.v80_, sin_v203_ * sin_v203_, S::ONE));
+                    / S::sqrt(S::mul_add(-self.v80_, sin_v193_ * sin_v193_, S::ONE));
                 let drive_torque = S::mul_add(v105_, F1, shaft);
                 let F_difference = F1 - F2;
                 values[0] = S::abs(rod1);
