@@ -22,12 +22,15 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
     });
     let starts = linkage.dependents.iter().map(|one| number(one.start));
     let span = crate::parameters::span(layout);
-    let packing = packing(layout, linkage);
+    let packed = match is_packed(layout, linkage) {
+        true => quote!(!cfg!(debug_assertions)),
+        false => quote!(false),
+    };
     quote! {
         impl ::assur::closure::Linkage for #name {
             type Closure<S: ::assur::scalar::Scalar> = #closure<S>;
 
-            const PACKING: ::assur::closure::Packing = #packing;
+            const PACKED: bool = #packed;
 
             #[inline(always)]
             fn shape(&self) -> &'static ::assur::shape::Shape {
@@ -60,19 +63,12 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
     }
 }
 
-/// Whether linkages made at random are closed several side by side: where a tolerance says that they are made and they do not
-/// go separate ways. It takes as long to compile as all else, which builds for debugging spare.
-fn packing(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream {
+/// Whether linkages made at random are closed several side by side: where a tolerance says that they are made, and they do not
+/// go separate ways. Builds for debugging spare what that takes to compile.
+fn is_packed(layout: &Layout<'_>, linkage: &LinkageInfo) -> bool {
     let is_made = layout.scene.constants.iter().any(|constant| constant.tolerance != 0.0)
         || linkage.ranges.iter().any(|range| range.tolerance.0 != 0.0);
-    if !is_made || layout.program().is_apart() {
-        return quote!(::assur::closure::Packing::Never);
-    }
-    quote!(if cfg!(debug_assertions) {
-        ::assur::closure::Packing::Never
-    } else {
-        ::assur::closure::Packing::Always
-    })
+    is_made && !layout.program().is_apart()
 }
 
 /// What depends on the constants alone, from constants of any scalar type.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use assur_model::checked::{LinkageInfo, SceneModel};
-use assur_solvers::closure::{Linkage, Packing, Range};
+use assur_solvers::closure::{Linkage, Range};
 use assur_solvers::problem::{Refused, Span};
 use assur_solvers::scalar::Scalar;
 use assur_solvers::shape::Shape;
@@ -78,8 +78,6 @@ impl Moved {
 
 impl Linkage for Moved {
     type Closure<S: Scalar> = Prepare<S>;
-
-    const PACKING: Packing = Packing::Asked;
 
     #[inline]
     fn shape(&self) -> &'static Shape {

@@ -28,7 +28,7 @@ pub use extent::track::Along;
 pub use linkage::any::AnyLinkage;
 #[doc(hidden)]
 pub use linkage::loops::{Answers, Apart, Loops, Square, Trials, instant_at};
-pub use linkage::problem::{Closure, Linkage, Packing, Range};
+pub use linkage::problem::{Closure, Linkage, Range};
 pub use modes::listing::{Listed, Listing};
 pub use modes::{AssemblyMode, AssemblyModes, Search, modes};
 pub use position::assembly::{Assembly, Event};

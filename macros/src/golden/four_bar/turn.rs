@@ -69,11 +69,7 @@ impl Turn {
 }
 impl ::assur::closure::Linkage for Turn {
     type Closure<S: ::assur::scalar::Scalar> = TurnEquations<S>;
-    const PACKING: ::assur::closure::Packing = if cfg!(debug_assertions) {
-        ::assur::closure::Packing::Never
-    } else {
-        ::assur::closure::Packing::Always
-    };
+    const PACKED: bool = !cfg!(debug_assertions);
     #[inline(always)]
     fn shape(&self) -> &'static ::assur::shape::Shape {
         &shapes_::Turn

@@ -4,7 +4,7 @@
 //! of linkages made at random.
 
 use super::loops::{Answers, Apart, Loops, Trials};
-use super::problem::{Linkage, Packing, Range};
+use super::problem::{Linkage, Range};
 use crate::closure::position::assembly::Assembly;
 use crate::closure::position::guide::Moves;
 use crate::dispatch::{dispatch, dispatch_packs};
@@ -104,11 +104,6 @@ impl<L: Linkage> AnyLinkage for L {
 
     fn draw(&self, run: &Run<'_>, blocks: &Blocks<'_>, counts: &mut [Counts]) -> Vec<(u64, Block)> {
         let drawing = Drawing { run, blocks, counts, linkage: self };
-        match L::PACKING {
-            Packing::Always => dispatch_packs(drawing),
-            Packing::Never => dispatch(drawing),
-            Packing::Asked if self.is_apart() => dispatch(drawing),
-            Packing::Asked => dispatch_packs(drawing),
-        }
+        if L::PACKED && !self.is_apart() { dispatch_packs(drawing) } else { dispatch(drawing) }
     }
 }

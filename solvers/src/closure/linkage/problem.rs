@@ -139,20 +139,6 @@ pub struct Range {
     pub period: f64,
 }
 
-/// Whether linkages made at random are closed several side by side. Not where a linkage searches, or solves loops that
-/// contradict each other: that goes separate ways for each and gives other results than one by one. Compiled for each linkage it
-/// takes as long as all else that is, so that emitted linkages do where they state a tolerance, in builds without
-/// `debug_assertions`; others are closed one by one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Packing {
-    /// They are.
-    Always,
-    /// They are not.
-    Never,
-    /// It depends on the linkage, see [`Linkage::is_apart`].
-    Asked,
-}
-
 /// A linkage with its dimensions: the type that a user fills in and hands to a solver.
 pub trait Linkage: Clone + Send + Sync + 'static {
     /// The loops, prepared for a scalar type.
@@ -176,10 +162,13 @@ pub trait Linkage: Clone + Send + Sync + 'static {
         *closure = self.prepare(values);
     }
 
-    /// Whether samples may be computed several side by side.
-    const PACKING: Packing = Packing::Always;
+    /// Whether linkages made at random are closed several side by side. Compiled for a linkage that takes as long as all else
+    /// that is; emitted ones are where they state a tolerance, in builds without `debug_assertions`. A number, not a kind:
+    /// rustc then leaves out what is not asked for.
+    const PACKED: bool = true;
 
-    /// Whether what it computes goes separate ways for different numbers. Asked where [`Linkage::PACKING`] says so.
+    /// Whether it searches, or solves loops that contradict each other, and so goes separate ways for different numbers: side by
+    /// side it would end otherwise than alone.
     fn is_apart(&self) -> bool {
         false
     }
