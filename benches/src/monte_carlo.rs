@@ -9,7 +9,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use assur::dispatch::{Task, dispatch, dispatch_packs};
-use assur::scalar::{Pack, Scalar};
+use assur::scalar::{Pack, Scalar, WIDTH};
 use assur::shape::Distribution;
 use assur::tolerance::{Sampling, Source, Study, monte_carlo};
 
@@ -26,8 +26,6 @@ const BLOCK: u64 = 256;
 const ROUNDS: usize = 101;
 /// Classes of errors reach so far from zero, in radians.
 const REACH: f64 = 0.03;
-/// Most linkages side by side.
-const WIDEST: usize = 8;
 /// Largest ratio of the solvers to the loop, and least of one thread to two.
 const GOAL: f64 = 1.1;
 const TWO: f64 = 1.9;
@@ -82,7 +80,7 @@ impl Task for Drawn<'_> {
     fn run<P: Pack>(self) {
         let ((dimensions, modes), tolerances) = (nominal(), tolerances());
         for first in (self.samples.0..self.samples.1).step_by(P::WIDTH) {
-            let mut made = [[0.0; WIDEST]; DIMENSIONS];
+            let mut made = [[0.0; WIDTH]; DIMENSIONS];
             let mut draw = Draw::from(first * DIMENSIONS as u64);
             for lane in 0..P::WIDTH {
                 for (k, made) in made.iter_mut().enumerate() {
@@ -103,7 +101,7 @@ impl Task for Drawn<'_> {
                     turn[0].mul_add(sine, turn[1] * cosine),
                 ];
                 let (made, output) = (bar.closed(crank).output(), place.output.map(P::from_f64));
-                let mut errors = [0.0; WIDEST];
+                let mut errors = [0.0; WIDTH];
                 small_angle(turned(made, output) / inner(made, output)).store(&mut errors);
                 for error in &errors[..count] {
                     sums.add(*error);

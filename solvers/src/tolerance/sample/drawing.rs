@@ -167,31 +167,37 @@ impl Run<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::closure::tests::linkages::SixBar;
     use crate::dispatch::{dispatch, dispatch_packs};
+    use crate::tolerance::made::exact;
+    use crate::tolerance::source::Source;
     use crate::tolerance::tests::{Heald, study};
 
-    /// Samples that do not fill the last pack, of a linkage that is iterated.
+    /// So many samples that they do not fill the last block, nor its last pack.
+    const SAMPLES: u64 = 1003;
+
+    /// What is drawn in blocks of a size, single or in packs, and the run.
+    fn drawn<L: Linkage>(run: &Run<'_>, linkage: &L, size: u64, packs: bool) -> Vec<Block> {
+        let blocks = Blocks::new(SAMPLES, size, &|_| ());
+        let drawing = Drawing { run, blocks: &blocks, counts: &mut [], linkage };
+        let drawn = if packs { dispatch_packs(drawing) } else { dispatch(drawing) };
+        assert_eq!(drawn.len() as u64, blocks.count());
+        drawn.into_iter().map(|(_, block)| block).collect()
+    }
+
+    fn run<'a>(linkage: &'a dyn AnyLinkage, nominals: &'a [Nominal], study: &'a Study) -> Run<'a> {
+        Run { linkage, nominals, study, seed: 7, classes: Vec::new() }
+    }
+
+    /// Of a linkage that is iterated.
     #[test]
     fn packs_draw_what_single_numbers_draw() {
         let (heald, study) =
             (Heald::default(), study(&[70.0, 90.0], 10.0, Distribution::Truncated));
         let nominals = Nominal::along(&heald, &study.places, &study.sources).expect("it closes");
-        let run = Run {
-            linkage: &heald,
-            nominals: &nominals,
-            study: &study,
-            seed: 7,
-            classes: Vec::new(),
-        };
-        let drawn = |packs: bool| {
-            let blocks = Blocks::new(1003, 256, &|_| ());
-            let drawing = Drawing { run: &run, blocks: &blocks, counts: &mut [], linkage: &heald };
-            if packs { dispatch_packs(drawing) } else { dispatch(drawing) }
-        };
-        let (single, packed) = (drawn(false), drawn(true));
-        assert_eq!(single.len(), 4);
-        assert_eq!(packed.len(), 4);
-        for ((_, one), (_, other)) in single.iter().zip(&packed) {
+        let run = run(&heald, &nominals, &study);
+        let [single, packed] = [false, true].map(|packs| drawn(&run, &heald, 256, packs));
+        for (one, other) in single.iter().zip(&packed) {
             assert_eq!(one.whole, other.whole);
             for (one, other) in one.places.iter().zip(&other.places) {
                 assert_eq!(one.count, other.count);
@@ -200,6 +206,60 @@ mod tests {
                 }
             }
         }
-        assert_eq!(single.iter().map(|(_, block)| block.places[0].count).sum::<u64>(), 1003);
+        assert_eq!(single.iter().map(|block| block.places[0].count).sum::<u64>(), SAMPLES);
+    }
+
+    /// Of a linkage in closed form, eight samples by eight: errors from the small to those that turn it far or leave it open,
+    /// beside each linkage put together by itself.
+    #[test]
+    fn packs_draw_what_is_put_together() {
+        let six_bar = SixBar::default();
+        let mut missing = 0;
+        for (half_width, output) in [(1e-5, 2), (1e-3, 3), (2e-2, 1)] {
+            let source = |variable| {
+                let distribution = Distribution::Uniform;
+                Source { variable, half_width, distribution }
+            };
+            let places = (0..6).map(|k| vec![0.2 + k as f64]).collect();
+            let study = Study { output, places, sources: (0..10).map(source).collect() };
+            let nominals =
+                Nominal::along(&six_bar, &study.places, &study.sources).expect("it closes");
+            let run = run(&six_bar, &nominals, &study);
+            for (index, block) in drawn(&run, &six_bar, 8, true).iter().enumerate() {
+                let (from, mut errors) = (8 * index as u64, vec![[0.0; BATCH]; 10]);
+                run.draw(from, &mut errors);
+                let mut expected = vec![Sums::NONE; nominals.len()];
+                for sample in 0..8.min(SAMPLES - from) as usize {
+                    let errors: Vec<f64> = errors.iter().map(|one| one[sample]).collect();
+                    let mut found = vec![0.0; nominals.len()];
+                    exact::errors(&six_bar, &study, &nominals, &errors, &mut found);
+                    missing += found.iter().filter(|error| error.is_nan()).count();
+                    for (sums, error) in expected.iter_mut().zip(found) {
+                        sums.add_all::<f64>(&[error]);
+                    }
+                }
+                for (found, expected) in block.places.iter().zip(&expected) {
+                    check(found, expected);
+                }
+            }
+        }
+        assert!(missing > 100, "{missing}");
+    }
+
+    /// The sums of eight errors, each as large as the angles round.
+    fn check(found: &Sums, expected: &Sums) {
+        const ROUNDING: f64 = 1e-13;
+        assert_eq!(found.count, expected.count);
+        let (low, high) = expected.extremes;
+        assert!((found.extremes.0 - low).abs() <= ROUNDING || expected.count == 0);
+        assert!((found.extremes.1 - high).abs() <= ROUNDING || expected.count == 0);
+        let largest = f64::max(high, -low);
+        for (power, (one, other)) in (0..).zip(found.powers.iter().zip(expected.powers)) {
+            let share = 8.0 * f64::from(power + 1) * largest.powi(power);
+            assert!(
+                (one - other).abs() <= share * ROUNDING || expected.count == 0,
+                "{one} {other}"
+            );
+        }
     }
 }

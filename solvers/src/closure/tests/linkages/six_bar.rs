@@ -1,10 +1,10 @@
 //! Six-bar: a four-bar and a dyad between a point of its coupler and the frame.
 
 use super::{Dyad, constants, directions, unasked};
-use crate::closure::{Closure, Group, GroupKind, Linkage, Range};
+use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
 use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
-use crate::shape::{Shape, by_hand};
+use crate::shape::{LinkageEntry, Shape, by_hand};
 use std::f64::consts::TAU;
 
 /// Constants `l1, l2, l3, a`, the coupler point `cx, cy`, `l5, l6`, its pivot `ox, oy`.
@@ -48,16 +48,31 @@ impl<S: Scalar> Loops<S> {
     }
 }
 
-/// What it is made of.
-const SHAPE: Shape = by_hand(
-    [10, 4],
-    &[true; 4],
-    &[
-        Group { kind: GroupKind::Rrr, unknowns: &[0, 1], equations: &[0, 1] },
-        Group { kind: GroupKind::Rrr, unknowns: &[2, 3], equations: &[2, 3] },
-    ],
-    &[],
-);
+/// What it is made of; cosines and sines stand behind the angles.
+const SHAPE: Shape = {
+    let shape = by_hand(
+        [10, 4],
+        &[true; 4],
+        &[
+            Group { kind: GroupKind::Rrr, unknowns: &[0, 1], equations: &[0, 1] },
+            Group { kind: GroupKind::Rrr, unknowns: &[2, 3], equations: &[2, 3] },
+        ],
+        &VARIABLES,
+    );
+    let cosines = &[Some(4), Some(6), Some(8), Some(10)];
+    shape.linkage(LinkageEntry { cosines, ..*shape.loops() })
+};
+
+/// What its outputs are influenced by.
+const VARIABLES: [Variable; 10] = {
+    let mut all = [Variable::Constant(0); 10];
+    let mut index = 1;
+    while index < all.len() {
+        all[index] = Variable::Constant(index);
+        index += 1;
+    }
+    all
+};
 
 impl Linkage for SixBar {
     type Closure<S: Scalar> = Loops<S>;
@@ -127,14 +142,23 @@ impl<S: Scalar> Closure<S> for Loops<S> {
         }
     }
     #[inline(always)]
-    fn close_all(&self, instant: &[S; 2], modes: &[S], z: &mut [S; 12], sines: &mut [S], _: bool) {
+    fn close_all(
+        &self,
+        instant: &[S; 2],
+        modes: &[S],
+        z: &mut [S; 12],
+        sines: &mut [S],
+        angles: bool,
+    ) {
         for (group, dyad) in [self.first, self.second].into_iter().enumerate() {
             let (sine, all) = dyad.close(self.span(group, instant, z), modes[group]);
             sines[group] = sine;
             [z[4 + 4 * group], z[5 + 4 * group], z[6 + 4 * group], z[7 + 4 * group]] = all;
         }
-        [z[0], z[1], z[2], z[3]] =
-            S::atan2_all([z[5], z[7], z[9], z[11]], [z[4], z[6], z[8], z[10]]);
+        if angles {
+            [z[0], z[1], z[2], z[3]] =
+                S::atan2_all([z[5], z[7], z[9], z[11]], [z[4], z[6], z[8], z[10]]);
+        }
     }
     fn margin(&self, group: usize, instant: &[S; 2], z: &[S; 12]) -> S {
         self.dyad(group).margin(self.span(group, instant, z))
