@@ -221,7 +221,7 @@ impl Shape {
 
     /// The loops; none where the scene is no linkage.
     #[inline]
-    pub fn loops(&self) -> &LinkageEntry {
+    pub const fn loops(&self) -> &LinkageEntry {
         match &self.linkage {
             Some(loops) => loops,
             None => &LinkageEntry::NONE,
