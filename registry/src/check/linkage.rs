@@ -147,7 +147,7 @@ impl<'a> Position<'a> {
         };
         let slope = |output: usize, row: usize| slopes[row].outputs[output].abs();
         for output in 0..self.outputs() {
-            let level = self.level(output, slopes);
+            let level = self.level(output);
             for row in 0..count {
                 for column in 0..=row {
                     let found = self.second[output * triangle + row * (row + 1) / 2 + column];
@@ -178,17 +178,18 @@ impl<'a> Position<'a> {
         Ok(())
     }
 
-    /// The size of what an output is a sum of: one that is zero may be the difference of large terms.
-    fn level(&self, output: usize, slopes: &[Slopes]) -> f64 {
-        let terms = self.entry.variables.iter().zip(slopes);
-        let terms = terms.map(|(one, slope)| (self.size(*one) * slope.outputs[output]).abs());
-        terms.fold(self.reported[output].abs(), f64::max)
+    /// The largest output of the same dimension: one that is nothing may be the difference of such.
+    fn level(&self, output: usize) -> f64 {
+        let outputs = self.linkage.shape().outputs;
+        let alike = outputs.iter().map(|one| one.dimension == outputs[output].dimension);
+        let values = self.reported.iter().zip(alike).filter(|(_, is_alike)| *is_alike);
+        values.fold(0.0, |most, (value, _)| f64::max(most, value.abs()))
     }
 
-    /// What rounding may leave of the change of each output, over the change of a variable: so many times the output.
+    /// What rounding may leave of the change of each output, over the change of a variable: so many times its size.
     pub(super) fn floors(&self, share: f64) -> Vec<f64> {
         let share = if share.is_finite() { share } else { 0.0 };
-        self.reported.iter().map(|value| share * value.abs()).collect()
+        (0..self.outputs()).map(|output| share * self.level(output)).collect()
     }
 
     /// The absolute value of a variable.
