@@ -16,12 +16,15 @@
 //! | [`hybrid`] | the motion from event to event |
 //! | [`mod@measure`] | numbers of a whole run |
 //! | [`tolerance`](mod@tolerance) | errors of a linkage from tolerances, and tolerances of least cost |
+//! | [`synthesis`] | dimensions from a wanted motion: designs sought everywhere, then polished |
 //! | [`dense`] | small linear systems |
 //! | [`shape`] | what a scene is made of |
 //! | [`scalar`], [`dispatch`] | the numbers that all of it runs on, and the choice of the instruction set |
 
 pub mod answer;
 pub mod closure;
+#[cfg(any(feature = "allocation", feature = "synthesis"))]
+mod conic;
 pub mod dense;
 pub mod dispatch;
 mod floquet;
@@ -38,5 +41,6 @@ mod settings;
 pub mod shape;
 pub mod smooth;
 pub mod stiff;
+pub mod synthesis;
 mod taylor;
 pub mod tolerance;

@@ -2,19 +2,12 @@
 //!
 //! In units of a guess the unknowns are the tolerances `τ` and `σ ≥ τ^-k`, to which the costs are proportional. `σ τ ≥ 1`
 //! is a second-order cone, `‖(2, σ - τ)‖ ≤ σ + τ`; for other exponents `σ^α τ^(1-α) ≥ 1`, `α = 1/(1 + k)`, a power cone.
-//! A worst case is a linear row, a root of a sum of squares a second-order cone. Solved by Clarabel (P. Goulart, Y. Chen:
-//! *Clarabel: an interior-point solver for conic programs with quadratic objectives*, 2024, arXiv:2405.12762).
+//! A worst case is a linear row, a root of a sum of squares a second-order cone.
 
 use super::error::AllocationError;
 use super::{Candidate, Rule};
-use clarabel::algebra::CscMatrix;
-use clarabel::solver::{
-    DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, PowerConeT, SecondOrderConeT,
-    SolverStatus, SupportedConeT,
-};
-
-/// Accuracy of the solution; what it misses of the band is taken off afterwards.
-const ACCURACY: f64 = 1e-9;
+use crate::conic::{Rows, minimise};
+use clarabel::solver::{NonnegativeConeT, PowerConeT, SecondOrderConeT};
 
 /// The solution.
 pub(super) struct Optimum {
@@ -22,27 +15,6 @@ pub(super) struct Optimum {
     pub tolerances: Vec<f64>,
     /// What the cost falls by for each place, per relative widening of the band there.
     pub prices: Vec<f64>,
-}
-
-/// Rows `A x + s = b` with `s` in a product of cones.
-#[derive(Default)]
-struct Rows {
-    entries: (Vec<usize>, Vec<usize>, Vec<f64>),
-    right: Vec<f64>,
-    cones: Vec<SupportedConeT<f64>>,
-}
-
-impl Rows {
-    /// Adds `s = constant + Σ coefficient x`.
-    fn row(&mut self, constant: f64, coefficients: &[(usize, f64)]) {
-        let row = self.right.len();
-        for (column, coefficient) in coefficients {
-            self.entries.0.push(row);
-            self.entries.1.push(*column);
-            self.entries.2.push(-coefficient);
-        }
-        self.right.push(constant);
-    }
 }
 
 /// Solves it. `influences` holds, for each place, the error per unit of each tolerance.
@@ -57,7 +29,7 @@ pub(super) fn solve(
     let marks: Vec<usize> = influences
         .iter()
         .map(|influence| {
-            let mark = rows.right.len();
+            let mark = rows.count();
             let scaled = influence.iter().zip(&units).map(|(k, unit)| k * unit / band);
             keep(&mut rows, rule, &scaled.enumerate().collect::<Vec<_>>());
             mark
@@ -76,7 +48,11 @@ pub(super) fn solve(
     let most = costs.iter().copied().fold(0.0, f64::max);
     let zeros = std::iter::repeat_n(0.0, n);
     let objective: Vec<f64> = zeros.chain(costs.iter().map(|cost| cost / most)).collect();
-    let (x, z) = run(&objective, rows)?;
+    let (x, z) = minimise(&objective, &[], rows).map_err(|stop| AllocationError::NotSolved {
+        at: Vec::new(),
+        status: stop.status,
+        iterations: stop.iterations,
+    })?;
     Ok(Optimum {
         tolerances: x.iter().zip(&units).map(|(x, unit)| x * unit).collect(),
         prices: marks.iter().map(|mark| z[*mark] * most).collect(),
@@ -136,33 +112,5 @@ fn charge(rows: &mut Rows, tau: usize, sigma: usize, exponent: f64) {
         rows.row(0.0, &[(tau, 1.0)]);
         rows.row(1.0, &[]);
         rows.cones.push(PowerConeT(1.0 / (1.0 + exponent)));
-    }
-}
-
-/// The unknowns and the multipliers of the rows.
-fn run(objective: &[f64], rows: Rows) -> Result<(Vec<f64>, Vec<f64>), AllocationError> {
-    let (m, n) = (rows.right.len(), objective.len());
-    let (i, j, v) = rows.entries;
-    let matrix = CscMatrix::new_from_triplets(m, n, i, j, v);
-    let settings = DefaultSettings {
-        verbose: false,
-        max_threads: 1,
-        tol_gap_abs: ACCURACY,
-        tol_gap_rel: ACCURACY,
-        tol_feas: ACCURACY,
-        ..DefaultSettings::default()
-    };
-    let none = CscMatrix::zeros((n, n));
-    let mut solver =
-        DefaultSolver::new(&none, objective, &matrix, &rows.right, &rows.cones, settings);
-    solver.solve();
-    let solution = solver.solution;
-    match solution.status {
-        SolverStatus::Solved | SolverStatus::AlmostSolved => Ok((solution.x, solution.z)),
-        status => Err(AllocationError::NotSolved {
-            at: Vec::new(),
-            status: format!("{status:?}"),
-            iterations: solution.iterations,
-        }),
     }
 }

@@ -1,0 +1,93 @@
+//! A design and its neighbours: values and conditions with their slopes.
+
+use super::problem::Sought;
+
+/// What is to be small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aim {
+    /// The largest of the values.
+    Largest,
+    /// Half the sum of their squares.
+    Squares,
+}
+
+/// What a design says, with slopes by each of its numbers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Look {
+    /// What is to be small.
+    pub values: Vec<f64>,
+    /// What must not be below zero.
+    pub conditions: Vec<f64>,
+    /// Rows of slopes: of the values, then of the conditions.
+    pub slopes: Vec<f64>,
+}
+
+/// What designs are polished by.
+pub trait Local {
+    /// The numbers that are sought.
+    fn sought(&self) -> &[Sought];
+
+    /// Looks at a design; none where it cannot be judged. Values and conditions are as many for all designs, and each
+    /// means the same.
+    fn look(&mut self, design: &[f64]) -> Option<Look>;
+}
+
+impl Aim {
+    /// What is made small.
+    pub(super) fn of(self, values: &[f64]) -> f64 {
+        match self {
+            Aim::Largest => values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            Aim::Squares => 0.5 * values.iter().map(|value| value * value).sum::<f64>(),
+        }
+    }
+}
+
+impl Look {
+    /// By how much the condition that is missed most is missed.
+    pub(super) fn missed(&self) -> f64 {
+        self.conditions.iter().fold(0.0, |most, one| f64::max(most, -one))
+    }
+
+    /// Whether everything in it is a number.
+    pub(super) fn is_finite(&self) -> bool {
+        let all = self.values.iter().chain(&self.conditions).chain(&self.slopes);
+        all.into_iter().all(|one| one.is_finite())
+    }
+
+    /// The slopes in units of the ranges.
+    pub(super) fn scaled(mut self, sought: &[Sought]) -> Self {
+        for row in self.slopes.chunks_exact_mut(sought.len()) {
+            for (slope, one) in row.iter_mut().zip(sought) {
+                *slope *= one.width();
+            }
+        }
+        self
+    }
+
+    /// How much steeper the values are than the conditions.
+    pub(super) fn steepness(&self, count: usize) -> f64 {
+        let steepest = |rows: &[f64]| {
+            let sums = rows.chunks_exact(count).map(|row| row.iter().map(|one| one.abs()).sum());
+            sums.fold(0.0, f64::max)
+        };
+        let (values, conditions) = self.slopes.split_at(self.values.len() * count);
+        match (steepest(values), steepest(conditions)) {
+            (values, conditions) if values > 0.0 && conditions > 0.0 => values / conditions,
+            _ => 1.0,
+        }
+    }
+
+    /// The sum of all rows of slopes, each times its multiplier: those of the values, less those of the conditions.
+    pub(super) fn pull(&self, multipliers: &[f64], count: usize) -> Vec<f64> {
+        let mut sum = vec![0.0; count];
+        for (index, (row, multiplier)) in
+            self.slopes.chunks_exact(count).zip(multipliers).enumerate()
+        {
+            let sign = if index < self.values.len() { 1.0 } else { -1.0 };
+            for (sum, slope) in sum.iter_mut().zip(row) {
+                *sum += sign * multiplier * slope;
+            }
+        }
+        sum
+    }
+}

@@ -1,0 +1,24 @@
+//! Dimensions from a wanted motion: designs sought everywhere, then polished.
+//!
+//! A design is a list of numbers, each between bounds or on a circle. What it is worth is a [`Score`]: by how much mandatory
+//! conditions are missed, and, of designs that keep them all, a value that is to be small.
+
+#[cfg(feature = "synthesis")]
+mod curve;
+mod local;
+#[cfg(feature = "synthesis")]
+mod polish;
+mod population;
+mod problem;
+#[cfg(feature = "synthesis")]
+mod programme;
+mod search;
+#[cfg(test)]
+mod tests;
+
+pub use local::{Aim, Local, Look};
+#[cfg(feature = "synthesis")]
+pub use polish::{End, Polished, polish};
+pub use population::Population;
+pub use problem::{Judge, Score, Sought, SynthesisError};
+pub use search::{Effort, Found, search};

@@ -1,0 +1,3 @@
+mod everywhere;
+#[cfg(feature = "synthesis")]
+mod polished;

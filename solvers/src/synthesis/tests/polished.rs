@@ -1,0 +1,170 @@
+//! Polishing, on problems whose best is known.
+
+use super::super::*;
+
+/// A function that gives values, conditions and rows of slopes.
+struct Problem<F> {
+    sought: Vec<Sought>,
+    look: F,
+}
+
+impl<F: FnMut(&[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>)> Local for Problem<F> {
+    fn sought(&self) -> &[Sought] {
+        &self.sought
+    }
+
+    fn look(&mut self, design: &[f64]) -> Option<Look> {
+        let (values, conditions, slopes) = (self.look)(design);
+        Some(Look { values, conditions, slopes })
+    }
+}
+
+fn polished(
+    sought: Vec<Sought>,
+    aim: Aim,
+    from: &[f64],
+    look: impl FnMut(&[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>),
+) -> Polished {
+    let found = polish(&mut Problem { sought, look }, aim, from, 300).expect("it can be judged");
+    assert_eq!(found.end, End::Settled, "{found:?}");
+    found
+}
+
+/// Of all polynomials `x^5 + …` Chebyshev's deviates least from zero, by 1/16, at six points with alternating signs.
+#[test]
+fn the_polynomial_that_deviates_least() {
+    let points: Vec<f64> =
+        (0..=400).map(|k| (k as f64 / 400.0 * std::f64::consts::PI).cos()).collect();
+    let look = |c: &[f64]| {
+        let (mut values, mut slopes) = (Vec::new(), Vec::new());
+        for (sign, x) in
+            [1.0, -1.0].into_iter().flat_map(|sign| points.iter().map(move |x| (sign, x)))
+        {
+            let powers = [1.0, *x, x.powi(2), x.powi(3), x.powi(4)];
+            values.push(sign * (x.powi(5) + powers.iter().zip(c).map(|(p, c)| p * c).sum::<f64>()));
+            slopes.extend(powers.map(|power| sign * power));
+        }
+        (values, Vec::new(), slopes)
+    };
+    let found = polished(vec![Sought::between(-3.0, 3.0); 5], Aim::Largest, &[0.1; 5], look);
+    assert!((16.0 * found.value - 1.0).abs() < 1e-9, "{found:?}");
+    for (found, expected) in found.design.iter().zip([0.0, 5.0 / 16.0, 0.0, -1.25, 0.0]) {
+        assert!((found - expected).abs() < 1e-7, "{found} {expected}");
+    }
+    let held: Vec<_> = found.multipliers.iter().filter(|one| **one > 1e-6).collect();
+    assert_eq!(held.len(), 6);
+    assert!((held.into_iter().sum::<f64>() - 1.0).abs() < 1e-6);
+    assert!(found.slope < 1e-7);
+}
+
+/// CB2 of Charalambous and Bandler (1976): three functions of two numbers, of which two meet in a valley that bends.
+#[test]
+fn where_fewer_values_meet_than_there_are_numbers_and_one() {
+    let look = |x: &[f64]| {
+        let power = 2.0 * (x[1] - x[0]).exp();
+        let values =
+            vec![x[0].powi(2) + x[1].powi(4), (2.0 - x[0]).powi(2) + (2.0 - x[1]).powi(2), power];
+        let slopes = vec![
+            2.0 * x[0],
+            4.0 * x[1].powi(3),
+            2.0 * (x[0] - 2.0),
+            2.0 * (x[1] - 2.0),
+            -power,
+            power,
+        ];
+        (values, Vec::new(), slopes)
+    };
+    let found = polished(vec![Sought::between(-10.0, 10.0); 2], Aim::Largest, &[2.0, 2.0], look);
+    assert!((found.value - 1.952_224_493_8).abs() < 1e-9, "{found:?}");
+    assert!((found.design[0] - 1.139_037_7).abs() < 1e-5, "{found:?}");
+}
+
+/// Rosen and Suzuki (1965): the best lies at (0, 1, 2, -1), with multipliers 1, 0, 2.
+#[test]
+fn conditions_hold_with_their_multipliers() {
+    let look = |x: &[f64]| {
+        let value = x[0].powi(2) + x[1].powi(2) + 2.0 * x[2].powi(2) + x[3].powi(2)
+            - 5.0 * x[0]
+            - 5.0 * x[1]
+            - 21.0 * x[2]
+            + 7.0 * x[3];
+        let conditions = vec![
+            8.0 - x.iter().map(|x| x * x).sum::<f64>() - x[0] + x[1] - x[2] + x[3],
+            10.0 - x[0].powi(2) - 2.0 * x[1].powi(2) - x[2].powi(2) - 2.0 * x[3].powi(2)
+                + x[0]
+                + x[3],
+            5.0 - 2.0 * x[0].powi(2) - x[1].powi(2) - x[2].powi(2) - 2.0 * x[0] + x[1] + x[3],
+        ];
+        let slopes = [
+            [2.0 * x[0] - 5.0, 2.0 * x[1] - 5.0, 4.0 * x[2] - 21.0, 2.0 * x[3] + 7.0],
+            [-2.0 * x[0] - 1.0, -2.0 * x[1] + 1.0, -2.0 * x[2] - 1.0, -2.0 * x[3] + 1.0],
+            [-2.0 * x[0] + 1.0, -4.0 * x[1], -2.0 * x[2], -4.0 * x[3] + 1.0],
+            [-4.0 * x[0] - 2.0, -2.0 * x[1] + 1.0, -2.0 * x[2], 1.0],
+        ];
+        (vec![value], conditions, slopes.concat())
+    };
+    for from in [[0.0; 4], [3.0, -2.0, 4.0, 1.0]] {
+        let found = polished(vec![Sought::between(-10.0, 10.0); 4], Aim::Largest, &from, look);
+        assert!((found.value + 44.0).abs() < 1e-8 && found.missed < 1e-9, "{found:?}");
+        for (found, expected) in found.design.iter().zip([0.0, 1.0, 2.0, -1.0]) {
+            assert!((found - expected).abs() < 1e-5, "{found} {expected}");
+        }
+        for (found, expected) in found.multipliers.iter().zip([1.0, 1.0, 0.0, 2.0]) {
+            assert!((found - expected).abs() < 1e-3, "{found} {expected}");
+        }
+    }
+}
+
+/// The kinetics of Kowalik and Osborne (1968), least squares whose rest is not zero.
+#[test]
+fn least_squares() {
+    const Y: [f64; 11] =
+        [0.1957, 0.1947, 0.1735, 0.16, 0.0844, 0.0627, 0.0456, 0.0342, 0.0323, 0.0235, 0.0246];
+    const U: [f64; 11] = [4.0, 2.0, 1.0, 0.5, 0.25, 0.167, 0.125, 0.1, 0.0833, 0.0714, 0.0625];
+    let look = |x: &[f64]| {
+        let (mut values, mut slopes) = (Vec::new(), Vec::new());
+        for (y, u) in Y.iter().zip(U) {
+            let (top, base) = (u * u + u * x[1], u * u + u * x[2] + x[3]);
+            values.push(x[0] * top / base - y);
+            let factor = -x[0] * top / (base * base);
+            slopes.extend([top / base, x[0] * u / base, factor * u, factor]);
+        }
+        (values, Vec::new(), slopes)
+    };
+    let from = [0.25, 0.39, 0.415, 0.39];
+    let found = polished(vec![Sought::between(-1.0, 1.0); 4], Aim::Squares, &from, look);
+    assert!((2.0 * found.value / 3.075_056_038_492e-4 - 1.0).abs() < 1e-9, "{found:?}");
+}
+
+/// Bounds hold a design, and say what lies beyond them.
+#[test]
+fn at_a_bound() {
+    let look = |x: &[f64]| {
+        (
+            vec![(x[0] - 2.0).powi(2) + x[1].powi(2)],
+            Vec::new(),
+            vec![2.0 * (x[0] - 2.0), 2.0 * x[1]],
+        )
+    };
+    let sought = vec![Sought::between(-1.0, 1.0), Sought::between(-1.0, 1.0)];
+    let found = polished(sought, Aim::Largest, &[-0.5, 0.7], look);
+    assert!((found.design[0] - 1.0).abs() < 1e-12 && found.design[1].abs() < 1e-6, "{found:?}");
+    assert!((found.bounds[0] - 4.0).abs() < 1e-3 && found.bounds[1].abs() < 1e-3, "{found:?}");
+}
+
+/// Slopes that are not those of the values are no reason to go on for ever, nor to say that this is the best.
+#[test]
+fn wrong_slopes_are_told() {
+    let look = |x: &[f64]| (vec![x[0].powi(2)], Vec::new(), vec![-2.0 * x[0]]);
+    let sought = vec![Sought::between(-1.0, 1.0)];
+    let found = polish(&mut Problem { sought, look }, Aim::Largest, &[0.5], 300).expect("judged");
+    assert_eq!(found.end, End::Stuck, "{found:?}");
+}
+
+#[test]
+fn what_cannot_be_judged_is_refused() {
+    let look = |_: &[f64]| (vec![f64::NAN], Vec::new(), vec![1.0]);
+    let sought = vec![Sought::between(-1.0, 1.0)];
+    let found = polish(&mut Problem { sought, look }, Aim::Largest, &[0.5], 300);
+    assert_eq!(found.unwrap_err(), SynthesisError::NotJudged);
+}
