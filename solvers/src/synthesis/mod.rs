@@ -5,6 +5,7 @@
 
 #[cfg(feature = "synthesis")]
 mod curve;
+#[cfg(feature = "synthesis")]
 mod local;
 #[cfg(feature = "synthesis")]
 mod polish;
@@ -16,6 +17,7 @@ mod search;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "synthesis")]
 pub use local::{Aim, Local, Look};
 #[cfg(feature = "synthesis")]
 pub use polish::{End, Polished, polish};
