@@ -1,10 +1,12 @@
 //! The measures of a scene as data.
 
-use assur_model::checked::{ModeModel, Moment, Primitive, PrimitiveKind, SceneModel};
+use assur_model::checked::{
+    ModeModel, Moment, Primitive, PrimitiveKind, SceneModel, SynthesisInfo,
+};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::expression::size;
+use crate::expression::{number, size};
 
 /// The call that puts the measures into a shape, where the scene has any.
 pub fn call(scene: &SceneModel, measures: &TokenStream) -> Option<TokenStream> {
@@ -19,7 +21,25 @@ pub fn call(scene: &SceneModel, measures: &TokenStream) -> Option<TokenStream> {
         let uses = measure.uses.iter().map(|index| size(*index));
         quote!(&[#(#uses),*])
     });
-    Some(quote!(.measures(#measures, &[#(#uses),*], &[#(#primitives),*], #count)))
+    let sought = scene.synthesis.as_ref().map(sought);
+    Some(quote!(.measures(#measures, &[#(#uses),*], &[#(#primitives),*], #count) #sought))
+}
+
+/// The call that says what the scene seeks.
+fn sought(synthesis: &SynthesisInfo) -> TokenStream {
+    let varied = synthesis.varied.iter().map(|one| {
+        let (constant, from, to) = (size(one.constant), number(one.from), number(one.to));
+        quote!(Varied::new(#constant, #from, #to))
+    });
+    let conditions = synthesis.conditions.iter().map(|index| size(*index));
+    let objective = size(synthesis.objective);
+    quote! {
+        .synthesis(Synthesis {
+            varied: &[#(#varied),*],
+            conditions: &[#(#conditions),*],
+            objective: #objective,
+        })
+    }
 }
 
 fn primitive(primitive: &Primitive, modes: &[ModeModel]) -> TokenStream {

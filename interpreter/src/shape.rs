@@ -5,7 +5,7 @@
 use assur_model::checked::{
     AugmentedInfo, ConstantInfo, Direction, Distribution, ExpectInfo, ExpectPlace, GroupKind,
     LinkageInfo, LoopInfo, ModeModel, Moment, Primitive, PrimitiveKind, QuantityInfo, SceneModel,
-    Subject, VariableInfo,
+    Subject, SynthesisInfo, VariableInfo,
 };
 use assur_model::token::Span;
 use assur_solvers::shape::{self, Shape, Text};
@@ -56,6 +56,7 @@ pub fn shape(scene: &SceneModel, lines: Lines<'_>) -> &'static Shape {
         uses: list(uses),
         primitives: list(primitives),
         measured: program.results.measured.len(),
+        synthesis: scene.synthesis.as_ref().map(synthesis),
         equations: list(equations),
         operations: shape::Operations::of(counts.all()),
         marks: list(marks),
@@ -92,6 +93,15 @@ fn constant(info: &ConstantInfo) -> shape::Constant {
         tolerance: info.tolerance,
         distribution: distribution((info.tolerance, info.distribution), info.default),
         range: info.range,
+    }
+}
+
+fn synthesis(info: &SynthesisInfo) -> shape::Synthesis {
+    let varied = info.varied.iter();
+    shape::Synthesis {
+        varied: list(varied.map(|one| shape::Varied::new(one.constant, one.from, one.to))),
+        conditions: list(info.conditions.iter().copied()),
+        objective: info.objective,
     }
 }
 

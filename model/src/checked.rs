@@ -11,7 +11,9 @@ pub use linkage::{
     AugmentedInfo, DependentInfo, GroupInfo, GroupKind, LinkInfo, LinkageInfo, LoopInfo, RangeInfo,
     VariableInfo,
 };
-pub use measure::{MeasureInfo, Measured, Moment, Primitive, PrimitiveKind};
+pub use measure::{
+    MeasureInfo, Measured, Moment, Primitive, PrimitiveKind, SynthesisInfo, VariedInfo,
+};
 pub use mode::{EventInfo, ModeModel};
 pub use tests::Test;
 
@@ -123,6 +125,8 @@ pub struct SceneModel {
     pub measures: Vec<MeasureInfo>,
     /// What is found of the run for them.
     pub primitives: Vec<Primitive>,
+    /// What it seeks, if it is a synthesis.
+    pub synthesis: Option<SynthesisInfo>,
     /// Number of coordinates.
     pub coordinates: usize,
     /// Absolute tolerance of each state per unit of relative tolerance, SI units.

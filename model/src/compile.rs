@@ -35,6 +35,7 @@ use crate::resolve::Role;
 use crate::scene::{Selected, Survey};
 use crate::statements::Parts;
 use crate::syntax::tree::{File, Scene};
+use crate::synthesis;
 use crate::token::Span;
 
 use ask::Asked;
@@ -285,6 +286,7 @@ fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
     if mode.declared.is_linkage() {
         model.linkage = Some(request::influences(&mode, &kept, &mut request, low));
     }
+    model.synthesis = synthesis::read(scene, &model, &mode.declared.constants, low);
     let kinds = &mode.asked.measures.kinds;
     let file = (mode.here.task.file, mode.here.task.is_first);
     model.expectations = crate::published::expectations(low, file, &model, kinds, stretch);

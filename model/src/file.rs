@@ -15,6 +15,7 @@ use crate::scene::{Selected, Survey};
 use crate::syntax;
 use crate::syntax::parser::Changes;
 use crate::syntax::tree::{File, Scene};
+use crate::synthesis;
 use crate::token::{Span, Token};
 
 /// Compiles the tokens of a mechanism on this thread.
@@ -188,6 +189,7 @@ fn scene_within(
     let budget = seen.budget.clone();
     let result = expression::within(|| {
         let mut model = joined::scene(task, seen, diagnostics)?;
+        synthesis::settle(&mut model, diagnostics);
         if model.may_stop {
             model.unreduced = unreduced(task).map(Box::new);
         }

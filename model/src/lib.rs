@@ -44,6 +44,7 @@ mod slopes;
 mod statements;
 pub mod structure;
 pub mod syntax;
+mod synthesis;
 pub mod texts;
 pub mod token;
 pub mod unit;

@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::nearest::nearest;
 use crate::syntax::tree::{
     Constant, Dependent, Driver, Name, Output, Statement, StatementKind, Target, Term, TermKind,
-    Unknown,
+    UnitTerm, Unknown,
 };
 use crate::syntax::words::{FUNCTIONS, MEASURING, QUANTITIES};
 use crate::token::Span;
@@ -283,7 +283,23 @@ impl Names {
         self.outputs.push(Declared { name, summary, what: output.clone() });
     }
 
-    fn declare_measure(&mut self, what: &Output, summary: &str, diagnostics: &mut Diagnostics) {
+    /// Declares a number that a synthesis asks for under its own text, unless it has been asked for.
+    pub fn seek(&mut self, name: Name, value: Term, text: Option<String>, unit: Option<UnitTerm>) {
+        if self.table.contains_key(&name.text) {
+            return;
+        }
+        let role = Role::Measure(value.clone());
+        self.table.insert(name.text.clone(), Entry { span: name.span, role });
+        let what = Output { name: None, value: Some(value), unit, span: name.span };
+        self.measures.push(Declared { name, summary: text.unwrap_or_default(), what });
+    }
+
+    pub(crate) fn declare_measure(
+        &mut self,
+        what: &Output,
+        summary: &str,
+        diagnostics: &mut Diagnostics,
+    ) {
         let (Some(target), Some(value)) = (&what.name, &what.value) else {
             return;
         };

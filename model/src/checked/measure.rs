@@ -1,6 +1,7 @@
 //! Numbers of a whole run, and what is found of it for them.
 
 use super::QuantityInfo;
+use crate::token::Span;
 
 /// A number of a whole run.
 #[derive(Clone, Debug)]
@@ -9,6 +10,32 @@ pub struct MeasureInfo {
     pub quantity: QuantityInfo,
     /// The primitives that it is made of, by index.
     pub uses: Vec<usize>,
+}
+
+/// What a scene seeks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SynthesisInfo {
+    /// The constants that are varied.
+    pub varied: Vec<VariedInfo>,
+    /// The measures that must not be below zero, the most important first.
+    pub conditions: Vec<usize>,
+    /// The measure that is made small.
+    pub objective: usize,
+}
+
+/// A constant that is varied.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VariedInfo {
+    /// Its name.
+    pub name: String,
+    /// Where that stands.
+    pub place: Span,
+    /// Its place among the constants of the scene.
+    pub constant: usize,
+    /// Lower end of its range, SI units.
+    pub from: f64,
+    /// Upper end.
+    pub to: f64,
 }
 
 /// A number of a run that is found by looking at it.

@@ -9,6 +9,7 @@ use crate::lower::{Lowering, Moved};
 use crate::resolve::Names;
 use crate::syntax::tree::{EnergyKind, Output, Scene, SceneItem, StatementKind, Term, TermKind};
 use crate::syntax::words::{MEASURING, POSITIONAL};
+use crate::synthesis;
 use crate::unit::Unit;
 
 /// The declared quantities.
@@ -66,6 +67,7 @@ pub fn names(here: Here<'_>, diagnostics: &mut Diagnostics) -> (Names, usize) {
             names.declare_output(output, String::new(), diagnostics);
         }
     }
+    synthesis::declare(here.scene(), &mut names, diagnostics);
     // A scene that says what it reports reports only that.
     let has_own = names.outputs.len() > shared;
     (names, if has_own { shared } else { 0 })

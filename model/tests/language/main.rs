@@ -19,6 +19,7 @@ mod right;
 mod scenes;
 mod searches;
 mod slips;
+mod synthesis;
 mod tables;
 mod wrong;
 

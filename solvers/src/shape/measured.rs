@@ -1,4 +1,6 @@
-//! What measures find of a run.
+//! What measures find of a run, and what a synthesis seeks by them.
+
+use super::List;
 
 /// A number of a run that is found by looking at it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +25,36 @@ impl Primitive {
     pub const fn within(mut self, window: usize) -> Self {
         self.window = Some(window);
         self
+    }
+}
+
+/// What a scene seeks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Synthesis {
+    /// The constants that are varied.
+    pub varied: List<Varied>,
+    /// The measures that must not be below zero, by index, the most important first.
+    pub conditions: List<usize>,
+    /// The measure that is made small, by index.
+    pub objective: usize,
+}
+
+/// A constant that a synthesis chooses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Varied {
+    /// Its index.
+    pub constant: usize,
+    /// Lower end of its range, SI units.
+    pub from: f64,
+    /// Upper end.
+    pub to: f64,
+}
+
+impl Varied {
+    /// A constant with its range.
+    #[doc(hidden)]
+    pub const fn new(constant: usize, from: f64, to: f64) -> Self {
+        Self { constant, from, to }
     }
 }
 

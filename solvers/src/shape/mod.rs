@@ -13,7 +13,7 @@ pub use facts::{At, Energy, EquationText, Expectation, Mark, Operations, Subject
 #[cfg(test)]
 pub(crate) use loops::by_hand;
 pub use loops::{Augmented, Group, GroupKind, Link, LinkageEntry, Loop, Variable};
-pub use measured::{Kind, Moment, NamedEvent, Primitive};
+pub use measured::{Kind, Moment, NamedEvent, Primitive, Synthesis, Varied};
 pub use modes::{Direction, EventEntry, ModeEntry};
 pub use quantity::{Constant, Distribution, Quantity, Unit};
 
@@ -61,6 +61,8 @@ pub struct Shape {
     pub primitives: List<Primitive>,
     /// Number of quantities that primitives look at.
     pub measured: usize,
+    /// What it seeks, if it is a synthesis.
+    pub synthesis: Option<Synthesis>,
     /// The equations as text.
     pub equations: List<EquationText>,
     /// Operations of one call of each emitted function.
@@ -125,6 +127,7 @@ impl Shape {
             uses: &[],
             primitives: &[],
             measured: 0,
+            synthesis: None,
             equations: &[],
             operations: Operations::of([0; 8]),
             marks: &[],
@@ -188,6 +191,13 @@ impl Shape {
     ) -> Self {
         (self.measures, self.uses) = (measures, uses);
         (self.primitives, self.measured) = (primitives, measured);
+        self
+    }
+
+    /// What it seeks.
+    #[doc(hidden)]
+    pub const fn synthesis(mut self, synthesis: Synthesis) -> Self {
+        self.synthesis = Some(synthesis);
         self
     }
 

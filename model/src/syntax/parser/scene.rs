@@ -5,7 +5,7 @@ use super::{Parser, Read};
 use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::{
     Expect, ExpectAt, Name, Output, Scene, SceneItem, Selection, StatementKind, SweepRange, Target,
-    Term, TermKind,
+    Term, TermKind, Varied,
 };
 
 impl Parser<'_> {
@@ -55,7 +55,7 @@ impl Parser<'_> {
     pub(super) fn item(&mut self) -> Read<Vec<SceneItem>> {
         let _ = self.documentation();
         let keyword = self.name(
-            "what the scene does: `periodic`, `run`, `rest`, `sweep`, `hold`, `preset`, `output` or `start`",
+            "what the scene does: `periodic`, `run`, `rest`, `sweep`, `hold`, `preset`, `output`, `start`, `vary`, `require` or `minimise`",
         )?;
         let items = match keyword.text.as_str() {
             "periodic" => {
@@ -90,6 +90,14 @@ impl Parser<'_> {
                 let drivers = self.commas(Self::sweep_range)?;
                 vec![SceneItem::Sweep { drivers }]
             }
+            "vary" => {
+                let constants = self.commas(Self::varied)?;
+                vec![SceneItem::Vary { constants }]
+            }
+            "require" => {
+                vec![SceneItem::Require { condition: self.term()?, text: self.text() }]
+            }
+            "minimise" => vec![SceneItem::Minimise { what: self.output()? }],
             "hold" => {
                 let drivers = self.commas(|parser| parser.path("a driver"))?;
                 vec![SceneItem::Hold { drivers }]
@@ -103,7 +111,7 @@ impl Parser<'_> {
             }
             other => {
                 let message = format!("`{other}` is nothing that a scene does");
-                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `rest`, `sweep`, `hold`, `preset`, `output` or `start`"));
+                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `rest`, `sweep`, `hold`, `preset`, `output`, `start`, `vary`, `require` or `minimise`"));
             }
         };
         self.operator(";")?;
@@ -130,6 +138,13 @@ impl Parser<'_> {
         let ends = self.is_operator(",") || self.is_operator(";");
         let range = if ends { None } else { Some(self.range()?) };
         Ok(SweepRange { driver, range })
+    }
+
+    /// `L1` or `L1 in 3 mm .. 20 mm`
+    fn varied(&mut self) -> Read<Varied> {
+        let constant = self.path("a dimension or parameter")?;
+        let range = if self.take_word("in") { Some(self.range()?) } else { None };
+        Ok(Varied { constant, range })
     }
 
     /// `x`, `F1 [kN]`, `F1 = … [kN]`, `dot(x) [mm/s]`

@@ -47,6 +47,21 @@ pub enum SceneItem {
     Hold { drivers: Vec<Name> },
     /// `start run;`: the mode in which the motion begins.
     StartIn { mode: Name },
+    /// `vary L1 in 3 mm .. 20 mm, eta;`: constants that a synthesis chooses.
+    Vary { constants: Vec<Varied> },
+    /// `require peak(mu) < 50 deg "text";`: a condition that a synthesis keeps.
+    Require { condition: Term, text: Option<String> },
+    /// `minimise peak(abs(error));`: what a synthesis makes small.
+    Minimise { what: Output },
+}
+
+/// A constant that a synthesis chooses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Varied {
+    /// The constant.
+    pub constant: Name,
+    /// Between which values; within its permitted range unless stated.
+    pub range: Option<(Term, Term)>,
 }
 
 /// A driver that a scene moves through a range.

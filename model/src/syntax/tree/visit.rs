@@ -120,6 +120,12 @@ impl Scene {
                 SceneItem::StartIn { mode } => visitor.name(mode),
                 SceneItem::Output(output) => output.visit(visitor),
                 SceneItem::Start { values } => pairs(values, visitor),
+                SceneItem::Vary { constants } => {
+                    let ranges = constants.iter_mut().filter_map(|one| one.range.as_mut());
+                    ranges.for_each(|(from, to)| pair((from, to), visitor));
+                }
+                SceneItem::Require { condition, .. } => visitor.term(condition),
+                SceneItem::Minimise { what } => what.visit(visitor),
             }
         }
     }
