@@ -15,7 +15,7 @@ pub use assur_registry::{check, registry, study};
 pub use assur_solvers::exact;
 pub use assur_solvers::{
     answer, closure, dense, dispatch, hybrid, measure, model, periodic, problem, rest, scalar,
-    series, shape, stiff, tolerance,
+    series, shape, stiff, synthesis, tolerance,
 };
 
 /// The motion of a scene without events, and the explicit methods that it is found by.

@@ -74,6 +74,9 @@ pub enum Command {
     /// Measure many runs: over a range of values, over two of them, or with values made at random.
     #[command(after_help = crate::study::EXAMPLES)]
     Study(crate::study::StudyArguments),
+    /// Seek the values for which a scene is as it should be.
+    #[command(after_help = crate::synth::EXAMPLES)]
+    Synth(crate::synth::SynthArguments),
     /// Find what accuracy costs in time: each method at each tolerance against a reference.
     #[command(after_help = crate::cost::EXAMPLES)]
     Cost(crate::cost::CostArguments),

@@ -37,6 +37,7 @@ mod show;
 mod source;
 mod structure;
 mod study;
+mod synth;
 mod test;
 mod tolerance;
 mod watch;
@@ -74,6 +75,7 @@ pub fn main(mechanisms: &'static [Mechanism]) -> ExitCode {
         Command::Scenes(options) => scenes::execute(options, registry),
         Command::Modes(options) => modes::execute(options, registry),
         Command::Study(options) => study::execute(options, registry),
+        Command::Synth(options) => synth::execute(options, registry),
         Command::Tolerance(options) => tolerance::execute(options, registry),
         Command::Schema(options) => schema::execute(options),
     };

@@ -24,6 +24,7 @@ enum Of {
     Cost,
     Resonances,
     Sensitivity,
+    Synth,
     Tolerance,
 }
 
@@ -38,6 +39,7 @@ impl Of {
             Self::Cost => include_str!("../schema/cost.json"),
             Self::Resonances => include_str!("../schema/resonances.json"),
             Self::Sensitivity => include_str!("../schema/sensitivity.json"),
+            Self::Synth => include_str!("../schema/synth.json"),
             Self::Tolerance => include_str!("../schema/tolerance.json"),
         }
     }
@@ -54,7 +56,7 @@ pub fn execute(options: &SchemaArguments) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use super::Of;
-    use crate::{cost, modes, run, structure, study, tolerance};
+    use crate::{cost, modes, run, structure, study, synth, tolerance};
     use schemars::{JsonSchema, schema_for};
     use serde_json::Value;
 
@@ -95,8 +97,9 @@ mod tests {
             check::<cost::Object>(Of::Cost, "cost"),
             check::<study::ResonancesObject>(Of::Resonances, "resonances"),
             check::<study::SensitivityObject>(Of::Sensitivity, "sensitivity"),
+            check::<synth::Object>(Of::Synth, "synth"),
             check::<tolerance::Object>(Of::Tolerance, "tolerance"),
         ];
-        assert_eq!(same, [true; 9], "ASSUR_BLESS=1 writes schema/ anew");
+        assert_eq!(same, [true; 10], "ASSUR_BLESS=1 writes schema/ anew");
     }
 }

@@ -153,6 +153,14 @@ pub fn no_measures(mechanism: &Mechanism, found: &SceneEntry) -> Failure {
     )
 }
 
+/// Why there is nothing to seek in a scene.
+pub fn no_synthesis(mechanism: &Mechanism, found: &SceneEntry) -> Failure {
+    let what = format!("scene `{}` of `{}` varies nothing", found.name, mechanism.name);
+    Failure::request(what).remedy(
+        "a scene says what it seeks: `vary l1 in 5 mm .. 60 mm; minimise peak(abs(error));`",
+    )
+}
+
 /// If the name is that of an effect, of a choice or of an alternative: which scenes have it.
 pub fn with_feature(mechanism: &Mechanism, name: &str) -> Option<String> {
     let scenes = |has: &dyn Fn(&SceneEntry) -> bool| {

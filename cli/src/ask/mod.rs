@@ -64,6 +64,8 @@ pub enum For {
     Measured,
     /// Those that have points, or are surfaces.
     Drawn,
+    /// Those that choose their own values.
+    Synthesis,
 }
 
 impl For {
@@ -76,6 +78,7 @@ impl For {
                 scene.linkage.is_some() || scene.reduced.is_some() || scene.augmented.is_some()
             }
             Self::Measured => !scene.measures.is_empty(),
+            Self::Synthesis => scene.synthesis.is_some(),
             Self::Drawn => !scene.points.is_empty() || surface::is_surface(scene),
         }
     }
@@ -96,6 +99,7 @@ impl For {
             _ if self.suits(scene) => Ok(scene),
             Self::Linkages | Self::Loops => Err(lookup::no_linkage(registry, mechanism, scene)),
             Self::Drawn => Err(surface::nothing(mechanism, scene)),
+            Self::Synthesis => Err(lookup::no_synthesis(mechanism, scene)),
             _ => Err(lookup::no_measures(mechanism, scene)),
         }
     }

@@ -21,6 +21,7 @@ mod shipped;
 mod signals;
 mod studies;
 mod surfaces;
+mod synth;
 mod tolerances;
 
 use std::path::{Path, PathBuf};

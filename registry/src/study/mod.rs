@@ -9,6 +9,7 @@ mod draw;
 mod resonances;
 mod sensitivity;
 mod spread;
+mod synthesis;
 mod trust;
 
 pub use attractors::{Attractor, Found, Look, attractors};
@@ -18,6 +19,7 @@ pub use resonances::{
 };
 pub use sensitivity::{Slope, slopes};
 pub use spread::{Spread, share, spread};
+pub use synthesis::{Candidate, Design, seek};
 pub use trust::{Told, Trust, trust};
 
 use std::num::NonZeroUsize;

@@ -3,13 +3,14 @@
 use std::f64::consts::TAU;
 
 use crate::closure::extent::limits::stretch_of;
-use crate::closure::extent::measures::{Measured, measures_of};
+use crate::closure::extent::measures::{Measured, measures_of, weighed_of};
 use crate::closure::extent::strokes::strokes_of;
 use crate::closure::modes::modes_of;
 use crate::closure::{
     Along, AnyLinkage, AssemblyMode, ClosureError, Newton, Range, Search, Stretch, Stroke,
     instant_at,
 };
+use crate::measure::Missing;
 use crate::problem::Span;
 
 /// Solutions nearer to each other than this are the same, in radians, metres or whatever a coordinate is in.
@@ -96,6 +97,23 @@ impl dyn AnyLinkage + '_ {
     /// Why the linkage does not get through it.
     pub fn measures(&self, along: Along) -> Result<Vec<Measured>, ClosureError> {
         measures_of(self, along)
+    }
+
+    /// The same at a seventh of the cost, for designs that are weighed against many others: without errors.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn weighed(&self, along: Along) -> Result<Vec<Result<f64, Missing>>, ClosureError> {
+        weighed_of(self, along)
+    }
+
+    /// The measures that follow from the constants alone; what is found on a way is no number.
+    pub fn of_constants(&self) -> Vec<f64> {
+        let shape = self.shape();
+        let mut values = vec![f64::NAN; shape.measures.len()];
+        let found = vec![f64::NAN; shape.primitives.len()];
+        self.prepare(&self.values()).measures(&found, &mut values);
+        values
     }
 
     /// The way of the task, where it has one: that of the only driver that is swept, or the time. A sweep may go backwards.

@@ -1,0 +1,60 @@
+//! What can be asked of `assur synth`.
+
+use clap::Args;
+
+use crate::answer::Format;
+use crate::ask::Asked;
+use crate::ask::settings::Accuracy;
+use crate::ask::values::whole;
+
+/// Examples, and what is found.
+pub const EXAMPLES: &str = "Examples:
+  assur synth my.eqn
+  assur synth my.eqn --evaluations 400000 --searches 8 --seed 7
+  assur synth my.eqn --set l4=110mm --format json
+
+The scene says what is varied, kept and made small: `vary l1 in 5 mm .. 60 mm;`, `require peak(mu) < 50 deg;`,
+`minimise peak(abs(error));`. Its own values do not count where they are varied, so that --set and --preset give the others.
+
+All designs between the bounds are sought, several times, each time from others; a design that misses a condition is worse than
+any that keeps it. The distinct designs that were found are printed, the best one first, with what is left of each condition, and
+each as a preset that can be put into the equation file. An interrupt (Ctrl-C) ends the search and prints what there is.
+
+Csv has one row a design.";
+
+/// Most designs that are judged.
+const MOST: u64 = 10_000_000_000;
+/// Most threads.
+const THREADS: u64 = 1024;
+
+/// Options of `assur synth`.
+#[derive(Args, Debug)]
+pub struct SynthArguments {
+    #[command(flatten)]
+    pub asked: Asked,
+    /// Designs that are judged, all searches together.
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<1, MOST>)]
+    #[arg(default_value = "80000", allow_hyphen_values = true)]
+    pub evaluations: u64,
+    /// Searches, each from other designs.
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<1, 10_000>)]
+    #[arg(default_value = "4", allow_hyphen_values = true)]
+    pub searches: u64,
+    /// Designs of the first generation of a search; 18 for each value that is varied unless given.
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<4, 1_000_000>)]
+    #[arg(allow_hyphen_values = true)]
+    pub population: Option<u64>,
+    /// Which designs are begun with: the same seed finds the same ones.
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<0, { u64::MAX }>)]
+    #[arg(default_value = "1", allow_hyphen_values = true)]
+    pub seed: u64,
+    /// Number of threads; as many as the machine has unless given.
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<0, THREADS>)]
+    #[arg(default_value = "0", allow_hyphen_values = true)]
+    pub threads: u64,
+    #[command(flatten)]
+    pub accuracy: Accuracy,
+    /// What is printed.
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}

@@ -1,0 +1,120 @@
+//! The answer as an object.
+
+use serde::Serialize;
+
+use super::Found;
+use crate::show::json::{About, Amount, Number, number};
+use crate::show::unit;
+
+/// The answer of `assur synth` as an object.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct Object {
+    /// `assur-synth/1`.
+    format: &'static str,
+    #[serde(flatten)]
+    about: About,
+    varied: Vec<Varied>,
+    /// The measure that is made small.
+    minimised: &'static str,
+    /// The measures that must not be below zero, the most important first.
+    kept: Vec<&'static str>,
+    /// The best one first.
+    designs: Vec<Design>,
+    /// Designs that were judged.
+    evaluations: u64,
+    seed: u64,
+    /// Whether nobody stopped it.
+    whole: bool,
+    seconds: f64,
+}
+
+/// A value that is varied.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Varied {
+    name: &'static str,
+    unit: &'static str,
+    from: f64,
+    to: f64,
+}
+
+/// A design that was found.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Design {
+    values: Vec<Amount>,
+    /// Whether it keeps all conditions.
+    keeps: bool,
+    /// What is made small, then what is left of each condition.
+    measures: Vec<Measure>,
+    /// Why it has none; null where it has.
+    reason: Option<String>,
+    /// The statement of an equation file that gives its values.
+    preset: String,
+    /// Whether the search that found it had come to an end.
+    gathered: bool,
+    /// Designs that this search judged.
+    evaluations: u64,
+}
+
+/// A measure of a design.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Measure {
+    name: &'static str,
+    unit: &'static str,
+    value: Number,
+    estimated_error: Number,
+}
+
+impl Object {
+    /// The object.
+    pub fn of(found: &Found) -> Self {
+        let varied = found.varied().zip(found.synthesis.varied).map(|(quantity, one)| Varied {
+            name: quantity.name,
+            unit: quantity.unit,
+            from: unit::stated(one.from, quantity.factor),
+            to: unit::stated(one.to, quantity.factor),
+        });
+        let kept = found.synthesis.conditions.iter().map(|index| found.measure(*index).name);
+        Self {
+            format: "assur-synth/1",
+            about: About::of(&found.constants),
+            varied: varied.collect(),
+            minimised: found.measure(found.synthesis.objective).name,
+            kept: kept.collect(),
+            designs: (1..=found.designs.len()).map(|number| Design::of(found, number)).collect(),
+            evaluations: found.evaluations,
+            seed: found.seed,
+            whole: found.is_whole,
+            seconds: found.seconds,
+        }
+    }
+}
+
+impl Design {
+    /// The design of a number, counted from one.
+    fn of(found: &Found, place: usize) -> Self {
+        let proposal = &found.designs[place - 1];
+        let values = found.varied().zip(&proposal.candidate.design);
+        let measures = found.measures().map(|(index, quantity)| {
+            let (value, error) = proposal.measure(index);
+            Measure {
+                name: quantity.name,
+                unit: quantity.unit,
+                value: number(unit::stated(value, quantity.factor)),
+                estimated_error: number(unit::stated(error, quantity.factor)),
+            }
+        });
+        Self {
+            values: values.map(|(quantity, value)| Amount::of(quantity, *value)).collect(),
+            keeps: proposal.candidate.score.is_kept(),
+            measures: measures.collect(),
+            reason: proposal.measures.as_ref().err().cloned(),
+            preset: proposal.preset(found, place),
+            gathered: proposal.candidate.is_gathered,
+            evaluations: proposal.candidate.evaluations,
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! `assur synth`: the values for which a scene is as it should be.
+
+mod arguments;
+mod json;
+mod table;
+
+pub use arguments::{EXAMPLES, SynthArguments};
+#[cfg(test)]
+pub use json::Object;
+
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::time::Instant;
+
+use assur::shape::{Quantity, Synthesis};
+use assur::study::{Candidate, Design, seek};
+use assur::synthesis::Effort;
+use serde::Serialize;
+
+use crate::answer::{Answer, give};
+use crate::ask::For;
+use crate::ask::constants::Constants;
+use crate::ask::lookup::Registry;
+use crate::error::Failure;
+use crate::show::csv::{cell, line, title};
+use crate::show::output::Stoppable;
+use crate::show::page::Page;
+use crate::show::progress::Progress;
+use crate::show::unit;
+
+/// Seeks values for a scene.
+///
+/// # Errors
+/// A wrong request. That no design keeps all conditions is told after the one that comes nearest.
+pub fn execute(options: &SynthArguments, registry: Registry) -> Result<(), Failure> {
+    give(options.format, None, || Found::find(options, registry))
+}
+
+/// The designs that were found.
+struct Found {
+    constants: Constants,
+    synthesis: Synthesis,
+    designs: Vec<Proposal>,
+    /// Designs that were judged.
+    evaluations: u64,
+    seed: u64,
+    seconds: f64,
+    /// Whether nobody stopped it.
+    is_whole: bool,
+}
+
+/// A design that was found.
+struct Proposal {
+    candidate: Candidate,
+    /// Its measures with their errors; none where it does not get through its task.
+    measures: Result<Vec<(f64, f64)>, String>,
+}
+
+impl Found {
+    fn find(options: &SynthArguments, registry: Registry) -> Result<Self, Failure> {
+        let clock = Instant::now();
+        let constants = options.asked.find(registry, "synth", For::Synthesis)?;
+        let scene = constants.scene;
+        let settings = match scene.linkage {
+            Some(_) => options.accuracy.none_for_linkages()?,
+            None => options.accuracy.settings(scene)?,
+        };
+        let design = Design::of(scene, &constants.values, &settings);
+        let design = design.ok_or_else(|| Failure::request("the scene seeks nothing"))?;
+        refuse_given(&constants, design.synthesis())?;
+        let effort = Effort {
+            evaluations: options.evaluations,
+            seed: options.seed,
+            population: options.population.map(|size| size as usize),
+            threads: options.threads as usize,
+        };
+        let what = format!("{}, scene {}: designs", constants.mechanism.name, scene.name);
+        let (bar, stoppable) = (Progress::start(what, options.evaluations), Stoppable::begin());
+        let mut heard = 0;
+        let mut progress = |judged: u64, _| {
+            bar.advance_by(judged.saturating_sub(heard));
+            heard = heard.max(judged);
+            match stoppable.is_stopped() {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
+            }
+        };
+        let found = seek(&design, &effort, options.searches, &mut progress);
+        let found = found.map_err(|error| Failure::request(error.to_string()))?;
+        let is_whole = !stoppable.is_stopped();
+        drop((bar, stoppable));
+        let designs = found
+            .into_iter()
+            .map(|candidate| Proposal { measures: design.measures(&candidate.design), candidate });
+        Ok(Self {
+            synthesis: design.synthesis(),
+            designs: designs.collect(),
+            constants,
+            evaluations: heard,
+            seed: options.seed,
+            seconds: clock.elapsed().as_secs_f64(),
+            is_whole,
+        })
+    }
+
+    fn varied(&self) -> impl Iterator<Item = &'static Quantity> {
+        let constants = self.constants.scene.constants;
+        self.synthesis.varied.iter().map(|one| &constants[one.constant].quantity)
+    }
+
+    fn measure(&self, index: usize) -> &'static Quantity {
+        &self.constants.scene.measures[index]
+    }
+
+    /// The measures of interest: what is made small, then the margins.
+    fn measures(&self) -> impl Iterator<Item = (usize, &'static Quantity)> {
+        let all = std::iter::once(&self.synthesis.objective).chain(self.synthesis.conditions);
+        all.map(|index| (*index, self.measure(*index)))
+    }
+}
+
+/// A value that is varied cannot be given.
+fn refuse_given(constants: &Constants, synthesis: Synthesis) -> Result<(), Failure> {
+    let given = constants.given_names();
+    for one in synthesis.varied {
+        let name = constants.scene.constants[one.constant].quantity.name;
+        if given.contains(&name) {
+            return Err(Failure::request(format!("`{name}` is varied, and cannot be given"))
+                .place(format!("--set {name}=…"))
+                .remedy("leave it out, or state another scene that does not vary it"));
+        }
+    }
+    Ok(())
+}
+
+impl Proposal {
+    /// A measure with its error.
+    fn measure(&self, index: usize) -> (f64, f64) {
+        self.measures.as_ref().map_or((f64::NAN, f64::NAN), |all| all[index])
+    }
+
+    /// The statement of an equation file that gives its values.
+    fn preset(&self, found: &Found, number: usize) -> String {
+        let values = found.varied().zip(&self.candidate.design).map(|(quantity, value)| {
+            let stated = unit::stated(*value, quantity.factor);
+            match quantity.unit {
+                "" => format!("{} = {stated};", quantity.name),
+                unit if unit.contains(['/', ' ', '^', '*', '(']) => {
+                    format!("{} = {stated} [{unit}];", quantity.name)
+                }
+                unit => format!("{} = {stated} {unit};", quantity.name),
+            }
+        });
+        let values: Vec<String> = values.collect();
+        format!("preset found_{number} \"by synthesis\" {{ {} }}", values.join(" "))
+    }
+}
+
+impl Answer for Found {
+    fn table(&self, page: &mut Page, _: Option<&Path>) {
+        table::render(page, self);
+    }
+
+    fn csv(&self) -> String {
+        let measures: Vec<_> = self.measures().collect();
+        let heads = self.varied().chain(measures.iter().map(|one| one.1));
+        let mut text = line(heads.map(|one| title(one.name, one.unit)));
+        for proposal in &self.designs {
+            let values = self.varied().zip(&proposal.candidate.design);
+            let values = values.map(|(quantity, value)| cell(value / quantity.factor));
+            let found = measures
+                .iter()
+                .map(|(index, quantity)| cell(proposal.measure(*index).0 / quantity.factor));
+            text += &line(values.chain(found));
+        }
+        text
+    }
+
+    fn json(&self, _: Option<&Path>) -> impl Serialize {
+        json::Object::of(self)
+    }
+
+    fn outcome(&self) -> Result<(), Failure> {
+        if !self.is_whole {
+            let what = "it was stopped: more may be found with the whole effort";
+            return Err(Failure::interrupted(what));
+        }
+        if self.designs.iter().any(|one| one.candidate.score.is_kept()) {
+            return Ok(());
+        }
+        Err(Failure::numerical("no design was found that keeps all conditions")
+            .reason(self.hardest())
+            .remedy("widen the bounds, relax what is missed, or seek longer: --evaluations"))
+    }
+}
+
+impl Found {
+    /// What the best design misses first, and by how much.
+    fn hardest(&self) -> String {
+        let Some(best) = self.designs.first() else {
+            return "none was judged".to_owned();
+        };
+        if let Err(reason) = &best.measures {
+            return format!("the best one does not get through its task: {reason}");
+        }
+        let missed = self.synthesis.conditions.iter().find_map(|index| {
+            let (value, quantity) = (best.measure(*index).0, self.measure(*index));
+            (value < 0.0 || value.is_nan()).then(|| {
+                let by = crate::show::number::significant(-value / quantity.factor, 4);
+                format!("`{}` is missed by {by} {}", quantity.name, quantity.unit)
+            })
+        });
+        missed.unwrap_or_else(|| "its measures are no numbers".to_owned())
+    }
+}

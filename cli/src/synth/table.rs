@@ -1,0 +1,86 @@
+//! The answer as tables to read.
+
+use super::Found;
+use crate::show::number;
+use crate::show::page::Page;
+use crate::show::text::{Align, Columns};
+
+/// Most designs side by side.
+const DESIGNS: usize = 6;
+
+/// All tables.
+pub fn render(page: &mut Page, found: &Found) {
+    page.about(&found.constants, "synthesis");
+    problem(page, found);
+    designs(page, found);
+    for (number, proposal) in (1..).zip(found.designs.iter().take(DESIGNS)) {
+        page.line(&proposal.preset(found, number));
+    }
+    if found.designs.len() > DESIGNS {
+        page.line(&format!("{} more are in --format json.", found.designs.len() - DESIGNS));
+    }
+    page.line("");
+    let seconds = number::duration(found.seconds);
+    let each = number::duration(found.seconds / found.evaluations.max(1) as f64);
+    let judged = number::count(found.evaluations as usize);
+    page.line(&format!("{judged} designs were judged in {seconds}, {each} each."));
+    if found.designs.iter().any(|one| !one.candidate.is_gathered) {
+        page.line("Not every search had come to an end: --evaluations may find better ones.");
+    }
+}
+
+/// The problem in words.
+fn problem(page: &mut Page, found: &Found) {
+    let objective = found.measure(found.synthesis.objective);
+    page.line(&format!("Made small: {}", objective.name));
+    for index in found.synthesis.conditions {
+        let quantity = found.measure(*index);
+        let text = if quantity.summary.is_empty() { "" } else { ", " };
+        page.line(&format!("Kept:       {}{text}{}", quantity.name, quantity.summary));
+    }
+    page.line("");
+}
+
+fn designs(page: &mut Page, found: &Found) {
+    let shown: Vec<_> = found.designs.iter().take(DESIGNS).collect();
+    let headings: Vec<String> =
+        (1..=shown.len()).map(|number| format!("design {number}")).collect();
+    let columns = |first: &[(&'static str, Align)]| {
+        let own = headings.iter().map(|heading| (heading.as_str(), Align::Point));
+        Columns::new(first.iter().copied().chain(own).collect::<Vec<_>>())
+    };
+    let mut table = columns(&[
+        ("", Align::Left),
+        ("from", Align::Point),
+        ("to", Align::Point),
+        ("", Align::Left),
+    ]);
+    for (place, (quantity, range)) in found.varied().zip(found.synthesis.varied).enumerate() {
+        let end = |value: f64| number::short(value / quantity.factor);
+        let values = shown.iter().map(|one| one.candidate.design[place] / quantity.factor);
+        let values = values.map(|value| number::significant(value, 8));
+        let first =
+            [quantity.name.to_owned(), end(range.from), end(range.to), quantity.unit.to_owned()];
+        table.row(first.into_iter().chain(values).collect::<Vec<_>>());
+    }
+    page.section("Designs", &table);
+    let mut table = columns(&[("", Align::Left), ("", Align::Left)]);
+    for (index, quantity) in found.measures() {
+        let name = match index == found.synthesis.objective {
+            true => quantity.name.to_owned(),
+            false => format!("left of {}", quantity.name),
+        };
+        let values = shown.iter().map(|one| {
+            let (value, error) = one.measure(index);
+            let (value, error) = (value / quantity.factor, error / quantity.factor);
+            match (value.is_finite(), error.is_finite()) {
+                (false, _) => "none".to_owned(),
+                (true, false) => number::significant(value, 6),
+                (true, true) => number::with_error(value, error),
+            }
+        });
+        let first = [name, quantity.unit.to_owned()];
+        table.row(first.into_iter().chain(values).collect::<Vec<_>>());
+    }
+    page.section("What they come to", &table);
+}

@@ -1,0 +1,136 @@
+//! `assur synth`.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use super::{answer, check_refused, folder, run};
+
+/// A crank-rocker that is to swing by 40 degrees with the best transmission angle.
+const SWINGER: &str = r#"assur::mechanism! {
+    /// A crank-rocker.
+    Swinger from "any textbook";
+    dimension l1 = 15 mm in 5 mm .. 100 mm, l2 = 90 mm in 5 mm .. 150 mm, a = 100 mm in 5 mm .. 200 mm;
+    parameter l3 = 50 mm;
+    driver phi ~ 90 deg in 0 deg .. 360 deg;
+    dependent gamma ~ 20 deg, psi ~ 100 deg;
+    closure loop: l1*dir(phi) + l2*dir(gamma) = [a, 0] + l3*dir(psi);
+    output psi, cos_mu = cos(psi - gamma);
+    scene turn { sweep phi; }
+    scene best {
+        sweep phi;
+        vary l1, l2 in 30 mm .. 150 mm, a;
+        require l1 < a;
+        require l1 + a < l2 + l3 "the crank turns";
+        require peak(psi) - lowest(psi) > 40 deg;
+        minimise peak(abs(cos_mu));
+    }
+    scene never {
+        sweep phi;
+        vary l1, l2, a;
+        require l1 + a < l2 + l3;
+        require peak(psi) - lowest(psi) > 400 deg;
+        minimise peak(abs(cos_mu));
+    }
+}"#;
+
+/// A folder with the file.
+fn with_file(name: &str) -> PathBuf {
+    let folder = folder(name);
+    std::fs::write(folder.join("swinger.eqn"), SWINGER).expect("the folder is writable");
+    folder
+}
+
+fn sought(arguments: &[&str], folder: &Path) -> Value {
+    let all = [&["synth", "swinger.eqn", "--format", "json"], arguments].concat();
+    serde_json::from_str(&answer(&all, folder)).expect("one JSON object")
+}
+
+fn value(list: &Value, index: usize) -> f64 {
+    list[index]["value"].as_f64().expect("a number")
+}
+
+/// Of rockers that swing by an angle without quick return the transmission angle is the better the longer the coupler: at its
+/// bound `|cos mu| = sin(20 deg) sqrt(1 + (l3/l2)^2 cos(20 deg)^2)`. What returns quickly is no better.
+#[test]
+fn the_best_transmission_angle_of_a_swing() {
+    let folder = with_file("synth_swing");
+    let effort = ["--evaluations", "6000", "--searches", "2"];
+    let found = sought(&effort, &folder);
+    let best = &found["designs"][0];
+    let half = 20f64.to_radians();
+    let expected = half.sin() * (1.0 + (half.cos() / 3.0).powi(2)).sqrt();
+    assert!((value(&best["measures"], 0) - expected).abs() < 1e-5, "{best}");
+    assert!(best["keeps"].as_bool() == Some(true) && found["whole"].as_bool() == Some(true));
+    let [l1, l2, a] = [0, 1, 2].map(|index| value(&best["values"], index));
+    assert!((l2 - 150.0).abs() < 1e-4 && (l1 - 50.0 * half.sin()).abs() < 0.1, "{best}");
+    assert!((a * a + l1 * l1 - l2 * l2 - 2500.0).abs() < 20.0, "{best}");
+    // Of the last condition nothing is left.
+    assert!(value(&best["measures"], 3).abs() < 1e-3, "{best}");
+    // The same designs for any number of threads.
+    let designs = |found: &Value| found["designs"].to_string();
+    let alone = sought(&[&effort[..], &["--threads", "1"]].concat(), &folder);
+    assert_eq!(designs(&alone), designs(&found));
+    let other = sought(&[&effort[..], &["--seed", "2"]].concat(), &folder);
+    assert_ne!(designs(&other), designs(&found));
+    // The preset is a statement of the file.
+    let preset = best["preset"].as_str().expect("a statement");
+    let file = SWINGER
+        .replace("scene turn { sweep phi; }", &format!("{preset} scene turn {{ sweep phi; }}"));
+    std::fs::write(folder.join("swinger.eqn"), file).expect("the folder is writable");
+    let with = ["run", "swinger.eqn", "--scene", "best", "--preset", "found_1", "--format", "json"];
+    let again: Value = serde_json::from_str(&answer(&with, &folder)).expect("one JSON object");
+    let measures = again["measures"].as_array().expect("a list").iter();
+    let small =
+        measures.clone().find(|one| one["name"] == "peak(abs(cos_mu))").expect("it is there");
+    assert_eq!(small["value"], best["measures"][0]["value"]);
+}
+
+#[test]
+fn designs_as_tables_and_rows() {
+    let folder = with_file("synth_shown");
+    let effort = ["--evaluations", "1200", "--searches", "1"];
+    let table = answer(&[&["synth", "swinger.eqn"], &effort[..]].concat(), &folder);
+    for words in [
+        "Made small: peak(abs(cos_mu))",
+        "Kept:       l1 + a < l2 + l3, the crank turns",
+        "preset found_1 \"by synthesis\" { l1 = ",
+        "left of peak(psi) - lowest(psi) > 40 deg",
+        "1,200 designs were judged in ",
+    ] {
+        assert!(table.contains(words), "no {words:?} in\n{table}");
+    }
+    let rows =
+        answer(&[&["synth", "swinger.eqn", "--format", "csv"], &effort[..]].concat(), &folder);
+    assert_eq!(rows.lines().count(), 2, "{rows}");
+    assert!(rows.starts_with("l1 [mm],l2 [mm],a [mm],peak(abs(cos_mu))"), "{rows}");
+}
+
+#[test]
+fn what_cannot_be_kept_is_told_with_what_is_missed() {
+    let folder = with_file("synth_never");
+    let output = run(
+        &["synth", "swinger.eqn", "--scene", "never", "--evaluations", "2000", "--searches", "1"],
+        &folder,
+    );
+    assert_eq!(output.status.code(), Some(1));
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    for words in ["keeps all conditions", "lowest(psi) > 400 deg` is missed by", "--evaluations"] {
+        assert!(complaint.contains(words), "no {words:?} in\n{complaint}");
+    }
+}
+
+#[test]
+fn wrong_requests_are_refused() {
+    let folder = with_file("synth_refused");
+    for (arguments, words) in [
+        (&["swinger.eqn", "--scene", "turn"][..], &["varies nothing", "minimise"][..]),
+        (&["heald_linkage"], &["varies nothing"]),
+        (&["swinger.eqn", "--set", "l1=12mm"], &["`l1` is varied"]),
+        (&["swinger.eqn", "--population", "3"], &["4"]),
+        (&["swinger.eqn", "--evaluations", "0"], &["1"]),
+        (&["swinger.eqn", "--rtol", "1e-9"], &["--rtol"]),
+    ] {
+        check_refused(&[&["synth"], arguments].concat(), words, &folder);
+    }
+}

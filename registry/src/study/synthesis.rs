@@ -1,0 +1,254 @@
+//! A scene that chooses its own values: those for which a measure is least, of all that keep its conditions.
+
+use std::f64::consts::{FRAC_2_PI, TAU};
+use std::ops::ControlFlow;
+
+use crate::registry::{Bind, SceneEntry};
+use assur_solvers::answer::{Error, Question, Settings};
+use assur_solvers::closure::{Along, AnyLinkage, ClosureError};
+use assur_solvers::measure::Missing;
+use assur_solvers::shape::Synthesis;
+use assur_solvers::synthesis::{
+    Effort, Found, Judge, Population, Score, Sought, SynthesisError, search,
+};
+
+/// What of a way is lost counts half, what gap is left at its begin the other half.
+const HALF: f64 = 0.5;
+/// Of what is nowhere to be found, short of one.
+const ALL: f64 = 1.0 - 1e-9;
+/// A whole turn, to rounding.
+const TURN: f64 = 1e-12 * TAU;
+
+/// The synthesis that a scene states.
+pub struct Design<'a> {
+    bind: &'a Bind,
+    synthesis: Synthesis,
+    sought: Vec<Sought>,
+    /// The values of all constants, of which those that are varied do not count.
+    values: Vec<f64>,
+    /// How motions are followed.
+    settings: Settings,
+}
+
+impl<'a> Design<'a> {
+    /// That of a scene, with the values of the constants that it does not vary; none if it states none.
+    pub fn of(scene: &'a SceneEntry, values: &[f64], settings: &Settings) -> Option<Self> {
+        let synthesis = scene.shape.synthesis?;
+        let sought = synthesis.varied.iter().map(|one| {
+            let is_angle = scene.constants[one.constant].quantity.dimension
+                == assur_solvers::shape::Unit::NONE.dimension;
+            let is_turn = is_angle && (one.to - one.from - TAU).abs() <= TURN;
+            Sought { low: one.from, high: one.to, is_turn }
+        });
+        Some(Self {
+            bind: &scene.bind,
+            synthesis,
+            sought: sought.collect(),
+            values: values.to_vec(),
+            settings: settings.clone(),
+        })
+    }
+
+    /// What is varied, kept and made small.
+    pub fn synthesis(&self) -> Synthesis {
+        self.synthesis
+    }
+
+    /// All constants of a design.
+    pub fn values(&self, design: &[f64]) -> Vec<f64> {
+        let mut values = self.values.clone();
+        for (one, value) in self.synthesis.varied.iter().zip(design) {
+            values[one.constant] = *value;
+        }
+        values
+    }
+
+    /// The measures of a design with their estimated errors, none where nobody knows one.
+    ///
+    /// # Errors
+    /// Why the design has none.
+    pub fn measures(&self, design: &[f64]) -> Result<Vec<(f64, f64)>, String> {
+        let values = self.values(design);
+        let failed = |error: &dyn std::fmt::Display| error.to_string();
+        match self.bind {
+            Bind::Linkage(bind) => {
+                let linkage = bind(&values).map_err(|refused| failed(&refused))?;
+                let way = linkage.way().ok_or_else(|| failed(&Error::NoTask))?;
+                let found = linkage.measures(way).map_err(|error| failed(&error))?;
+                Ok(found.iter().map(|one| (one.value.unwrap_or(f64::NAN), one.error)).collect())
+            }
+            Bind::Motion(bind) => {
+                let model = bind(&values).map_err(|refused| failed(&refused))?;
+                let motion = Question::of(model.into()).solve(&self.settings);
+                let motion = motion.map_err(|error| failed(&error))?;
+                let measures = motion.measures();
+                let errors =
+                    motion.estimate().map(|estimate| estimate.measures(&motion, &measures));
+                let errors = errors.unwrap_or_else(|_| vec![f64::NAN; measures.len()]);
+                let all = measures.into_iter().zip(errors);
+                Ok(all.map(|(value, error)| (value.unwrap_or(f64::NAN), error)).collect())
+            }
+        }
+    }
+
+    /// How many conditions there are.
+    fn count(&self) -> f64 {
+        self.synthesis.conditions.len() as f64
+    }
+
+    /// What a design is worth.
+    ///
+    /// Conditions that follow from the constants alone come first, then that the design gets through its task, then all
+    /// others, each in the order in which they are stated. The first one that is missed decides: each that comes before
+    /// another counts one more, so that no design that keeps it is worse.
+    fn score(&self, design: &[f64]) -> Score {
+        let values = self.values(design);
+        let measures = match self.bind {
+            Bind::Linkage(bind) => {
+                let Ok(linkage) = bind(&values) else {
+                    return Score::missing(self.count() + 2.0);
+                };
+                let known = linkage.of_constants();
+                if let Some(missed) =
+                    self.missed(|index| Some(known[index]).filter(|one| !one.is_nan()))
+                {
+                    return Score::missing(missed + 1.0);
+                }
+                let Some(way) = linkage.way() else {
+                    return Score::WORST;
+                };
+                match linkage.weighed(way) {
+                    Ok(measures) => measures,
+                    Err(error) => {
+                        return Score::missing(self.count() + lost(&*linkage, way, &error));
+                    }
+                }
+            }
+            Bind::Motion(bind) => {
+                let Ok(model) = bind(&values) else {
+                    return Score::missing(self.count() + 2.0);
+                };
+                match Question::of(model.into()).solve(&self.settings) {
+                    Ok(motion) => motion.measures(),
+                    Err(_) => return Score::missing(self.count() + ALL),
+                }
+            }
+        };
+        self.weigh(&measures)
+    }
+
+    fn weigh(&self, measures: &[Result<f64, Missing>]) -> Score {
+        let all = [self.synthesis.objective];
+        let mut needed = self.synthesis.conditions.iter().chain(&all);
+        if needed.any(|index| !matches!(measures[*index], Ok(value) if value.is_finite())) {
+            return Score::missing(self.count() + ALL);
+        }
+        match self.missed(|index| measures[index].as_ref().ok().copied()) {
+            Some(missed) => Score::missing(missed),
+            None => {
+                Score { missed: 0.0, value: measures[self.synthesis.objective].unwrap_or(f64::NAN) }
+            }
+        }
+    }
+
+    /// By how much the first condition is missed of which a margin is known.
+    fn missed(&self, margin: impl Fn(usize) -> Option<f64>) -> Option<f64> {
+        let mut conditions = self.synthesis.conditions.iter().enumerate();
+        conditions.find_map(|(rank, index)| {
+            let margin = margin(*index).filter(|margin| *margin < 0.0)?;
+            Some(self.count() - 1.0 - rank as f64 + FRAC_2_PI * (-margin).atan())
+        })
+    }
+}
+
+impl Judge for Design<'_> {
+    fn sought(&self) -> &[Sought] {
+        &self.sought
+    }
+
+    fn judge(&self, designs: &[f64], scores: &mut [Score]) {
+        for (design, score) in designs.chunks_exact(self.sought.len()).zip(scores) {
+            *score = self.score(design);
+        }
+    }
+}
+
+/// How much of its way a linkage does not get through, or what gap is left at its begin; between 0 and 1.
+fn lost(linkage: &dyn AnyLinkage, way: Along, error: &ClosureError) -> f64 {
+    let at = match error {
+        ClosureError::DeadPoint { at, .. } | ClosureError::ModeLost { at, .. } => at,
+        ClosureError::NotAssembled { gap, .. } => {
+            return HALF + HALF * FRAC_2_PI * gap.abs().atan() * ALL;
+        }
+        _ => return ALL,
+    };
+    let (Along::Driver(driver, (from, to)), true) = (way, linkage.shape().loops().motion == 0)
+    else {
+        return HALF * ALL;
+    };
+    let left = (to - at[driver]) / (to - from);
+    HALF * left.clamp(0.0, 1.0) * ALL
+}
+
+/// A design that was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// The constants that are varied.
+    pub design: Vec<f64>,
+    /// What it is worth.
+    pub score: Score,
+    /// Designs that were judged to find it.
+    pub evaluations: u64,
+    /// Whether all designs had come together.
+    pub is_gathered: bool,
+}
+
+/// Designs that differ by less, as a part of each range, are one.
+const SAME: f64 = 1e-3;
+
+/// Seeks so many times, each time from other designs, and gives the distinct ones that were found, the best first.
+/// `progress` hears how many designs have been judged, and of the best score so far; it may end the search.
+///
+/// # Errors
+/// [`SynthesisError`] if the problem makes no sense.
+pub fn seek(
+    design: &Design<'_>,
+    effort: &Effort,
+    searches: u64,
+    progress: &mut dyn FnMut(u64, Score) -> ControlFlow<()>,
+) -> Result<Vec<Candidate>, SynthesisError> {
+    let mut all: Vec<Candidate> = Vec::new();
+    let (mut judged, mut best, mut going) = (0, Score::WORST, ControlFlow::Continue(()));
+    for index in 0..searches.max(1) {
+        let own = Effort {
+            evaluations: effort.evaluations / searches.max(1),
+            seed: effort.seed.wrapping_add(index.wrapping_mul(0x9e37_79b9)),
+            ..effort.clone()
+        };
+        let mut heard = |population: &Population| {
+            if population.scores[0].is_as_good_as(&best) {
+                best = population.scores[0];
+            }
+            going = progress(judged + population.evaluations, best);
+            going
+        };
+        let Found { design: found, score, is_gathered, population } =
+            search(design, &own, None, &mut heard)?;
+        judged += population.evaluations;
+        let is_same = |other: &Candidate| {
+            let ways = other.design.iter().zip(&found).zip(&design.sought);
+            ways.into_iter().all(|((a, b), one)| one.way(*a, *b).abs() <= SAME * one.width())
+        };
+        let evaluations = population.evaluations;
+        match all.iter_mut().find(|other| is_same(other)) {
+            Some(other) if other.score.is_as_good_as(&score) => {}
+            Some(other) => (other.design, other.score) = (found, score),
+            None => all.push(Candidate { design: found, score, evaluations, is_gathered }),
+        }
+        if going.is_break() {
+            break;
+        }
+    }
+    all.sort_by(|a, b| b.score.is_as_good_as(&a.score).cmp(&a.score.is_as_good_as(&b.score)));
+    Ok(all)
+}
