@@ -27,6 +27,8 @@ pub struct Found {
     pub strokes: Option<Vec<Stroke>>,
     /// Numbers of the whole task; none where it is not gone through.
     pub measures: Vec<Measured>,
+    /// Why there are none.
+    pub unmeasured: Option<ClosureError>,
     /// Seconds that the positions took.
     pub seconds: f64,
 }
@@ -51,10 +53,14 @@ impl Found {
         let seconds = clock.elapsed().as_secs_f64();
         match lines {
             Ok(lines) => {
-                let found = case.measures().unwrap_or_default();
+                let (found, unmeasured) = match case.measures() {
+                    Ok(found) => (found, None),
+                    Err(error) => (Vec::new(), Some(error)),
+                };
                 let found = found.into_iter().map(|one| (one.value, one.error));
                 let measures = measures::of(case.scene, found);
-                Ok(Self { strokes: reach::strokes(&case), measures, case, lines, seconds })
+                let strokes = reach::strokes(&case);
+                Ok(Self { strokes, measures, unmeasured, case, lines, seconds })
             }
             Err(error) => Err(Box::new((case, error))),
         }
@@ -157,7 +163,7 @@ impl Known for Found {
         Ok(Self::of(Case::new(constants)?).unwrap_or_else(|apart| {
             let (case, _) = *apart;
             let (lines, measures) = (Vec::new(), Vec::new());
-            Self { case, lines, strokes: None, measures, seconds: 0.0 }
+            Self { case, lines, strokes: None, measures, unmeasured: None, seconds: 0.0 }
         }))
     }
 

@@ -122,11 +122,13 @@ impl Answer for Report {
         let Some(first) = stops.next() else {
             return Ok(());
         };
-        let what = format!(
-            "the linkage does not reach the whole task: {} of {} positions are missing",
-            self.cost.positions - self.cost.reached,
-            self.cost.positions
-        );
+        let what = match self.cost.positions - self.cost.reached {
+            0 => "the measures of the task are missing".to_owned(),
+            missing => format!(
+                "the linkage does not reach the whole task: {missing} of {} positions are missing",
+                self.cost.positions
+            ),
+        };
         let failure = first.clone().failure(what);
         Err(stops.take(3).fold(failure, |failure, stop| failure.reason(stop.reason.as_str())))
     }
@@ -149,7 +151,7 @@ pub fn collect(
     };
     let found = Found::on(grid, case).map_err(|found| apart(&found.0, &found.1))?;
     let published = published::compare(&found)?;
-    let Found { case, lines, strokes, measures, seconds: closing } = found;
+    let Found { case, lines, strokes, measures, unmeasured, seconds: closing } = found;
     let doubt = fault::take_doubt();
     let rows = case.grid(&Grid::coarse(&case)).map_err(|error| apart(&case, &error))?;
     let places: Vec<_> =
@@ -170,7 +172,8 @@ pub fn collect(
         lines.iter().flat_map(|line| &line.met).map(|one| event(names, one)).collect();
     met.dedup();
     let mut stops: Vec<Told> = Vec::new();
-    for told in lines.iter().flat_map(|line| &line.stops).map(|error| case.tell(error)) {
+    let stopped = lines.iter().flat_map(|line| &line.stops).chain(&unmeasured);
+    for told in stopped.map(|error| case.tell(error)) {
         if !stops.contains(&told) {
             stops.push(told);
         }

@@ -326,3 +326,15 @@ fn wrong_studies_of_attractors_and_sensitivities_are_refused() {
         check_refused(words, &[expected], &folder("wrong_studies"));
     }
 }
+
+/// A linkage whose loops are solved together is looked at twice where parts of the way meet.
+#[test]
+fn measures_of_a_linkage_that_is_iterated() {
+    let study = object(&["study", "heald_linkage", "--over", "s=39..41mm:3", "--format", "json"]);
+    let twist = named(&study["measures"], "peak_twist")["values"].as_array().unwrap().clone();
+    assert!(twist.len() == 3 && twist.iter().all(|one| one.as_f64().unwrap() > 0.0), "{study}");
+    let run = object(&["run", "heald_linkage", "--scene", "loaded", "--format", "json"]);
+    let alone = named(&run["measures"], "peak_twist")["value"].as_f64().unwrap();
+    let middle = twist[1].as_f64().unwrap();
+    assert!((alone - middle).abs() < 1e-9 * alone, "{alone} {middle}");
+}

@@ -22,6 +22,8 @@ const ATTEMPTS: usize = 20_000;
 const ARRIVED: f64 = 1e-3;
 /// Sine below which a meeting of modes is looked for.
 const NEAR: f64 = 0.05;
+/// How often the last step may go into one of which it lets something be expected.
+const FARTHEST: f64 = 1e10;
 /// Gap that rounding may leave, as a part of the longest link.
 pub(in crate::closure) const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
@@ -191,7 +193,9 @@ impl<S: Scalar> Guide<'_, S> {
     fn attempt(&mut self, way: &Segment, t: f64) -> Verdict {
         let independents = scalars::<S>(&way.at(t));
         let instant = self.instant_at(&independents);
-        let ratio = self.ratio(&independents).to_f64();
+        // What changed in a step so much shorter, or in one that led nowhere, is rounding.
+        let ratio = Some(self.ratio(&independents).to_f64()).filter(|ratio| ratio.abs() < FARTHEST);
+        let ratio = ratio.unwrap_or(f64::NAN);
         self.trial.copy_from_slice(self.position);
         for group in 0..self.entry.groups.len() {
             let before = self.sine(group);

@@ -427,3 +427,18 @@ fn two_groups_flatten_at_once() {
         assert_eq!(assembly.take_events().len(), 8);
     }
 }
+
+/// A place that is looked at twice, or once more beside itself, says nothing of where a mode leads: neither what changed there,
+/// which is rounding, nor how far the next step goes by that measure.
+#[test]
+fn steps_that_lead_nowhere_lose_no_mode() {
+    for nothing in [0.0, 1e-15, 1e-13] {
+        let mut assembly = started(&Heald::default());
+        for k in 0..=60 {
+            let at = (60.0 + f64::from(k)).to_radians();
+            for at in [at, at + nothing, at] {
+                assembly.move_to(&[at]).unwrap_or_else(|error| panic!("{nothing:e}: {error}"));
+            }
+        }
+    }
+}
