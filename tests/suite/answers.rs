@@ -38,6 +38,7 @@ mod driven {
         parameter omega = 2 [rad/s], d = 0.2 [1/s], k = 9 [1/s^2];
         coordinate x: m = 0 m;
         motion ddot(x) = -k*x - d*dot(x) + cos(omega*time)*1 [m/s^2];
+        measure largest = multiplier(1), near = 2*detuning(1);
         scene steady { periodic over 2*pi/omega; }
     }
 }
@@ -177,4 +178,17 @@ fn a_linkage_is_swept_and_made() {
     assert!((found / wanted - 1.0).abs() < 0.01, "{found} {wanted}");
     let missing = turn.tolerance("stroke").at("psi", 1.0).monte_carlo(100);
     assert!(missing.unwrap_err().to_string().contains("there is no `psi`; there are phi"));
+}
+
+/// That of a disturbance that dies away is far below the rounding of the matrix it is found of, and told no better.
+#[test]
+fn a_measure_of_a_multiplier_errs_as_the_multiplier_does() {
+    let steady = Steady { d: 20.0, ..Steady::default() };
+    let motion = steady.solve(&Settings::new(Method::Dop853).rtol(1e-10)).unwrap();
+    let [largest, _] = motion.multipliers() else { panic!("{:?}", motion.multipliers()) };
+    let measures = motion.measures();
+    let errors = motion.estimate().unwrap().measures(&motion, &measures);
+    assert_eq!(measures[0], Ok(largest.modulus()));
+    assert!(largest.error > 0.0 && errors[0] >= largest.error, "{largest:?} {errors:?}");
+    assert!(errors[1] >= 2.0 * largest.error.min(motion.multipliers()[1].error), "{errors:?}");
 }

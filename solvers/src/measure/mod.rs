@@ -71,9 +71,10 @@ pub fn find(
                 Kind::Count(moment) => moment::count(moment, motion),
                 Kind::Frequency(number) => vibration(motion, number)?.frequency(),
                 Kind::Damping(number) => vibration(motion, number)?.damping(),
-                Kind::Multiplier(number) => multiplier(motion, number, Multiplier::modulus, false)?,
-                Kind::Detuning(number) => multiplier(motion, number, Multiplier::distance, true)?,
-                _ => tally.result(primitive, &mut sampler)?,
+                kind => match of_multipliers(kind) {
+                    Some(asked) => multiplier(motion, asked)?.0,
+                    None => tally.result(primitive, &mut sampler)?,
+                },
             };
             match value.is_finite() {
                 true => Ok(value),
@@ -92,22 +93,29 @@ fn vibration(motion: &Motion, number: u32) -> Result<&Vibration, Missing> {
     })
 }
 
-/// Something of a Floquet multiplier by its number, the largest first or the least.
-fn multiplier(
-    motion: &Motion,
-    number: u32,
-    of: fn(&Multiplier) -> f64,
-    rises: bool,
-) -> Result<f64, Missing> {
-    let mut all: Vec<f64> = motion.multipliers.iter().map(of).collect();
-    all.sort_by(f64::total_cmp);
+/// What is asked of Floquet multipliers: which number of one, by its rank, and whether the least one is the first.
+type OfMultipliers = (u32, fn(&Multiplier) -> f64, bool);
+
+/// What a primitive asks of them; none if it asks something else.
+fn of_multipliers(kind: Kind) -> Option<OfMultipliers> {
+    match kind {
+        Kind::Multiplier(rank) => Some((rank, Multiplier::modulus, false)),
+        Kind::Detuning(rank) => Some((rank, Multiplier::distance, true)),
+        _ => None,
+    }
+}
+
+/// That number, with its error.
+fn multiplier(motion: &Motion, (rank, of, rises): OfMultipliers) -> Result<(f64, f64), Missing> {
+    let all = motion.multipliers.iter();
+    let mut all: Vec<_> = all.map(|multiplier| (of(multiplier), multiplier.error)).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
     if !rises {
         all.reverse();
     }
     let count = all.len();
-    all.get((number as usize).wrapping_sub(1))
-        .copied()
-        .ok_or(Missing::NoMultiplier { number, count })
+    let found = all.get((rank as usize).wrapping_sub(1)).copied();
+    found.ok_or(Missing::NoMultiplier { number: rank, count })
 }
 
 /// Smallest and largest value between two times of a run, of each quantity that `sample` gives, `count` of them; SI units. None
@@ -196,8 +204,8 @@ pub fn all(
         .collect()
 }
 
-/// By how much each measure of a run differs where one of its primitives is off by a part of itself, for the one that makes
-/// the most of it.
+/// By how much each measure of a run differs where one of its primitives is off by a part of itself, a multiplier besides by its
+/// error, for the one that makes the most of it.
 pub fn disturbed(
     motion: &Motion,
     shape: &Shape,
@@ -210,7 +218,9 @@ pub fn disturbed(
     let mut most = vec![0.0; right.len()];
     for index in 0..found.len() {
         let Ok(value) = found[index] else { continue };
-        found[index] = Ok(value * (1.0 + part));
+        let asked = of_multipliers(shape.primitives[index].kind);
+        let own = asked.and_then(|asked| multiplier(motion, asked).ok()).map_or(0.0, |one| one.1);
+        found[index] = Ok(value * (1.0 + part) + own);
         let other = of_primitives(shape, &found, measures);
         for ((most, right), other) in most.iter_mut().zip(&right).zip(other) {
             *most = f64::max(*most, (right - other).abs());
