@@ -8,8 +8,8 @@ use crate::watch::watch;
 
 /// An estimate below this share of the true error is too small.
 pub const SHARE: f64 = 5.0;
-/// An error so many times its estimate is a finding by itself.
-const FINDING: f64 = 1e3;
+/// An error so many times its estimate is a finding by itself; how many are beyond five times is told of all.
+const FINDING: f64 = 100.0;
 
 /// A number beside a more accurate one.
 pub struct Compared {

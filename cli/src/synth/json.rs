@@ -70,7 +70,7 @@ struct Measure {
 
 impl Object {
     /// The object.
-    pub fn of(found: &Found) -> Self {
+    pub(super) fn of(found: &Found) -> Self {
         let varied = found.varied().zip(found.synthesis.varied).map(|(quantity, one)| Varied {
             name: quantity.name,
             unit: quantity.unit,

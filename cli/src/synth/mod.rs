@@ -5,7 +5,6 @@ mod json;
 mod table;
 
 pub use arguments::{EXAMPLES, SynthArguments};
-#[cfg(test)]
 pub use json::Object;
 
 use std::ops::ControlFlow;
@@ -177,7 +176,7 @@ impl Answer for Found {
     }
 
     fn json(&self, _: Option<&Path>) -> impl Serialize {
-        json::Object::of(self)
+        Object::of(self)
     }
 
     fn outcome(&self) -> Result<(), Failure> {
