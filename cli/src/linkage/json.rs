@@ -28,7 +28,7 @@ pub struct Linkage {
     status: Status,
     /// Where the way ends.
     stopped: Vec<Stop>,
-    /// That it is put together far from the start values of its file, in words.
+    /// That it is put together far from the start values of its file, or why its measures are missing, in words.
     note: Option<String>,
     /// The limits of every variable over the task.
     results: Vec<Limits>,

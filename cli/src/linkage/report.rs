@@ -47,7 +47,7 @@ pub struct Report {
     pub measures: Vec<Measured>,
     /// Where each group transmits worst, its sine being smallest.
     pub transmissions: Vec<(usize, Extreme)>,
-    /// That it is put together far from its start values, in words.
+    /// That it is put together far from its start values, or why its measures are missing, in words.
     pub note: Option<String>,
     /// What happened on the way, place and event in words.
     pub met: Vec<(String, String)>,
@@ -122,13 +122,11 @@ impl Answer for Report {
         let Some(first) = stops.next() else {
             return Ok(());
         };
-        let what = match self.cost.positions - self.cost.reached {
-            0 => "the measures of the task are missing".to_owned(),
-            missing => format!(
-                "the linkage does not reach the whole task: {missing} of {} positions are missing",
-                self.cost.positions
-            ),
-        };
+        let what = format!(
+            "the linkage does not reach the whole task: {} of {} positions are missing",
+            self.cost.positions - self.cost.reached,
+            self.cost.positions
+        );
         let failure = first.clone().failure(what);
         Err(stops.take(3).fold(failure, |failure, stop| failure.reason(stop.reason.as_str())))
     }
@@ -172,15 +170,15 @@ pub fn collect(
         lines.iter().flat_map(|line| &line.met).map(|one| event(names, one)).collect();
     met.dedup();
     let mut stops: Vec<Told> = Vec::new();
-    let stopped = lines.iter().flat_map(|line| &line.stops).chain(&unmeasured);
-    for told in stopped.map(|error| case.tell(error)) {
+    for told in lines.iter().flat_map(|line| &line.stops).map(|error| case.tell(error)) {
         if !stops.contains(&told) {
             stops.push(told);
         }
     }
     let reach = reach::of(&case);
-    let note =
-        contradiction(&case.constants, case.run()).or_else(|| unfound(&case, &rows, &places));
+    let note = contradiction(&case.constants, case.run())
+        .or_else(|| unfound(&case, &rows, &places))
+        .or_else(|| unmeasured.filter(|_| stops.is_empty()).map(|error| without(&case, &error)));
     let cost = Cost {
         positions: lines.iter().map(|line| line.stations.len()).sum(),
         reached: lines.iter().map(|line| line.reached().count()).sum(),
@@ -281,4 +279,9 @@ fn gap(lines: &[Line], places: &[Snapshot]) -> Option<(usize, f64)> {
     let all = swept.chain(places.iter().map(|place| &place.sample));
     let left = all.flat_map(|sample| sample.residuals.iter().map(|left| left.abs()).enumerate());
     left.max_by(|(_, a), (_, b)| a.total_cmp(b))
+}
+
+/// That the measures of a task that is gone through are missing.
+fn without(case: &Case, error: &ClosureError) -> String {
+    format!("The measures of the task are missing: {}.", case.tell(error).reason)
 }

