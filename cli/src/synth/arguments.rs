@@ -41,7 +41,7 @@ pub struct SynthArguments {
     #[arg(default_value = "4", allow_hyphen_values = true)]
     pub searches: u64,
     /// Designs of the first generation of a search; 18 for each value that is varied unless given.
-    #[arg(long, value_name = "NUMBER", value_parser = whole::<4, 1_000_000>)]
+    #[arg(long, value_name = "NUMBER", value_parser = whole::<4, 65_536>)]
     #[arg(allow_hyphen_values = true)]
     pub population: Option<u64>,
     /// Which designs are begun with: the same seed finds the same ones.
