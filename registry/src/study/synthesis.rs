@@ -16,6 +16,8 @@ use assur_solvers::synthesis::{
 const HALF: f64 = 0.5;
 /// Of what is nowhere to be found, short of one.
 const ALL: f64 = 1.0 - 1e-9;
+/// Designs that differ by less, as a part of each range, are one.
+const SAME: f64 = 1e-3;
 /// A whole turn, to rounding.
 const TURN: f64 = 1e-12 * TAU;
 
@@ -23,6 +25,8 @@ const TURN: f64 = 1e-12 * TAU;
 pub struct Design<'a> {
     bind: &'a Bind,
     synthesis: Synthesis,
+    /// Of each condition whether it follows from the constants alone.
+    fixed: Vec<bool>,
     sought: Vec<Sought>,
     /// The values of all constants, of which those that are varied do not count.
     values: Vec<f64>,
@@ -40,9 +44,11 @@ impl<'a> Design<'a> {
             let is_turn = is_angle && (one.to - one.from - TAU).abs() <= TURN;
             Sought { low: one.from, high: one.to, is_turn }
         });
+        let conditions = synthesis.conditions.iter();
         Some(Self {
             bind: &scene.bind,
             synthesis,
+            fixed: conditions.map(|index| scene.shape.uses[*index].is_empty()).collect(),
             sought: sought.collect(),
             values: values.to_vec(),
             settings: settings.clone(),
@@ -98,21 +104,20 @@ impl<'a> Design<'a> {
 
     /// What a design is worth.
     ///
-    /// Conditions that follow from the constants alone come first, then that the design gets through its task, then all
-    /// others, each in the order in which they are stated. The first one that is missed decides: each that comes before
-    /// another counts one more, so that no design that keeps it is worse.
+    /// Of a linkage conditions that follow from the constants alone come first. Then, for all, comes that the design gets
+    /// through its task, then the other conditions, each in the order in which they are stated. The first one that is missed
+    /// decides, see [`missed`].
     fn score(&self, design: &[f64]) -> Score {
         let values = self.values(design);
         let measures = match self.bind {
             Bind::Linkage(bind) => {
                 let Ok(linkage) = bind(&values) else {
-                    return Score::missing(self.count() + 2.0);
+                    return Score::missing(2.0 * self.count() + 1.0);
                 };
                 let known = linkage.of_constants();
-                if let Some(missed) =
-                    self.missed(|index| Some(known[index]).filter(|one| !one.is_nan()))
-                {
-                    return Score::missing(missed + 1.0);
+                let margins = self.margins(|index| known[index], true);
+                if let Some(first) = missed(&margins) {
+                    return Score::missing(self.count() + 1.0 + first);
                 }
                 let Some(way) = linkage.way() else {
                     return Score::WORST;
@@ -126,7 +131,7 @@ impl<'a> Design<'a> {
             }
             Bind::Motion(bind) => {
                 let Ok(model) = bind(&values) else {
-                    return Score::missing(self.count() + 2.0);
+                    return Score::missing(2.0 * self.count() + 1.0);
                 };
                 match Question::of(model.into()).solve(&self.settings) {
                     Ok(motion) => motion.measures(),
@@ -143,22 +148,31 @@ impl<'a> Design<'a> {
         if needed.any(|index| !matches!(measures[*index], Ok(value) if value.is_finite())) {
             return Score::missing(self.count() + ALL);
         }
-        match self.missed(|index| measures[index].as_ref().ok().copied()) {
-            Some(missed) => Score::missing(missed),
+        let margins = self.margins(|index| measures[index].unwrap_or(f64::NAN), false);
+        match missed(&margins) {
+            Some(first) => Score::missing(first),
             None => {
                 Score { missed: 0.0, value: measures[self.synthesis.objective].unwrap_or(f64::NAN) }
             }
         }
     }
 
-    /// By how much the first condition is missed of which a margin is known.
-    fn missed(&self, margin: impl Fn(usize) -> Option<f64>) -> Option<f64> {
-        let mut conditions = self.synthesis.conditions.iter().enumerate();
-        conditions.find_map(|(rank, index)| {
-            let margin = margin(*index).filter(|margin| *margin < 0.0)?;
-            Some(self.count() - 1.0 - rank as f64 + FRAC_2_PI * (-margin).atan())
-        })
+    /// The margins of all conditions, or of those that follow from the constants, the others counting as kept.
+    fn margins(&self, measure: impl Fn(usize) -> f64, fixed: bool) -> Vec<f64> {
+        let conditions = self.synthesis.conditions.iter().zip(&self.fixed);
+        let margin = |(index, own): (&usize, &bool)| match !fixed || *own {
+            true => measure(*index),
+            false => f64::INFINITY,
+        };
+        conditions.map(margin).collect()
     }
+}
+
+/// By how much conditions are missed: what decides is the first of those margins that are below zero. Each condition before
+/// another counts one more than it can be missed by, so that no design that keeps it is worse. Below the number of margins.
+fn missed(margins: &[f64]) -> Option<f64> {
+    let first = margins.iter().position(|margin| *margin < 0.0)?;
+    Some((margins.len() - 1 - first) as f64 + FRAC_2_PI * (-margins[first]).atan())
 }
 
 impl Judge for Design<'_> {
@@ -202,9 +216,6 @@ pub struct Candidate {
     /// Whether all designs had come together.
     pub is_gathered: bool,
 }
-
-/// Designs that differ by less, as a part of each range, are one.
-const SAME: f64 = 1e-3;
 
 /// Seeks so many times, each time from other designs, and gives the distinct ones that were found, the best first.
 /// `progress` hears how many designs have been judged, and of the best score so far; it may end the search.
@@ -251,4 +262,28 @@ pub fn seek(
     }
     all.sort_by(|a, b| b.score.is_as_good_as(&a.score).cmp(&a.score.is_as_good_as(&b.score)));
     Ok(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::missed;
+
+    #[test]
+    fn the_first_condition_that_is_missed_decides() {
+        assert_eq!(missed(&[0.0, 1.0, f64::INFINITY]), None);
+        assert_eq!(missed(&[]), None);
+        let of = |margins: &[f64]| missed(margins).expect("one is missed");
+        // One that comes first is worse, however little it is missed by; the more of it, the worse.
+        let ordered = [
+            [1.0, 1.0, -1e-3],
+            [1.0, 1.0, -9.0],
+            [1.0, -1e-9, -9.0],
+            [-1e-9, 1.0, 1.0],
+            [-1e9, -1.0, -1.0],
+        ];
+        for pair in ordered.windows(2) {
+            assert!(of(&pair[0]) < of(&pair[1]), "{pair:?}");
+        }
+        assert!(of(&ordered[4]) < 3.0);
+    }
 }

@@ -48,7 +48,7 @@ pub(in crate::closure) fn measures_of(
     Ok(both.collect())
 }
 
-/// The same at a seventh of the cost, without errors.
+/// The same by a look at fewer places, without errors.
 ///
 /// # Errors
 /// As there.

@@ -99,7 +99,7 @@ impl dyn AnyLinkage + '_ {
         measures_of(self, along)
     }
 
-    /// The same at a seventh of the cost, for designs that are weighed against many others: without errors.
+    /// The same by a look at fewer places, for designs that are weighed against many others: without errors.
     ///
     /// # Errors
     /// As there.
@@ -107,7 +107,7 @@ impl dyn AnyLinkage + '_ {
         weighed_of(self, along)
     }
 
-    /// The measures that follow from the constants alone; what is found on a way is no number.
+    /// The measures as the constants alone give them: those that use a primitive, which is found on a way, mean nothing.
     pub fn of_constants(&self) -> Vec<f64> {
         let shape = self.shape();
         let mut values = vec![f64::NAN; shape.measures.len()];
