@@ -186,10 +186,10 @@ impl<'a> Position<'a> {
         values.fold(0.0, |most, (value, _)| f64::max(most, value.abs()))
     }
 
-    /// What rounding may leave of the change of each output, over the change of a variable: so many times its size.
+    /// What rounding may leave of the change of each output, over the change of a variable: so many times the output.
     pub(super) fn floors(&self, share: f64) -> Vec<f64> {
         let share = if share.is_finite() { share } else { 0.0 };
-        (0..self.outputs()).map(|output| share * self.level(output)).collect()
+        self.reported.iter().map(|value| share * value.abs()).collect()
     }
 
     /// The absolute value of a variable.
