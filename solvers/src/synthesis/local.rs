@@ -48,8 +48,12 @@ impl Look {
         self.conditions.iter().fold(0.0, |most, one| f64::max(most, -one))
     }
 
-    /// Whether everything in it is a number.
-    pub(super) fn is_finite(&self) -> bool {
+    /// Whether it has values, rows of slopes for everything, and nothing that is no number.
+    pub(super) fn is_sound(&self, count: usize) -> bool {
+        let rows = self.values.len() + self.conditions.len();
+        if self.values.is_empty() || self.slopes.len() != rows * count {
+            return false;
+        }
         let all = self.values.iter().chain(&self.conditions).chain(&self.slopes);
         all.into_iter().all(|one| one.is_finite())
     }

@@ -8,7 +8,7 @@
 
 use super::curve::{Curve, dot};
 use super::local::{Aim, Local, Look};
-use super::problem::{Sought, SynthesisError};
+use super::problem::{Sought, SynthesisError, check};
 use super::programme::{Model, Step};
 
 /// First and largest step, as a part of each range.
@@ -35,8 +35,8 @@ pub enum End {
     Settled,
     /// Steps as short as can be do not keep what they promise: slopes are not those of the values, or jump.
     Stuck,
-    /// As many steps as were permitted.
-    Steps,
+    /// As many looks as were permitted.
+    Looks,
 }
 
 /// A polished design.
@@ -64,7 +64,7 @@ pub struct Polished {
 /// Polishes a design, with so many looks at most.
 ///
 /// # Errors
-/// [`SynthesisError::NotJudged`] if the design that it begins with cannot be judged.
+/// [`SynthesisError`] if the design that it begins with cannot be judged, is one of another problem, or there is none.
 pub fn polish(
     local: &mut dyn Local,
     aim: Aim,
@@ -72,6 +72,10 @@ pub fn polish(
     looks: u64,
 ) -> Result<Polished, SynthesisError> {
     let sought = local.sought().to_vec();
+    check(&sought)?;
+    if from.len() != sought.len() {
+        return Err(SynthesisError::OtherProblem { found: from.len(), expected: sought.len() });
+    }
     let start = sought.iter().zip(from).map(|(one, value)| (value - one.low) / one.width());
     let (place, count) = (start.collect::<Vec<f64>>(), sought.len());
     let mut way = Way { local, sought, aim, looks: 0 };
@@ -81,7 +85,7 @@ pub fn polish(
     let mut last = None;
     let end = loop {
         if way.looks >= looks {
-            break End::Steps;
+            break End::Looks;
         }
         match way.advance(&mut stand, &mut last) {
             Some(end) => break end,
@@ -128,7 +132,7 @@ impl Way<'_> {
     fn look(&mut self, place: &[f64]) -> Option<Look> {
         self.looks += 1;
         let look = self.local.look(&self.design(place))?;
-        look.is_finite().then(|| look.scaled(&self.sought))
+        look.is_sound(self.sought.len()).then(|| look.scaled(&self.sought))
     }
 
     fn design(&self, place: &[f64]) -> Vec<f64> {

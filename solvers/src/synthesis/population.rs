@@ -221,7 +221,10 @@ impl Population {
             return Err(SynthesisError::BadPopulation { size: self.scores.len(), least: LEAST });
         }
         let (found, expected) = (self.length(), sought.len());
-        if found != expected || self.designs.len() != found * self.scores.len() {
+        if found != expected
+            || self.designs.len() != found * self.scores.len()
+            || !self.archive.len().is_multiple_of(expected)
+        {
             return Err(SynthesisError::OtherProblem { found, expected });
         }
         Ok(())

@@ -100,6 +100,19 @@ pub trait Judge: Sync {
     fn judge(&self, designs: &[f64], scores: &mut [Score]);
 }
 
+/// Whether there is something to seek.
+pub(super) fn check(sought: &[Sought]) -> Result<(), SynthesisError> {
+    if sought.is_empty() {
+        return Err(SynthesisError::Nothing);
+    }
+    for (index, &Sought { low, high, .. }) in sought.iter().enumerate() {
+        if !(low < high && (high - low).is_finite()) {
+            return Err(SynthesisError::BadBounds { sought: index, low, high });
+        }
+    }
+    Ok(())
+}
+
 /// Why nothing can be sought.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]

@@ -1,7 +1,7 @@
 //! The search of all designs between the bounds.
 
 use super::population::{LEAST, Population};
-use super::problem::{Judge, Score, Sought, SynthesisError};
+use super::problem::{Judge, Score, SynthesisError, check};
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 
@@ -92,18 +92,6 @@ pub fn search(
         is_gathered: population.is_gathered(sought, GATHERED),
         population,
     })
-}
-
-fn check(sought: &[Sought]) -> Result<(), SynthesisError> {
-    if sought.is_empty() {
-        return Err(SynthesisError::Nothing);
-    }
-    for (index, &Sought { low, high, .. }) in sought.iter().enumerate() {
-        if !(low < high && (high - low).is_finite()) {
-            return Err(SynthesisError::BadBounds { sought: index, low, high });
-        }
-    }
-    Ok(())
 }
 
 /// Judges designs in blocks, which go to threads by turns.

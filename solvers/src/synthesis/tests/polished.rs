@@ -165,6 +165,14 @@ fn wrong_slopes_are_told() {
 fn what_cannot_be_judged_is_refused() {
     let look = |_: &[f64]| (vec![f64::NAN], Vec::new(), vec![1.0]);
     let sought = vec![Sought::between(-1.0, 1.0)];
-    let found = polish(&mut Problem { sought, look }, Aim::Largest, &[0.5], 300);
+    let mut problem = Problem { sought, look };
+    let found = polish(&mut problem, Aim::Largest, &[0.5], 300);
+    assert_eq!(found.unwrap_err(), SynthesisError::NotJudged);
+    let found = polish(&mut problem, Aim::Largest, &[0.5, 0.5], 300);
+    assert_eq!(found.unwrap_err(), SynthesisError::OtherProblem { found: 2, expected: 1 });
+    // A row of slopes is missing.
+    let look = |_: &[f64]| (vec![1.0, 2.0], Vec::new(), vec![1.0]);
+    let mut problem = Problem { sought: vec![Sought::between(-1.0, 1.0)], look };
+    let found = polish(&mut problem, Aim::Largest, &[0.5], 300);
     assert_eq!(found.unwrap_err(), SynthesisError::NotJudged);
 }
