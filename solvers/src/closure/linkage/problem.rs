@@ -163,8 +163,8 @@ pub trait Linkage: Clone + Send + Sync + 'static {
     }
 
     /// Whether linkages made at random are closed several side by side. Compiled for a linkage that takes as long as all else
-    /// that is; emitted ones are where they state a tolerance, in builds without `debug_assertions`. A number, not a kind:
-    /// rustc then leaves out what is not asked for.
+    /// that is; emitted ones are where they state a tolerance, in builds without `debug_assertions`. A `bool`, since of a
+    /// `match` on a constant of an enum rustc compiles every arm.
     const PACKED: bool = true;
 
     /// Whether it searches, or solves loops that contradict each other, and so goes separate ways for different numbers: side by
