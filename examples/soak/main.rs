@@ -30,7 +30,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use case::Case;
+use case::{Case, Precision};
 use judge::{judge, simplest};
 use tally::Tally;
 
@@ -100,12 +100,15 @@ fn main() -> ExitCode {
                     }
                     let case = Case::make(options.seed, number, options.only.as_deref());
                     let mut verdict = judge(&command, &case);
-                    let finding = verdict.finding.take();
-                    let found = finding.map(|finding| simplest(&command, case, finding));
+                    let found = verdict.finding.take().map(|finding| {
+                        // Told at once: to make it simple takes as many runs as there are things to leave out.
+                        eprintln!("case {number}: {}", finding.what);
+                        eprintln!("  {}", case.line(Precision::Tried));
+                        simplest(&command, case, finding)
+                    });
                     let mut tally = tally.lock().unwrap_or_else(|broken| broken.into_inner());
                     tally.add(&verdict);
                     if let Some((case, finding)) = found {
-                        eprintln!("case {number}: {}", finding.what);
                         tally.find(finding, &case);
                     }
                     if number % 100 == 99 {
