@@ -38,6 +38,14 @@ pub struct Ends {
 }
 
 impl Ends {
+    /// Of what is nothing but noise either end may lie beyond the other.
+    fn share(&mut self) {
+        let apart = self.highest.value - self.lowest.value;
+        let errors = [self.lowest.error, self.highest.error];
+        self.lowest.error = larger(errors[0], errors[1] - apart);
+        self.highest.error = larger(errors[1], errors[0] - apart);
+    }
+
     /// The one with the largest absolute value.
     pub fn furthest(&self) -> End {
         match self.lowest.value.abs() > self.highest.value.abs() {
@@ -108,6 +116,7 @@ impl Estimate {
             Ends { lowest: end(0), highest: end(1) }
         });
         let mut ends: Vec<_> = each.collect();
+        ends.iter_mut().for_each(Ends::share);
         for (index, (ends, own)) in ends.iter_mut().zip(extremes).enumerate() {
             let rounding = f64::EPSILON * own.amplitude();
             for (end, rivals) in
@@ -212,6 +221,19 @@ mod tests {
     fn a_place_that_cannot_lie_as_far_out_does_not_count() {
         let end = beside(0.0, 0.125);
         assert_eq!((end.error, end.time, end.reach), (0.0, 0.0, 0.0));
+    }
+
+    /// An angular velocity that is zero: its largest value errs by far more than its smallest one is told to.
+    #[test]
+    fn an_end_may_lie_beyond_the_other_one() {
+        let end = |value, error| End { value, error, time: 0.0, blur: 0.0, reach: 0.0 };
+        let errors = |lowest, highest| {
+            let mut ends = Ends { lowest, highest };
+            ends.share();
+            (ends.lowest.error, ends.highest.error)
+        };
+        assert_eq!(errors(end(-0.25, 0.125), end(1.0, 8.0)), (6.75, 8.0));
+        assert_eq!(errors(end(-8.0, 0.125), end(8.0, 0.25)), (0.125, 0.25));
     }
 
     #[test]
