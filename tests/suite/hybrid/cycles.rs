@@ -23,6 +23,45 @@ mod ball {
     }
 }
 
+mod rubbed {
+    assur::mechanism! {
+        /// A shaken mass that rubs; what rubs changes its sense within a thousandth of the speed. A stop is far away.
+        Rubbed from "made up";
+        parameter m = 1 kg, c = 100 [N/m], d = 1 [N s/m], F_c = 2 N, v_s = 0.5 [mm/s];
+        parameter F = 8 N, omega = 12 [1/s], far = 1 m;
+        coordinate x: m = 0;
+        let rub = tanh(dot(x)/v_s);
+        motion m*ddot(x) = F*cos(omega*time) - c*x - d*dot(x) - F_c*rub;
+        output x;
+        /// By how much areas of starts shrink over the period, as a logarithm.
+        measure shrinks = total((d + F_c/v_s*(1 - rub^2))/m);
+        effect stop "far away" { when x - far rises { set dot(x) = -dot(x); } }
+        scene smooth { periodic over 2*pi/omega; }
+        scene stopped = stop { periodic over 2*pi/omega; }
+    }
+}
+
+/// The slope of what rubs is next to nothing but for moments: variations that choose their steps by themselves step over these,
+/// and their product, which Liouville's formula gives, is not even near. That of a motion that is as accurate is.
+#[test]
+fn multipliers_of_what_rubs_follow_from_its_losses() {
+    let check = |motion: Motion, rtol: f64| {
+        let [first, second] = motion.multipliers() else { panic!("{:?}", motion.multipliers()) };
+        let expected = (-motion.measure("shrinks").expect("it is there")).exp();
+        // A pair of them that are no real numbers has the square of the modulus.
+        let found = first.modulus() * second.modulus();
+        assert!((found / expected - 1.0).abs() < 1e4 * rtol, "{rtol}: {found} {expected}");
+        // Were it not for the rubbing, it would be the damping alone.
+        let damping = (-1.0 * motion.length().expect("a period")).exp();
+        assert!(found < 0.9 * damping, "{found} {damping}");
+    };
+    for rtol in [1e-6, 1e-8, 1e-10] {
+        let settings = Settings::new(Method::Dop853).rtol(rtol);
+        check(rubbed::Smooth::default().solve(&settings).expect("it repeats"), rtol);
+        check(rubbed::Stopped::default().solve(&settings).expect("it repeats"), rtol);
+    }
+}
+
 mod stop {
     assur::mechanism! {
         /// A mass on a spring and a damper, shaken, and a second spring that it meets.

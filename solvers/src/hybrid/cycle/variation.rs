@@ -22,6 +22,9 @@ use crate::settings::Settings;
 
 /// Change of a state by which it is found what closures leave of it, over its size.
 const ASIDE: f64 = 1e-5;
+/// Steps of the motion that variations may take at once, and by what factor these may differ in length.
+const TOGETHER: usize = 4;
+const ALIKE: f64 = 2.0;
 
 /// The matrix of derivatives of the end of a motion by its begin, SI units. What closures do not allow counts as nothing.
 pub(super) fn of(
@@ -254,18 +257,45 @@ pub(super) fn along(
             matrix[(i, j)] * if up { factor } else { 1.0 / factor }
         })
     };
-    let start: Vec<f64> = scaled(&start, true).as_slice().to_vec();
+    let mut end: Vec<f64> = scaled(&start, true).as_slice().to_vec();
     let tolerance = settings.rtol.max(1e-12);
-    let options = Options {
-        rtol: tolerance,
-        atol: AbsoluteTolerance::Same(tolerance),
-        first_step: Some(times[1] - times[0]),
-        ..Options::default()
-    };
     let mut workspace = Workspace::new(Explicit::Dop853, &columns);
-    integrate(&columns, (from, to), &start, &options, &mut workspace, &mut ())?;
-    let end = DMatrix::from_column_slice(states, states, workspace.state());
+    for stretch in stretches(times) {
+        let options = Options {
+            rtol: tolerance,
+            atol: AbsoluteTolerance::Same(tolerance),
+            first_step: Some(stretch.1 - stretch.0),
+            ..Options::default()
+        };
+        integrate(&columns, stretch, &end, &options, &mut workspace, &mut ())?;
+        end.copy_from_slice(workspace.state());
+    }
+    let end = DMatrix::from_column_slice(states, states, &end);
     Ok(scaled(&end, false))
+}
+
+/// Stretches of a motion that variations may go through in one step: some of its own steps, about alike in length. Where forces
+/// change steeply, as friction does where it changes its sense, the motion takes small steps; the slopes of these forces are all
+/// but zero elsewhere, so that variations by themselves would step over the place.
+fn stretches(times: &[f64]) -> impl Iterator<Item = (f64, f64)> {
+    let mut from = 0;
+    std::iter::from_fn(move || {
+        let length = |step: usize| times[step + 1] - times[step];
+        let last = times.len() - 1;
+        if from >= last {
+            return None;
+        }
+        let begin = from;
+        let is_like = |step: usize| {
+            let ratio = length(step) / length(begin);
+            (1.0 / ALIKE..=ALIKE).contains(&ratio)
+        };
+        from += 1;
+        while from < last && from - begin < TOGETHER && is_like(from) {
+            from += 1;
+        }
+        Some((times[begin], times[from]))
+    })
 }
 
 /// The variational equations along a piece of a motion.
@@ -298,5 +328,19 @@ impl System for Columns<'_> {
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::stretches;
+
+    #[test]
+    fn stretches_are_of_steps_that_are_alike() {
+        let times = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 6.1, 6.2, 8.0];
+        let found: Vec<_> = stretches(&times).collect();
+        assert_eq!(found, [(0.0, 4.0), (4.0, 6.0), (6.0, 6.2), (6.2, 8.0)]);
+        assert_eq!(stretches(&[1.0, 2.0]).collect::<Vec<_>>(), [(1.0, 2.0)]);
+        assert_eq!(stretches(&[1.0]).count(), 0);
     }
 }
