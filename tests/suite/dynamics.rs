@@ -230,6 +230,23 @@ fn a_rotor_repeats_after_a_turn() {
     assert!((turns / std::f64::consts::TAU * period - 1.0).abs() < 0.05, "{turns}");
 }
 
+/// The error of a period adds up: after thousands of them a motion is known only as well as they are together.
+#[test]
+fn periods_that_pass_add_up_their_errors() {
+    let steady = rotor::Steady::default();
+    let exact = steady.solve(&FINE).expect("it repeats");
+    let found = steady.solve(&Settings::new(Method::Dop853).rtol(1e-7)).expect("it repeats");
+    let estimate = found.estimate().expect("other solutions");
+    let subjects = [found.subject("phi").expect("an output")];
+    let time = 5000.4 * exact.length().expect("a period");
+    let first = time.rem_euclid(found.length().expect("a period"));
+    let phi = |motion: &assur::answer::Motion| motion.value("phi", time).expect("a value");
+    let error = (phi(&found) - phi(&exact)).abs();
+    let [naive, told] = [first, time].map(|time| estimate.at(&found, &subjects, time)[0]);
+    assert!(error > 100.0 * naive, "{error} {naive}");
+    assert!(told > 0.2 * error && told < 50.0 * error, "{error} {told}");
+}
+
 /// A bead on a turning arm that a pin carries: where the force of the pin passes zero the event is found.
 mod lifting {
     assur::mechanism! {

@@ -39,6 +39,14 @@ impl Place {
         Ok(place)
     }
 
+    /// The time that is asked for, however many periods it lies behind the first one; none where a driver is named.
+    pub fn time(&self) -> Option<f64> {
+        match self.positions[..] {
+            [(None, time)] => Some(time),
+            _ => None,
+        }
+    }
+
     /// The time of the place and the place in words, where all drivers move in time. `time_of` is when a driver first has a
     /// position, or the lowest and the highest position that it has.
     ///

@@ -201,17 +201,18 @@ pub fn collect(
     let Found { case, motion, curves, estimate, extremes, measures } = found;
     let subjects = case.subjects();
     let errors = estimate.largest(&motion, &subjects, &curves.times);
-    let snapshot = |time: f64, label: String| Snapshot {
+    let snapshot = |time: f64, label: String, asked: Option<f64>| Snapshot {
         label,
         time,
         drivers: case.drivers_at(time),
         values: case.sample(&motion, time),
-        errors: estimate.at(&motion, &subjects, time),
+        errors: estimate.at(&motion, &subjects, asked.unwrap_or(time)),
     };
     let (from, _) = case.moved.task.limits();
     let (leading, position) = case.leading(from);
-    let start = snapshot(from, amount_of(&leading, position));
-    let places = times.into_iter().map(|(time, label)| snapshot(time, label)).collect();
+    let start = snapshot(from, amount_of(&leading, position), None);
+    let asked = times.into_iter().zip(places);
+    let places = asked.map(|((time, label), place)| snapshot(time, label, place.time())).collect();
     let worst = errors.iter().enumerate();
     let worst = worst
         .filter_map(|(index, error)| Some((index, error / size(&case, &extremes, index)?)))

@@ -35,6 +35,8 @@ const FIRST: f64 = 0.4;
 const NEAR: usize = 2;
 /// How much earlier or later an event may happen in another solution of the same motion, over the length of the task.
 const LATE: f64 = 1e-3;
+/// Places on both sides at which a motion may be instead, if its period is wrong.
+const LATER: usize = 4;
 /// Steps in which a motion without states is looked at once more.
 const OTHER: usize = 110;
 /// Places in each of them.
@@ -130,8 +132,31 @@ impl Estimate {
         Some(errors)
     }
 
-    /// The errors of all variables at one time: the largest of the steps around it.
+    /// The errors of all variables at one time: the largest of the steps around it. Of a motion whose period is a result any
+    /// number of periods may have passed: then it may be as much earlier or later as they are wrong together.
     pub fn at(&self, motion: &Motion, subjects: &[Subject], time: f64) -> Vec<f64> {
+        let within = motion.task().reduce(time).unwrap_or(time);
+        let mut errors = self.within(motion, subjects, within);
+        let periods =
+            motion.length().map_or(0.0, |length| ((time - within) / length).round().abs());
+        let late = if periods > 0.0 { periods * self.period(motion) } else { 0.0 };
+        if late > 0.0 {
+            let here = motion.values(subjects, within);
+            for part in (1..=LATER).flat_map(|part| [part as f64, -(part as f64)]) {
+                // Where a period ends, angles begin anew.
+                let (from, to) = motion.task().limits();
+                let beside = (within + late * part / LATER as f64).clamp(from, to);
+                let there = motion.values(subjects, beside);
+                for ((error, here), there) in errors.iter_mut().zip(&here).zip(there) {
+                    *error = larger(*error, (here - there).abs());
+                }
+            }
+        }
+        errors
+    }
+
+    /// The errors of all variables at a time of the task.
+    fn within(&self, motion: &Motion, subjects: &[Subject], time: f64) -> Vec<f64> {
         let mut errors = match self.exactly_at(motion, subjects, time) {
             Some(errors) => errors,
             // Before or after an event: that is not known.
