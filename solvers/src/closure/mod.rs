@@ -21,11 +21,13 @@ pub use crate::shape::{Group, GroupKind, Variable};
 pub use error::ClosureError;
 pub use extent::breaks::Break;
 pub use extent::extremes::{Extreme, Limit};
+pub use extent::facets::{Facet, Facets};
 pub use extent::limits::{End, Stretch, stretch};
 pub use extent::measures::Measured;
 pub use extent::strokes::{Stroke, strokes};
 pub use extent::track::Along;
 pub use linkage::any::AnyLinkage;
+pub(crate) use linkage::derivative::{duals, keep_closed};
 #[doc(hidden)]
 pub use linkage::loops::{Answers, Apart, Loops, Square, Trials, instant_at};
 pub use linkage::problem::{Closure, Linkage, Range};

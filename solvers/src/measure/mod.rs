@@ -189,8 +189,16 @@ pub fn all(
     sample: &Probe<'_>,
     measures: &dyn Fn(&[f64], &mut [f64]),
 ) -> Vec<Result<f64, Missing>> {
-    let found = find(motion, shape.primitives, shape.measured, sample);
-    let measures = shape.uses.iter().zip(of_primitives(shape, &found, measures));
+    made(shape, &find(motion, shape.primitives, shape.measured, sample), measures)
+}
+
+/// The measures that `measures` makes of primitives.
+pub(crate) fn made(
+    shape: &Shape,
+    found: &[Result<f64, Missing>],
+    measures: &dyn Fn(&[f64], &mut [f64]),
+) -> Vec<Result<f64, Missing>> {
+    let measures = shape.uses.iter().zip(of_primitives(shape, found, measures));
     measures
         .map(|(uses, value)| {
             if let Some(missing) = uses.iter().find_map(|index| found[*index].err()) {

@@ -44,6 +44,8 @@ pub enum Missing {
         /// How many there are.
         count: usize,
     },
+    /// Nobody asked for it.
+    NotLookedFor,
     /// The quantity is not a finite number somewhere.
     NotFinite,
 }
@@ -69,6 +71,7 @@ impl Missing {
             Self::NoVibration { number, count } => format!(
                 "there is no vibration number {number}: {count} disturbances vibrate, the others die out or grow without"
             ),
+            Self::NotLookedFor => "nobody asked for it".to_string(),
             Self::NotFinite => "it is not a finite number".to_string(),
         }
     }

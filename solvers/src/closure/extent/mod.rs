@@ -3,12 +3,14 @@
 //! | file | what it does |
 //! |---|---|
 //! | `limits` | how far a driver can go |
-//! | `measures` | numbers of a whole way |
+//! | `walk`, `measures` | numbers of a whole way |
+//! | `facets` | how these change with the constants |
 //! | `strokes`, `track`, `rates` | limit positions and strokes of outputs and dependent coordinates |
 //! | `extremes`, `breaks`, `noise`, `root` | where a function turns round, jumps, or goes beyond all bounds |
 
 pub(super) mod breaks;
 pub(super) mod extremes;
+pub(super) mod facets;
 pub(super) mod limits;
 pub(super) mod measures;
 pub(super) mod noise;
@@ -16,3 +18,4 @@ pub(super) mod rates;
 pub(super) mod root;
 pub(super) mod strokes;
 pub(super) mod track;
+pub(super) mod walk;

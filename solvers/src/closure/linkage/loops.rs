@@ -34,6 +34,12 @@ pub trait Answers<S: Scalar>: Trials<S> {
 
     /// See [`Closure::influence`].
     fn influence(&self, instant: &[S], position: &[S], values: &mut [S]);
+
+    /// See [`Closure::measured`].
+    fn measured(&self, instant: &[S], position: &[S], values: &mut [S]);
+
+    /// See [`Closure::measures`].
+    fn measures(&self, found: &[S], values: &mut [S]);
 }
 
 /// Loops that are closed.
@@ -55,12 +61,6 @@ pub trait Loops<S: Scalar>: Answers<S> {
 
     /// See [`Closure::points`].
     fn points(&self, instant: &[S], position: &[S], values: &mut [S]);
-
-    /// See [`Closure::measured`].
-    fn measured(&self, instant: &[S], position: &[S], values: &mut [S]);
-
-    /// See [`Closure::measures`].
-    fn measures(&self, found: &[S], values: &mut [S]);
 }
 
 /// What depends on the independent variables alone, and on how they move where that is known.
@@ -173,11 +173,7 @@ macro_rules! written {
 }
 
 impl<S: Scalar, C: Closure<S>> Answers<S> for Apart<C> {
-    written!(outputs influence);
-}
-
-impl<S: Scalar, C: Closure<S>> Loops<S> for Apart<C> {
-    written!(residual second_influence points measured);
+    written!(outputs influence measured);
 
     fn measures(&self, found: &[S], values: &mut [S]) {
         S::outline(
@@ -185,6 +181,10 @@ impl<S: Scalar, C: Closure<S>> Loops<S> for Apart<C> {
             || self.0.measures(found, values),
         );
     }
+}
+
+impl<S: Scalar, C: Closure<S>> Loops<S> for Apart<C> {
+    written!(residual second_influence points);
 
     fn close(&self, group: usize, instant: &[S], mode: S, position: &mut [S]) -> S {
         let instant: C::Instant = stored(instant);

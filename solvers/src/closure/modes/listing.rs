@@ -2,12 +2,14 @@
 
 use std::f64::consts::TAU;
 
+use assur_functions::Sense;
+
 use crate::closure::extent::limits::stretch_of;
 use crate::closure::extent::measures::{Measured, measures_of, weighed_of};
 use crate::closure::extent::strokes::strokes_of;
 use crate::closure::modes::modes_of;
 use crate::closure::{
-    Along, AnyLinkage, AssemblyMode, ClosureError, Newton, Range, Search, Stretch, Stroke,
+    Along, AnyLinkage, AssemblyMode, ClosureError, Facets, Newton, Range, Search, Stretch, Stroke,
     instant_at,
 };
 use crate::measure::Missing;
@@ -99,12 +101,28 @@ impl dyn AnyLinkage + '_ {
         measures_of(self, along)
     }
 
-    /// The same by a look at fewer places, for designs that are weighed against many others: without errors.
+    /// Those that are wanted, by their index, by a look at fewer places, for designs that are weighed against many others: without
+    /// errors. The others are missing.
     ///
     /// # Errors
     /// As there.
-    pub fn weighed(&self, along: Along) -> Result<Vec<Result<f64, Missing>>, ClosureError> {
-        weighed_of(self, along)
+    pub fn weighed(
+        &self,
+        along: Along,
+        wanted: &dyn Fn(usize) -> bool,
+    ) -> Result<Vec<Result<f64, Missing>>, ClosureError> {
+        weighed_of(self, along, wanted)
+    }
+
+    /// How measures along a way change with constants, each with the width of its range: what [`Facets::of`] answers, for
+    /// this linkage and for others of its kind. Each measure stands with the sense in which it is good.
+    pub fn facets(
+        &self,
+        along: Along,
+        constants: Vec<(usize, f64)>,
+        measures: &[(usize, Sense)],
+    ) -> Facets {
+        Facets::new(self, along, constants, measures)
     }
 
     /// The measures as the constants alone give them: those that use a primitive, which is found on a way, mean nothing.

@@ -2,6 +2,7 @@
 
 mod all_modes;
 mod extremes;
+mod facets;
 mod hard;
 pub(crate) mod linkages;
 mod nearest;

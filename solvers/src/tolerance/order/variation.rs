@@ -1,7 +1,7 @@
 //! How a linkage changes with one variable, by dual numbers: the loops are kept closed in their derivatives.
 
-use crate::closure::{Answers, AnyLinkage, Square, Variable, instant_at};
-use crate::dense::{Lu, Singular};
+use crate::closure::{AnyLinkage, Variable, duals, instant_at, keep_closed};
+use crate::dense::Singular;
 use crate::scalar::Dual;
 
 /// Derivatives by one variable at a closed position.
@@ -43,9 +43,7 @@ impl Stand<'_> {
         let independents = duals(self.independents, driver);
         let instant = instant_at(&*loops, &independents, &duals(self.motion, None));
         let mut position = duals(self.position, None);
-        for group in 0..entry.groups.len() {
-            close(&*loops, group, &instant, &mut position)?;
-        }
+        keep_closed(&*loops, &instant, &mut position)?;
         let mut influence = vec![Dual::default(); shape.outputs.len() * entry.variables.len()];
         loops.influence(&instant, &position, &mut influence);
         let slopes = |list: &[Dual]| list.iter().map(|one| one.slope).collect();
@@ -54,37 +52,4 @@ impl Stand<'_> {
             influence: slopes(&influence),
         })
     }
-}
-
-/// Constants, but for one that varies.
-fn duals(list: &[f64], varied: Option<usize>) -> Vec<Dual> {
-    let one = |(index, value): (usize, &f64)| match Some(index) == varied {
-        true => Dual::variable(*value),
-        false => Dual::constant(*value),
-    };
-    list.iter().enumerate().map(one).collect()
-}
-
-/// Gives the unknowns of a group the derivatives that keep its loops closed.
-fn close(
-    loops: &dyn Answers<Dual>,
-    group: usize,
-    instant: &[Dual],
-    position: &mut [Dual],
-) -> Result<(), Singular> {
-    let mut square = Square::of(loops.shape());
-    square.look(loops, group, instant, position);
-    let unknowns = loops.shape().loops().groups[group].unknowns;
-    let count = unknowns.len();
-    let entries = square.jacobian[..count * count].iter();
-    let factors = Lu::new(entries.map(|one| one.value).collect(), count)?;
-    let rows = square.residual[..count].iter();
-    let mut right: Vec<f64> = rows.map(|one| -one.slope).collect();
-    factors.solve(&mut right);
-    for (unknown, slope) in unknowns.iter().zip(right) {
-        position[*unknown].slope = slope;
-    }
-    // Sines and cosines follow.
-    square.look(loops, group, instant, position);
-    Ok(())
 }

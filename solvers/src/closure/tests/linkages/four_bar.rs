@@ -4,7 +4,7 @@ use super::{Directions, Dyad, constants, directions, unasked};
 use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
 use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
-use crate::shape::{List, Shape, by_hand};
+use crate::shape::{Kind, List, Primitive, Quantity, Shape, Unit, by_hand};
 use std::f64::consts::TAU;
 
 /// Constants `l1, l2, l3, a`; unknowns `γ, θ`; outputs both.
@@ -44,9 +44,27 @@ impl<S: Scalar, const ITERATED: bool> Loops<S, ITERATED> {
 const VARIABLES: [Variable; 4] =
     [Variable::Constant(0), Variable::Constant(1), Variable::Constant(2), Variable::Constant(3)];
 
+/// A number of its way.
+const fn measure(name: &'static str) -> Quantity {
+    Quantity { name, summary: "", unit: "", factor: 1.0, dimension: Unit::NONE.dimension }
+}
+
+/// Its measures: the swing of the rocker with the length of the crank, the largest cosine of the angle between rod and rocker,
+/// the mean position of the rocker.
+const MEASURES: [Quantity; 3] = [measure("swing"), measure("largest"), measure("mean")];
+
+/// What they are made of.
+const PRIMITIVES: [Primitive; 4] = [
+    Primitive::of(Kind::Peak, 0),
+    Primitive::of(Kind::Lowest, 0),
+    Primitive::of(Kind::Peak, 1),
+    Primitive::of(Kind::Mean, 0),
+];
+
 /// What it is made of, its loops closed in a way.
 const fn shape(groups: List<Group>) -> Shape {
-    by_hand([4, 2], &[true, true], groups, &VARIABLES)
+    let uses: List<List<usize>> = &[&[0, 1], &[2], &[3]];
+    by_hand([4, 2], &[true, true], groups, &VARIABLES).measures(&MEASURES, uses, &PRIMITIVES, 2)
 }
 
 /// In closed form.
@@ -133,6 +151,12 @@ impl<S: Scalar, const ITERATED: bool> Closure<S> for Loops<S, ITERATED> {
     }
     fn outputs(&self, _: &[S; 2], z: &[S; 6], values: &mut [S]) {
         values.copy_from_slice(&z[..2]);
+    }
+    fn measured(&self, _: &[S; 2], z: &[S; 6], values: &mut [S]) {
+        values.copy_from_slice(&[z[1], z[2].mul_add(z[4], z[3] * z[5])]);
+    }
+    fn measures(&self, found: &[S], values: &mut [S]) {
+        values.copy_from_slice(&[found[0] - found[1] + self.crank, found[2], found[3]]);
     }
 }
 

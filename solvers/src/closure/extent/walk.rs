@@ -1,0 +1,105 @@
+//! A linkage on its way, asked for the quantities that measures look at.
+
+use std::cell::RefCell;
+
+use super::track::Along;
+use crate::closure::error::ClosureError;
+use crate::closure::linkage::any::AnyLinkage;
+use crate::closure::linkage::loops::{Loops, instant_at};
+use crate::closure::position::guide::Moves;
+use crate::hybrid::Motion;
+use crate::measure::{self, Missing};
+use crate::problem::Phase;
+
+/// A linkage that goes its way.
+pub(super) struct Walk<'a> {
+    linkage: &'a dyn AnyLinkage,
+    along: Along,
+    assembly: Box<dyn Moves>,
+    /// Its loops.
+    pub loops: Box<dyn Loops<f64>>,
+    standing: Vec<f64>,
+}
+
+impl<'a> Walk<'a> {
+    /// Puts a linkage together.
+    ///
+    /// # Errors
+    /// As [`Assembly::start`](crate::closure::Assembly::start).
+    pub fn new(linkage: &'a dyn AnyLinkage, along: Along) -> Result<Self, ClosureError> {
+        let mut assembly = linkage.assemble();
+        assembly.guide().start()?;
+        Ok(Self {
+            standing: assembly.guide().independents.to_vec(),
+            assembly,
+            loops: linkage.prepare(&linkage.values()),
+            linkage,
+            along,
+        })
+    }
+
+    /// The drivers at a place of the way, and behind them how they move.
+    fn place(&self, at: f64) -> Result<Vec<f64>, ClosureError> {
+        match self.along {
+            Along::Driver(index, _) => {
+                let mut place = self.standing.clone();
+                place[index] = at;
+                Ok(place)
+            }
+            Along::Time(..) => self.linkage.drive(at).ok_or_else(|| ClosureError::BadRange {
+                reason: "the drivers do not move in time".to_owned(),
+            }),
+        }
+    }
+
+    /// Goes to a place and looks at all quantities.
+    ///
+    /// # Errors
+    /// Why the linkage does not get there.
+    pub fn look(&mut self, at: f64, values: &mut [f64]) -> Result<(), ClosureError> {
+        let place = self.place(at)?;
+        let (drivers, motion) = place.split_at(self.standing.len());
+        self.assembly.travel(drivers)?;
+        let instant = instant_at(&*self.loops, drivers, self.linkage.motion(motion));
+        self.loops.measured(&instant, self.assembly.guide().position, values);
+        Ok(())
+    }
+
+    /// Where it stands: the drivers, and the whole position.
+    pub fn stand(&mut self) -> (Vec<f64>, Vec<f64>) {
+        let guide = self.assembly.guide();
+        (guide.independents.to_vec(), guide.position.to_vec())
+    }
+
+    /// What measures look for, the way being looked through in so many parts; only those primitives that are wanted, the others
+    /// are missing.
+    ///
+    /// # Errors
+    /// Why the linkage does not get through it.
+    pub fn find(
+        &mut self,
+        parts: usize,
+        wanted: &dyn Fn(usize) -> bool,
+    ) -> Result<Vec<Result<f64, Missing>>, ClosureError> {
+        let shape = self.linkage.shape();
+        let places: Vec<usize> = (0..shape.primitives.len()).filter(|one| wanted(*one)).collect();
+        let primitives: Vec<_> = places.iter().map(|place| shape.primitives[*place]).collect();
+        let (from, to) = self.along.bounds();
+        // A way that is gone backwards begins where it begins.
+        let sign = if from > to { -1.0 } else { 1.0 };
+        let motion = Motion::without_states(0, (sign * from, sign * to), parts);
+        let (walk, stopped) = (RefCell::new(self), RefCell::new(None));
+        let sample = |_: Phase<'_, f64>, at: f64, _: &[f64], values: &mut [f64]| {
+            if let Err(error) = walk.borrow_mut().look(sign * at, values) {
+                values.fill(f64::NAN);
+                stopped.borrow_mut().get_or_insert(error);
+            }
+        };
+        let found = measure::find(&motion, &primitives, shape.measured, &sample);
+        let mut all = vec![Err(Missing::NotLookedFor); shape.primitives.len()];
+        for (place, one) in places.into_iter().zip(found) {
+            all[place] = one;
+        }
+        stopped.into_inner().map_or(Ok(all), Err)
+    }
+}
