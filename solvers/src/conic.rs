@@ -34,6 +34,7 @@ impl Rows {
 }
 
 /// Why there is no solution.
+#[cfg_attr(not(feature = "allocation"), expect(dead_code))]
 pub(crate) struct Stop {
     /// How the solver describes that.
     pub status: String,

@@ -1,5 +1,7 @@
 //! The curvature of a Lagrangian, learnt from how its slope changes along steps.
 
+use nalgebra::DMatrix;
+
 /// A symmetric matrix that stays positive definite: Powell's damped formula (*A fast algorithm for nonlinearly constrained
 /// optimization calculations*, 1978). It is zero until the first step.
 #[derive(Clone, Debug)]
@@ -13,6 +15,16 @@ pub(super) struct Curve {
 impl Curve {
     pub fn new(count: usize) -> Self {
         Self { count, entries: vec![0.0; count * count], is_known: false }
+    }
+
+    /// That of columns by which a slope changes along each number. Directions in which it falls count as straight.
+    pub fn seen(columns: &[Vec<f64>]) -> Self {
+        let count = columns.len();
+        let entry = |row: usize, column: usize| 0.5 * (columns[column][row] + columns[row][column]);
+        let mut factors = DMatrix::from_fn(count, count, entry).symmetric_eigen();
+        factors.eigenvalues.iter_mut().for_each(|one| *one = one.max(0.0));
+        let matrix = factors.recompose();
+        Self { count, entries: matrix.transpose().as_slice().to_vec(), is_known: true }
     }
 
     /// An entry.

@@ -30,6 +30,11 @@ pub trait Local {
     /// Looks at a design; none where it cannot be judged. Values and conditions are as many for all designs, and each
     /// means the same.
     fn look(&mut self, design: &[f64]) -> Option<Look>;
+
+    /// Whether nobody waits for a better design any more.
+    fn is_stopped(&self) -> bool {
+        false
+    }
 }
 
 impl Aim {

@@ -4,6 +4,8 @@
 //! conditions are missed, and, of designs that keep them all, a value that is to be small.
 
 #[cfg(feature = "synthesis")]
+mod certificate;
+#[cfg(feature = "synthesis")]
 mod curve;
 #[cfg(feature = "synthesis")]
 mod local;
@@ -17,6 +19,8 @@ mod search;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "synthesis")]
+pub use certificate::{Certificate, certify};
 #[cfg(feature = "synthesis")]
 pub use local::{Aim, Local, Look};
 #[cfg(feature = "synthesis")]

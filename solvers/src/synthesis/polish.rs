@@ -15,6 +15,8 @@ use super::programme::{Model, Step};
 const REGION: (f64, f64) = (0.02, 0.5);
 /// Shortest step that is tried.
 const SHORTEST: f64 = 1e-14;
+/// A region, as a part of each range, in which something can be gained unless a design is the best.
+const WIDE: f64 = 1e-6;
 /// A gain that counts as none, over the value.
 const GAIN: f64 = 1e-13;
 /// A step is taken if so much of what it promises comes true.
@@ -25,6 +27,14 @@ const SHARES: (f64, f64) = (0.25, 0.75);
 const HEAVIEST: f64 = 1e6;
 /// Conditions come nearer to hold if a step leaves less than so much of what is missed.
 const NEARER: f64 = 0.9;
+/// Steps after which curvature is looked at.
+const PATIENCE: u64 = 30;
+/// Steps between two such looks.
+const BETWEEN: u64 = 4;
+/// Part of a range over which it is seen.
+const BESIDE: f64 = 1e-5;
+/// A number so near to a bound, as a part of its range, is at it.
+const AT_BOUND: f64 = 1e-6;
 /// What of a change of conditions counts as none.
 const NOTHING: f64 = 1e-6;
 
@@ -35,7 +45,7 @@ pub enum End {
     Settled,
     /// Steps as short as can be do not keep what they promise: slopes are not those of the values, or jump.
     Stuck,
-    /// As many looks as were permitted.
+    /// As many looks as were permitted, or it was stopped.
     Looks,
 }
 
@@ -81,10 +91,11 @@ pub fn polish(
     let mut way = Way { local, sought, aim, looks: 0 };
     let here = way.look(&place).ok_or(SynthesisError::NotJudged)?;
     let weight = here.steepness(count);
-    let mut stand = Stand { place, here, region: REGION.0, weight, curve: Curve::new(count) };
+    let mut stand =
+        Stand { place, here, region: REGION.0, weight, curve: Curve::new(count), taken: 0 };
     let mut last = None;
     let end = loop {
-        if way.looks >= looks {
+        if way.looks >= looks || way.local.is_stopped() {
             break End::Looks;
         }
         match way.advance(&mut stand, &mut last) {
@@ -105,6 +116,8 @@ struct Stand {
     /// Of what conditions miss.
     weight: f64,
     curve: Curve,
+    /// Steps that were taken.
+    taken: u64,
 }
 
 impl Stand {
@@ -173,7 +186,8 @@ impl Way<'_> {
         let promised = before - model.cost(&step.way);
         *last = Some(step.clone());
         if promised <= GAIN * size {
-            return Some(End::Settled);
+            // Within a small region nothing can be gained, wherever it lies.
+            return Some(if region >= WIDE { End::Settled } else { End::Stuck });
         }
         let kept = |look: &Option<Look>| {
             look.as_ref().map_or(f64::NEG_INFINITY, |look| (before - worth(look)) / promised)
@@ -198,15 +212,46 @@ impl Way<'_> {
         } else if share > SHARES.1 && length > 0.99 * region {
             stand.region = (2.0 * region).min(REGION.1);
         }
-        if let Some(there) = tried.filter(|_| share >= BELIEVED) {
+        let is_taken = share >= BELIEVED;
+        if let Some(there) = tried.filter(|_| is_taken) {
             // What is heavier than it needs to be makes steps along bent conditions short.
             if step.missed <= NOTHING * step.reach {
                 let held: f64 = step.multipliers[there.values.len()..].iter().sum();
                 stand.weight = weight.min(f64::max(steepness, 4.0 * held));
             }
             stand.go(&step, there);
+            stand.taken += 1;
+            // Where curvature cannot be learnt from steps, it is looked at.
+            if stand.taken >= PATIENCE
+                && stand.taken.is_multiple_of(BETWEEN)
+                && let Some(curve) = self.curve(stand, &step.multipliers)
+            {
+                stand.curve = curve;
+            }
         }
         None
+    }
+
+    /// The curvature of the Lagrangian where a design stands; none where a neighbour cannot be judged.
+    fn curve(&mut self, stand: &Stand, multipliers: &[f64]) -> Option<Curve> {
+        let (count, aim) = (stand.place.len(), self.aim);
+        let pull = |look: &Look| {
+            let mut multipliers = multipliers.to_vec();
+            if aim == Aim::Squares {
+                // What slopes alone make of squares stands in the programme by itself.
+                multipliers[..look.values.len()].copy_from_slice(&stand.here.values);
+            }
+            look.pull(&multipliers, count)
+        };
+        let here = pull(&stand.here);
+        let columns = (0..count).map(|column| {
+            let mut way = vec![0.0; count];
+            way[column] = if stand.place[column] < 0.5 { BESIDE } else { -BESIDE };
+            let there = pull(&self.tried(stand, &way)?);
+            Some(there.iter().zip(&here).map(|(a, b)| (a - b) / way[column]).collect())
+        });
+        let columns: Vec<Vec<f64>> = columns.collect::<Option<_>>()?;
+        Some(Curve::seen(&columns))
     }
 
     fn tried(&mut self, stand: &Stand, way: &[f64]) -> Option<Look> {
@@ -216,10 +261,15 @@ impl Way<'_> {
 
     fn judged(&self, stand: &Stand, last: Option<Step>, end: End) -> Polished {
         let (design, here, count) = (self.design(&stand.place), &stand.here, stand.place.len());
-        let (multipliers, bounds) = match last {
+        let (multipliers, mut bounds) = match last {
             Some(step) => (step.multipliers, step.bounds),
             None => (vec![0.0; here.values.len() + here.conditions.len()], vec![0.0; count]),
         };
+        // What kept a step short may have been the region alone.
+        for ((bound, place), one) in bounds.iter_mut().zip(&stand.place).zip(&self.sought) {
+            let is_at_bound = place.min(1.0 - place) <= AT_BOUND;
+            *bound = if is_at_bound && !one.is_turn { *bound } else { 0.0 };
+        }
         let pull = here.pull(&multipliers, count);
         let left = pull.iter().zip(&bounds).map(|(pull, bound)| (pull + bound).abs());
         Polished {

@@ -79,14 +79,24 @@ impl Score {
         self.missed == 0.0 && self.value.is_finite()
     }
 
-    /// Whether it is no worse than another. What is no number is worst.
-    pub fn is_as_good_as(&self, other: &Self) -> bool {
-        let rank = |score: &Self| match score.missed {
+    /// What it is compared by. What is no number is worst.
+    fn rank(&self) -> (f64, f64) {
+        match self.missed {
             missed if missed > 0.0 => (missed, 0.0),
-            missed if missed == 0.0 && !score.value.is_nan() => (0.0, score.value),
+            missed if missed == 0.0 && !self.value.is_nan() => (0.0, self.value),
             _ => (f64::INFINITY, f64::INFINITY),
-        };
-        rank(self) <= rank(other)
+        }
+    }
+
+    /// Whether it is no worse than another.
+    pub fn is_as_good_as(&self, other: &Self) -> bool {
+        self.rank() <= other.rank()
+    }
+
+    /// The better one before the other.
+    pub fn order(&self, other: &Self) -> std::cmp::Ordering {
+        let (a, b) = (self.rank(), other.rank());
+        a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
     }
 }
 

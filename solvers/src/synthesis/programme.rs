@@ -110,8 +110,15 @@ impl Model<'_> {
         let mut rows = Rows::default();
         let now = self.aim.of(values);
         let near = |value: &f64| now - value <= 2.0 * units.objective;
-        let of_values: Vec<usize> =
-            (0..values.len()).filter(|index| is_largest && near(&values[*index])).collect();
+        let mut of_values: Vec<usize> = Vec::new();
+        for index in (0..values.len()).filter(|index| is_largest && near(&values[*index])) {
+            // A value that is the same twice, slopes and all, is one.
+            let is_same =
+                |other: &usize| values[*other] == values[index] && slopes[*other] == slopes[index];
+            if !of_values.iter().any(is_same) {
+                of_values.push(index);
+            }
+        }
         for &index in &of_values {
             let mut row = scaled(slopes[index], -region / units.objective);
             row.push((largest, 1.0));

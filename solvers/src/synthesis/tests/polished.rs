@@ -19,15 +19,18 @@ impl<F: FnMut(&[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>)> Local for Problem<F> {
     }
 }
 
-fn polished(
+/// A polished design with what holds it.
+fn certified(
     sought: Vec<Sought>,
     aim: Aim,
     from: &[f64],
     look: impl FnMut(&[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>),
-) -> Polished {
-    let found = polish(&mut Problem { sought, look }, aim, from, 300).expect("it can be judged");
+) -> (Polished, Certificate) {
+    let mut problem = Problem { sought, look };
+    let found = polish(&mut problem, aim, from, 300).expect("it can be judged");
     assert_eq!(found.end, End::Settled, "{found:?}");
-    found
+    let certificate = certify(&mut problem, aim, &found).expect("it can be judged");
+    (found, certificate)
 }
 
 /// Of all polynomials `x^5 + …` Chebyshev's deviates least from zero, by 1/16, at six points with alternating signs.
@@ -46,7 +49,10 @@ fn the_polynomial_that_deviates_least() {
         }
         (values, Vec::new(), slopes)
     };
-    let found = polished(vec![Sought::between(-3.0, 3.0); 5], Aim::Largest, &[0.1; 5], look);
+    let (found, held) =
+        certified(vec![Sought::between(-3.0, 3.0); 5], Aim::Largest, &[0.1; 5], look);
+    // Six places hold five numbers in all directions.
+    assert_eq!((held.values.len(), held.free, held.curvature), (6, 0, None));
     assert!((16.0 * found.value - 1.0).abs() < 1e-9, "{found:?}");
     for (found, expected) in found.design.iter().zip([0.0, 5.0 / 16.0, 0.0, -1.25, 0.0]) {
         assert!((found - expected).abs() < 1e-7, "{found} {expected}");
@@ -74,7 +80,10 @@ fn where_fewer_values_meet_than_there_are_numbers_and_one() {
         ];
         (values, Vec::new(), slopes)
     };
-    let found = polished(vec![Sought::between(-10.0, 10.0); 2], Aim::Largest, &[2.0, 2.0], look);
+    let (found, held) =
+        certified(vec![Sought::between(-10.0, 10.0); 2], Aim::Largest, &[2.0, 2.0], look);
+    assert_eq!((held.values.len(), held.free), (2, 1));
+    assert!(held.curvature.is_some_and(|curvature| curvature > 1.0), "{held:?}");
     assert!((found.value - 1.952_224_493_8).abs() < 1e-9, "{found:?}");
     assert!((found.design[0] - 1.139_037_7).abs() < 1e-5, "{found:?}");
 }
@@ -104,7 +113,11 @@ fn conditions_hold_with_their_multipliers() {
         (vec![value], conditions, slopes.concat())
     };
     for from in [[0.0; 4], [3.0, -2.0, 4.0, 1.0]] {
-        let found = polished(vec![Sought::between(-10.0, 10.0); 4], Aim::Largest, &from, look);
+        let (found, held) =
+            certified(vec![Sought::between(-10.0, 10.0); 4], Aim::Largest, &from, look);
+        let conditions: Vec<usize> = held.conditions.iter().map(|one| one.0).collect();
+        assert_eq!((conditions, held.free), (vec![0, 2], 2));
+        assert!(held.curvature.is_some_and(|curvature| curvature > 1.0), "{held:?}");
         assert!((found.value + 44.0).abs() < 1e-8 && found.missed < 1e-9, "{found:?}");
         for (found, expected) in found.design.iter().zip([0.0, 1.0, 2.0, -1.0]) {
             assert!((found - expected).abs() < 1e-5, "{found} {expected}");
@@ -132,7 +145,9 @@ fn least_squares() {
         (values, Vec::new(), slopes)
     };
     let from = [0.25, 0.39, 0.415, 0.39];
-    let found = polished(vec![Sought::between(-1.0, 1.0); 4], Aim::Squares, &from, look);
+    let (found, held) = certified(vec![Sought::between(-1.0, 1.0); 4], Aim::Squares, &from, look);
+    assert_eq!((held.values.len(), held.free), (0, 4));
+    assert!(held.curvature.is_some_and(|curvature| curvature > 0.0), "{held:?}");
     assert!((2.0 * found.value / 3.075_056_038_492e-4 - 1.0).abs() < 1e-9, "{found:?}");
 }
 
@@ -147,9 +162,23 @@ fn at_a_bound() {
         )
     };
     let sought = vec![Sought::between(-1.0, 1.0), Sought::between(-1.0, 1.0)];
-    let found = polished(sought, Aim::Largest, &[-0.5, 0.7], look);
+    let (found, held) = certified(sought, Aim::Largest, &[-0.5, 0.7], look);
+    // Along the bound `y²` curves, over a range of 2.
+    assert_eq!((held.bounds.len(), held.bounds[0].0, held.free), (1, 0, 1));
+    assert!((held.curvature.expect("one direction is free") - 8.0).abs() < 1e-3);
     assert!((found.design[0] - 1.0).abs() < 1e-12 && found.design[1].abs() < 1e-6, "{found:?}");
     assert!((found.bounds[0] - 4.0).abs() < 1e-3 && found.bounds[1].abs() < 1e-3, "{found:?}");
+}
+
+/// Nothing is gained to first order where a saddle is level, but it is no best design.
+#[test]
+fn a_saddle_is_told() {
+    let look =
+        |x: &[f64]| (vec![x[0].powi(2) - x[1].powi(2)], Vec::new(), vec![2.0 * x[0], -2.0 * x[1]]);
+    let sought = vec![Sought::between(-1.0, 1.0), Sought::between(-1.0, 1.0)];
+    let (found, held) = certified(sought, Aim::Largest, &[0.5, 0.0], look);
+    assert!(found.design.iter().all(|one| one.abs() < 1e-6), "{found:?}");
+    assert!((held.curvature.expect("both directions are free") + 8.0).abs() < 1e-3, "{held:?}");
 }
 
 /// Slopes that are not those of the values are no reason to go on for ever, nor to say that this is the best.
