@@ -17,8 +17,12 @@ The scene says what is varied, kept and made small: `vary l1 in 5 mm .. 60 mm;`,
 `minimise peak(abs(error));`. Its own values do not count where they are varied, so that --set and --preset give the others.
 
 All designs between the bounds are sought, several times, each time from others; a design that misses a condition is worse than
-any that keeps it. The distinct designs that were found are printed, the best one first, with what is left of each condition, and
-each as a preset that can be put into the equation file. An interrupt (Ctrl-C) ends the search and prints what there is.
+any that keeps it. What a search finds is polished by quadratic programmes: of a linkage all places count at which an extreme may
+lie. The distinct designs are printed, the best one first, with what is left of each condition, what holds it where it is, and
+as a preset that can be put into the equation file. An interrupt (Ctrl-C) ends the search and prints what there is.
+
+Start values pick the assembly mode of every design, so that designs beyond those for which they pick another one are not found;
+`max(…, 0)` of what is to be small has a corner at which polishing stops: keep what is meant by a condition instead.
 
 Csv has one row a design.";
 

@@ -1,5 +1,7 @@
 //! The answer as an object.
 
+use assur::study::Polish;
+use assur::synthesis::End;
 use serde::Serialize;
 
 use super::Found;
@@ -52,10 +54,68 @@ struct Design {
     reason: Option<String>,
     /// The statement of an equation file that gives its values.
     preset: String,
+    /// How it was polished, and what holds it; null where polishing made it no better.
+    polish: Option<Polished>,
     /// Whether the search that found it had come to an end.
     gathered: bool,
     /// Designs that this search judged.
     evaluations: u64,
+}
+
+/// How a design was polished.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Polished {
+    /// Whether no step promised to gain anything.
+    settled: bool,
+    looks: u64,
+    /// Places of what is made small, and conditions of which nothing is left.
+    held: Vec<Held>,
+    /// The varied values that are at a bound.
+    bounds: Vec<&'static str>,
+    /// Directions that these leave free.
+    free: usize,
+    /// The least curvature in these, in the unit of what is made small, per range squared.
+    least_curvature: Option<f64>,
+    /// The largest slope that is left, in that unit per range.
+    slope: Number,
+}
+
+/// What holds a design.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Held {
+    name: &'static str,
+    /// The place of the driver; null where it has no one place.
+    at: Option<Amount>,
+    /// Of what is made small its share; of a condition what would be gained per unit of it.
+    multiplier: f64,
+}
+
+impl Polished {
+    fn of(found: &Found, polish: &Polish) -> Self {
+        let objective = found.synthesis.objective;
+        let factor = found.measure(objective).factor;
+        let held = polish.held.iter().map(|one| {
+            let quantity = found.measure(one.measure);
+            let per = if one.measure == objective { 1.0 } else { quantity.factor / factor };
+            Held {
+                name: quantity.name,
+                at: found.way.zip(one.at).map(|(way, at)| Amount::of(way, at)),
+                multiplier: one.multiplier * per,
+            }
+        });
+        let bounds = polish.bounds.iter().filter_map(|(place, _)| found.varied().nth(*place));
+        Self {
+            settled: polish.end == End::Settled,
+            looks: polish.looks,
+            held: held.collect(),
+            bounds: bounds.map(|quantity| quantity.name).collect(),
+            free: polish.free,
+            least_curvature: polish.curvature.map(|one| one / factor),
+            slope: number(polish.slope / factor),
+        }
+    }
 }
 
 /// A measure of a design.
@@ -113,6 +173,7 @@ impl Design {
             measures: measures.collect(),
             reason: proposal.measures.as_ref().err().cloned(),
             preset: proposal.preset(found, place),
+            polish: proposal.polish.as_ref().map(|polish| Polished::of(found, polish)),
             gathered: proposal.candidate.is_gathered,
             evaluations: proposal.candidate.evaluations,
         }

@@ -1,6 +1,7 @@
 //! `assur synth`: the values for which a scene is as it should be.
 
 mod arguments;
+mod held;
 mod json;
 mod table;
 
@@ -11,8 +12,10 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
 
+use assur::closure::Along;
+use assur::registry::Bind;
 use assur::shape::{Quantity, Synthesis};
-use assur::study::{Candidate, Design, seek};
+use assur::study::{Candidate, Design, Polish, seek, settle};
 use assur::synthesis::Effort;
 use serde::Serialize;
 
@@ -40,6 +43,8 @@ struct Found {
     constants: Constants,
     synthesis: Synthesis,
     designs: Vec<Proposal>,
+    /// What moves the linkage along its way, if it is one driver.
+    way: Option<&'static Quantity>,
     /// Designs that were judged.
     evaluations: u64,
     seed: u64,
@@ -51,6 +56,8 @@ struct Found {
 /// A design that was found.
 struct Proposal {
     candidate: Candidate,
+    /// How it was polished; none where that made it no better.
+    polish: Option<Polish>,
     /// Its measures with their errors; none where it does not get through its task.
     measures: Result<Vec<(f64, f64)>, String>,
 }
@@ -86,14 +93,21 @@ impl Found {
         };
         let found = seek(&design, &effort, options.searches, &mut progress);
         let found = found.map_err(|error| Failure::request(error.to_string()))?;
+        drop(bar);
+        let settled = settle(&design, found, &|| stoppable.is_stopped());
         let is_whole = !stoppable.is_stopped();
-        drop((bar, stoppable));
-        let designs = found
-            .into_iter()
-            .map(|candidate| Proposal { measures: design.measures(&candidate.design), candidate });
+        drop(stoppable);
+        let designs = settled.into_iter().map(|settled| Proposal {
+            measures: design.measures(&settled.candidate.design),
+            candidate: settled.candidate,
+            polish: settled.polish,
+        });
+        let designs: Vec<_> = designs.collect();
+        let best = designs.first().map(|best| design.values(&best.candidate.design));
         Ok(Self {
             synthesis: design.synthesis(),
-            designs: designs.collect(),
+            way: best.and_then(|values| driven(&constants, &values)),
+            designs,
             constants,
             evaluations: heard,
             seed: options.seed,
@@ -115,6 +129,16 @@ impl Found {
     fn measures(&self) -> impl Iterator<Item = (usize, &'static Quantity)> {
         let all = std::iter::once(&self.synthesis.objective).chain(self.synthesis.conditions);
         all.map(|index| (*index, self.measure(*index)))
+    }
+}
+
+/// The only driver of a linkage that goes a way.
+fn driven(constants: &Constants, values: &[f64]) -> Option<&'static Quantity> {
+    let Bind::Linkage(bind) = constants.scene.bind else { return None };
+    let linkage = bind(values).ok()?;
+    match linkage.way()? {
+        Along::Driver(index, _) => Some(&linkage.shape().drivers[index]),
+        Along::Time(..) => None,
     }
 }
 

@@ -1,6 +1,6 @@
 //! The answer as tables to read.
 
-use super::Found;
+use super::{Found, held};
 use crate::show::number;
 use crate::show::page::Page;
 use crate::show::text::{Align, Columns};
@@ -13,6 +13,7 @@ pub fn render(page: &mut Page, found: &Found) {
     page.about(&found.constants, "synthesis");
     problem(page, found);
     designs(page, found);
+    held::render(page, found, DESIGNS);
     for (number, proposal) in (1..).zip(found.designs.iter().take(DESIGNS)) {
         page.line(&proposal.preset(found, number));
     }

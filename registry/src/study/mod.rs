@@ -20,6 +20,8 @@ pub use resonances::{
 pub use sensitivity::{Slope, slopes};
 pub use spread::{Spread, share, spread};
 pub use synthesis::{Candidate, Design, seek};
+#[cfg(feature = "synthesis")]
+pub use synthesis::{Held, Polish, Settled, settle};
 pub use trust::{Told, Trust, trust};
 
 use std::num::NonZeroUsize;

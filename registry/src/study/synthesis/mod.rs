@@ -1,23 +1,26 @@
 //! A scene that chooses its own values: those for which a measure is least, of all that keep its conditions.
 
+#[cfg(feature = "synthesis")]
+mod polish;
+mod seek;
+
+#[cfg(feature = "synthesis")]
+pub use polish::{Held, Polish, Settled, settle};
+pub use seek::{Candidate, seek};
+
 use std::f64::consts::{FRAC_2_PI, TAU};
-use std::ops::ControlFlow;
 
 use crate::registry::{Bind, SceneEntry};
 use assur_solvers::answer::{Error, Question, Settings};
 use assur_solvers::closure::{Along, AnyLinkage, ClosureError};
 use assur_solvers::measure::Missing;
 use assur_solvers::shape::Synthesis;
-use assur_solvers::synthesis::{
-    Effort, Found, Judge, Population, Score, Sought, SynthesisError, search,
-};
+use assur_solvers::synthesis::{Judge, Score, Sought};
 
 /// What of a way is lost counts half, what gap is left at its begin the other half.
 const HALF: f64 = 0.5;
 /// Of what is nowhere to be found, short of one.
 const ALL: f64 = 1.0 - 1e-9;
-/// Designs that differ by less, as a part of each range, are one.
-const SAME: f64 = 1e-3;
 /// A whole turn, to rounding.
 const TURN: f64 = 1e-12 * TAU;
 
@@ -97,6 +100,11 @@ impl<'a> Design<'a> {
         }
     }
 
+    /// Whether a measure is made small or kept.
+    fn needs(&self, measure: usize) -> bool {
+        measure == self.synthesis.objective || self.synthesis.conditions.contains(&measure)
+    }
+
     /// How many conditions there are.
     fn count(&self) -> f64 {
         self.synthesis.conditions.len() as f64
@@ -122,7 +130,7 @@ impl<'a> Design<'a> {
                 let Some(way) = linkage.way() else {
                     return Score::WORST;
                 };
-                match linkage.weighed(way) {
+                match linkage.weighed(way, &|index| self.needs(index)) {
                     Ok(measures) => measures,
                     Err(error) => {
                         return Score::missing(self.count() + lost(&*linkage, way, &error));
@@ -140,6 +148,15 @@ impl<'a> Design<'a> {
             }
         };
         self.weigh(&measures)
+    }
+
+    /// The measures of the motion that a design has; none where it has none.
+    #[cfg(feature = "synthesis")]
+    fn found(&self, design: &[f64]) -> Option<Vec<Result<f64, Missing>>> {
+        let Bind::Motion(bind) = self.bind else { return None };
+        let model = bind(&self.values(design)).ok()?;
+        let motion = Question::of(model.into()).solve(&self.settings).ok()?;
+        Some(motion.measures())
     }
 
     fn weigh(&self, measures: &[Result<f64, Missing>]) -> Score {
@@ -202,66 +219,6 @@ fn lost(linkage: &dyn AnyLinkage, way: Along, error: &ClosureError) -> f64 {
     };
     let left = (to - at[driver]) / (to - from);
     HALF * left.clamp(0.0, 1.0) * ALL
-}
-
-/// A design that was found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Candidate {
-    /// The constants that are varied.
-    pub design: Vec<f64>,
-    /// What it is worth.
-    pub score: Score,
-    /// Designs that were judged to find it.
-    pub evaluations: u64,
-    /// Whether all designs had come together.
-    pub is_gathered: bool,
-}
-
-/// Seeks so many times, each time from other designs, and gives the distinct ones that were found, the best first.
-/// `progress` hears how many designs have been judged, and of the best score so far; it may end the search.
-///
-/// # Errors
-/// [`SynthesisError`] if the problem makes no sense.
-pub fn seek(
-    design: &Design<'_>,
-    effort: &Effort,
-    searches: u64,
-    progress: &mut dyn FnMut(u64, Score) -> ControlFlow<()>,
-) -> Result<Vec<Candidate>, SynthesisError> {
-    let mut all: Vec<Candidate> = Vec::new();
-    let (mut judged, mut best, mut going) = (0, Score::WORST, ControlFlow::Continue(()));
-    for index in 0..searches.max(1) {
-        let own = Effort {
-            evaluations: effort.evaluations / searches.max(1),
-            seed: effort.seed.wrapping_add(index.wrapping_mul(0x9e37_79b9)),
-            ..effort.clone()
-        };
-        let mut heard = |population: &Population| {
-            if population.scores[0].is_as_good_as(&best) {
-                best = population.scores[0];
-            }
-            going = progress(judged + population.evaluations, best);
-            going
-        };
-        let Found { design: found, score, is_gathered, population } =
-            search(design, &own, None, &mut heard)?;
-        judged += population.evaluations;
-        let is_same = |other: &Candidate| {
-            let ways = other.design.iter().zip(&found).zip(&design.sought);
-            ways.into_iter().all(|((a, b), one)| one.way(*a, *b).abs() <= SAME * one.width())
-        };
-        let evaluations = population.evaluations;
-        match all.iter_mut().find(|other| is_same(other)) {
-            Some(other) if other.score.is_as_good_as(&score) => {}
-            Some(other) => (other.design, other.score) = (found, score),
-            None => all.push(Candidate { design: found, score, evaluations, is_gathered }),
-        }
-        if going.is_break() {
-            break;
-        }
-    }
-    all.sort_by(|a, b| b.score.is_as_good_as(&a.score).cmp(&a.score.is_as_good_as(&b.score)));
-    Ok(all)
 }
 
 #[cfg(test)]
