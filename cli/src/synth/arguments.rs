@@ -1,5 +1,7 @@
 //! What can be asked of `assur synth`.
 
+use std::path::PathBuf;
+
 use clap::Args;
 
 use crate::answer::Format;
@@ -12,6 +14,7 @@ pub const EXAMPLES: &str = "Examples:
   assur synth my.eqn
   assur synth my.eqn --evaluations 400000 --searches 8 --seed 7
   assur synth my.eqn --set l4=110mm --format json
+  assur synth my.eqn --resume my.search
 
 The scene says what is varied, kept and made small: `vary l1 in 5 mm .. 60 mm;`, `require peak(mu) < 50 deg;`,
 `minimise peak(abs(error));`. Its own values do not count where they are varied, so that --set and --preset give the others.
@@ -19,7 +22,8 @@ The scene says what is varied, kept and made small: `vary l1 in 5 mm .. 60 mm;`,
 All designs between the bounds are sought, several times, each time from others; a design that misses a condition is worse than
 any that keeps it. What a search finds is polished by quadratic programmes: of a linkage all places count at which an extreme may
 lie. The distinct designs are printed, the best one first, with what is left of each condition, what holds it where it is, and
-as a preset that can be put into the equation file. An interrupt (Ctrl-C) ends the search and prints what there is.
+as a preset that can be put into the equation file. An interrupt (Ctrl-C) ends the search and prints what there is; with --resume
+it goes on later, and finds what it would have found without a stop.
 
 Start values pick the assembly mode of every design, so that designs beyond those for which they pick another one are not found;
 `max(…, 0)` of what is to be small has a corner at which polishing stops: keep what is meant by a condition instead.
@@ -56,6 +60,10 @@ pub struct SynthArguments {
     #[arg(long, value_name = "NUMBER", value_parser = whole::<0, THREADS>)]
     #[arg(default_value = "0", allow_hyphen_values = true)]
     pub threads: u64,
+    /// A file of where the search stands. If it is there the search goes on from it; it is written again and again, and once more
+    /// where the search ends or is interrupted.
+    #[arg(long, value_name = "FILE")]
+    pub resume: Option<PathBuf>,
     #[command(flatten)]
     pub accuracy: Accuracy,
     /// What is printed.

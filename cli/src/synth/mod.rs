@@ -3,6 +3,7 @@
 mod arguments;
 mod held;
 mod json;
+mod resume;
 mod table;
 
 pub use arguments::{EXAMPLES, SynthArguments};
@@ -15,7 +16,7 @@ use std::time::Instant;
 use assur::closure::Along;
 use assur::registry::Bind;
 use assur::shape::{Quantity, Synthesis};
-use assur::study::{Candidate, Design, Polish, seek, settle};
+use assur::study::{Candidate, Design, Polish, Stand, seek, settle};
 use assur::synthesis::Effort;
 use serde::Serialize;
 
@@ -29,6 +30,7 @@ use crate::show::output::Stoppable;
 use crate::show::page::Page;
 use crate::show::progress::Progress;
 use crate::show::unit;
+use resume::Search;
 
 /// Seeks values for a scene.
 ///
@@ -80,19 +82,27 @@ impl Found {
             population: options.population.map(|size| size as usize),
             threads: options.threads as usize,
         };
+        let mut searched = Search::begin(options, &constants)?;
+        let mut stand = std::mem::take(&mut searched.stand);
         let what = format!("{}, scene {}: designs", constants.mechanism.name, scene.name);
         let (bar, stoppable) = (Progress::start(what, options.evaluations), Stoppable::begin());
-        let mut heard = 0;
-        let mut progress = |judged: u64, _| {
-            bar.advance_by(judged.saturating_sub(heard));
-            heard = heard.max(judged);
-            match stoppable.is_stopped() {
+        let (mut heard, mut refused) = (0, None);
+        let mut progress = |stand: &Stand| {
+            bar.advance_by(stand.evaluations().saturating_sub(heard));
+            heard = heard.max(stand.evaluations());
+            refused = searched.keep(stand).err();
+            match stoppable.is_stopped() || refused.is_some() {
                 true => ControlFlow::Break(()),
                 false => ControlFlow::Continue(()),
             }
         };
-        let found = seek(&design, &effort, options.searches, &mut progress);
+        let found = seek(&design, &effort, options.searches, &mut stand, &mut progress);
         let found = found.map_err(|error| Failure::request(error.to_string()))?;
+        if let Some(failure) = refused {
+            return Err(failure);
+        }
+        searched.write(&stand)?;
+        let evaluations = stand.evaluations();
         drop(bar);
         let settled = settle(&design, found, &|| stoppable.is_stopped());
         let is_whole = !stoppable.is_stopped();
@@ -109,7 +119,7 @@ impl Found {
             way: best.and_then(|values| driven(&constants, &values)),
             designs,
             constants,
-            evaluations: heard,
+            evaluations,
             seed: options.seed,
             seconds: clock.elapsed().as_secs_f64(),
             is_whole,

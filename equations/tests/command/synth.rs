@@ -1,10 +1,12 @@
 //! `assur synth`.
 
 use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Duration;
 
 use serde_json::Value;
 
-use super::{answer, check_refused, folder, run};
+use super::{answer, check_refused, command, folder, run};
 
 /// A crank-rocker that is to swing by 40 degrees with the best transmission angle.
 const SWINGER: &str = r#"assur::mechanism! {
@@ -116,6 +118,51 @@ fn designs_as_tables_and_rows() {
         answer(&[&["synth", "swinger.eqn", "--format", "csv"], &effort[..]].concat(), &folder);
     assert_eq!(rows.lines().count(), 2, "{rows}");
     assert!(rows.starts_with("l1 [mm],l2 [mm],a [mm],peak(abs(cos_mu))"), "{rows}");
+}
+
+/// A search that is stopped, whenever that is, goes on from its file and comes to the same designs, bit for bit.
+#[test]
+fn a_search_goes_on_from_its_file() {
+    let folder = with_file("synth_resume");
+    let designs = |more: &[&str]| {
+        let short = ["--evaluations", "1500", "--searches", "2"];
+        let found = sought(&[&short[..], more].concat(), &folder);
+        (found["designs"].to_string(), found["evaluations"].to_string())
+    };
+    let whole = designs(&[]);
+    assert_eq!(designs(&["--resume", "a.search"]), whole);
+    // All of it is in the file.
+    assert_eq!(designs(&["--resume", "a.search"]), whole);
+    let long = ["--evaluations", "12000", "--searches", "1"];
+    let arguments = ["synth", "swinger.eqn", "--resume", "b.search"];
+    let child = command(&[&arguments[..], &long].concat(), &folder)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    std::thread::sleep(Duration::from_secs(1));
+    let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(sent.expect("kill is there").success());
+    let output = child.wait_with_output().expect("it ends");
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(130), "{complaint}");
+    let stored = std::fs::read_to_string(folder.join("b.search")).expect("the file is there");
+    assert!(stored.contains("\"over\":0"), "{stored}");
+    let again = sought(&[&long[..], &["--resume", "b.search"]].concat(), &folder);
+    assert_eq!(again["designs"], sought(&long, &folder)["designs"]);
+    // What belongs to another search, or is none, is refused.
+    for (arguments, words) in [
+        (&["--seed", "2"][..], "another search"),
+        (&["--set", "l3=60mm"], "another search"),
+        (&["--scene", "never"], "another search"),
+    ] {
+        let short = ["synth", "swinger.eqn", "--evaluations", "1500", "--searches", "2"];
+        let all = [&short[..], &["--resume", "a.search"], arguments].concat();
+        check_refused(&all, &[words, "--resume"], &folder);
+    }
+    std::fs::write(folder.join("c.search"), "{}").expect("the folder is writable");
+    let all = ["synth", "swinger.eqn", "--resume", "c.search"];
+    check_refused(&all, &["is not the file of a search"], &folder);
 }
 
 #[test]

@@ -6,7 +6,7 @@ mod seek;
 
 #[cfg(feature = "synthesis")]
 pub use polish::{Held, Polish, Settled, settle};
-pub use seek::{Candidate, seek};
+pub use seek::{Candidate, Stand, seek};
 
 use std::f64::consts::{FRAC_2_PI, TAU};
 

@@ -21,47 +21,84 @@ pub struct Candidate {
     pub is_gathered: bool,
 }
 
-/// Seeks so many times, each time from other designs, and gives the distinct ones that were found, the best first.
-/// `progress` hears how many designs have been judged, and of the best score so far; it may end the search.
+/// Where several searches stand.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stand {
+    /// What the searches that are over have found, distinct.
+    pub found: Vec<Candidate>,
+    /// How many are over.
+    pub over: u64,
+    /// Designs that they have judged.
+    pub judged: u64,
+    /// The population of the one that goes on.
+    pub population: Option<Population>,
+}
+
+impl Stand {
+    /// Designs that have been judged.
+    pub fn evaluations(&self) -> u64 {
+        self.judged + self.population.as_ref().map_or(0, |population| population.evaluations)
+    }
+
+    /// Takes a design that was found, unless it is there, or a better one like it.
+    fn take(&mut self, design: &Design<'_>, candidate: Candidate) {
+        let is_same = |other: &&mut Candidate| design.is_same(&other.design, &candidate.design);
+        match self.found.iter_mut().find(is_same) {
+            Some(other) if other.score.is_as_good_as(&candidate.score) => {}
+            Some(other) => *other = candidate,
+            None => self.found.push(candidate),
+        }
+    }
+}
+
+/// Seeks so many times, each time from other designs, and gives the distinct ones that were found, the best first. It goes on from
+/// where `stand` stands, and what it comes to is what it would have come to without a stop. `progress` hears where the
+/// searches stand, and may end them.
 ///
 /// # Errors
-/// [`SynthesisError`] if the problem makes no sense.
+/// [`SynthesisError`] if the problem makes no sense, or the searches belong to another one.
 pub fn seek(
     design: &Design<'_>,
     effort: &Effort,
     searches: u64,
-    progress: &mut dyn FnMut(u64, Score) -> ControlFlow<()>,
+    stand: &mut Stand,
+    progress: &mut dyn FnMut(&Stand) -> ControlFlow<()>,
 ) -> Result<Vec<Candidate>, SynthesisError> {
-    let mut all: Vec<Candidate> = Vec::new();
-    let (mut judged, mut best, mut going) = (0, Score::WORST, ControlFlow::Continue(()));
-    for index in 0..searches.max(1) {
+    let searches = searches.max(1);
+    let mut going = ControlFlow::Continue(());
+    while going.is_continue() && stand.over < searches {
         let own = Effort {
-            evaluations: effort.evaluations / searches.max(1),
-            seed: effort.seed.wrapping_add(index.wrapping_mul(0x9e37_79b9)),
+            evaluations: effort.evaluations / searches,
+            seed: effort.seed.wrapping_add(stand.over.wrapping_mul(0x9e37_79b9)),
             ..effort.clone()
         };
+        let from = stand.population.take();
         let mut heard = |population: &Population| {
-            if population.scores[0].is_as_good_as(&best) {
-                best = population.scores[0];
-            }
-            going = progress(judged + population.evaluations, best);
+            stand.population = Some(population.clone());
+            going = progress(stand);
             going
         };
-        let Found { design: found, score, is_gathered, population } =
-            search(design, &own, None, &mut heard)?;
-        judged += population.evaluations;
+        let Found { design: best, score, is_gathered, population } =
+            search(design, &own, from, &mut heard)?;
         let evaluations = population.evaluations;
-        match all.iter_mut().find(|other| design.is_same(&other.design, &found)) {
-            Some(other) if other.score.is_as_good_as(&score) => {}
-            Some(other) => (other.design, other.score) = (found, score),
-            None => all.push(Candidate { design: found, score, evaluations, is_gathered }),
-        }
+        let candidate = Candidate { design: best, score, evaluations, is_gathered };
         if going.is_break() {
-            break;
+            let mut all = Stand { found: stand.found.clone(), ..Stand::default() };
+            all.take(design, candidate);
+            return Ok(sorted(all.found));
         }
+        stand.take(design, candidate);
+        stand.population = None;
+        stand.judged += evaluations;
+        stand.over += 1;
+        going = progress(stand);
     }
+    Ok(sorted(stand.found.clone()))
+}
+
+fn sorted(mut all: Vec<Candidate>) -> Vec<Candidate> {
     all.sort_by(|a, b| a.score.order(&b.score));
-    Ok(all)
+    all
 }
 
 impl Design<'_> {

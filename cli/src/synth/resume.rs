@@ -1,0 +1,220 @@
+//! The file of where a search stands.
+//!
+//! Numbers are stored by their bits: a search that goes on comes to what it would have come to without a stop, to the last digit.
+
+use std::collections::hash_map::DefaultHasher;
+use std::hash::{Hash, Hasher};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use assur::study::{Candidate, Stand};
+use assur::synthesis::{Population, Score};
+use serde::{Deserialize, Serialize};
+
+use super::SynthArguments;
+use crate::ask::constants::Constants;
+use crate::error::Failure;
+use crate::show::output::Destination;
+
+/// What such a file is.
+const FORMAT: &str = "assur-search/1";
+/// How long a search goes on before it is written down again.
+const BETWEEN: Duration = Duration::from_secs(5);
+
+/// Where a search stands, as it is stored.
+#[derive(Serialize, Deserialize)]
+struct Stored {
+    format: String,
+    /// What is sought, in words, and all that it follows from in one number.
+    problem: String,
+    print: u64,
+    over: u64,
+    judged: u64,
+    found: Vec<Found>,
+    population: Option<Designs>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Found {
+    design: Vec<u64>,
+    score: [u64; 2],
+    evaluations: u64,
+    is_gathered: bool,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Designs {
+    designs: Vec<u64>,
+    scores: Vec<[u64; 2]>,
+    archive: Vec<u64>,
+    memory: Vec<[u64; 2]>,
+    next: usize,
+    generation: u64,
+    evaluations: u64,
+}
+
+/// A search that can go on.
+pub struct Search {
+    file: Option<Destination>,
+    problem: String,
+    print: u64,
+    written: Instant,
+    /// Where it begins.
+    pub stand: Stand,
+}
+
+impl Search {
+    /// The search that is asked for, from its file if there is one.
+    ///
+    /// # Errors
+    /// The file cannot be read or written, is none of a search, or one of another search.
+    pub fn begin(options: &SynthArguments, constants: &Constants) -> Result<Self, Failure> {
+        let problem = format!("{}, scene {}", constants.mechanism.name, constants.scene.name);
+        let mut search = Self {
+            file: None,
+            print: print(options, constants),
+            problem,
+            written: Instant::now(),
+            stand: Stand::default(),
+        };
+        if let Some(path) = &options.resume {
+            search.file = Some(Destination::check(path)?);
+            if path.exists() {
+                search.stand = search.read(path)?;
+            }
+        }
+        Ok(search)
+    }
+
+    fn read(&self, path: &Path) -> Result<Stand, Failure> {
+        let file = path.display();
+        let text = std::fs::read_to_string(path)
+            .map_err(|error| Failure::request(format!("{file} cannot be read: {error}")))?;
+        let stored: Option<Stored> = serde_json::from_str(&text).ok();
+        let stored = stored.filter(|stored| stored.format == FORMAT).ok_or_else(|| {
+            Failure::request(format!("{file} is not the file of a search"))
+                .place("--resume")
+                .remedy("name a file that is not there yet, or one that such a search has written")
+        })?;
+        if stored.print != self.print {
+            return Err(Failure::request(format!(
+                "{file} is of another search: of {}, or with other values, bounds, conditions, seed or effort",
+                stored.problem
+            ))
+            .place("--resume")
+            .remedy("ask for the same search, or name another file"));
+        }
+        stored.stand().ok_or_else(|| {
+            Failure::request(format!("{file} is damaged")).place("--resume").remedy("remove it")
+        })
+    }
+
+    /// Writes it down, if that is some time ago.
+    ///
+    /// # Errors
+    /// The system refuses.
+    pub fn keep(&mut self, stand: &Stand) -> Result<(), Failure> {
+        match self.written.elapsed() >= BETWEEN {
+            true => self.write(stand),
+            false => Ok(()),
+        }
+    }
+
+    /// Writes it down.
+    ///
+    /// # Errors
+    /// The system refuses.
+    pub fn write(&mut self, stand: &Stand) -> Result<(), Failure> {
+        self.written = Instant::now();
+        let Some(file) = &self.file else { return Ok(()) };
+        let text = serde_json::to_string(&Stored::of(stand, self));
+        let text = text.map_err(|error| Failure::numerical(error.to_string()))?;
+        file.write(text.as_bytes())
+    }
+}
+
+/// All that a search follows from.
+fn print(options: &SynthArguments, constants: &Constants) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    let (scene, mechanism) = (constants.scene, constants.mechanism);
+    (mechanism.text, scene.name, options.seed, options.searches).hash(&mut hasher);
+    (options.population, options.evaluations).hash(&mut hasher);
+    for (_, text) in mechanism.parts {
+        text.hash(&mut hasher);
+    }
+    bits(&constants.values).hash(&mut hasher);
+    format!("{:?}", scene.shape.synthesis).hash(&mut hasher);
+    hasher.finish()
+}
+
+fn bits(numbers: &[f64]) -> Vec<u64> {
+    numbers.iter().map(|number| number.to_bits()).collect()
+}
+
+fn numbers(bits: &[u64]) -> Vec<f64> {
+    bits.iter().map(|bits| f64::from_bits(*bits)).collect()
+}
+
+fn of_score(score: &Score) -> [u64; 2] {
+    [score.missed.to_bits(), score.value.to_bits()]
+}
+
+fn score([missed, value]: [u64; 2]) -> Score {
+    Score { missed: f64::from_bits(missed), value: f64::from_bits(value) }
+}
+
+impl Stored {
+    fn of(stand: &Stand, search: &Search) -> Self {
+        let found = stand.found.iter().map(|one| Found {
+            design: bits(&one.design),
+            score: of_score(&one.score),
+            evaluations: one.evaluations,
+            is_gathered: one.is_gathered,
+        });
+        let population = stand.population.as_ref().map(|one| Designs {
+            designs: bits(&one.designs),
+            scores: one.scores.iter().map(of_score).collect(),
+            archive: bits(&one.archive),
+            memory: one.memory.iter().map(|pair| pair.map(f64::to_bits)).collect(),
+            next: one.next,
+            generation: one.generation,
+            evaluations: one.evaluations,
+        });
+        Self {
+            format: FORMAT.to_owned(),
+            problem: search.problem.clone(),
+            print: search.print,
+            over: stand.over,
+            judged: stand.judged,
+            found: found.collect(),
+            population,
+        }
+    }
+
+    /// Where the search stands; none if something is missing.
+    fn stand(self) -> Option<Stand> {
+        let found = self.found.into_iter().map(|one| Candidate {
+            design: numbers(&one.design),
+            score: score(one.score),
+            evaluations: one.evaluations,
+            is_gathered: one.is_gathered,
+        });
+        let population = match self.population {
+            None => None,
+            Some(one) => {
+                let memory: Vec<[f64; 2]> =
+                    one.memory.iter().map(|pair| pair.map(f64::from_bits)).collect();
+                Some(Population {
+                    designs: numbers(&one.designs),
+                    scores: one.scores.into_iter().map(score).collect(),
+                    archive: numbers(&one.archive),
+                    next: one.next,
+                    generation: one.generation,
+                    evaluations: one.evaluations,
+                    memory: memory.try_into().ok()?,
+                })
+            }
+        };
+        Some(Stand { found: found.collect(), over: self.over, judged: self.judged, population })
+    }
+}
