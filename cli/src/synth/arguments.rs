@@ -15,6 +15,7 @@ pub const EXAMPLES: &str = "Examples:
   assur synth my.eqn --evaluations 400000 --searches 8 --seed 7
   assur synth my.eqn --set l4=110mm --format json
   assur synth my.eqn --resume my.search
+  assur synth my.eqn --plot best.svg --draw best-positions.svg
 
 The scene says what is varied, kept and made small: `vary l1 in 5 mm .. 60 mm;`, `require peak(mu) < 50 deg;`,
 `minimise peak(abs(error));`. Its own values do not count where they are varied, so that --set and --preset give the others.
@@ -64,6 +65,12 @@ pub struct SynthArguments {
     /// where the search ends or is interrupted.
     #[arg(long, value_name = "FILE")]
     pub resume: Option<PathBuf>,
+    /// Draws what the best design does over its task: its outputs.
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// Draws the best design at some positions.
+    #[arg(long, value_name = "FILE")]
+    pub draw: Option<PathBuf>,
     #[command(flatten)]
     pub accuracy: Accuracy,
     /// What is printed.

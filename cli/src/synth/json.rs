@@ -1,11 +1,13 @@
 //! The answer as an object.
 
+use std::path::Path;
+
 use assur::study::Polish;
 use assur::synthesis::End;
 use serde::Serialize;
 
 use super::Found;
-use crate::show::json::{About, Amount, Number, number};
+use crate::show::json::{About, Amount, Number, number, path};
 use crate::show::unit;
 
 /// The answer of `assur synth` as an object.
@@ -29,6 +31,8 @@ pub struct Object {
     /// Whether nobody stopped it.
     whole: bool,
     seconds: f64,
+    /// Path of the figure, if one was drawn.
+    figure: Option<String>,
 }
 
 /// A value that is varied.
@@ -130,7 +134,7 @@ struct Measure {
 
 impl Object {
     /// The object.
-    pub(super) fn of(found: &Found) -> Self {
+    pub(super) fn of(found: &Found, figure: Option<&Path>) -> Self {
         let varied = found.varied().zip(found.synthesis.varied).map(|(quantity, one)| Varied {
             name: quantity.name,
             unit: quantity.unit,
@@ -149,6 +153,7 @@ impl Object {
             seed: found.seed,
             whole: found.is_whole,
             seconds: found.seconds,
+            figure: path(figure),
         }
     }
 }

@@ -3,6 +3,7 @@
 mod arguments;
 mod held;
 mod json;
+mod picture;
 mod resume;
 mod table;
 
@@ -26,18 +27,31 @@ use crate::ask::constants::Constants;
 use crate::ask::lookup::Registry;
 use crate::error::Failure;
 use crate::show::csv::{cell, line, title};
-use crate::show::output::Stoppable;
+use crate::show::number;
+use crate::show::output::{Destination, Stoppable};
 use crate::show::page::Page;
 use crate::show::progress::Progress;
 use crate::show::unit;
 use resume::Search;
+
+/// Digits of values in pictures.
+const DIGITS: usize = 7;
 
 /// Seeks values for a scene.
 ///
 /// # Errors
 /// A wrong request. That no design keeps all conditions is told after the one that comes nearest.
 pub fn execute(options: &SynthArguments, registry: Registry) -> Result<(), Failure> {
-    give(options.format, None, || Found::find(options, registry))
+    let drawing = options.draw.as_deref().map(Destination::figure).transpose()?;
+    give(options.format, options.plot.as_deref(), || {
+        let found = Found::find(options, registry)?;
+        if let Some(drawing) = &drawing
+            && let Some(best) = found.best()
+        {
+            drawing.write(picture::positions(best)?.as_bytes())?;
+        }
+        Ok(found)
+    })
 }
 
 /// The designs that were found.
@@ -53,6 +67,8 @@ struct Found {
     seconds: f64,
     /// Whether nobody stopped it.
     is_whole: bool,
+    /// What the best design does over its task; none if that was not asked for.
+    curves: Option<String>,
 }
 
 /// A design that was found.
@@ -114,7 +130,7 @@ impl Found {
         });
         let designs: Vec<_> = designs.collect();
         let best = designs.first().map(|best| design.values(&best.candidate.design));
-        Ok(Self {
+        let found = Self {
             synthesis: design.synthesis(),
             way: best.and_then(|values| driven(&constants, &values)),
             designs,
@@ -123,7 +139,25 @@ impl Found {
             seed: options.seed,
             seconds: clock.elapsed().as_secs_f64(),
             is_whole,
-        })
+            curves: None,
+        };
+        let curves = match (&options.plot, found.best()) {
+            (Some(_), Some(best)) => picture::curves(best, &settings)?,
+            _ => None,
+        };
+        Ok(Self { curves, ..found })
+    }
+
+    /// The scene as the best design has it, if that gets through its task; its values with as many digits as a picture shows.
+    fn best(&self) -> Option<Constants> {
+        let best = self.designs.first().filter(|best| best.measures.is_ok())?;
+        let mut values = self.constants.values.clone();
+        let varied = self.varied().zip(self.synthesis.varied);
+        for ((quantity, one), value) in varied.zip(&best.candidate.design) {
+            let shown = number::significant(value / quantity.factor, DIGITS).parse::<f64>();
+            values[one.constant] = shown.map_or(*value, |shown| shown * quantity.factor);
+        }
+        Some(self.constants.with_values(&values))
     }
 
     fn varied(&self) -> impl Iterator<Item = &'static Quantity> {
@@ -190,8 +224,12 @@ impl Proposal {
 }
 
 impl Answer for Found {
-    fn table(&self, page: &mut Page, _: Option<&Path>) {
-        table::render(page, self);
+    fn figure(&self) -> Option<String> {
+        self.curves.clone()
+    }
+
+    fn table(&self, page: &mut Page, figure: Option<&Path>) {
+        table::render(page, self, figure);
     }
 
     fn csv(&self) -> String {
@@ -209,8 +247,8 @@ impl Answer for Found {
         text
     }
 
-    fn json(&self, _: Option<&Path>) -> impl Serialize {
-        Object::of(self)
+    fn json(&self, figure: Option<&Path>) -> impl Serialize {
+        Object::of(self, figure)
     }
 
     fn outcome(&self) -> Result<(), Failure> {
@@ -239,7 +277,7 @@ impl Found {
         let missed = self.synthesis.conditions.iter().find_map(|index| {
             let (value, quantity) = (best.measure(*index).0, self.measure(*index));
             (value < 0.0 || value.is_nan()).then(|| {
-                let by = crate::show::number::significant(-value / quantity.factor, 4);
+                let by = number::significant(-value / quantity.factor, 4);
                 format!("`{}` is missed by {by} {}", quantity.name, quantity.unit)
             })
         });

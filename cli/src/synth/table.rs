@@ -1,5 +1,7 @@
 //! The answer as tables to read.
 
+use std::path::Path;
+
 use super::{Found, held};
 use crate::show::number;
 use crate::show::page::Page;
@@ -9,7 +11,7 @@ use crate::show::text::{Align, Columns};
 const DESIGNS: usize = 6;
 
 /// All tables.
-pub fn render(page: &mut Page, found: &Found) {
+pub fn render(page: &mut Page, found: &Found, figure: Option<&Path>) {
     page.about(&found.constants, "synthesis");
     problem(page, found);
     designs(page, found);
@@ -19,6 +21,9 @@ pub fn render(page: &mut Page, found: &Found) {
     }
     if found.designs.len() > DESIGNS {
         page.line(&format!("{} more are in --format json.", found.designs.len() - DESIGNS));
+    }
+    if let Some(figure) = figure {
+        page.line(&format!("Figure: {}", figure.display()));
     }
     page.line("");
     let seconds = number::duration(found.seconds);

@@ -114,8 +114,12 @@ fn designs_as_tables_and_rows() {
     ] {
         assert!(table.contains(words), "no {words:?} in\n{table}");
     }
-    let rows =
-        answer(&[&["synth", "swinger.eqn", "--format", "csv"], &effort[..]].concat(), &folder);
+    let figures = ["--plot", "best.svg", "--draw", "positions.svg", "--format", "csv"];
+    let rows = answer(&[&["synth", "swinger.eqn"], &figures[..], &effort[..]].concat(), &folder);
+    for file in ["best.svg", "positions.svg"] {
+        let figure = std::fs::read_to_string(folder.join(file)).expect("the figure is there");
+        assert!(figure.contains("<svg") && figure.contains("Scene best"), "{figure}");
+    }
     assert_eq!(rows.lines().count(), 2, "{rows}");
     assert!(rows.starts_with("l1 [mm],l2 [mm],a [mm],peak(abs(cos_mu))"), "{rows}");
 }
