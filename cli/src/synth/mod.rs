@@ -120,7 +120,7 @@ impl Found {
         searched.write(&stand)?;
         let evaluations = stand.evaluations();
         drop(bar);
-        let settled = settle(&design, found, &|| stoppable.is_stopped());
+        let settled = settle(&design, found, effort.threads, &|| stoppable.is_stopped());
         let is_whole = !stoppable.is_stopped();
         drop(stoppable);
         let designs = settled.into_iter().map(|settled| Proposal {

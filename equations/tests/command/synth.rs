@@ -124,8 +124,7 @@ fn designs_as_tables_and_rows() {
     assert!(rows.starts_with("l1 [mm],l2 [mm],a [mm],peak(abs(cos_mu))"), "{rows}");
 }
 
-/// The dwell six-bar: of two hundred designs made at random the best misses by degrees, and what polishing makes of it by less
-/// than a tenth of a degree over the whole turn.
+/// The dwell six-bar: polishing the best of two hundred designs made at random is enough for a tenth of a degree over the turn.
 #[test]
 fn a_dwell_comes_of_polishing() {
     let folder = folder("synth_dwell");

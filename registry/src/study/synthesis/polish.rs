@@ -5,6 +5,7 @@
 
 use super::{Candidate, Design};
 use crate::registry::Bind;
+use crate::study::each;
 use assur_functions::Sense;
 use assur_solvers::closure::{AnyLinkage, Facet, Facets};
 use assur_solvers::synthesis::{Aim, End, Local, Look, Sought, certify, polish};
@@ -65,21 +66,24 @@ pub struct Settled {
 pub fn settle(
     design: &Design<'_>,
     found: Vec<Candidate>,
-    is_stopped: &dyn Fn() -> bool,
+    threads: usize,
+    is_stopped: &(dyn Fn() -> bool + Sync),
 ) -> Vec<Settled> {
-    let mut all: Vec<Settled> = Vec::new();
-    for candidate in found {
-        let settled = match is_stopped() {
+    let settled = each(found.len(), threads, &|_| {}, &|index| {
+        let candidate = found[index].clone();
+        match is_stopped() {
             true => Settled { candidate, polish: None },
             false => design.settled(candidate, is_stopped),
-        };
-        let is_same = |other: &&mut Settled| {
-            design.is_same(&other.candidate.design, &settled.candidate.design)
-        };
+        }
+    });
+    let mut all: Vec<Settled> = Vec::new();
+    for one in settled {
+        let is_same =
+            |other: &&mut Settled| design.is_same(&other.candidate.design, &one.candidate.design);
         match all.iter_mut().find(is_same) {
-            Some(other) if other.candidate.score.is_as_good_as(&settled.candidate.score) => {}
-            Some(other) => *other = settled,
-            None => all.push(settled),
+            Some(other) if other.candidate.score.is_as_good_as(&one.candidate.score) => {}
+            Some(other) => *other = one,
+            None => all.push(one),
         }
     }
     all.sort_by(|a, b| a.candidate.score.order(&b.candidate.score));
