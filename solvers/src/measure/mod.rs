@@ -23,6 +23,7 @@ mod travel;
 mod window;
 
 pub use crate::shape::{Kind, Moment, NamedEvent, Primitive};
+pub use assur_functions::Sense;
 pub use extreme::{Extreme, Extremes};
 pub use grid::Probe;
 pub use primitive::Missing;
@@ -33,7 +34,6 @@ use crate::periodic::Multiplier;
 use crate::problem::Scene;
 use crate::rest::Vibration;
 use crate::shape::Shape;
-use assur_functions::Sense;
 use extreme::Hunt;
 use grid::Sampler;
 

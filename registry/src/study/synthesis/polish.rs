@@ -6,13 +6,15 @@
 use super::{Candidate, Design};
 use crate::registry::Bind;
 use crate::study::each;
-use assur_functions::Sense;
 use assur_solvers::closure::{AnyLinkage, Facet, Facets};
+use assur_solvers::measure::Sense;
 use assur_solvers::synthesis::{Aim, End, Local, Look, Sought, certify, polish};
 
 /// Conditions are kept by so much more than they have to be, over what they change by within the ranges: what a measure says of
 /// them is not exact either.
 const INWARD: f64 = 1e-9;
+/// What a polished design may lose by that, over its value.
+const LOSS: f64 = 1e-6;
 /// Part of its range by which a value is varied to see how a motion changes.
 const BESIDE: f64 = 1e-4;
 /// Places of neighbouring facets are no farther apart than this part of the way.
@@ -95,8 +97,12 @@ impl Design<'_> {
         let Some((polished, values)) = self.polished(&candidate.design, is_stopped) else {
             return Settled { candidate, polish: None };
         };
-        let score = self.score(&values);
-        match score.is_as_good_as(&candidate.score) {
+        let (score, before) = (self.score(&values), candidate.score);
+        // Conditions are kept by more than a search may have left of them.
+        let is_as_good = score.is_kept()
+            && before.is_kept()
+            && score.value - before.value <= LOSS * before.value.abs();
+        match is_as_good || score.is_as_good_as(&before) {
             true => Settled {
                 candidate: Candidate { design: values, score, ..candidate },
                 polish: Some(polished),
