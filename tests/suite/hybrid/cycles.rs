@@ -52,7 +52,7 @@ fn multipliers_of_what_rubs_follow_from_its_losses() {
         let found = first.modulus() * second.modulus();
         assert!((found / expected - 1.0).abs() < 1e4 * rtol, "{rtol}: {found} {expected}");
         // Were it not for the rubbing, it would be the damping alone.
-        let damping = (-1.0 * motion.length().expect("a period")).exp();
+        let damping = (-motion.length().expect("a period")).exp();
         assert!(found < 0.9 * damping, "{found} {damping}");
     };
     for rtol in [1e-6, 1e-8, 1e-10] {
