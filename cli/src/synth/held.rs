@@ -52,8 +52,11 @@ fn counts(found: &Found, polish: &Polish) -> [String; 5] {
 /// Whether a design is a best one, in words.
 pub fn verdict(proposal: &Proposal) -> &'static str {
     let Some(polish) = &proposal.polish else {
-        return "not polished: its neighbours are not known, or no better";
+        return "not polished: its neighbours are not known or no better, or it was stopped";
     };
+    if !proposal.candidate.score.is_kept() {
+        return "misses conditions, and nothing near by was found that keeps them";
+    }
     match (polish.end, polish.free, polish.curvature) {
         (End::Looks, ..) => "more could be gained: it was not polished to the end",
         (End::Stuck, ..) => "polished as far as slopes can be trusted",

@@ -98,7 +98,7 @@ impl Found {
             population: options.population.map(|size| size as usize),
             threads: options.threads as usize,
         };
-        let mut searched = Search::begin(options, &constants)?;
+        let mut searched = Search::begin(options, &constants, &settings)?;
         let mut stand = std::mem::take(&mut searched.stand);
         let what = format!("{}, scene {}: designs", constants.mechanism.name, scene.name);
         let (bar, stoppable) = (Progress::start(what, options.evaluations), Stoppable::begin());

@@ -2,11 +2,10 @@
 //!
 //! Numbers are stored by their bits: a search that goes on comes to what it would have come to without a stop, to the last digit.
 
-use std::collections::hash_map::DefaultHasher;
-use std::hash::{Hash, Hasher};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use assur::answer::Settings;
 use assur::study::{Candidate, Stand};
 use assur::synthesis::{Population, Score};
 use serde::{Deserialize, Serialize};
@@ -25,9 +24,9 @@ const BETWEEN: Duration = Duration::from_secs(5);
 #[derive(Serialize, Deserialize)]
 struct Stored {
     format: String,
-    /// What is sought, in words, and all that it follows from in one number.
+    /// What is sought, in words, and all that it follows from.
     problem: String,
-    print: u64,
+    follows_from: String,
     over: u64,
     judged: u64,
     found: Vec<Found>,
@@ -57,7 +56,9 @@ struct Designs {
 pub struct Search {
     file: Option<Destination>,
     problem: String,
-    print: u64,
+    follows_from: String,
+    /// Numbers of a design.
+    length: usize,
     written: Instant,
     /// Where it begins.
     pub stand: Stand,
@@ -68,11 +69,16 @@ impl Search {
     ///
     /// # Errors
     /// The file cannot be read or written, is none of a search, or one of another search.
-    pub fn begin(options: &SynthArguments, constants: &Constants) -> Result<Self, Failure> {
+    pub fn begin(
+        options: &SynthArguments,
+        constants: &Constants,
+        settings: &Settings,
+    ) -> Result<Self, Failure> {
         let problem = format!("{}, scene {}", constants.mechanism.name, constants.scene.name);
         let mut search = Self {
             file: None,
-            print: print(options, constants),
+            follows_from: premises(options, constants, settings),
+            length: constants.scene.shape.synthesis.map_or(0, |one| one.varied.len()),
             problem,
             written: Instant::now(),
             stand: Stand::default(),
@@ -96,7 +102,7 @@ impl Search {
                 .place("--resume")
                 .remedy("name a file that is not there yet, or one that such a search has written")
         })?;
-        if stored.print != self.print {
+        if stored.follows_from != self.follows_from {
             return Err(Failure::request(format!(
                 "{file} is of another search: of {}, or with other values, bounds, conditions, seed or effort",
                 stored.problem
@@ -104,9 +110,20 @@ impl Search {
             .place("--resume")
             .remedy("ask for the same search, or name another file"));
         }
-        stored.stand().ok_or_else(|| {
+        let stand = stored.stand();
+        stand.filter(|stand| self.is_sound(stand)).ok_or_else(|| {
             Failure::request(format!("{file} is damaged")).place("--resume").remedy("remove it")
         })
+    }
+
+    /// Whether all designs have as many numbers as are sought.
+    fn is_sound(&self, stand: &Stand) -> bool {
+        let has_all = |numbers: usize, designs: usize| numbers == designs * self.length;
+        stand.found.iter().all(|one| one.design.len() == self.length)
+            && stand
+                .population
+                .as_ref()
+                .is_none_or(|one| has_all(one.designs.len(), one.scores.len()))
     }
 
     /// Writes it down, if that is some time ago.
@@ -134,17 +151,12 @@ impl Search {
 }
 
 /// All that a search follows from.
-fn print(options: &SynthArguments, constants: &Constants) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    let (scene, mechanism) = (constants.scene, constants.mechanism);
-    (mechanism.text, scene.name, options.seed, options.searches).hash(&mut hasher);
-    (options.population, options.evaluations).hash(&mut hasher);
-    for (_, text) in mechanism.parts {
-        text.hash(&mut hasher);
-    }
-    bits(&constants.values).hash(&mut hasher);
-    format!("{:?}", scene.shape.synthesis).hash(&mut hasher);
-    hasher.finish()
+fn premises(options: &SynthArguments, constants: &Constants, settings: &Settings) -> String {
+    let (mechanism, shape) = (constants.mechanism, constants.scene.shape);
+    let effort = (options.seed, options.searches, options.population, options.evaluations);
+    let scene = (shape.name, shape.effects, shape.choices, shape.synthesis);
+    let values = bits(&constants.values);
+    format!("{effort:?} {scene:?} {values:?} {settings:?} {} {:?}", mechanism.text, mechanism.parts)
 }
 
 fn bits(numbers: &[f64]) -> Vec<u64> {
@@ -183,7 +195,7 @@ impl Stored {
         Self {
             format: FORMAT.to_owned(),
             problem: search.problem.clone(),
-            print: search.print,
+            follows_from: search.follows_from.clone(),
             over: stand.over,
             judged: stand.judged,
             found: found.collect(),

@@ -224,6 +224,7 @@ impl Population {
         if found != expected
             || self.designs.len() != found * self.scores.len()
             || !self.archive.len().is_multiple_of(expected)
+            || self.next >= MEMORY
         {
             return Err(SynthesisError::OtherProblem { found, expected });
         }
