@@ -291,7 +291,8 @@ impl<'a> Course<'a> {
     }
 
     /// For each part the place where a quantity is furthest out. As constants change, a place that leaves a part by its end stays
-    /// there, and the next part takes it on from there: nothing jumps, neither values nor slopes.
+    /// there, and the next part takes it on from there: neither values nor slopes jump, but for slopes in a valley, where the two
+    /// ends of a part take turns.
     fn tops(&mut self, index: usize, sense: Sense) -> Result<Vec<f64>, ClosureError> {
         let value = |k: usize| self.values[k][index];
         let further = |k: usize| if sense.better(value(k + 1), value(k)) { k + 1 } else { k };
