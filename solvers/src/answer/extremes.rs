@@ -13,6 +13,11 @@ use crate::shape::Subject;
 /// Values that differ by so many times their errors may be the same: some errors are told that many times too small.
 const ALIKE: f64 = 5.0;
 
+/// Roundings of the time at which it is seen by how much a value scatters.
+const BESIDE: [f64; 2] = [-1.0, 1.0];
+/// Parts of a step at which errors are looked at beside an extreme.
+const HARDLY: [f64; 4] = [-1e-2, -1e-5, 1e-5, 1e-2];
+
 /// An extreme with its errors.
 #[derive(Clone, Copy, Debug)]
 pub struct End {
@@ -99,18 +104,27 @@ impl Estimate {
         });
         let theirs: Vec<_> = theirs.collect();
         // Quantities of one motion often turn at the same time.
-        let known = RefCell::new(HashMap::new());
-        let error_at = |time: f64, index: usize| -> f64 {
+        let known = RefCell::new(HashMap::<u64, (Vec<f64>, Vec<f64>)>::new());
+        let errors_at = |time: f64, index: usize| -> (f64, f64) {
             let mut known = known.borrow_mut();
-            let at = || self.exactly_at(motion, subjects, time);
-            let errors: &Option<Vec<f64>> = known.entry(time.to_bits()).or_insert_with(at);
-            errors.as_ref().map_or(0.0, |errors| errors[index])
+            let at = || (self.about(motion, subjects, time), scatter(motion, subjects, time));
+            let (errors, scatter) = known.entry(time.to_bits()).or_insert_with(at);
+            (errors[index], scatter[index])
+        };
+        let error_at = |time: f64, index: usize| {
+            let (error, scatter) = errors_at(time, index);
+            larger(error, scatter)
         };
         let each = extremes.iter().enumerate().map(|(index, own)| {
             let end = |which: usize| {
                 let theirs = theirs.iter().filter_map(|theirs| theirs[index][which]);
                 let mut found = self.end(of(own)[which], &theirs.collect::<Vec<_>>());
-                found.error = larger(found.error, error_at(found.time, index));
+                let (error, scatter) = errors_at(found.time, index);
+                found.error = larger(found.error, error);
+                if scatter > found.error {
+                    found.error = scatter;
+                    found.blur = larger(found.blur, flat(motion, subjects[index], &found));
+                }
                 found
             };
             Ends { lowest: end(0), highest: end(1) }
@@ -132,6 +146,19 @@ impl Estimate {
             }
         }
         ends
+    }
+
+    /// The errors of all subjects at a time, and hardly beside it: an extreme of what is noisy lies where luck has it, and so
+    /// may what others have there.
+    fn about(&self, motion: &Motion, subjects: &[Subject], time: f64) -> Vec<f64> {
+        let mut errors = vec![0.0; subjects.len()];
+        for place in hardly_beside(motion, time).into_iter().chain([time]) {
+            let here = self.exactly_at(motion, subjects, place).into_iter().flatten();
+            for (error, here) in errors.iter_mut().zip(here) {
+                *error = larger(*error, here);
+            }
+        }
+        errors
     }
 
     /// One extreme with what other solutions have in its place.
@@ -173,6 +200,50 @@ fn widen(
     end.error = own;
     end.time = tops.into_iter().fold(end.time, f64::min);
     end.reach = end.blur.max(to - end.time).max(end.time - from);
+}
+
+/// By how much some subjects scatter within roundings of a time, as they do where roundings of the state are amplified: all
+/// solutions may do so alike. Not beside an event, where they may jump.
+fn scatter(motion: &Motion, subjects: &[Subject], time: f64) -> Vec<f64> {
+    let mut most = vec![0.0; subjects.len()];
+    if motion.is_beside_event(time) {
+        return most;
+    }
+    let (from, to) = motion.task().limits();
+    let here = motion.values(subjects, time);
+    for beside in BESIDE.map(|part| (time + part * ROUNDINGS * time.abs()).clamp(from, to)) {
+        let there = motion.values(subjects, beside);
+        for ((most, here), there) in most.iter_mut().zip(&here).zip(there) {
+            *most = larger(*most, (here - there).abs());
+        }
+    }
+    most
+}
+
+/// Times by parts of its step before and after a time, without an event between.
+fn hardly_beside(motion: &Motion, time: f64) -> Vec<f64> {
+    let steps = motion.steps();
+    let after = steps.partition_point(|step| *step <= time).clamp(1, steps.len().max(2) - 1);
+    let (Some(from), Some(to)) = (steps.get(after - 1), steps.get(after)) else {
+        return Vec::new();
+    };
+    let (begin, end) = motion.task().limits();
+    let places = HARDLY.map(|part| (time + part * (to - from)).clamp(begin, end));
+    places.into_iter().filter(|place| motion.passed(*place) == motion.passed(time)).collect()
+}
+
+/// How far from the time of an extreme a subject cannot be told from it.
+fn flat(motion: &Motion, subject: Subject, end: &End) -> f64 {
+    let (from, to) = motion.task().limits();
+    let differs = |time: f64| {
+        let there = motion.values(&[subject], time.clamp(from, to))[0];
+        !((there - end.value).abs() <= 2.0 * end.error)
+    };
+    let mut far = ROUNDINGS * end.time.abs().max(to - from);
+    while far < to - from && !(differs(end.time - far) && differs(end.time + far)) {
+        far *= 2.0;
+    }
+    far
 }
 
 /// What the rounding of the time of an event makes of a value there, which the motion may leave with any slope.

@@ -108,3 +108,29 @@ fn forty_windows_lie_flat_ten_times_and_go_on() {
     check(&motion, "E", 10.0, 620.338333333333, 1e-2);
     assert_eq!(motion.change_points().len(), 10);
 }
+
+/// Beside a change point accelerations are nearly nothing over nothing, and all solutions scatter alike: where the largest one
+/// lies, luck says, and others may have the same there.
+#[test]
+fn extremes_beside_a_change_point_are_as_uncertain_as_what_scatters() {
+    use assur::answer::{Ends, Samples};
+    use assur::shape::Subject;
+    use assur_equations::four_bar_chain::One;
+    let one = One { g: 11.1, ..One::default() };
+    let extremes = |settings: &Settings| -> Vec<Ends> {
+        let motion = one.solve(settings).expect("a motion");
+        let rates: Vec<_> = (0..motion.shape().states.len()).map(Subject::Rate).collect();
+        let found = motion.extremes(&rates, motion.task().limits());
+        let samples = Samples { times: &[], values: &[] };
+        motion.estimate().expect("other solutions").extremes(&motion, &rates, &samples, &found)
+    };
+    let noisy = extremes(&Settings::new(Method::Dop853).rtol(1e-12));
+    let smooth = extremes(&Settings::new(Method::Tsit5).rtol(1e-6));
+    assert_eq!(noisy.len(), smooth.len());
+    for (index, (noisy, smooth)) in noisy.iter().zip(&smooth).enumerate() {
+        for (found, right) in [(noisy.lowest, smooth.lowest), (noisy.highest, smooth.highest)] {
+            let off = (found.value - right.value).abs();
+            assert!(off <= 10.0 * found.error + right.error, "{index}: {found:?} {right:?}");
+        }
+    }
+}
