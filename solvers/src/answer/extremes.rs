@@ -43,12 +43,21 @@ pub struct Ends {
 }
 
 impl Ends {
-    /// Of what is nothing but noise either end may lie beyond the other.
-    fn share(&mut self) {
+    /// Of what is nothing but noise either end may lie beyond the other. What others have there may be as noisy and yet agree by
+    /// luck at one end: then it is as uncertain as all that the noise goes through, and may lie anywhere.
+    fn share(&mut self, (from, to): (f64, f64)) {
         let apart = self.highest.value - self.lowest.value;
         let errors = [self.lowest.error, self.highest.error];
-        self.lowest.error = larger(errors[0], errors[1] - apart);
-        self.highest.error = larger(errors[1], errors[0] - apart);
+        let is_noise = apart <= ALIKE * larger(errors[0], errors[1]);
+        for (end, [own, other]) in
+            [(&mut self.lowest, errors), (&mut self.highest, [errors[1], errors[0]])]
+        {
+            end.error = larger(own, other - apart);
+            if is_noise {
+                end.error = larger(end.error, apart);
+                end.reach = end.reach.max(end.time - from).max(to - end.time);
+            }
+        }
     }
 
     /// The one with the largest absolute value.
@@ -130,7 +139,8 @@ impl Estimate {
             Ends { lowest: end(0), highest: end(1) }
         });
         let mut ends: Vec<_> = each.collect();
-        ends.iter_mut().for_each(Ends::share);
+        let limits = motion.task().limits();
+        ends.iter_mut().for_each(|ends| ends.share(limits));
         for (index, (ends, own)) in ends.iter_mut().zip(extremes).enumerate() {
             let rounding = f64::EPSILON * own.amplitude();
             for (end, rivals) in
@@ -298,13 +308,16 @@ mod tests {
     #[test]
     fn an_end_may_lie_beyond_the_other_one() {
         let end = |value, error| End { value, error, time: 0.0, blur: 0.0, reach: 0.0 };
-        let errors = |lowest, highest| {
+        let errors = |lowest, highest, reach| {
             let mut ends = Ends { lowest, highest };
-            ends.share();
+            ends.share((0.0, 1.0));
+            assert_eq!((ends.lowest.reach, ends.highest.reach), (reach, reach));
             (ends.lowest.error, ends.highest.error)
         };
-        assert_eq!(errors(end(-0.25, 0.125), end(1.0, 8.0)), (6.75, 8.0));
-        assert_eq!(errors(end(-8.0, 0.125), end(8.0, 0.25)), (0.125, 0.25));
+        assert_eq!(errors(end(-0.25, 0.125), end(1.0, 8.0), 1.0), (6.75, 8.0));
+        // One end of noise that others agree with by luck.
+        assert_eq!(errors(end(-8.0, 10.0), end(8.0, 0.25), 1.0), (16.0, 16.0));
+        assert_eq!(errors(end(-8.0, 0.125), end(8.0, 0.25), 0.0), (0.125, 0.25));
     }
 
     #[test]

@@ -159,8 +159,10 @@ fn first_step(
     let ends =
         |here: &Here, values: &[f64]| scaled_size(options, (&here.state, &here.state), values);
     let (size, rate) = (ends(here, &here.state), ends(here, &here.rate));
+    // Where nothing of the error determines it, a smaller tolerance takes a shorter one all the same: else solutions with
+    // different ones would take the same steps, and err alike.
     let probe = match size < 1e-5 || rate < 1e-5 {
-        true => 1e-6,
+        true => 1e-6 * (1e6 * options.rtol).powf(1.0 / order),
         false => 0.01 * size / rate,
     };
     // A state that is next to nothing asks for a step that the time does not feel.
