@@ -62,6 +62,8 @@ pub struct Number {
 #[derive(Clone, Debug)]
 pub struct Answer {
     pub status: String,
+    /// Periods after which a motion repeats.
+    pub periods: u64,
     pub numbers: Vec<Number>,
     /// The events without their times.
     pub events: Vec<String>,
@@ -155,6 +157,7 @@ fn read(json: &Value) -> Answer {
     }
     Answer {
         status: text(&json["status"]),
+        periods: json["task"]["periods"].as_u64().unwrap_or(1),
         events: list(&json["events"]).iter().map(|event| text(&event["event"])).collect(),
         numbers,
     }

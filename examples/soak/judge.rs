@@ -85,6 +85,11 @@ impl Verdict {
         if tried.status != "complete" || reference.status != "complete" {
             return;
         }
+        // Where several motions attract, and the way to them is chaotic, chance picks one: both are right.
+        if tried.periods != reference.periods {
+            self.ends.push("another motion that repeats than the reference".to_owned());
+            return;
+        }
         if tried.events != reference.events {
             let (a, b) = (tried.events.len(), reference.events.len());
             let what = format!("events differ: {a} and {b}");
