@@ -20,7 +20,10 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
             [range.from, range.to, range.start, range.period].map(number);
         quote!(::assur::closure::Range { from: #from, to: #to, start: #start, period: #period })
     });
-    let starts = linkage.dependents.iter().map(|one| number(one.start));
+    let start = match linkage.dependents.is_empty() {
+        true => quote!(::std::vec::Vec::new()),
+        false => quote!(self.start_::<f64>().to_vec()),
+    };
     let span = crate::parameters::span(layout);
     let packed = match is_packed(layout, linkage) {
         true => quote!(!cfg!(debug_assertions)),
@@ -57,7 +60,7 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
             }
 
             fn start(&self) -> ::std::vec::Vec<f64> {
-                ::std::vec![#(#starts),*]
+                #start
             }
         }
     }

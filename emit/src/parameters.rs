@@ -59,13 +59,7 @@ fn inherent(layout: &Layout<'_>) -> TokenStream {
         quote!(S),
         "The period, or the first and the last time.",
     );
-    let start = computed(
-        layout,
-        "start_",
-        &results.start,
-        quote!(S),
-        "The declared start values of the state.",
-    );
+    let start = computed(layout, "start_", &results.start, quote!(S), "The declared start values.");
     let motion = linkage::motion(layout);
     let subjects = subjects::items(layout);
     quote! {

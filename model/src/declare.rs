@@ -78,28 +78,9 @@ pub struct Drive {
 impl Lowering<'_> {
     /// A fixed value: numbers, `pi` and functions of them.
     pub fn fixed(&mut self, term: &Term) -> Option<(f64, Kind)> {
-        let before = self.diagnostics.error_count();
-        let lowered = self.scalar(term);
-        let depends = match lowered {
-            Some((value, _)) => self.graph.depends_on(value, |_| true),
-            // What moves has no kind yet where constants are read.
-            None => {
-                self.diagnostics.error_count() == before
-                    && !self.is_incomplete()
-                    && !term.is_made_of_numbers()
-            }
-        };
-        if depends {
-            self.diagnostics.push(
-                Diagnostic::error(
-                    term.span,
-                    "a fixed value is expected here, made of numbers alone",
-                )
-                .hint("a value that depends on other values is a `let`"),
-            );
-            return None;
-        }
-        let (value, kind) = lowered?;
+        let what = "a fixed value is expected here, made of numbers alone";
+        let hint = "a value that depends on other values is a `let`";
+        let (value, kind) = self.made_of(term, |_| false, (what, hint))?;
         let number = self.graph.evaluate(&[value], &|_| f64::NAN)[0];
         if !number.is_finite() {
             self.diagnostics
@@ -109,9 +90,54 @@ impl Lowering<'_> {
         Some((number, kind))
     }
 
+    /// Where something starts that closures determine: by the constants, and by where the drivers start.
+    pub fn start(&mut self, term: &Term) -> Option<(Expression, Kind)> {
+        let is_given = |symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Driver(_));
+        let what = "a start value is expected here, made of numbers, constants and drivers alone";
+        let hint = "it says how the links are put together before anything moves";
+        self.made_of(term, is_given, (what, hint))
+    }
+
+    /// A value that depends on nothing but what it may be made of; anything else is reported.
+    fn made_of(
+        &mut self,
+        term: &Term,
+        may: impl Fn(Symbol) -> bool,
+        (what, hint): (&str, &str),
+    ) -> Option<(Expression, Kind)> {
+        let before = self.diagnostics.error_count();
+        let lowered = self.scalar(term);
+        let depends = match lowered {
+            Some((value, _)) => self.graph.depends_on(value, |symbol| !may(symbol)),
+            // What moves has no kind yet where constants are read.
+            None => {
+                self.diagnostics.error_count() == before
+                    && !self.is_incomplete()
+                    && !term.is_made_of_numbers()
+            }
+        };
+        if depends {
+            self.diagnostics.push(Diagnostic::error(term.span, what).hint(hint));
+            return None;
+        }
+        lowered
+    }
+
     /// The value of a term that has to be of a kind.
     pub fn fixed_of(&mut self, term: &Term, kind: Kind, what: &str) -> Option<f64> {
         let (value, found) = self.fixed(term)?;
+        self.check_kind(term, (kind, found), what)?;
+        Some(value)
+    }
+
+    /// Where something of a kind starts.
+    pub fn start_of(&mut self, term: &Term, kind: Kind, what: &str) -> Option<Expression> {
+        let (value, found) = self.start(term)?;
+        self.check_kind(term, (kind, found), what)?;
+        Some(value)
+    }
+
+    fn check_kind(&mut self, term: &Term, (kind, found): (Kind, Kind), what: &str) -> Option<()> {
         if agree(found, kind).is_none() {
             let message = unlike(what, kind, found);
             let unit = Unit::for_dimension(&kind.dimension()).symbol;
@@ -122,7 +148,7 @@ impl Lowering<'_> {
             self.diagnostics.push(Diagnostic::error(term.span, message).hint(hint));
             return None;
         }
-        Some(value)
+        Some(())
     }
 
     /// Default, tolerance and range of a constant. Declares its kind.
@@ -333,7 +359,7 @@ impl Lowering<'_> {
         let unit = match (unit, start) {
             (Some(unit), _) => unit::resolve(unit, self.diagnostics)?,
             (None, Some(start)) => {
-                let (_, kind) = self.fixed(start)?;
+                let (_, kind) = self.start(start)?;
                 let dimension = kind.dimension();
                 let written = written_unit(start, self.diagnostics);
                 written

@@ -24,7 +24,6 @@ pub struct Loops {
     pub(super) trials: Vec<Trial>,
     is_apart: bool,
     ranges: Vec<Range>,
-    start: Vec<f64>,
     values: OfValues,
 }
 
@@ -56,7 +55,6 @@ impl Loops {
             trials,
             is_apart: scene.program.is_apart(),
             ranges: ranges.collect(),
-            start: linkage.dependents.iter().map(|one| one.start).collect(),
             values: OfValues::new(scene, shape),
         }
     }
@@ -124,6 +122,6 @@ impl Linkage for Moved {
     }
 
     fn start(&self) -> Vec<f64> {
-        self.loops.start.clone()
+        self.loops.values.start(&self.values)
     }
 }

@@ -42,8 +42,6 @@ pub struct DependentInfo {
     pub quantity: QuantityInfo,
     /// Whether it is an angle, the same after a turn.
     pub is_angle: bool,
-    /// Rough value at the start, SI units; NaN if none is stated.
-    pub start: f64,
 }
 
 /// A scalar loop equation.

@@ -89,22 +89,17 @@ pub fn quantities(here: Here<'_>, low: &mut Lowering<'_>) -> Declared {
     let states = states.map(|(index, one)| (Symbol::State(indexed(index)), one));
     let unknowns = coordinates.chain(states);
     let units = unknowns.map(|(symbol, one)| low.unknown(symbol, one)).collect();
-    let dependents = names.dependents.iter().enumerate();
-    let dependents = dependents.map(|(index, one)| low.dependent(indexed(index), one));
-    let dependent_units = dependents.collect();
     low.moved = moved(low, here.scene());
     low.has_speeds = here
         .phase()
         .statements
         .iter()
         .any(|one| matches!(&one.kind, StatementKind::Energy { kind, .. } if *kind != EnergyKind::Potential));
-    Declared {
-        constants,
-        units,
-        dependent_units,
-        drives: low.drivers(names, low.moved),
-        moved: low.moved,
-    }
+    let drives = low.drivers(names, low.moved);
+    let dependents = names.dependents.iter().enumerate();
+    let dependents = dependents.map(|(index, one)| low.dependent(indexed(index), one));
+    let dependent_units = dependents.collect();
+    Declared { constants, units, dependent_units, drives, moved: low.moved }
 }
 
 /// What moves the drivers. A scene without states that closes loops, or sweeps, is a linkage.

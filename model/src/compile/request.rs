@@ -144,6 +144,8 @@ pub fn loops(
     if declared.is_linkage() {
         give_drivers(request, drives.len());
         request.results.closing = linkage.closing(low, request, &mode.asked.geometry, drives);
+        let drivers = (&mode.asked.ranges, &drives[..]);
+        request.results.start = linkage.starts(low, drivers, &request.results.span);
         return Some((Vec::new(), false));
     }
     for (index, drive) in drives.iter().enumerate() {

@@ -68,6 +68,38 @@ impl Linkage {
         }
     }
 
+    /// Where the dependent coordinates are declared to start, by the constants; no number where nothing says so. The drivers are
+    /// where they start, or, where nothing says that, at the begin of the task.
+    pub fn starts(
+        &self,
+        low: &mut Lowering<'_>,
+        (ranges, drives): (&Ranges, &[Drive]),
+        span: &[Expression],
+    ) -> Vec<Expression> {
+        let names = low.names;
+        let begin = span.first().filter(|_| span.len() == 2).copied();
+        let begin = begin.unwrap_or_else(|| low.graph.zero());
+        let begin = Map::from_iter([(Symbol::Time, begin)]);
+        let mut places = Map::default();
+        for (index, (range, drive)) in ranges.list.iter().zip(drives).enumerate() {
+            let place = match drive.position.filter(|_| range.start.is_nan()) {
+                Some(position) => low.graph.substitute(&[position], &begin)[0],
+                None => low.graph.number(range.start),
+            };
+            places.insert(Symbol::Driver(index as u32), place);
+        }
+        let starts = names.dependents.iter().enumerate().map(|(index, declared)| {
+            let kind = low.kind_of(Symbol::Dependent(index as u32));
+            let what = format!("`{}`", declared.name.text);
+            let start = declared.what.start.as_ref();
+            match start.and_then(|term| low.start_of(term, kind, &what)) {
+                Some(start) => low.graph.substitute(&[start], &places)[0],
+                None => low.graph.number(f64::NAN),
+            }
+        });
+        starts.collect()
+    }
+
     /// Closures that are not solved for, their time derivatives, and their slopes by the coordinates.
     pub fn closures(&self, low: &mut Lowering<'_>) -> Closing<Expression> {
         let residuals: Vec<_> = self.equations.iter().map(|one| one.residual).collect();
@@ -200,15 +232,6 @@ impl Linkage {
                 range.period = std::f64::consts::TAU;
             }
         }
-        // The start of a coordinate may depend on constants, and is compared with the closures where the motion begins.
-        let dependents = names.dependents.iter().enumerate();
-        let starts = dependents.map(|(index, declared)| match &declared.what.start {
-            Some(term) if !names.bound.contains_key(&index) => {
-                low.fixed(term).map_or(f64::NAN, |(value, _)| value)
-            }
-            _ => f64::NAN,
-        });
-        let starts: Vec<f64> = starts.collect();
         let dependents = names.dependents.iter().zip(units).enumerate().filter_map(
             |(index, (declared, unit))| {
                 let unit = unit.as_ref()?;
@@ -220,7 +243,6 @@ impl Linkage {
                         unit,
                     ),
                     is_angle: self.angles[index],
-                    start: starts[index],
                 })
             },
         );

@@ -26,7 +26,7 @@ pub struct Results<T = Value> {
     pub requirements: Vec<T>,
     /// Period, or start and end time.
     pub span: Vec<T>,
-    /// Start values of the state.
+    /// Start values of the state; of a linkage rough ones of the dependent coordinates, no number where none is stated.
     pub start: Vec<T>,
     /// What a linkage computes.
     pub closing: Closing<T>,

@@ -3,7 +3,7 @@
 use assur_model::checked::{Distribution, ExpectPlace, SceneModel, SpanKind, Subject};
 use assur_model::program::Values;
 
-use super::{SPRING, compiled};
+use super::{SPRING, check, compiled, first_scene};
 
 /// The scenes of a file without mistakes.
 #[track_caller]
@@ -261,14 +261,42 @@ fn scenes_start_dependent_coordinates_elsewhere() {
     let scenes = scenes(text);
     let linkage = |index: usize| scenes[index].linkage.as_ref().expect("a linkage");
     let start = |index: usize| -> Vec<f64> {
-        let dependents = linkage(index).dependents.iter().map(|one| one.start);
-        dependents.chain([linkage(index).ranges[0].start]).collect()
+        let scene = &scenes[index];
+        let dependents = values(scene, 0.0, &[]).all(&scene.program.results.start);
+        dependents.into_iter().chain([linkage(index).ranges[0].start]).collect()
     };
     let degrees = |angles: [f64; 3]| angles.map(f64::to_radians).to_vec();
     assert_eq!(start(0), degrees([21.0, 106.0, 90.0]));
     assert_eq!(start(1), [-0.9, 3.9, 1.0]);
     assert_eq!(linkage(1).dependents[1].quantity.unit, "deg");
     assert_eq!(scenes[0].constants[0].distribution, Distribution::Lognormal);
+}
+
+/// Start values follow from constants, and from where drivers start: of one that moves, at the begin of its task.
+#[test]
+fn start_values_follow_from_what_is_given() {
+    let text = |phi: &str, rest: &str| {
+        format!(
+            "Rocker; dimension a = 25 mm, b = 90 mm, c = 60 mm, d = 100 mm; parameter mode = -1; let side = mode*90 deg;
+            dependent gamma ~ phi + 2*side, psi: rad; {phi}
+            closure loop: a*dir(phi) + b*dir(gamma) = [d, 0] + c*dir(psi); output psi; scene go {{ {rest} }}"
+        )
+    };
+    let start = |phi: &str, rest: &str| {
+        let scene = first_scene(&text(phi, rest));
+        values(&scene, 0.0, &[]).all(&scene.program.results.start)
+    };
+    let swept = start("driver phi ~ 30 deg in 0 deg .. 360 deg;", "sweep phi;");
+    assert!((swept[0] + 150f64.to_radians()).abs() < 1e-15 && swept[1].is_nan(), "{swept:?}");
+    let moved = start("driver phi = 2 [rad/s]*time;", "run time 1 s .. 2 s;");
+    assert_eq!(moved[0], 2.0 - std::f64::consts::PI);
+    let swept = "driver phi in 0 deg .. 360 deg;";
+    let wrong = text(swept, "sweep phi;").replace("phi + 2*side", "psi");
+    check(&wrong, &[("a start value is expected here", "psi", "how the links are put together")]);
+    check(
+        &text(swept, "sweep phi; start gamma = d;"),
+        &[("`gamma`", "d", "as a pure number or an angle")],
+    );
 }
 
 /// A driver that a scene holds is a parameter in it, with the value, range and tolerance that it has.
