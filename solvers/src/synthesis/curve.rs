@@ -17,11 +17,9 @@ impl Curve {
         Self { count, entries: vec![0.0; count * count], is_known: false }
     }
 
-    /// That of columns by which a slope changes along each number. Directions in which it falls count as straight.
-    pub fn seen(columns: &[Vec<f64>]) -> Self {
-        let count = columns.len();
-        let entry = |row: usize, column: usize| 0.5 * (columns[column][row] + columns[row][column]);
-        let mut factors = DMatrix::from_fn(count, count, entry).symmetric_eigen();
+    /// That of a matrix, row by row. Directions in which it bends downwards count as straight.
+    pub fn seen(count: usize, entries: &[f64]) -> Self {
+        let mut factors = DMatrix::from_row_slice(count, count, entries).symmetric_eigen();
         factors.eigenvalues.iter_mut().for_each(|one| *one = one.max(0.0));
         let matrix = factors.recompose();
         Self { count, entries: matrix.transpose().as_slice().to_vec(), is_known: true }

@@ -31,6 +31,12 @@ pub trait Local {
     /// means the same.
     fn look(&mut self, design: &[f64]) -> Option<Look>;
 
+    /// How the Lagrangian of these multipliers is bent where was looked last, row by row; none where that is not known.
+    fn curvature(&mut self, multipliers: &[f64]) -> Option<Vec<f64>> {
+        let _ = multipliers;
+        None
+    }
+
     /// Whether nobody waits for a better design any more.
     fn is_stopped(&self) -> bool {
         false
@@ -71,6 +77,13 @@ impl Look {
             }
         }
         self
+    }
+
+    /// How much a condition may change within a region.
+    pub(super) fn reach(&self, count: usize, region: f64) -> f64 {
+        let rows = self.slopes[self.values.len() * count..].chunks_exact(count);
+        let sums = rows.map(|row| row.iter().map(|one| one.abs()).sum());
+        region * sums.fold(0.0, f64::max)
     }
 
     /// How much steeper the values are than the conditions.

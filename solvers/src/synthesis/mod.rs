@@ -4,6 +4,8 @@
 //! conditions are missed, and, of designs that keep them all, a value that is to be small.
 
 #[cfg(feature = "synthesis")]
+mod bent;
+#[cfg(feature = "synthesis")]
 mod certificate;
 #[cfg(feature = "synthesis")]
 mod curve;
@@ -18,6 +20,8 @@ mod programme;
 mod search;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "synthesis")]
+mod way;
 
 #[cfg(feature = "synthesis")]
 pub use certificate::{Certificate, certify};

@@ -30,8 +30,6 @@ pub(super) struct Step {
     pub bounds: Vec<f64>,
     /// By how much a condition is still missed.
     pub missed: f64,
-    /// How much it might have changed.
-    pub reach: f64,
 }
 
 /// The sizes of what may change within the region.
@@ -167,7 +165,6 @@ impl Model<'_> {
             multipliers,
             bounds: (0..n).map(at_bound).collect(),
             missed: (x[worst] * units.condition + missed).max(0.0),
-            reach: units.condition,
             way,
         })
     }

@@ -205,3 +205,36 @@ fn what_cannot_be_judged_is_refused() {
     let found = polish(&mut problem, Aim::Largest, &[0.5], 300);
     assert_eq!(found.unwrap_err(), SynthesisError::NotJudged);
 }
+
+/// The seventh-degree cam law of the least peak acceleration, between wide bounds: three extremes, two of which are alike, hold
+/// two numbers in one direction, and along the other one the valley is flat beside how steep its sides are.
+#[test]
+fn a_flat_valley_between_wide_bounds_is_followed_to_its_end() {
+    let look = |c: &[f64]| {
+        let second = -(1.0 + 4.0 * c[0] + 6.0 * c[1]) / 2.0;
+        let (third, fourth) = (60.0 * c[0], 210.0 * c[1]);
+        // Where 6 c2 + 60 c3 x² + 210 c4 x⁴ is zero.
+        let root = (third * third - 4.0 * fourth * 6.0 * second).max(0.0).sqrt();
+        let squares = [-1.0, 1.0].map(|sign| (-third + sign * root) / (2.0 * fourth));
+        let places = squares.map(|square| square.clamp(0.0, 1.0).sqrt());
+        let (mut values, mut slopes) = (Vec::new(), Vec::new());
+        for (x, sign) in [places[0], places[1], 1.0, -places[0], -places[1], -1.0]
+            .into_iter()
+            .flat_map(|x| [(x, 1.0), (x, -1.0)])
+        {
+            let (cube, fifth) = (x.powi(3), x.powi(5));
+            values.push(sign * 2.0 * (6.0 * second * x + 20.0 * c[0] * cube + 42.0 * c[1] * fifth));
+            slopes.push(sign * 2.0 * (-12.0 * x + 20.0 * cube));
+            slopes.push(sign * 2.0 * (-18.0 * x + 42.0 * fifth));
+        }
+        (values, Vec::new(), slopes)
+    };
+    for from in [[0.336_155_582_7, -0.078_341_529_26], [0.4, -0.1], [3.0, -1.0]] {
+        let (found, held) =
+            certified(vec![Sought::between(-200.0, 200.0); 2], Aim::Largest, &from, look);
+        // By a simplex method, each extreme from the roots of the polynomial.
+        assert!((found.value - 4.381_904_404_688_14).abs() < 1e-11, "{found:?}");
+        assert_eq!(held.free, 1, "{held:?}");
+        assert!(held.curvature.is_some_and(|one| one > 0.0), "{held:?}");
+    }
+}
